@@ -8,11 +8,15 @@ set -eu
 cd "$(dirname "$0")/.."
 hours=${FLY_HOURS:-48}
 out=target/flights
-sins=${CARGO_TARGET_DIR:-target}/release/sins
+target=${CARGO_TARGET_DIR:-target}
+sins=$target/release/sins
 
 echo "building (some minutes, once)"
-cargo build --release --quiet -p sins-cli
-c_examples/build.sh # last: of both builds of the library it is this one, optimised across crates, that stays
+c_examples/build.sh
+# In a folder of its own: a build of the library for the program and one as a shared library alone, as build.sh makes it, replace
+# each other in a folder of cargo, and both would be built again each time.
+cargo build --release --quiet -p sins-cli --target-dir "$target/program"
+ln -f "$target/program/release/sins" "$sins"
 
 rm -rf "$out"
 mkdir -p "$out"

@@ -27,6 +27,7 @@ steps() {
 }
 frames() { cargo run --release --manifest-path benches/Cargo.toml --bin frames; }
 stages() { cargo run --release --manifest-path benches/Cargo.toml --bin stages; }
+memory() { cargo test --test interface host_machine:: -- --nocapture; }
 recommend() { cargo test --release --test analysis recommend:: -- --nocapture; }
 curve() {
     "$sins" curve --force --flight all c_examples/flights/fighter_aerobatics.csv --out "$figures/curve.out"
@@ -55,6 +56,14 @@ ensemble() { cargo run --release --manifest-path benches/Cargo.toml --bin ensemb
 scale() { benches/scale.sh; }
 covariance() { cargo test --test analysis covariance -- --nocapture; }
 
+# questions.md
+at_rest() {
+    local rate
+    for rate in 0.1 0.01; do
+        "$sins" fly rest --set flight.rate_hz=$rate --set options.max_gap_s=100 --set flight.hours=12 --force --out "$figures/at_rest.out"
+    done
+}
+
 # scenes.md, host_time.md, hosts.md, packages.md
 library_sizes() {
     local feature
@@ -79,8 +88,8 @@ packages() {
     ls -l target/dist
 }
 
-all="simulations poles earth mounting flights steps frames stages recommend curve effects budget allan allan_estimator ensemble
-    scale covariance library_sizes gaps snapshots jsbsim packages"
+all="simulations poles earth mounting flights steps frames stages memory recommend curve effects budget allan
+    allan_estimator ensemble scale covariance at_rest library_sizes gaps snapshots jsbsim packages"
 for name in "$@"; do
     if [[ " "${all//$'\n'/ }" " != *" $name "* ]]; then
         echo "$name: none of" $all

@@ -109,6 +109,45 @@
  *   linked with them then does not link, or does not start. A program that loads the library at run time looks up
  *   sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
  *
+ * Functions by subject, in the order of this file:
+ *
+ *   Version and statuses: sins_abi_version, sins_version_string, sins_status_string
+ *   Simulator: sins_create, sins_destroy, sins_get_options, sins_push_sample, sins_step, sins_move_time,
+ *     sins_move_truth, sins_reposition, sins_reset
+ *   Why a call failed: sins_last_error, sins_last_error_info
+ *   Sensor errors: sins_set_gyro, sins_get_gyro, sins_set_accel, sins_get_accel, sins_set_altimeter,
+ *     sins_get_altimeter
+ *   Failures of sensors: sins_set_failure, sins_get_failure
+ *   Start, mounting, gravity: sins_set_initial_errors, sins_get_initial_errors, sins_set_mounting,
+ *     sins_get_mounting, sins_set_gravity_disturbance, sins_get_gravity_disturbance
+ *   Many samples in one call: sins_run
+ *   Reads: sins_get_truth, sins_get_navigation, sins_get_imu, sins_get_errors, sins_get_accuracy,
+ *     sins_get_truth_summary, sins_get_covariance, sins_get_record, sins_record_line
+ *   Navigation on increments: sins_start_navigation, sins_push_imu
+ *   Snapshots: sins_snapshot_size, sins_snapshot_save, sins_snapshot_load
+ *   Ensembles and statistics: sins_ensemble_create, sins_ensemble_destroy, sins_ensemble_push_sample,
+ *     sins_ensemble_step, sins_ensemble_run, sins_ensemble_reposition, sins_ensemble_reset,
+ *     sins_ensemble_set_failure, sins_ensemble_get_runs, sins_ensemble_get_truth, sins_ensemble_get_navigation,
+ *     sins_ensemble_get_errors, sins_ensemble_get_imu, sins_ensemble_get_diverged, sins_ensemble_get_statistics,
+ *     sins_statistics_merge, sins_statistics_figures, sins_ensemble_snapshot_size, sins_ensemble_snapshot_save,
+ *     sins_ensemble_snapshot_load
+ *   Presets of sensors: sins_gyro_preset, sins_accel_preset
+ *   Embedded flights: sins_flight_create, sins_flight_duration, sins_flight_sample_at, sins_flight_destroy
+ *   Scenes: sins_scene_create, sins_scene_parse, sins_scene_get_fault, sins_scene_create_builtin,
+ *     sins_scene_builtin_name, sins_scene_write, sins_scene_write_keys, sins_scene_create_simulator,
+ *     sins_scene_create_flight, sins_scene_destroy, sins_scene_prepare, sins_scene_prepare_ensemble,
+ *     sins_scene_get_options, sins_scene_set_options, sins_scene_get_gyro, sins_scene_set_gyro, sins_scene_get_accel,
+ *     sins_scene_set_accel, sins_scene_get_altimeter, sins_scene_set_altimeter, sins_scene_get_initial_errors,
+ *     sins_scene_set_initial_errors, sins_scene_get_mounting, sins_scene_set_mounting,
+ *     sins_scene_get_gravity_disturbance, sins_scene_set_gravity_disturbance, sins_scene_get_setup,
+ *     sins_scene_set_setup, sins_scene_get_manoeuvres, sins_scene_set_manoeuvres, sins_scene_get_text,
+ *     sins_scene_set_text, sins_scene_get_failure_count, sins_scene_get_failure, sins_scene_add_failure,
+ *     sins_scene_clear_failures
+ *   Values of a scene by their paths: sins_scene_get_key, sins_scene_get_value, sins_scene_set_values,
+ *     sins_scene_set_items
+ *   Flight logs: sins_log_parse, sins_log_get_info, sins_log_get_sample, sins_log_destroy, sins_scene_get_samples
+ *   Which options, which effects matter: sins_recommend, sins_error_budget
+ *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
 
@@ -247,8 +286,8 @@ enum sins_scheme {
 /* What stabilizes the vertical channel. */
 enum sins_vertical {
     /*
-     * Third-order loop on a barometric height, time constant 100 s. Its response equals that of the continuous loop to second
-     * order in the interval: within 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+     * Third-order loop on a barometric height, time constant 100 s. Its response differs from that of the continuous loop by
+     * 3.5e-5 of its size at 1 Hz, and by 3.5e-7 at 10 Hz (second order in the interval).
      */
     SINS_VERTICAL_DAMPED = 0,
     /* Height and vertical velocity set to the truth at each sample. */
@@ -319,7 +358,7 @@ enum sins_signal {
     /*
      * As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
      * free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
-     * trim. If no sensor has errors, the trim costs no second navigator.
+     * trim. As soon as the start, a sensor or gravity has errors, the trim needs a second navigator without errors.
      */
     SINS_SIGNAL_CLOSED_LOOP = 1
 };
@@ -565,6 +604,30 @@ enum sins_scene_text {
     SINS_SCENE_TEXT_IMU = 5
 };
 
+/* What kind of value a key of a scene takes. */
+enum sins_scene_key_kind {
+    /* Numbers: elements of them. */
+    SINS_SCENE_KEY_NUMBERS = 0,
+    /* A whole number, not negative. */
+    SINS_SCENE_KEY_WHOLE = 1,
+    /* One of several words. */
+    SINS_SCENE_KEY_WORD = 2,
+    /* A text. */
+    SINS_SCENE_KEY_TEXT = 3,
+    /* true or false. */
+    SINS_SCENE_KEY_FLAG = 4
+};
+
+/* Flags of a sins_scene_key. */
+enum sins_scene_key_flags {
+    /* The key belongs to the items of a list: its section stands in double brackets. */
+    SINS_SCENE_KEY_IN_LIST = 1,
+    /* minimum and maximum are the limits of each number. Without this flag there are none, or they depend on other values. */
+    SINS_SCENE_KEY_LIMITS = 2,
+    /* 0 is allowed beside the values within the limits, and means none. */
+    SINS_SCENE_KEY_ZERO_IS_OFF = 4
+};
+
 /* Flags of a sins_budget_row. */
 enum sins_budget_flags {
     /* The row's figures are standard deviations (1 sigma), exact to first order. */
@@ -640,8 +703,9 @@ typedef struct sins_options {
      */
     double sample_period_s;
     /*
-     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. Intervals
-     * of 100 s cause 40 m of position error in 12 h, longer ones many times that.
+     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. There
+     * the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and
+     * 91 m with intervals of 100 s.
      */
     double max_gap_s;
     /*
@@ -765,11 +829,11 @@ typedef struct sins_gyro_params {
     /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0. */
     double markov_time_s[3];
     /*
-     * White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
-     * density of the noise, in the unit of the signal per sqrt(Hz).
+     * White noise N: angle random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral density of
+     * the noise, in the unit of the signal per sqrt(Hz).
      */
     double random_walk_rad_sqrt_s[3];
-    /* Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
+    /* Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
     double rate_random_walk_rad_s_sqrt_s[3];
     /* Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set. */
     double rate_ramp_rad_s2[3];
@@ -874,11 +938,11 @@ typedef struct sins_accel_params {
     /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0. */
     double markov_time_s[3];
     /*
-     * White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
-     * spectral density of the noise, in the unit of the signal per sqrt(Hz).
+     * White noise N: velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the spectral
+     * density of the noise, in the unit of the signal per sqrt(Hz).
      */
     double velocity_random_walk_m_s_sqrt_s[3];
-    /* Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
+    /* Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
     double acceleration_random_walk_m_s2_sqrt_s[3];
     /* Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set. */
     double ramp_m_s3[3];
@@ -1443,8 +1507,8 @@ typedef struct sins_truth_summary {
  * It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
  * One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
  * current second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
- * second have no effect on the covariance. The numbers of the propagation (in SI units, square roots of variances) end at 1e30,
- * so all outputs are finite.
+ * second have no effect on the covariance. The standard deviations of the propagation are limited to 1e30 in SI units, so all
+ * outputs are finite.
  */
 typedef struct sins_covariance {
     /* sizeof(sins_covariance) */
@@ -1664,14 +1728,25 @@ typedef struct sins_manoeuvre {
 typedef struct sins_fault {
     /* sizeof(sins_fault) */
     uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
+    /* Flags of enum sins_error_info_flags, or'ed: which of value, minimum and maximum there are. */
+    uint32_t flags;
     /* Number of faults of the text, 200 at most. */
     uint64_t count;
-    /* Line of this fault, from 1. */
+    /* Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call. */
     uint64_t line;
-    /* Column, in characters from 1; for a flight log, the column of the table. */
+    /* Column, in characters from 1; for a flight log, the column of the table; 0: as for line. */
     uint64_t column;
+    /* The value at fault, in the unit of the key that path names. */
+    double value;
+    /* Least allowed value, in that unit; if the sentence says "more than", it is rejected too. */
+    double minimum;
+    /* Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too. */
+    double maximum;
+    /*
+     * Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
+     * terminated. Empty for a flight log, and if the text itself is at fault.
+     */
+    char path[96];
     /*
      * Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
      * longer.
@@ -1740,6 +1815,54 @@ typedef struct sins_planned_failure {
     double probability;
 } sins_planned_failure;
 
+/* A key of the scene format. */
+typedef struct sins_scene_key {
+    /* sizeof(sins_scene_key) */
+    uint32_t struct_size;
+    /* Flags of enum sins_scene_key_flags, or'ed. */
+    uint32_t flags;
+    /* Number of keys of the format. */
+    uint64_t count;
+    /* Kind of the value, of enum sins_scene_key_kind. */
+    int32_t kind;
+    /* Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds. */
+    int32_t elements;
+    /* Elements that a single number sets, in the place of all: element k by bit k; 0: a single number is not enough. */
+    uint32_t spread;
+    /* 0 */
+    uint32_t reserved;
+    /* SI units in one unit of the key; 1 for the other kinds. */
+    double si_per_unit;
+    /*
+     * Least value of each number in the unit of the key, which is allowed itself: of all kinds of items. Other values of the
+     * scene may narrow the limits.
+     */
+    double minimum;
+    /* Greatest value, likewise. */
+    double maximum;
+    /* Section, such as "gyro" or "manoeuvre.sinusoid"; terminated, as all texts here. */
+    char section[24];
+    /* Name, such as "bias_deg_h": its value is in the unit of data sheets. */
+    char name[40];
+    /* Name of the key that takes the same quantity in SI, such as "bias_rad_s"; empty: name is that key. */
+    char si_name[40];
+    /* Unit of name, such as "deg/h"; empty: a pure number, or no number. */
+    char unit[24];
+    /* Unit of si_name, such as "rad/s". */
+    char si_unit[24];
+    /* Value of a scene that does not set it, as sins_scene_get_value() gives it; empty: it has none then. */
+    char default_value[32];
+    /* Words of SINS_SCENE_KEY_WORD, "exact|paper|polynomial". */
+    char words[128];
+    /*
+     * Items that can have the key: "kind=turn|s_turn" means those whose key kind is one of these words. Several conditions have
+     * a space between them. Empty: all.
+     */
+    char condition[96];
+    /* Meaning, without unit. */
+    char meaning[128];
+} sins_scene_key;
+
 /* Contents of a flight log. */
 typedef struct sins_log_info {
     /* sizeof(sins_log_info) */
@@ -1753,6 +1876,27 @@ typedef struct sins_log_info {
     /* The comment in the first line of the log, UTF-8, terminated; empty: none. */
     char title[192];
 } sins_log_info;
+
+/* The samples that a scene flies. */
+typedef struct sins_scene_samples {
+    /* sizeof(sins_scene_samples) */
+    uint32_t struct_size;
+    /* 0 */
+    uint32_t reserved;
+    /* Number of samples. */
+    uint64_t count;
+    /*
+     * Samples from one record of a program to the next, at least 1: by sins_scene_setup.every_s, or else for about 2000
+     * records.
+     */
+    uint64_t record_every;
+    /* Time stamp of the first sample [s]. */
+    double start_s;
+    /* Time between two samples; of a log, the mean [s]. */
+    double period_s;
+    /* Time from the first to the last sample [s]. */
+    double duration_s;
+} sins_scene_samples;
 
 /*
  * Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.
@@ -1942,10 +2086,12 @@ enum sins_sizeof {
     SINS_SIZEOF_FIGURES = 936,
     SINS_SIZEOF_FLIGHT_START = 72,
     SINS_SIZEOF_MANOEUVRE = 240,
-    SINS_SIZEOF_FAULT = 288,
+    SINS_SIZEOF_FAULT = 408,
     SINS_SIZEOF_SCENE_SETUP = 72,
     SINS_SIZEOF_PLANNED_FAILURE = 80,
+    SINS_SIZEOF_SCENE_KEY = 592,
     SINS_SIZEOF_LOG_INFO = 216,
+    SINS_SIZEOF_SCENE_SAMPLES = 48,
     SINS_SIZEOF_REQUIREMENT = 48,
     SINS_SIZEOF_COST = 96,
     SINS_SIZEOF_BUDGET_REQUEST = 40,
@@ -2040,8 +2186,8 @@ SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
  * misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the
  * new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running figures continue,
  * and no random number changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow
- * the new signals immediately. Waiting samples are dropped. The time may jump too, and all clocks with it, as in
- * sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
+ * the new signals immediately. Waiting samples are dropped. The time may jump too: the running figures and the
+ * grid of a stated period then move with it, as in sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
  * solution is its velocity error alone until the next sample is pushed.
  *
  * If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and
@@ -2100,7 +2246,7 @@ SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct 
 
 /*
  * Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
- * effects do not change. Processes that were active continue.
+ * effects do not change. Random processes that were active continue.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
@@ -2113,7 +2259,7 @@ SINS_API sins_status SINS_CALL sins_get_gyro(sins_sim *sim, struct sins_gyro_par
 
 /*
  * Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers of
- * other effects do not change. Processes that were active continue.
+ * other effects do not change. Random processes that were active continue.
  *
  * SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
  */
@@ -2140,8 +2286,8 @@ SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, struct sins_alt
  *
  * sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
  * zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
- * Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on both error
- * data. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
+ * Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on error
+ * data 1 and on error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
  * so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
@@ -2199,9 +2345,9 @@ SINS_API sins_status SINS_CALL sins_set_gravity_disturbance(sins_sim *sim, const
 SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struct sins_gravity_params *params);
 
 /*
- * Pushes and steps an array of samples, count of them, and writes a record after every `every` intervals since the
- * flight's start. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
- * by sample.
+ * Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the flight's
+ * start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and
+ * stepping sample by sample.
  *
  * samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
  * other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
@@ -2293,6 +2439,20 @@ SINS_API sins_status SINS_CALL sins_get_covariance(sins_sim *sim, struct sins_co
 SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record *record);
 
 /*
+ * Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its files of
+ * records; record NULL: the line with the names of the columns. Numbers read back to the bit. sensor_errors are the mean
+ * errors of gyros [rad/s] and accelerometers [m/s2] since the record before, x, y, z of each; count is 6; NULL and 0: all 0.
+ * covariance, which may be NULL, adds columns of standard deviations. buffer, capacity and needed as in sins_last_error(); a
+ * line has at most 1600 bytes. Not for a real-time frame: it allocates.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
+ */
+SINS_API sins_status SINS_CALL sins_record_line(
+    const struct sins_record *record, const double *sensor_errors, size_t count,
+    const struct sins_covariance *covariance, char *buffer, size_t capacity, size_t *needed);
+
+/*
  * Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
  * gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges are those of a
  * flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply. There is no
@@ -2312,7 +2472,7 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
  * updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
  *
  * SINS_ERROR_BAD_STATE: sins_start_navigation() was not called.
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a rotation of half a turn or more in a part or in the interval.
  * SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
  * readable, and sins_reset() and sins_start_navigation() start anew.
  */
@@ -2592,7 +2752,7 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  *
  * On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
  * of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
- * sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If memory
+ * sins_scene_prepare() and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is available. If memory
  * runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does the same, except
  * that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
  */
@@ -2600,7 +2760,7 @@ SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
 
 /*
  * Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
- * sins_scene_write_keys() lists the keys.
+ * sins_scene_write_keys() and sins_scene_get_key() list the keys.
  *
  * SINS_SCENE_HAS_FAULTS: the text is not a valid scene; sins_scene_get_fault() gives every fault and its place. The handle
  * is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
@@ -2609,7 +2769,8 @@ SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
 SINS_API sins_status SINS_CALL sins_scene_parse(const char *text, size_t size, sins_scene **scene);
 
 /*
- * Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
+ * Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults. After
+ * sins_scene_set_values() and sins_scene_set_items() the faults are those of that call; none if it succeeded.
  *
  * SINS_ERROR_INVALID_ARGUMENT: there is no such fault.
  */
@@ -2850,8 +3011,59 @@ SINS_API sins_status SINS_CALL sins_scene_add_failure(sins_scene *scene, const s
 SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
 
 /*
- * Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
- * order; columns of other names are ignored, and a row with more fields than columns is a fault:
+ * Reads key `index` of the scene format, from 0 in the order in which a scene is written.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: there are no more.
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_key(size_t index, struct sins_scene_key *key);
+
+/*
+ * Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
+ * the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
+ * "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
+ * value: flight.hours of a scene that flies the whole flight. A number that has no equal in the unit of its key is rounded;
+ * in SI it is exact. A preset is not kept: its errors are.
+ *
+ * "manoeuvre[3]" and "failure[0]" are all lines of an item, for sins_scene_set_items(). A built-in flight and a log have no
+ * manoeuvres here. buffer, capacity and needed as in sins_scene_write().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_value(
+    const sins_scene *scene, const char *path, char *buffer, size_t capacity, size_t *needed);
+
+/*
+ * Sets values of the scene, all at once, at most 4096. values is a terminated text in UTF-8 with one path = value in each
+ * line; blank lines and lines that begin with # are ignored. Paths are those of sins_scene_get_value(). A value is written as in the text of a
+ * scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the default, in an element 0. If a value is set
+ * twice, the last counts. A preset replaces all errors of its sensors. flight.file and flight.builtin replace the flight.
+ *
+ * The scene is checked as sins_scene_parse() checks a text: its values must go together. So set in one call what belongs
+ * together, as a manoeuvre's kind and its quantities.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins_scene_get_fault() gives every fault
+ * with the line in values and the path.
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_values(sins_scene *scene, const char *values);
+
+/*
+ * Sets all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
+ * [[manoeuvre]] and its keys, and so on; that of one item is what sins_scene_get_value() gives. So a host adds, removes,
+ * moves and replaces items by their texts. An empty text removes all failures. Manoeuvres replace a built-in flight, with its
+ * start, or a log, with a start at latitude 0, longitude 0, height 0.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
+ * every fault with the line in items and the path.
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+ */
+SINS_API sins_status SINS_CALL sins_scene_set_items(sins_scene *scene, const char *list, const char *items);
+
+/*
+ * Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
+ * comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns
+ * is a fault:
  *
  * time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
  * or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
@@ -2862,7 +3074,7 @@ SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
  * frame: it allocates, 184 bytes a sample.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
- * and *log is unchanged.
+ * sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
  * SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
  */
 SINS_API sins_status SINS_CALL sins_log_parse(
@@ -2888,6 +3100,18 @@ SINS_API sins_status SINS_CALL sins_log_get_sample(
 SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
 
 /*
+ * Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
+ * sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
+ * sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, or the log has no second sample within the duration.
+ * SINS_ERROR_BAD_HANDLE: scene or log is not a valid handle.
+ * SINS_ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_get_samples(
+    const sins_scene *scene, const sins_log *log, struct sins_scene_samples *samples);
+
+/*
  * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
  * cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
  *
@@ -2899,10 +3123,11 @@ SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
  * Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
  * reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
  * with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
- * start, gravity and believed mounting are left out, because they act on both solutions alike; so do contradictions within
- * the host's samples. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
- * duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. As long as the flight
- * continues like the piece, this predicts larger errors than the flight will show. With SINS_VERTICAL_FREE each error counts
+ * start, gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both
+ * solutions alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
+ * duration beyond the piece, the call assumes that the piece is flown again and again, that each time adds the same errors
+ * with the same sign, and that they grow by the Schuler oscillation with the worst phase. If the flight continues like the
+ * piece, its errors are smaller than this prediction. With SINS_VERTICAL_FREE each error counts
  * as a height error, which grows e-fold every 569 s.
  *
  * The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only
@@ -2955,8 +3180,8 @@ SINS_API sins_status SINS_CALL sins_recommend(
  *
  * The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
  * allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
- * for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
- * these. With limits it flies them once more in each run, and further times if effects do not add up.
+ * for each effect, once in each run with all effects together, and, if there are random effects, once in each run with the
+ * random effects alone. With limits it flies them once more in each run, and further times if effects do not add up.
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
  * (To ask for the number, give NULL for rows and a capacity of 0.)

@@ -31,7 +31,7 @@
 
 namespace sins {
 
-/* A call that failed: its status; in what() the sentence of sins_last_error(), in info() its data (sins_last_error_info()). */
+/* A call that failed. what() is the sentence of sins_last_error(), info() the data of sins_last_error_info(). */
 class Error : public std::runtime_error {
 public:
     Error(sins_status status, const std::string &sentence, const sins_error_info &info)
@@ -47,7 +47,7 @@ private:
     sins_error_info info_;
 };
 
-/* An interface struct: all zero, which is off or recommended, with struct_size set. */
+/* A struct of sins.h that is zero except for struct_size: everything is off, or as recommended. */
 template <typename T> T make() noexcept
 {
     T zeroed = T();
@@ -55,13 +55,13 @@ template <typename T> T make() noexcept
     return zeroed;
 }
 
-/* "SINS_ERROR_TIME_ORDER" */
+/* The name of a status, such as "SINS_ERROR_TIME_ORDER". */
 inline const char *status_string(sins_status status) noexcept
 {
     return sins_status_string(status);
 }
 
-/* The sentence of the last failed call on sim; NULL: of the last one on this thread that has no simulator. */
+/* The sentence of the last failed call on sim; NULL: of the last failed call on this thread that has no simulator. */
 inline std::string last_error(const sins_sim *sim)
 {
     char sentence[1024];
@@ -73,14 +73,14 @@ namespace detail {
 
 [[noreturn]] inline void fail(sins_status status, const sins_sim *sim)
 {
-    /* A handle that is none remembers nothing; the thread does. */
+    /* The failure of a call with an invalid handle is kept for the thread. */
     const sins_sim *place = status == SINS_ERROR_BAD_HANDLE ? nullptr : sim;
     sins_error_info info = make<sins_error_info>();
     sins_last_error_info(place, &info);
     throw Error(status, last_error(place), info);
 }
 
-/* Whether there is a result; an error is thrown. */
+/* True for SINS_OK, false for a positive status. Throws an error. */
 inline bool done(sins_status status, const sins_sim *sim)
 {
     if (status < 0) {
@@ -89,7 +89,7 @@ inline bool done(sins_status status, const sins_sim *sim)
     return status == SINS_OK;
 }
 
-/* The text that `write` writes into a buffer of as many bytes as it asks for. */
+/* The text that `write` writes, in a buffer of the size that it asks for. */
 template <class Write> std::string text(Write write)
 {
     std::size_t needed = 0;
@@ -101,19 +101,19 @@ template <class Write> std::string text(Write write)
 
 } // namespace detail
 
-/* Compare with SINS_HEADER_ABI. */
+/* Version of the interface of the loaded library: compare it with SINS_HEADER_ABI. */
 inline uint32_t abi_version() noexcept
 {
     return sins_abi_version();
 }
 
-/* "0.1.0" */
+/* Release of the loaded library, such as "0.1.0". */
 inline const char *version_string() noexcept
 {
     return sins_version_string();
 }
 
-/* SINS_GRADE_... */
+/* grade is of enum sins_grade. */
 inline sins_gyro_params gyro_preset(int32_t grade)
 {
     sins_gyro_params params = make<sins_gyro_params>();
@@ -162,10 +162,10 @@ public:
         }
     }
 
-    /* Owned from here on: one that a function of sins.h made. */
+    /* Takes ownership of a handle that a function of sins.h made. */
     explicit Flight(sins_flight *flight) noexcept : flight_(flight) {}
 
-    /* For the functions of sins.h; still owned here. */
+    /* The handle, for functions of sins.h. This object still owns it. */
     sins_flight *handle() const noexcept { return flight_; }
 
     double duration() const
@@ -182,7 +182,7 @@ public:
         return sample;
     }
 
-    /* The same into a sample with struct_size set. */
+    /* Reads the sample at time_s into a struct with struct_size set. */
     void sample_at(double time_s, sins_flight_sample &sample) const
     {
         detail::done(sins_flight_sample_at(flight_, time_s, &sample), nullptr);
@@ -199,7 +199,7 @@ public:
 
     explicit Simulator(const sins_options &options) { detail::done(sins_create(&options, &sim_), nullptr); }
 
-    /* Owned from here on: one that a function of sins.h made. */
+    /* Takes ownership of a handle that a function of sins.h made. */
     explicit Simulator(sins_sim *sim) noexcept : sim_(sim) {}
 
     Simulator(Simulator &&other) noexcept : sim_(other.sim_) { other.sim_ = nullptr; }
@@ -221,12 +221,12 @@ public:
         }
     }
 
-    /* For the functions of sins.h; still owned here. */
+    /* The handle, for functions of sins.h. This object still owns it. */
     sins_sim *handle() const noexcept { return sim_; }
 
     /*
-     * For a simulator configured as this one. False: no options meet the requirement; options and cost, with struct_size set, are
-     * then those of the best there are.
+     * Recommends options for a simulator that is configured as this one. options and cost need struct_size. False: no options meet
+     * the requirement, and options and cost are those of the best options there are.
      */
     bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
                    sins_options &options, sins_cost &cost) const
@@ -262,7 +262,7 @@ public:
     void set_accel(const sins_accel_params &params) { done(sins_set_accel(sim_, &params)); }
     void set_altimeter(const sins_altimeter_params &params) { done(sins_set_altimeter(sim_, &params)); }
 
-    /* SINS_SENSOR_..., and its axis. */
+    /* sensor is of enum sins_sensor, axis is 0, 1, 2 for x, y, z. */
     void set_failure(int32_t sensor, int32_t axis, const sins_failure &failure)
     {
         done(sins_set_failure(sim_, sensor, axis, &failure));
@@ -286,14 +286,14 @@ public:
     void reposition(const sins_flight_sample &sample) { done(sins_reposition(sim_, &sample)); }
     void reset() { done(sins_reset(sim_)); }
 
-    /* written, if not NULL, gets the number of records also when it throws. False: flown, with a gap (SINS_GAP). */
+    /* written, if not NULL, gets the number of records, also if the call throws. False: all was flown, with a gap (SINS_GAP). */
     bool run(const sins_flight_sample *samples, std::size_t count, std::size_t every = 0,
              sins_record *records = nullptr, std::size_t capacity = 0, std::size_t *written = nullptr)
     {
         return done(sins_run(sim_, samples, count, every, records, capacity, written));
     }
 
-    /* Reads into structs with struct_size set. False: no sample, or no interval, yet. */
+    /* These read into structs with struct_size set. False: there is no sample, or no interval, yet. */
     bool get_truth(sins_navigation &truth) const { return done(sins_get_truth(sim_, &truth)); }
     bool get_navigation(sins_navigation &navigation) const { return done(sins_get_navigation(sim_, &navigation)); }
     bool get_imu(sins_imu &imu) const { return done(sins_get_imu(sim_, &imu)); }
@@ -303,6 +303,24 @@ public:
     bool get_covariance(sins_covariance &covariance) const { return done(sins_get_covariance(sim_, &covariance)); }
     bool get_record(sins_record &record) const { return done(sins_get_record(sim_, &record)); }
 
+    /* A record as a line of a file; sensor_errors are six numbers or none, covariance may be NULL. */
+    static std::string record_line(const sins_record &record, const std::vector<double> &sensor_errors = {},
+                                   const sins_covariance *covariance = nullptr)
+    {
+        return detail::text([&](char *buffer, std::size_t capacity, std::size_t *needed) {
+            return sins_record_line(&record, sensor_errors.data(), sensor_errors.size(), covariance, buffer, capacity, needed);
+        });
+    }
+
+    /* The first line of such a file. */
+    static std::string record_head(bool has_covariance = false)
+    {
+        sins_covariance covariance = make<sins_covariance>();
+        return detail::text([&](char *buffer, std::size_t capacity, std::size_t *needed) {
+            return sins_record_line(nullptr, nullptr, 0, has_covariance ? &covariance : nullptr, buffer, capacity, needed);
+        });
+    }
+
     /* The options in effect, defaults in place of 0. */
     sins_options options() const
     {
@@ -311,7 +329,7 @@ public:
         return options;
     }
 
-    /* What was set, read back: to show it, or to change one field and set it again. */
+    /* These return what was set last: to show it, or to change one field and set it again. */
     sins_gyro_params gyro() const { return read_back<sins_gyro_params>(sins_get_gyro); }
     sins_accel_params accel() const { return read_back<sins_accel_params>(sins_get_accel); }
     sins_altimeter_params altimeter() const { return read_back<sins_altimeter_params>(sins_get_altimeter); }
@@ -322,7 +340,7 @@ public:
         return read_back<sins_gravity_params>(sins_get_gravity_disturbance);
     }
 
-    /* SINS_SENSOR_..., and its axis. */
+    /* sensor is of enum sins_sensor, axis is 0, 1, 2 for x, y, z. */
     sins_failure failure(int32_t sensor, int32_t axis) const
     {
         sins_failure failure = make<sins_failure>();
@@ -340,7 +358,7 @@ public:
         return size;
     }
 
-    /* The bytes written. */
+    /* Returns the number of bytes that were written. */
     std::size_t snapshot_save(void *buffer, std::size_t capacity) const
     {
         std::size_t written = 0;
@@ -372,7 +390,7 @@ private:
     sins_sim *sim_ = nullptr;
 };
 
-/* Adds the runs of other to those of into, which make<sins_statistics>() makes that of no run. */
+/* Adds the runs of other to those of into. make<sins_statistics>() makes a struct without runs. */
 inline void statistics_merge(sins_statistics &into, const sins_statistics &other)
 {
     detail::done(sins_statistics_merge(&into, &other), nullptr);
@@ -413,7 +431,7 @@ public:
         }
     }
 
-    /* For the functions of sins.h; still owned here. */
+    /* The handle, for functions of sins.h. This object still owns it. */
     sins_ensemble *handle() const noexcept { return ensemble_; }
 
     uint64_t first_run() const
@@ -430,13 +448,13 @@ public:
         return runs;
     }
 
-    /* False: taken, behind a gap (SINS_GAP). */
+    /* False: the sample was accepted, after a gap (SINS_GAP). */
     bool push_sample(const sins_flight_sample &sample) { return done(sins_ensemble_push_sample(ensemble_, &sample)); }
 
     /* False: no complete interval yet. */
     bool step() { return done(sins_ensemble_step(ensemble_)); }
 
-    /* False: flown, with a gap (SINS_GAP). */
+    /* False: all was flown, with a gap (SINS_GAP). */
     bool run(const sins_flight_sample *samples, std::size_t count)
     {
         return done(sins_ensemble_run(ensemble_, samples, count));
@@ -445,13 +463,13 @@ public:
     void reposition(const sins_flight_sample &sample) { done(sins_ensemble_reposition(ensemble_, &sample)); }
     void reset() { done(sins_ensemble_reset(ensemble_)); }
 
-    /* SINS_SENSOR_..., and its axis. */
+    /* sensor is of enum sins_sensor, axis is 0, 1, 2 for x, y, z. */
     void set_failure(int32_t sensor, int32_t axis, const sins_failure &failure)
     {
         done(sins_ensemble_set_failure(ensemble_, sensor, axis, &failure));
     }
 
-    /* Reads into structs with struct_size set. False: no sample, or no interval, yet. */
+    /* These read into structs with struct_size set. False: there is no sample, or no interval, yet. */
     bool get_truth(sins_navigation &truth) const { return done(sins_ensemble_get_truth(ensemble_, &truth)); }
     bool get_navigation(uint64_t run, sins_navigation &navigation) const
     {
@@ -546,10 +564,10 @@ public:
         }
     }
 
-    /* For the functions of sins.h; still owned here. */
+    /* The handle, for functions of sins.h. This object still owns it. */
     sins_scene *handle() const noexcept { return scene_; }
 
-    /* The faults of its text; none: a scene. */
+    /* The faults of the text, or of the change that was rejected last; empty if there are none. */
     std::vector<sins_fault> faults() const
     {
         std::vector<sins_fault> faults;
@@ -560,7 +578,7 @@ public:
         return faults;
     }
 
-    /* As TOML. */
+    /* The scene as TOML. */
     std::string write() const
     {
         return detail::text([this](char *buffer, std::size_t capacity, std::size_t *needed) {
@@ -568,12 +586,48 @@ public:
         });
     }
 
-    /* Every section and key, a line each. */
+    /* The value at a path, "gyro.bias_deg_h[1]", as it stands in the text of a scene; or all lines of an item, "failure[0]". */
+    std::string value(const std::string &path) const
+    {
+        return detail::text([&](char *buffer, std::size_t capacity, std::size_t *needed) {
+            return sins_scene_get_value(scene_, path.c_str(), buffer, capacity, needed);
+        });
+    }
+
+    /* Sets values, a line path = value each. False: the scene stays as it was, and faults() has the reasons. */
+    bool set_values(const std::string &values) { return changed(sins_scene_set_values(scene_, values.c_str())); }
+
+    /* Sets all items of a list, "manoeuvre" or "failure", by their text. False: as set_values(). */
+    bool set_items(const std::string &list, const std::string &items)
+    {
+        return changed(sins_scene_set_items(scene_, list.c_str(), items.c_str()));
+    }
+
+    /* The keys of the scene format. */
+    static std::vector<sins_scene_key> keys()
+    {
+        std::vector<sins_scene_key> keys;
+        sins_scene_key key = make<sins_scene_key>();
+        while (sins_scene_get_key(keys.size(), &key) == SINS_OK) {
+            keys.push_back(key);
+        }
+        return keys;
+    }
+
+    /* Every section and key of a scene, one in a line. */
     static std::string write_keys()
     {
         return detail::text([](char *buffer, std::size_t capacity, std::size_t *needed) {
             return sins_scene_write_keys(buffer, capacity, needed);
         });
+    }
+
+    /* Which samples it flies: of its flight, or of a log (sins_log *). */
+    sins_scene_samples samples(const sins_log *log = nullptr) const
+    {
+        sins_scene_samples samples = make<sins_scene_samples>();
+        done(sins_scene_get_samples(scene_, log, &samples));
+        return samples;
     }
 
     Simulator create_simulator() const
@@ -610,7 +664,10 @@ public:
     {
         return read_back<sins_gravity_params>(sins_scene_get_gravity_disturbance);
     }
-    /* The manoeuvres of its flight; start, with struct_size set, gets where it begins, repeat how many times they are flown. */
+    /*
+     * The manoeuvres of the flight. start, with struct_size set, gets the start of the flight, and repeat how many times all
+     * manoeuvres are flown.
+     */
     std::vector<sins_manoeuvre> manoeuvres(sins_flight_start &start, std::size_t &repeat) const
     {
         std::size_t count = 0;
@@ -639,7 +696,7 @@ public:
     }
     void set_setup(const sins_scene_setup &setup) { done(sins_scene_set_setup(scene_, &setup)); }
 
-    /* SINS_SCENE_TEXT_... */
+    /* which is of enum sins_scene_text. */
     std::string text(int32_t which) const
     {
         return detail::text([this, which](char *buffer, std::size_t capacity, std::size_t *needed) {
@@ -664,6 +721,11 @@ public:
 private:
     explicit Scene(sins_scene *scene) noexcept : scene_(scene) {}
 
+    bool changed(sins_status status) const
+    {
+        return !(status == SINS_ERROR_INVALID_ARGUMENT && !faults().empty()) && detail::done(status, nullptr);
+    }
+
     static void done(sins_status status) { detail::done(status, nullptr); }
 
     template <class Params>
@@ -680,18 +742,10 @@ private:
 /* A flight log in memory. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
 class Log {
 public:
-    /* The log of a text; what() of the error has the first fault and its place. */
+    /* The log of a text. If the text has faults, what() of the error has the first one and its place. */
     explicit Log(const std::string &text)
     {
-        sins_fault fault = make<sins_fault>();
-        const sins_status status = sins_log_parse(text.data(), text.size(), &log_, &fault);
-        if (status == SINS_ERROR_INVALID_ARGUMENT) {
-            sins_error_info info = make<sins_error_info>();
-            sins_last_error_info(nullptr, &info);
-            throw Error(status, std::to_string(fault.line) + ":" + std::to_string(fault.column) + ": " + fault.sentence,
-                        info);
-        }
-        detail::done(status, nullptr);
+        detail::done(sins_log_parse(text.data(), text.size(), &log_, nullptr), nullptr);
     }
 
     Log(Log &&other) noexcept : log_(other.log_) { other.log_ = nullptr; }
@@ -713,7 +767,7 @@ public:
         }
     }
 
-    /* For the functions of sins.h; still owned here. */
+    /* The handle, for functions of sins.h. This object still owns it. */
     sins_log *handle() const noexcept { return log_; }
 
     sins_log_info info() const

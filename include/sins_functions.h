@@ -52,6 +52,7 @@
     X(sins_status, sins_get_truth_summary, (sins_sim *sim, sins_truth_summary *summary)) \
     X(sins_status, sins_get_covariance, (sins_sim *sim, sins_covariance *covariance)) \
     X(sins_status, sins_get_record, (sins_sim *sim, sins_record *record)) \
+    X(sins_status, sins_record_line, (const sins_record *record, const double *sensor_errors, size_t count, const sins_covariance *covariance, char *buffer, size_t capacity, size_t *needed)) \
     X(sins_status, sins_start_navigation, (sins_sim *sim, const sins_navigation *navigation)) \
     X(sins_status, sins_push_imu, (sins_sim *sim, const sins_imu_increment *increment)) \
     X(sins_status, sins_snapshot_size, (sins_sim *sim, size_t *size)) \
@@ -123,10 +124,15 @@
     X(sins_status, sins_scene_get_failure, (const sins_scene *scene, size_t index, sins_planned_failure *failure)) \
     X(sins_status, sins_scene_add_failure, (sins_scene *scene, const sins_planned_failure *failure)) \
     X(sins_status, sins_scene_clear_failures, (sins_scene *scene)) \
+    X(sins_status, sins_scene_get_key, (size_t index, sins_scene_key *key)) \
+    X(sins_status, sins_scene_get_value, (const sins_scene *scene, const char *path, char *buffer, size_t capacity, size_t *needed)) \
+    X(sins_status, sins_scene_set_values, (sins_scene *scene, const char *values)) \
+    X(sins_status, sins_scene_set_items, (sins_scene *scene, const char *list, const char *items)) \
     X(sins_status, sins_log_parse, (const char *text, size_t size, sins_log **log, sins_fault *fault)) \
     X(sins_status, sins_log_get_info, (const sins_log *log, sins_log_info *info)) \
     X(sins_status, sins_log_get_sample, (const sins_log *log, size_t index, sins_flight_sample *sample, uint64_t *line)) \
-    X(sins_status, sins_log_destroy, (sins_log *log))
+    X(sins_status, sins_log_destroy, (sins_log *log)) \
+    X(sins_status, sins_scene_get_samples, (const sins_scene *scene, const sins_log *log, sins_scene_samples *samples))
 
 #define SINS_FUNCTIONS(X) SINS_FUNCTIONS_ENGINE(X) SINS_FUNCTIONS_SCENES(X)
 

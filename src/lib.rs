@@ -183,6 +183,9 @@ mod memory;
 pub mod mounting;
 #[forbid(unsafe_code)]
 pub mod recommend;
+#[forbid(unsafe_code)]
+pub mod records;
+mod register;
 #[cfg(feature = "scenes")]
 #[forbid(unsafe_code)]
 pub mod scene;

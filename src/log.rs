@@ -79,22 +79,15 @@ struct Column {
 }
 
 fn fault(line: u64, column: usize, sentence: String) -> LogError {
-    LogError::Fault(Fault { line: line as usize, column, sentence })
+    LogError::Fault(Fault { line: line as usize, column, sentence, ..Fault::default() })
 }
 
 impl FlightLog {
     /// Reads the log in a text: at least two samples, in the order of time. The ranges of the samples are checked when they are pushed.
     pub fn parse(text: &[u8]) -> Result<Self, LogError> {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
-        if let Some(at) = text.iter().position(|byte| *byte == 0) {
-            let line = 1 + text[..at].iter().filter(|byte| **byte == b'\n').count();
-            return Err(fault(line as u64, 1, "a zero byte: not a text".to_owned()));
-        }
-        for (index, line) in text.split(|byte| *byte == b'\n').enumerate() {
-            if line.len() > MAX_LINE {
-                let sentence = format!("a line of {} bytes: a line has at most {MAX_LINE}", line.len());
-                return Err(fault(1 + index as u64, 1, sentence));
-            }
+        for (line, number) in text.split_inclusive(|byte| *byte == b'\n').zip(1..) {
+            check_line(line).map_err(|sentence| fault(number, 1, sentence))?;
         }
         let mut reader = ReaderBuilder::new()
             .comment(Some(b'#'))
@@ -160,6 +153,21 @@ impl FlightLog {
             _ => 0.0,
         }
     }
+}
+
+/// Checks a line, which its end is part of: a row then has a line of its own.
+fn check_line(line: &[u8]) -> Result<(), String> {
+    let line = line.strip_suffix(b"\n").map_or(line, |line| line.strip_suffix(b"\r").unwrap_or(line));
+    if line.contains(&0) {
+        return Err("a zero byte: not a text".to_owned());
+    }
+    if line.len() > MAX_LINE {
+        return Err(format!("a line of {} bytes: a line has at most {MAX_LINE}", line.len()));
+    }
+    if line.contains(&b'\r') {
+        return Err("a carriage return without a line feed: lines end with LF or CR LF".to_owned());
+    }
+    Ok(())
 }
 
 /// Reads the next row of `text` and gives its line; `None` at the end.

@@ -23,5 +23,10 @@ pub(crate) fn probe(bytes: usize) -> Result<(), Error> {
 }
 
 fn missing(count: usize) -> Error {
-    Error::of(ErrorKind::OutOfMemory, "elements", count, Rule::Sentence("no memory for them"))
+    Error::of(
+        ErrorKind::OutOfMemory,
+        "elements",
+        count,
+        Rule::Sentence("not enough memory for this number of elements"),
+    )
 }

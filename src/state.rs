@@ -90,7 +90,7 @@ impl StateErrors {
 
 impl EarthFixedState {
     /// The geographic view.
-    #[inline]
+    #[inline(always)]
     pub fn navigation(&self, earth: &Earth, axes: BodyAxes) -> Navigation {
         let place = earth.to_geodetic(&self.r_e);
         let q_en = navigation_axes(place.latitude_rad, place.longitude_rad);
@@ -100,10 +100,12 @@ impl EarthFixedState {
 
 impl Navigation {
     /// Fills in the attitude angles, and brings the longitude to -π..π.
-    #[inline]
+    #[inline(always)]
     pub fn new(place: Geodetic, v_n: Vector3<f64>, q_nb: Quaternion<f64>, axes: BodyAxes) -> Self {
         let place = Geodetic { longitude_rad: wrap_angle(place.longitude_rad), ..place };
-        Self { place, v_n, q_nb, euler: euler_from_attitude(&axes.exchange(&q_nb)) }
+        // One by one: the rest then waits in registers, not in memory.
+        let Euler { roll, pitch, heading } = euler_from_attitude(&axes.exchange(&q_nb));
+        Self { place, v_n, q_nb, euler: Euler { roll, pitch, heading } }
     }
 
     /// The Earth-fixed view.

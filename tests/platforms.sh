@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # The same bits on other processors and word sizes, and what a host does to the library there: Rust's pinned digests, the runs of
-# ensembles against single simulators, and the programs of tests/c. ARM by emulation; 32-bit x86 by the machine itself where its
-# kernel can, as the emulator raises no floating-point exceptions. On this machine without optimisation too. What cannot be had is
-# told at the end.
+# ensembles against single simulators, and the programs of tests/c. ARM by emulation; 32-bit x86 by the machine itself where its kernel can, as the emulator raises no
+# floating-point exceptions. On this machine as released, and without optimisation. What cannot be had is told at the end.
+# SINS_LIB_DIR: a folder with a libsins.so to take for this machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
+. tests/support/built.sh
 
 programs="digests float_environment misuse run ensemble threads"
 folder=$PWD/target/platforms
@@ -50,8 +51,10 @@ else
 fi
 other aarch64 arm64 qemu-aarch64 -L /usr/aarch64-linux-gnu
 
-echo "== here, without optimisation" # tests/packages.sh has the digests of what is shipped
+echo "== here, as released and without optimisation"
 programs=digests
+build_library
+fly gcc "$built/libsins.so"
 cargo build --quiet --profile unoptimised
 fly gcc target/unoptimised/libsins.so
 report_not_run

@@ -1,27 +1,48 @@
 #!/usr/bin/env bash
 # The program sins on Windows, by wine: the tests within it, and those of hostile files and command lines and of the first flights.
 # What cannot be had is told at the end.
+#
+#     tests/windows_program.sh                       built for 64 bits, little optimised
+#     tests/windows_program.sh i686|x86_64 SINS.EXE  with this one, without the tests within it
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
+. tests/support/wine.sh
 
-target=x86_64-pc-windows-gnu
-# A folder of wine's own: other scripts end its server for target/wine.
-export WINEPREFIX=$PWD/target/windows/program/wine WINEDEBUG=-all WINESERVER=/usr/lib/wine/wineserver64
-# What the program does with files and orders does not depend on its speed, and most of the time goes into its build.
-export CARGO_PROFILE_DEV_OPT_LEVEL=1
-need gcc-mingw-w64-x86-64 x86_64-w64-mingw32-gcc
-if ! [ -x /usr/lib/wine/wine64 ] && ! install wine64; then
-    could_not "the program on Windows" "no wine to be had"
-else
+# The others do not depend on the system.
+tests="fly:: inputs:: outputs::"
+
+# given PROCESSOR SINS.EXE: this machine's build of the tests starts it by wine. They skip what needs Unix, and a file that is redirected by a program
+# of Unix, which by wine is another one.
+given() {
+    local work=$PWD/target/windows/program
+    mkdir -p "$work"
+    [ "$1" = x86_64 ] || fetch_screen32 # wine would speak of the fonts that it misses
+    printf '#!/bin/sh\nexec "%s" "%s" "$@"\n' "$wine" "$(realpath "$2")" >"$work/sins"
+    chmod +x "$work/sins"
+    export LC_ALL=C.UTF-8 # the command line, for wine
+    "$WINESERVER" -p60 >/dev/null 2>&1 || true # one stays for all; or is there already
+    "$work/sins" --version
+    SINS_PROGRAM=$work/sins cargo test --workspace --test program -- $tests --include-ignored \
+        --skip a_closed_pipe --skip nodes_and_links --skip pipes_and_standard_input --skip a_log_that_is_redirected
+}
+
+built() {
+    local target=x86_64-pc-windows-gnu
+    # What the program does with files and orders does not depend on its speed, and most of the time goes into its build.
+    export CARGO_PROFILE_DEV_OPT_LEVEL=1
+    need gcc-mingw-w64-x86-64 x86_64-w64-mingw32-gcc
     rustup target add "$target"
     # What this wine lacks; the folder is searched for it.
-    mkdir -p "$WINEPREFIX" target/windows/program
+    mkdir -p target/windows/program
     x86_64-w64-mingw32-gcc -shared -Wl,--kill-at -o target/windows/program/bcryptprimitives.dll tests/c/bcryptprimitives.c
-    WINEPATH=$(/usr/lib/wine/wine64 winepath -w "$PWD/target/windows/program")
-    export WINEPATH CARGO_TARGET_X86_64_PC_WINDOWS_GNU_RUNNER=/usr/lib/wine/wine64
-    cargo test -p sins-cli --target "$target" --bin sins -- "$@"
-    # The other tests do not depend on the system.
-    cargo test -p sins-cli --target "$target" --test program -- fly:: inputs:: outputs:: "$@"
+    WINEPATH=$("$wine" winepath -w "$PWD/target/windows/program")
+    export WINEPATH CARGO_TARGET_X86_64_PC_WINDOWS_GNU_RUNNER=$wine
+    cargo test -p sins-cli --target "$target" --bin sins
+    cargo test -p sins-cli --target "$target" --test program -- $tests
+}
+
+if have_wine "${1:-x86_64}"; then
+    if [ $# -gt 0 ]; then given "$@"; else built; fi
 fi
 report_not_run

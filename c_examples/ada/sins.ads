@@ -123,8 +123,8 @@ package Sins is
 
    --  What stabilizes the vertical channel.
    subtype sins_vertical is Integer_32;
-   --  Third-order loop on a barometric height, time constant 100 s. Its response equals that of the continuous loop to second
-   --  order in the interval: within 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+   --  Third-order loop on a barometric height, time constant 100 s. Its response differs from that of the continuous loop by
+   --  3.5e-5 of its size at 1 Hz, and by 3.5e-7 at 10 Hz (second order in the interval).
    SINS_VERTICAL_DAMPED : constant sins_vertical := 0;
    --  Height and vertical velocity set to the truth at each sample.
    SINS_VERTICAL_FOLLOW_TRUTH : constant sins_vertical := 1;
@@ -184,7 +184,7 @@ package Sins is
    SINS_SIGNAL_PHYSICAL : constant sins_signal := 0;
    --  As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
    --  free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
-   --  trim. If no sensor has errors, the trim costs no second navigator.
+   --  trim. As soon as the start, a sensor or gravity has errors, the trim needs a second navigator without errors.
    SINS_SIGNAL_CLOSED_LOOP : constant sins_signal := 1;
 
    --  Flags of a sins_error_info.
@@ -378,6 +378,28 @@ package Sins is
    --  Name of the file for the measured increments.
    SINS_SCENE_TEXT_IMU : constant sins_scene_text := 5;
 
+   --  What kind of value a key of a scene takes.
+   subtype sins_scene_key_kind is Integer_32;
+   --  Numbers: elements of them.
+   SINS_SCENE_KEY_NUMBERS : constant sins_scene_key_kind := 0;
+   --  A whole number, not negative.
+   SINS_SCENE_KEY_WHOLE : constant sins_scene_key_kind := 1;
+   --  One of several words.
+   SINS_SCENE_KEY_WORD : constant sins_scene_key_kind := 2;
+   --  A text.
+   SINS_SCENE_KEY_TEXT : constant sins_scene_key_kind := 3;
+   --  true or false.
+   SINS_SCENE_KEY_FLAG : constant sins_scene_key_kind := 4;
+
+   --  Flags of a sins_scene_key.
+   subtype sins_scene_key_flags is Unsigned_32;
+   --  The key belongs to the items of a list: its section stands in double brackets.
+   SINS_SCENE_KEY_IN_LIST : constant sins_scene_key_flags := 1;
+   --  minimum and maximum are the limits of each number. Without this flag there are none, or they depend on other values.
+   SINS_SCENE_KEY_LIMITS : constant sins_scene_key_flags := 2;
+   --  0 is allowed beside the values within the limits, and means none.
+   SINS_SCENE_KEY_ZERO_IS_OFF : constant sins_scene_key_flags := 4;
+
    --  Flags of a sins_budget_row.
    subtype sins_budget_flags is Unsigned_32;
    --  The row's figures are standard deviations (1 sigma), exact to first order.
@@ -424,19 +446,24 @@ package Sins is
    SINS_SIZEOF_FIGURES : constant Unsigned_32 := 936;
    SINS_SIZEOF_FLIGHT_START : constant Unsigned_32 := 72;
    SINS_SIZEOF_MANOEUVRE : constant Unsigned_32 := 240;
-   SINS_SIZEOF_FAULT : constant Unsigned_32 := 288;
+   SINS_SIZEOF_FAULT : constant Unsigned_32 := 408;
    SINS_SIZEOF_SCENE_SETUP : constant Unsigned_32 := 72;
    SINS_SIZEOF_PLANNED_FAILURE : constant Unsigned_32 := 80;
+   SINS_SIZEOF_SCENE_KEY : constant Unsigned_32 := 592;
    SINS_SIZEOF_LOG_INFO : constant Unsigned_32 := 216;
+   SINS_SIZEOF_SCENE_SAMPLES : constant Unsigned_32 := 48;
    SINS_SIZEOF_REQUIREMENT : constant Unsigned_32 := 48;
    SINS_SIZEOF_COST : constant Unsigned_32 := 96;
    SINS_SIZEOF_BUDGET_REQUEST : constant Unsigned_32 := 40;
    SINS_SIZEOF_BUDGET_ROW : constant Unsigned_32 := 152;
    SINS_SIZEOF_BUDGET : constant Unsigned_32 := 128;
 
+   subtype sins_char_128 is char_array (0 .. 127);
    subtype sins_char_192 is char_array (0 .. 191);
+   subtype sins_char_24 is char_array (0 .. 23);
    subtype sins_char_256 is char_array (0 .. 255);
    subtype sins_char_32 is char_array (0 .. 31);
+   subtype sins_char_40 is char_array (0 .. 39);
    subtype sins_char_48 is char_array (0 .. 47);
    subtype sins_char_96 is char_array (0 .. 95);
    type sins_double_3 is array (0 .. 2) of double with Convention => C;
@@ -487,8 +514,9 @@ package Sins is
       --  sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
       --  samples: each must be within 0.4 of a period of its multiple.
       sample_period_s : double := 0.0;
-      --  Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. Intervals
-      --  of 100 s cause 40 m of position error in 12 h, longer ones many times that.
+      --  Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. There
+      --  the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and
+      --  91 m with intervals of 100 s.
       max_gap_s : double := 0.0;
       --  Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
       --  the truth.
@@ -593,10 +621,10 @@ package Sins is
       markov_sigma_rad_s : sins_double_3 := (others => 0.0);
       --  Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0.
       markov_time_s : sins_double_3 := (others => 0.0);
-      --  White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral
-      --  density of the noise, in the unit of the signal per sqrt(Hz).
+      --  White noise N: angle random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral density of
+      --  the noise, in the unit of the signal per sqrt(Hz).
       random_walk_rad_sqrt_s : sins_double_3 := (others => 0.0);
-      --  Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
+      --  Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
       rate_random_walk_rad_s_sqrt_s : sins_double_3 := (others => 0.0);
       --  Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set.
       rate_ramp_rad_s2 : sins_double_3 := (others => 0.0);
@@ -675,10 +703,10 @@ package Sins is
       markov_sigma_m_s2 : sins_double_3 := (others => 0.0);
       --  Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0.
       markov_time_s : sins_double_3 := (others => 0.0);
-      --  White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the
-      --  spectral density of the noise, in the unit of the signal per sqrt(Hz).
+      --  White noise N: velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the spectral
+      --  density of the noise, in the unit of the signal per sqrt(Hz).
       velocity_random_walk_m_s_sqrt_s : sins_double_3 := (others => 0.0);
-      --  Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
+      --  Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
       acceleration_random_walk_m_s2_sqrt_s : sins_double_3 := (others => 0.0);
       --  Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set.
       ramp_m_s3 : sins_double_3 := (others => 0.0);
@@ -1188,8 +1216,8 @@ package Sins is
    --  It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
    --  One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
    --  current second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
-   --  second have no effect on the covariance. The numbers of the propagation (in SI units, square roots of variances) end at 1e30,
-   --  so all outputs are finite.
+   --  second have no effect on the covariance. The standard deviations of the propagation are limited to 1e30 in SI units, so all
+   --  outputs are finite.
    type sins_covariance is record
       --  sizeof(sins_covariance)
       struct_size : Unsigned_32 := SINS_SIZEOF_COVARIANCE;
@@ -1394,14 +1422,23 @@ package Sins is
    type sins_fault is record
       --  sizeof(sins_fault)
       struct_size : Unsigned_32 := SINS_SIZEOF_FAULT;
-      --  0
-      reserved : Unsigned_32 := 0;
+      --  Flags of enum sins_error_info_flags, or'ed: which of value, minimum and maximum there are.
+      flags : Unsigned_32 := 0;
       --  Number of faults of the text, 200 at most.
       count : Unsigned_64 := 0;
-      --  Line of this fault, from 1.
+      --  Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call.
       line : Unsigned_64 := 0;
-      --  Column, in characters from 1; for a flight log, the column of the table.
+      --  Column, in characters from 1; for a flight log, the column of the table; 0: as for line.
       column : Unsigned_64 := 0;
+      --  The value at fault, in the unit of the key that path names.
+      value : double := 0.0;
+      --  Least allowed value, in that unit; if the sentence says "more than", it is rejected too.
+      minimum : double := 0.0;
+      --  Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too.
+      maximum : double := 0.0;
+      --  Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
+      --  terminated. Empty for a flight log, and if the text itself is at fault.
+      path : sins_char_96 := (others => nul);
       --  Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
       --  longer.
       sentence : sins_char_256 := (others => nul);
@@ -1469,6 +1506,51 @@ package Sins is
    end record with Convention => C;
    type sins_planned_failure_array is array (size_t range <>) of aliased sins_planned_failure with Convention => C;
 
+   --  A key of the scene format.
+   type sins_scene_key is record
+      --  sizeof(sins_scene_key)
+      struct_size : Unsigned_32 := SINS_SIZEOF_SCENE_KEY;
+      --  Flags of enum sins_scene_key_flags, or'ed.
+      flags : Unsigned_32 := 0;
+      --  Number of keys of the format.
+      count : Unsigned_64 := 0;
+      --  Kind of the value, of enum sins_scene_key_kind.
+      kind : Integer_32 := 0;
+      --  Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds.
+      elements : Integer_32 := 0;
+      --  Elements that a single number sets, in the place of all: element k by bit k; 0: a single number is not enough.
+      spread : Unsigned_32 := 0;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  SI units in one unit of the key; 1 for the other kinds.
+      si_per_unit : double := 0.0;
+      --  Least value of each number in the unit of the key, which is allowed itself: of all kinds of items. Other values of the
+      --  scene may narrow the limits.
+      minimum : double := 0.0;
+      --  Greatest value, likewise.
+      maximum : double := 0.0;
+      --  Section, such as "gyro" or "manoeuvre.sinusoid"; terminated, as all texts here.
+      section : sins_char_24 := (others => nul);
+      --  Name, such as "bias_deg_h": its value is in the unit of data sheets.
+      name : sins_char_40 := (others => nul);
+      --  Name of the key that takes the same quantity in SI, such as "bias_rad_s"; empty: name is that key.
+      si_name : sins_char_40 := (others => nul);
+      --  Unit of name, such as "deg/h"; empty: a pure number, or no number.
+      unit : sins_char_24 := (others => nul);
+      --  Unit of si_name, such as "rad/s".
+      si_unit : sins_char_24 := (others => nul);
+      --  Value of a scene that does not set it, as sins_scene_get_value() gives it; empty: it has none then.
+      default_value : sins_char_32 := (others => nul);
+      --  Words of SINS_SCENE_KEY_WORD, "exact|paper|polynomial".
+      words : sins_char_128 := (others => nul);
+      --  Items that can have the key: "kind=turn|s_turn" means those whose key kind is one of these words. Several conditions have
+      --  a space between them. Empty: all.
+      condition : sins_char_96 := (others => nul);
+      --  Meaning, without unit.
+      meaning : sins_char_128 := (others => nul);
+   end record with Convention => C;
+   type sins_scene_key_array is array (size_t range <>) of aliased sins_scene_key with Convention => C;
+
    --  Contents of a flight log.
    type sins_log_info is record
       --  sizeof(sins_log_info)
@@ -1483,6 +1565,26 @@ package Sins is
       title : sins_char_192 := (others => nul);
    end record with Convention => C;
    type sins_log_info_array is array (size_t range <>) of aliased sins_log_info with Convention => C;
+
+   --  The samples that a scene flies.
+   type sins_scene_samples is record
+      --  sizeof(sins_scene_samples)
+      struct_size : Unsigned_32 := SINS_SIZEOF_SCENE_SAMPLES;
+      --  0
+      reserved : Unsigned_32 := 0;
+      --  Number of samples.
+      count : Unsigned_64 := 0;
+      --  Samples from one record of a program to the next, at least 1: by sins_scene_setup.every_s, or else for about 2000
+      --  records.
+      record_every : Unsigned_64 := 0;
+      --  Time stamp of the first sample [s].
+      start_s : double := 0.0;
+      --  Time between two samples; of a log, the mean [s].
+      period_s : double := 0.0;
+      --  Time from the first to the last sample [s].
+      duration_s : double := 0.0;
+   end record with Convention => C;
+   type sins_scene_samples_array is array (size_t range <>) of aliased sins_scene_samples with Convention => C;
 
    --  Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.
    --  At least one limit is needed.
@@ -1708,14 +1810,14 @@ package Sins is
    function sins_move_time (sim : sins_sim; time_s : double) return sins_status
      with Import, Convention => C, External_Name => "sins_move_time";
 
-   --  Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous
-   --  sample to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors
-   --  as before: position error in metres (along the truth's east and north, and in height), velocity error (components) and
-   --  misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the
-   --  new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running figures continue,
-   --  and no random number changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow
-   --  the new signals immediately. Waiting samples are dropped. The time may jump too, and all clocks with it, as in
-   --  sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
+   --  Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous sample
+   --  to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors as before:
+   --  position error in metres (along the truth's east and north, and in height), velocity error (components) and misalignment, to
+   --  1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the new place. Noise,
+   --  sensor processes, failures, the vertical channel, the altimeter's error and running figures continue, and no random number
+   --  changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow the new signals immediately.
+   --  Waiting samples are dropped. The time may jump too: the running figures and the grid of a stated period then move with it, as
+   --  in sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
    --  solution is its velocity error alone until the next sample is pushed.
    --
    --  If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and
@@ -1770,7 +1872,7 @@ package Sins is
      with Import, Convention => C, External_Name => "sins_last_error_info";
 
    --  Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
-   --  effects do not change. Processes that were active continue.
+   --  effects do not change. Random processes that were active continue.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
    --  SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
@@ -1783,7 +1885,7 @@ package Sins is
      with Import, Convention => C, External_Name => "sins_get_gyro";
 
    --  Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers of
-   --  other effects do not change. Processes that were active continue.
+   --  other effects do not change. Random processes that were active continue.
    --
    --  SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
    function sins_set_accel (sim : sins_sim; params : sins_accel_params) return sins_status
@@ -1808,11 +1910,12 @@ package Sins is
    --  interval on. It lasts until SINS_FAILURE_NONE clears it, or another failure of the same output replaces it. Several
    --  outputs may fail at the same time.
    --
-   --  sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
-   --  zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
-   --  Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on both error
-   --  data. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
-   --  so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
+   --  sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead zone,
+   --  range and quantization, the other kinds replace the output. The random numbers of other effects do not change. Sensor
+   --  processes continue during a failure, and act on the output again when it is cleared. A failure acts on error data 1 and on
+   --  error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all
+   --  failures, so an exercise starts again with working sensors; failures that are set again at the same intervals give the same
+   --  bits.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
    --  solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -1864,9 +1967,9 @@ package Sins is
    function sins_get_gravity_disturbance (sim : sins_sim; params : in out sins_gravity_params) return sins_status
      with Import, Convention => C, External_Name => "sins_get_gravity_disturbance";
 
-   --  Pushes and steps an array of samples, count of them, and writes a record after every `every` intervals since the
-   --  flight's start. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
-   --  by sample.
+   --  Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the flight's
+   --  start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and
+   --  stepping sample by sample.
    --
    --  samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
    --  other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
@@ -1948,6 +2051,18 @@ package Sins is
    function sins_get_record (sim : sins_sim; the_record : in out sins_record) return sins_status
      with Import, Convention => C, External_Name => "sins_get_record";
 
+   --  Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its files of
+   --  records; record NULL: the line with the names of the columns. Numbers read back to the bit. sensor_errors are the mean
+   --  errors of gyros [rad/s] and accelerometers [m/s2] since the record before, x, y, z of each; count is 6; NULL and 0: all 0.
+   --  covariance, which may be NULL, adds columns of standard deviations. buffer, capacity and needed as in sins_last_error(); a
+   --  line has at most 1600 bytes. Not for a real-time frame: it allocates.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
+   --  SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
+   function sins_record_line (the_record : sins_record; sensor_errors : double_array; count : size_t; covariance : sins_covariance;
+       buffer : in out char_array; capacity : size_t; needed : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_record_line";
+
    --  Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
    --  gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges are those of a
    --  flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply. There is no
@@ -1966,7 +2081,7 @@ package Sins is
    --  updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
    --
    --  SINS_ERROR_BAD_STATE: sins_start_navigation() was not called.
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a rotation of half a turn or more in a part or in the interval.
    --  SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
    --  readable, and sins_reset() and sins_start_navigation() start anew.
    function sins_push_imu (sim : sins_sim; increment : sins_imu_increment) return sins_status
@@ -2214,16 +2329,16 @@ package Sins is
    --  Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
    --  height 0, sampled at 100 Hz.
    --
-   --  On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
-   --  of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
-   --  sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If memory
-   --  runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does the same, except
-   --  that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
+   --  On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function of
+   --  scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only sins_scene_prepare()
+   --  and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is
+   --  available. If memory runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does
+   --  the same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
    function sins_scene_create (scene : in out sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_create";
 
    --  Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
-   --  sins_scene_write_keys() lists the keys.
+   --  sins_scene_write_keys() and sins_scene_get_key() list the keys.
    --
    --  SINS_SCENE_HAS_FAULTS: the text is not a valid scene; sins_scene_get_fault() gives every fault and its place. The handle
    --  is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
@@ -2231,7 +2346,8 @@ package Sins is
    function sins_scene_parse (text : char_array; size : size_t; scene : in out sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_parse";
 
-   --  Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
+   --  Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults. After
+   --  sins_scene_set_values() and sins_scene_set_items() the faults are those of that call; none if it succeeded.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: there is no such fault.
    function sins_scene_get_fault (scene : sins_scene; index : size_t; fault : in out sins_fault) return sins_status
@@ -2449,8 +2565,56 @@ package Sins is
    function sins_scene_clear_failures (scene : sins_scene) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_clear_failures";
 
-   --  Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
-   --  order; columns of other names are ignored, and a row with more fields than columns is a fault:
+   --  Reads key `index` of the scene format, from 0 in the order in which a scene is written.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: there are no more.
+   --  SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+   function sins_scene_get_key (index : size_t; key : in out sins_scene_key) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_key";
+
+   --  Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
+   --  the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
+   --  "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
+   --  value: flight.hours of a scene that flies the whole flight. A number that has no equal in the unit of its key is rounded;
+   --  in SI it is exact. A preset is not kept: its errors are.
+   --
+   --  "manoeuvre[3]" and "failure[0]" are all lines of an item, for sins_scene_set_items(). A built-in flight and a log have no
+   --  manoeuvres here. buffer, capacity and needed as in sins_scene_write().
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
+   function sins_scene_get_value (scene : sins_scene; path : char_array; buffer : in out char_array; capacity : size_t;
+       needed : in out size_t) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_value";
+
+   --  Sets values of the scene, all at once, at most 4096. values is a terminated text in UTF-8 with one path = value in each line;
+   --  blank lines and lines that begin with # are ignored. Paths are those of sins_scene_get_value(). A value is written as in the
+   --  text of a scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the default, in an element 0. If a value
+   --  is set twice, the last counts. A preset replaces all errors of its sensors. flight.file and flight.builtin replace the
+   --  flight.
+   --
+   --  The scene is checked as sins_scene_parse() checks a text: its values must go together. So set in one call what belongs
+   --  together, as a manoeuvre's kind and its quantities.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins_scene_get_fault() gives every fault
+   --  with the line in values and the path.
+   --  SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+   function sins_scene_set_values (scene : sins_scene; values : char_array) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_values";
+
+   --  Sets all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
+   --  [[manoeuvre]] and its keys, and so on; that of one item is what sins_scene_get_value() gives. So a host adds, removes,
+   --  moves and replaces items by their texts. An empty text removes all failures. Manoeuvres replace a built-in flight, with its
+   --  start, or a log, with a start at latitude 0, longitude 0, height 0.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
+   --  every fault with the line in items and the path.
+   --  SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+   function sins_scene_set_items (scene : sins_scene; list : char_array; items : char_array) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_set_items";
+
+   --  Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
+   --  comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns
+   --  is a fault:
    --
    --  time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
    --  or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
@@ -2461,7 +2625,7 @@ package Sins is
    --  frame: it allocates, 184 bytes a sample.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
-   --  and *log is unchanged.
+   --  sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
    --  SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
    function sins_log_parse (text : char_array; size : size_t; log : in out sins_log; fault : in out sins_fault) return sins_status
      with Import, Convention => C, External_Name => "sins_log_parse";
@@ -2484,6 +2648,16 @@ package Sins is
    function sins_log_destroy (log : sins_log) return sins_status
      with Import, Convention => C, External_Name => "sins_log_destroy";
 
+   --  Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
+   --  sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
+   --  sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
+   --
+   --  SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, or the log has no second sample within the duration.
+   --  SINS_ERROR_BAD_HANDLE: scene or log is not a valid handle.
+   --  SINS_ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins_scene_parse().
+   function sins_scene_get_samples (scene : sins_scene; log : sins_log; samples : in out sins_scene_samples) return sins_status
+     with Import, Convention => C, External_Name => "sins_scene_get_samples";
+
    --  Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
    --  cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
    --
@@ -2495,10 +2669,11 @@ package Sins is
    --  Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
    --  reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
    --  with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
-   --  start, gravity and believed mounting are left out, because they act on both solutions alike; so do contradictions within
-   --  the host's samples. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
-   --  duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. As long as the flight
-   --  continues like the piece, this predicts larger errors than the flight will show. With SINS_VERTICAL_FREE each error counts
+   --  start, gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both
+   --  solutions alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
+   --  duration beyond the piece, the call assumes that the piece is flown again and again, that each time adds the same errors
+   --  with the same sign, and that they grow by the Schuler oscillation with the worst phase. If the flight continues like the
+   --  piece, its errors are smaller than this prediction. With SINS_VERTICAL_FREE each error counts
    --  as a height error, which grows e-fold every 569 s.
    --
    --  The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only
@@ -2549,8 +2724,8 @@ package Sins is
    --
    --  The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
    --  allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
-   --  for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
-   --  these. With limits it flies them once more in each run, and further times if effects do not add up.
+   --  for each effect, once in each run with all effects together, and, if there are random effects, once in each run with the
+   --  random effects alone. With limits it flies them once more in each run, and further times if effects do not add up.
    --
    --  SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
    --  (To ask for the number, give NULL for rows and a capacity of 0.)

@@ -231,8 +231,8 @@ class scheme(enum.IntEnum):
 class vertical(enum.IntEnum):
     """What stabilizes the vertical channel.
 
-    VERTICAL_DAMPED: Third-order loop on a barometric height, time constant 100 s. Its response equals that of the
-        continuous loop to second order in the interval: within 3.5e-5 at 1 Hz, 3.5e-7 at 10 Hz.
+    VERTICAL_DAMPED: Third-order loop on a barometric height, time constant 100 s. Its response differs from that
+        of the continuous loop by 3.5e-5 of its size at 1 Hz, and by 3.5e-7 at 10 Hz (second order in the interval).
     VERTICAL_FOLLOW_TRUTH: Height and vertical velocity set to the truth at each sample.
     VERTICAL_FREE: Nothing stabilizes the vertical channel: any error grows e-fold every 569 s.
     """
@@ -327,7 +327,8 @@ class signal(enum.IntEnum):
         navigation shows the mechanization's own error.
     SIGNAL_CLOSED_LOOP: As sins.SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth
         for any time, even with a free vertical channel. It is for hosts that want the errors of the sensors only.
-        sins.accuracy reports the size of the trim. If no sensor has errors, the trim costs no second navigator.
+        sins.accuracy reports the size of the trim. As soon as the start, a sensor or gravity has errors, the trim
+        needs a second navigator without errors.
     """
 
     SIGNAL_PHYSICAL = 0
@@ -610,6 +611,39 @@ class scene_text(enum.IntEnum):
 
 
 @_exported
+class scene_key_kind(enum.IntEnum):
+    """What kind of value a key of a scene takes.
+
+    SCENE_KEY_NUMBERS: Numbers: elements of them.
+    SCENE_KEY_WHOLE: A whole number, not negative.
+    SCENE_KEY_WORD: One of several words.
+    SCENE_KEY_TEXT: A text.
+    SCENE_KEY_FLAG: true or false.
+    """
+
+    SCENE_KEY_NUMBERS = 0
+    SCENE_KEY_WHOLE = 1
+    SCENE_KEY_WORD = 2
+    SCENE_KEY_TEXT = 3
+    SCENE_KEY_FLAG = 4
+
+
+@_exported
+class scene_key_flags(enum.IntFlag):
+    """Flags of a sins.scene_key.
+
+    SCENE_KEY_IN_LIST: The key belongs to the items of a list: its section stands in double brackets.
+    SCENE_KEY_LIMITS: minimum and maximum are the limits of each number. Without this flag there are none, or they
+        depend on other values.
+    SCENE_KEY_ZERO_IS_OFF: 0 is allowed beside the values within the limits, and means none.
+    """
+
+    SCENE_KEY_IN_LIST = 1
+    SCENE_KEY_LIMITS = 2
+    SCENE_KEY_ZERO_IS_OFF = 4
+
+
+@_exported
 class budget_flags(enum.IntFlag):
     """Flags of a sins.budget_row.
 
@@ -667,7 +701,8 @@ class options(_Struct):
         stated period, each sample is at an exact multiple of the period from the first. The time stamps then serve
         only to order and to check the samples: each must be within 0.4 of a period of its multiple.
     max_gap_s: Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles
-        at rest. Intervals of 100 s cause 40 m of position error in 12 h, longer ones many times that.
+        at rest. There the position error grows with the third power of the interval: within 12 h it reaches 0.09 m
+        with intervals of 10 s, and 91 m with intervals of 100 s.
     max_acceleration_m_s2: Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A
         larger one is rejected as a jump of the truth.
     truth_summary: Summary of the true motion, of enum sins.summary.
@@ -798,10 +833,10 @@ class gyro_params(_Struct):
         is stationary from the first sample on.
     markov_time_s[3]: Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s
         is not 0.
-    random_walk_rad_sqrt_s[3]: White noise N: angle or velocity random walk [rad/sqrt(s)], 0 to 100. It is the
-        square root of the spectral density of the noise, in the unit of the signal per sqrt(Hz).
-    rate_random_walk_rad_s_sqrt_s[3]: Random walk K of rate or acceleration [(rad/s)/sqrt(s)], 0 to 100. It starts
-        at 0 at the start of a run.
+    random_walk_rad_sqrt_s[3]: White noise N: angle random walk [rad/sqrt(s)], 0 to 100. It is the square root of
+        the spectral density of the noise, in the unit of the signal per sqrt(Hz).
+    rate_random_walk_rad_s_sqrt_s[3]: Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start
+        of a run.
     rate_ramp_rad_s2[3]: Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set.
     flicker_rad_s[3]: Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the
         first sample on: the Allan deviation is flat at 0.664 B from 2 s to 50 h.
@@ -891,10 +926,10 @@ class accel_params(_Struct):
         is stationary from the first sample on.
     markov_time_s[3]: Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2
         is not 0.
-    velocity_random_walk_m_s_sqrt_s[3]: White noise N: angle or velocity random walk [(m/s)/sqrt(s)], 0 to 10000.
-        It is the square root of the spectral density of the noise, in the unit of the signal per sqrt(Hz).
-    acceleration_random_walk_m_s2_sqrt_s[3]: Random walk K of rate or acceleration [(m/s2)/sqrt(s)], 0 to 10000.
-        It starts at 0 at the start of a run.
+    velocity_random_walk_m_s_sqrt_s[3]: White noise N: velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the
+        square root of the spectral density of the noise, in the unit of the signal per sqrt(Hz).
+    acceleration_random_walk_m_s2_sqrt_s[3]: Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at
+        0 at the start of a run.
     ramp_m_s3[3]: Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set.
     flicker_m_s2[3]: Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the
         first sample on: the Allan deviation is flat at 0.664 B from 2 s to 50 h.
@@ -1486,8 +1521,8 @@ class covariance(_Struct):
     given errors and failures, which change the mean; dead zones and ranges, which are not linear. One step of the
     propagation is one second of flight. A parameter that is set in flight takes effect from the start of the current
     second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
-    second have no effect on the covariance. The numbers of the propagation (in SI units, square roots of variances)
-    end at 1e30, so all outputs are finite.
+    second have no effect on the covariance. The standard deviations of the propagation are limited to 1e30 in SI
+    units, so all outputs are finite.
 
     flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE, and sins.ERRORS_OUTSIDE_VALIDITY if a
         standard deviation exceeds the limits of that flag.
@@ -1717,9 +1752,16 @@ class manoeuvre(_Struct):
 class fault(_Struct):
     """A fault of the text of a scene or of a flight log.
 
+    flags: Flags of enum sins.error_info_flags, or'ed: which of value, minimum and maximum there are.
     count: Number of faults of the text, 200 at most.
-    line: Line of this fault, from 1.
-    column: Column, in characters from 1; for a flight log, the column of the table.
+    line: Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before
+        the call.
+    column: Column, in characters from 1; for a flight log, the column of the table; 0: as for line.
+    value: The value at fault, in the unit of the key that path names.
+    minimum: Least allowed value, in that unit; if the sentence says "more than", it is rejected too.
+    maximum: Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too.
+    path[96]: Path of the value at fault, as sins.scene_get_value() takes it; or of a section, "gyro", or an item,
+        "failure[0]"; terminated. Empty for a flight log, and if the text itself is at fault.
     sentence[256]: Sentence that names key, value and limit, and the key that was probably meant; UTF-8,
         terminated, cut if it is longer.
     """
@@ -1727,10 +1769,14 @@ class fault(_Struct):
     __slots__ = ()
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
+        ("flags", c_uint32),
         ("count", c_uint64),
         ("line", c_uint64),
         ("column", c_uint64),
+        ("value", c_double),
+        ("minimum", c_double),
+        ("maximum", c_double),
+        ("path", c_char * 96),
         ("sentence", c_char * 256),
     ]
 
@@ -1801,6 +1847,57 @@ class planned_failure(_Struct):
     ]
 
 
+class scene_key(_Struct):
+    """A key of the scene format.
+
+    flags: Flags of enum sins.scene_key_flags, or'ed.
+    count: Number of keys of the format.
+    kind: Kind of the value, of enum sins.scene_key_kind.
+    elements: Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds.
+    spread: Elements that a single number sets, in the place of all: element k by bit k; 0: a single number is not
+        enough.
+    si_per_unit: SI units in one unit of the key; 1 for the other kinds.
+    minimum: Least value of each number in the unit of the key, which is allowed itself: of all kinds of items.
+        Other values of the scene may narrow the limits.
+    maximum: Greatest value, likewise.
+    section[24]: Section, such as "gyro" or "manoeuvre.sinusoid"; terminated, as all texts here.
+    name[40]: Name, such as "bias_deg_h": its value is in the unit of data sheets.
+    si_name[40]: Name of the key that takes the same quantity in SI, such as "bias_rad_s"; empty: name is that
+        key.
+    unit[24]: Unit of name, such as "deg/h"; empty: a pure number, or no number.
+    si_unit[24]: Unit of si_name, such as "rad/s".
+    default_value[32]: Value of a scene that does not set it, as sins.scene_get_value() gives it; empty: it has
+        none then.
+    words[128]: Words of sins.SCENE_KEY_WORD, "exact|paper|polynomial".
+    condition[96]: Items that can have the key: "kind=turn|s_turn" means those whose key kind is one of these
+        words. Several conditions have a space between them. Empty: all.
+    meaning[128]: Meaning, without unit.
+    """
+
+    __slots__ = ()
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("flags", c_uint32),
+        ("count", c_uint64),
+        ("kind", c_int32),
+        ("elements", c_int32),
+        ("spread", c_uint32),
+        ("reserved", c_uint32),
+        ("si_per_unit", c_double),
+        ("minimum", c_double),
+        ("maximum", c_double),
+        ("section", c_char * 24),
+        ("name", c_char * 40),
+        ("si_name", c_char * 40),
+        ("unit", c_char * 24),
+        ("si_unit", c_char * 24),
+        ("default_value", c_char * 32),
+        ("words", c_char * 128),
+        ("condition", c_char * 96),
+        ("meaning", c_char * 128),
+    ]
+
+
 class log_info(_Struct):
     """Contents of a flight log.
 
@@ -1816,6 +1913,29 @@ class log_info(_Struct):
         ("samples", c_uint64),
         ("duration_s", c_double),
         ("title", c_char * 192),
+    ]
+
+
+class scene_samples(_Struct):
+    """The samples that a scene flies.
+
+    count: Number of samples.
+    record_every: Samples from one record of a program to the next, at least 1: by sins.scene_setup.every_s, or
+        else for about 2000 records.
+    start_s: Time stamp of the first sample [s].
+    period_s: Time between two samples; of a log, the mean [s].
+    duration_s: Time from the first to the last sample [s].
+    """
+
+    __slots__ = ()
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("count", c_uint64),
+        ("record_every", c_uint64),
+        ("start_s", c_double),
+        ("period_s", c_double),
+        ("duration_s", c_double),
     ]
 
 
@@ -2187,8 +2307,9 @@ def move_truth(sim, sample):
     latitude and velocity at the new place. Noise, sensor processes, failures, the vertical channel, the altimeter's
     error and running figures continue, and no random number changes. (The scale factor error of the altimeter is that
     of the new height.) The sensors follow the new signals immediately. Waiting samples are dropped. The time may jump
-    too, and all clocks with it, as in sins.move_time(). sins.get_imu() still reports the previous interval. If the
-    sample has no velocity, the velocity of the solution is its velocity error alone until the next sample is pushed.
+    too: the running figures and the grid of a stated period then move with it, as in sins.move_time(). sins.get_imu()
+    still reports the previous interval. If the sample has no velocity, the velocity of the solution is its velocity
+    error alone until the next sample is pushed.
 
     If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of
     truth and solution are not comparable. The errors of velocity and attitude are then kept in the truth's axes,
@@ -2252,7 +2373,7 @@ def last_error_info(sim, info):
 @_function(status, sim, POINTER(gyro_params))
 def set_gyro(sim, params):
     """Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
-    effects do not change. Processes that were active continue.
+    effects do not change. Random processes that were active continue.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     sins.ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
@@ -2268,7 +2389,7 @@ def get_gyro(sim, params):
 @_function(status, sim, POINTER(accel_params))
 def set_accel(sim, params):
     """Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers
-    of other effects do not change. Processes that were active continue.
+    of other effects do not change. Random processes that were active continue.
 
     sins.ERROR_INVALID_ARGUMENT, sins.ERROR_BAD_STATE: as sins.set_gyro().
     """
@@ -2302,9 +2423,9 @@ def set_failure(sim, sensor, axis, failure):
     sensor is of enum sins.sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before
     dead zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not
     change. Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts
-    on both error data. It does not act on the alignment at the start. sins.reposition() keeps failures. sins.reset()
-    clears all failures, so an exercise starts again with working sensors; failures that are set again at the same
-    intervals give the same bits.
+    on error data 1 and on error data 2. It does not act on the alignment at the start. sins.reposition() keeps
+    failures. sins.reset() clears all failures, so an exercise starts again with working sensors; failures that are
+    set again at the same intervals give the same bits.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes
     the solution diverge, sins.step() returns sins.ERROR_DIVERGED.
@@ -2372,9 +2493,9 @@ def get_gravity_disturbance(sim, params):
 
 @_function(status, sim, _Array(flight_sample, is_input=True), c_size_t, _Array(record), POINTER(c_size_t))
 def run(sim, samples, every, records, written):
-    """Pushes and steps an array of samples, count of them, and writes a record after every `every` intervals since the
-    flight's start. Any split of a flight into calls gives the same bits and the same records as pushing and stepping
-    sample by sample.
+    """Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the
+    flight's start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records
+    as pushing and stepping sample by sample.
 
     samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size
     of the other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets
@@ -2471,6 +2592,19 @@ def get_record(sim, record):
     """
 
 
+@_function(status, POINTER(record), _Array(c_double, is_input=True), POINTER(covariance), _Array(c_char), POINTER(c_size_t))
+def record_line(record, sensor_errors, covariance, buffer, needed):
+    """Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its
+    files of records; record NULL: the line with the names of the columns. Numbers read back to the bit. sensor_errors
+    are the mean errors of gyros [rad/s] and accelerometers [m/s2] since the record before, x, y, z of each; count is
+    6; NULL and 0: all 0. covariance, which may be NULL, adds columns of standard deviations. buffer, capacity and
+    needed as in sins.last_error(); a line has at most 1600 bytes. Not for a real-time frame: it allocates.
+
+    sins.ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
+    sins.ERROR_OUT_OF_MEMORY: no memory for the text.
+    """
+
+
 @_function(status, sim, POINTER(navigation))
 def start_navigation(sim, navigation):
     """Starts the simulator as a navigator only: it navigates on the increments of sins.push_imu(). The argument
@@ -2492,10 +2626,10 @@ def push_imu(sim, increment):
     sins.options.subsamples and updates_per_sample do not apply: the parts of the increment are the subsamples of one
     update.
 
-    sins.ERROR_BAD_STATE: sins.start_navigation() was not called.
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
-    sins.ERROR_DIVERGED, sins.ERROR_SINGULAR: as sins.step(); the interval is not flown, the solution before it stays
-    readable, and sins.reset() and sins.start_navigation() start anew.
+    sins.ERROR_BAD_STATE: sins.start_navigation() was not called. sins.ERROR_INVALID_ARGUMENT: a value out of its
+    range, or a rotation of half a turn or more in a part or in the interval. sins.ERROR_DIVERGED,
+    sins.ERROR_SINGULAR: as sins.step(); the interval is not flown, the solution before it stays readable, and
+    sins.reset() and sins.start_navigation() start anew.
     """
 
 
@@ -2800,16 +2934,17 @@ def scene_create(scene):
 
     On an error *scene is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason, as for every
     function of scenes. sins.ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
-    sins.scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If
-    memory runs out later within the call, because another thread takes it, the process ends. sins.log_parse() does
-    the same, except that running out of memory for the samples is always sins.ERROR_OUT_OF_MEMORY.
+    sins.scene_prepare() and sins.scene_prepare_ensemble() are for a real-time frame. The others first check that all
+    the memory of the call is available. If memory runs out later within the call, because another thread takes it,
+    the process ends. sins.log_parse() does the same, except that running out of memory for the samples is always
+    sins.ERROR_OUT_OF_MEMORY.
     """
 
 
 @_function(status, _Array(c_char, is_input=True), _New(scene))
 def scene_parse(text, scene):
     """Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
-    sins.scene_write_keys() lists the keys.
+    sins.scene_write_keys() and sins.scene_get_key() list the keys.
 
     sins.SCENE_HAS_FAULTS: the text is not a valid scene; sins.scene_get_fault() gives every fault and its place. The
     handle is made for that only: all other functions except sins.scene_destroy() return sins.ERROR_BAD_STATE.
@@ -2820,6 +2955,7 @@ def scene_parse(text, scene):
 @_function(status, scene, c_size_t, POINTER(fault))
 def scene_get_fault(scene, index, fault):
     """Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
+    After sins.scene_set_values() and sins.scene_set_items() the faults are those of that call; none if it succeeded.
 
     sins.ERROR_INVALID_ARGUMENT: there is no such fault.
     """
@@ -3087,10 +3223,64 @@ def scene_clear_failures(scene):
     """Removes all planned failures."""
 
 
+@_function(status, c_size_t, POINTER(scene_key))
+def scene_get_key(index, key):
+    """Reads key `index` of the scene format, from 0 in the order in which a scene is written.
+
+    sins.ERROR_INVALID_ARGUMENT: there are no more.
+    sins.ERROR_OUT_OF_MEMORY: as sins.scene_create().
+    """
+
+
+@_function(status, scene, _Text, _Array(c_char), POINTER(c_size_t))
+def scene_get_value(scene, path, buffer, needed):
+    """Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three),
+    "gyro.bias_deg_h[1]" (that of the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg",
+    "manoeuvre[3].sinusoid[0].channel", "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes.
+    The text is empty if the scene has no such value: flight.hours of a scene that flies the whole flight. A number
+    that has no equal in the unit of its key is rounded; in SI it is exact. A preset is not kept: its errors are.
+
+    "manoeuvre[3]" and "failure[0]" are all lines of an item, for sins.scene_set_items(). A built-in flight and a log
+    have no manoeuvres here. buffer, capacity and needed as in sins.scene_write().
+
+    sins.ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
+    """
+
+
+@_function(status, scene, _Text)
+def scene_set_values(scene, values):
+    """Sets values of the scene, all at once, at most 4096. values is a terminated text in UTF-8 with one path = value in
+    each line; blank lines and lines that begin with # are ignored. Paths are those of sins.scene_get_value(). A value
+    is written as in the text of a scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the
+    default, in an element 0. If a value is set twice, the last counts. A preset replaces all errors of its sensors.
+    flight.file and flight.builtin replace the flight.
+
+    The scene is checked as sins.scene_parse() checks a text: its values must go together. So set in one call what
+    belongs together, as a manoeuvre's kind and its quantities.
+
+    sins.ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins.scene_get_fault() gives every
+    fault with the line in values and the path. sins.ERROR_OUT_OF_MEMORY: as sins.scene_create().
+    """
+
+
+@_function(status, scene, _Text, _Text)
+def scene_set_items(scene, list, items):
+    """Sets all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a
+    scene: [[manoeuvre]] and its keys, and so on; that of one item is what sins.scene_get_value() gives. So a host
+    adds, removes, moves and replaces items by their texts. An empty text removes all failures. Manoeuvres replace a
+    built-in flight, with its start, or a log, with a start at latitude 0, longitude 0, height 0.
+
+    sins.ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was.
+    sins.scene_get_fault() gives every fault with the line in items and the path. sins.ERROR_OUT_OF_MEMORY: as
+    sins.scene_create().
+    """
+
+
 @_function(status, _Array(c_char, is_input=True), _New(log), POINTER(fault))
 def log_parse(text, log, fault):
-    """Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns,
-    in any order; columns of other names are ignored, and a row with more fields than columns is a fault:
+    """Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is
+    not a comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields
+    than columns is a fault:
 
     time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg,
     heading_rad or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
@@ -3101,7 +3291,8 @@ def log_parse(text, log, fault):
     real-time frame: it allocates, 184 bytes a sample.
 
     sins.ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its
-    place, and *log is unchanged. sins.ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
+    place, sins.last_error(NULL, ...) gives both as a sentence, and *log is unchanged. sins.ERROR_OUT_OF_MEMORY: no
+    memory for the samples, or 4096 logs exist.
     """
 
 
@@ -3127,6 +3318,18 @@ def log_destroy(log):
     """
 
 
+@_function(status, scene, log, POINTER(scene_samples))
+def scene_get_samples(scene, log, samples):
+    """Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
+    sins.flight_sample_at(flight, k / rate_hz) of sins.scene_create_flight(). For a log, sample k is
+    sins.log_get_sample(log, k); the samples end at the duration that the scene sets.
+
+    sins.ERROR_INVALID_ARGUMENT: the flight is not valid, or the log has no second sample within the duration.
+    sins.ERROR_BAD_HANDLE: scene or log is not a valid handle.
+    sins.ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins.scene_parse().
+    """
+
+
 @_function(status, sim, _Array(flight_sample, is_input=True), POINTER(requirement), POINTER(options), POINTER(cost))
 def recommend(configured, samples, requirement, options, cost):
     """Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples.
@@ -3140,12 +3343,12 @@ def recommend(configured, samples, requirement, options, cost):
     Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample
     with a reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference
     from a solution with half as many updates) is added to the error. The error is that of the algorithm only. Errors
-    of sensors, altimeter, start, gravity and believed mounting are left out, because they act on both solutions
-    alike; so do contradictions within the host's samples. The signals are without the trim of
-    sins.SIGNAL_CLOSED_LOOP, which would hide the error. For a duration beyond the piece, the call continues the
-    errors as steady rates through Schuler's pendulum. As long as the flight continues like the piece, this predicts
-    larger errors than the flight will show. With sins.VERTICAL_FREE each error counts as a height error, which grows
-    e-fold every 569 s.
+    of sensors, altimeter, start, gravity and believed mounting, and contradictions within the host's samples, are
+    left out, because they act on both solutions alike. The signals are without the trim of sins.SIGNAL_CLOSED_LOOP,
+    which would hide the error. For a duration beyond the piece, the call assumes that the piece is flown again and
+    again, that each time adds the same errors with the same sign, and that they grow by the Schuler oscillation with
+    the worst phase. If the flight continues like the piece, its errors are smaller than this prediction. With
+    sins.VERTICAL_FREE each error counts as a height error, which grows e-fold every 569 s.
 
     The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every
     day; only ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up
@@ -3196,8 +3399,8 @@ def error_budget(configured, samples, request, rows, written, budget):
     The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time
     frame: it allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once
     with no effect, once for each effect, once in each run with all effects together, and, if there are random
-    effects, once in each run with these. With limits it flies them once more in each run, and further times if
-    effects do not add up.
+    effects, once in each run with the random effects alone. With limits it flies them once more in each run, and
+    further times if effects do not add up.
 
     sins.ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is
     flown. (To ask for the number, give NULL for rows and a capacity of 0.) sins.ERROR_INVALID_ARGUMENT: a value out

@@ -55,7 +55,11 @@ enum Command {
     Curve(curve::Order),
     Recommend(recommend::Order),
     /// Lists the keys of a scene: values, unit and meaning of each
-    Keys,
+    Keys {
+        /// As a table of comma-separated values, with limits, defaults, SI units and the items that have the key
+        #[arg(long)]
+        fields: bool,
+    },
     #[command(subcommand)]
     Scene(scene::Order),
     Completions(completions::Order),
@@ -84,7 +88,8 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Budget(order) => budget::run(order),
         Command::Curve(order) => curve::run(order),
         Command::Recommend(order) => recommend::run(order),
-        Command::Keys => scene::print_keys(),
+        Command::Keys { fields: false } => scene::print_keys(),
+        Command::Keys { fields: true } => scene::print_key_fields(),
         Command::Scene(order) => scene::run(order),
         Command::Completions(order) => completions::run::<CommandLine>(order),
     }

@@ -108,7 +108,7 @@ fn text(given: &Given, answer: &Recommendation, ns: f64) -> String {
     };
     format!(
         "# {}: {}\n[options]\nscheme = \"{scheme}\"\nsubsamples = {}\nupdates_per_sample = {}\n\n\
-         leaves in {}: {}\n  of it the uncertainty of the reference: {}\na step takes {ns:.0} ns here; {} algorithms were tried\n",
+         error within {}: {}\n  of which uncertainty of the reference: {}\na step takes {ns:.0} ns on this machine; {} algorithms were tried\n",
         given.origin,
         given.title,
         answer.rung.subsamples,

@@ -2,79 +2,12 @@
 
 use nalgebra::Vector3;
 use sins::errors::NavigationErrors;
+pub use sins::records::{COLUMNS, SIGMA_COLUMNS};
 use sins::state::Navigation;
 use sins::{Error, ErrorSource, Simulator};
 
 /// Axes of all errors except those of the sensors, in the order of the columns.
 pub const EAST_NORTH_UP: [&str; 3] = ["east", "north", "up"];
-
-/// Columns of a file of records.
-pub const COLUMNS: [&str; 51] = [
-    "time_s",
-    "truth_latitude_rad",
-    "truth_longitude_rad",
-    "truth_height_m",
-    "truth_velocity_east_m_s",
-    "truth_velocity_north_m_s",
-    "truth_velocity_up_m_s",
-    "truth_roll_rad",
-    "truth_pitch_rad",
-    "truth_heading_rad",
-    "navigation_latitude_rad",
-    "navigation_longitude_rad",
-    "navigation_height_m",
-    "navigation_velocity_east_m_s",
-    "navigation_velocity_north_m_s",
-    "navigation_velocity_up_m_s",
-    "navigation_roll_rad",
-    "navigation_pitch_rad",
-    "navigation_heading_rad",
-    "navigation_error_position_east_m",
-    "navigation_error_position_north_m",
-    "navigation_error_position_up_m",
-    "navigation_error_velocity_east_m_s",
-    "navigation_error_velocity_north_m_s",
-    "navigation_error_velocity_up_m_s",
-    "navigation_error_misalignment_east_rad",
-    "navigation_error_misalignment_north_rad",
-    "navigation_error_misalignment_up_rad",
-    "navigation_error_roll_rad",
-    "navigation_error_pitch_rad",
-    "navigation_error_heading_rad",
-    "navigation_error_flags",
-    "model_error_position_east_m",
-    "model_error_position_north_m",
-    "model_error_position_up_m",
-    "model_error_velocity_east_m_s",
-    "model_error_velocity_north_m_s",
-    "model_error_velocity_up_m_s",
-    "model_error_misalignment_east_rad",
-    "model_error_misalignment_north_rad",
-    "model_error_misalignment_up_rad",
-    "model_error_roll_rad",
-    "model_error_pitch_rad",
-    "model_error_heading_rad",
-    "model_error_flags",
-    "gyro_error_x_rad_s",
-    "gyro_error_y_rad_s",
-    "gyro_error_z_rad_s",
-    "accel_error_x_m_s2",
-    "accel_error_y_m_s2",
-    "accel_error_z_m_s2",
-];
-
-/// Columns behind them where the covariance is on: standard deviations of the errors.
-pub const SIGMA_COLUMNS: [&str; 9] = [
-    "sigma_position_east_m",
-    "sigma_position_north_m",
-    "sigma_position_up_m",
-    "sigma_velocity_east_m_s",
-    "sigma_velocity_north_m_s",
-    "sigma_velocity_up_m_s",
-    "sigma_misalignment_east_rad",
-    "sigma_misalignment_north_rad",
-    "sigma_misalignment_up_rad",
-];
 
 /// Flags of errors, or'ed, as in the C header: near a pole; error model outside its validity; not computed, all zero.
 pub const NEAR_POLE: u32 = 1;

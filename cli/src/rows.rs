@@ -1,6 +1,7 @@
 //! Rows as a CSV file, and numbers in it.
 
 use csv::Writer;
+pub use sins::records::number;
 
 use crate::failure::{Failure, Kind};
 
@@ -18,25 +19,4 @@ pub fn text<R: AsRef<[String]>>(rows: &[R]) -> Result<String, Failure> {
     }
     let bytes = writer.into_inner().map_err(|error| failure(&error))?;
     String::from_utf8(bytes).map_err(|error| failure(&error))
-}
-
-/// The shortest text that reads back to the bit.
-pub fn number(value: f64) -> String {
-    let size = value.abs();
-    if size == 0.0 || (1e-5..1e15).contains(&size) { value.to_string() } else { format!("{value:e}") }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_short_and_read_back() {
-        for (value, text) in
-            [(0.0, "0"), (-0.1, "-0.1"), (3.0, "3"), (1.25e-300, "1.25e-300"), (1e22, "1e22")]
-        {
-            assert_eq!(number(value), text);
-            assert_eq!(text.parse::<f64>().unwrap().to_bits(), value.to_bits());
-        }
-    }
 }

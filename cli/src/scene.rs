@@ -3,12 +3,13 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use sins::scene::{BUILTIN_SCENES, builtin, keys_text};
+use sins::scene::{BUILTIN_SCENES, KeyLine, builtin, keys, keys_text};
 
 use crate::failure::Failure;
 use crate::fly::FOR_LOGS;
 use crate::given::{Given, Settings, is_log, read_scene};
 use crate::output::Outputs;
+use crate::rows::{self, number};
 use crate::terminal::print;
 use crate::units::{six_digits, time_text};
 
@@ -94,4 +95,43 @@ to the text. A preset is applied first, wherever it stands; other keys then chan
 
 ";
     print(&format!("{head}{}", keys_text()))
+}
+
+/// Columns of `sins keys --fields`.
+const FIELDS: [&str; 12] = [
+    "section",
+    "key",
+    "takes",
+    "unit",
+    "minimum",
+    "maximum",
+    "zero_is_off",
+    "default",
+    "si_key",
+    "si_unit",
+    "si_per_unit",
+    "condition",
+];
+
+/// `sins keys --fields`.
+pub fn print_key_fields() -> Result<(), Failure> {
+    let row = |key: KeyLine| {
+        let limit = |end: Option<f64>| end.map_or_else(String::new, number);
+        vec![
+            key.section.to_owned(),
+            key.name.to_owned(),
+            key.takes,
+            key.unit.to_owned(),
+            limit(key.limits.map(|limits| limits.low)),
+            limit(key.limits.map(|limits| limits.high)),
+            key.limits.is_some_and(|limits| limits.zero_is_off).to_string(),
+            key.default,
+            key.si_name.unwrap_or_default().to_owned(),
+            key.si_unit.to_owned(),
+            number(key.unit_si),
+            key.condition,
+        ]
+    };
+    let head = FIELDS.map(str::to_owned).to_vec();
+    print(&rows::text(&std::iter::once(head).chain(keys().into_iter().map(row)).collect::<Vec<_>>())?)
 }

@@ -39,8 +39,8 @@ pub fn variables() -> impl Iterator<Item = Variable> {
         let role = if TUNABLE.contains(&key.section) { Role::Tunable } else { Role::Fixed };
         let path = format!("{}.{}", key.section, key.name);
         let numbers = default.numbers(&path).unwrap_or_default();
-        let word = default.value(&path).unwrap_or_default();
-        of_key(&key, &path, role, &numbers, &word)
+        let value = default.value(&path).unwrap_or_default();
+        of_key(&key, &path, role, &numbers, value.trim_matches('"'))
     });
     let failures = (1..=FAILURES).flat_map(|slot| {
         let of_failure = keys().into_iter().filter(|key| key.section == FAILURE);
@@ -60,9 +60,9 @@ fn of_key(key: &KeyLine, path: &str, role: Role, numbers: &[f64], word: &str) ->
                 let name = format!("{path}{}", subscript(count, index));
                 // Of a key that has no default there is nothing to state.
                 let start = numbers.get(index).copied().filter(|number| number.is_finite()).unwrap_or(0.0);
-                let start = Value::Real(start);
-                let variable = Variable::new(name, role, start, doc).in_unit(key.unit, key.unit_si);
-                Variable { limits: key.limits, ..variable }
+                let variable =
+                    Variable::new(name, role, Value::Real(start), doc).in_unit(key.unit, key.unit_si);
+                Variable { limits: limits(key, start), ..variable }
             })
             .collect(),
         KeyKind::Words(words) => {
@@ -76,6 +76,13 @@ fn of_key(key: &KeyLine, path: &str, role: Role, numbers: &[f64], word: &str) ->
         KeyKind::Text => vec![Variable::new(path, role, Value::String(word.to_owned()), doc)],
         KeyKind::Flag => vec![Variable::new(path, role, Value::Boolean(word == "true"), doc)],
     }
+}
+
+/// The limits that FMI can state: its start value is within them.
+fn limits(key: &KeyLine, start: f64) -> Option<(f64, f64)> {
+    let limits = key.limits?;
+    let low = if limits.zero_is_off { limits.low.min(0.0) } else { limits.low };
+    (low..=limits.high).contains(&start).then_some((low, limits.high))
 }
 
 /// Behind the name of an element: FMI counts from 1, matrices by row and column.

@@ -6,7 +6,7 @@ use super::sensor_params::sins_accel_params;
 use super::simulator::{sins_sim, with_simulator};
 
 /// Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers of
-/// other effects do not change. Processes that were active continue.
+/// other effects do not change. Random processes that were active continue.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
 #[unsafe(no_mangle)]

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::failure::{Failure, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
 use super::fpu::FloatState;
+use super::last_error::Sentence;
 use super::process::is_prepared;
 use super::refusal;
 use super::tables::is_inside_a_handle;
@@ -68,21 +69,34 @@ pub fn shielded<T>(body: impl FnOnce() -> T) -> Option<T> {
 
 /// Keeps a failure for this thread.
 pub(super) fn remember(failure: Failure) {
+    remember_as(failure, Sentence::EMPTY);
+}
+
+/// Keeps a failure for this thread, with a sentence in place of that which is made of its data.
+pub(super) fn remember_as(failure: Failure, sentence: Sentence) {
     refusal::forget();
     if is_prepared() {
-        HERE.with(|here| here.last_failure.set(Some(failure)));
+        HERE.with(|here| {
+            here.last_failure.set(Some(failure));
+            here.last_sentence.set(sentence);
+        });
     }
 }
 
-/// The last failure on this thread that no simulator keeps.
-pub(super) fn last_failure() -> Option<Failure> {
-    if let Some(refused) = refusal::last() {
-        return Some(refused);
-    }
-    if !is_prepared() {
-        return Some(Failure::no_thread_locals());
-    }
-    HERE.with(|here| here.last_failure.get())
+/// The last failure on this thread that no simulator keeps, with its sentence.
+pub(super) fn last_failure() -> (Option<Failure>, Sentence) {
+    let failure = match refusal::last() {
+        None if is_prepared() => {
+            let (failure, sentence) = HERE.with(|here| (here.last_failure.get(), here.last_sentence.get()));
+            if !sentence.as_bytes().is_empty() {
+                return (failure, sentence);
+            }
+            failure
+        }
+        None => Some(Failure::no_thread_locals()),
+        refused => refused,
+    };
+    (failure, Sentence::of(failure.as_ref()))
 }
 
 /// Keeps the panic hook from printing while a thread is inside the library. In other threads the earlier hook runs. A shared library

@@ -64,8 +64,8 @@ interface_struct!(sins_budget_request, "request", 40);
 ///
 /// The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
 /// allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
-/// for each effect, once in each run with all effects together, and, if there are random effects, once in each run with
-/// these. With limits it flies them once more in each run, and further times if effects do not add up.
+/// for each effect, once in each run with all effects together, and, if there are random effects, once in each run with the
+/// random effects alone. With limits it flies them once more in each run, and further times if effects do not add up.
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
 /// (To ask for the number, give NULL for rows and a capacity of 0.)

@@ -20,8 +20,8 @@ use crate::covariance::NavigationCovariance;
 /// It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
 /// One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
 /// current second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
-/// second have no effect on the covariance. The numbers of the propagation (in SI units, square roots of variances) end at 1e30,
-/// so all outputs are finite.
+/// second have no effect on the covariance. The standard deviations of the propagation are limited to 1e30 in SI units, so all
+/// outputs are finite.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_covariance {

@@ -5,7 +5,7 @@ use super::failure::{Failure, SINS_GAP, SINS_OK, sins_status};
 use super::handle::{hand_out, with_object};
 use super::memory::{Array, read};
 use super::sample::sins_flight_sample;
-use super::sensor_failure::{output, sins_failure};
+use super::sensor_failure::{ARGUMENTS, output, sins_failure};
 use super::simulator::{look_at, pushed, sins_sim, stepped};
 use super::tables::ENSEMBLES;
 use crate::ensemble::Ensemble;
@@ -165,7 +165,7 @@ pub unsafe extern "C" fn sins_ensemble_set_failure(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let failure = unsafe { read(failure, "failure")? };
-        ensemble.set_failure(output(sensor, axis)?, failure.to_failure()?)?;
+        ensemble.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?;
         Ok(SINS_OK)
     })
 }

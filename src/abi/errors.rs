@@ -6,7 +6,7 @@ use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
 use crate::errors::NavigationErrors;
-use crate::simulator::{ErrorSource, Moment};
+use crate::simulator::{ErrorSource, Looked, Moment};
 
 /// The two sources of errors.
 pub type sins_errors_source = i32;
@@ -150,16 +150,20 @@ pub unsafe extern "C" fn sins_get_errors(
         let source = ErrorSource::of("source", source)?;
         simulator.refuse_without(source)?;
         let written = match source {
-            ErrorSource::Navigation => simulator.see(|moment| {
-                output.fill(|place| {
-                    *place = sins_errors::at(moment.time_s(), sins_record_errors::of_navigation(moment))
-                })
-            })?,
-            ErrorSource::Model => simulator.see(|moment| {
-                output.fill(|place| {
-                    *place = sins_errors::at(moment.time_s(), sins_record_errors::of_model(moment))
-                })
-            })?,
+            ErrorSource::Navigation => {
+                simulator.make_and_see(Looked { truth: true, navigation: true }, |moment| {
+                    output.fill(|place| {
+                        *place = sins_errors::at(moment.time_s(), sins_record_errors::of_navigation(moment))
+                    })
+                })?
+            }
+            ErrorSource::Model => {
+                simulator.make_and_see(Looked { truth: true, navigation: false }, |moment| {
+                    output.fill(|place| {
+                        *place = sins_errors::at(moment.time_s(), sins_record_errors::of_model(moment))
+                    })
+                })?
+            }
         };
         Ok(written_or_need(written))
     })

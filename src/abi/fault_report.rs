@@ -2,9 +2,10 @@
 
 use core::ffi::c_char;
 
+use super::last_error::{SINS_ERROR_INFO_MAXIMUM, SINS_ERROR_INFO_MINIMUM, SINS_ERROR_INFO_VALUE};
 use super::memory::interface_struct;
 use super::text::chars;
-use crate::scene::Fault;
+use crate::scene::{About, Fault};
 
 /// A fault of the text of a scene or of a flight log.
 #[repr(C)]
@@ -12,29 +13,46 @@ use crate::scene::Fault;
 pub struct sins_fault {
     /// sizeof(sins_fault)
     pub struct_size: u32,
-    /// 0
-    pub reserved: u32,
+    /// Flags of enum sins_error_info_flags, or'ed: which of value, minimum and maximum there are.
+    pub flags: u32,
     /// Number of faults of the text, 200 at most.
     pub count: u64,
-    /// Line of this fault, from 1.
+    /// Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call.
     pub line: u64,
-    /// Column, in characters from 1; for a flight log, the column of the table.
+    /// Column, in characters from 1; for a flight log, the column of the table; 0: as for line.
     pub column: u64,
+    /// The value at fault, in the unit of the key that path names.
+    pub value: f64,
+    /// Least allowed value, in that unit; if the sentence says "more than", it is rejected too.
+    pub minimum: f64,
+    /// Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too.
+    pub maximum: f64,
+    /// Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
+    /// terminated. Empty for a flight log, and if the text itself is at fault.
+    pub path: [c_char; 96],
     /// Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
     /// longer.
     pub sentence: [c_char; 256],
 }
 
-interface_struct!(sins_fault, "fault", 288);
+interface_struct!(sins_fault, "fault", 408);
 
 impl sins_fault {
     pub(super) fn new(fault: &Fault, count: usize) -> Self {
+        let About { path, value, minimum, maximum } = &fault.about;
+        let flag = |number: &Option<f64>, flag| if number.is_some() { flag } else { 0 };
         Self {
             struct_size: size_of::<Self>() as u32,
-            reserved: 0,
+            flags: flag(value, SINS_ERROR_INFO_VALUE)
+                | flag(minimum, SINS_ERROR_INFO_MINIMUM)
+                | flag(maximum, SINS_ERROR_INFO_MAXIMUM),
             count: count as u64,
             line: fault.line as u64,
             column: fault.column as u64,
+            value: value.unwrap_or(0.0),
+            minimum: minimum.unwrap_or(0.0),
+            maximum: maximum.unwrap_or(0.0),
+            path: chars(path),
             sentence: chars(&fault.sentence),
         }
     }

@@ -6,7 +6,7 @@ use super::sensor_params::sins_gyro_params;
 use super::simulator::{sins_sim, with_simulator};
 
 /// Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
-/// effects do not change. Processes that were active continue.
+/// effects do not change. Random processes that were active continue.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on

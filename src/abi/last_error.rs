@@ -68,8 +68,7 @@ pub unsafe extern "C" fn sins_last_error(
     capacity: usize,
     needed: *mut usize,
 ) -> sins_status {
-    read_failure(sim, |failure| {
-        let sentence = Sentence::of(failure);
+    read_failure(sim, |_, sentence| {
         // SAFETY: the host's promise.
         unsafe { put_text(sentence.as_bytes(), buffer, capacity, needed) }
     })
@@ -82,25 +81,29 @@ pub unsafe extern "C" fn sins_last_error_info(
     sim: *const sins_sim,
     info: *mut sins_error_info,
 ) -> sins_status {
-    read_failure(sim, |failure| {
+    read_failure(sim, |failure, _| {
         // SAFETY: the host's promise.
         unsafe { Output::new(info, "info")? }.write(&sins_error_info::of(failure));
         Ok(SINS_OK)
     })
 }
 
-/// Runs `body` on the last failure of a simulator, or of this thread; its own is not kept.
+/// Runs `body` on the last failure of a simulator, or of this thread, and its sentence; the failure of `body` is not kept.
 fn read_failure(
     sim: *const sins_sim,
-    body: impl FnOnce(Option<&Failure>) -> Result<sins_status, Failure>,
+    body: impl FnOnce(Option<&Failure>, &Sentence) -> Result<sins_status, Failure>,
 ) -> sins_status {
     enter(|| {
         let failure = match sim.is_null() {
             true => Ok(last_failure()),
-            false => SIMULATORS.last_failure(sim.addr()),
+            false => {
+                SIMULATORS.last_failure(sim.addr()).map(|failure| (failure, Sentence::of(failure.as_ref())))
+            }
         };
         match failure {
-            Ok(failure) => body(failure.as_ref()).unwrap_or_else(|failure| failure.status),
+            Ok((failure, sentence)) => {
+                body(failure.as_ref(), &sentence).unwrap_or_else(|failure| failure.status)
+            }
             Err(status) => status,
         }
     })
@@ -146,20 +149,27 @@ impl sins_error_info {
 }
 
 /// A sentence in a fixed buffer: made without an allocation, cut at a character.
+#[derive(Clone, Copy)]
 pub(super) struct Sentence {
     bytes: [u8; 512],
     len: usize,
 }
 
 impl Sentence {
-    pub fn of(failure: Option<&Failure>) -> Self {
-        let mut sentence = Self { bytes: [0; 512], len: 0 };
+    pub const EMPTY: Self = Self { bytes: [0; 512], len: 0 };
+
+    pub fn new(text: fmt::Arguments<'_>) -> Self {
+        let mut sentence = Self::EMPTY;
         // Writing never fails: what does not fit is cut.
-        let _ = match failure {
-            Some(failure) => write!(sentence, "{failure}"),
-            None => sentence.write_str("no error"),
-        };
+        let _ = sentence.write_fmt(text);
         sentence
+    }
+
+    pub fn of(failure: Option<&Failure>) -> Self {
+        match failure {
+            Some(failure) => Self::new(format_args!("{failure}")),
+            None => Self::new(format_args!("no error")),
+        }
     }
 
     pub fn as_bytes(&self) -> &[u8] {

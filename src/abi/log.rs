@@ -2,10 +2,11 @@
 
 use core::ffi::c_char;
 
-use super::boundary::{enter, enter_without_simulator, remember};
+use super::boundary::{enter, enter_without_simulator, remember_as};
 use super::failure::{Failure, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
 use super::fault_report::sins_fault;
 use super::handle::{hand_out, with_object};
+use super::last_error::Sentence;
 use super::memory::{Output, interface_struct, put};
 use super::sample::sins_flight_sample;
 use super::tables::LOGS;
@@ -41,8 +42,9 @@ interface_struct!(sins_log_info, "info", 216);
 /// What the parser takes beside the samples [bytes]; a field in quotes may be longer.
 const ROOM: usize = 1 << 20;
 
-/// Reads a flight log, comma-separated values in UTF-8. The first line that is not a comment (#) names the columns, in any
-/// order; columns of other names are ignored, and a row with more fields than columns is a fault:
+/// Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
+/// comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns
+/// is a fault:
 ///
 /// time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
 /// or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
@@ -53,7 +55,7 @@ const ROOM: usize = 1 << 20;
 /// frame: it allocates, 184 bytes a sample.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
-/// and *log is unchanged.
+/// sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_log_parse(
@@ -82,8 +84,11 @@ pub unsafe extern "C" fn sins_log_parse(
                 if let Some(output) = output {
                     output.write(&sins_fault::new(&found, 1));
                 }
-                let rule = Rule::Sentence("the text is not a flight log; sins_fault gives the reason");
-                remember(Error::invalid("line", found.line, rule).into());
+                let error =
+                    Error::invalid("line", found.line, Rule::Sentence("the text is not a flight log"));
+                let (line, column, reason) = (found.line, found.column, &found.sentence);
+                let sentence = Sentence::new(format_args!("line = {line}, column {column}: {reason}"));
+                remember_as(error.into(), sentence);
                 Ok(SINS_ERROR_INVALID_ARGUMENT)
             }
         }

@@ -137,9 +137,9 @@ impl<T: Struct> Output<T> {
 
     /// As [`Self::write`], but `fill` sets the fields: directly in the host's struct, if that has room. It need not set `struct_size`.
     #[inline(always)]
-    pub fn fill(&self, fill: impl FnOnce(&mut T)) {
+    pub fn fill(&self, fill: impl Fn(&mut T)) {
         if self.size < size_of::<T>() || !self.pointer.is_aligned() {
-            return self.fill_and_write(fill);
+            return self.fill_and_write(&fill);
         }
         // SAFETY: `new` was promised that many writable bytes, of which any are a `T`.
         unsafe {
@@ -148,9 +148,10 @@ impl<T: Struct> Output<T> {
         }
     }
 
+    /// By reference: `fill` has one direct caller then, which the compiler makes one with it.
     #[cold]
     #[inline(never)]
-    fn fill_and_write(&self, fill: impl FnOnce(&mut T)) {
+    fn fill_and_write(&self, fill: &dyn Fn(&mut T)) {
         let mut value = MaybeUninit::<T>::zeroed();
         // SAFETY: any bytes are a `T`.
         let value = unsafe { value.assume_init_mut() };
@@ -210,13 +211,29 @@ impl<T: Struct> Array<T> {
 
     /// Element `index`, filled by `fill`; its own struct_size is that of the first from then on.
     #[inline(always)]
-    pub fn fill(&self, index: usize, fill: impl FnOnce(&mut T)) -> Result<(), Failure> {
+    pub fn fill(&self, index: usize, fill: impl Fn(&mut T)) -> Result<(), Failure> {
         let pointer = self.element(index)?;
         Output { pointer, size: self.stride }.fill(fill);
         // SAFETY: the head of an element, which `new` was promised to be writable.
         unsafe { pointer.cast::<u32>().write_unaligned(self.stride as u32) };
         Ok(())
     }
+}
+
+/// Numbers of the host; none if `count` is 0.
+///
+/// # Safety
+/// `pointer` is null or points to `count` readable numbers, of any alignment.
+pub(super) unsafe fn numbers_of(
+    pointer: *const f64,
+    count: usize,
+    name: &'static str,
+) -> Result<Vec<f64>, Failure> {
+    if pointer.is_null() && count > 0 {
+        return Err(Failure::null(name));
+    }
+    // SAFETY: not null, and within the array.
+    Ok((0..count).map(|index| unsafe { pointer.add(index).read_unaligned() }).collect())
 }
 
 /// Writes `value` to a place of the host.

@@ -52,6 +52,7 @@ mod preset;
 mod process;
 mod recommend;
 mod record;
+mod record_line;
 mod refusal;
 mod registry;
 mod run;
@@ -63,9 +64,17 @@ mod scene_failure;
 #[cfg(feature = "scenes")]
 mod scene_flight;
 #[cfg(feature = "scenes")]
+mod scene_key;
+#[cfg(feature = "scenes")]
 mod scene_prepare;
 #[cfg(feature = "scenes")]
+mod scene_samples;
+#[cfg(feature = "scenes")]
 mod scene_settings;
+#[cfg(feature = "scenes")]
+mod scene_text;
+#[cfg(feature = "scenes")]
+mod scene_value;
 mod sensor_failure;
 mod sensor_params;
 mod simulator;
@@ -110,6 +119,7 @@ pub use options::*;
 pub use preset::*;
 pub use recommend::{sins_cost, sins_recommend, sins_requirement};
 pub use record::*;
+pub use record_line::sins_record_line;
 pub use run::sins_run;
 pub use sample::*;
 #[cfg(feature = "scenes")]
@@ -119,9 +129,17 @@ pub use scene_failure::*;
 #[cfg(feature = "scenes")]
 pub use scene_flight::*;
 #[cfg(feature = "scenes")]
+pub use scene_key::*;
+#[cfg(feature = "scenes")]
 pub use scene_prepare::*;
 #[cfg(feature = "scenes")]
+pub use scene_samples::*;
+#[cfg(feature = "scenes")]
 pub use scene_settings::*;
+#[cfg(feature = "scenes")]
+pub use scene_text::*;
+#[cfg(feature = "scenes")]
+pub use scene_value::*;
 pub use sensor_failure::*;
 pub use sensor_params::{sins_accel_params, sins_gyro_params};
 pub use simulator::*;

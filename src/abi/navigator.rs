@@ -91,7 +91,7 @@ pub unsafe extern "C" fn sins_start_navigation(
 /// updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
 ///
 /// SINS_ERROR_BAD_STATE: sins_start_navigation() was not called.
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or half a turn in a part or in the interval.
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a rotation of half a turn or more in a part or in the interval.
 /// SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
 /// readable, and sins_reset() and sins_start_navigation() start anew.
 #[unsafe(no_mangle)]

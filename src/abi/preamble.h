@@ -109,6 +109,10 @@
  *   linked with them then does not link, or does not start. A program that loads the library at run time looks up
  *   sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
  *
+ * Functions by subject, in the order of this file:
+ *
+ * INDEX
+ *
  * This file is written by build.rs from the Rust sources; do not edit it.
  */
 

@@ -111,10 +111,11 @@ impl From<Refusal> for Failure {
 /// Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
 /// reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
 /// with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
-/// start, gravity and believed mounting are left out, because they act on both solutions alike; so do contradictions within
-/// the host's samples. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
-/// duration beyond the piece, the call continues the errors as steady rates through Schuler's pendulum. As long as the flight
-/// continues like the piece, this predicts larger errors than the flight will show. With SINS_VERTICAL_FREE each error counts
+/// start, gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both
+/// solutions alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
+/// duration beyond the piece, the call assumes that the piece is flown again and again, that each time adds the same errors
+/// with the same sign, and that they grow by the Schuler oscillation with the worst phase. If the flight continues like the
+/// piece, its errors are smaller than this prediction. With SINS_VERTICAL_FREE each error counts
 /// as a height error, which grows e-fold every 569 s.
 ///
 /// The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only

@@ -6,7 +6,7 @@ use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_record_solution;
-use crate::simulator::Moment;
+use crate::simulator::{Looked, Moment};
 
 /// Truth, navigation and both errors at one instant.
 #[repr(C)]
@@ -54,6 +54,8 @@ pub unsafe extern "C" fn sins_get_record(sim: *mut sins_sim, record: *mut sins_r
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(record, "record")? };
-        Ok(written_or_need(simulator.see(|moment| output.fill(|record| record.be_of(moment)))?))
+        let looked = Looked { truth: true, navigation: true };
+        let written = simulator.make_and_see(looked, |moment| output.fill(|record| record.be_of(moment)))?;
+        Ok(written_or_need(written))
     })
 }

@@ -5,11 +5,11 @@ use super::memory::{Array, put};
 use super::record::sins_record;
 use super::sample::sins_flight_sample;
 use super::simulator::{push, sins_sim, step, with_simulator};
-use crate::simulator::Simulator;
+use crate::simulator::{Looked, Simulator};
 
-/// Pushes and steps an array of samples, count of them, and writes a record after every `every` intervals since the
-/// flight's start. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
-/// by sample.
+/// Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the flight's
+/// start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and
+/// stepping sample by sample.
 ///
 /// samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
 /// other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
@@ -105,11 +105,14 @@ fn fly(
 
 #[inline(never)]
 fn write_record(
-    simulator: &Simulator,
+    simulator: &mut Simulator,
     records: &Array<sins_record>,
     done: &mut usize,
 ) -> Result<(), Failure> {
-    if let Some(written) = simulator.see(|moment| records.fill(*done, |record| record.be_of(moment)))? {
+    let looked = Looked { truth: true, navigation: true };
+    let written =
+        simulator.make_and_see(looked, |moment| records.fill(*done, |record| record.be_of(moment)))?;
+    if let Some(written) = written {
         written?;
         *done += 1;
     }

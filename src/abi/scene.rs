@@ -13,7 +13,7 @@ use super::tables::{FLIGHTS, SCENES, SIMULATORS, SceneText};
 use super::text::{bytes_of, put_text, text_of};
 use crate::error::{Error, Rule, check_integer};
 use crate::memory::probe;
-use crate::scene::{BUILTIN_SCENES, MAX_TEXT, Scene, builtin, keys_text};
+use crate::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, builtin, keys_text};
 
 /// A scene. A handle is a checked key, as that of sins_sim, and never taken for one.
 #[repr(C)]
@@ -27,13 +27,17 @@ const ROOM_OF_ITEM: usize = 1 << 12;
 /// What the parser makes of a byte at the most [bytes].
 const ROOM_OF_BYTE: usize = 160;
 
+fn of_scene(scene: Scene) -> SceneText {
+    SceneText { scene: Some(Box::new(scene)), faults: Vec::new() }
+}
+
 /// Runs `body` on the scene of a handle, as the inside of an exported function; it may copy the scene and write it.
 pub(super) fn with_scene(
     scene: *const sins_scene,
     body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
 ) -> sins_status {
     with_sound_scene(scene, |scene| {
-        probe(ROOM + ROOM_OF_ITEM * (scene.manoeuvre_count() + scene.failures.len()))?;
+        probe(ROOM + ROOM_OF_ITEM * (scene.manoeuvres().len() + scene.failures.len()))?;
         body(scene)
     })
 }
@@ -43,10 +47,57 @@ pub(super) fn with_sound_scene(
     scene: *const sins_scene,
     body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    with_object(&SCENES, scene, |content| match content {
-        SceneText::Scene(scene) => body(scene),
-        SceneText::Faults(_) => {
-            Err(Error::bad_state("the text of the scene has faults: sins_scene_get_fault()").into())
+    with_object(&SCENES, scene, |content| match &mut content.scene {
+        Some(scene) => body(scene),
+        None => Err(text_has_faults().into()),
+    })
+}
+
+fn text_has_faults() -> Error {
+    Error::bad_state("the text of the scene has faults: sins_scene_get_fault()")
+}
+
+/// Why a change of a scene is rejected.
+pub(super) enum Rejected {
+    /// A bad argument.
+    Call(Failure),
+    /// Faults of the scene that it would be.
+    Faults(Vec<Fault>),
+}
+
+impl From<Failure> for Rejected {
+    fn from(failure: Failure) -> Self {
+        Self::Call(failure)
+    }
+}
+
+impl From<Vec<Fault>> for Rejected {
+    fn from(faults: Vec<Fault>) -> Self {
+        Self::Faults(faults)
+    }
+}
+
+/// Changes the scene of a handle by `body`, which reads the scene's text with `size` bytes more. The faults of a rejected change are
+/// kept.
+pub(super) fn change_scene(
+    scene: *mut sins_scene,
+    size: usize,
+    body: impl FnOnce(&mut Scene) -> Result<(), Rejected>,
+) -> sins_status {
+    with_object(&SCENES, scene, |SceneText { scene, faults }| {
+        let Some(scene) = scene else { return Err(text_has_faults().into()) };
+        let items = ROOM_OF_ITEM * (scene.manoeuvres().len() + scene.failures.len());
+        probe(ROOM + items + ROOM_OF_BYTE * (ROOM + items + size).min(MAX_TEXT))?;
+        faults.clear();
+        match body(scene) {
+            Ok(()) => Ok(SINS_OK),
+            Err(Rejected::Call(failure)) => Err(failure),
+            Err(Rejected::Faults(found)) => {
+                *faults = found;
+                let rule =
+                    Rule::Sentence("the scene was not changed; sins_scene_get_fault() gives the reasons");
+                Err(Error { value: None, ..Error::invalid("values", 0.0, rule) }.into())
+            }
         }
     })
 }
@@ -56,7 +107,7 @@ pub(super) fn with_sound_scene(
 ///
 /// On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
 /// of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
-/// sins_scene_prepare() is for a real-time frame. They first check that all the memory of the call is available. If memory
+/// sins_scene_prepare() and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is available. If memory
 /// runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does the same, except
 /// that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
 #[unsafe(no_mangle)]
@@ -67,13 +118,13 @@ pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_
         }
         probe(ROOM)?;
         // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&SCENES, SceneText::Scene(Box::default()), scene, "scene")? };
+        unsafe { hand_out(&SCENES, of_scene(Scene::default()), scene, "scene")? };
         Ok(SINS_OK)
     })
 }
 
 /// Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
-/// sins_scene_write_keys() lists the keys.
+/// sins_scene_write_keys() and sins_scene_get_key() list the keys.
 ///
 /// SINS_SCENE_HAS_FAULTS: the text is not a valid scene; sins_scene_get_fault() gives every fault and its place. The handle
 /// is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
@@ -92,8 +143,8 @@ pub unsafe extern "C" fn sins_scene_parse(
         let text = unsafe { bytes_of(text.cast(), size, "text")? };
         probe(ROOM + ROOM_OF_BYTE * text.len().min(MAX_TEXT))?;
         let (content, status) = match Scene::parse(text) {
-            Ok(scene) => (SceneText::Scene(Box::new(scene)), SINS_OK),
-            Err(faults) => (SceneText::Faults(faults), SINS_SCENE_HAS_FAULTS),
+            Ok(scene) => (of_scene(scene), SINS_OK),
+            Err(faults) => (SceneText { scene: None, faults }, SINS_SCENE_HAS_FAULTS),
         };
         // SAFETY: the host's promise; not null.
         unsafe { hand_out(&SCENES, content, scene, "scene")? };
@@ -101,7 +152,8 @@ pub unsafe extern "C" fn sins_scene_parse(
     })
 }
 
-/// Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults.
+/// Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults. After
+/// sins_scene_set_values() and sins_scene_set_items() the faults are those of that call; none if it succeeded.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: there is no such fault.
 #[unsafe(no_mangle)]
@@ -113,10 +165,7 @@ pub unsafe extern "C" fn sins_scene_get_fault(
     with_object(&SCENES, scene, |content| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(fault, "fault")? };
-        let faults = match content {
-            SceneText::Scene(_) => &[],
-            SceneText::Faults(faults) => faults.as_slice(),
-        };
+        let faults = &content.faults;
         let Some(found) = faults.get(index) else {
             let rule = Rule::SentenceWith(
                 "must be less than the number of faults of the scene:",
@@ -154,7 +203,7 @@ pub unsafe extern "C" fn sins_scene_create_builtin(
             return Err(Error { field: "name", value: None, ..Error::invalid("name", 0.0, rule) }.into());
         };
         // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&SCENES, SceneText::Scene(Box::new(found)), scene, "scene")? };
+        unsafe { hand_out(&SCENES, of_scene(found), scene, "scene")? };
         Ok(SINS_OK)
     })
 }

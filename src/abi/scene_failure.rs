@@ -109,13 +109,13 @@ impl sins_planned_failure {
             axis,
             from_s,
             until_s: if until_s.is_infinite() { 0.0 } else { until_s },
-            fields: sins_failure_fields::of(Some(&planned.failure)),
+            fields: sins_failure_fields::of(Some(planned.failure)),
         }
     }
 
     fn to_planned(self) -> Result<PlannedFailure, Failure> {
         check_reserved("failure.reserved", self.reserved)?;
-        let output = output(self.sensor, self.axis)?;
+        let output = output(["failure.sensor", "failure.axis"], self.sensor, self.axis)?;
         let Some(failure) = self.fields.to_failure()? else {
             let rule = Rule::Sentence("must not be SINS_FAILURE_NONE: plan no failure instead");
             return Err(Error::invalid("failure.kind", self.fields.kind, rule).into());

@@ -1,11 +1,11 @@
 //! `sins_failure`.
 
-use super::choice::{check_reserved, one_of};
+use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use crate::error::{Error, Rule};
-use crate::sensors::{self, Axis, SensorOutput};
+use crate::sensors::{self, Axis, FAILURE_KIND_COUNT, FailureFields, SensorOutput};
 
 /// Sensors that can fail.
 pub type sins_sensor = i32;
@@ -74,80 +74,40 @@ pub struct sins_failure {
 
 interface_struct!(sins_failure, "failure", 56);
 
+// A kind is its place among the kinds.
+const _: () = assert!(SINS_FAILURE_NONE == 0 && SINS_FAILURE_DROP_OUTS + 1 == FAILURE_KIND_COUNT as i32);
+
 impl sins_failure_fields {
     /// The fields of `failure`; without one SINS_FAILURE_NONE.
-    pub(super) fn of(failure: Option<&sensors::Failure>) -> Self {
-        use sensors::Failure::{BiasStep, Dead, Noise, PeriodicDropOuts, RandomDropOuts, Spikes, Stuck};
-        let none = Self {
-            kind: SINS_FAILURE_NONE,
-            reserved2: 0,
-            size: 0.0,
-            density: 0.0,
-            interval_s: 0.0,
-            duration_s: 0.0,
-            probability: 0.0,
-        };
-        match failure.copied() {
-            None => none,
-            Some(Stuck) => Self { kind: SINS_FAILURE_STUCK, ..none },
-            Some(Dead) => Self { kind: SINS_FAILURE_DEAD, ..none },
-            Some(BiasStep { size }) => Self { kind: SINS_FAILURE_BIAS_STEP, size, ..none },
-            Some(Spikes { size, interval_s, duration_s }) => {
-                Self { kind: SINS_FAILURE_SPIKES, size, interval_s, duration_s, ..none }
-            }
-            Some(Noise { density }) => Self { kind: SINS_FAILURE_NOISE, density, ..none },
-            Some(RandomDropOuts { probability }) => {
-                Self { kind: SINS_FAILURE_DROP_OUTS, probability, ..none }
-            }
-            Some(PeriodicDropOuts { interval_s }) => {
-                Self { kind: SINS_FAILURE_DROP_OUTS, interval_s, ..none }
-            }
-        }
+    pub(super) fn of(failure: Option<sensors::Failure>) -> Self {
+        let FailureFields { kind, size, density, interval_s, duration_s, probability } = failure.into();
+        Self { kind: kind as i32, reserved2: 0, size, density, interval_s, duration_s, probability }
     }
 
     pub(super) fn to_failure(self) -> Result<Option<sensors::Failure>, Failure> {
         check_reserved("failure.reserved2", self.reserved2)?;
         let Self { size, density, interval_s, duration_s, probability, .. } = self;
-        let drop_outs = if interval_s == 0.0 {
-            sensors::Failure::RandomDropOuts { probability }
-        } else {
-            sensors::Failure::PeriodicDropOuts { interval_s }
-        };
-        let spikes = sensors::Failure::Spikes { size, interval_s, duration_s };
-        let failure = one_of(
-            "failure.kind",
-            self.kind,
-            &[
-                (SINS_FAILURE_NONE, None),
-                (SINS_FAILURE_STUCK, Some(sensors::Failure::Stuck)),
-                (SINS_FAILURE_DEAD, Some(sensors::Failure::Dead)),
-                (SINS_FAILURE_BIAS_STEP, Some(sensors::Failure::BiasStep { size })),
-                (SINS_FAILURE_SPIKES, Some(spikes)),
-                (SINS_FAILURE_NOISE, Some(sensors::Failure::Noise { density })),
-                (SINS_FAILURE_DROP_OUTS, Some(drop_outs)),
-            ],
-            "sins_failure_kind",
-        )?;
-        self.check_unused(failure.as_ref())?;
+        let kind = usize::try_from(self.kind).unwrap_or(usize::MAX);
+        if kind >= FAILURE_KIND_COUNT {
+            let rule = Rule::OneOf("sins_failure_kind", 0, FAILURE_KIND_COUNT as i32 - 1);
+            return Err(Error::invalid("failure.kind", self.kind, rule).into());
+        }
+        let failure = FailureFields { kind, size, density, interval_s, duration_s, probability }.to_failure();
+        self.check_unused(&Self::of(failure))?;
         Ok(failure)
     }
 
-    /// Rejects values that the failure does not use, because the host must have meant something else.
-    fn check_unused(&self, failure: Option<&sensors::Failure>) -> Result<(), Failure> {
-        use sensors::Failure::{BiasStep, Noise, PeriodicDropOuts, RandomDropOuts, Spikes};
-        let is_spikes = matches!(failure, Some(Spikes { .. }));
+    /// Rejects values that the failure does not use, because the host must have meant something else; `used` has those that it
+    /// does.
+    fn check_unused(&self, used: &Self) -> Result<(), Failure> {
         let fields = [
-            ("failure.size", self.size, is_spikes || matches!(failure, Some(BiasStep { .. }))),
-            ("failure.density", self.density, matches!(failure, Some(Noise { .. }))),
-            (
-                "failure.interval_s",
-                self.interval_s,
-                is_spikes || matches!(failure, Some(PeriodicDropOuts { .. })),
-            ),
-            ("failure.duration_s", self.duration_s, is_spikes),
-            ("failure.probability", self.probability, matches!(failure, Some(RandomDropOuts { .. }))),
+            ("failure.size", self.size, used.size),
+            ("failure.density", self.density, used.density),
+            ("failure.interval_s", self.interval_s, used.interval_s),
+            ("failure.duration_s", self.duration_s, used.duration_s),
+            ("failure.probability", self.probability, used.probability),
         ];
-        match fields.iter().find(|(_, value, is_used)| !is_used && *value != 0.0) {
+        match fields.iter().find(|(_, value, used)| *value != 0.0 && *used == 0.0) {
             Some(&(field, value, _)) => {
                 let rule = Rule::Zero(": this kind of failure does not use it");
                 Err(Error::invalid(field, value, rule).into())
@@ -158,7 +118,7 @@ impl sins_failure_fields {
 }
 
 impl sins_failure {
-    fn of(failure: Option<&sensors::Failure>) -> Self {
+    fn of(failure: Option<sensors::Failure>) -> Self {
         let fields = sins_failure_fields::of(failure);
         Self { struct_size: size_of::<Self>() as u32, reserved: 0, fields }
     }
@@ -169,22 +129,26 @@ impl sins_failure {
     }
 }
 
-/// The output that sensor and axis name.
-pub(super) fn output(sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
+/// The arguments that select an output.
+pub(super) const ARGUMENTS: [&str; 2] = ["sensor", "axis"];
+
+/// The output that `sensor` and `axis` select; `fields` are their names in messages.
+pub(super) fn output(fields: [&'static str; 2], sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
+    let [sensor_field, axis_field] = fields;
     let axis_of_triad = || match axis {
         0 => Ok(Axis::X),
         1 => Ok(Axis::Y),
         2 => Ok(Axis::Z),
-        _ => Err(Error::invalid("axis", axis, Rule::Between(0.0, 2.0))),
+        _ => Err(Error::invalid(axis_field, axis, Rule::Between(0.0, 2.0))),
     };
     match sensor {
         SINS_SENSOR_GYRO => Ok(SensorOutput::Gyro(axis_of_triad()?)),
         SINS_SENSOR_ACCEL => Ok(SensorOutput::Accelerometer(axis_of_triad()?)),
         SINS_SENSOR_ALTIMETER if axis == 0 => Ok(SensorOutput::Altimeter),
         SINS_SENSOR_ALTIMETER => {
-            Err(Error::invalid("axis", axis, Rule::Zero(": the altimeter has one output")).into())
+            Err(Error::invalid(axis_field, axis, Rule::Zero(": the altimeter has one output")).into())
         }
-        _ => Err(Error::invalid("sensor", sensor, Rule::OneOf("sins_sensor", 0, 2)).into()),
+        _ => Err(Error::invalid(sensor_field, sensor, Rule::OneOf("sins_sensor", 0, 2)).into()),
     }
 }
 
@@ -194,8 +158,8 @@ pub(super) fn output(sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
 ///
 /// sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
 /// zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
-/// Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on both error
-/// data. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
+/// Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on error
+/// data 1 and on error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
 /// so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
@@ -210,7 +174,7 @@ pub unsafe extern "C" fn sins_set_failure(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let failure = unsafe { read(failure, "failure")? };
-        simulator.set_failure(output(sensor, axis)?, failure.to_failure()?)?;
+        simulator.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?;
         Ok(SINS_OK)
     })
 }
@@ -229,7 +193,7 @@ pub unsafe extern "C" fn sins_get_failure(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let place = unsafe { Output::new(failure, "failure")? };
-        place.write(&sins_failure::of(simulator.failure(output(sensor, axis)?).as_ref()));
+        place.write(&sins_failure::of(simulator.failure(output(ARGUMENTS, sensor, axis)?)));
         Ok(SINS_OK)
     })
 }

@@ -5,7 +5,7 @@ use super::choice::flag;
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use crate::simulator::Solution;
+use crate::simulator::{Looked, Solution};
 
 /// Flags of a sins_navigation.
 pub type sins_navigation_flags = i32;
@@ -134,7 +134,7 @@ pub unsafe extern "C" fn sins_get_navigation(
         if let Some(alone) = simulator.navigated_alone() {
             return Ok(write_or_need(&output, Some(sins_navigation::of(&alone))));
         }
-        let written = simulator.see(|moment| {
+        let written = simulator.make_and_see(Looked { truth: false, navigation: true }, |moment| {
             output.fill(|place| *place = sins_navigation::of(&moment.navigation()));
         })?;
         Ok(written_or_need(written))

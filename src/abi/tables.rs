@@ -18,11 +18,12 @@ pub(super) static SCENES: Registry<SceneText> = Registry::new(3);
 pub(super) static LOGS: Registry<FlightLog> = Registry::new(4);
 pub(super) static ENSEMBLES: Registry<Ensemble> = Registry::new(5);
 
-/// The result of reading a text: a scene, or the faults of the text.
+/// The result of reading a text: a scene, unless the text has faults.
 #[cfg(feature = "scenes")]
-pub(super) enum SceneText {
-    Scene(Box<Scene>),
-    Faults(Vec<Fault>),
+pub(super) struct SceneText {
+    pub scene: Option<Box<Scene>>,
+    /// The faults of the text, or of the change of the scene that was rejected last.
+    pub faults: Vec<Fault>,
 }
 
 /// Whether this thread is inside a call on a handle.

@@ -3,6 +3,7 @@
 use core::cell::Cell;
 
 use super::failure::Failure;
+use super::last_error::Sentence;
 
 /// State of a thread. It has no destructor, so that the library can be unloaded. Calls on a simulator do not use it, because its first
 /// use in a thread may allocate.
@@ -11,11 +12,18 @@ pub(super) struct Here {
     pub inside: Cell<bool>,
     /// The last failure on this thread that no simulator keeps.
     pub last_failure: Cell<Option<Failure>>,
+    /// Its sentence, if the failure's data do not say all; else empty.
+    pub last_sentence: Cell<Sentence>,
 }
 
 thread_local! {
-    pub(super) static HERE: Here =
-        const { Here { inside: Cell::new(false), last_failure: Cell::new(None) } };
+    pub(super) static HERE: Here = const {
+        Here {
+            inside: Cell::new(false),
+            last_failure: Cell::new(None),
+            last_sentence: Cell::new(Sentence::EMPTY),
+        }
+    };
 }
 
 /// Uses these variables once, so that they take their memory and TLS indexes now.

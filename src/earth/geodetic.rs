@@ -5,7 +5,8 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::Earth;
-use crate::math::{Pair, VectorPair, atan2_each, hypot, sin_cos, sin_cos_each, two_product, two_sum};
+use super::position::Direction;
+use crate::math::{Two, atan2_of_two, hypot, sin_cos, sin_cos_each};
 use crate::snapshot::{ANY, stored};
 
 /// A place by its geodetic coordinates.
@@ -61,51 +62,10 @@ struct Latitude {
     cos: f64,
 }
 
-/// Sines and cosines of the latitudes and longitudes of two places.
-#[derive(Debug, Clone, Copy)]
-struct Directions {
-    sin_latitude: Pair,
-    cos_latitude: Pair,
-    sin_longitude: Pair,
-    cos_longitude: Pair,
-}
-
-impl Directions {
-    #[inline]
-    fn of(first: &Geodetic, second: &Geodetic) -> Self {
-        let ([sl0, sl1, so0, so1], [cl0, cl1, co0, co1]) = sin_cos_each(&[
-            first.latitude_rad,
-            second.latitude_rad,
-            first.longitude_rad,
-            second.longitude_rad,
-        ]);
-        Self {
-            sin_latitude: Pair([sl0, sl1]),
-            cos_latitude: Pair([cl0, cl1]),
-            sin_longitude: Pair([so0, so1]),
-            cos_longitude: Pair([co0, co1]),
-        }
-    }
-
-    /// Of one place, twice.
-    #[inline]
-    fn of_one(place: &Geodetic) -> Self {
-        let ([sl, so], [cl, co]) = sin_cos_each(&[place.latitude_rad, place.longitude_rad]);
-        Self {
-            sin_latitude: Pair::both(sl),
-            cos_latitude: Pair::both(cl),
-            sin_longitude: Pair::both(so),
-            cos_longitude: Pair::both(co),
-        }
-    }
-
-    /// Unit vectors at the second place, Earth-fixed axes.
-    #[inline]
-    fn east_north_up(&self) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
-        let [sl, cl, so, co] = [self.sin_latitude, self.cos_latitude, self.sin_longitude, self.cos_longitude]
-            .map(|pair| pair.0[1]);
-        (Vector3::new(-so, co, 0.0), Vector3::new(-sl * co, -sl * so, cl), Vector3::new(cl * co, cl * so, sl))
-    }
+/// The vector of length 1 along `v`.
+#[inline(always)]
+fn unit(v: Two) -> Two {
+    v * (Two::both(1.0) / (v * v).sums().sqrt())
 }
 
 impl Latitude {
@@ -117,66 +77,30 @@ impl Latitude {
 }
 
 impl Earth {
-    /// Earth-fixed position [m] of a place, to half a unit in the last place and the rounding of the sines.
-    pub fn to_earth_fixed(&self, place: &Geodetic) -> Vector3<f64> {
-        self.to_earth_fixed_with_axes(place).0
-    }
-
-    /// Earth-fixed position [m], and the unit vectors east, north and up there.
-    pub fn to_earth_fixed_with_axes(&self, place: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
-        let direction = Directions::of_one(place);
-        let (high, low) = self.positions(&direction, Pair::both(place.height_m));
-        ((high + low).second(), direction.east_north_up().into())
-    }
-
-    /// Displacement [m] to a place, Earth-fixed axes, and the unit vectors east, north and up at the place that it begins `at`.
-    #[inline]
-    pub fn displacement(&self, to: &Geodetic, at: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
-        let directions = Directions::of(to, at);
-        let (high, low) = self.positions(&directions, Pair([to.height_m, at.height_m]));
-        let positions = high + low;
-        (positions.first() - positions.second(), directions.east_north_up().into())
-    }
-
     /// Geodetic coordinates of an Earth-fixed position [m]; on the axis the longitude is 0.
-    #[inline]
+    #[inline(always)]
     pub fn to_geodetic(&self, r_e: &Vector3<f64>) -> Geodetic {
         let p = hypot(r_e.x, r_e.y);
         let (latitude, height_m) = self.meridian(p, r_e.z);
-        let [latitude_rad, longitude_rad] = atan2_each(&[latitude.sin, r_e.y], &[latitude.cos, r_e.x]);
+        let angles = atan2_of_two(Two::new(latitude.sin, r_e.y), Two::new(latitude.cos, r_e.x));
+        let (latitude_rad, longitude_rad) = (angles.first(), angles.second());
         let mut place = Geodetic { latitude_rad, longitude_rad, height_m };
         // One Newton step on the position in twice the precision takes out what rounding left: up to 3 nm.
-        let direction = Directions::of_one(&place);
-        let (high, low) = self.positions(&direction, Pair::both(height_m));
-        let residual = (r_e - high.second()) - low.second();
-        let (east, north, up) = direction.east_north_up();
-        place.latitude_rad += residual.dot(&north) / (self.radii(latitude.sin).meridian_m + height_m);
+        let direction = Direction::of(&place);
+        let position = self.position(&direction, height_m);
+        let xy = (Two::new(r_e.x, r_e.y) - position.xy.0) - position.xy.1;
+        let z = (r_e.z - position.z.0) - position.z.1;
+        let (cl, sl) = (direction.latitude.first(), direction.latitude.second());
+        let north = (direction.longitude * -sl * xy).sum() + z * cl;
+        place.latitude_rad += north / (self.radii(latitude.sin).meridian_m + height_m);
         place.latitude_rad = place.latitude_rad.clamp(-FRAC_PI_2, FRAC_PI_2);
         if p > 1.0 {
-            place.longitude_rad += residual.dot(&east) / p;
+            let (co, so) = (direction.longitude.first(), direction.longitude.second());
+            let east = xy.first() * -so + xy.second() * co + z * 0.0;
+            place.longitude_rad += east / p;
         }
-        place.height_m += residual.dot(&up);
+        place.height_m += (direction.longitude * cl * xy).sum() + z * sl;
         place
-    }
-
-    /// Earth-fixed positions of two places, each as an unevaluated sum of two doubles.
-    #[inline(always)]
-    fn positions(&self, directions: &Directions, height_m: Pair) -> (VectorPair, VectorPair) {
-        let Directions { sin_latitude, cos_latitude, sin_longitude, cos_longitude } = *directions;
-        let times = |(high, low): (Pair, Pair), factor: Pair| {
-            let (product, error) = two_product(high, factor);
-            (product, error + low * factor)
-        };
-        // RN - a is small and comes without cancellation: RN = a + a e² s² / (w (1 + w)), w² = 1 - e² s².
-        let (a, one) = (Pair::both(self.equatorial_radius_m), Pair::both(1.0));
-        let bulge = sin_latitude * self.eccentricity2 * sin_latitude;
-        let w = (one - bulge).sqrt();
-        let excess = a * bulge / (w * (one + w));
-        let p = times(two_sum(a, excess + height_m), cos_latitude);
-        let flattened = excess * (1.0 - self.eccentricity2) - a * self.eccentricity2 + height_m;
-        let (x, y, z) =
-            (times(p, cos_longitude), times(p, sin_longitude), times(two_sum(a, flattened), sin_latitude));
-        (VectorPair { x: x.0, y: y.0, z: z.0 }, VectorPair { x: x.1, y: y.1, z: z.1 })
     }
 
     /// Distance of a place from the axis of the Earth [m]; near a pole, where it is small, longitude and heading lose meaning.
@@ -216,32 +140,44 @@ impl Earth {
     /// Centre of curvature of the meridian at `latitude`, of which `w3` = (1 - e² sin²L)^1.5.
     #[inline]
     fn centre(&self, latitude: Latitude, w3: f64) -> VerticalTrack {
+        let (scale_z, scale_p) = self.centre_scales(w3);
+        VerticalTrack {
+            centre_z: scale_z * latitude.sin * latitude.sin * latitude.sin,
+            centre_p: scale_p * latitude.cos * latitude.cos * latitude.cos,
+        }
+    }
+
+    /// Factors of the cubes of sine and cosine in [`Self::centre`].
+    #[inline]
+    fn centre_scales(&self, w3: f64) -> (f64, f64) {
         let scale = self.equatorial_radius_m * self.eccentricity2 / w3;
         let flattened = (1.0 - self.flattening) * (1.0 - self.flattening);
-        VerticalTrack {
-            centre_z: scale * flattened * latitude.sin * latitude.sin * latitude.sin,
-            centre_p: scale * latitude.cos * latitude.cos * latitude.cos,
-        }
+        (scale * flattened, scale)
     }
 
     /// Latitude and height of a point of the meridian plane, `p` from the axis and `z` above the equator; the height free of
     /// a division, h = p cos L + z sin L - a sqrt(1 - e² sin²L).
-    #[inline]
+    #[inline(always)]
     fn meridian(&self, p: f64, z: f64) -> (Latitude, f64) {
-        let mut latitude = Latitude::of(z, p * (1.0 - self.eccentricity2));
+        let place = Two::new(z, p);
+        let mut latitude = unit(Two::new(z, p * (1.0 - self.eccentricity2)));
         for _ in 0..3 {
-            latitude = self.bowring(p, z, latitude);
+            latitude = self.bowring(place, latitude);
         }
-        let w2 = 1.0 - self.eccentricity2 * latitude.sin * latitude.sin;
-        (latitude, p * latitude.cos + z * latitude.sin - self.equatorial_radius_m * w2.sqrt())
+        let (sin, cos) = (latitude.first(), latitude.second());
+        let w2 = 1.0 - self.eccentricity2 * sin * sin;
+        let height_m = (latitude * Two::new(z, p)).sum() - self.equatorial_radius_m * w2.sqrt();
+        (Latitude { sin, cos }, height_m)
     }
 
     /// Bowring's step: the normal through the centre of curvature that belongs to the latitude `guess`. The centre
     /// moves along the normal itself, so the error squares at each step (times e² h/a).
-    fn bowring(&self, p: f64, z: f64, guess: Latitude) -> Latitude {
-        let w2 = 1.0 - self.eccentricity2 * guess.sin * guess.sin;
-        let centre = self.centre(guess, w2 * w2.sqrt());
-        Latitude::of(z + centre.centre_z, p - centre.centre_p)
+    #[inline(always)]
+    fn bowring(&self, place: Two, guess: Two) -> Two {
+        let sin = guess.first();
+        let w2 = 1.0 - self.eccentricity2 * sin * sin;
+        let (scale_z, scale_p) = self.centre_scales(w2 * w2.sqrt());
+        unit(place + Two::new(scale_z, -scale_p) * guess * guess * guess)
     }
 
     /// Derivative of the up vector with respect to position, Earth-fixed axes [rad/m]:
@@ -262,11 +198,6 @@ impl Earth {
         let inverse_n = 1.0 / (radii.transverse_m + height_m);
         let inverse_m = 1.0 / (radii.meridian_m + height_m);
         (inverse_n, radii.transverse_m * self.eccentricity2 / w2 * inverse_n * inverse_m)
-    }
-
-    /// Unit vectors east, north and up at a place, Earth-fixed axes.
-    pub fn east_north_up(&self, place: &Geodetic) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
-        Directions::of_one(place).east_north_up()
     }
 }
 

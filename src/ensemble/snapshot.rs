@@ -69,7 +69,7 @@ impl Ensemble {
         // As much memory as there are bytes for, whatever the number says.
         let fits =
             (1..=from.bytes_left()).contains(&count) && first_run.checked_add(count as u64 - 1).is_some();
-        from.require(fits, count as f64, "is no number of runs")?;
+        from.require(fits, count as f64, "is not a valid number of runs")?;
 
         let mut parts: Vec<Part> = room(count.div_ceil(PART_RUNS))?;
         for (place, run) in (first_run..=u64::MAX).take(count).enumerate() {
@@ -92,7 +92,7 @@ impl Ensemble {
             }
         }
         if parts.is_empty() {
-            return Err(from.refused(0.0, Rule::Sentence("is no number of runs")));
+            return Err(from.refused(0.0, Rule::Sentence("is not a valid number of runs")));
         }
         Ok(Self { first_run, options, first: parts.remove(0), others: parts })
     }

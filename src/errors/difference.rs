@@ -7,6 +7,7 @@ use crate::state::Navigation;
 
 /// Errors of `navigation` against `truth`. Position is differenced in Earth-fixed axes and attitude as a rotation vector:
 /// no wrap of longitude or heading, no gimbal lock and no pole spoils them.
+#[inline(always)]
 pub fn navigation_minus_truth(
     earth: &Earth,
     navigation: &Navigation,

@@ -155,7 +155,7 @@ impl FlightStart {
 
 impl Manoeuvre {
     /// Checks every field, for a manoeuvre that begins at `speed_m_s`.
-    pub(super) fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
+    pub(crate) fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
         let duration = |duration_s: f64| check_range("manoeuvre.duration_s", duration_s, 1e-3, 1e8);
         let ramp = |ramp_s: f64| check_range("manoeuvre.ramp_s", ramp_s, 1e-3, 1e8);
         let whole = |turns: f64| {
@@ -231,7 +231,8 @@ impl Manoeuvre {
 }
 
 impl Sinusoid {
-    fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
+    /// Checks every field, for a manoeuvre that begins at `speed_m_s`.
+    pub(crate) fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
         let limit = match self.channel {
             Channel::Climb => 1.5,
             Channel::Speed => speed_m_s,

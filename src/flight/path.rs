@@ -117,7 +117,7 @@ impl Path {
                         length *= 0.5;
                         if length < MIN_PIECE_S {
                             let rule = Rule::Sentence(
-                                "the flight moves too rapidly there to be integrated to rounding",
+                                "the motion at this time is too fast: the path cannot be integrated to rounding accuracy",
                             );
                             return Err(Error::invalid("time_s", segment.start_s + t, rule));
                         }

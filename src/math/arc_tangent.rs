@@ -1,6 +1,9 @@
 //! Arc tangent, of several points at once: the very bits of the `libm` crate's (FreeBSD msun, e_atan2.c and s_atan.c).
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use core::ops::{Add, Div, Mul, Sub};
+
+use super::two::Two;
 
 /// π less its double.
 const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
@@ -61,59 +64,94 @@ const EVEN: [f64; 5] = [
     -3.653_157_274_421_691_6e-2,
 ];
 
-/// Angles of the points (`x`, `y`) [rad], -π to π. Without a branch on the points, and one step of all after the other, so that
-/// the compiler computes two at a time.
-#[inline]
-pub fn atan2_each<const N: usize>(y: &[f64; N], x: &[f64; N]) -> [f64; N] {
-    let mut t = [0.0; N];
-    for i in 0..N {
-        t[i] = y[i].abs() / x[i].abs();
+/// One number, or two at once.
+trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
+    fn of(x: f64) -> Self;
+
+    /// c and d, high and rest of the reductions that belong to these ratios.
+    fn reductions(self) -> [Self; 4];
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn of(x: f64) -> Self {
+        x
     }
-    // False for NaN too.
-    if !t.iter().all(|t| *t <= MAX_RATIO) {
-        return atan2_of_special(y, x);
-    }
-    let mut eighths = [0; N];
-    for i in 0..N {
+
+    #[inline(always)]
+    fn reductions(self) -> [Self; 4] {
         let last = LAST_BEGINS as f64 / 8.0;
-        eighths[i] = (8.0 * if t[i] < last { t[i] } else { last } + ROUND).to_bits();
+        let eighths = (8.0 * if self < last { self } else { last } + ROUND).to_bits();
+        let Reduction { c, d, high, rest } = BY_EIGHTHS[eighths as usize % BY_EIGHTHS.len()];
+        [c, d, high, rest]
     }
-    let reduction = eighths.map(|eighths| &BY_EIGHTHS[eighths as usize % BY_EIGHTHS.len()]);
-    let (mut r, mut z, mut w) = ([0.0; N], [0.0; N], [0.0; N]);
-    for i in 0..N {
-        let (c, d) = (reduction[i].c, reduction[i].d);
-        r[i] = (c * t[i] - d) / (c + d * t[i]);
-        z[i] = r[i] * r[i];
-        w[i] = z[i] * z[i];
+}
+
+impl Number for Two {
+    #[inline(always)]
+    fn of(x: f64) -> Self {
+        Self::both(x)
     }
-    let (mut odd, mut even) = ([ODD[5]; N], [EVEN[4]; N]);
+
+    #[inline(always)]
+    fn reductions(self) -> [Self; 4] {
+        let eighths = self.min(Self::both(LAST_BEGINS as f64 / 8.0)) * 8.0 + Self::both(ROUND);
+        let of = |eighths: f64| &BY_EIGHTHS[eighths.to_bits() as usize % BY_EIGHTHS.len()];
+        let (one, other) = (of(eighths.first()), of(eighths.second()));
+        let (one_begin, other_begin) = (Self::new(one.c, one.d), Self::new(other.c, other.d));
+        let (one_end, other_end) = (Self::new(one.high, one.rest), Self::new(other.high, other.rest));
+        [
+            one_begin.firsts(other_begin),
+            one_begin.seconds(other_begin),
+            one_end.firsts(other_end),
+            one_end.seconds(other_end),
+        ]
+    }
+}
+
+/// The arc tangent of a ratio from 0 to [`MAX_RATIO`].
+#[inline(always)]
+fn of_ratio<T: Number>(t: T) -> T {
+    let [c, d, high, rest] = t.reductions();
+    let r = (c * t - d) / (c + d * t);
+    let z = r * r;
+    let w = z * z;
+    let (mut odd, mut even) = (T::of(ODD[5]), T::of(EVEN[4]));
     for k in (0..5).rev() {
-        for i in 0..N {
-            odd[i] = ODD[k] + w[i] * odd[i];
-        }
+        odd = T::of(ODD[k]) + w * odd;
     }
     for k in (0..4).rev() {
-        for i in 0..N {
-            even[i] = EVEN[k] + w[i] * even[i];
-        }
+        even = T::of(EVEN[k]) + w * even;
     }
-    let mut angle = [0.0; N];
-    for i in 0..N {
-        let Reduction { high, rest, .. } = *reduction[i];
-        let of_t = high - ((r[i] * (z[i] * odd[i] + w[i] * even[i]) - rest) - r[i]);
-        // For a negative x, π - (atan t - rest of π); atan t - 0 + 0 keeps the bits of the others.
-        let behind = (x[i].to_bits().cast_signed() >> 63).cast_unsigned();
-        let if_behind = |x: f64| f64::from_bits(x.to_bits() & behind);
-        let less_rest = of_t - if_behind(PI_REST);
-        let turned = f64::from_bits(less_rest.to_bits() ^ if_behind(-0.0).to_bits());
-        angle[i] = (turned + if_behind(PI)).copysign(y[i]);
+    high - ((r * (z * odd + w * even) - rest) - r)
+}
+
+/// Angles of two points (`x`, `y`) [rad], -π to π.
+#[inline(always)]
+pub fn atan2_of_two(y: Two, x: Two) -> Two {
+    let t = (y / x).abs();
+    if !t.at_most(MAX_RATIO) {
+        return Two::new(of_special(y.first(), x.first()), of_special(y.second(), x.second()));
     }
-    angle
+    // For a negative x, π - (atan t - rest of π); atan t - 0 + 0 keeps the bits of the others.
+    let (behind, sign) = (x.less(Two::both(0.0)), Two::both(-0.0));
+    let less_rest = of_ratio(t) - (Two::both(PI_REST) & behind);
+    let turned = (less_rest ^ (x & sign)) + (Two::both(PI) & behind);
+    turned.abs() ^ (y & sign)
+}
+
+/// Angle of a point (`x`, `y`) whose coordinates are not negative [rad], 0 to π/2.
+#[inline(always)]
+pub fn atan2_of_positive(y: f64, x: f64) -> f64 {
+    let t = y / x;
+    // False for NaN too.
+    if t <= MAX_RATIO { of_ratio(t) } else { of_special(y, x) }
 }
 
 #[cold]
-fn atan2_of_special<const N: usize>(y: &[f64; N], x: &[f64; N]) -> [f64; N] {
-    core::array::from_fn(|i| libm::atan2(y[i], x[i]))
+#[inline(never)]
+fn of_special(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x)
 }
 
 #[cfg(test)]
@@ -122,13 +160,22 @@ mod tests {
     use crate::math::{SPLIT_MIX_STEP, mix};
 
     /// Against the library's, bit for bit; what is no number has any bits.
+    fn check_one(found: f64, y: f64, x: f64) {
+        let expected = libm::atan2(y, x);
+        let same = found.to_bits() == expected.to_bits() || found.is_nan() && expected.is_nan();
+        assert!(same, "atan2({y:e}, {x:e}): {found:e} {expected:e}");
+    }
+
+    fn check_two(y: [f64; 2], x: [f64; 2]) {
+        let found = atan2_of_two(Two::new(y[0], y[1]), Two::new(x[0], x[1]));
+        check_one(found.first(), y[0], x[0]);
+        check_one(found.second(), y[1], x[1]);
+    }
+
     fn check(y: f64, x: f64) {
-        let found = atan2_each(&[y, y, 0.3, -y], &[x, -x, -0.7, x]);
-        for (found, (y, x)) in found.into_iter().zip([(y, x), (y, -x), (0.3, -0.7), (-y, x)]) {
-            let expected = libm::atan2(y, x);
-            let same = found.to_bits() == expected.to_bits() || found.is_nan() && expected.is_nan();
-            assert!(same, "atan2({y:e}, {x:e}): {found:e} {expected:e}");
-        }
+        check_two([y, y], [x, -x]);
+        check_two([0.3, -y], [-0.7, x]);
+        check_one(atan2_of_positive(y.abs(), x.abs()), y.abs(), x.abs());
     }
 
     #[test]
@@ -167,7 +214,7 @@ mod tests {
 
     #[test]
     fn points_of_one_call_do_not_meet() {
-        let (y, x) = ([0.1, f64::INFINITY, -3.0], [-2.0, 1.0, 0.0]);
-        assert_eq!(atan2_each(&y, &x), [0, 1, 2].map(|i| libm::atan2(y[i], x[i])));
+        check_two([0.1, f64::INFINITY], [-2.0, 1.0]);
+        check_two([-3.0, 0.1], [0.0, -2.0]);
     }
 }

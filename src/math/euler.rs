@@ -4,9 +4,10 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Quaternion;
 
-use super::arc_tangent::atan2_each;
+use super::arc_tangent::{atan2_of_positive, atan2_of_two};
 use super::sine::sin_cos_each;
-use super::transcendental::{hypot, wrap_angle};
+use super::transcendental::wrap_angle;
+use super::two::Two;
 
 /// Attitude angles of body axes right-forward-up against east-north-up [rad].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -39,11 +40,13 @@ pub fn attitude_from_half_angles(&[sr, sp, sh]: &[f64; 3], &[cr, cp, ch]: &[f64;
 /// Attitude angles of `q_nb`, by the sum and the difference of heading and roll, so that near pitch ±90° the one
 /// that is still defined keeps all its digits.
 pub fn euler_from_attitude(q: &Quaternion<f64>) -> Euler {
-    let (w, x, y, z) = (q.w, q.i, q.j, q.k);
-    let (plus, minus) = ((w + x, y + z), (w - x, y - z));
-    let sizes = [plus, minus].map(|(a, b)| hypot(a, b));
-    let [half_difference, half_sum, from_nadir] =
-        atan2_each(&[-plus.1, minus.1, sizes[0]], &[plus.0, minus.0, sizes[1]]);
+    // The points (w + x, -(y + z)) and (w - x, y - z).
+    let along = Two::both(q.w) + Two::new(q.i, -q.i);
+    let across = Two::new(-q.j, q.j) - Two::both(q.k);
+    let sizes = (along * along + across * across).sqrt();
+    let halves = atan2_of_two(across, along);
+    let (half_difference, half_sum) = (halves.first(), halves.second());
+    let from_nadir = atan2_of_positive(sizes.first(), sizes.second());
     let pitch = 2.0 * from_nadir - FRAC_PI_2;
     let heading = wrap_angle(half_sum + half_difference);
     let mut roll = half_sum - half_difference;

@@ -13,8 +13,9 @@ mod rotation;
 mod sine;
 mod stencil;
 mod transcendental;
+mod two;
 
-pub use arc_tangent::atan2_each;
+pub use arc_tangent::atan2_of_two;
 pub use axis::axis_cross;
 pub use compensated::{Compensated, two_product, two_sum};
 pub use euler::{Euler, attitude_from_euler, attitude_from_half_angles, euler_from_attitude};
@@ -30,3 +31,4 @@ pub use rotation::{
 pub use sine::{nearest_integer, sin_cos_each};
 pub use stencil::end_derivative_weights;
 pub use transcendental::{asin, atan, atan2, exp, exp_m1, hypot, ln, sin_cos, tan, tanh, wrap_angle};
+pub use two::Two;

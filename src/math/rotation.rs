@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::pair::Pair;
 use super::transcendental::{atan2, sin_cos};
+use super::two::Two;
 
 /// The two coefficients from which every rotation formula is built, for a rotation angle n:
 /// R(φ) = I + (1 - n² `cubic`) [φ×] + `square` [φ×]², right Jacobian = I - `square` [φ×] + `cubic` [φ×]².
@@ -19,14 +20,18 @@ pub struct RotationSeries {
 
 impl RotationSeries {
     /// The coefficients for the squared angle `n2` = n² [rad²].
-    #[inline]
+    #[inline(always)]
     pub fn new(n2: f64) -> Self {
+        if Self::is_short(n2) { Self::short(n2) } else { Self::long(n2) }
+    }
+
+    /// The coefficients for a squared angle `n2` [rad²] that is not short.
+    #[inline(never)]
+    fn long(n2: f64) -> Self {
         // Taylor series: the closed forms cancel at 0. Dropped terms are below 1e-17 of the sum: n² / 16! in the long one,
         // up to 0.5 rad, n² / 10! in the short one, up to 0.06 rad, which most intervals need.
         let x = n2;
-        if Self::is_short(n2) {
-            Self::short(n2)
-        } else if n2 < 0.25 {
+        if n2 < 0.25 {
             let tail = 1.0 / 3_628_800.0
                 - x * (1.0 / 479_001_600.0 - x * (1.0 / 87_178_291_200.0 - x / 20_922_789_888_000.0));
             let square = 1.0 / 2.0 - x * (1.0 / 24.0 - x * (1.0 / 720.0 - x * (1.0 / 40_320.0 - x * tail)));
@@ -193,8 +198,10 @@ pub fn rotation_quaternion(phi: &Vector3<f64>) -> Quaternion<f64> {
 /// The arc tangent of vector over scalar part; 2 acos(w) would give 0 for rotations below 1e-8 rad.
 #[inline]
 pub fn rotation_vector(q: &Quaternion<f64>) -> Vector3<f64> {
-    let u = if q.w < 0.0 { -q.imag() } else { q.imag() };
-    let w = q.w.abs();
+    // Of q and -q, the one with a scalar part that is not negative.
+    let sign = Two::both(q.w).less(Two::both(0.0)) & Two::both(-0.0);
+    let (xy, zw) = (Two::new(q.i, q.j) ^ sign, Two::new(q.k, q.w) ^ sign);
+    let (u, w) = (Vector3::new(xy.first(), xy.second(), zw.first()), zw.second().abs());
     let n2 = u.norm_squared();
     // atan(√t)/√t by its series for t = n²/w² < 4e-3; the first dropped term is below 1e-18 of it.
     if n2 < 4e-3 * w * w {

@@ -41,7 +41,13 @@ const COSINE: [f64; 6] = [
 /// time: five take as long as one and a half by themselves.
 #[inline(never)]
 pub fn sin_cos_each<const N: usize>(angles: &[f64; N]) -> ([f64; N], [f64; N]) {
-    if !angles.iter().all(|angle| angle.abs() < MAX_ANGLE) {
+    let mut sizes = [0.0; 2];
+    for i in 0..N {
+        sizes[i % 2] += angles[i].abs();
+    }
+    // Most often their sum shows that all are in range: one comparison.
+    let are_in_range = sizes[0] + sizes[1] < MAX_ANGLE || angles.iter().all(|angle| angle.abs() < MAX_ANGLE);
+    if !are_in_range {
         return sin_cos_of_large(angles);
     }
     let mut quarter = [0u64; N];

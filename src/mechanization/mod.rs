@@ -243,6 +243,15 @@ impl Mechanization {
         }
     }
 
+    /// The solution of a navigator in Earth-fixed axes.
+    #[inline(always)]
+    pub(crate) fn earth_fixed(&self) -> Option<EarthFixedState> {
+        match &self.solution.axes {
+            FrameState::EarthFixed(axes) => Some(axes.state()),
+            FrameState::Geographic(_) => None,
+        }
+    }
+
     /// The solution in Earth-fixed axes.
     pub fn state(&self) -> EarthFixedState {
         match &self.solution.axes {

@@ -1,12 +1,12 @@
 //! Checks of a whole scene: every part is within its limits, and the parts go together.
 
 use super::draft::Draft;
-use super::key::Target;
-use super::table::KEYS;
+use super::key::{Section, Target};
+use super::table::of_section;
 use super::{Output, Scene};
 use crate::error::{Error, Rule, check_range};
 use crate::mechanization::VerticalMode;
-use crate::sensors::{AltimeterParameters, SensorOutput};
+use crate::sensors::{AltimeterParameters, Sensor, SensorOutput};
 
 /// The error of a field that does not go together with another.
 fn at_odds(field: &'static str, words: &'static str) -> Error {
@@ -18,6 +18,44 @@ impl Output {
     pub fn validate(&self) -> Result<(), Error> {
         if self.name.contains(['/', '\\']) {
             return Err(at_odds("output.name", "must be a name without a folder; output.folder has that"));
+        }
+        Ok(())
+    }
+}
+
+impl Draft {
+    /// Checks the values of a section by themselves; the items of lists are checked as a whole.
+    pub(super) fn validate(&self, section: Section) -> Result<(), Error> {
+        let errors = &self.scene.errors;
+        match section {
+            Section::Options => self.clone().into_scene(Vec::new()).options.validate(),
+            Section::Gyro => errors.gyro.validate(Sensor::Gyro),
+            Section::Accelerometer => errors.accel.validate(Sensor::Accelerometer),
+            Section::Altimeter => errors.altimeter.validate(),
+            Section::Start => errors.initial.validate(),
+            Section::Mounting => errors.mounting.validate(),
+            Section::Gravity => errors.gravity.validate(),
+            Section::Flight => {
+                self.check_limits(section)?;
+                self.start.validate()
+            }
+            Section::Output => {
+                self.check_limits(section)?;
+                self.scene.output.validate()
+            }
+            Section::Manoeuvre | Section::Sinusoid | Section::Failure => Ok(()),
+        }
+    }
+
+    /// Checks the limits of values that only the scene has.
+    fn check_limits(&self, section: Section) -> Result<(), Error> {
+        let mut draft = self.clone();
+        for (_, key) in of_section(section) {
+            let Target::Numbers { field, place, .. } = key.target else { continue };
+            let Some((low, high)) = key.limits_si() else { continue };
+            for number in place.of(&mut draft).into_iter().filter(|number| !number.is_nan()) {
+                check_range(field, *number, low, high)?;
+            }
         }
         Ok(())
     }
@@ -52,15 +90,9 @@ impl Scene {
         if let Some(&(field, _)) = any.iter().find(|(_, number)| number.is_some_and(f64::is_nan)) {
             return Err(Error::invalid(field, f64::NAN, Rule::Finite));
         }
-        let mut draft = Draft::from(self);
-        for key in KEYS {
-            let Target::Numbers { field, place, .. } = key.target else { continue };
-            let Some((low, high)) = key.limits_si() else { continue };
-            for number in place.of(&mut draft).into_iter().filter(|number| !number.is_nan()) {
-                check_range(field, *number, low, high)?;
-            }
-        }
-        Ok(())
+        let draft = Draft::from(self);
+        draft.check_limits(Section::Flight)?;
+        draft.check_limits(Section::Output)
     }
 
     /// Settings that do not go together, each with the field that would have to change.

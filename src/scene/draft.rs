@@ -3,7 +3,7 @@
 use super::{Failing, FlightPath, FlightSource, PlannedFailure, Scene, Temperature};
 use crate::error::Error;
 use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
-use crate::sensors::{Axis, Failure, SensorOutput};
+use crate::sensors::{Axis, FAILURE_KIND_COUNT, Failure, FailureFields, SensorOutput};
 
 /// A scene in the making. A number that may be missing is NaN.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +55,7 @@ pub struct FailureDraft {
 pub const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
 
 /// The kinds of failures, and the quantities that each of them uses. Drop-outs use one of the two.
-pub const FAILURE_KINDS: [(&str, &[&str]); 7] = [
+pub const FAILURE_KINDS: [(&str, &[&str]); FAILURE_KIND_COUNT] = [
     ("none", &["size", "density", "interval_s", "duration_s", "probability"]),
     ("stuck", &[]),
     ("dead", &[]),
@@ -132,17 +132,8 @@ impl FailureDraft {
 
     /// The failure; `None` if it is switched off.
     pub fn to_failure(&self) -> Option<Failure> {
-        let Self { size, density, interval_s, duration_s, probability, .. } = *self;
-        match self.kind {
-            0 => None,
-            1 => Some(Failure::Stuck),
-            2 => Some(Failure::Dead),
-            3 => Some(Failure::BiasStep { size }),
-            4 => Some(Failure::Spikes { size, interval_s, duration_s }),
-            5 => Some(Failure::Noise { density }),
-            _ if interval_s != 0.0 => Some(Failure::PeriodicDropOuts { interval_s }),
-            _ => Some(Failure::RandomDropOuts { probability }),
-        }
+        let Self { kind, size, density, interval_s, duration_s, probability, .. } = *self;
+        FailureFields { kind, size, density, interval_s, duration_s, probability }.to_failure()
     }
 
     /// The planned failure, checked; `None` if it is switched off.
@@ -162,20 +153,9 @@ impl From<&PlannedFailure> for FailureDraft {
         };
         let Failing { from_s, until_s } = planned.failing;
         let until_s = if until_s.is_infinite() { f64::NAN } else { until_s };
-        let mut draft = Self { sensor, axis, from_s, until_s, ..Self::default() };
-        match planned.failure {
-            Failure::Stuck => draft.kind = 1,
-            Failure::Dead => draft.kind = 2,
-            Failure::BiasStep { size } => (draft.kind, draft.size) = (3, size),
-            Failure::Spikes { size, interval_s, duration_s } => {
-                (draft.kind, draft.size) = (4, size);
-                (draft.interval_s, draft.duration_s) = (interval_s, duration_s);
-            }
-            Failure::Noise { density } => (draft.kind, draft.density) = (5, density),
-            Failure::RandomDropOuts { probability } => (draft.kind, draft.probability) = (6, probability),
-            Failure::PeriodicDropOuts { interval_s } => (draft.kind, draft.interval_s) = (6, interval_s),
-        }
-        draft
+        let FailureFields { kind, size, density, interval_s, duration_s, probability } =
+            Some(planned.failure).into();
+        Self { sensor, axis, kind, from_s, until_s, size, density, interval_s, duration_s, probability }
     }
 }
 

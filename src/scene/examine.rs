@@ -1,13 +1,13 @@
 //! Faults of the values of a text: values beyond limits, and settings that do not go together, each at its place.
 
 use super::draft::Draft;
-use super::fault::{Fault, excerpt, nearest};
+use super::fault::{About, Fault, excerpt, nearest};
 use super::key::{Key, Section, Target};
 use super::reader::{Item, Reader};
+use super::site::ValuePath;
 use super::table::KEYS;
 use super::{BUILTIN_SCENES, Scene};
-use crate::error::{Error, Rule};
-use crate::sensors::Sensor;
+use crate::error::{Error, Rule, Value};
 
 impl Reader<'_> {
     /// Checks whether the keys go together.
@@ -25,7 +25,8 @@ impl Reader<'_> {
         {
             let names = || BUILTIN_SCENES.iter().map(|(name, _)| *name);
             let near = nearest(&self.draft.builtin, names());
-            let listed = near.map_or(names().collect::<Vec<_>>().join(", "), |near| format!("{near}?"));
+            let listed =
+                near.map_or(names().collect::<Vec<_>>().join(", "), |near| format!("did you mean {near}?"));
             let sentence =
                 format!("flight.builtin = \"{}\": no such flight; {listed}", excerpt(&self.draft.builtin));
             self.faults.add(span, sentence);
@@ -56,44 +57,30 @@ impl Reader<'_> {
     /// Checks the limits of the library, one fault after the other: a rejected value is set back to its default, and the rest is
     /// checked again.
     pub(super) fn check_values(&mut self) {
-        self.check(Section::Options, |draft| draft.clone().into_scene(Vec::new()).options.validate());
-        self.check(Section::Gyro, |draft| draft.scene.errors.gyro.validate(Sensor::Gyro));
-        self.check(Section::Accelerometer, |draft| draft.scene.errors.accel.validate(Sensor::Accelerometer));
-        self.check(Section::Altimeter, |draft| draft.scene.errors.altimeter.validate());
-        self.check(Section::Start, |draft| draft.scene.errors.initial.validate());
-        self.check(Section::Mounting, |draft| draft.scene.errors.mounting.validate());
-        self.check(Section::Gravity, |draft| draft.scene.errors.gravity.validate());
-        self.check(Section::Flight, |draft| draft.start.validate());
-        self.check(Section::Output, |draft| draft.scene.output.validate());
+        for section in Section::ALL {
+            let item = self.section(section).clone();
+            while let Err(error) = self.draft.validate(section) {
+                self.add_error(&error, &item);
+                let Some((index, _)) = item.of_field(error.field) else { break };
+                if self.faults.are_many() || !self.put_back(&KEYS[index]) {
+                    break;
+                }
+            }
+        }
     }
 
     /// The section that the field of an error belongs to.
     fn item_of(&self, error: &Error) -> Item {
         let name = error.field.split('.').next();
         let section = Section::ALL.into_iter().find(|section| Some(section.name()) == name);
-        section.map_or_else(Item::default, |section| self.section(section).clone())
+        self.section(section.unwrap_or(Section::Flight)).clone()
     }
 
     /// Settings that do not go together, each reported at the key that would have to change, or else at its section.
     fn check_conflicts(&mut self, scene: &Scene) {
         for error in scene.conflicts() {
             let item = self.item_of(&error);
-            if error.field.contains('.') {
-                self.add_error(&error, &item);
-            } else {
-                self.faults.add(&item.head, error.to_string());
-            }
-        }
-    }
-
-    fn check(&mut self, section: Section, validate: impl Fn(&Draft) -> Result<(), Error>) {
-        let item = self.section(section).clone();
-        while let Err(error) = validate(&self.draft) {
             self.add_error(&error, &item);
-            let Some((key, _)) = item.of_field(error.field) else { return };
-            if self.faults.are_many() || !self.put_back(key) {
-                return;
-            }
         }
     }
 
@@ -120,10 +107,19 @@ impl Reader<'_> {
 
     /// Notes an error of the library at the key that set the field.
     pub(super) fn add_error(&mut self, error: &Error, item: &Item) {
-        match item.of_field(error.field) {
-            Some((key, span)) => self.faults.add(span, sentence(error, key)),
-            None => self.faults.add(&item.head, error.to_string()),
-        }
+        let Some((index, span)) = item.of_field(error.field) else {
+            let about = About { path: item.site.to_string(), ..About::default() };
+            return self.faults.add_about(item.begin(), error.to_string(), about);
+        };
+        let (key, element) = (&KEYS[index], error.index);
+        let count = if let Target::Numbers { shape, .. } = key.target { shape.count() } else { 1 };
+        let path =
+            ValuePath { site: item.site, key: index, in_si: false, element: element.filter(|_| count > 1) };
+        let error = in_unit_of(error, key);
+        let (minimum, maximum) = error.rule.limits();
+        let value = error.value.map(Value::as_f64);
+        let about = About { path: path.to_string(), value, minimum, maximum };
+        self.faults.add_about(span, sentence(&error, key), about);
     }
 
     /// The flight, as far as it can be checked without integrating it.
@@ -132,8 +128,7 @@ impl Reader<'_> {
             return;
         }
         if let Err(error) = scene.flown_s() {
-            let of_manoeuvre = error.index.map(|index| index % self.items.len().max(1));
-            let item = match of_manoeuvre.and_then(|index| self.items.get(index)) {
+            let item = match error.index.and_then(|index| self.items.get(index)) {
                 Some(item) => item.clone(),
                 None => self.section(Section::Flight).clone(),
             };
@@ -159,9 +154,9 @@ impl Reader<'_> {
     }
 }
 
-/// The library's error in the words and the unit of `key`.
-fn sentence(error: &Error, key: &Key) -> String {
-    let Target::Numbers { unit, .. } = key.target else { return error.to_string() };
+/// The library's error in the unit of `key`.
+fn in_unit_of(error: &Error, key: &Key) -> Error {
+    let Target::Numbers { unit, .. } = key.target else { return *error };
     let in_unit = |number: f64| if unit.si == 1.0 { number } else { rounded(number / unit.si) };
     let rule = match error.rule {
         Rule::Between(low, high) => Rule::Between(in_unit(low), in_unit(high)),
@@ -174,10 +169,16 @@ fn sentence(error: &Error, key: &Key) -> String {
         Rule::SentenceWith(words, number) => Rule::SentenceWith(words, in_unit(number)),
         other => other,
     };
-    let in_units = Error { field: "", value: None, rule, ..*error };
+    Error { value: error.value.map(|value| in_unit(value.as_f64()).into()), rule, ..*error }
+}
+
+/// An error about `key`, in its unit, in its words.
+fn sentence(error: &Error, key: &Key) -> String {
+    let Target::Numbers { .. } = key.target else { return error.to_string() };
+    let rule = Error { field: "", value: None, ..*error };
     let index = error.index.map_or(String::new(), |index| format!("[{index}]"));
-    let value = error.value.map_or(String::new(), |value| format!(" = {}", in_unit(value.as_f64())));
-    format!("{}{index}{value}: {in_units}", key.path())
+    let value = error.value.map_or(String::new(), |value| format!(" = {}", value.as_f64()));
+    format!("{}{index}{value}: {rule}", key.path())
 }
 
 /// A number with six digits: enough for a limit, without digits that come from rounding.

@@ -3,18 +3,37 @@
 use core::fmt;
 use core::ops::Range;
 
+use super::site::Site;
+use super::table::KEYS;
+
 /// Largest number of faults that are kept of one text. A text with more is not read further.
 pub const MAX_FAULTS: usize = 200;
 
 /// One fault of a scene or of a flight log.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Fault {
-    /// Line, from 1; 0: the fault is in a setting ([`Scene::parse_with`](super::Scene::parse_with)).
+    /// Line, from 1; 0: the fault is in a setting ([`Scene::parse_with`](super::Scene::parse_with)), or, of a scene that is
+    /// changed, in a value that the change leaves.
     pub line: usize,
-    /// Column, in characters from 1; for a setting its number, from 1.
+    /// Column, in characters from 1; for a setting its number, from 1; 0: in a value that a change leaves.
     pub column: usize,
     /// Sentence that names key, value and limit.
     pub sentence: String,
+    /// What it is about.
+    pub about: About,
+}
+
+/// What a fault of a scene is about, for programs.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct About {
+    /// Path of the value, as [`Scene::value`](super::Scene::value) takes it, or of the section or the item; empty: of none.
+    pub path: String,
+    /// The value at fault, in the unit of the key; `None`: the fault is not the value of a number.
+    pub value: Option<f64>,
+    /// Least value, in the unit of the key, if there is one.
+    pub minimum: Option<f64>,
+    /// Greatest value, likewise.
+    pub maximum: Option<f64>,
 }
 
 impl fmt::Display for Fault {
@@ -27,12 +46,14 @@ impl fmt::Display for Fault {
 #[derive(Debug)]
 pub struct Faults<'a> {
     text: &'a str,
-    found: Vec<(usize, String)>,
+    found: Vec<(usize, String, About)>,
+    /// What stands where: places in the text, each with its section or item, and its key.
+    names: Vec<(usize, Site, Option<usize>)>,
 }
 
 impl<'a> Faults<'a> {
     pub fn new(text: &'a str) -> Self {
-        Self { text, found: Vec::new() }
+        Self { text, found: Vec::new(), names: Vec::new() }
     }
 
     /// The span of setting `index`: behind the text.
@@ -41,10 +62,20 @@ impl<'a> Faults<'a> {
         start..start
     }
 
+    /// Notes what stands at `span` [bytes]: a key, or a section or an item.
+    pub fn name(&mut self, span: &Range<usize>, site: Site, key: Option<usize>) {
+        self.names.push((span.start, site, key));
+    }
+
     /// Notes a fault of what stands at `span` [bytes].
     pub fn add(&mut self, span: &Range<usize>, sentence: impl Into<String>) {
+        self.add_about(span, sentence, About::default());
+    }
+
+    /// Notes a fault at `span` [bytes], and what it is about.
+    pub fn add_about(&mut self, span: &Range<usize>, sentence: impl Into<String>, about: About) {
         if !self.are_many() {
-            self.found.push((span.start, sentence.into()));
+            self.found.push((span.start, sentence.into(), about));
         }
     }
 
@@ -59,21 +90,24 @@ impl<'a> Faults<'a> {
 
     /// The faults in the order of the text.
     pub fn into_list(mut self) -> Vec<Fault> {
-        self.found.sort_by_key(|(at, _)| *at);
-        self.found.iter().map(|(at, sentence)| self.fault(*at, sentence)).collect()
+        self.found.sort_by_key(|(at, ..)| *at);
+        let found = core::mem::take(&mut self.found);
+        found.into_iter().map(|(at, sentence, about)| self.fault(at, sentence, about)).collect()
     }
 
-    fn fault(&self, at: usize, sentence: &str) -> Fault {
+    fn fault(&self, at: usize, sentence: String, mut about: About) -> Fault {
+        if about.path.is_empty()
+            && let Some((_, site, key)) = self.names.iter().find(|(place, ..)| *place == at)
+        {
+            about.path = key.map_or(site.to_string(), |key| format!("{site}.{}", KEYS[key].name));
+        }
         if at > self.text.len() {
-            return Fault { line: 0, column: at - self.text.len(), sentence: sentence.to_owned() };
+            return Fault { line: 0, column: at - self.text.len(), sentence, about };
         }
         let before = self.text.get(..at).unwrap_or(self.text);
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        Fault {
-            line: 1 + before.matches('\n').count(),
-            column: 1 + before[line_start..].chars().count(),
-            sentence: sentence.to_owned(),
-        }
+        let column = 1 + before[line_start..].chars().count();
+        Fault { line: 1 + before.matches('\n').count(), column, sentence, about }
     }
 }
 
@@ -107,6 +141,6 @@ pub fn excerpt(text: &str) -> String {
 
 /// The sentence about a name that there is not, and the `near`est that there is.
 pub(super) fn unknown(what: &str, name: &str, near: Option<&str>) -> String {
-    let near = near.map_or(String::new(), |near| format!("; {near}?"));
+    let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
     format!("no such {what}: {}{near}", excerpt(name))
 }

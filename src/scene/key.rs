@@ -54,6 +54,11 @@ impl Section {
         matches!(self, Self::Manoeuvre | Self::Sinusoid | Self::Failure)
     }
 
+    /// How many lists an item of it is in: 0, it is no list.
+    pub fn lists(self) -> usize {
+        usize::from(self.is_list()) + usize::from(self == Self::Sinusoid)
+    }
+
     fn words(self) -> (&'static str, &'static str) {
         match self {
             Self::Flight => ("flight", "the flight: a log, a built-in flight, or a start and [[manoeuvre]]s"),
@@ -88,6 +93,15 @@ pub struct Unit {
     pub text: &'static str,
     /// Its size in SI units.
     pub si: f64,
+    /// Name of the SI unit.
+    pub si_text: &'static str,
+}
+
+impl Unit {
+    /// The unit in brackets, as it stands behind a meaning.
+    pub fn behind(&self) -> String {
+        if self.text.is_empty() { String::new() } else { format!(" [{}]", self.text) }
+    }
 }
 
 /// How many numbers a key takes, and how they are written.

@@ -1,8 +1,12 @@
 //! The list of keys, for those who write a scene.
 
-use super::key::{Key, Place, Section, Target, Unit};
-use super::table::{KEYS, of_section};
-use crate::sensors::{PARAMETERS, ParameterRange};
+use super::Scene;
+use super::draft::{Draft, FAILURE_KINDS};
+use super::key::{Key, Section, Target, Unit};
+use super::limits::{Limits, limits};
+use super::table::{CHANNELS, KEYS, SENSORS, of_section, of_sensor};
+use super::value::shown;
+use crate::flight::{Channel, MANOEUVRE_KINDS};
 
 /// A key as a reader sees it.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,8 +27,16 @@ pub struct KeyLine {
     pub unit: &'static str,
     /// Size of its unit in SI units.
     pub unit_si: f64,
-    /// Least and largest number, in its unit, if a table has them. If 0 means off, 0 is within.
-    pub limits: Option<(f64, f64)>,
+    /// Name of the SI unit; empty: none.
+    pub si_unit: &'static str,
+    /// Which elements a single number sets: element k by bit k; 0: a single number is not enough.
+    pub spread: u32,
+    /// Limits of its numbers in its unit; `None`: they depend on other values, or there are none.
+    pub limits: Option<Limits>,
+    /// Its value where a scene does not set it, in TOML; empty: it has none then.
+    pub default: String,
+    /// Items that can have it: "kind=turn|s_turn", or such conditions with a space between; empty: all.
+    pub condition: String,
     /// What it means.
     pub doc: &'static str,
 }
@@ -47,6 +59,11 @@ pub enum KeyKind {
 /// Every key of a scene, in the order in which a scene is written.
 pub fn keys() -> Vec<KeyLine> {
     KEYS.iter().map(line).collect()
+}
+
+/// Key `index` of [`keys`], and how many there are.
+pub fn key_line(index: usize) -> (Option<KeyLine>, usize) {
+    (KEYS.get(index).map(line), KEYS.len())
 }
 
 /// Every section and key as a page of text.
@@ -73,7 +90,7 @@ pub fn keys_text() -> String {
 }
 
 fn line(key: &Key) -> KeyLine {
-    const NONE: Unit = Unit { text: "", si: 1.0 };
+    const NONE: Unit = Unit { text: "", si: 1.0, si_text: "" };
     let (kind, takes, unit) = match key.target {
         Target::Numbers { shape, unit, .. } => {
             (KeyKind::Numbers(shape.count()), shape.expected().to_owned(), unit)
@@ -82,6 +99,12 @@ fn line(key: &Key) -> KeyLine {
         Target::Count { .. } => (KeyKind::Whole, "a whole number".to_owned(), NONE),
         Target::Text { example, .. } => (KeyKind::Text, format!("a text, as \"{example}\""), NONE),
         Target::Flag { .. } => (KeyKind::Flag, "true or false".to_owned(), NONE),
+    };
+    let spread = match key.target {
+        Target::Numbers { shape, .. } => (0..shape.count())
+            .filter(|&element| shape.single_sets(element) == Some(true))
+            .fold(0, |bits, element| bits | 1 << element),
+        _ => 0,
     };
     KeyLine {
         section: key.section.name(),
@@ -92,39 +115,54 @@ fn line(key: &Key) -> KeyLine {
         takes,
         unit: unit.text,
         unit_si: unit.si,
+        si_unit: unit.si_text,
+        spread,
         limits: limits(key),
+        default: shown(&mut Draft::from(&Scene::default()), key, false, None),
+        condition: condition(key),
         doc: key.doc,
     }
 }
 
-/// The limits of a key's numbers, in its unit.
-fn limits(key: &Key) -> Option<(f64, f64)> {
-    let Target::Numbers { unit, limits, place, .. } = key.target else { return None };
-    let Place::Parameter(sensor, row) = place else { return limits };
-    let (low, high) = match PARAMETERS[row].of(sensor)?.range {
-        ParameterRange::Within(low, high) => (low, high),
-        off_or => (0.0, off_or.ends().1),
+/// The items that can have a key.
+fn condition(key: &Key) -> String {
+    let one_of = |key: &str, words: Vec<&str>| format!("{key}={}", words.join("|"));
+    let uses = |table: &[(&'static str, &[&str])], uses: &dyn Fn(&str) -> bool| {
+        let kinds = table.iter().filter(|(_, fields)| fields.iter().any(|field| uses(field)));
+        kinds.map(|(kind, _)| *kind).collect::<Vec<_>>()
     };
-    // Rounded towards 0, so that the limit itself is accepted.
-    let in_unit = |limit: f64| {
-        let number = limit / unit.si;
-        if (number * unit.si).abs() <= limit.abs() {
-            number
-        } else if number > 0.0 {
-            number.next_down()
-        } else {
-            number.next_up()
+    match (key.section, key.name) {
+        (Section::Manoeuvre, "kind") | (Section::Failure, "sensor" | "kind" | "from_s" | "until_s") => {
+            String::new()
         }
-    };
-    Some((in_unit(low), in_unit(high)))
+        (Section::Manoeuvre, _) => one_of("kind", uses(&MANOEUVRE_KINDS, &|field| field == key.field())),
+        (Section::Sinusoid, "amplitude_deg" | "amplitude_m_s") => {
+            let is_its = |channel: &Channel| (*channel == Channel::Speed) == (key.name == "amplitude_m_s");
+            let channels = CHANNELS.iter().filter(|(_, channel)| is_its(channel));
+            one_of("channel", channels.map(|(word, _)| *word).collect())
+        }
+        (Section::Failure, "axis") => one_of("sensor", SENSORS[..2].to_vec()),
+        (Section::Failure, _) => {
+            let quantity = key.field().trim_start_matches("failure.");
+            let kinds = one_of("kind", uses(&FAILURE_KINDS[1..], &|field| quantity.starts_with(field)));
+            let sensors: Vec<&str> = (0..3)
+                .filter(|sensor| of_sensor(key, *sensor).is_none())
+                .map(|sensor| SENSORS[sensor])
+                .collect();
+            if sensors.len() == SENSORS.len() {
+                kinds
+            } else {
+                format!("{kinds} {}", one_of("sensor", sensors))
+            }
+        }
+        _ => String::new(),
+    }
 }
 
 /// The meaning and the unit of a key, for a comment behind it.
 pub fn meaning(key: &Key, in_si: bool) -> String {
     match key.target {
-        Target::Numbers { unit, .. } if !in_si && !unit.text.is_empty() => {
-            format!("{} [{}]", key.doc, unit.text)
-        }
+        Target::Numbers { unit, .. } if !in_si => key.doc.to_owned() + &unit.behind(),
         Target::Numbers { .. } if in_si => format!("{} [SI]", key.doc),
         _ => key.doc.to_owned(),
     }

@@ -1,33 +1,41 @@
 //! Scenes: a flight, the simulator that flies it, and the failures on the way, as a text in TOML.
 //!
 //! [`Scene::parse`] reads a scene, and reports every fault of a text at once. [`Scene::write`] writes a text that reads
-//! back as the same scene to the bit. [`Scene::parse_with`] sets single keys in addition to the text. The keys of a scene,
-//! with unit and meaning, are one table (`table`); reading, writing and the list of keys ([`keys`]) use it.
+//! back as the same scene to the bit. [`Scene::parse_with`] sets single keys in addition to the text; [`Scene::value`],
+//! [`Scene::set`] and [`Scene::set_items`] read and change a scene key by key. The keys of a scene, with unit and meaning, are one
+//! table (`table`); reading, writing and the list of keys ([`keys`]) use it.
 
 mod builtin;
+mod change;
 mod check;
 mod draft;
 mod examine;
 mod fault;
 mod key;
+mod limits;
 mod list;
 mod nesting;
 mod read;
 mod reader;
+mod samples;
 mod schedule;
 mod setting;
+mod site;
 mod table;
 mod value;
 mod write;
 
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub(crate) use fault::excerpt;
-pub use fault::{Fault, MAX_FAULTS, nearest};
+pub use fault::{About, Fault, MAX_FAULTS, nearest};
+pub use limits::Limits;
+pub(crate) use list::key_line;
 pub use list::{KeyKind, KeyLine, keys, keys_text};
+pub use samples::Samples;
 pub use schedule::TakesFailures;
 pub use write::ChangedKey;
 
-use crate::error::{Error, Rule, check_range};
+use crate::error::{Error, Rule, check_integer};
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 use crate::memory::room;
 use crate::sensors::{Failure, SensorOutput};
@@ -147,17 +155,27 @@ impl Default for Scene {
 impl FlightPath {
     /// The trajectory.
     pub fn flight(&self) -> Result<Flight, Error> {
-        Flight::new(&self.start, &self.all()?)
+        Flight::new(&self.start, &self.all()?).map_err(|error| self.of_manoeuvre(error))
     }
 
     /// Its length [s], without making it.
     pub fn length_s(&self) -> Result<f64, Error> {
-        Flight::length_s(&self.start, &self.all()?)
+        Flight::length_s(&self.start, &self.all()?).map_err(|error| self.of_manoeuvre(error))
+    }
+
+    /// `error` with the place of its manoeuvre among [`Self::manoeuvres`], whichever time that is flown.
+    fn of_manoeuvre(&self, error: Error) -> Error {
+        Error { index: error.index.map(|index| index % self.manoeuvres.len().max(1)), ..error }
+    }
+
+    /// Checks how many times the manoeuvres are flown, as the field `repeat`.
+    pub(crate) fn check_repeat(&self, repeat: &'static str) -> Result<(), Error> {
+        let most = (MAX_MANOEUVRES / self.manoeuvres.len().max(1)).max(1);
+        check_integer(repeat, self.repeat, 1, most as i64)
     }
 
     fn all(&self) -> Result<Vec<Manoeuvre>, Error> {
-        let most = (MAX_MANOEUVRES / self.manoeuvres.len().max(1)).max(1);
-        check_range("flight.repeat", self.repeat as f64, 1.0, most as f64)?;
+        self.check_repeat("flight.repeat")?;
         let mut manoeuvres = room(self.manoeuvres.len() * self.repeat)?;
         for _ in 0..self.repeat {
             manoeuvres.extend_from_slice(&self.manoeuvres);
@@ -172,11 +190,11 @@ impl Scene {
         matches!(self.flight, FlightSource::Log(_))
     }
 
-    /// How many manoeuvres the scene itself has.
-    pub(crate) fn manoeuvre_count(&self) -> usize {
+    /// The manoeuvres of the scene itself.
+    pub(crate) fn manoeuvres(&self) -> &[Manoeuvre] {
         match &self.flight {
-            FlightSource::Path(path) => path.manoeuvres.len(),
-            FlightSource::Log(_) | FlightSource::Builtin(_) => 0,
+            FlightSource::Path(path) => &path.manoeuvres,
+            FlightSource::Log(_) | FlightSource::Builtin(_) => &[],
         }
     }
 

@@ -5,13 +5,14 @@ use core::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft};
-use super::fault::{Fault, Faults, excerpt, nearest, unknown};
+use super::fault::{About, Fault, Faults, excerpt, nearest, unknown};
 use super::key::{Key, Section};
 use super::nesting::{MAX_NESTING, too_deep};
 use super::reader::{Item, Reader};
 use super::setting::take_settings;
 use super::table::{self, KEYS};
 use super::{MAX_TEXT, Scene};
+use crate::error::Error;
 use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields};
 
 type Span = Range<usize>;
@@ -23,17 +24,17 @@ impl Scene {
     }
 
     /// The scene of a text, with these values in the place of those that the text gives the same keys: `("gyro.bias_deg_h",
-    /// "0.01")`. A value is written as in the text, but a string needs no quotes. If a key is set twice, the last value counts. Keys
-    /// of sections in double brackets cannot be set in this way.
+    /// "0.01")`, `("gyro.bias_deg_h[1]", "0.01")`, `("manoeuvre[3].bank_deg", "30")`. A value is written as in the text, but a string
+    /// needs no quotes; an empty value is the default. If a key is set twice, the last value counts.
     pub fn parse_with(text: &[u8], settings: &[(&str, &str)]) -> Result<Self, Vec<Fault>> {
-        let whole = |sentence: String| vec![Fault { line: 1, column: 1, sentence }];
+        let at = |line, sentence| vec![Fault { line, column: 1, sentence, about: About::default() }];
         if text.len() > MAX_TEXT {
-            return Err(whole(format!("{} bytes: a scene has at most {MAX_TEXT}", text.len())));
+            return Err(at(1, format!("{} bytes: a scene has at most {MAX_TEXT}", text.len())));
         }
         let text = core::str::from_utf8(text).map_err(|error| {
             let before = &text[..error.valid_up_to()];
             let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-            vec![Fault { line, column: 1, sentence: "not UTF-8".to_owned() }]
+            at(line, "not UTF-8".to_owned())
         })?;
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         if let Some(at) = too_deep(text) {
@@ -50,9 +51,10 @@ impl Scene {
         let mut reader = Reader {
             faults,
             draft: Draft::from(&Self::default()),
-            sections: Section::ALL.map(|_| Item::default()),
+            sections: Section::ALL.map(|section| Item::empty(section.into(), 0..0)),
             manoeuvres: Vec::new(),
             items: Vec::new(),
+            place: [0; 2],
             settings,
         };
         for error in &errors {
@@ -60,6 +62,7 @@ impl Scene {
         }
         if errors.is_empty() {
             reader.read_root(root.get_ref());
+            reader.check_settings();
             reader.check_together();
             reader.check_values();
         }
@@ -70,8 +73,8 @@ impl Scene {
 impl Reader<'_> {
     fn read_root(&mut self, root: &DeTable<'_>) {
         for section in Section::ALL {
-            let is_set = self.settings.iter().any(|setting| setting.section == section);
-            if is_set && !root.contains_key(section.name()) {
+            let is_set = self.settings.iter().any(|setting| setting.path.site == section.into());
+            if is_set && !section.is_list() && !root.contains_key(section.name()) {
                 self.sections[section as usize] = self.read_keys(section, 0..0, &DeTable::new());
             }
         }
@@ -87,11 +90,12 @@ impl Reader<'_> {
                     self.sections[section as usize] = item;
                 }
                 (Some(section), DeValue::Array(array)) if section.is_list() => {
-                    for element in array.iter() {
+                    for (place, element) in array.iter().enumerate() {
                         if self.faults.are_many() {
                             return;
                         }
                         let head = element.span();
+                        self.place = [place, 0];
                         match element.get_ref() {
                             DeValue::Table(item) if section == Section::Manoeuvre => {
                                 self.read_manoeuvre(head, item);
@@ -100,6 +104,7 @@ impl Reader<'_> {
                             _ => self.faults.add(&head, format!("expected [[{name}]]")),
                         }
                     }
+                    self.place = [0; 2];
                 }
                 (Some(section), _) if section.is_list() => {
                     self.faults.add(&span, format!("{name}: expected [[{name}]], in double brackets"));
@@ -121,7 +126,8 @@ impl Reader<'_> {
         self.draft.manoeuvre = ManoeuvreFields::default();
         let item = self.read_keys(Section::Manoeuvre, head.clone(), section_table);
         if let Some(DeValue::Array(sinusoids)) = section_table.get("sinusoid").map(|value| value.get_ref()) {
-            for sinusoid in sinusoids.iter() {
+            for (place, sinusoid) in sinusoids.iter().enumerate() {
+                self.place[1] = place;
                 match sinusoid.get_ref() {
                     DeValue::Table(item) => self.read_sinusoid(sinusoid.span(), item),
                     _ => self.faults.add(&sinusoid.span(), "expected [[manoeuvre.sinusoid]]"),
@@ -161,13 +167,20 @@ impl Reader<'_> {
         } else if let Some(span) = item.key(other) {
             self.faults.add(span, format!("sinusoid.{other}: not for this channel; expected {own}"));
         }
+        let sinusoid = self.draft.sinusoid.to_sinusoid();
+        // That of the speed is checked with the flight.
+        if let Err(error) = sinusoid.validate(f64::INFINITY) {
+            let own = ["sinusoid.amplitude", "sinusoid.frequency_hz", "sinusoid.phase_rad"];
+            let field = own.into_iter().find(|own| own.split('.').nth(1) == error.field.split('.').nth(1));
+            self.add_error(&Error { field: field.unwrap_or(error.field), ..error }, &item);
+        }
         let manoeuvre = &mut self.draft.manoeuvre;
         let Some(place) = manoeuvre.sinusoids.get_mut(manoeuvre.sinusoid_count) else {
             self.faults
                 .add(&head, format!("[[manoeuvre.sinusoid]]: more than {MAX_SINUSOIDS} in a manoeuvre"));
             return;
         };
-        *place = self.draft.sinusoid.to_sinusoid();
+        *place = sinusoid;
         manoeuvre.sinusoid_count += 1;
     }
 

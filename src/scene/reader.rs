@@ -5,33 +5,49 @@ use core::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::draft::Draft;
-use super::fault::{Faults, nearest, unknown};
-use super::key::{Key, Section, Target};
-use super::setting::{Setting, check_settings};
+use super::fault::{About, Faults, nearest, unknown};
+use super::key::{Key, Section};
+use super::setting::Setting;
+use super::site::Site;
 use super::table::{self, KEYS, names_of};
-use super::value::{Value, put};
+use super::value::{Value, put, put_element};
 use crate::flight::Manoeuvre;
 
 type Span = Range<usize>;
 
 /// A section, or an item of a list: where its head stands, and where those of its keys that the text sets, by their
 /// place in the table.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Item {
+    pub site: Site,
     pub head: Span,
     pub keys: Vec<(usize, Span)>,
 }
 
 impl Item {
+    /// One without keys.
+    pub fn empty(site: Site, head: Span) -> Self {
+        Self { site, head, keys: Vec::new() }
+    }
+
+    /// Where it begins: its head, or its first key if settings alone make it.
+    pub fn begin(&self) -> &Span {
+        self.keys.first().map(|(_, span)| span).filter(|_| self.head.is_empty()).unwrap_or(&self.head)
+    }
+
     /// Where the key of `name` stands.
     pub fn key(&self, name: &str) -> Option<&Span> {
         self.keys.iter().find(|(index, _)| KEYS[*index].name == name).map(|(_, span)| span)
     }
 
-    /// The key that the text sets for the field of an error, and where.
-    pub fn of_field(&self, field: &str) -> Option<(&'static Key, &Span)> {
-        let sets = |key: &Key| !field.is_empty() && (key.field().starts_with(field) || key.path() == field);
-        self.keys.iter().find(|(index, _)| sets(&KEYS[*index])).map(|(index, span)| (&KEYS[*index], span))
+    /// The key of a field that an error names, and where the text sets it; else the head of the item.
+    pub fn of_field(&self, field: &str) -> Option<(usize, &Span)> {
+        let sets = |key: &Key| field.contains('.') && (key.field().starts_with(field) || key.path() == field);
+        let set = self.keys.iter().find(|(index, _)| sets(&KEYS[*index])).map(|(index, span)| (*index, span));
+        set.or_else(|| {
+            let (index, _) = table::of_section(self.site.section).find(|(_, key)| sets(key))?;
+            Some((index, self.begin()))
+        })
     }
 }
 
@@ -43,6 +59,8 @@ pub(super) struct Reader<'t> {
     pub manoeuvres: Vec<Manoeuvre>,
     /// Where each manoeuvre stands.
     pub items: Vec<Item>,
+    /// The item of a list that is being read: its place in the list, of a sinusoid that of its manoeuvre first.
+    pub place: [usize; 2],
     pub settings: Vec<Setting>,
 }
 
@@ -53,40 +71,45 @@ impl Reader<'_> {
 
     /// Reads the keys of a section in the order of the table, so that a preset comes before the keys that change it.
     pub fn read_keys(&mut self, section: Section, head: Span, section_table: &DeTable<'_>) -> Item {
-        let mut item = Item { head, keys: Vec::new() };
-        check_settings(&self.settings, section, &mut self.faults);
+        let site = Site { section, item: self.place };
+        self.faults.name(&head, site, None);
+        let mut item = Item::empty(site, head);
         for (index, key) in table::of_section(section) {
-            let is_of_key = |setting: &&Setting| {
-                setting.section == section
-                    && (setting.name == key.name || Some(setting.name.as_str()) == key.si_name())
-            };
-            // The last of them, because the same quantity may be set in its unit and in SI.
-            if let Some(setting) = self.settings.iter().rfind(is_of_key) {
-                let value = match key.target {
-                    Target::Text { .. } if !matches!(setting.value, Value::Text(_)) => {
-                        &Value::Text(setting.text.clone())
-                    }
-                    _ => &setting.value,
-                };
-                item.keys.push((index, setting.span.clone()));
-                if let Err(sentence) = put(&mut self.draft, key, setting.name != key.name, value) {
-                    self.faults.add(&setting.span, sentence);
-                }
-                continue;
-            }
+            let settings = self.settings.iter_mut().filter(|setting| setting.is_of(site, index));
+            let mut settings: Vec<&mut Setting> = settings.collect();
+            settings.iter_mut().for_each(|setting| setting.is_used = true);
+            // The last that sets the whole key, because the same quantity may be set in its unit and in SI.
+            let whole = settings.iter().rposition(|setting| setting.path.element.is_none());
             let mut first: Option<&str> = None;
             for (name, in_si) in [(Some(key.name), false), (key.si_name(), true)] {
                 let found =
                     name.and_then(|name| section_table.get_key_value(name).map(|found| (name, found)));
-                let Some((name, (at, value))) = found else { continue };
+                let Some((name, (at, value))) = found.filter(|_| whole.is_none()) else { continue };
                 if let Some(first) = first {
                     self.faults.add(&at.span(), format!("{name}: the same quantity as {first}; give one"));
                     continue;
                 }
                 first = Some(name);
                 item.keys.push((index, at.span()));
+                self.faults.name(&at.span(), site, Some(index));
+                self.faults.name(&value.span(), site, Some(index));
                 if let Err(sentence) = put(&mut self.draft, key, in_si, &Value::of(value.get_ref())) {
                     self.faults.add(&value.span(), sentence);
+                }
+            }
+            for setting in &settings[whole.unwrap_or(0)..] {
+                let (value, in_si) = (setting.value_for(key), setting.path.in_si);
+                let put = match setting.path.element {
+                    Some(element) => put_element(&mut self.draft, key, in_si, element, &value),
+                    None if setting.is_default() => continue,
+                    None => put(&mut self.draft, key, in_si, &value),
+                };
+                // A fault is one of the setting, not of the text that it changes.
+                item.keys.retain(|(other, _)| *other != index);
+                item.keys.push((index, setting.span.clone()));
+                if let Err(sentence) = put {
+                    let about = About { path: setting.path.to_string(), ..About::default() };
+                    self.faults.add_about(&setting.span, sentence, about);
                 }
             }
         }
@@ -103,5 +126,14 @@ impl Reader<'_> {
             }
         }
         item
+    }
+
+    /// Notes the settings of items that the text does not have.
+    pub fn check_settings(&mut self) {
+        for setting in self.settings.iter().filter(|setting| setting.path.site.section.is_list()) {
+            if !setting.is_used {
+                self.faults.add(&setting.span, format!("{}: the scene has no such item", setting.path.site));
+            }
+        }
     }
 }

@@ -1,56 +1,58 @@
-//! Settings: keys that are set in addition to the text of a scene.
+//! Settings: values that are set in addition to the text of a scene.
 
 use core::ops::Range;
 
-use super::fault::{Faults, excerpt, nearest, unknown};
-use super::key::Section;
-use super::table::names_of;
+use super::fault::Faults;
+use super::key::{Key, Target};
+use super::site::{Site, ValuePath};
 use super::value::Value;
 
 /// A value that takes the place of the text's.
 #[derive(Debug)]
 pub(super) struct Setting {
-    pub section: Section,
-    pub name: String,
-    pub text: String,
-    pub value: Value,
+    pub path: ValuePath,
+    /// Whether the scene has the item that it sets.
+    pub is_used: bool,
     pub span: Range<usize>,
+    text: String,
+    value: Value,
 }
 
-/// The settings of keys and values, as `section.key` and the text of a value; notes what is wrong with a key.
+impl Setting {
+    /// Whether it sets a key of a section or an item.
+    pub fn is_of(&self, site: Site, key: usize) -> bool {
+        (self.path.site, self.path.key) == (site, key)
+    }
+
+    /// Whether it puts the default back.
+    pub fn is_default(&self) -> bool {
+        self.text.is_empty()
+    }
+
+    /// Its value, as its key takes it: a text needs no quotes, whatever it is.
+    pub fn value_for(&self, key: &Key) -> Value {
+        match (key.target, &self.value) {
+            (_, value @ Value::Text(_)) => value.clone(),
+            (Target::Text { .. }, _) => Value::Text(self.text.clone()),
+            (_, value) => value.clone(),
+        }
+    }
+}
+
+/// The settings of paths and values; notes what is wrong with a path.
 pub(super) fn take_settings(settings: &[(&str, &str)], faults: &mut Faults<'_>) -> Vec<Setting> {
     let mut taken: Vec<Setting> = Vec::new();
     for (index, (path, text)) in settings.iter().enumerate() {
         let span = faults.setting_span(index);
-        let Some((section, name)) = path.rsplit_once('.') else {
-            faults.add(&span, format!("{}: expected section.key", excerpt(path)));
-            continue;
-        };
-        match Section::ALL.into_iter().find(|known| known.name() == section) {
-            Some(section) if section.is_list() => {
-                faults.add(&span, format!("[[{}]]: only in the text of a scene", section.name()));
+        match ValuePath::read(path) {
+            Ok(path) => {
+                taken.retain(|earlier| earlier.path != path);
+                faults.name(&span, path.site, Some(path.key));
+                let (value, text) = (Value::of_setting(text), (*text).to_owned());
+                taken.push(Setting { path, is_used: false, span, text, value });
             }
-            Some(section) => {
-                taken.retain(|earlier| (earlier.section, earlier.name.as_str()) != (section, name));
-                let (name, text) = (name.to_owned(), (*text).to_owned());
-                let value = Value::of_setting(&text);
-                taken.push(Setting { section, name, text, value, span });
-            }
-            None => {
-                let names = Section::ALL.into_iter().map(Section::name);
-                faults.add(&span, unknown("section", section, nearest(section, names)));
-            }
+            Err(sentence) => faults.add(&span, sentence),
         }
     }
     taken
-}
-
-/// Notes the settings of a section that name no key of it.
-pub(super) fn check_settings(settings: &[Setting], section: Section, faults: &mut Faults<'_>) {
-    for setting in settings.iter().filter(|setting| setting.section == section) {
-        let name = setting.name.as_str();
-        if !names_of(section).any(|known| known == name) {
-            faults.add(&setting.span, unknown("key", name, nearest(name, names_of(section))));
-        }
-    }
 }

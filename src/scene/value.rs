@@ -6,6 +6,7 @@ use super::draft::Draft;
 use super::fault::excerpt;
 use super::key::{Key, Shape, Target};
 use super::nesting::too_deep;
+use crate::records;
 
 /// The value of a key.
 #[derive(Debug, Clone, PartialEq)]
@@ -102,20 +103,12 @@ fn finite(number: f64) -> Option<f64> {
 pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(), String> {
     let refused = |expected: String| format!("{} = {}: expected {expected}", key.path(), value.shown());
     match key.target {
-        Target::Numbers { shape, unit, limits, place, .. } => {
-            let expected = || {
-                let range = limits.map_or(String::new(), |(low, high)| format!(", from {low} to {high}"));
-                let unit = if unit.text.is_empty() { String::new() } else { format!(" [{}]", unit.text) };
-                format!("{}{range}{unit}", shape.expected())
-            };
+        Target::Numbers { shape, unit, place, .. } => {
             let numbers = value.numbers().and_then(|numbers| elements(shape, value, &numbers));
-            let Some(numbers) = numbers else { return Err(refused(expected())) };
+            let Some(numbers) = numbers else {
+                return Err(refused(shape.expected().to_owned() + &unit.behind()));
+            };
             let unit_si = if in_si { 1.0 } else { unit.si };
-            if let Some((low, high)) = key.limits_si()
-                && !numbers.iter().all(|number| (low..=high).contains(&(number * unit_si)))
-            {
-                return Err(refused(expected()));
-            }
             for (to, number) in place.of(draft).into_iter().zip(numbers) {
                 *to = number * unit_si;
             }
@@ -144,6 +137,30 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
     Ok(())
 }
 
+/// Puts one number of several where `key` says; an empty text puts 0.
+pub fn put_element(
+    draft: &mut Draft,
+    key: &Key,
+    in_si: bool,
+    element: usize,
+    value: &Value,
+) -> Result<(), String> {
+    let Target::Numbers { unit, place, .. } = key.target else { return Ok(()) };
+    let number = match value {
+        Value::Whole(whole) => *whole as f64,
+        Value::Number(number) => *number,
+        Value::Text(text) if text.is_empty() => 0.0,
+        _ => {
+            let (path, unit) = (key.path(), unit.behind());
+            return Err(format!("{path}[{element}] = {}: expected a number{unit}", value.shown()));
+        }
+    };
+    if let Some(to) = place.of(draft).into_iter().nth(element) {
+        *to = number * if in_si { 1.0 } else { unit.si };
+    }
+    Ok(())
+}
+
 /// All numbers of a shape, where a single one may stand for several.
 fn elements(shape: Shape, value: &Value, numbers: &[f64]) -> Option<Vec<f64>> {
     if let Value::Numbers(_) = value {
@@ -152,6 +169,25 @@ fn elements(shape: Shape, value: &Value, numbers: &[f64]) -> Option<Vec<f64>> {
     }
     let [single] = numbers else { return None };
     (0..shape.count()).map(|index| Some(if shape.single_sets(index)? { *single } else { 0.0 })).collect()
+}
+
+/// The value of `key`, or one number of it, in TOML; empty: it has none. A number that has no equal in the key's unit is the
+/// nearest.
+pub fn shown(draft: &mut Draft, key: &Key, in_si: bool, element: Option<usize>) -> String {
+    match key.target {
+        Target::Numbers { shape, unit, place, .. } => {
+            let unit_si = if in_si { 1.0 } else { unit.si };
+            let in_unit = |number: &mut f64| divided(*number, unit_si).unwrap_or(*number / unit_si);
+            let numbers: Vec<f64> = place.of(draft).into_iter().map(in_unit).collect();
+            match element.and_then(|element| numbers.get(element)) {
+                Some(number) => number_text(*number),
+                None if numbers.iter().all(|number| number.is_nan()) => String::new(),
+                None => numbers_text(shape, &numbers),
+            }
+        }
+        Target::Text { place, .. } if place(draft).is_empty() => String::new(),
+        _ => written(draft, key).0,
+    }
 }
 
 /// The value of `key` in TOML, and whether it is in SI: as short as it can be, and such that it reads back to the bit.
@@ -201,12 +237,7 @@ fn numbers_text(shape: Shape, numbers: &[f64]) -> String {
 
 /// The shortest text that reads back to the bit; TOML wants digits on both sides of a point.
 fn number_text(number: f64) -> String {
-    let size = number.abs();
-    if size != 0.0 && !(1e-5..1e15).contains(&size) {
-        return format!("{number:e}");
-    }
-    let text = number.to_string();
-    if number == 0.0 && number.is_sign_negative() { "-0.0".to_owned() } else { text }
+    if number == 0.0 && number.is_sign_negative() { "-0.0".to_owned() } else { records::number(number) }
 }
 
 fn text_in_quotes(text: &str) -> String {

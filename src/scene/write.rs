@@ -1,13 +1,13 @@
 //! The writer of scenes.
 
-use super::FlightSource;
-use super::Scene;
-use super::draft::{Draft, FailureDraft, SinusoidDraft};
+use super::draft::Draft;
 use super::key::{Key, Section, Target};
 use super::list::meaning;
+use super::site::{Site, ValuePath};
 use super::table::of_section;
-use super::value::{divided, written};
-use crate::flight::ManoeuvreFields;
+use super::value::{divided, shown, written};
+use super::{PlannedFailure, Scene};
+use crate::flight::{Manoeuvre, ManoeuvreFields};
 use crate::sensors::SensorOutput;
 
 impl Scene {
@@ -16,14 +16,8 @@ impl Scene {
         let mut writer = Writer::new(self);
         for section in Section::ALL {
             match section {
-                Section::Manoeuvre => writer.manoeuvres(&self.flight),
-                Section::Failure => {
-                    for planned in &self.failures {
-                        writer.draft.failure = FailureDraft::from(planned);
-                        let own = [planned.output];
-                        writer.section(section, |key| own_failure_key(key, &own));
-                    }
-                }
+                Section::Manoeuvre => self.manoeuvres().iter().for_each(|one| writer.manoeuvre(one)),
+                Section::Failure => self.failures.iter().for_each(|one| writer.failure(one)),
                 Section::Sinusoid => {}
                 _ => writer.section(section, |_| true),
             }
@@ -69,30 +63,54 @@ impl Scene {
         set
     }
 
-    /// The value of a key, such as `"options.scheme"`, of a section in single brackets, default or not. It is written as in the text
-    /// of a scene, but a string has no quotes.
+    /// The value at a path: `"options.scheme"`, `"gyro.bias_deg_h[1]"`, `"manoeuvre[3].bank_deg"`, `"failure[0].sensor"`, default or
+    /// not. It is written as in the text of a scene; a value that the scene does not have is empty. `"manoeuvre[3]"` and
+    /// `"failure[0]"` are all lines of an item. `None`: there is no such value.
     pub fn value(&self, path: &str) -> Option<String> {
-        let (value, _) = written(&mut Draft::from(self), single_key(path)?);
-        Some(value.trim_matches('"').to_owned())
+        let mut writer = Writer::new(self);
+        match Site::read(path) {
+            Ok(Site { section: Section::Manoeuvre, item: [index, _] }) => {
+                writer.manoeuvre(self.manoeuvres().get(index)?);
+                Some(writer.text)
+            }
+            Ok(Site { section: Section::Failure, item: [index, _] }) => {
+                writer.failure(self.failures.get(index)?);
+                Some(writer.text)
+            }
+            _ => {
+                let path = ValuePath::read(path).ok()?;
+                let mut draft = self.draft_of(path.site)?;
+                Some(shown(&mut draft, path.key(), path.in_si, path.element))
+            }
+        }
     }
 
     /// The numbers of such a key in its unit, matrices row by row; `None`: no such key, or one of another kind.
     pub fn numbers(&self, path: &str) -> Option<Vec<f64>> {
-        let Target::Numbers { place, unit, .. } = single_key(path)?.target else { return None };
+        let path = ValuePath::read(path).ok()?;
+        let Target::Numbers { place, unit, .. } = path.key().target else { return None };
         let in_unit = |number: &mut f64| divided(*number, unit.si).unwrap_or(*number / unit.si);
-        Some(place.of(&mut Draft::from(self)).into_iter().map(in_unit).collect())
+        Some(place.of(&mut self.draft_of(path.site)?).into_iter().map(in_unit).collect())
+    }
+
+    /// A draft with the item at `site`, if that is one of a list.
+    fn draft_of(&self, Site { section, item: [index, inner] }: Site) -> Option<Draft> {
+        let mut draft = Draft::from(self);
+        match section {
+            Section::Manoeuvre => draft.manoeuvre = self.manoeuvres().get(index)?.into(),
+            Section::Sinusoid => {
+                let ManoeuvreFields { sinusoids, sinusoid_count, .. } = self.manoeuvres().get(index)?.into();
+                draft.sinusoid = sinusoids[..sinusoid_count].get(inner)?.into();
+            }
+            Section::Failure => draft.failure = self.failures.get(index)?.into(),
+            _ => {}
+        }
+        Some(draft)
     }
 }
 
-/// The key of a path, `section.key`, in a section in single brackets.
-fn single_key(path: &str) -> Option<&'static Key> {
-    let (section, name) = path.rsplit_once('.')?;
-    let section = Section::ALL.into_iter().find(|known| known.name() == section && !known.is_list())?;
-    of_section(section).find(|(_, key)| key.name == name).map(|(_, key)| key)
-}
-
 /// Whether a failure writes a key: its sensor, its axis, its kind, and for each quantity the key in the unit of its sensor.
-fn own_failure_key(key: &Key, [output]: &[SensorOutput; 1]) -> bool {
+fn own_failure_key(key: &Key, output: SensorOutput) -> bool {
     let sensor = match output {
         SensorOutput::Gyro(_) => 0,
         SensorOutput::Accelerometer(_) => 1,
@@ -113,17 +131,19 @@ impl Writer {
         Self { text: String::new(), draft: Draft::from(scene), default }
     }
 
-    fn manoeuvres(&mut self, flight: &FlightSource) {
-        let FlightSource::Path(path) = flight else { return };
-        for manoeuvre in &path.manoeuvres {
-            self.draft.manoeuvre = ManoeuvreFields::from(manoeuvre);
-            self.section(Section::Manoeuvre, |_| true);
-            let ManoeuvreFields { sinusoids, sinusoid_count, .. } = self.draft.manoeuvre;
-            for sinusoid in &sinusoids[..sinusoid_count] {
-                self.draft.sinusoid = SinusoidDraft::from(sinusoid);
-                self.section(Section::Sinusoid, |_| true);
-            }
+    fn manoeuvre(&mut self, manoeuvre: &Manoeuvre) {
+        self.draft.manoeuvre = manoeuvre.into();
+        self.section(Section::Manoeuvre, |_| true);
+        let ManoeuvreFields { sinusoids, sinusoid_count, .. } = self.draft.manoeuvre;
+        for sinusoid in &sinusoids[..sinusoid_count] {
+            self.draft.sinusoid = sinusoid.into();
+            self.section(Section::Sinusoid, |_| true);
         }
+    }
+
+    fn failure(&mut self, planned: &PlannedFailure) {
+        self.draft.failure = planned.into();
+        self.section(Section::Failure, |key| own_failure_key(key, planned.output));
     }
 
     /// Writes a section with its keys that are not at their default, if there are any. Items of a list are always written, with their

@@ -26,6 +26,8 @@ pub struct Field {
     pub path: &'static str,
     /// SI unit; empty: a pure number.
     pub unit: &'static str,
+    /// Definition for this kind of sensor; empty: that of the parameter.
+    pub doc: &'static str,
     /// The values that are accepted.
     pub range: Range,
     /// Key of a scene file, in the unit of data sheets.
@@ -63,6 +65,13 @@ pub enum Range {
     /// Correlation time of the process whose standard deviation the named parameter is: from the first to the second where that is
     /// not 0; elsewhere 0 too.
     TimeOf(&'static str, f64, f64),
+}
+
+impl Parameter {
+    /// Definition of `field`, one of its two.
+    pub const fn doc_of(&self, field: &Field) -> &'static str {
+        if field.doc.is_empty() { self.doc } else { field.doc }
+    }
 }
 
 impl Shape {
@@ -104,5 +113,13 @@ pub(super) const fn field(
     (key, key_unit, key_si): (&'static str, &'static str, f64),
     effect: &'static str,
 ) -> Option<Field> {
-    Some(Field { path, unit, range, key, key_unit, key_si, effect })
+    Some(Field { path, unit, doc: "", range, key, key_unit, key_si, effect })
+}
+
+/// `field` with a definition of its own.
+pub(super) const fn defined(doc: &'static str, field: Option<Field>) -> Option<Field> {
+    match field {
+        Some(field) => Some(Field { doc, ..field }),
+        None => None,
+    }
 }

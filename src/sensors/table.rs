@@ -8,7 +8,7 @@
 
 use super::parameter::Range::{OffOr, TimeOf, Within};
 use super::parameter::Shape::{Axes, Diagonal, Matrix, Number, OffDiagonal};
-use super::parameter::{Parameter, Range, field};
+use super::parameter::{Parameter, Range, defined, field};
 use crate::units::{
     ARCSEC, DEG, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G, PPM, STANDARD_GRAVITY, TEMPERATURE_RANGE_C,
 };
@@ -72,19 +72,19 @@ pub const PARAMETERS: &[Parameter] = &[
         name: "random_walk", shape: Axes, is_random: RANDOM,
         doc: "white noise N: angle or velocity random walk",
         note: "It is the square root of the spectral density of the noise, in the unit of the signal per sqrt(Hz).",
-        gyro: field(("gyro.random_walk_rad_sqrt_s", "rad/sqrt(s)"), RATE_SIZE,
-            ("random_walk_deg_sqrt_h", "deg/sqrt(h)", DEG_PER_SQRT_HOUR), "gyro angle random walk"),
-        accel: field(("accel.velocity_random_walk_m_s_sqrt_s", "(m/s)/sqrt(s)"), FORCE_SIZE,
-            ("random_walk_micro_g_sqrt_hz", "micro-g/sqrt(Hz)", MICRO_G), "accel velocity random walk"),
+        gyro: defined("white noise N: angle random walk", field(("gyro.random_walk_rad_sqrt_s", "rad/sqrt(s)"), RATE_SIZE,
+            ("random_walk_deg_sqrt_h", "deg/sqrt(h)", DEG_PER_SQRT_HOUR), "gyro angle random walk")),
+        accel: defined("white noise N: velocity random walk", field(("accel.velocity_random_walk_m_s_sqrt_s", "(m/s)/sqrt(s)"), FORCE_SIZE,
+            ("random_walk_micro_g_sqrt_hz", "micro-g/sqrt(Hz)", MICRO_G), "accel velocity random walk")),
     },
     Parameter {
         name: "rate_random_walk", shape: Axes, is_random: RANDOM,
         doc: "random walk K of rate or acceleration",
         note: "It starts at 0 at the start of a run.",
-        gyro: field(("gyro.rate_random_walk_rad_s_sqrt_s", "(rad/s)/sqrt(s)"), RATE_SIZE,
-            ("rate_random_walk_deg_h_sqrt_h", "deg/h/sqrt(h)", DEG_PER_HOUR / 60.0), "gyro rate random walk"),
-        accel: field(("accel.acceleration_random_walk_m_s2_sqrt_s", "(m/s2)/sqrt(s)"), FORCE_SIZE,
-            ("acceleration_random_walk_micro_g_sqrt_h", "micro-g/sqrt(h)", MICRO_G / 60.0), "acceleration random walk"),
+        gyro: defined("rate random walk K", field(("gyro.rate_random_walk_rad_s_sqrt_s", "(rad/s)/sqrt(s)"), RATE_SIZE,
+            ("rate_random_walk_deg_h_sqrt_h", "deg/h/sqrt(h)", DEG_PER_HOUR / 60.0), "gyro rate random walk")),
+        accel: defined("acceleration random walk K", field(("accel.acceleration_random_walk_m_s2_sqrt_s", "(m/s2)/sqrt(s)"), FORCE_SIZE,
+            ("acceleration_random_walk_micro_g_sqrt_h", "micro-g/sqrt(h)", MICRO_G / 60.0), "acceleration random walk")),
     },
     Parameter {
         name: "ramp", shape: Axes, is_random: GIVEN,

@@ -18,7 +18,7 @@ use super::mounted::block_at_start;
 use super::signals::Signals;
 use super::start::{Start, with_errors};
 use super::views::Views;
-use super::{ImuInterval, Options, SensorSuite};
+use super::{Imperfections, ImuInterval, Options};
 use crate::covariance::Propagation;
 use crate::earth::Earth;
 use crate::error::Error;
@@ -74,10 +74,11 @@ impl Chain {
         earth: Earth,
         first: &TruthPoint,
         interval: Option<&Recent<'_>>,
-        sensors: &SensorSuite,
+        imperfections: &Imperfections,
     ) -> Result<Self, Error> {
-        let block =
-            sensors.mounting().map(|mounting| block_at_start(mounting, options, &earth, first, interval));
+        let block = imperfections
+            .mounting()
+            .map(|mounting| block_at_start(mounting, options, &earth, first, interval));
         let (sensors_state, truth) = match &block {
             Some(block) => {
                 let state = block.state(first);
@@ -86,10 +87,10 @@ impl Chain {
             None => (first.state, first.navigation(&earth, options.axes)),
         };
         let disturbance =
-            sensors.gravity.is_on().then(|| Disturbance::new(sensors.gravity.at(&earth, first)));
+            imperfections.gravity.is_on().then(|| Disturbance::new(imperfections.gravity.at(&earth, first)));
         let at = (first, &sensors_state);
         let disturbance_e = disturbance.as_ref().map(Disturbance::at_last_e);
-        let start = Start::new(options, &earth, at, &truth, disturbance_e, sensors)?;
+        let start = Start::new(options, &earth, at, &truth, disturbance_e, imperfections)?;
         let state = with_errors(&earth, options, &truth, &start.errors).earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
         let extension = Extension { block, disturbance, sensors_state };

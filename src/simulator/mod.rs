@@ -7,6 +7,7 @@ mod closure;
 mod disturbance;
 mod gap;
 mod heap;
+mod imperfections;
 mod imu;
 mod interval;
 mod moment;
@@ -21,7 +22,6 @@ mod signals;
 mod snapshot;
 mod solution;
 mod start;
-mod suite;
 mod views;
 
 pub(crate) use chain::side_by_side::SideBySide;
@@ -32,6 +32,7 @@ pub use imu::{ImuFlags, ImuInterval};
 pub(crate) use moment::Moment;
 pub use options::{MAX_UPDATES, Options};
 pub use parameters::ErrorParameters;
+pub(crate) use read::Looked;
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;
 
@@ -40,11 +41,11 @@ use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::signal::Increment;
 use crate::state::Navigation;
-use crate::truth::{FlightSample, Intake, Pushed, QUEUE_CAPACITY, TruthSummary};
+use crate::truth::{FlightSample, Intake, Pushed, TruthSummary};
 use chain::Chain;
+use imperfections::Imperfections;
 use navigator::Navigator;
 use signals::Signals;
-use suite::SensorSuite;
 
 /// Which of the two error outputs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -85,7 +86,7 @@ pub struct Simulator {
     options: Options,
     earth: Earth,
     intake: Intake,
-    sensors: SensorSuite,
+    imperfections: Imperfections,
     /// Of a flight to come: a chain that flies has them.
     signals: Signals,
     /// Likewise: none or one.
@@ -114,7 +115,7 @@ impl Simulator {
             options: *options,
             earth: options.earth(),
             intake,
-            sensors: SensorSuite::new(options),
+            imperfections: Imperfections::new(options),
             signals,
             covariance,
             summary: options.truth_summary.then(TruthSummary::default),
@@ -130,7 +131,7 @@ impl Simulator {
     /// Takes one flight-control sample in.
     pub fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         self.refuse_while_navigating()?;
-        self.sensors.check_temperature(sample.temperature_c)?;
+        self.imperfections.check_temperature(sample.temperature_c)?;
         let pushed = self.intake.push(sample)?;
         if pushed == Pushed::FirstVelocity {
             self.take_first_velocity();
@@ -142,7 +143,7 @@ impl Simulator {
     #[inline(never)]
     fn take_first_velocity(&mut self) {
         if let (Mode::Flying(chain), Some(current)) = (&mut self.mode, self.intake.current()) {
-            chain.take_first_velocity(current, &self.sensors);
+            chain.take_first_velocity(current, &self.imperfections);
         }
     }
 
@@ -151,7 +152,7 @@ impl Simulator {
         self.refuse_while_navigating()?;
         let Mode::Flying(chain) = &mut self.mode else { return self.first_step() };
         let Some(recent) = self.intake.recent() else { return Ok(Step::NeedSample) };
-        chain.advance(&recent, &mut self.sensors)?;
+        chain.advance(&recent, &mut self.imperfections)?;
         self.intake.take();
         Ok(Step::Done)
     }
@@ -165,16 +166,16 @@ impl Simulator {
         }
         let mut chain = self.chain_from_first_sample()?;
         let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
-        let mut sensors = self.sensors.clone();
-        sensors.reposition(first.current.height_m());
+        let mut imperfections = self.imperfections.clone();
+        imperfections.reposition(first.current.height_m());
         chain.signals = core::mem::take(&mut self.signals);
         chain.set_summary(self.summary);
-        chain.begin_covariance(core::mem::take(&mut self.covariance), first.current, &sensors);
-        if let Err(error) = chain.advance(&first, &mut sensors) {
+        chain.begin_covariance(core::mem::take(&mut self.covariance), first.current, &imperfections);
+        if let Err(error) = chain.advance(&first, &mut imperfections) {
             (self.signals, self.covariance) = (chain.signals, chain.covariance);
             return Err(error);
         }
-        self.sensors = sensors;
+        self.imperfections = imperfections;
         self.intake.take();
         self.intake.take();
         self.mode = Mode::Flying(chain);
@@ -188,7 +189,7 @@ impl Simulator {
                 "navigation on increments can start only before the first sample or after a reset",
             ));
         }
-        if self.sensors.depend_on_temperature() {
+        if self.imperfections.depend_on_temperature() {
             return Err(Error::bad_state(settings::INCREMENTS_HAVE_NO_TEMPERATURE));
         }
         let navigator = Navigator::new(&self.options, self.earth, time_s, navigation);
@@ -202,13 +203,13 @@ impl Simulator {
         let Mode::Navigating(navigator) = &mut self.mode else {
             return Err(Error::bad_state("navigation on increments must be started first"));
         };
-        navigator.advance(increments, interval_s, &mut self.sensors)
+        navigator.advance(increments, interval_s, &mut self.imperfections)
     }
 
     /// The truth jumps to `sample`: the INS starts again there, its noise goes on.
     pub fn reposition(&mut self, sample: &FlightSample) -> Result<(), Error> {
         self.refuse_while_navigating()?;
-        self.sensors.check_temperature(sample.temperature_c)?;
+        self.imperfections.check_temperature(sample.temperature_c)?;
         self.intake.restart(sample)?;
         self.wait();
         Ok(())
@@ -219,11 +220,11 @@ impl Simulator {
     #[inline(never)]
     pub fn move_truth(&mut self, sample: &FlightSample) -> Result<(), Error> {
         self.refuse_while_navigating()?;
-        self.sensors.check_temperature(sample.temperature_c)?;
+        self.imperfections.check_temperature(sample.temperature_c)?;
         match (&mut self.mode, self.intake.current()) {
             (Mode::Flying(chain), Some(current)) => {
                 let point = self.intake.first_point(sample)?;
-                chain.move_truth(current, &point, &mut self.sensors)?;
+                chain.move_truth(current, &point, &mut self.imperfections)?;
                 self.intake.go_on_from(point);
                 Ok(())
             }
@@ -246,7 +247,7 @@ impl Simulator {
     #[inline(never)]
     pub fn reset(&mut self) {
         self.intake.clear();
-        self.sensors = self.sensors.restarted(&self.options);
+        self.imperfections = self.imperfections.restarted(&self.options);
         self.wait();
         self.summary = self.options.truth_summary.then(TruthSummary::default);
         self.covariance.iter_mut().for_each(Propagation::reset);
@@ -275,11 +276,6 @@ impl Simulator {
         !matches!(self.mode, Mode::Waiting)
     }
 
-    /// Whether the queue has no room for another sample.
-    pub fn queue_is_full(&self) -> bool {
-        self.intake.waiting() == QUEUE_CAPACITY
-    }
-
     /// Samples that wait for a step.
     pub fn waiting_samples(&self) -> usize {
         self.intake.waiting()
@@ -289,7 +285,7 @@ impl Simulator {
         match self.intake.front() {
             Some(first) => {
                 let interval = self.intake.first_interval();
-                Chain::start(&self.options, self.earth, first, interval.as_ref(), &self.sensors)
+                Chain::start(&self.options, self.earth, first, interval.as_ref(), &self.imperfections)
             }
             None => Err(Error::bad_state("no sample yet")),
         }

@@ -47,7 +47,7 @@ impl Moment<'_> {
     /// Navigation minus truth.
     #[inline(always)]
     pub fn navigation_errors(&self) -> NavigationErrors {
-        self.chain.navigation_errors(self.point)
+        self.chain.navigation_errors_inlined(self.point)
     }
 
     /// The error model's; `None` while it is off.

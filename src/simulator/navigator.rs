@@ -1,7 +1,7 @@
 //! Navigation alone, on recorded or foreign increments.
 
-use super::suite::IntervalConditions;
-use super::{ImuInterval, Options, SensorSuite, Solution};
+use super::imperfections::IntervalConditions;
+use super::{Imperfections, ImuInterval, Options, Solution};
 use crate::earth::Earth;
 use crate::error::{Error, Rule, check_range, check_ranges};
 use crate::math::two_sum;
@@ -39,7 +39,7 @@ impl Navigator {
         &mut self,
         increments: &[Increment],
         interval_s: f64,
-        sensors: &mut SensorSuite,
+        imperfections: &mut Imperfections,
     ) -> Result<(), Error> {
         check_range("imu.interval_s", interval_s, 5e-5, 10.0)?;
         check_range("imu.count", increments.len() as f64, 1.0, MAX_SUBSAMPLES as f64)?;
@@ -63,12 +63,12 @@ impl Navigator {
         let dt = interval_s / increments.len() as f64;
         let mut measured = [Increment::ZERO; MAX_SUBSAMPLES];
         let measured = &mut measured[..increments.len()];
-        sensors.begin_interval(interval_s, IntervalConditions::default);
-        let flags = sensors.sense(increments, dt, measured);
+        imperfections.begin_interval(interval_s, IntervalConditions::default);
+        let flags = imperfections.sense(increments, dt, measured);
         self.mechanization.update(measured, interval_s);
         if let Err(error) = self.mechanization.check() {
             self.mechanization.go_back(&before);
-            sensors.undo();
+            imperfections.undo();
             return Err(error);
         }
         (self.time_s, self.time_carry_s) = (time_s, lost);

@@ -27,7 +27,7 @@ pub struct ErrorParameters {
 impl ErrorParameters {
     /// What is set in a simulator, at any moment of its life.
     pub fn of(simulator: &Simulator) -> Self {
-        *simulator.sensors.set()
+        *simulator.imperfections.set()
     }
 
     /// Checks every field.

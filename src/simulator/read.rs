@@ -8,6 +8,13 @@ use crate::errors::{AccuracyFigures, NavigationErrors};
 use crate::signal::Increment;
 use crate::truth::{TruthPoint, TruthSummary};
 
+/// Views that a read looks at.
+#[derive(Clone, Copy)]
+pub(crate) struct Looked {
+    pub truth: bool,
+    pub navigation: bool,
+}
+
 impl Simulator {
     /// The truth; `None` before the first sample.
     pub fn truth(&self) -> Result<Option<Solution>, Error> {
@@ -94,6 +101,26 @@ impl Simulator {
         self.read(|chain, point| view(Moment { chain, point }))
     }
 
+    /// As [`Self::see`]; the views that `view` looks at are made where they are kept.
+    #[inline(always)]
+    pub(crate) fn make_and_see<T>(
+        &mut self,
+        Looked { truth, navigation }: Looked,
+        view: impl FnOnce(Moment<'_>) -> T,
+    ) -> Result<Option<T>, Error> {
+        self.refuse_while_navigating()?;
+        let (Mode::Flying(chain), Some(point)) = (&mut self.mode, self.intake.current()) else {
+            return self.read(|chain, point| view(Moment { chain, point }));
+        };
+        if truth && chain.views.truth.get().is_none() {
+            chain.make_true_view(point);
+        }
+        if navigation && chain.views.navigation.get().is_none() {
+            chain.make_navigated_view();
+        }
+        Ok(Some(view(Moment { chain, point })))
+    }
+
     /// Time [s], covariance of the navigation errors and whether the truth is near a pole; `None` before the first sample. It
     /// changes nothing but scratch.
     pub fn covariance(&mut self) -> Result<Option<(f64, NavigationCovariance, bool)>, Error> {
@@ -104,7 +131,7 @@ impl Simulator {
             ));
         }
         match (&mut self.mode, self.intake.current(), self.intake.front()) {
-            (Mode::Flying(chain), Some(current), _) => Ok(chain.covariance(current, &self.sensors)),
+            (Mode::Flying(chain), Some(current), _) => Ok(chain.covariance(current, &self.imperfections)),
             (_, _, Some(_)) => self.covariance_at_start(),
             _ => Ok(None),
         }
@@ -115,8 +142,8 @@ impl Simulator {
     fn covariance_at_start(&mut self) -> Result<Option<(f64, NavigationCovariance, bool)>, Error> {
         let mut chain = self.chain_from_first_sample()?;
         let Some(first) = self.intake.front() else { return Ok(None) };
-        chain.begin_covariance(core::mem::take(&mut self.covariance), first, &self.sensors);
-        let covariance = chain.covariance(first, &self.sensors);
+        chain.begin_covariance(core::mem::take(&mut self.covariance), first, &self.imperfections);
+        let covariance = chain.covariance(first, &self.imperfections);
         self.covariance = chain.covariance;
         Ok(covariance)
     }

@@ -11,37 +11,37 @@ use crate::truth::TruthPoint;
 impl Simulator {
     /// Errors of the gyros, as they were set.
     pub fn gyro(&self) -> &TriadParameters {
-        &self.sensors.set().gyro
+        &self.imperfections.set().gyro
     }
 
     /// Errors of the accelerometers, as they were set.
     pub fn accel(&self) -> &TriadParameters {
-        &self.sensors.set().accel
+        &self.imperfections.set().accel
     }
 
     /// Errors of the altimeter, as they were set.
     pub fn altimeter(&self) -> &AltimeterParameters {
-        &self.sensors.set().altimeter
+        &self.imperfections.set().altimeter
     }
 
     /// Errors with which the navigation starts, as they were set.
     pub fn initial_errors(&self) -> &InitialErrorParameters {
-        &self.sensors.set().initial
+        &self.imperfections.set().initial
     }
 
     /// Where the sensor block sits, as it was set.
     pub fn mounting(&self) -> MountingParameters {
-        self.sensors.set().mounting
+        self.imperfections.set().mounting
     }
 
     /// True less normal gravity, as it was set.
     pub fn gravity_disturbance(&self) -> &GravityDisturbanceParameters {
-        &self.sensors.set().gravity
+        &self.imperfections.set().gravity
     }
 
     /// The failure of an output; `None`: it has no failure.
     pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
-        self.sensors.failure(output)
+        self.imperfections.failure(output)
     }
 
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.

@@ -17,7 +17,7 @@ impl Simulator {
     pub fn set_gyro(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
         parameters.validate(Sensor::Gyro)?;
         self.check_temperatures_for(parameters)?;
-        self.sensors.set_gyro(parameters);
+        self.imperfections.set_gyro(parameters);
         Ok(())
     }
 
@@ -25,14 +25,14 @@ impl Simulator {
     pub fn set_accel(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
         parameters.validate(Sensor::Accelerometer)?;
         self.check_temperatures_for(parameters)?;
-        self.sensors.set_accel(parameters);
+        self.imperfections.set_accel(parameters);
         Ok(())
     }
 
     /// Sets the errors of the barometric height, from the next interval on.
     pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) -> Result<(), Error> {
         parameters.validate()?;
-        self.sensors.set_altimeter(parameters);
+        self.imperfections.set_altimeter(parameters);
         Ok(())
     }
 
@@ -46,7 +46,7 @@ impl Simulator {
             angle: imu.measured.angle / imu.interval_s,
             velocity: imu.measured.velocity / imu.interval_s,
         });
-        self.sensors.set_failure(output, failure, last.as_ref());
+        self.imperfections.set_failure(output, failure, last.as_ref());
         Ok(())
     }
 
@@ -56,7 +56,7 @@ impl Simulator {
         self.refuse_after_start(
             "initial errors can be set before the first step, after a reset or after a reposition",
         )?;
-        self.sensors.set_initial_errors(parameters);
+        self.imperfections.set_initial_errors(parameters);
         Ok(())
     }
 
@@ -67,7 +67,7 @@ impl Simulator {
         self.refuse_after_start(
             "the mounting can be set before the first step, after a reset or after a reposition",
         )?;
-        self.sensors.set_mounting(parameters);
+        self.imperfections.set_mounting(parameters);
         Ok(())
     }
 
@@ -81,7 +81,7 @@ impl Simulator {
         self.refuse_after_start(
             "the gravity disturbance can be set before the first step, after a reset or after a reposition",
         )?;
-        self.sensors.set_gravity_disturbance(parameters);
+        self.imperfections.set_gravity_disturbance(parameters);
         Ok(())
     }
 

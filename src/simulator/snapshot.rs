@@ -5,7 +5,7 @@ use nalgebra::{Quaternion, Vector3};
 use super::chain::Chain;
 use super::heap::heap_simulator;
 use super::navigator::Navigator;
-use super::{Mode, Options, SensorSuite, Simulator};
+use super::{Imperfections, Mode, Options, Simulator};
 use crate::earth::Geodetic;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::snapshot::{Reader, SnapshotOf, Stored, Writer, fitting};
@@ -20,13 +20,13 @@ const NAVIGATING: usize = 2;
 /// Writes the words of a simulator that waits, or flies `chain`.
 pub(super) fn save_flight(
     options: &Options,
-    sensors: &SensorSuite,
+    imperfections: &Imperfections,
     intake: &Intake,
     chain: Option<&Chain>,
     to: &mut Writer<'_>,
 ) {
     options.save(to);
-    sensors.save(to);
+    imperfections.save(to);
     intake.save(to);
     match chain {
         None => to.count(WAITING),
@@ -86,17 +86,17 @@ impl Simulator {
 
     /// Writes the words of the simulator.
     pub(crate) fn save_to(&self, to: &mut Writer<'_>) {
-        let Self { options, earth: _, intake, sensors, signals: _, covariance, summary, mode } = self;
+        let Self { options, earth: _, intake, imperfections, signals: _, covariance, summary, mode } = self;
         match mode {
             Mode::Waiting => {
-                save_flight(options, sensors, intake, None, to);
+                save_flight(options, imperfections, intake, None, to);
                 summary.iter().for_each(|summary| summary.save(to));
                 covariance.iter().for_each(|covariance| covariance.save_waiting(to));
             }
-            Mode::Flying(chain) => save_flight(options, sensors, intake, Some(chain), to),
+            Mode::Flying(chain) => save_flight(options, imperfections, intake, Some(chain), to),
             Mode::Navigating(navigator) => {
                 options.save(to);
-                sensors.save(to);
+                imperfections.save(to);
                 intake.save(to);
                 to.count(NAVIGATING);
                 navigator.save(to);
@@ -108,7 +108,7 @@ impl Simulator {
     /// is not needed while memory for the simulator is made.
     #[inline(never)]
     fn read_snapshot(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
-        self.sensors.load(from)?;
+        self.imperfections.load(from)?;
         self.intake.load(from)?;
         let behind = self.intake.behind();
         let flown = behind.iter().flatten().count();
@@ -119,7 +119,8 @@ impl Simulator {
             FLYING => {
                 let current = Chain::flown_to(&behind, from)?;
                 // Made in its place: chains take much of a stack.
-                self.mode = Mode::Flying(Chain::to_load(&self.options, self.earth, current, &self.sensors));
+                self.mode =
+                    Mode::Flying(Chain::to_load(&self.options, self.earth, current, &self.imperfections));
                 if let Mode::Flying(chain) = &mut self.mode {
                     chain.signals = core::mem::take(&mut self.signals);
                     chain.set_summary(self.summary);
@@ -147,7 +148,7 @@ impl Simulator {
                 self.covariance.iter_mut().try_for_each(|covariance| covariance.load_waiting(from))?;
             }
         }
-        if self.sensors.depend_on_temperature() {
+        if self.imperfections.depend_on_temperature() {
             self.check_temperatures()?;
         }
         Ok(())
@@ -179,7 +180,9 @@ mod tests {
             assert!(simulator.load_snapshot(&buffer[..length]).is_ok());
 
             let warm = Vector3::repeat(1e-6);
-            simulator.sensors.set_gyro(&TriadParameters { bias_temperature: warm, ..Default::default() });
+            simulator
+                .imperfections
+                .set_gyro(&TriadParameters { bias_temperature: warm, ..Default::default() });
             let length = simulator.save_snapshot(&mut buffer).unwrap();
             let refused = simulator.load_snapshot(&buffer[..length]).unwrap_err();
             assert!(refused.kind == ErrorKind::Snapshot && refused.to_string().contains("temperature"));

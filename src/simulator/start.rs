@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::{Options, SensorSuite, singular};
+use super::{Imperfections, Options, singular};
 use crate::covariance::Alignment;
 use crate::earth::Earth;
 use crate::error::Error;
@@ -41,12 +41,12 @@ impl Start {
         (first, state): (&TruthPoint, &EarthFixedState),
         truth: &Navigation,
         disturbance_e: Option<&Vector3<f64>>,
-        sensors: &SensorSuite,
+        imperfections: &Imperfections,
     ) -> Result<Self, Error> {
-        let mut start = Self { errors: sensors.set().initial.draw(options.key), north_unknown: false };
-        if sensors.set().initial.alignment == sensors::Alignment::LevelAndGyrocompass {
+        let mut start = Self { errors: imperfections.set().initial.draw(options.key), north_unknown: false };
+        if imperfections.set().initial.alignment == sensors::Alignment::LevelAndGyrocompass {
             let disturbance_e = disturbance_e.copied().unwrap_or_default();
-            let aligned = aligned(earth, (first, state), truth, &disturbance_e, sensors)?;
+            let aligned = aligned(earth, (first, state), truth, &disturbance_e, imperfections)?;
             let given = rotation_quaternion(&-start.errors.misalignment_n);
             start.errors.misalignment_n = -rotation_vector(&(given * aligned.rotation));
             start.north_unknown = aligned.north_unknown;
@@ -65,7 +65,7 @@ fn aligned(
     (first, state): (&TruthPoint, &EarthFixedState),
     truth: &Navigation,
     disturbance_e: &Vector3<f64>,
-    sensors: &SensorSuite,
+    imperfections: &Imperfections,
 ) -> Result<Aligned, Error> {
     let at_rest = AtRest::new(earth, state, truth, disturbance_e)?;
     let error_n = |triad: &Triad| {
@@ -73,8 +73,8 @@ fn aligned(
         rotate(&truth.q_nb, &steady)
     };
     // To an INS that computes with normal gravity the rest is an error of its accelerometers.
-    let force_error_n = error_n(&sensors.accel) - at_rest.disturbance_n;
-    Ok(at_rest.aligned(force_error_n, error_n(&sensors.gyro)))
+    let force_error_n = error_n(&imperfections.accel) - at_rest.disturbance_n;
+    Ok(at_rest.aligned(force_error_n, error_n(&imperfections.gyro)))
 }
 
 /// What an INS senses at rest.

@@ -37,10 +37,10 @@ impl<'a> Reader<'a> {
             NOTHING => (0, 0),
             BYTE => (u64::from(u8::from_le_bytes(self.bytes()?)), 1),
             WHOLE => (u64::from_le_bytes(self.bytes()?), 256),
-            _ => return Err(self.refused(size, Rule::Sentence("is not the size of a word"))),
+            _ => return Err(self.refused(size, Rule::Sentence("is not a code for the size of a number"))),
         };
         if word < smallest {
-            return Err(self.refused(word, Rule::Sentence("takes more bytes than it needs")));
+            return Err(self.refused(word, Rule::Sentence("is not stored in its shortest form")));
         }
         Ok(word)
     }

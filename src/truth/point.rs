@@ -154,9 +154,12 @@ impl TruthPoint {
 
     /// The point in geographic terms: the host's own place and velocity, to the bit.
     pub fn navigation(&self, earth: &Earth, axes: BodyAxes) -> Navigation {
-        match self.sample.v_n {
-            Some(v_n) => Navigation::new(self.sample.place, v_n, self.q_nb, axes),
-            None => self.state.navigation(earth, axes),
-        }
+        self.given(axes).unwrap_or_else(|| self.state.navigation(earth, axes))
+    }
+
+    /// The same, if the host gave the velocity.
+    #[inline(always)]
+    pub(crate) fn given(&self, axes: BodyAxes) -> Option<Navigation> {
+        self.sample.v_n.map(|v_n| Navigation::new(self.sample.place, v_n, self.q_nb, axes))
     }
 }

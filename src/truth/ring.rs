@@ -47,7 +47,7 @@ impl Ring {
         points.resize(RING, None);
         match points.into_boxed_slice().try_into() {
             Ok(points) => Ok(Self { points, pushed: 0, taken: 0 }),
-            Err(_) => Err(Error::bad_state("room for another number of points")),
+            Err(_) => Err(Error::bad_state("internal: the ring has another size")),
         }
     }
 

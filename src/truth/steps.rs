@@ -51,7 +51,7 @@ impl Steps<'_> {
                 "sample position: displacement that the velocity does not explain [m]",
                 unexplained.norm_squared().sqrt(),
                 Rule::AtMost(
-                    "must be at most 10 m and what max_acceleration_m_s2 makes of the time:",
+                    "must be at most 10 m plus the effect of max_acceleration_m_s2 in this interval:",
                     allowed,
                 ),
             );
@@ -112,7 +112,9 @@ impl Steps<'_> {
             return jump(
                 "sample attitude: rotation since the previous sample [rad]",
                 angle,
-                Rule::Sentence("must be below 170 degrees; beyond it the sense of the rotation is unknown"),
+                Rule::Sentence(
+                    "must be below 170 degrees; beyond it the direction of the rotation is unknown",
+                ),
             );
         }
         Ok(())
@@ -146,10 +148,10 @@ impl Steps<'_> {
         let change = (turn - foreseen).norm_squared().sqrt();
         if change > core::f64::consts::PI {
             return jump(
-                "sample attitude: rotation since the previous sample less the one foreseen [rad]",
+                "sample attitude: rotation since the previous sample less the predicted rotation [rad]",
                 change,
                 Rule::Sentence(
-                    "must be below 180 degrees, of the rotation by the angular rates or else that of the interval before; \
+                    "must be below 180 degrees; angular rates predict the rotation, or else the previous interval does; \
                      beyond it whole turns may be lost",
                 ),
             );

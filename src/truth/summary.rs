@@ -2,9 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::{FlightSample, Intake, IntakeLimits, Recent, TruthPoint};
+use super::{Recent, TruthPoint};
 use crate::earth::Earth;
-use crate::error::Error;
 use crate::math::{atan2, relative_rotation, rotation_vector};
 use crate::snapshot::{ANY, CLOCK_S, COUNT, moved_clock, stored};
 use crate::state::BodyAxes;
@@ -155,32 +154,5 @@ impl TruthSummary {
             self.sideslip_max.take_larger(atan2(right, (forward * forward + up * up).sqrt()), time_s);
             self.attack_max.take_larger(atan2(-up, forward), time_s);
         }
-    }
-
-    /// The summary of the samples of a log or a flight, which are checked as a simulator checks them. An error has the index of its
-    /// sample.
-    pub fn of_samples(
-        earth: &Earth,
-        axes: BodyAxes,
-        limits: IntakeLimits,
-        samples: impl IntoIterator<Item = FlightSample>,
-    ) -> Result<Self, (usize, Error)> {
-        let mut summary = Self::default();
-        let mut intake = Intake::new(*earth, axes, limits).map_err(|error| (0, error))?;
-        for (index, sample) in samples.into_iter().enumerate() {
-            intake.push(&sample).map_err(|error| (index, error))?;
-            if index == 0 {
-                continue;
-            }
-            if index == 1 {
-                // The first velocity is known by now.
-                intake.take();
-            }
-            if let Some(recent) = intake.recent() {
-                summary.add(earth, axes, &recent);
-            }
-            intake.take();
-        }
-        Ok(summary)
     }
 }

@@ -4,6 +4,7 @@
 #define ALLOCATOR_H
 
 #include <errno.h>
+#include <malloc.h>
 #include <stddef.h>
 
 void *__libc_malloc(size_t size);
@@ -14,6 +15,8 @@ void __libc_free(void *memory);
 
 /* Blocks that live, of all threads. */
 static long allocator_living;
+/* Bytes of these blocks. */
+static long allocator_bytes;
 /* Calls of this thread, frees among them. */
 static __thread long allocator_calls;
 /* Allocations of this thread that still succeed; negative: all. */
@@ -32,6 +35,7 @@ static inline int allocator_refuses(void)
 static inline void *allocator_counted(void *memory)
 {
     __atomic_add_fetch(&allocator_living, memory != NULL, __ATOMIC_RELAXED);
+    __atomic_add_fetch(&allocator_bytes, (long)malloc_usable_size(memory), __ATOMIC_RELAXED);
     return memory;
 }
 
@@ -50,7 +54,14 @@ void *realloc(void *memory, size_t size)
     if (allocator_refuses()) {
         return NULL;
     }
-    return memory == NULL ? allocator_counted(__libc_malloc(size)) : __libc_realloc(memory, size);
+    if (memory != NULL) {
+        long before = (long)malloc_usable_size(memory);
+        void *grown = __libc_realloc(memory, size);
+        long after = (long)malloc_usable_size(grown);
+        __atomic_add_fetch(&allocator_bytes, grown == NULL ? 0 : after - before, __ATOMIC_RELAXED);
+        return grown;
+    }
+    return allocator_counted(__libc_malloc(size));
 }
 
 int posix_memalign(void **memory, size_t alignment, size_t size)
@@ -67,6 +78,7 @@ void free(void *memory)
 {
     allocator_calls++;
     __atomic_sub_fetch(&allocator_living, memory != NULL, __ATOMIC_RELAXED);
+    __atomic_sub_fetch(&allocator_bytes, (long)malloc_usable_size(memory), __ATOMIC_RELAXED);
     __libc_free(memory);
 }
 

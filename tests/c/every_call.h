@@ -137,6 +137,7 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     sins_ensemble *ensemble = scene_ensemble();
     sins_sim *made = NULL;
     sins_flight *flight = NULL;
+    sins_scene_samples samples = {.struct_size = sizeof samples};
     sins_flight_start start = {.struct_size = sizeof start};
     sins_manoeuvre manoeuvres[1] = {{.struct_size = sizeof manoeuvres[0]}};
     char text[8192];
@@ -168,6 +169,10 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     EVERY_CALL(sins_scene_get_gravity_disturbance(scene, &gravity));
     EVERY_CALL(sins_scene_get_setup(scene, &setup));
     EVERY_CALL(sins_scene_get_text(scene, SINS_SCENE_TEXT_TITLE, text, sizeof text, NULL));
+    EVERY_CALL(sins_scene_set_values(scene, "gyro.bias_deg_h[1] = 0.5\nfailure[0].from_s = 3"));
+    EVERY_CALL(sins_scene_get_value(scene, "gyro.bias_deg_h[1]", text, sizeof text, NULL));
+    EVERY_CALL(sins_scene_get_samples(scene, NULL, &samples));
+    EVERY_CALL(sins_scene_set_items(scene, "manoeuvre", "[[manoeuvre]]\nkind = \"straight\"\nduration_s = 60\n"));
     EVERY_CALL(sins_scene_get_failure_count(scene, &count));
     EVERY_CALL(sins_scene_get_failure(scene, 0, &failure));
     EVERY_CALL(sins_scene_write(scene, text, sizeof text, NULL));

@@ -135,6 +135,9 @@ typedef struct {
     char sentence[200], written[8192], keys[32768], name[32];
     sins_fault fault;
     sins_flight_sample of_log;
+    sins_scene_key key;
+    char line[2048];
+    char value[128];
     sins_record of_scene;
     sins_statistics statistics, model_statistics;
     sins_figures figures;
@@ -167,6 +170,10 @@ static void fly_scene(results *found)
     CHECK(sins_scene_write(scene, found->written, sizeof found->written, NULL) == SINS_OK);
     CHECK(sins_scene_builtin_name(1, found->name, sizeof found->name, NULL) == SINS_OK);
     CHECK(sins_scene_write_keys(found->keys, sizeof found->keys, NULL) == SINS_OK);
+    SINS_INIT(found->key);
+    CHECK(sins_scene_get_key(25, &found->key) == SINS_OK && found->key.si_per_unit != 1.0);
+    CHECK(sins_scene_set_values(scene, "gyro.bias_deg_h[2] = 1e-3") == SINS_OK);
+    CHECK(sins_scene_get_value(scene, "gyro.bias_rad_s", found->value, sizeof found->value, NULL) == SINS_OK);
     CHECK(sins_scene_create_simulator(scene, &sim) == SINS_OK);
     CHECK(sins_scene_create_flight(scene, &flight) == SINS_OK);
     for (k = 0; k < COUNT; k++) {
@@ -251,6 +258,7 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_last_error(sim, found->sentence, sizeof found->sentence, NULL) == SINS_OK);
     CHECK(sins_last_error_info(sim, &found->info) == SINS_OK);
     CHECK(sins_get_record(sim, &found->record) == SINS_OK);
+    CHECK(sins_record_line(&found->record, NULL, 0, NULL, found->line, sizeof found->line, NULL) == SINS_OK);
     CHECK(sins_get_truth(sim, &found->truth) == SINS_OK);
     CHECK(sins_get_navigation(sim, &found->navigation) == SINS_OK);
     CHECK(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &found->errors) == SINS_OK);

@@ -183,16 +183,33 @@ AT(sins_manoeuvre, channel, 72);
 AT(sins_manoeuvre, amplitude, 96);
 AT(sins_manoeuvre, phase_rad, 192);
 
-SIZE(sins_fault, SINS_SIZEOF_FAULT, 288);
+SIZE(sins_fault, SINS_SIZEOF_FAULT, 408);
 AT(sins_fault, count, 8);
 AT(sins_fault, column, 24);
-AT(sins_fault, sentence, 32);
+AT(sins_fault, value, 32);
+AT(sins_fault, path, 56);
+AT(sins_fault, sentence, 152);
+
+SIZE(sins_scene_key, SINS_SIZEOF_SCENE_KEY, 592);
+AT(sins_scene_key, count, 8);
+AT(sins_scene_key, kind, 16);
+AT(sins_scene_key, si_per_unit, 32);
+AT(sins_scene_key, section, 56);
+AT(sins_scene_key, unit, 160);
+AT(sins_scene_key, default_value, 208);
+AT(sins_scene_key, words, 240);
+AT(sins_scene_key, meaning, 464);
 
 SIZE(sins_scene_setup, SINS_SIZEOF_SCENE_SETUP, 72);
 AT(sins_scene_setup, flight, 8);
 AT(sins_scene_setup, quiet, 16);
 AT(sins_scene_setup, duration_s, 24);
 AT(sins_scene_setup, every_s, 64);
+
+SIZE(sins_scene_samples, SINS_SIZEOF_SCENE_SAMPLES, 48);
+AT(sins_scene_samples, count, 8);
+AT(sins_scene_samples, start_s, 24);
+AT(sins_scene_samples, duration_s, 40);
 
 SIZE(sins_planned_failure, SINS_SIZEOF_PLANNED_FAILURE, 80);
 AT(sins_planned_failure, sensor, 8);

@@ -150,6 +150,7 @@ static void null_pointers_of_scenes(sins_sim *sim)
     sins_log *log = scene_log(), *made_log = NULL;
     sins_flight_start start = {.struct_size = sizeof start};
     sins_manoeuvre manoeuvres[4] = {{.struct_size = sizeof manoeuvres[0]}};
+    char text[16];
     size_t count;
     NULL_POINTER(sins_scene_create(NULL));
     NULL_POINTER(sins_scene_create_builtin(NULL, &made));
@@ -159,6 +160,13 @@ static void null_pointers_of_scenes(sins_sim *sim)
     NULL_POINTER(sins_scene_get_fault(scene, 0, NULL));
     NULL_POINTER(sins_scene_write(scene, NULL, 100, NULL));
     NULL_POINTER(sins_scene_write_keys(NULL, 100, NULL));
+    NULL_POINTER(sins_scene_get_key(0, NULL));
+    NULL_POINTER(sins_scene_get_value(scene, NULL, text, sizeof text, NULL));
+    NULL_POINTER(sins_scene_get_value(scene, "gyro.bias_deg_h", NULL, 100, NULL));
+    NULL_POINTER(sins_scene_set_values(scene, NULL));
+    NULL_POINTER(sins_scene_set_items(scene, NULL, ""));
+    NULL_POINTER(sins_scene_set_items(scene, "failure", NULL));
+    NULL_POINTER(sins_scene_get_samples(scene, log, NULL));
     NULL_POINTER(sins_scene_create_simulator(scene, NULL));
     NULL_POINTER(sins_scene_create_flight(scene, NULL));
     NULL_POINTER(sins_scene_prepare(scene, sim, 0.0, NULL));
@@ -239,6 +247,8 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     sins_cost cost = {.struct_size = sizeof cost};
     sins_flight_sample next = {.struct_size = sizeof next, .time_s = 0.02};
     sins_budget_row row[1] = {{.struct_size = sizeof row[0]}};
+    sins_record record = {.struct_size = sizeof record};
+    char text[16];
     rest.duration_s = 1.0;
     piece[1].time_s = 0.01;
 
@@ -268,6 +278,8 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     NULL_POINTER(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, NULL));
     NULL_POINTER(sins_get_accuracy(sim, NULL));
     NULL_POINTER(sins_get_record(sim, NULL));
+    NULL_POINTER(sins_record_line(&record, NULL, 6, NULL, text, sizeof text, NULL));
+    NULL_POINTER(sins_record_line(&record, NULL, 0, NULL, NULL, sizeof text, NULL));
     NULL_POINTER(sins_get_options(sim, NULL));
     NULL_POINTER(sins_start_navigation(sim, NULL));
     NULL_POINTER(sins_push_imu(sim, NULL));

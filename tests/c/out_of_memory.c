@@ -18,6 +18,21 @@ static sins_status create(void)
     return status;
 }
 
+/* Heap that a simulator takes when it is created. Of the later calls on it only loading a snapshot allocates. */
+static void print_size(const char *name, int32_t error_model, int32_t covariance)
+{
+    sins_options options = {.struct_size = sizeof options};
+    sins_sim *sim = NULL;
+    long before = allocator_bytes, taken;
+    options.error_model = error_model;
+    options.covariance = covariance;
+    CHECK(sins_create(&options, &sim) == SINS_OK);
+    taken = allocator_bytes - before;
+    CHECK(sins_destroy(sim) == SINS_OK);
+    CHECK(taken > 0 && allocator_bytes == before);
+    printf("out_of_memory: a simulator %s takes %ld bytes\n", name, taken);
+}
+
 static sins_status create_flight(void)
 {
     sins_flight_start start = {.struct_size = sizeof start};
@@ -152,6 +167,8 @@ int main(void)
 
     scene_samples(samples);
     CHECK(sins_create(NULL, &fresh) == SINS_OK);
+    print_size("with the default options", SINS_ERROR_MODEL_OFF, SINS_COVARIANCE_OFF);
+    print_size("with error model and covariance", SINS_ERROR_MODEL_RK4, SINS_COVARIANCE_ON);
     sim = scene_simulator(NULL, 1);
     scene_fly(sim, samples, expected);
     CHECK(sins_reset(sim) == SINS_OK);

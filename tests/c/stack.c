@@ -92,6 +92,7 @@ static void read_all(sins_sim *sim)
     MEASURE(sins_get_errors(sim, SINS_ERRORS_MODEL, &errors));
     MEASURE(sins_get_accuracy(sim, &accuracy));
     MEASURE(sins_get_record(sim, &record));
+    MEASURE(sins_record_line(&record, NULL, 0, &covariance, NULL, 0, &size));
     MEASURE(sins_get_options(sim, &options));
     MEASURE(sins_get_gyro(sim, &gyro));
     MEASURE(sins_get_accel(sim, &accel));
@@ -284,6 +285,8 @@ static void call_with_scenes(void)
     sins_scene_setup setup = {.struct_size = sizeof setup};
     sins_planned_failure failure = {.struct_size = sizeof failure};
     sins_fault fault = {.struct_size = sizeof fault};
+    sins_scene_key key = {.struct_size = sizeof key};
+    sins_scene_samples scene_samples = {.struct_size = sizeof scene_samples};
     sins_log_info info = {.struct_size = sizeof info};
     sins_flight_sample sample = {.struct_size = sizeof sample};
     sins_scene *scene = NULL, *other = NULL;
@@ -311,6 +314,11 @@ static void call_with_scenes(void)
     MEASURE(sins_scene_parse(scene_text, sizeof scene_text - 1, &scene));
     MEASURE(sins_scene_write(scene, text, sizeof text, NULL));
     MEASURE(sins_scene_write_keys(text, sizeof text, NULL));
+    MEASURE(sins_scene_get_key(20, &key));
+    MEASURE(sins_scene_get_samples(scene, NULL, &scene_samples));
+    MEASURE(sins_scene_get_value(scene, "failure[0]", text, sizeof text, NULL));
+    MEASURE(sins_scene_set_items(scene, "failure", text));
+    MEASURE(sins_scene_set_values(scene, "gyro.bias_deg_h[2] = 0.5\noptions.scheme = paper"));
     MEASURE(sins_scene_create_simulator(scene, &sim));
     MEASURE(sins_scene_create_flight(scene, &flight));
     MEASURE(sins_flight_sample_at(flight, 0.0, &sample));

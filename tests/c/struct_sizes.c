@@ -64,6 +64,14 @@ static void *stating(size_t size, int filling)
 /* Of structs that have grown: their sizes in the first release. */
 enum { FIRST_FLIGHT_SAMPLE = 136 };
 
+/* The line of a record; what is NULL is good. */
+static sins_status line_of(const sins_record *record, const sins_covariance *covariance)
+{
+    sins_record good = {.struct_size = sizeof good};
+    char line[2048];
+    return sins_record_line(record ? record : &good, NULL, 0, covariance, line, sizeof line, NULL);
+}
+
 static sins_status create_and_destroy(const sins_options *options)
 {
     sins_sim *sim = NULL;
@@ -229,6 +237,8 @@ static void struct_sizes_of_scenes(sins_sim *sim)
     OUTPUT_SIZES(sins_scene_setup, sins_scene_get_setup(scene, pointer));
     OUTPUT_SIZES(sins_fault, sins_scene_get_fault(faulty, 0, pointer));
     OUTPUT_SIZES(sins_fault, fault_of_log(pointer));
+    OUTPUT_SIZES(sins_scene_key, sins_scene_get_key(0, pointer));
+    OUTPUT_SIZES(sins_scene_samples, sins_scene_get_samples(scene, log, pointer));
     OUTPUT_SIZES(sins_log_info, sins_log_get_info(log, pointer));
     OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_log_get_sample(log, 0, pointer, NULL));
     INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_scene_prepare(scene, sim, 0.0, pointer));
@@ -277,6 +287,8 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_accuracy, sins_get_accuracy(sim, pointer));
     OUTPUT_SIZES(sins_record, sins_get_record(sim, pointer));
     OUTPUT_SIZES(sins_record, run_for_record(fresh, pointer));
+    INPUT_SIZES(sins_record, line_of(pointer, NULL));
+    INPUT_SIZES(sins_covariance, line_of(NULL, pointer));
     OUTPUT_SIZES(sins_options, sins_get_options(sim, pointer));
     OUTPUT_SIZES(sins_error_info, sins_last_error_info(sim, pointer));
     OUTPUT_SIZES(sins_gyro_params, sins_get_gyro(sim, pointer));

@@ -99,8 +99,11 @@ fn data_sheet_units_are_what_their_texts_say() {
 #[test]
 fn names_are_whole() {
     for parameter in PARAMETERS {
-        assert!(parameter.doc.starts_with(|letter: char| letter.is_ascii_lowercase()), "{}", parameter.name);
-        assert!(!parameter.doc.ends_with('.') && parameter.doc.is_ascii() && parameter.note.is_ascii());
+        let fields = [parameter.gyro, parameter.accel];
+        for doc in fields.iter().flatten().map(|field| parameter.doc_of(field)).chain([parameter.doc]) {
+            assert!(doc.starts_with(|letter: char| letter.is_ascii_lowercase()), "{doc}");
+            assert!(!doc.ends_with('.') && doc.is_ascii() && parameter.note.is_ascii(), "{doc}");
+        }
         assert!(parameter.note.is_empty() || parameter.note.ends_with('.'), "{}", parameter.name);
         for (field, sensor) in [(parameter.gyro, "gyro"), (parameter.accel, "accel")] {
             let Some(field) = field else { continue };

@@ -12,7 +12,7 @@ cd "$(dirname "$0")/../.."
 
 seconds=${1:-20}
 shift || true
-targets=${*:-scene_text log_text calls snapshots random_calls}
+targets=${*:-scene_text scene_values log_text calls snapshots random_calls}
 triple=x86_64-unknown-linux-gnu
 folder=$PWD/target/fuzz
 findings=$folder/findings

@@ -24,7 +24,10 @@ fn the_small_examples_run() {
     assert!(text.contains("can be left out") && text.contains("left out: "), "{text}");
 
     let text = prints_alike("cpp_host", &["c_examples/cpp_host.cpp"], &C_AND_CPP[1..], &[]);
-    assert!(text.contains("line 3: flight.builtin = \"petrol\": no such flight; patrol?"), "{text}");
+    assert!(
+        text.contains("line 3: flight.builtin = \"petrol\": no such flight; did you mean patrol?"),
+        "{text}"
+    );
     assert!(text.contains("nmi/h") && text.contains("gyro.markov_time_s[1] = 0"), "{text}");
 }
 

@@ -77,6 +77,12 @@ fn a_fault_has_its_line_its_column_and_a_sentence() {
     is(&format!("{HEADER}\n{row}1,45,0,0,0,0,0,\n"), 3, 8, "8 fields");
     let (line, _, sentence) = fault(format!("{HEADER}\n{row}1,4\x005,0,0,0,0,0\n").as_bytes());
     assert_eq!((line, sentence.as_str()), (3, "a zero byte: not a text"));
+    // Rows that share a line could not be told apart by its number.
+    for ends in ["\r", "\r\r\n", "\n1,45,0,0,0,\"\r\",0\n"] {
+        let (line, column, sentence) = fault(format!("{HEADER}\r\n{}{ends}", row.trim_end()).as_bytes());
+        assert_eq!((line, column), (if ends.starts_with('\n') { 3 } else { 2 }, 1), "{ends:?}");
+        assert!(sentence.starts_with("a carriage return without a line feed"), "{ends:?}: {sentence}");
+    }
     let mut bytes = format!("{HEADER}\n{row}1,45,0,0,0,0,").into_bytes();
     bytes.push(0xff);
     assert_eq!(fault(&bytes).2, "not UTF-8");

@@ -67,6 +67,8 @@ fn every_function_and_struct_is_in_the_programs() {
             "sins_create" => &["*options"],
             "sins_recommend" => &["*configured"],
             "sins_error_budget" => &["*configured", "*request", "*written", "*budget"],
+            "sins_record_line" => &["*record", "*sensor_errors", "*covariance", "*needed"],
+            "sins_scene_get_samples" => &["*log"],
             "sins_scene_get_manoeuvres" => &["*start", "*repeat"],
             "sins_log_parse" => &["*fault"],
             // Null is no handle.

@@ -20,3 +20,5 @@ mod scene_functions;
 mod scene_settings;
 #[cfg(feature = "scenes")]
 mod scene_text;
+#[cfg(feature = "scenes")]
+mod scene_values;

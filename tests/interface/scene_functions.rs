@@ -226,14 +226,89 @@ fn a_temperature_that_is_not_used_is_named() {
     }
 }
 
+/// The sentence of the last failure on this thread.
+fn last_error() -> String {
+    // SAFETY: a buffer with its size, and a place for the size that is needed.
+    text_of(|buffer, capacity, needed| unsafe { sins_last_error(null_mut(), buffer, capacity, needed) })
+}
+
+#[test]
+fn a_message_names_the_field_that_the_caller_set() {
+    let (mut scene, mut setup) = (null_mut(), init::<sins_scene_setup>());
+    let (mut failure, start, mut rest) =
+        (init::<sins_planned_failure>(), init::<sins_flight_start>(), init::<sins_manoeuvre>());
+    rest.duration_s = 60.0;
+    let refused = |status: sins_status, expected: &str| {
+        assert_eq!((status, last_error().as_str()), (SINS_ERROR_INVALID_ARGUMENT, expected));
+    };
+    // SAFETY: living handles and structs of the interface.
+    unsafe {
+        assert_eq!(sins_scene_create(&mut scene), SINS_OK);
+        failure.fields.kind = SINS_FAILURE_DEAD;
+        failure.axis = 3;
+        refused(sins_scene_add_failure(scene, &failure), "failure.axis = 3: must be from 0 to 2");
+        failure.sensor = 3;
+        let words = "failure.sensor = 3: must be of enum sins_sensor, 0 to 2";
+        refused(sins_scene_add_failure(scene, &failure), words);
+        refused(
+            sins_scene_set_manoeuvres(scene, &start, &rest, 1, 4097),
+            "repeat = 4097: must be from 1 to 4096",
+        );
+        // The second time, the speed would be less than none.
+        let mut brake = init::<sins_manoeuvre>();
+        (brake.kind, brake.duration_s, brake.speed_change_m_s) = (SINS_MANOEUVRE_ACCELERATE, 60.0, -60.0);
+        let fast = sins_flight_start { speed_m_s: 100.0, ..start };
+        assert_eq!(sins_scene_set_manoeuvres(scene, &fast, &brake, 1, 2), SINS_ERROR_INVALID_ARGUMENT);
+        assert!(last_error().contains("[0] = "), "{}", last_error());
+        assert_eq!(sins_scene_get_setup(scene, &mut setup), SINS_OK);
+        for (set, field) in [
+            ((|setup, value| setup.duration_s = value) as fn(&mut sins_scene_setup, f64), "duration_s"),
+            (|setup, value| setup.rate_hz = value, "rate_hz"),
+            (|setup, value| setup.temperature_c = value, "temperature_c"),
+            (|setup, value| setup.temperature_change_c_s = value, "temperature_change_c_s"),
+            (|setup, value| setup.every_s = value, "every_s"),
+        ] {
+            for (value, shown) in [(-1e9, "-1e9"), (f64::NAN, "NaN")] {
+                let mut setup = sins_scene_setup { has_temperature: 1, ..setup };
+                set(&mut setup, value);
+                assert_eq!(sins_scene_set_setup(scene, &setup), SINS_ERROR_INVALID_ARGUMENT);
+                let begin = format!("setup.{field} = {shown}: must be ");
+                assert!(last_error().starts_with(&begin), "{}", last_error());
+            }
+        }
+        refused(
+            sins_scene_set_text(scene, SINS_SCENE_TEXT_NAME, c"a/b".as_ptr()),
+            "text: must be a name without a folder; output.folder has that",
+        );
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+    }
+}
+
+#[test]
+fn the_fault_of_a_log_is_the_last_error_until_another_call_fails() {
+    let mut log = null_mut();
+    let text =
+        c"time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad\n0,north,0,0,0,0,0\n";
+    // SAFETY: a text with its size, and a place for a handle.
+    let parse = |log: *mut *mut sins_log| unsafe {
+        sins_log_parse(text.as_ptr(), text.count_bytes(), log, null_mut())
+    };
+    let expected = "line = 2, column 2: latitude_rad: expected a finite number, found \"north\"";
+    assert_eq!(parse(&mut log), SINS_ERROR_INVALID_ARGUMENT);
+    assert_eq!((log.is_null(), last_error().as_str()), (true, expected));
+    assert_eq!(parse(null_mut()), SINS_ERROR_NULL_POINTER);
+    assert_eq!(last_error(), "log: must not be null");
+    assert_eq!(parse(&mut log), SINS_ERROR_INVALID_ARGUMENT);
+    // SAFETY: a handle that is none is rejected.
+    assert_eq!(unsafe { sins_log_destroy(null_mut()) }, SINS_ERROR_BAD_HANDLE);
+    assert_eq!(last_error(), "log: is null, made up, destroyed, or of another kind");
+}
+
 #[test]
 fn an_enumeration_is_named_by_its_type() {
     let (mut sim, mut options) = (null_mut(), init::<sins_options>());
     options.truth_summary = 2;
     // SAFETY: options that state their size, and a place for a handle.
-    let text = unsafe {
-        assert_eq!(sins_create(&options, &mut sim), SINS_ERROR_INVALID_ARGUMENT);
-        text_of(|buffer, capacity, needed| sins_last_error(null_mut(), buffer, capacity, needed))
-    };
-    assert_eq!(text, "options.truth_summary = 2: must be of enum sins_summary, 0 to 1");
+    assert_eq!(unsafe { sins_create(&options, &mut sim) }, SINS_ERROR_INVALID_ARGUMENT);
+    assert_eq!(last_error(), "options.truth_summary = 2: must be of enum sins_summary, 0 to 1");
 }

@@ -182,7 +182,7 @@ fn a_file_with_several_faults_gets_them_all_with_their_lines() {
     assert_eq!(
         told(text),
         [
-            (5, "no such key: bias_deg_hour; bias_deg_h?".to_owned()),
+            (5, "no such key: bias_deg_hour; did you mean bias_deg_h?".to_owned()),
             (6, "gyro.range_deg_s[0] = -1: must be 0 for none, or from 5.72958e-8 to 5.72958e7".to_owned()),
             (
                 7,
@@ -192,7 +192,7 @@ fn a_file_with_several_faults_gets_them_all_with_their_lines() {
             (8, "gyro.bias_deg_h[1] = 1000000000: must be from -2.06265e7 to 2.06265e7".to_owned()),
             (10, "options.scheme = \"fast\": expected exact, paper, polynomial".to_owned()),
             (11, "options.subsamples = 9: must be from 1 to 5".to_owned()),
-            (12, "no such section: altimter; altimeter?".to_owned()),
+            (12, "no such section: altimter; did you mean altimeter?".to_owned()),
         ]
     );
 }
@@ -209,7 +209,7 @@ fn what_does_not_go_together_is_told() {
     let flight = "[flight]\nbuiltin = \"patrol\"\n";
     one("", 1, "expected a flight");
     one("[flight]\nbuiltin = \"patrol\"\nfile = \"log.csv\"\n", 1, "only one of");
-    one("[flight]\nbuiltin = \"petrol\"\n", 2, "no such flight; patrol?");
+    one("[flight]\nbuiltin = \"petrol\"\n", 2, "no such flight; did you mean patrol?");
     one("[flight]\nfile = \"a.csv\"\nrate_hz = 10\n", 3, "its own time stamps");
     one(&format!("{flight}latitude_deg = 3\n"), 3, "has its own start");
     one(&format!("{flight}temperature_change_c_h = 3\n"), 3, "only together with temperature_c");

@@ -99,7 +99,8 @@ pub fn prints_alike(name: &str, sources: &[&str], standards: &[&str], arguments:
 /// Builds and runs `tests/c/NAME.c`.
 pub fn run_test_program(name: &str) {
     let folder = library_folder(name);
-    succeed(&mut test_program(name, &folder));
+    let output = succeed(&mut test_program(name, &folder));
+    print!("{}", String::from_utf8_lossy(&output.stdout));
 }
 
 /// `tests/c/NAME.c`, built in `folder`.

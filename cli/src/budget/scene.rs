@@ -47,7 +47,7 @@ impl Scene {
     pub fn sample(&self, index: usize) -> Result<FlightSample, Error> {
         let mut sample = self.given.sample(index)?;
         if let Some(temperature) = &self.given.scene.temperature {
-            sample.temperature_c = Some(temperature.at(sample.time_s - self.given.start_s()));
+            sample.temperature_c = Some(temperature.at(sample.time_s - self.given.start_s));
         }
         Ok(sample)
     }

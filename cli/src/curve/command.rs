@@ -74,7 +74,8 @@ fn named(name: &str) -> Result<Choice, String> {
     }
     let names = || embedded::ALL.iter().map(|scene| scene.name);
     embedded::ALL.iter().find(|scene| scene.name == name).map(|scene| Choice(Some(scene))).ok_or_else(|| {
-        let near = sins::scene::nearest(name, names()).map_or(String::new(), |near| format!("; {near}?"));
+        let near = sins::scene::nearest(name, names())
+            .map_or(String::new(), |near| format!("; did you mean {near}?"));
         format!("expected all or one of {}{near}", names().collect::<Vec<_>>().join(", "))
     })
 }

@@ -8,6 +8,7 @@ use csv::{ReaderBuilder, Trim};
 
 use super::configuration::Configuration;
 use crate::failure::Failure;
+use crate::given::reject_device;
 
 const HEADER: [&str; 5] = ["scheme", "subsamples", "updates_per_sample", "frame", "instructions_per_step"];
 
@@ -19,6 +20,7 @@ pub struct Instructions {
 
 impl Instructions {
     pub fn read(path: &Path) -> Result<Self, Failure> {
+        reject_device(path)?;
         let input =
             File::open(path).map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
         Self::from_csv(path, input)

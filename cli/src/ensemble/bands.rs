@@ -59,7 +59,7 @@ struct Lines {
 impl Lines {
     /// The error at `place` of a [`State`](super::results::State).
     fn of(study: &Study, place: usize) -> Self {
-        let start_s = study.given.start_s();
+        let start_s = study.given.start_s;
         let rows = study.of(ErrorSource::Navigation);
         let time_s: Vec<f64> = rows.iter().map(|row| row.time_s - start_s).collect();
         let run = |path: &Vec<_>| {
@@ -110,7 +110,7 @@ pub fn radial(study: &Study) -> Result<Figure, Failure> {
     let time = time_axis(study.given.duration_s);
     let rows = study.of(ErrorSource::Navigation);
     let unit = fitting(rows.iter().map(|row| row.figures.largest_radial_m).fold(0.0, f64::max), LENGTH);
-    let start_s = study.given.start_s();
+    let start_s = study.given.start_s;
     let line = |pen, value: fn(&super::table::Row) -> f64| {
         let point = |row: &&super::table::Row| ((row.time_s - start_s) / time.seconds, value(row) / unit.si);
         Trace::new(pen, rows.iter().map(point).collect())

@@ -125,7 +125,7 @@ impl<'a> Work<'a> {
     /// Pushes the sample `index`, with the failures and the temperature that are due.
     fn push(&self, ensemble: &mut Ensemble, index: usize, mut sample: FlightSample) -> Result<(), Failure> {
         let scene = &self.given.scene;
-        let prepared = scene.prepare(ensemble, self.given.start_s(), &mut sample);
+        let prepared = scene.prepare(ensemble, self.given.start_s, &mut sample);
         let pushed = prepared.and_then(|()| ensemble.push_sample(&sample));
         pushed.map(|_| ()).map_err(|error| stopped(self.given, index, &error))
     }

@@ -148,7 +148,7 @@ mod tests {
     fn a_name_is_what_stands_before_its_explanation() {
         for (doc, expected) in [
             ("constant bias, measured less true", "constant bias"),
-            ("white noise N: angle or velocity random walk", "white noise N"),
+            ("white noise N: angle random walk", "white noise N"),
             ("deflection in the meridian (xi)", "deflection in the meridian"),
             ("mechanization", "mechanization"),
         ] {

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 use sins::errors::AccuracyFigures;
+use sins::records;
 use sins::truth::{FlightSample, TruthSummary};
 use sins::{ClosureFigures, Error, ErrorKind, ImuInterval, Simulator, TrimFigures};
 
@@ -14,8 +15,7 @@ use crate::given::Given;
 use crate::interrupt;
 use crate::output::OutputFile;
 use crate::progress::Progress;
-use crate::record::{COLUMNS, NEAR_POLE, NOT_COMPUTED, Record, SIGMA_COLUMNS};
-use crate::rows::number;
+use crate::record::{NEAR_POLE, NOT_COMPUTED, Record};
 
 /// Samples between two looks at the clock, at the signals and at the disk.
 const CHUNK: usize = 4096;
@@ -76,7 +76,8 @@ pub fn fly(
     let Some(simulator) = simulators.first_mut() else {
         return Err(Failure::of_kind(Kind::Failed, "no simulator"));
     };
-    let result = fly_with(simulator, given, every, files, flown, quiet);
+    let sensor_errors = SensorSum::default();
+    let result = InFlight { simulator, given, every, files, flown, sensor_errors }.fly(quiet);
     if let Ok(Some((_, accuracy, closure))) = simulator.accuracy() {
         flown.accuracy = Some((accuracy, closure, simulator.trim()?.unwrap_or_default()));
     }
@@ -86,85 +87,83 @@ pub fn fly(
     result
 }
 
-fn fly_with(
-    simulator: &mut Simulator,
-    given: &Given,
+/// A flight under way.
+struct InFlight<'a> {
+    simulator: &'a mut Simulator,
+    given: &'a Given,
+    /// Intervals from one record to the next.
     every: u64,
-    files: &mut Files,
-    flown: &mut Flown,
-    quiet: bool,
-) -> Result<(), Failure> {
-    let sigmas = if given.scene.options.covariance { &SIGMA_COLUMNS[..] } else { &[] };
-    write_line(&mut files.records, &[&COLUMNS, sigmas].concat())?;
-    if let Some(file) = &mut files.imu {
-        write_line(file, &imu::COLUMNS)?;
-    }
-    push(simulator, given, 0, given.sample(0)?)?;
-    let start = Record::now(simulator).map_err(|error| stopped(given, 0, &error))?;
-    start.iter().try_for_each(|record| keep(flown, &mut files.records, record))?;
-    let progress = Progress::flying("flying", given.count - 1, quiet);
-    let mut sum = SensorSum::default();
-    for first in (1..given.count).step_by(CHUNK) {
-        let last = (first + CHUNK).min(given.count);
-        // The flight is made outside of the time that counts: a host has its own.
-        let samples = (first..last).map(|index| given.sample(index)).collect::<Result<Vec<_>, Error>>()?;
-        let began = Instant::now();
-        for (index, sample) in (first..last).zip(samples) {
-            push(simulator, given, index, sample)?;
-            step(simulator, given, index, every, files, flown, &mut sum)?;
-        }
-        flown.seconds += began.elapsed().as_secs_f64();
-        files.records.check()?;
-        if let Some(file) = &mut files.imu {
-            file.check()?;
-        }
-        if interrupt::is_asked() {
-            return Err(Failure::of_kind(Kind::Interrupted, "interrupted; the files are complete"));
-        }
-        progress.fly(last - first, given.period_s);
-    }
-    Ok(())
+    files: &'a mut Files,
+    flown: &'a mut Flown,
+    sensor_errors: SensorSum,
 }
 
-/// Pushes the sample `index`, with the failures and the temperature that are due.
-fn push(
-    simulator: &mut Simulator,
-    given: &Given,
-    index: usize,
-    mut sample: FlightSample,
-) -> Result<(), Failure> {
-    let prepared = given.scene.prepare(simulator, given.start_s(), &mut sample);
-    let pushed = prepared.and_then(|()| simulator.push_sample(&sample));
-    pushed.map(|_| ()).map_err(|error| stopped(given, index, &error))
-}
+impl InFlight<'_> {
+    fn fly(&mut self, quiet: bool) -> Result<(), Failure> {
+        let given = self.given;
+        write_line(&mut self.files.records, &records::head(given.scene.options.covariance))?;
+        if let Some(file) = &mut self.files.imu {
+            write_line(file, &imu::COLUMNS.join(","))?;
+        }
+        self.push(0, given.sample(0)?)?;
+        if let Some(start) = self.record(0)? {
+            keep(self.flown, &mut self.files.records, &start)?;
+        }
+        let progress = Progress::flying("flying", given.count - 1, quiet);
+        for first in (1..given.count).step_by(CHUNK) {
+            let last = (first + CHUNK).min(given.count);
+            // The flight is made outside of the time that counts: a host has its own.
+            let samples =
+                (first..last).map(|index| given.sample(index)).collect::<Result<Vec<_>, Error>>()?;
+            let began = Instant::now();
+            for (index, sample) in (first..last).zip(samples) {
+                self.push(index, sample)?;
+                self.step(index)?;
+            }
+            self.flown.seconds += began.elapsed().as_secs_f64();
+            self.files.records.check()?;
+            if let Some(file) = &mut self.files.imu {
+                file.check()?;
+            }
+            if interrupt::is_asked() {
+                return Err(Failure::of_kind(Kind::Interrupted, "interrupted; the files are complete"));
+            }
+            progress.fly(last - first, given.period_s);
+        }
+        Ok(())
+    }
 
-/// Flies the interval that the sample `index` ends.
-fn step(
-    simulator: &mut Simulator,
-    given: &Given,
-    index: usize,
-    every: u64,
-    files: &mut Files,
-    flown: &mut Flown,
-    sum: &mut SensorSum,
-) -> Result<(), Failure> {
-    simulator.step().map_err(|error| stopped(given, index, &error))?;
-    flown.steps += 1;
-    if let Some(interval) = simulator.imu() {
-        sum.add(&interval);
-        if let Some(file) = &mut files.imu {
-            let written = imu::write_row(file, &interval);
-            written.map_err(|error| Failure::of_output(file.path(), &error))?;
-        }
+    /// Pushes the sample `index`, with the failures and the temperature that are due.
+    fn push(&mut self, index: usize, mut sample: FlightSample) -> Result<(), Failure> {
+        let prepared = self.given.scene.prepare(self.simulator, self.given.start_s, &mut sample);
+        let pushed = prepared.and_then(|()| self.simulator.push_sample(&sample));
+        pushed.map(|_| ()).map_err(|error| stopped(self.given, index, &error))
     }
-    if simulator.intervals().is_multiple_of(every) {
-        let record = Record::now(simulator).map_err(|error| stopped(given, index, &error))?;
-        if let Some(mut record) = record {
-            [record.gyro_error, record.accel_error] = sum.take();
-            keep(flown, &mut files.records, &record)?;
+
+    /// Flies the interval that the sample `index` ends.
+    fn step(&mut self, index: usize) -> Result<(), Failure> {
+        self.simulator.step().map_err(|error| stopped(self.given, index, &error))?;
+        self.flown.steps += 1;
+        if let Some(interval) = self.simulator.imu() {
+            self.sensor_errors.add(&interval);
+            if let Some(file) = &mut self.files.imu {
+                let written = imu::write_row(file, &interval);
+                written.map_err(|error| Failure::of_output(file.path(), &error))?;
+            }
         }
+        if self.simulator.intervals().is_multiple_of(self.every)
+            && let Some(mut record) = self.record(index)?
+        {
+            [record.gyro_error, record.accel_error] = self.sensor_errors.take();
+            keep(self.flown, &mut self.files.records, &record)?;
+        }
+        Ok(())
     }
-    Ok(())
+
+    /// The record now, after the sample `index`.
+    fn record(&mut self, index: usize) -> Result<Option<Record>, Failure> {
+        Record::now(self.simulator).map_err(|error| stopped(self.given, index, &error))
+    }
 }
 
 /// Why the flight ends at a sample: it is a bad one, or the solution left its range.
@@ -179,9 +178,7 @@ fn stopped(given: &Given, index: usize, error: &Error) -> Failure {
 /// Writes a record and takes its largest errors.
 fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(), Failure> {
     let sigmas = record.sigma.iter().flatten().copied();
-    let values: Vec<String> = record.values().into_iter().chain(sigmas).map(number).collect();
-    let text = values.join(",") + "\n";
-    file.write_all(text.as_bytes()).map_err(|error| Failure::of_output(file.path(), &error))?;
+    write_line(file, &records::line(record.values().into_iter().chain(sigmas)))?;
     flown.records += 1;
 
     let (errors, model) = (&record.navigation_error, &record.model_error);
@@ -203,6 +200,6 @@ fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(),
     Ok(())
 }
 
-fn write_line(file: &mut OutputFile, columns: &[&str]) -> Result<(), Failure> {
-    writeln!(file, "{}", columns.join(",")).map_err(|error| Failure::of_output(file.path(), &error))
+fn write_line(file: &mut OutputFile, line: &str) -> Result<(), Failure> {
+    writeln!(file, "{line}").map_err(|error| Failure::of_output(file.path(), &error))
 }

@@ -70,11 +70,11 @@ fn closure(figures: &Figures) -> String {
         text += &format!("  {what:<30}{numbers}\n");
     };
     axes("position [m]", &closure.position_n, 3);
-    axes("  of it the truth's own", &closure.host_position_n, 2);
-    axes("  sensors and simulator", &(closure.position_n - closure.host_position_n), 2);
+    axes("  caused by the truth", &closure.host_position_n, 2);
+    axes("  caused by sensors, simulator", &(closure.position_n - closure.host_position_n), 2);
     axes("velocity [m/s]", &closure.velocity_n, 3);
-    axes("  of it the truth's own", &closure.host_velocity_n, 2);
-    axes("  sensors and simulator", &(closure.velocity_n - closure.host_velocity_n), 2);
+    axes("  caused by the truth", &closure.host_velocity_n, 2);
+    axes("  caused by sensors, simulator", &(closure.velocity_n - closure.host_velocity_n), 2);
     axes("rms velocity error [m/s]", &figures.accuracy.velocity_rms_n, 3);
     let trim = &figures.trim;
     if figures.scene().options.closed_loop_time_s.is_some() {
@@ -94,7 +94,7 @@ fn closure(figures: &Figures) -> String {
 
 fn accuracy(figures: &Figures) -> String {
     let (accuracy, flown) = (&figures.accuracy, figures.flown);
-    let mut text = "\naccuracy of this run, which is no ensemble\n".to_owned();
+    let mut text = "\naccuracy of this run (one run, no statistics of many)\n".to_owned();
     let mut line =
         |what: &str, value: f64, unit: &str| text += &format!("  {what:<72}{} {unit}\n", number(value));
     if figures.has_rates() {
@@ -121,7 +121,7 @@ fn accuracy(figures: &Figures) -> String {
     }
     if !figures.has_rates() {
         let from_s = accuracy.window_start_s;
-        text += &format!("  radial error rates, R50, slope: none, they count from {from_s} s on\n");
+        text += &format!("  radial error rates, R50, slope: none before {from_s} s of flight\n");
     }
     text
 }

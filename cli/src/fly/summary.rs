@@ -69,8 +69,8 @@ fn settings(figures: &Figures, rows: &mut Rows) {
         ("seed", "random seed"),
         ("run", "Monte Carlo run number"),
     ] {
-        let value = scene.value(&format!("options.{key}"));
-        rows.text(key, &value.unwrap_or_default(), label);
+        let value = scene.value(&format!("options.{key}")).unwrap_or_default();
+        rows.text(key, value.trim_matches('"'), label);
     }
     rows.number("rate_hz", figures.rate_hz(), "Hz", "sample rate (mean over the flight)");
     for (key, section, label) in [

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 /// A device has no end, or waits for a keyboard.
 pub fn reject_device(path: &Path) -> Result<(), Failure> {
     if is_device(path) {
-        return Err(Failure::of_file(path, &"is a device: a log is a file or a pipe"));
+        return Err(Failure::of_file(path, &"is a device: expected a file or a pipe"));
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use sins::Error;
 use sins::flight::Flight;
 use sins::log::FlightLog;
-use sins::scene::{FlightSource, Scene};
+use sins::scene::{FlightSource, Samples, Scene};
 use sins::truth::FlightSample;
 
 pub use arguments::SceneArguments;
@@ -23,9 +23,6 @@ use crate::failure::Failure;
 use crate::units::rounded;
 use log::read_log;
 use text::{Text, name_of};
-
-/// Largest rounding error of a time [intervals]: it must not remove a sample.
-const ROUNDING: f64 = 1e-9;
 
 /// A scene with its flight.
 #[derive(Debug)]
@@ -41,6 +38,8 @@ pub struct Given {
     pub title: String,
     /// Number of samples.
     pub count: usize,
+    /// Time stamp of the first sample [s].
+    pub start_s: f64,
     /// Time between two samples, of a log on average [s].
     pub period_s: f64,
     /// Time from the first sample to the last [s].
@@ -109,9 +108,26 @@ impl Given {
             }
             _ => Motion::Flight(scene.flight()?),
         };
-        let (count, period_s, duration_s) = extent(&scene, &motion)?;
+        let samples = match &motion {
+            Motion::Flight(_) => scene.samples(None)?,
+            Motion::Log(path, log) => {
+                scene.samples(Some(log)).map_err(|error| Failure::of_file(path, &error))?
+            }
+        };
+        let Samples { count, start_s, period_s, duration_s } = samples;
         let title = title(&scene, &motion);
-        Ok(Self { scene, name, origin: text.origin, inputs, title, count, period_s, duration_s, motion })
+        Ok(Self {
+            scene,
+            name,
+            origin: text.origin,
+            inputs,
+            title,
+            count,
+            start_s,
+            period_s,
+            duration_s,
+            motion,
+        })
     }
 
     /// The sample `index`.
@@ -122,14 +138,6 @@ impl Given {
                 flight.sample_at((index as f64 / self.scene.rate_hz).min(flight.duration_s()))
             }
             Motion::Log(_, log) => Ok(log.samples()[index]),
-        }
-    }
-
-    /// Time stamp of the first sample [s].
-    pub fn start_s(&self) -> f64 {
-        match &self.motion {
-            Motion::Flight(_) => 0.0,
-            Motion::Log(_, log) => log.samples()[0].time_s,
         }
     }
 
@@ -162,30 +170,6 @@ impl Given {
 /// Reads the scene of the file `path`, or of that name, and nothing of its flight.
 pub fn read_scene(name: &OsStr, settings: &Settings) -> Result<Scene, Failure> {
     Text::find(name)?.parse(settings)
-}
-
-/// Number of samples, time between them, duration [s].
-fn extent(scene: &Scene, motion: &Motion) -> Result<(usize, f64, f64), Failure> {
-    match motion {
-        Motion::Flight(_) => {
-            let period_s = 1.0 / scene.rate_hz;
-            let intervals = (scene.flown_s()? / period_s + ROUNDING).floor();
-            Ok((intervals as usize + 1, period_s, intervals * period_s))
-        }
-        Motion::Log(path, log) => {
-            let samples = log.samples();
-            let wanted_s = scene.duration_s.unwrap_or(f64::INFINITY) * (1.0 + ROUNDING);
-            let is_flown = |sample: &&FlightSample| sample.time_s - samples[0].time_s <= wanted_s;
-            let count = samples.iter().take_while(is_flown).count();
-            if count < 2 {
-                let what =
-                    format!("flight.hours: the log has no second sample within {} s", rounded(wanted_s, 6));
-                return Err(Failure::of_file(path, &what));
-            }
-            let duration_s = samples[count - 1].time_s - samples[0].time_s;
-            Ok((count, duration_s / (count - 1) as f64, duration_s))
-        }
-    }
 }
 
 /// Title of the scene: its own, or else one made from its flight.

@@ -57,10 +57,10 @@ impl Text {
 
     fn failure(&self, faults: &[Fault], settings: &Settings) -> Failure {
         let sentence = |fault: &Fault| match fault {
-            Fault { line: 0, column, sentence } => {
+            Fault { line: 0, column, sentence, .. } => {
                 format!("{}: {sentence}", settings.argument(*column))
             }
-            Fault { line, column, sentence } => format!("{}:{line}:{column}: {sentence}", self.origin),
+            Fault { line, column, sentence, .. } => format!("{}:{line}:{column}: {sentence}", self.origin),
         };
         Failure::all(faults.iter().map(|fault| Failure::new(sentence(fault))).collect())
     }

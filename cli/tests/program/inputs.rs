@@ -33,7 +33,11 @@ fn pipes_and_standard_input_are_logs_and_devices_are_not() {
     done(&folder, &["fly", "logs/mylog.csv", "-q"]);
     let of = |name: &str| read(folder.join("sins_out").join(name));
     assert!(of("log.csv") == of("mylog.csv") && of("pipe.csv") == of("mylog.csv"));
-    for order in [&["fly", "--log", "/dev/zero"][..], &["allan", "/dev/zero", "-o", "a.svg"]] {
+    for order in [
+        &["fly", "--log", "/dev/zero"][..],
+        &["allan", "/dev/zero", "-o", "a.svg"],
+        &["curve", "--instructions", "/dev/zero"],
+    ] {
         assert!(rejected(&folder, order).contains("/dev/zero: is a device"), "{order:?}");
     }
     // A pipe is no run: its summary cannot lie beside it. It is not waited for.
@@ -94,7 +98,7 @@ fn every_fault_of_a_scene_has_its_line() {
     assert_eq!((code, said.lines().count()), (2, 2), "{said}{errors}");
     let lines: Vec<&str> = errors.lines().collect();
     for (line, begin) in lines.iter().zip([
-        "bad.toml:4:1: no such key: bais_deg_h; bias_deg_h?",
+        "bad.toml:4:1: no such key: bais_deg_h; did you mean bias_deg_h?",
         "bad.toml:5:14: gyro.bias_deg_h = \"x\"",
         "bad.toml:7:1: options.subsamples = 9",
         "lost.toml:3: nowhere.csv: cannot be read",

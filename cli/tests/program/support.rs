@@ -21,9 +21,10 @@ pub fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// The program in `folder`.
+/// The program in `folder`, or what `SINS_PROGRAM` names in its place (tests/windows_program.sh).
 pub fn sins(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_sins"));
+    let program = std::env::var_os("SINS_PROGRAM").unwrap_or_else(|| env!("CARGO_BIN_EXE_sins").into());
+    let mut command = Command::new(program);
     command.args(arguments).current_dir(folder).stdin(Stdio::null());
     command
 }

@@ -155,7 +155,7 @@ fn named(kind: &Type) -> String {
 }
 
 fn prototype(interface: &Interface, function: &Function) -> String {
-    let Function { name, doc, arguments, result } = function;
+    let Function { name, doc, arguments, result, .. } = function;
     let list = arguments.iter().enumerate();
     let list: Vec<String> =
         list.map(|(index, argument)| dummy(interface, argument, function.is_array(index))).collect();

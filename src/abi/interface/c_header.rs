@@ -2,12 +2,17 @@
 
 use super::c_types::{argument_list, declaration};
 use super::model::{Constant, Enumeration, Function, Interface, Struct};
+use super::text::filled;
 
-/// Longest line of a prototype.
+/// Longest line of a prototype, and of the index.
 const WIDTH: usize = 118;
 
+/// Line of the preamble in whose place the index of functions stands.
+const INDEX: &str = " * INDEX\n";
+
 pub fn write(interface: &Interface, preamble: &str) -> String {
-    let mut text = format!("{preamble}\n");
+    let (head, rest) = preamble.split_once(INDEX).expect("the preamble has a place for the index");
+    let mut text = format!("{head}{}{rest}\n", index(&interface.functions));
     for family in &interface.enumerations {
         text += &enumeration(family);
     }
@@ -25,6 +30,17 @@ pub fn write(interface: &Interface, preamble: &str) -> String {
         text += &format!("{}\n\n", prototype(interface, function));
     }
     text + "#ifdef __cplusplus\n}\n#endif\n\n#endif /* SINS_H */\n"
+}
+
+/// The functions of each subject, in the order of the header.
+fn index(functions: &[Function]) -> String {
+    let mut text = String::new();
+    for group in functions.chunk_by(|one, next| one.subject == next.subject) {
+        let names: Vec<&str> = group.iter().map(|function| function.name.as_str()).collect();
+        let list = format!("{}: {}", group[0].subject, names.join(", "));
+        text += &format!(" *   {}\n", filled(&[list], WIDTH - 7).join("\n *     "));
+    }
+    text
 }
 
 /// The last constant without a comma, for C90 and C++98.

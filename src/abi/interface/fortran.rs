@@ -114,7 +114,7 @@ fn declared(interface: &Interface, of: &Type) -> String {
 }
 
 fn prototype(interface: &Interface, function: &Function) -> String {
-    let Function { name, doc, arguments, result } = function;
+    let Function { name, doc, arguments, result, .. } = function;
     let names: Vec<&str> = arguments.iter().map(|argument| argument.name.as_str()).collect();
     let mut text = "\n".to_owned() + &remark("    ", doc);
     let head = format!("    function {name}({}) bind(C, name=\"{name}\")", names.join(", "));

@@ -19,49 +19,42 @@ use std::path::Path;
 
 use model::Interface;
 
-/// In the order in which a reader of the header wants them.
-const SOURCES: [&str; 41] = [
-    "version",
-    "failure",
-    "options",
-    "simulator",
-    "last_error",
-    "gyro",
-    "accel",
-    "altimeter",
-    "sensor_failure",
-    "initial",
-    "mounting",
-    "gravity",
-    "sample",
-    "run",
-    "solution",
-    "imu",
-    "errors",
-    "accuracy",
-    "truth_summary",
-    "covariance",
-    "record",
-    "navigator",
-    "snapshot",
-    "ensemble",
-    "ensemble_read",
-    "../statistics/layout",
-    "statistics",
-    "ensemble_snapshot",
-    "preset",
-    "manoeuvre",
-    "flight",
-    "scene",
-    "scene_prepare",
-    "fault_report",
-    "scene_settings",
-    "scene_flight",
-    "scene_failure",
-    "log",
-    "recommend",
-    "budget",
-    "budget_answer",
+/// Subjects in the order in which a reader of the header wants them, with their sources.
+const SUBJECTS: [(&str, &[&str]); 17] = [
+    ("Version and statuses", &["version", "failure"]),
+    ("Simulator", &["options", "simulator"]),
+    ("Why a call failed", &["last_error"]),
+    ("Sensor errors", &["gyro", "accel", "altimeter"]),
+    ("Failures of sensors", &["sensor_failure"]),
+    ("Start, mounting, gravity", &["initial", "mounting", "gravity"]),
+    ("Many samples in one call", &["sample", "run"]),
+    (
+        "Reads",
+        &["solution", "imu", "errors", "accuracy", "truth_summary", "covariance", "record", "record_line"],
+    ),
+    ("Navigation on increments", &["navigator"]),
+    ("Snapshots", &["snapshot"]),
+    (
+        "Ensembles and statistics",
+        &["ensemble", "ensemble_read", "../statistics/layout", "statistics", "ensemble_snapshot"],
+    ),
+    ("Presets of sensors", &["preset"]),
+    ("Embedded flights", &["manoeuvre", "flight"]),
+    (
+        "Scenes",
+        &[
+            "scene",
+            "scene_prepare",
+            "fault_report",
+            "scene_settings",
+            "scene_flight",
+            "scene_text",
+            "scene_failure",
+        ],
+    ),
+    ("Values of a scene by their paths", &["scene_key", "scene_value"]),
+    ("Flight logs", &["log", "scene_samples"]),
+    ("Which options, which effects matter", &["recommend", "budget", "budget_answer"]),
 ];
 
 /// A file for hosts: its path in the project, and its text.
@@ -74,8 +67,11 @@ pub fn generate(abi: &Path, sensor_params: &str) -> (Vec<Output>, String) {
         fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
     };
     let preamble = read("preamble.h");
-    let sources = SOURCES.iter().map(|name| read(&format!("{name}.rs")));
-    let sources: Vec<String> = sources.chain([sensor_params.to_owned()]).collect();
+    let of_subject = |&(subject, names): &(_, &[&str])| {
+        names.iter().map(|name| (subject, read(&format!("{name}.rs")))).collect::<Vec<_>>()
+    };
+    let sources: Vec<_> =
+        SUBJECTS.iter().flat_map(of_subject).chain([("", sensor_params.to_owned())]).collect();
     let interface = Interface::read(&preamble, &sources);
     let outputs = vec![
         ("include/sins.h", c_header::write(&interface, &preamble)),

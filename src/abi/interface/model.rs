@@ -53,6 +53,8 @@ pub struct Struct {
 }
 
 pub struct Function {
+    /// What it is about, for the index of the header.
+    pub subject: &'static str,
     pub name: String,
     pub doc: Vec<String>,
     pub arguments: Vec<Variable>,

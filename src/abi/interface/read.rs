@@ -8,13 +8,13 @@ use super::model::{Alias, Constant, Enumeration, Function, Interface, Struct, Ty
 const FLAT: &str = "Flat in C.";
 
 impl Interface {
-    /// Of the sources, in their order, and of the units of the preamble.
-    pub fn read(preamble: &str, sources: &[String]) -> Self {
+    /// Of the sources with their subjects, in their order, and of the units of the preamble.
+    pub fn read(preamble: &str, sources: &[(&'static str, String)]) -> Self {
         let mut interface = Self { units: super::units::read(preamble), ..Self::default() };
         let mut structs = Vec::new();
-        for source in sources {
+        for (subject, source) in sources {
             for item in syn::parse_file(source).expect("a source of src/abi parses").items {
-                interface.add(item, &mut structs);
+                interface.add(item, subject, &mut structs);
             }
         }
         for index in 0..interface.functions.len() {
@@ -25,7 +25,7 @@ impl Interface {
         interface
     }
 
-    fn add(&mut self, item: Item, structs: &mut Vec<Struct>) {
+    fn add(&mut self, item: Item, subject: &'static str, structs: &mut Vec<Struct>) {
         match item {
             Item::Type(item) if is_public(&item.vis) => {
                 let (name, kind, doc) = (item.ident.to_string(), Type::of(&item.ty), doc(&item.attrs));
@@ -64,6 +64,7 @@ impl Interface {
                 });
                 let ReturnType::Type(_, result) = &item.sig.output else { panic!("functions have results") };
                 self.functions.push(Function {
+                    subject,
                     name: item.sig.ident.to_string(),
                     doc: doc(&item.attrs),
                     arguments: arguments.collect(),

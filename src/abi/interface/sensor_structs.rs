@@ -80,11 +80,11 @@ fn of_triad(row: &Parameter) -> Member {
     };
     let doc = match (row.gyro, row.accel) {
         (Some(gyro), Some(accel)) if unit(&gyro) != unit(&accel) => {
-            format!("{} [{} or {}].", definition(row), unit(&gyro), unit(&accel))
+            format!("{} [{} or {}].", sentence(row.doc), unit(&gyro), unit(&accel))
         }
-        (Some(field), Some(_)) => format!("{} [{}].", definition(row), unit(&field)),
-        (Some(gyro), None) => format!("{} [{}]. Of gyros alone.", definition(row), unit(&gyro)),
-        (None, Some(accel)) => format!("{} [{}]. Of accelerometers alone.", definition(row), unit(&accel)),
+        (Some(field), Some(_)) => format!("{} [{}].", sentence(row.doc), unit(&field)),
+        (Some(gyro), None) => format!("{} [{}]. Of gyros alone.", sentence(row.doc), unit(&gyro)),
+        (None, Some(accel)) => format!("{} [{}]. Of accelerometers alone.", sentence(row.doc), unit(&accel)),
         (None, None) => unreachable!("{} is of no sensor", row.name),
     };
     Member { name: row.name, kind, doc, shape: row.shape }
@@ -107,13 +107,13 @@ fn of_interface(row: &Parameter, field: Field, field_of: FieldOf) -> Member {
             format!("{range}; needed where {} is not 0", sigma.expect("it has a time").name())
         }
     };
-    let doc = format!("{} [{}], {range}. {}", definition(row), unit(&field), row.note);
+    let doc = format!("{} [{}], {range}. {}", sentence(row.doc_of(&field)), unit(&field), row.note);
     Member { name: field.name(), kind, doc, shape: row.shape }
 }
 
 /// A definition as a sentence begins.
-fn definition(row: &Parameter) -> String {
-    let (first, rest) = row.doc.split_at(1);
+fn sentence(doc: &str) -> String {
+    let (first, rest) = doc.split_at(1);
     first.to_uppercase() + rest
 }
 

@@ -129,16 +129,11 @@ impl EarthFixedForm {
     }
 
     /// In local terms: φ = ψ + dth, δv_n = δv - dth×v.
-    #[inline]
+    #[inline(always)]
     pub fn errors(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> StateErrors {
-        let first = local.pair_in_local_axes(&VectorPair::new(&self.dr, &self.dv));
-        let second = local.pair_in_local_axes(&VectorPair::new(&self.psi, v_e));
-        let position_n = first.first();
+        let [position_n, dv_n] = local.two_in_local_axes(&self.dr, &self.dv);
+        let [psi_n, v_n] = local.two_in_local_axes(&self.psi, v_e);
         let axes = local.rotation_of_axes(&position_n);
-        StateErrors {
-            position_n,
-            velocity_n: first.second() - axes.cross(&second.second()),
-            misalignment_n: second.first() + axes,
-        }
+        StateErrors { position_n, velocity_n: dv_n - axes.cross(&v_n), misalignment_n: psi_n + axes }
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::earth::{Earth, Vertical};
-use crate::math::VectorPair;
+use crate::math::Two;
 
 /// Cosines of latitude below this are taken as this: tan L stays finite at a pole, where it has no meaning.
 const MIN_COS: f64 = 1e-9;
@@ -21,11 +21,23 @@ pub(super) struct LocalGeometry {
     pub n: f64,
 }
 
+/// A call, so that the usual case has no selection of components.
+#[cold]
+#[inline(never)]
+fn east_at_pole() -> Vector3<f64> {
+    Vector3::y()
+}
+
 impl LocalGeometry {
     pub fn new(earth: &Earth, vertical: &Vertical) -> Self {
         let up = vertical.up_e;
         let cos = (up.x * up.x + up.y * up.y).sqrt();
-        let east = if cos > 0.0 { Vector3::new(-up.y / cos, up.x / cos, 0.0) } else { Vector3::y() };
+        let east = if cos > 0.0 {
+            let east = Two::new(-up.y, up.x) / Two::both(cos);
+            Vector3::new(east.first(), east.second(), 0.0)
+        } else {
+            east_at_pole()
+        };
         let radii = earth.radii(up.z);
         Self {
             east,
@@ -45,9 +57,12 @@ impl LocalGeometry {
 
     /// The same of two vectors.
     #[inline(always)]
-    pub fn pair_in_local_axes(&self, pair: &VectorPair) -> VectorPair {
-        let along = |axis: &Vector3<f64>| VectorPair::both(axis).dot(pair);
-        VectorPair { x: along(&self.east), y: along(&self.north), z: along(&self.up) }
+    pub fn two_in_local_axes(&self, one: &Vector3<f64>, other: &Vector3<f64>) -> [Vector3<f64>; 2] {
+        let two = |i: usize| Two::new(one[i], other[i]);
+        let (x, y, z) = (two(0), two(1), two(2));
+        let along = |axis: &Vector3<f64>| x * axis.x + y * axis.y + z * axis.z;
+        let (x, y, z) = (along(&self.east), along(&self.north), along(&self.up));
+        [Vector3::new(x.first(), y.first(), z.first()), Vector3::new(x.second(), y.second(), z.second())]
     }
 
     /// Local to Earth-fixed components.

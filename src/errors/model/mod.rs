@@ -218,8 +218,20 @@ impl ErrorModel {
         }
     }
 
+    /// In local terms, of the reference point. It has its own geometry: that of the caller stays in registers.
+    #[inline(never)]
+    fn state_errors(&self, point: &TruthPoint, block: Option<&Block>) -> StateErrors {
+        match block {
+            None => {
+                self.in_local_terms(&LocalGeometry::new(&self.earth, &point.vertical()), &point.state.v_e)
+            }
+            Some(block) => self.of_reference_point(point, block),
+        }
+    }
+
     /// The errors at the truth `point`, which is `truth` in geographic terms; of the reference point, where the sensors are
     /// those of `block`.
+    #[inline(always)]
     pub fn errors(
         &self,
         point: &TruthPoint,
@@ -228,9 +240,9 @@ impl ErrorModel {
         block: Option<&Block>,
     ) -> NavigationErrors {
         let local = LocalGeometry::new(&self.earth, &point.vertical());
-        let StateErrors { position_n, velocity_n, misalignment_n } = match block {
-            None => self.in_local_terms(&local, &point.state.v_e),
-            Some(block) => self.of_reference_point(point, block),
+        let StateErrors { position_n, velocity_n, misalignment_n } = match (&self.form, block) {
+            (Form::EarthFixed(form), None) => form.errors(&local, &point.state.v_e),
+            _ => self.state_errors(point, block),
         };
         // C~ = (I - [φ×]) C, to first order a rotation by -φ.
         let q_nb = rotation_quaternion(&-misalignment_n) * truth.q_nb;

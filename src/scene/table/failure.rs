@@ -2,7 +2,7 @@
 
 use super::super::draft::FAILURE_KINDS;
 use super::super::key::{Key, Section, Shape, Target, one};
-use super::{PURE, first_words, numbers, unit, within};
+use super::{PURE, first_words, numbers, si, unit, within};
 use crate::units::{DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G};
 
 const F: Section = Section::Failure;
@@ -13,6 +13,9 @@ pub const BY_SENSOR: [[&str; 3]; 2] = [
     ["size_deg_h", "size_micro_g", "size_m"],
     ["density_deg_sqrt_h", "density_micro_g_sqrt_hz", "density_m_sqrt_hz"],
 ];
+
+/// The sensors that can fail, in the order of [`BY_SENSOR`].
+pub const SENSORS: &[&str] = &["gyro", "accelerometer", "altimeter"];
 
 const KIND_WORDS: &[&str] = &first_words(FAILURE_KINDS);
 
@@ -32,7 +35,7 @@ pub const FAILURE: &[Key] = &[
         "sensor",
         "what fails",
         "failure.sensor",
-        &["gyro", "accelerometer", "altimeter"],
+        SENSORS,
         |d| d.failure.sensor,
         |d, sensor| d.failure.sensor = sensor,
     ),
@@ -52,66 +55,66 @@ pub const FAILURE: &[Key] = &[
         |d| d.failure.kind,
         |d, kind| d.failure.kind = kind,
     ),
+    within(F, ("from_s", si("s"), "time since the start of the flight"), (0.0, 1e9), "failure.from_s", |d| {
+        one(&mut d.failure.from_s)
+    }),
     within(
         F,
-        ("from_s", unit("s", 1.0), "time since the start of the flight"),
-        (0.0, 1e9),
-        "failure.from_s",
-        |d| one(&mut d.failure.from_s),
-    ),
-    within(
-        F,
-        ("until_s", unit("s", 1.0), "time since the start of the flight; default to its end"),
+        ("until_s", si("s"), "time since the start of the flight; default to its end"),
         (0.0, 1e9),
         "failure.until_s",
         |d| one(&mut d.failure.until_s),
     ),
     numbers(
         F,
-        ("size_deg_h", unit("deg/h", DEG_PER_HOUR), "bias step, spikes of a gyro"),
+        ("size_deg_h", unit("deg/h", DEG_PER_HOUR, "rad/s"), "bias step, spikes of a gyro"),
         N,
         "failure.size_rad_s",
         |d| one(&mut d.failure.size),
     ),
     numbers(
         F,
-        ("size_micro_g", unit("micro-g", MICRO_G), "bias step, spikes of an accelerometer"),
+        ("size_micro_g", unit("micro-g", MICRO_G, "m/s2"), "bias step, spikes of an accelerometer"),
         N,
         "failure.size_m_s2",
         |d| one(&mut d.failure.size),
     ),
-    numbers(F, ("size_m", unit("m", 1.0), "bias step, spikes of the altimeter"), N, "failure.size_m", |d| {
+    numbers(F, ("size_m", si("m"), "bias step, spikes of the altimeter"), N, "failure.size_m", |d| {
         one(&mut d.failure.size)
     }),
     numbers(
         F,
-        ("density_deg_sqrt_h", unit("deg/sqrt(h)", DEG_PER_SQRT_HOUR), "noise of a gyro"),
+        ("density_deg_sqrt_h", unit("deg/sqrt(h)", DEG_PER_SQRT_HOUR, "rad/sqrt(s)"), "noise of a gyro"),
         N,
         "failure.density_rad_sqrt_s",
         |d| one(&mut d.failure.density),
     ),
     numbers(
         F,
-        ("density_micro_g_sqrt_hz", unit("micro-g/sqrt(Hz)", MICRO_G), "noise of an accelerometer"),
+        (
+            "density_micro_g_sqrt_hz",
+            unit("micro-g/sqrt(Hz)", MICRO_G, "(m/s)/sqrt(s)"),
+            "noise of an accelerometer",
+        ),
         N,
         "failure.density_m_s_sqrt_s",
         |d| one(&mut d.failure.density),
     ),
     numbers(
         F,
-        ("density_m_sqrt_hz", unit("m/sqrt(Hz)", 1.0), "noise of the altimeter"),
+        ("density_m_sqrt_hz", si("m/sqrt(Hz)"), "noise of the altimeter"),
         N,
         "failure.density_m_sqrt_hz",
         |d| one(&mut d.failure.density),
     ),
     numbers(
         F,
-        ("interval_s", unit("s", 1.0), "spikes, drop-outs: from one to the next"),
+        ("interval_s", si("s"), "spikes, drop-outs: from one to the next"),
         N,
         "failure.interval_s",
         |d| one(&mut d.failure.interval_s),
     ),
-    numbers(F, ("duration_s", unit("s", 1.0), "spikes: length of one"), N, "failure.duration_s", |d| {
+    numbers(F, ("duration_s", si("s"), "spikes: length of one"), N, "failure.duration_s", |d| {
         one(&mut d.failure.duration_s)
     }),
     numbers(

@@ -1,7 +1,7 @@
 //! The true motion: `[flight]`, `[[manoeuvre]]`, `[[manoeuvre.sinusoid]]`.
 
 use super::super::key::{Key, Section, Shape, Target, one};
-use super::{PURE, choice, first_words, numbers, unit, within};
+use super::{PURE, first_words, numbers, si, unit, within};
 use crate::flight::{Channel, MANOEUVRE_KINDS};
 use crate::units::DEG;
 
@@ -25,77 +25,69 @@ pub const FLIGHT: &[Key] = &[
     text("title", "Patrol", "the scene in words", |d| &mut d.scene.title),
     within(
         F,
-        ("hours", unit("h", 3600.0), "how long to fly; default the whole flight"),
+        ("hours", unit("h", 3600.0, "s"), "how long to fly; default the whole flight"),
         (1e-5, 1e5),
         "flight.duration_s",
         |d| one(&mut d.duration_s),
     ),
     within(
         F,
-        ("rate_hz", unit("Hz", 1.0), "sample rate; a log has its own time stamps"),
+        ("rate_hz", si("Hz"), "sample rate; a log has its own time stamps"),
         (1e-3, 2e4),
         "flight.rate_hz",
         |d| one(&mut d.scene.rate_hz),
     ),
     within(
         F,
-        ("temperature_c", unit("deg C", 1.0), "temperature of the sensors at the start"),
+        ("temperature_c", si("deg C"), "temperature of the sensors at the start"),
         (-273.15, 1000.0),
         "flight.temperature_c",
         |d| one(&mut d.temperature_c),
     ),
     within(
         F,
-        ("temperature_change_c_h", unit("deg C/h", 1.0 / 3600.0), "its change, steady"),
+        ("temperature_change_c_h", unit("deg C/h", 1.0 / 3600.0, "deg C/s"), "its change, steady"),
         (-1e6, 1e6),
         "flight.temperature_change_c_s",
         |d| one(&mut d.temperature_change_c_s),
     ),
     numbers(
         F,
-        ("latitude_deg", unit("deg", DEG), "geodetic latitude of the start"),
+        ("latitude_deg", unit("deg", DEG, "rad"), "geodetic latitude of the start"),
         N,
         "start.latitude_rad",
         |d| one(&mut d.start.latitude_rad),
     ),
     numbers(
         F,
-        ("longitude_deg", unit("deg", DEG), "longitude of the start, east positive"),
+        ("longitude_deg", unit("deg", DEG, "rad"), "longitude of the start, east positive"),
         N,
         "start.longitude_rad",
         |d| one(&mut d.start.longitude_rad),
     ),
+    numbers(F, ("height_m", si("m"), "height of the start above the ellipsoid"), N, "start.height_m", |d| {
+        one(&mut d.start.height_m)
+    }),
+    numbers(F, ("speed_m_s", si("m/s"), "speed at the start against the Earth"), N, "start.speed_m_s", |d| {
+        one(&mut d.start.speed_m_s)
+    }),
     numbers(
         F,
-        ("height_m", unit("m", 1.0), "height of the start above the ellipsoid"),
-        N,
-        "start.height_m",
-        |d| one(&mut d.start.height_m),
-    ),
-    numbers(
-        F,
-        ("speed_m_s", unit("m/s", 1.0), "speed at the start against the Earth"),
-        N,
-        "start.speed_m_s",
-        |d| one(&mut d.start.speed_m_s),
-    ),
-    numbers(
-        F,
-        ("heading_deg", unit("deg", DEG), "course and heading at the start"),
+        ("heading_deg", unit("deg", DEG, "rad"), "course and heading at the start"),
         N,
         "start.heading_rad",
         |d| one(&mut d.start.heading_rad),
     ),
     numbers(
         F,
-        ("roll_deg", unit("deg", DEG), "roll of the body against the path, all the way"),
+        ("roll_deg", unit("deg", DEG, "rad"), "roll of the body against the path, all the way"),
         N,
         "start.roll_rad",
         |d| one(&mut d.start.roll_rad),
     ),
     numbers(
         F,
-        ("pitch_deg", unit("deg", DEG), "pitch of the body against the path, all the way"),
+        ("pitch_deg", unit("deg", DEG, "rad"), "pitch of the body against the path, all the way"),
         N,
         "start.pitch_rad",
         |d| one(&mut d.start.pitch_rad),
@@ -124,38 +116,30 @@ pub const MANOEUVRE: &[Key] = &[
             set: |d, kind| d.manoeuvre.kind = kind,
         },
     },
+    numbers(M, ("duration_s", si("s"), "duration; of a turn it follows"), N, "manoeuvre.duration_s", |d| {
+        one(&mut d.manoeuvre.duration_s)
+    }),
     numbers(
         M,
-        ("duration_s", unit("s", 1.0), "duration; of a turn it follows"),
-        N,
-        "manoeuvre.duration_s",
-        |d| one(&mut d.manoeuvre.duration_s),
-    ),
-    numbers(
-        M,
-        ("ramp_s", unit("s", 1.0), "time in which it sets in, and in which it ends; default 5"),
+        ("ramp_s", si("s"), "time in which it sets in, and in which it ends; default 5"),
         N,
         "manoeuvre.ramp_s",
         |d| one(&mut d.manoeuvre.ramp_s),
     ),
-    numbers(
-        M,
-        ("speed_change_m_s", unit("m/s", 1.0), "of accelerate"),
-        N,
-        "manoeuvre.speed_change_m_s",
-        |d| one(&mut d.manoeuvre.speed_change_m_s),
-    ),
-    numbers(M, ("height_change_m", unit("m", 1.0), "of climb"), N, "manoeuvre.height_change_m", |d| {
+    numbers(M, ("speed_change_m_s", si("m/s"), "of accelerate"), N, "manoeuvre.speed_change_m_s", |d| {
+        one(&mut d.manoeuvre.speed_change_m_s)
+    }),
+    numbers(M, ("height_change_m", si("m"), "of climb"), N, "manoeuvre.height_change_m", |d| {
         one(&mut d.manoeuvre.height_change_m)
     }),
     numbers(
         M,
-        ("heading_change_deg", unit("deg", DEG), "of turn; of s_turn to both sides"),
+        ("heading_change_deg", unit("deg", DEG, "rad"), "of turn; of s_turn to both sides"),
         N,
         "manoeuvre.heading_change_rad",
         |d| one(&mut d.manoeuvre.heading_change_rad),
     ),
-    numbers(M, ("bank_deg", unit("deg", DEG), "of turn"), N, "manoeuvre.bank_rad", |d| {
+    numbers(M, ("bank_deg", unit("deg", DEG, "rad"), "of turn"), N, "manoeuvre.bank_rad", |d| {
         one(&mut d.manoeuvre.bank_rad)
     }),
     numbers(M, ("turns", PURE, "whole rolls or loops; swings of s_turn"), N, "manoeuvre.turns", |d| {
@@ -163,35 +147,44 @@ pub const MANOEUVRE: &[Key] = &[
     }),
 ];
 
+/// The words of what a sinusoid moves.
+pub const CHANNELS: [(&str, Channel); 6] = [
+    ("course", Channel::Course),
+    ("climb", Channel::Climb),
+    ("speed", Channel::Speed),
+    ("roll", Channel::Roll),
+    ("pitch", Channel::Pitch),
+    ("heading", Channel::Heading),
+];
+
 pub const SINUSOID: &[Key] = &[
-    choice!(S, "channel", "what it moves", "sinusoid.channel", sinusoid.channel, [
-        "course" => Channel::Course,
-        "climb" => Channel::Climb,
-        "speed" => Channel::Speed,
-        "roll" => Channel::Roll,
-        "pitch" => Channel::Pitch,
-        "heading" => Channel::Heading,
-    ]),
+    Key {
+        section: S,
+        name: "channel",
+        doc: "what it moves",
+        target: Target::Choice {
+            field: "sinusoid.channel",
+            words: &first_words(CHANNELS),
+            get: |d| CHANNELS.iter().position(|(_, channel)| *channel == d.sinusoid.channel).unwrap_or(0),
+            set: |d, index| d.sinusoid.channel = CHANNELS[index].1,
+        },
+    },
     numbers(
         S,
-        ("amplitude_deg", unit("deg", DEG), "amplitude of an angle"),
+        ("amplitude_deg", unit("deg", DEG, "rad"), "amplitude of an angle"),
         N,
         "sinusoid.amplitude_rad",
         |d| one(&mut d.sinusoid.amplitude_rad),
     ),
-    numbers(
-        S,
-        ("amplitude_m_s", unit("m/s", 1.0), "amplitude of the speed"),
-        N,
-        "sinusoid.amplitude_m_s",
-        |d| one(&mut d.sinusoid.amplitude_m_s),
-    ),
-    numbers(S, ("frequency_hz", unit("Hz", 1.0), "frequency"), N, "sinusoid.frequency_hz", |d| {
+    numbers(S, ("amplitude_m_s", si("m/s"), "amplitude of the speed"), N, "sinusoid.amplitude_m_s", |d| {
+        one(&mut d.sinusoid.amplitude_m_s)
+    }),
+    numbers(S, ("frequency_hz", si("Hz"), "frequency"), N, "sinusoid.frequency_hz", |d| {
         one(&mut d.sinusoid.frequency_hz)
     }),
     numbers(
         S,
-        ("phase_deg", unit("deg", DEG), "phase at the start of the manoeuvre"),
+        ("phase_deg", unit("deg", DEG, "rad"), "phase at the start of the manoeuvre"),
         N,
         "sinusoid.phase_rad",
         |d| one(&mut d.sinusoid.phase_rad),

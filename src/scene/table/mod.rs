@@ -6,6 +6,9 @@ mod options;
 mod sensors;
 mod surroundings;
 
+pub use failure::SENSORS;
+pub use flight::CHANNELS;
+
 use super::key::{Key, Place, Places, Section, Shape, Target, Unit};
 
 /// Every key.
@@ -66,15 +69,18 @@ pub fn of_sensor(key: &Key, sensor: usize) -> Option<&'static str> {
     (names[sensor] != key.name).then_some(names[sensor])
 }
 
-/// A unit, and its SI value.
-const fn unit(text: &'static str, si: f64) -> Unit {
-    Unit { text, si }
+/// A unit, its size in SI units, and the SI unit.
+const fn unit(text: &'static str, si: f64, si_text: &'static str) -> Unit {
+    Unit { text, si, si_text }
 }
 
-/// The words of a table, each with the fields that it uses.
-const fn first_words<const N: usize>(
-    table: [(&'static str, &'static [&'static str]); N],
-) -> [&'static str; N] {
+/// A unit that the library has too.
+const fn si(text: &'static str) -> Unit {
+    unit(text, 1.0, text)
+}
+
+/// The words of a table.
+const fn first_words<T: Copy, const N: usize>(table: [(&'static str, T); N]) -> [&'static str; N] {
     let mut words = [""; N];
     let mut index = 0;
     while index < N {
@@ -84,7 +90,7 @@ const fn first_words<const N: usize>(
     words
 }
 
-const PURE: Unit = unit("", 1.0);
+const PURE: Unit = si("");
 
 /// A key of numbers, whose limits are the library's.
 const fn numbers(

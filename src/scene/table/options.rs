@@ -1,7 +1,7 @@
 //! The simulator and what a program writes: `[options]`, `[output]`.
 
 use super::super::key::{Key, Section, Shape, Target, one};
-use super::{choice, numbers, unit, within};
+use super::{choice, numbers, si, within};
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
 use crate::state::BodyAxes;
@@ -77,13 +77,13 @@ pub const OPTIONS: &[Key] = &[
         "rfu" => BodyAxes::RightForwardUp,
         "frd" => BodyAxes::ForwardRightDown,
     ]),
-    choice!(O, "signal", "ideal signals, or with a trim that holds an error-free navigator", "options.signal", closed_loop, [
+    choice!(O, "signal", "ideal signals: physical, or with a trim that keeps an error-free navigator at the truth", "options.signal", closed_loop, [
         "physical" => false,
         "closed-loop" => true,
     ]),
     numbers(
         O,
-        ("closed_loop_time_s", unit("s", 1.0), "time constant of that trim"),
+        ("closed_loop_time_s", si("s"), "time constant of the trim"),
         N,
         "options.closed_loop_time_s",
         |d| one(&mut d.closed_loop_time_s),
@@ -104,24 +104,20 @@ pub const OPTIONS: &[Key] = &[
     ),
     numbers(
         O,
-        ("sample_period_s", unit("s", 1.0), "stated period of a log; default its own time stamps"),
+        ("sample_period_s", si("s"), "stated period of a log; default its own time stamps"),
         N,
         "options.sample_period_s",
         |d| one(&mut d.sample_period_s),
     ),
-    numbers(
-        O,
-        ("max_gap_s", unit("s", 1.0), "longest interval between samples"),
-        N,
-        "options.max_gap_s",
-        |d| one(&mut d.scene.options.intake.max_gap_s),
-    ),
+    numbers(O, ("max_gap_s", si("s"), "longest interval between samples"), N, "options.max_gap_s", |d| {
+        one(&mut d.scene.options.intake.max_gap_s)
+    }),
     numbers(
         O,
         (
             "max_acceleration_m_s2",
-            unit("m/s2", 1.0),
-            "mean acceleration between two samples beyond which truth has jumped",
+            si("m/s2"),
+            "largest mean acceleration between two samples; more is rejected as a jump of the truth",
         ),
         N,
         "options.max_acceleration_m_s2",
@@ -148,7 +144,7 @@ pub const OUTPUT: &[Key] = &[
     }),
     within(
         P,
-        ("every_s", unit("s", 1.0), "spacing of the records; default about 2000 of them"),
+        ("every_s", si("s"), "spacing of the records; default about 2000 of them"),
         (5e-5, 1e7),
         "output.every_s",
         |d| one(&mut d.every_s),

@@ -24,7 +24,12 @@ fn of_grade(index: usize) -> (TriadParameters, TriadParameters) {
 const fn preset(section: Section, field: &'static str, set: fn(&mut Draft, usize)) -> Key {
     let words = &[GRADES[0].0, GRADES[1].0, GRADES[2].0, GRADES[3].0, GRADES[4].0, GRADES[5].0, GRADES[6].0];
     let target = Target::Choice { field, words, get: |_| 0, set };
-    Key { section, name: "preset", doc: "errors to begin with", target }
+    Key {
+        section,
+        name: "preset",
+        doc: "grade whose errors are set first; other keys then change single errors",
+        target,
+    }
 }
 
 pub const GYRO: &[Key] = &keys::<{ count(Sensor::Gyro) }>(
@@ -58,12 +63,13 @@ const fn keys<const N: usize>(sensor: Sensor, preset: Key) -> [Key; N] {
         if let Some(field) = parameter.of(sensor) {
             let target = Target::Numbers {
                 field: field.path,
-                unit: Unit { text: field.key_unit, si: field.key_si },
+                unit: Unit { text: field.key_unit, si: field.key_si, si_text: field.unit },
                 shape: shape(parameter.shape),
                 limits: None,
                 place: Place::Parameter(sensor, row),
             };
-            keys[place] = Key { section: preset.section, name: field.key, doc: parameter.doc, target };
+            keys[place] =
+                Key { section: preset.section, name: field.key, doc: parameter.doc_of(&field), target };
             place += 1;
         }
         row += 1;

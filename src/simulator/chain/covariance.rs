@@ -4,7 +4,7 @@ use super::Chain;
 use crate::covariance::{NavigationCovariance, Propagation, StartErrors};
 use crate::mounting::Block;
 use crate::sensors::Alignment;
-use crate::simulator::SensorSuite;
+use crate::simulator::Imperfections;
 use crate::simulator::start::alignment;
 use crate::state::StateErrors;
 use crate::truth::TruthPoint;
@@ -16,11 +16,11 @@ impl Chain {
         &mut self,
         covariance: Box<[Propagation]>,
         first: &TruthPoint,
-        sensors: &SensorSuite,
+        imperfections: &Imperfections,
     ) {
         self.covariance = covariance;
         let state = self.block.as_ref().map_or(first.state, |block: &Block| block.state(first));
-        let initial = &sensors.set().initial;
+        let initial = &imperfections.set().initial;
         for covariance in &mut *self.covariance {
             let truth = state.navigation(&self.earth, self.options.axes);
             let aligns = initial.alignment == Alignment::LevelAndGyrocompass;
@@ -34,7 +34,7 @@ impl Chain {
                 },
                 alignment: aligns.then(|| alignment(&self.earth, &state, &truth)).flatten(),
             };
-            covariance.start(&start, &sensors.parameters());
+            covariance.start(&start, &imperfections.parameters());
         }
     }
 
@@ -43,10 +43,10 @@ impl Chain {
     pub fn covariance(
         &mut self,
         truth: &TruthPoint,
-        sensors: &SensorSuite,
+        imperfections: &Imperfections,
     ) -> Option<(f64, NavigationCovariance, bool)> {
         let covariance = self.covariance.first_mut()?;
-        let matrix = covariance.read(truth, self.block.as_ref(), &sensors.parameters());
+        let matrix = covariance.read(truth, self.block.as_ref(), &imperfections.parameters());
         Some((truth.time_s, matrix, truth.is_near_pole()))
     }
 }

@@ -6,7 +6,7 @@ use super::Chain;
 use crate::mechanization::{Mechanization, VerticalAid};
 use crate::mounting::Block;
 use crate::signal::{Increment, IntervalMotion};
-use crate::simulator::SensorSuite;
+use crate::simulator::Imperfections;
 use crate::simulator::aid::{aid_vertical, vertical_aid};
 use crate::simulator::closed_loop::ClosedLoop;
 use crate::truth::{Recent, TruthPoint};
@@ -19,13 +19,20 @@ impl Chain {
         &mut self,
         motion: &IntervalMotion<'_>,
         recent: &Recent<'_>,
-        sensors: &mut SensorSuite,
+        imperfections: &mut Imperfections,
     ) {
         let mut signals = core::mem::take(&mut self.signals);
         let ideal = &mut signals.ideal[self.parts.clone()];
-        self.mount_and_trim(motion, recent, !sensors.all_are_ideal(), ideal);
+        self.mount_and_trim(motion, recent, !imperfections.are_none(), ideal);
         if let Some(disturbance) = &mut self.disturbance {
-            disturbance.fly(&self.earth, recent, motion, self.block.as_ref(), &mut sensors.gravity, ideal);
+            disturbance.fly(
+                &self.earth,
+                recent,
+                motion,
+                self.block.as_ref(),
+                &mut imperfections.gravity,
+                ideal,
+            );
         }
         self.signals = signals;
     }

@@ -9,25 +9,25 @@ use crate::errors::SensorErrors;
 use crate::mechanization::{VerticalAid, VerticalMode, check_state};
 use crate::signal::IntervalMotion;
 use crate::simulator::aid::vertical_aid;
+use crate::simulator::imperfections::IntervalConditions;
 use crate::simulator::interval::LastInterval;
 use crate::simulator::signals::Signals;
-use crate::simulator::suite::IntervalConditions;
 use crate::simulator::views::Views;
-use crate::simulator::{ImuFlags, Options, SensorSuite};
+use crate::simulator::{Imperfections, ImuFlags, Options};
 use crate::truth::Recent;
 
 impl Chain {
     /// Flies the interval that `recent` ends; on an error nothing has changed.
-    pub fn advance(&mut self, recent: &Recent<'_>, sensors: &mut SensorSuite) -> Result<(), Error> {
+    pub fn advance(&mut self, recent: &Recent<'_>, imperfections: &mut Imperfections) -> Result<(), Error> {
         self.options.check_truth(recent.next)?;
         let count = self.options.subsamples * self.options.updates_over(recent);
         // The increments of the last interval stay until this one is known to be good.
         let first = Signals::place_after(self.parts.start);
         let parts = first..first + count;
         if self.is_plain {
-            self.fly(parts, recent, sensors)
+            self.fly(parts, recent, imperfections)
         } else {
-            self.fly_extended(parts, recent, sensors)
+            self.fly_extended(parts, recent, imperfections)
         }
     }
 
@@ -38,10 +38,10 @@ impl Chain {
         &mut self,
         parts: Range<usize>,
         recent: &Recent<'_>,
-        sensors: &mut SensorSuite,
+        imperfections: &mut Imperfections,
     ) -> Result<(), Error> {
         let (block, disturbance, closed_loop) = (self.block, self.disturbance, self.closed_loop.clone());
-        let result = self.fly(parts, recent, sensors);
+        let result = self.fly(parts, recent, imperfections);
         if result.is_err() {
             (self.block, self.disturbance, self.closed_loop) = (block, disturbance, closed_loop);
         } else if let Some(summary) = &mut self.summary {
@@ -71,7 +71,7 @@ impl Chain {
         &mut self,
         parts: Range<usize>,
         recent: &Recent<'_>,
-        sensors: &mut SensorSuite,
+        imperfections: &mut Imperfections,
     ) -> Result<(), Error> {
         let next = recent.next;
         let t = next.interval_s;
@@ -83,25 +83,25 @@ impl Chain {
         let motion = self.generator.advance(recent);
         motion.integrate(&mut self.signals.ideal[parts.clone()]);
         if !self.is_plain {
-            self.complete_ideal_signals(&motion, recent, sensors);
+            self.complete_ideal_signals(&motion, recent, imperfections);
         }
         let ideal = &self.signals.ideal[parts.clone()];
 
         // Sensors.
-        let sensors_were_ideal = sensors.are_ideal();
+        let sensors_were_ideal = imperfections.triads_are_ideal();
         let mut flags = ImuFlags::default();
         let increments = if sensors_were_ideal {
             ideal
         } else {
             let measured = &mut self.signals.measured[parts.clone()];
-            sensors.begin_interval(t, || IntervalConditions::of(recent, &motion, self.block.as_ref()));
-            flags = sensors.sense(ideal, t / ideal.len() as f64, measured);
+            imperfections.begin_interval(t, || IntervalConditions::of(recent, &motion, self.block.as_ref()));
+            flags = imperfections.sense(ideal, t / ideal.len() as f64, measured);
             &*measured
         };
 
         // Mechanization.
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
-            sensors.altimeter.sense(height_m, next.interval_s)
+            imperfections.altimeter.sense(height_m, next.interval_s)
         });
         self.mechanization.navigate(increments, self.options.subsamples, t);
         let result = if self.is_plain {
@@ -116,7 +116,7 @@ impl Chain {
             self.generator.go_back(settled, recent);
             self.mechanization.go_back(&solution);
             self.parts = last;
-            Self::undo_sensors(&self.options, self.disturbance.is_some(), sensors);
+            Self::undo_imperfections(&self.options, self.disturbance.is_some(), imperfections);
             return Err(error);
         }
         self.last = LastInterval::Flown {
@@ -140,7 +140,7 @@ impl Chain {
             let (ideal, block) = (&self.signals.ideal[self.parts.clone()], self.block.as_ref());
             let is_aided = aid != VerticalAid::None;
             let flown = Flown { motion: &motion, current: recent.current, next, ideal, is_aided, block };
-            covariance.advance(&flown, &sensors.parameters());
+            covariance.advance(&flown, &imperfections.parameters());
         }
         self.conclude(&motion, recent);
         if self.accuracy.is_due(next.time_s) {
@@ -162,15 +162,19 @@ impl Chain {
     /// The sensors take the interval back: each of them that took part.
     #[cold]
     #[inline(never)]
-    pub(super) fn undo_sensors(options: &Options, is_disturbed: bool, sensors: &mut SensorSuite) {
-        if !sensors.are_ideal() {
-            sensors.undo();
+    pub(super) fn undo_imperfections(
+        options: &Options,
+        is_disturbed: bool,
+        imperfections: &mut Imperfections,
+    ) {
+        if !imperfections.triads_are_ideal() {
+            imperfections.undo();
         }
         if options.vertical == VerticalMode::Damped {
-            sensors.altimeter.undo();
+            imperfections.altimeter.undo();
         }
         if is_disturbed {
-            sensors.gravity.undo();
+            imperfections.gravity.undo();
         }
     }
 }

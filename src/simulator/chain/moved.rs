@@ -6,7 +6,7 @@ use crate::errors::CarriedErrors;
 use crate::mechanization::Mechanization;
 use crate::mounting::Block;
 use crate::signal::SignalGenerator;
-use crate::simulator::SensorSuite;
+use crate::simulator::Imperfections;
 use crate::simulator::disturbance::Disturbance;
 use crate::simulator::mounted::rate_at_start;
 use crate::simulator::views::Views;
@@ -36,7 +36,7 @@ impl Chain {
         &mut self,
         from: &TruthPoint,
         to: &TruthPoint,
-        sensors: &mut SensorSuite,
+        imperfections: &mut Imperfections,
     ) -> Result<(), Error> {
         self.options.check_truth(to)?;
         let block = self.block.map(|block| block.turning_at(rate_at_start(&self.earth, to, None)));
@@ -47,13 +47,13 @@ impl Chain {
             Some(shadow) => Some(self.carried(&shadow, &jump)?),
             None => None,
         };
-        self.go_on(&jump, mechanization, shadow, (from, to), sensors);
+        self.go_on(&jump, mechanization, shadow, (from, to), imperfections);
         self.block = block;
         self.generator = SignalGenerator::new(self.earth.rate_rad_s);
         self.closure.turn(&self.earth, from.place(), to.place());
-        sensors.go_on(to.height_m() - from.height_m());
+        imperfections.go_on(to.height_m() - from.height_m());
         if let Some(disturbance) = &mut self.disturbance {
-            *disturbance = Disturbance::new(sensors.gravity.at(&self.earth, to));
+            *disturbance = Disturbance::new(imperfections.gravity.at(&self.earth, to));
         }
         self.move_time(to.time_s - from.time_s, to.time_s);
         Ok(())
@@ -62,7 +62,7 @@ impl Chain {
     /// The velocity of the truth at `point`, 0 so far, is known: that of the solution is as much more.
     #[cold]
     #[inline(never)]
-    pub fn take_first_velocity(&mut self, point: &TruthPoint, sensors: &SensorSuite) {
+    pub fn take_first_velocity(&mut self, point: &TruthPoint, imperfections: &Imperfections) {
         let mut without = *point;
         without.state.v_e.fill(0.0);
         let block = self.block;
@@ -74,7 +74,7 @@ impl Chain {
             .as_mut()
             .and_then(|closed_loop| closed_loop.shadow_mut().copied())
             .and_then(|shadow| self.carried(&shadow, &jump).ok());
-        self.go_on(&jump, mechanization, shadow, (&without, point), sensors);
+        self.go_on(&jump, mechanization, shadow, (&without, point), imperfections);
     }
 
     /// The jump from `from` to `to` where the sensors are, which at `to` are those of `block`.
@@ -109,7 +109,7 @@ impl Chain {
         mechanization: Mechanization,
         shadow: Option<Mechanization>,
         (from, to): (&TruthPoint, &TruthPoint),
-        sensors: &SensorSuite,
+        imperfections: &Imperfections,
     ) {
         self.mechanization = mechanization;
         let at = |(state, _): &(EarthFixedState, Navigation), point: &TruthPoint| {
@@ -120,7 +120,12 @@ impl Chain {
         }
         for covariance in &mut *self.covariance {
             let last = (from, self.block.as_ref());
-            covariance.move_truth(last, &at(&jump.from, from), &at(&jump.to, to), &sensors.parameters());
+            covariance.move_truth(
+                last,
+                &at(&jump.from, from),
+                &at(&jump.to, to),
+                &imperfections.parameters(),
+            );
         }
         if let Some(closed_loop) = &mut self.closed_loop {
             if let (Some(old), Some(new)) = (closed_loop.shadow_mut(), shadow) {

@@ -10,7 +10,7 @@ use crate::simulator::disturbance::Disturbance;
 use crate::simulator::interval::LastInterval;
 use crate::simulator::mounted::block_at_start;
 use crate::simulator::start::Start;
-use crate::simulator::{ImuInterval, Options, SensorSuite};
+use crate::simulator::{Imperfections, ImuInterval, Options};
 use crate::snapshot::{COUNT, Numbers, Reader, Stored, Writer};
 use crate::truth::TruthPoint;
 
@@ -104,13 +104,18 @@ impl Chain {
     }
 
     /// A chain at the point `current`, over which that of a snapshot can be read.
-    pub fn to_load(options: &Options, earth: Earth, current: &TruthPoint, sensors: &SensorSuite) -> Self {
+    pub fn to_load(
+        options: &Options,
+        earth: Earth,
+        current: &TruthPoint,
+        imperfections: &Imperfections,
+    ) -> Self {
         let navigator = Mechanization::new(earth, options.frame, options.scheme, &current.state);
         let extension = Extension {
-            block: sensors
+            block: imperfections
                 .mounting()
                 .map(|mounting| block_at_start(mounting, options, &earth, current, None)),
-            disturbance: sensors.gravity.is_on().then(|| Disturbance::new(Vector3::zeros())),
+            disturbance: imperfections.gravity.is_on().then(|| Disturbance::new(Vector3::zeros())),
             sensors_state: current.state,
         };
         Self::new(options, earth, current, &Start::TRUE, navigator, true, extension)

@@ -1,6 +1,6 @@
 //! The host: its handles, what it can see of a simulator, and what it holds every call to.
 
-use std::ptr::{null_mut, without_provenance_mut};
+use std::ptr::{null, null_mut, without_provenance_mut};
 
 use sins::abi::*;
 
@@ -8,6 +8,7 @@ use crate::call;
 use crate::input::{Argument, Input, Record};
 use crate::motion::Motion;
 use crate::snapshots::{Follower, frozen};
+use crate::texts::written;
 use crate::trace;
 
 const HANDLES: usize = 3;
@@ -74,7 +75,14 @@ pub fn look(sim: *mut sins_sim, what: usize) {
         2 => drop(check::<sins_errors>(|errors| call!(sins_get_errors(sim, SINS_ERRORS_MODEL, errors)))),
         3 => drop(check::<sins_imu>(|imu| call!(sins_get_imu(sim, imu)))),
         4 => drop(check::<sins_accuracy>(|accuracy| call!(sins_get_accuracy(sim, accuracy)))),
-        5 => drop(check::<sins_record>(|record| call!(sins_get_record(sim, record)))),
+        5 => {
+            if let Some(record) = check::<sins_record>(|record| call!(sins_get_record(sim, record))) {
+                let line = written(|buffer, capacity, needed| {
+                    call!(sins_record_line(&record, null(), 0, null(), buffer, capacity, needed))
+                });
+                assert!(line.is_some_and(|line| line.split(|&byte| byte == b',').count() == 51), "a line");
+            }
+        }
         // The seed is any word.
         6 => {
             call!(sins_get_options(sim, &mut init()));

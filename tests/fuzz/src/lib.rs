@@ -27,4 +27,4 @@ pub mod words;
 
 pub use host::run;
 pub use input::{RECORD, Random, Record, records};
-pub use texts::{check_log, parse_scene};
+pub use texts::{check_log, parse_scene, set_values, text_of};

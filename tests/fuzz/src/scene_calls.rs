@@ -1,5 +1,6 @@
 //! Calls of the fuzzed host that make, change and fly a scene.
 
+use std::ffi::CString;
 use std::ptr::{null, null_mut, without_provenance_mut};
 
 use sins::abi::*;
@@ -9,7 +10,9 @@ use crate::call;
 use crate::host::{Host, init};
 use crate::input::Argument;
 use crate::settings::*;
-use crate::texts::{check_log, parse_scene, some_log, some_scene, text_of, written};
+use crate::texts::{
+    check_faults, check_log, parse_scene, set_values, some_log, some_scene, some_values, text_of, written,
+};
 
 /// A flight of more takes long to lay out: a host knows that by its duration.
 const LONG_S: f64 = 1e4;
@@ -72,7 +75,12 @@ impl Host {
 
     pub fn change_scene(&mut self) {
         let input = &mut self.input;
-        match input.below(13) {
+        match input.below(15) {
+            13 => {
+                let values = some_values(input);
+                self.changing_scene(|scene| set_values(scene, &values));
+            }
+            14 => self.change_items(),
             12 => self.change_manoeuvres(),
             0 => {
                 let options = some_options(input);
@@ -153,6 +161,30 @@ impl Host {
         }
     }
 
+    /// The items of a list in another order, some of them twice, some gone, some others.
+    fn change_items(&mut self) {
+        let list = self.input.pick(&["manoeuvre", "failure", "gyro"]);
+        let mut items = String::new();
+        for _ in 0..self.input.below(5) {
+            let path = CString::new(format!("{list}[{}]", self.input.below(4))).unwrap_or_default();
+            let scene = self.scene;
+            let item = written(|buffer, capacity, needed| {
+                call!(sins_scene_get_value(scene, path.as_ptr(), buffer, capacity, needed))
+            });
+            let other = self.input.pick(&[
+                "",
+                "[[manoeuvre]]\nkind = \"rest\"\nduration_s = 9\n",
+                "[output]\nquiet = true\n",
+            ]);
+            items
+                .push_str(&item.map_or(other.to_owned(), |item| String::from_utf8_lossy(&item).into_owned()));
+        }
+        let list = CString::new(list).unwrap_or_default();
+        let items = CString::new(items).unwrap_or_default();
+        self.changing_scene(|scene| call!(sins_scene_set_items(scene, list.as_ptr(), items.as_ptr())));
+        check_faults(self.scene);
+    }
+
     fn change_manoeuvres(&mut self) {
         let start = sins_flight_start {
             latitude_rad: self.input.pick(&[0.7, 1.57, -1.2]),
@@ -225,6 +257,10 @@ impl Host {
         {
             return;
         }
+        let mut samples = init::<sins_scene_samples>();
+        if call!(sins_scene_get_samples(self.scene, null(), &mut samples)) == SINS_OK {
+            assert!(samples.count >= 1 && samples.record_every >= 1 && samples.duration_s >= 0.0);
+        }
         if setup.flown_s <= LONG_S && call!(sins_scene_create_flight(self.scene, &mut flight)) == SINS_OK {
             for k in 0..self.input.below(16) {
                 let mut sample = init();
@@ -256,5 +292,8 @@ impl Host {
         });
         assert_eq!(name.is_some(), index < BUILTIN_SCENES.len());
         written(|buffer, capacity, needed| call!(sins_scene_write_keys(buffer, capacity, needed)));
+        let (index, mut key) = (self.input.byte(), init::<sins_scene_key>());
+        let status = call!(sins_scene_get_key(usize::from(index), &mut key));
+        assert!(status == SINS_OK || status == SINS_ERROR_INVALID_ARGUMENT);
     }
 }

@@ -1,6 +1,6 @@
 //! Scenes and flight logs through their C functions: what every text, and every change of a scene, is held to.
 
-use std::ffi::c_char;
+use std::ffi::{CStr, CString, c_char};
 use std::ptr::null_mut;
 
 use sins::abi::*;
@@ -39,7 +39,50 @@ fn check_fault(fault: &sins_fault) {
     let end = sentence.iter().position(|&letter| letter == 0).expect("a sentence without an end");
     let sentence = std::str::from_utf8(&sentence[..end]).expect("a sentence that is not UTF-8");
     assert!(!sentence.is_empty() && !sentence.contains(char::is_control), "a sentence [{sentence:?}]");
-    assert!(fault.line >= 1 && fault.column >= 1 && fault.count >= 1, "the place of a fault");
+    assert!(fault.count >= 1 && (fault.line >= 1) == (fault.column >= 1), "the place of a fault");
+    let numbers = [fault.value, fault.minimum, fault.maximum];
+    assert!(numbers.iter().all(|number| number.is_finite()), "numbers of a fault {numbers:?}");
+}
+
+/// The faults of a change, if it was rejected.
+pub fn check_faults(scene: *const sins_scene) {
+    let mut fault = init();
+    let mut index = 0;
+    while call!(sins_scene_get_fault(scene, index, &mut fault)) == SINS_OK {
+        check_fault(&fault);
+        index += 1;
+    }
+}
+
+/// Sets values: faults, or a scene of which every value that was set can be read, and set again to the same scene.
+pub fn set_values(scene: *mut sins_scene, values: &CStr) -> sins_status {
+    let status = call!(sins_scene_set_values(scene, values.as_ptr()));
+    check_faults(scene);
+    if status != SINS_OK {
+        return status;
+    }
+    let before = text_of(scene).expect("a scene with values that cannot be written");
+    for line in values.to_str().expect("it was taken").lines() {
+        let path = line.split('=').next().unwrap_or_default().trim();
+        if path.is_empty() || path.starts_with('#') || path.ends_with(".preset") {
+            continue;
+        }
+        let path = CString::new(path).expect("of a line");
+        let value = written(|buffer, capacity, needed| {
+            call!(sins_scene_get_value(scene, path.as_ptr(), buffer, capacity, needed))
+        });
+        let value = value.expect("a value that was set is not read");
+        let again = [path.as_bytes(), b" = ", &value].concat();
+        let again = CString::new(again).expect("no value has a zero byte");
+        let status = call!(sins_scene_set_values(scene, again.as_ptr()));
+        let is_same = text_of(scene).as_deref() == Some(&before[..]);
+        assert!(is_same, "a value that was read is another [{}]", again.to_string_lossy());
+        // Of several, a later one may have put the default back, which is not for every item.
+        let is_only = values.to_bytes().iter().filter(|&&byte| byte == b'=').count() == 1;
+        let has_value = line.split_once('=').is_some_and(|(_, value)| !value.trim().is_empty());
+        assert!(status == SINS_OK || !is_only || !has_value, "a value that was read is refused");
+    }
+    SINS_OK
 }
 
 /// The scene of a text, which is written and read back to the same text; or faults, each with a place and a sentence.
@@ -130,6 +173,27 @@ fn some_value(input: &mut Input, takes: &str) -> String {
         }
         _ => number(input),
     }
+}
+
+/// Values for a scene: of keys that there are, mostly of the kind that they take.
+pub fn some_values(input: &mut Input) -> CString {
+    let keys = keys();
+    let mut text = String::new();
+    for _ in 0..1 + input.below(4) {
+        let key = &keys[input.word() as usize % keys.len()];
+        let name = key.si_name.filter(|_| input.one_in(3)).unwrap_or(key.name);
+        let item = input.below(3);
+        let section = match key.section {
+            "manoeuvre.sinusoid" => format!("manoeuvre[{item}].sinusoid[{}]", input.below(2)),
+            section if key.is_list => format!("{section}[{item}]"),
+            section => section.to_owned(),
+        };
+        let element = if input.one_in(4) { input.pick(&["[0]", "[2]", "[8]", "[99]"]) } else { "" };
+        let value = if input.one_in(8) { String::new() } else { some_value(input, &key.takes) };
+        text.push_str(&format!("{section}.{name}{element} = {value}\n"));
+    }
+    CString::new(altered(input, text.into_bytes()).into_iter().filter(|&byte| byte != 0).collect::<Vec<u8>>())
+        .unwrap_or_default()
 }
 
 /// A scene of keys, or of the library's own scenes with some lines more; now and then with some bytes altered.

@@ -12,7 +12,7 @@ use crate::memory::room;
 use crate::sensors::{Altimeter, FailingTriad, Failure, SensorOutput, StateRows, Triad};
 use crate::signal::{Increment, IncrementRows, RUNS, increment_of, put_increment};
 use crate::simulator::chain::Chain;
-use crate::simulator::{ImuFlags, ImuInterval, Options, SensorSuite};
+use crate::simulator::{Imperfections, ImuFlags, ImuInterval, Options};
 
 /// What is told of the last interval of a run beside its signals.
 #[derive(Debug, Clone, Copy, Default)]
@@ -48,13 +48,16 @@ pub(super) struct Block {
 }
 
 /// Room for the failures of so many runs.
-pub(super) fn failures(sensors: &SensorSuite, count: usize) -> Result<[Box<[FailingTriad]>; 2], Error> {
+pub(super) fn failures(
+    imperfections: &Imperfections,
+    count: usize,
+) -> Result<[Box<[FailingTriad]>; 2], Error> {
     let of = |triad: &Triad| {
         let mut failures = room(count)?;
         failures.resize(count, triad.failures().clone());
         Ok(failures.into_boxed_slice())
     };
-    Ok([of(&sensors.gyro)?, of(&sensors.accel)?])
+    Ok([of(&imperfections.gyro)?, of(&imperfections.accel)?])
 }
 
 /// Room for the navigators of a block.
@@ -73,25 +76,25 @@ pub(super) fn models(options: &Options) -> Result<Box<[ModelBlock]>, Error> {
 
 impl Block {
     /// Room for `count` runs.
-    pub fn new(options: &Options, sensors: &mut SensorSuite, count: usize) -> Result<Self, Error> {
+    pub fn new(options: &Options, imperfections: &mut Imperfections, count: usize) -> Result<Self, Error> {
         let mut altimeters = Vec::new();
-        if options.vertical == VerticalMode::Damped && !sensors.gravity.is_on() {
+        if options.vertical == VerticalMode::Damped && !imperfections.gravity.is_on() {
             altimeters = room(count)?;
-            altimeters.resize(count, sensors.altimeter.clone());
+            altimeters.resize(count, imperfections.altimeter.clone());
         }
         Ok(Self {
             count,
-            gyro: sensors.gyro.rows()?,
-            accel: sensors.accel.rows()?,
+            gyro: imperfections.gyro.rows()?,
+            accel: imperfections.accel.rows()?,
             navigators: navigators(options)?,
             models: models(options)?,
             measured: [[0.0; RUNS]; 6],
             reports: [Report::default(); RUNS],
             north_unknown: [false; RUNS],
             diverged: [None; RUNS],
-            failures: failures(sensors, count)?,
+            failures: failures(imperfections, count)?,
             altimeters: altimeters.into_boxed_slice(),
-            disturbed: Disturbed::room(sensors, count)?,
+            disturbed: Disturbed::room(imperfections, count)?,
         })
     }
 
@@ -110,18 +113,18 @@ impl Block {
     }
 
     /// Lays the sensors of a run in.
-    pub fn put_sensors(&mut self, lane: usize, sensors: &mut SensorSuite) {
+    pub fn put_imperfections(&mut self, lane: usize, imperfections: &mut Imperfections) {
         for lane in self.copies_of(lane) {
-            sensors.gyro.put_into(&mut self.gyro, lane);
-            sensors.accel.put_into(&mut self.accel, lane);
+            imperfections.gyro.put_into(&mut self.gyro, lane);
+            imperfections.accel.put_into(&mut self.accel, lane);
         }
-        self.failures[0][lane].clone_from(sensors.gyro.failures());
-        self.failures[1][lane].clone_from(sensors.accel.failures());
+        self.failures[0][lane].clone_from(imperfections.gyro.failures());
+        self.failures[1][lane].clone_from(imperfections.accel.failures());
         if let Some(altimeter) = self.altimeters.get_mut(lane) {
-            altimeter.clone_from(&sensors.altimeter);
+            altimeter.clone_from(&imperfections.altimeter);
         }
         if let Some(disturbed) = self.disturbed.get_mut(lane) {
-            disturbed.put(sensors);
+            disturbed.put(imperfections);
         }
     }
 
@@ -161,16 +164,16 @@ impl Block {
         self.altimeters.iter_mut().for_each(|of_run| of_run.follow_as(altimeter));
     }
 
-    /// Takes what a run keeps out, over `sensors` of the same parameters and key.
-    pub fn take_sensors(&self, lane: usize, sensors: &mut SensorSuite) {
+    /// Takes what a run keeps out, over `imperfections` of the same parameters and key.
+    pub fn take_imperfections(&self, lane: usize, imperfections: &mut Imperfections) {
         if let Some(disturbed) = self.disturbed.get(lane) {
-            return disturbed.take(sensors);
+            return disturbed.take(imperfections);
         }
-        sensors.gyro.take_from(&self.gyro, lane);
-        sensors.accel.take_from(&self.accel, lane);
-        sensors.take_failures(&self.failures[0][lane], &self.failures[1][lane]);
+        imperfections.gyro.take_from(&self.gyro, lane);
+        imperfections.accel.take_from(&self.accel, lane);
+        imperfections.take_failures(&self.failures[0][lane], &self.failures[1][lane]);
         if let Some(altimeter) = self.altimeters.get(lane) {
-            sensors.altimeter.clone_from(altimeter);
+            imperfections.altimeter.clone_from(altimeter);
         }
     }
 

@@ -11,14 +11,14 @@ use crate::sensors::{Failure, SensorOutput};
 use crate::signal::{Increment, MAX_INCREMENTS, RUNS};
 use crate::simulator::chain::Chain;
 use crate::simulator::disturbance::Disturbance;
+use crate::simulator::imperfections::IntervalConditions;
 use crate::simulator::interval::LastInterval;
-use crate::simulator::suite::IntervalConditions;
-use crate::simulator::{ImuFlags, SensorSuite};
+use crate::simulator::{Imperfections, ImuFlags};
 
 /// A run's sensors and its gravity.
 #[derive(Debug, Clone)]
 pub(super) struct Disturbed {
-    sensors: SensorSuite,
+    imperfections: Imperfections,
     flown: Flown,
     before: Flown,
 }
@@ -47,8 +47,8 @@ pub(super) struct DisturbedWorkspace {
 }
 
 impl DisturbedWorkspace {
-    pub fn new(sensors: &SensorSuite) -> Result<Self, Error> {
-        let count = if sensors.gravity.is_on() { MAX_INCREMENTS } else { 0 };
+    pub fn new(imperfections: &Imperfections) -> Result<Self, Error> {
+        let count = if imperfections.gravity.is_on() { MAX_INCREMENTS } else { 0 };
         let increments = || -> Result<Box<[Increment]>, Error> {
             let mut increments = room(count)?;
             increments.resize(count, Increment::ZERO);
@@ -60,35 +60,35 @@ impl DisturbedWorkspace {
 
 impl Disturbed {
     /// Room for so many runs, where gravity is other than normal.
-    pub fn room(sensors: &SensorSuite, count: usize) -> Result<Box<[Self]>, Error> {
-        let count = if sensors.gravity.is_on() { count } else { 0 };
+    pub fn room(imperfections: &Imperfections, count: usize) -> Result<Box<[Self]>, Error> {
+        let count = if imperfections.gravity.is_on() { count } else { 0 };
         let mut memory = room(count)?;
         for _ in 0..count {
-            memory.push(Self::of(sensors));
+            memory.push(Self::of(imperfections));
         }
         Ok(memory.into_boxed_slice())
     }
 
     /// Not inlined, for the stack.
     #[inline(never)]
-    fn of(sensors: &SensorSuite) -> Self {
-        Self { sensors: sensors.clone(), flown: Flown::NONE, before: Flown::NONE }
+    fn of(imperfections: &Imperfections) -> Self {
+        Self { imperfections: imperfections.clone(), flown: Flown::NONE, before: Flown::NONE }
     }
 
-    pub fn put(&mut self, sensors: &SensorSuite) {
-        self.sensors.clone_from(sensors);
+    pub fn put(&mut self, imperfections: &Imperfections) {
+        self.imperfections.clone_from(imperfections);
     }
 
-    pub fn take(&self, sensors: &mut SensorSuite) {
-        sensors.clone_from(&self.sensors);
+    pub fn take(&self, imperfections: &mut Imperfections) {
+        imperfections.clone_from(&self.imperfections);
     }
 
     pub fn reposition(&mut self, height_m: f64) {
-        self.sensors.reposition(height_m);
+        self.imperfections.reposition(height_m);
     }
 
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>, last: Option<&Increment>) {
-        self.sensors.set_failure(output, failure, last);
+        self.imperfections.set_failure(output, failure, last);
     }
 
     /// The run has flown as `chain` so far.
@@ -115,23 +115,23 @@ impl Disturbed {
         lane: usize,
     ) -> (&'a [Increment], ImuFlags, Option<f64>) {
         let &Interval { earth, recent, motion, mounting, t, count, aid, .. } = interval;
-        let Self { sensors, flown, before } = self;
+        let Self { imperfections, flown, before } = self;
         *before = *flown;
         let DisturbedWorkspace { ideal, measured, errors } = workspace;
         let (ideal, measured) = (&mut ideal[..count], &mut measured[..count]);
         ideal.copy_from_slice(interval.ideal);
-        flown.disturbance.fly(earth, recent, motion, mounting, &mut sensors.gravity, ideal);
+        flown.disturbance.fly(earth, recent, motion, mounting, &mut imperfections.gravity, ideal);
         flown.velocity = Increment::sum(ideal).velocity;
-        let flags = if sensors.are_ideal() {
+        let flags = if imperfections.triads_are_ideal() {
             measured.copy_from_slice(ideal);
             ImuFlags::default()
         } else {
-            sensors.begin_interval(t, || IntervalConditions::of(recent, motion, mounting));
-            sensors.sense(ideal, interval.dt, measured)
+            imperfections.begin_interval(t, || IntervalConditions::of(recent, motion, mounting));
+            imperfections.sense(ideal, interval.dt, measured)
         };
         errors[lane] = SensorErrors::between(ideal, measured, t).plus(flown.disturbance.apparent_errors());
         let indicated_m = match aid {
-            VerticalAid::Barometer { height_m } => sensors.altimeter.sense(height_m, t),
+            VerticalAid::Barometer { height_m } => imperfections.altimeter.sense(height_m, t),
             _ => None,
         };
         (measured, flags, indicated_m)
@@ -139,7 +139,7 @@ impl Disturbed {
 
     /// Takes the interval back.
     pub fn undo(&mut self, interval: &Interval<'_>) {
-        Chain::undo_sensors(interval.options, true, &mut self.sensors);
+        Chain::undo_imperfections(interval.options, true, &mut self.imperfections);
         self.flown = self.before;
     }
 }

@@ -138,12 +138,13 @@ impl Work for Sensing<'_> {
             gyro: gyro_before, accel: accel_before, measured, saturated: marks, is_unaided, ..
         } = workspace;
         let (gyro, accel) = ((gyro, gyro_before), (accel, accel_before));
-        let &Interval { sensors, shared, dt, count, have_failed: [gyro_failed, accel_failed], .. } = interval;
+        let &Interval { imperfections, shared, dt, count, have_failed: [gyro_failed, accel_failed], .. } =
+            interval;
         let measured = &mut measured[..count];
 
         *marks = [[0; RUNS]; 2];
-        sensors.gyro.sense_block(&shared[0], dt, gyro, gyro_failures, measured, &mut marks[0]);
-        sensors.accel.sense_block(&shared[1], dt, accel, accel_failures, measured, &mut marks[1]);
+        imperfections.gyro.sense_block(&shared[0], dt, gyro, gyro_failures, measured, &mut marks[0]);
+        imperfections.accel.sense_block(&shared[1], dt, accel, accel_failures, measured, &mut marks[1]);
         for (lane, report) in reports.iter_mut().enumerate() {
             let is_silent =
                 |failures: &[FailingTriad]| failures.get(lane).is_some_and(FailingTriad::are_silent);

@@ -8,14 +8,14 @@ use crate::mechanization::VerticalAid;
 use crate::mounting;
 use crate::sensors::SharedInput;
 use crate::signal::{Increment, IntervalMotion};
-use crate::simulator::{Options, SensorSuite};
+use crate::simulator::{Imperfections, Options};
 use crate::truth::Recent;
 
 /// What an interval brings to all blocks.
 pub(super) struct Interval<'a> {
     pub earth: &'a Earth,
     pub options: &'a Options,
-    pub sensors: &'a SensorSuite,
+    pub imperfections: &'a Imperfections,
     pub shared: &'a [SharedInput; 2],
     /// Whether a gyro and whether an accelerometer has failed.
     pub have_failed: [bool; 2],

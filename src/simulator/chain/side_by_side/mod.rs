@@ -19,12 +19,12 @@ use crate::mechanization::VerticalMode;
 use crate::sensors::{Failure, SensorOutput, SharedInput};
 use crate::signal::{Increment, RUNS};
 use crate::simulator::aid::vertical_aid;
+use crate::simulator::imperfections::IntervalConditions;
 use crate::simulator::interval::LastInterval;
 use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
-use crate::simulator::suite::IntervalConditions;
 use crate::simulator::views::Views;
-use crate::simulator::{ErrorSource, ImuInterval, Options, SensorSuite, Solution};
+use crate::simulator::{ErrorSource, Imperfections, ImuInterval, Options, Solution};
 use crate::truth::{FlightSample, Intake, Recent, TruthPoint};
 use block::Block;
 use interval::{Interval, LastGood};
@@ -38,11 +38,11 @@ pub(crate) struct SideBySide {
     earth: Earth,
     first_run: u64,
     /// What the host set, and what follows the signals.
-    sensors: Box<[SensorSuite]>,
+    imperfections: Box<[Imperfections]>,
     /// Whether one altimeter without errors serves all runs.
     heights_are_shared: bool,
     /// Scratch: the sensors of one run, put together when they are read.
-    of_one: RefCell<Box<[SensorSuite]>>,
+    of_one: RefCell<Box<[Imperfections]>>,
     signals: Signals,
     shared: [SharedInput; 2],
     /// One; in flight the chain without the navigators. On the heap, as it is much of a stack.
@@ -62,7 +62,7 @@ impl SideBySide {
             set,
             options,
             earth,
-            sensors,
+            imperfections,
             heights_are_shared,
             signals,
             shared,
@@ -71,7 +71,9 @@ impl SideBySide {
             workspace,
             ..
         } = self;
-        let ([Some(chain)], [workspace], [sensors]) = (&mut **chain, &mut **workspace, &mut **sensors) else {
+        let ([Some(chain)], [workspace], [imperfections]) =
+            (&mut **chain, &mut **workspace, &mut **imperfections)
+        else {
             return Ok(());
         };
         let (next, t) = (recent.next, recent.next.interval_s);
@@ -79,21 +81,21 @@ impl SideBySide {
         let ideal = &mut signals.ideal[..options.subsamples * options.updates_over(recent)];
         motion.integrate(ideal);
         let before = chain.closed_loop.clone().map(|closed_loop| (closed_loop, chain.mechanization));
-        let shift_e = chain.mount_and_trim(&motion, recent, !sensors.all_are_ideal(), ideal);
+        let shift_e = chain.mount_and_trim(&motion, recent, !imperfections.are_none(), ideal);
         let is_shared_good = chain.close_shared_loop(next, ideal, before);
         let dt = t / ideal.len() as f64;
-        let is_disturbed = sensors.gravity.is_on();
+        let is_disturbed = imperfections.gravity.is_on();
         if !is_disturbed {
-            sensors.begin_interval(t, || IntervalConditions::of(recent, &motion, chain.block.as_ref()));
-            sensors.gyro.share(ideal, dt, &mut shared[0]);
-            sensors.accel.share(ideal, dt, &mut shared[1]);
+            imperfections.begin_interval(t, || IntervalConditions::of(recent, &motion, chain.block.as_ref()));
+            imperfections.gyro.share(ideal, dt, &mut shared[0]);
+            imperfections.accel.share(ideal, dt, &mut shared[1]);
         }
 
         let has_altimeters =
-            options.vertical == VerticalMode::Damped && (is_disturbed || !sensors.altimeter.is_ideal());
+            options.vertical == VerticalMode::Damped && (is_disturbed || !imperfections.altimeter.is_ideal());
         *heights_are_shared = !has_altimeters;
         let aid = vertical_aid(options.vertical, next, |height_m| {
-            if has_altimeters { Some(height_m) } else { sensors.altimeter.sense(height_m, t) }
+            if has_altimeters { Some(height_m) } else { imperfections.altimeter.sense(height_m, t) }
         });
         let last_good = LastGood {
             time_s: recent.current.time_s,
@@ -104,9 +106,9 @@ impl SideBySide {
         let interval = Interval {
             earth,
             options,
-            sensors,
+            imperfections,
             shared,
-            have_failed: [sensors.gyro.has_failed(), sensors.accel.has_failed()],
+            have_failed: [imperfections.gyro.has_failed(), imperfections.accel.has_failed()],
             last_good,
             t,
             dt,
@@ -144,26 +146,26 @@ impl SideBySide {
 
     /// Refuses a sample without the temperature that a sensor effect needs.
     pub fn check_temperature(&self, sample: &FlightSample) -> Result<(), Error> {
-        self.sensors[0].check_temperature(sample.temperature_c)
+        self.imperfections[0].check_temperature(sample.temperature_c)
     }
 
     /// Lets an output of every run fail from the next interval on; `None` clears it.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) {
-        let Self { sensors, heights_are_shared, chain, blocks, .. } = self;
+        let Self { imperfections, heights_are_shared, chain, blocks, .. } = self;
         let interval_s = chain[0].as_ref().and_then(|chain| chain.imu()).map(|imu| imu.interval_s);
         for block in blocks {
             if *heights_are_shared {
-                block.follow(&sensors[0].altimeter);
+                block.follow(&imperfections[0].altimeter);
             }
             block.set_failure(output, failure, interval_s);
         }
         *heights_are_shared = false;
-        sensors[0].set_failure(output, failure, None);
+        imperfections[0].set_failure(output, failure, None);
     }
 
     /// The failure of an output, which all runs share.
     pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
-        self.sensors[0].failure(output)
+        self.imperfections[0].failure(output)
     }
 
     /// How many runs.
@@ -249,7 +251,7 @@ impl SideBySide {
         let mut shared = None;
         for place in 0..self.runs() {
             if let (Some(mut chain), None) = (self.chain_of(place), self.diverged_s(place)) {
-                chain.take_first_velocity(point, &self.sensors[0]);
+                chain.take_first_velocity(point, &self.imperfections[0]);
                 self.blocks[place / RUNS].put_solution(place % RUNS, &chain);
                 shared = Some((chain.closed_loop, chain.mechanization));
             }

@@ -15,7 +15,7 @@ use crate::simulator::signals::Signals;
 use crate::simulator::snapshot::save_flight;
 use crate::simulator::start::is_of_truth;
 use crate::simulator::views::Views;
-use crate::simulator::{Mode, Options, SensorSuite, Simulator};
+use crate::simulator::{Imperfections, Mode, Options, Simulator};
 use crate::snapshot::Writer;
 use crate::truth::{Intake, Recent, TruthPoint};
 
@@ -28,23 +28,23 @@ impl SideBySide {
         set: InstructionSet,
     ) -> Result<Self, Error> {
         let options = template.options().of_run();
-        let mut sensors = SensorSuite::on_heap(&options)?;
-        sensors[0].become_run(&template.sensors, &options);
+        let mut imperfections = Imperfections::on_heap(&options)?;
+        imperfections[0].become_run(&template.imperfections, &options);
         let mut chain = room(1)?;
         chain.push(None);
-        let workspace = Workspace::new(&options, &mut sensors[0])?;
+        let workspace = Workspace::new(&options, &mut imperfections[0])?;
         let mut blocks = room(runs.div_ceil(RUNS))?;
         for first in (0..runs).step_by(RUNS) {
-            blocks.push(Block::new(&options, &mut sensors[0], RUNS.min(runs - first))?);
+            blocks.push(Block::new(&options, &mut imperfections[0], RUNS.min(runs - first))?);
         }
         let mut runs = Self {
             set,
             options,
             earth: options.earth(),
             first_run,
-            sensors,
+            imperfections,
             heights_are_shared: false,
-            of_one: RefCell::new(SensorSuite::on_heap(&options)?),
+            of_one: RefCell::new(Imperfections::on_heap(&options)?),
             signals: Signals::new()?,
             shared: [SharedInput::new()?, SharedInput::new()?],
             chain: chain.into_boxed_slice(),
@@ -59,15 +59,15 @@ impl SideBySide {
     fn restart_sensors(&mut self) {
         for place in 0..self.runs() {
             let options = self.options_of(place);
-            let sensors = &mut self.of_one.get_mut()[0];
-            sensors.become_run(&self.sensors[0], &options);
-            self.blocks[place / RUNS].put_sensors(place % RUNS, sensors);
+            let imperfections = &mut self.of_one.get_mut()[0];
+            imperfections.become_run(&self.imperfections[0], &options);
+            self.blocks[place / RUNS].put_imperfections(place % RUNS, imperfections);
         }
     }
 
     /// Back to before the first sample.
     pub fn reset(&mut self) {
-        self.sensors[0] = self.sensors[0].restarted(&self.options);
+        self.imperfections[0] = self.imperfections[0].restarted(&self.options);
         self.reposition();
         self.restart_sensors();
     }
@@ -80,15 +80,15 @@ impl SideBySide {
     }
 
     /// What `act` makes of the sensors of a run by itself.
-    fn with_sensors_of<T>(&self, place: usize, act: impl FnOnce(&SensorSuite) -> T) -> T {
-        let sensors = &mut self.of_one.borrow_mut()[0];
-        sensors.become_run(&self.sensors[0], &self.options_of(place));
-        sensors.follow_as(&self.sensors[0]);
-        self.blocks[place / RUNS].take_sensors(place % RUNS, sensors);
+    fn with_imperfections_of<T>(&self, place: usize, act: impl FnOnce(&Imperfections) -> T) -> T {
+        let imperfections = &mut self.of_one.borrow_mut()[0];
+        imperfections.become_run(&self.imperfections[0], &self.options_of(place));
+        imperfections.follow_as(&self.imperfections[0]);
+        self.blocks[place / RUNS].take_imperfections(place % RUNS, imperfections);
         if self.heights_are_shared {
-            sensors.altimeter.follow_as(&self.sensors[0].altimeter);
+            imperfections.altimeter.follow_as(&self.imperfections[0].altimeter);
         }
-        act(sensors)
+        act(imperfections)
     }
 
     /// The chain with which a run starts at the sample `first`.
@@ -98,8 +98,8 @@ impl SideBySide {
         first: &TruthPoint,
         interval: Option<&Recent<'_>>,
     ) -> Result<Chain, Error> {
-        self.with_sensors_of(place, |sensors| {
-            Chain::start(&self.options_of(place), self.earth, first, interval, sensors)
+        self.with_imperfections_of(place, |imperfections| {
+            Chain::start(&self.options_of(place), self.earth, first, interval, imperfections)
         })
     }
 
@@ -126,33 +126,33 @@ impl SideBySide {
         }
         // If no run could start, the truth goes on alone.
         self.chain[0] = Some(shared.unwrap_or_else(|| self.chain_of_truth(first.current)));
-        self.sensors[0].reposition(height_m);
+        self.imperfections[0].reposition(height_m);
         Ok(())
     }
 
     /// A chain with the solution of the truth: that of a run that cannot start. Not inlined, for the stack.
     #[inline(never)]
     fn chain_of_truth(&self, first: &TruthPoint) -> Chain {
-        Chain::to_load(&self.options, self.earth, first, &self.sensors[0])
+        Chain::to_load(&self.options, self.earth, first, &self.imperfections[0])
     }
 
     /// Writes a run as the simulator that it is, with the samples of `intake`.
     pub fn save_run(&self, place: usize, intake: &Intake, to: &mut Writer<'_>) {
         let chain = self.chain_of(place);
-        self.with_sensors_of(place, |sensors| {
-            save_flight(&self.options_of(place), sensors, intake, chain.as_ref(), to);
+        self.with_imperfections_of(place, |imperfections| {
+            save_flight(&self.options_of(place), imperfections, intake, chain.as_ref(), to);
         });
     }
 
     /// Whether a simulator has the sensors of these runs, so that its state is one of theirs.
     pub fn has_sensors_of(&self, simulator: &Simulator) -> bool {
-        self.sensors[0].is_set_as(&simulator.sensors)
+        self.imperfections[0].is_set_as(&simulator.imperfections)
     }
 
     /// Takes a run in that `simulator` has been so far.
     pub fn put_simulator(&mut self, place: usize, simulator: &mut Simulator, has_diverged: bool) {
         let (block, lane) = (&mut self.blocks[place / RUNS], place % RUNS);
-        block.put_sensors(lane, &mut simulator.sensors);
+        block.put_imperfections(lane, &mut simulator.imperfections);
         if let Mode::Flying(chain) = &simulator.mode {
             block.put_run(lane, chain);
             if self.chain[0].is_none() || !has_diverged {
@@ -169,6 +169,6 @@ impl SideBySide {
             block.put_diverged(lane, LastGood { time_s, interval_s });
         }
         // Also from a run that has diverged: its snapshot holds what all runs share.
-        self.sensors[0].follow_as(&simulator.sensors);
+        self.imperfections[0].follow_as(&simulator.imperfections);
     }
 }

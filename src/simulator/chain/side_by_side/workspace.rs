@@ -8,7 +8,7 @@ use crate::mechanization::{NavigatorBlock, Scratch};
 use crate::memory::room;
 use crate::sensors::{FailingTriad, StateRows};
 use crate::signal::{IncrementRows, MAX_INCREMENTS, RUNS, Row};
-use crate::simulator::{Options, SensorSuite};
+use crate::simulator::{Imperfections, Options};
 
 /// What a step needs beside a block, and the block as it was before.
 #[derive(Debug)]
@@ -31,9 +31,9 @@ pub(super) struct Workspace {
 }
 
 impl Workspace {
-    /// For blocks with the sensors of `sensors`. On the heap, as it is much of a stack.
-    pub fn new(options: &Options, sensors: &mut SensorSuite) -> Result<Box<[Self]>, Error> {
-        let (gyro, accel) = (sensors.gyro.rows()?, sensors.accel.rows()?);
+    /// For blocks of `imperfections`. On the heap, as it is much of a stack.
+    pub fn new(options: &Options, imperfections: &mut Imperfections) -> Result<Box<[Self]>, Error> {
+        let (gyro, accel) = (imperfections.gyro.rows()?, imperfections.accel.rows()?);
         let (mut memory, mut measured) = (room(1)?, room(MAX_INCREMENTS)?);
         measured.resize(MAX_INCREMENTS, [[0.0; RUNS]; 6]);
         memory.push(Self {
@@ -47,10 +47,10 @@ impl Workspace {
             accel,
             navigators: navigators(options)?,
             models: models(options)?,
-            failures: failures(sensors, RUNS)?,
+            failures: failures(imperfections, RUNS)?,
             reports: [Report::default(); RUNS],
             sums: [[0.0; RUNS]; 6],
-            disturbed: DisturbedWorkspace::new(sensors)?,
+            disturbed: DisturbedWorkspace::new(imperfections)?,
         });
         Ok(memory.into_boxed_slice())
     }

@@ -1,6 +1,6 @@
-//! What a snapshot keeps of the sensors.
+//! What a snapshot keeps of all that makes an INS err.
 
-use super::SensorSuite;
+use super::Imperfections;
 use crate::error::Error;
 use crate::mounting::MountingParameters;
 use crate::sensors::Sensor;
@@ -8,7 +8,7 @@ use crate::simulator::ErrorParameters;
 use crate::snapshot::{Reader, Stored, Writer};
 
 /// The parameters first: they are set again, and the state of what they call for is laid over that.
-impl Stored for SensorSuite {
+impl Stored for Imperfections {
     fn save(&self, to: &mut Writer<'_>) {
         let Self {
             gyro,
@@ -17,7 +17,7 @@ impl Stored for SensorSuite {
             gravity,
             set,
             triads_are_ideal: _,
-            all_are_ideal: _,
+            are_none: _,
             depend_on_temperature: _,
             follow_intervals: _,
             gyro_is_silent: _,

@@ -1,6 +1,6 @@
 //! What a host sets, and reads back.
 
-use super::SensorSuite;
+use super::Imperfections;
 use crate::covariance::Parameters;
 use crate::mounting::MountingParameters;
 use crate::sensors::{
@@ -10,7 +10,7 @@ use crate::sensors::{
 use crate::signal::Increment;
 use crate::simulator::{ErrorParameters, Options};
 
-impl SensorSuite {
+impl Imperfections {
     /// The same parameters, all processes and streams back at their start, no failures.
     pub fn restarted(&self, options: &Options) -> Self {
         let mut fresh = Self::new(options);
@@ -18,7 +18,7 @@ impl SensorSuite {
         fresh
     }
 
-    /// Becomes the sensors of another run than `other`: what the host set of those, failures too, and all processes and streams at
+    /// Becomes the imperfections of another run than `other`: what the host set of those, failures too, and all processes and streams at
     /// their start.
     #[inline(never)]
     pub fn become_run(&mut self, other: &Self, options: &Options) {

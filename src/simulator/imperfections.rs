@@ -1,4 +1,4 @@
-//! The sensors of a simulator, the gravity that acts on them, and what the host set of all that makes an INS err.
+//! All that makes an INS err: the errors of its sensors, gravity beyond the normal field, the mounting and the errors at the start.
 
 mod set;
 mod snapshot;
@@ -35,19 +35,19 @@ impl IntervalConditions {
     }
 }
 
-/// Models of the sensors and of the gravity that acts on them, and what the host set.
+/// All that makes an INS err: models of the sensors and of gravity, and the parameters that the host set.
 #[derive(Debug, Clone)]
-pub(super) struct SensorSuite {
+pub(super) struct Imperfections {
     pub gyro: Triad,
     pub accel: Triad,
     pub altimeter: Altimeter,
     /// Gravity beyond the normal field, which acts on the accelerometers.
     pub gravity: GravityDisturbance,
-    /// What the host set of all that makes an INS err.
+    /// Parameters that the host set, also of the mounting and of the errors at the start.
     set: ErrorParameters,
     /// What [`Self::update_summary`] has found.
     triads_are_ideal: bool,
-    all_are_ideal: bool,
+    are_none: bool,
     depend_on_temperature: bool,
     /// Whether a triad is to be told when an interval begins.
     follow_intervals: bool,
@@ -56,7 +56,7 @@ pub(super) struct SensorSuite {
     accel_is_silent: bool,
 }
 
-impl SensorSuite {
+impl Imperfections {
     /// Not inlined, for the stack: made in its place.
     #[inline(never)]
     pub fn new(options: &Options) -> Self {
@@ -67,7 +67,7 @@ impl SensorSuite {
             gravity: GravityDisturbance::new(options.key),
             set: ErrorParameters::default(),
             triads_are_ideal: true,
-            all_are_ideal: true,
+            are_none: true,
             depend_on_temperature: false,
             follow_intervals: false,
             gyro_is_silent: false,
@@ -75,7 +75,7 @@ impl SensorSuite {
         }
     }
 
-    /// Sensors on the heap: they are much of a stack.
+    /// On the heap: the models are much of a stack.
     #[inline(never)]
     pub fn on_heap(options: &Options) -> Result<Box<[Self]>, Error> {
         let mut memory = room(1)?;
@@ -93,7 +93,7 @@ impl SensorSuite {
     /// Brings up to date what each interval asks, after a change.
     fn update_summary(&mut self) {
         self.triads_are_ideal = self.gyro.is_ideal() && self.accel.is_ideal();
-        self.all_are_ideal = self.triads_are_ideal
+        self.are_none = self.triads_are_ideal
             && self.altimeter.is_ideal()
             && !self.gravity.is_on()
             && self.set.mounting.is_believed();
@@ -174,13 +174,13 @@ impl SensorSuite {
     }
 
     /// Whether gyros and accelerometers are ideal.
-    pub fn are_ideal(&self) -> bool {
+    pub fn triads_are_ideal(&self) -> bool {
         self.triads_are_ideal
     }
 
     /// Whether nothing makes the INS err: the altimeter is ideal too, gravity is normal and the mounting known.
-    pub fn all_are_ideal(&self) -> bool {
-        self.all_are_ideal
+    pub fn are_none(&self) -> bool {
+        self.are_none
     }
 }
 
@@ -203,19 +203,20 @@ mod tests {
     use crate::sensors::{Axis, Failure, SensorOutput};
 
     #[test]
-    fn a_suite_with_a_failure_is_not_ideal_until_it_is_cleared() {
-        let mut suite = SensorSuite::new(&Options::default());
-        let ideal_of = |suite: &SensorSuite| (suite.are_ideal(), suite.all_are_ideal());
+    fn a_failure_is_an_imperfection_until_it_is_cleared() {
+        let mut imperfections = Imperfections::new(&Options::default());
+        let ideal_of =
+            |imperfections: &Imperfections| (imperfections.triads_are_ideal(), imperfections.are_none());
         for output in
             [SensorOutput::Gyro(Axis::X), SensorOutput::Accelerometer(Axis::Z), SensorOutput::Altimeter]
         {
-            assert_eq!(ideal_of(&suite), (true, true));
+            assert_eq!(ideal_of(&imperfections), (true, true));
             for failure in [Failure::Stuck, Failure::Dead, Failure::BiasStep { size: -1.0 }] {
-                suite.set_failure(output, Some(failure), None);
-                assert_eq!(ideal_of(&suite), (output == SensorOutput::Altimeter, false));
+                imperfections.set_failure(output, Some(failure), None);
+                assert_eq!(ideal_of(&imperfections), (output == SensorOutput::Altimeter, false));
             }
-            suite.set_failure(output, None, None);
+            imperfections.set_failure(output, None, None);
         }
-        assert_eq!(ideal_of(&suite), (true, true));
+        assert_eq!(ideal_of(&imperfections), (true, true));
     }
 }

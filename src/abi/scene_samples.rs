@@ -1,0 +1,78 @@
+//! `sins_scene_samples`: which samples a scene flies.
+
+use super::failure::{Failure, SINS_OK, sins_status};
+use super::log::sins_log;
+use super::memory::{Output, interface_struct};
+use super::scene::{sins_scene, with_scene};
+use super::tables::LOGS;
+use crate::error::Error;
+use crate::log::FlightLog;
+use crate::scene::{Samples, Scene};
+
+/// The samples that a scene flies.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_scene_samples {
+    /// sizeof(sins_scene_samples)
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// Number of samples.
+    pub count: u64,
+    /// Samples from one record of a program to the next, at least 1: by sins_scene_setup.every_s, or else for about 2000
+    /// records.
+    pub record_every: u64,
+    /// Time stamp of the first sample [s].
+    pub start_s: f64,
+    /// Time between two samples; of a log, the mean [s].
+    pub period_s: f64,
+    /// Time from the first to the last sample [s].
+    pub duration_s: f64,
+}
+
+interface_struct!(sins_scene_samples, "samples", 48);
+
+/// Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
+/// sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
+/// sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, or the log has no second sample within the duration.
+/// SINS_ERROR_BAD_HANDLE: scene or log is not a valid handle.
+/// SINS_ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins_scene_parse().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_get_samples(
+    scene: *const sins_scene,
+    log: *const sins_log,
+    samples: *mut sins_scene_samples,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(samples, "samples")? };
+        if log.is_null() {
+            output.write(&sins_scene_samples::of(scene, None)?);
+            return Ok(SINS_OK);
+        }
+        let mut found = None;
+        let status = LOGS.with(log.addr(), |log| {
+            found = Some(sins_scene_samples::of(scene, Some(log)));
+            Ok(SINS_OK)
+        });
+        output.write(&found.ok_or(Failure::of_handle(status, "log"))??);
+        Ok(SINS_OK)
+    })
+}
+
+impl sins_scene_samples {
+    fn of(scene: &Scene, log: Option<&FlightLog>) -> Result<Self, Error> {
+        let Samples { count, start_s, period_s, duration_s } = scene.samples(log)?;
+        Ok(Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            count: count as u64,
+            record_every: scene.record_every(count, period_s).unwrap_or(1),
+            start_s,
+            period_s,
+            duration_s,
+        })
+    }
+}

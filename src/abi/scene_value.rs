@@ -1,0 +1,115 @@
+//! Values of a scene by their paths.
+
+use core::ffi::c_char;
+
+use super::failure::{Failure, sins_status};
+use super::scene::{change_scene, sins_scene, with_scene};
+use super::text::{put_text, text_of};
+use crate::error::{Error, Rule};
+use crate::scene::{Fault, MAX_TEXT};
+
+/// A terminated text of the host in UTF-8, not longer than a scene's text.
+///
+/// # Safety
+/// `text` is null or points to a terminated string, which nobody writes while the text lives.
+unsafe fn utf8<'a>(text: *const c_char, name: &'static str) -> Result<&'a str, Failure> {
+    // SAFETY: as this function.
+    let bytes = unsafe { text_of(text, name)? };
+    let refused = |words| Error { value: None, ..Error::invalid(name, 0.0, Rule::Sentence(words)) };
+    if bytes.len() > MAX_TEXT {
+        return Err(refused("must have at most 1 MiB").into());
+    }
+    core::str::from_utf8(bytes).map_err(|_| refused("must be UTF-8").into())
+}
+
+/// Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
+/// the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
+/// "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
+/// value: flight.hours of a scene that flies the whole flight. A number that has no equal in the unit of its key is rounded;
+/// in SI it is exact. A preset is not kept: its errors are.
+///
+/// "manoeuvre[3]" and "failure[0]" are all lines of an item, for sins_scene_set_items(). A built-in flight and a log have no
+/// manoeuvres here. buffer, capacity and needed as in sins_scene_write().
+///
+/// SINS_ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_get_value(
+    scene: *const sins_scene,
+    path: *const c_char,
+    buffer: *mut c_char,
+    capacity: usize,
+    needed: *mut usize,
+) -> sins_status {
+    with_scene(scene, |scene| {
+        // SAFETY: the host's promise.
+        let path = unsafe { utf8(path, "path")? };
+        let Some(value) = scene.value(path) else {
+            let rule = Rule::Sentence("must name a value or an item of the scene");
+            return Err(Error { value: None, ..Error::invalid("path", 0.0, rule) }.into());
+        };
+        // SAFETY: the host's promise.
+        unsafe { put_text(value.as_bytes(), buffer, capacity, needed) }
+    })
+}
+
+/// Sets values of the scene, all at once, at most 4096. values is a terminated text in UTF-8 with one path = value in each
+/// line; blank lines and lines that begin with # are ignored. Paths are those of sins_scene_get_value(). A value is written as in the text of a
+/// scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the default, in an element 0. If a value is set
+/// twice, the last counts. A preset replaces all errors of its sensors. flight.file and flight.builtin replace the flight.
+///
+/// The scene is checked as sins_scene_parse() checks a text: its values must go together. So set in one call what belongs
+/// together, as a manoeuvre's kind and its quantities.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins_scene_get_fault() gives every fault
+/// with the line in values and the path.
+/// SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_set_values(scene: *mut sins_scene, values: *const c_char) -> sins_status {
+    // SAFETY: the host's promise.
+    let values = unsafe { utf8(values, "values") };
+    let size = values.map_or(0, str::len);
+    change_scene(scene, size, |scene| {
+        let mut settings = Vec::new();
+        let mut lines = Vec::new();
+        for (line, number) in values?.lines().zip(1..) {
+            let line = line.trim();
+            if line.is_empty() || line.starts_with('#') {
+                continue;
+            }
+            let (path, value) = line.split_once('=').unwrap_or((line, ""));
+            settings.push((path.trim(), value.trim()));
+            lines.push(number);
+        }
+        scene.set(&settings).map_err(|mut faults| {
+            faults.iter_mut().for_each(|fault| place_in_lines(fault, &lines));
+            faults.into()
+        })
+    })
+}
+
+/// A fault of setting `column` is one of its line.
+fn place_in_lines(fault: &mut Fault, lines: &[usize]) {
+    if let Some(line) = fault.column.checked_sub(1).and_then(|index| lines.get(index)) {
+        (fault.line, fault.column) = (*line, 1);
+    }
+}
+
+/// Sets all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
+/// [[manoeuvre]] and its keys, and so on; that of one item is what sins_scene_get_value() gives. So a host adds, removes,
+/// moves and replaces items by their texts. An empty text removes all failures. Manoeuvres replace a built-in flight, with its
+/// start, or a log, with a start at latitude 0, longitude 0, height 0.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
+/// every fault with the line in items and the path.
+/// SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn sins_scene_set_items(
+    scene: *mut sins_scene,
+    list: *const c_char,
+    items: *const c_char,
+) -> sins_status {
+    // SAFETY: the host's promise.
+    let (list, items) = unsafe { (utf8(list, "list"), utf8(items, "items")) };
+    let size = items.map_or(0, str::len);
+    change_scene(scene, size, |scene| Ok(scene.set_items(list?, items?)?))
+}

@@ -1,0 +1,156 @@
+//! The limits of the numbers of a key. The checks of the library state them, so they are asked with a number beyond every limit.
+
+use super::Scene;
+use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft};
+use super::key::{Key, Section, Target};
+use super::table::{CHANNELS, SENSORS, of_sensor};
+use super::value::{Value, put};
+use crate::error::{Error, Rule};
+use crate::flight::{MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields};
+
+/// Least and greatest number of a key, in its unit; both are allowed themselves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// The least.
+    pub low: f64,
+    /// The greatest.
+    pub high: f64,
+    /// Whether 0 is allowed too, and means none.
+    pub zero_is_off: bool,
+}
+
+/// Beyond every limit.
+const BEYOND: f64 = 1e300;
+
+/// The limits of a key; of a key of several kinds of items the widest. `None`: there are none, or they depend on other values.
+pub fn limits(key: &Key) -> Option<Limits> {
+    let of_kinds = match key.section {
+        Section::Manoeuvre => of_manoeuvre(key),
+        Section::Sinusoid => of_sinusoid(key),
+        Section::Failure => of_failure(key),
+        _ => vec![of_section(key)],
+    };
+    of_kinds.into_iter().flatten().reduce(|one, other| Limits {
+        low: one.low.min(other.low),
+        high: one.high.max(other.high),
+        zero_is_off: one.zero_is_off && other.zero_is_off,
+    })
+}
+
+/// Puts a value beyond every limit. Returns whether the key takes numbers.
+fn exceed(draft: &mut Draft, key: &Key) -> bool {
+    match key.target {
+        Target::Numbers { shape, .. } => {
+            let value = match shape.single_sets(1) {
+                Some(_) => Value::Number(BEYOND),
+                None => Value::Numbers(vec![BEYOND; shape.count()]),
+            };
+            put(draft, key, true, &value).is_ok()
+        }
+        Target::Count { set, .. } => {
+            set(draft, u64::MAX);
+            true
+        }
+        _ => false,
+    }
+}
+
+/// The limits that the error of a check states, if it is about `key`.
+fn stated(key: &Key, checked: Result<(), Error>) -> Option<Limits> {
+    let error = checked.err()?;
+    let name = |field: &'static str| field.split_once('.').map_or(field, |(_, name)| name);
+    let (Some(low), Some(high)) = error.rule.limits() else { return None };
+    if !name(key.field()).starts_with(name(error.field)) {
+        return None;
+    }
+    let si = if let Target::Numbers { unit, .. } = key.target { unit.si } else { 1.0 };
+    let zero_is_off = matches!(error.rule, Rule::OffOr(..));
+    Some(Limits { low: towards_0(low, si), high: towards_0(high, si), zero_is_off })
+}
+
+/// A limit in a unit, rounded towards 0, so that the limit itself is accepted.
+fn towards_0(limit: f64, si: f64) -> f64 {
+    let number = limit / si;
+    if (number * si).abs() <= limit.abs() {
+        number
+    } else if number > 0.0 {
+        number.next_down()
+    } else {
+        number.next_up()
+    }
+}
+
+fn of_section(key: &Key) -> Option<Limits> {
+    let mut draft = Draft::from(&Scene::default());
+    draft.closed_loop = true;
+    if !exceed(&mut draft, key) {
+        return None;
+    }
+    let rest = vec![Manoeuvre::Rest { duration_s: 3600.0 }];
+    let whole = |draft: Draft| draft.into_scene(rest).flown_s().map(|_| ());
+    stated(key, draft.validate(key.section).and_then(|()| whole(draft)))
+}
+
+/// Two speeds: a limit that differs depends on the flight.
+const SPEEDS_M_S: [f64; 2] = [100.0, 200.0];
+
+fn of_flight(key: &Key, manoeuvre: &Manoeuvre) -> Option<Limits> {
+    let [one, other] = SPEEDS_M_S.map(|speed_m_s| stated(key, manoeuvre.validate(speed_m_s)));
+    one.filter(|_| one == other)
+}
+
+/// A manoeuvre of any kind, within all limits.
+fn some_manoeuvre(kind: usize) -> ManoeuvreFields {
+    ManoeuvreFields {
+        kind,
+        duration_s: 1e3,
+        speed_change_m_s: 1.0,
+        height_change_m: 1.0,
+        heading_change_rad: 1.0,
+        bank_rad: 0.5,
+        turns: 1.0,
+        sinusoid_count: 1,
+        ..ManoeuvreFields::default()
+    }
+}
+
+fn of_manoeuvre(key: &Key) -> Vec<Option<Limits>> {
+    let of_kind = |(kind, (_, uses)): (usize, &(&str, &[&str]))| {
+        let mut draft = Draft::from(&Scene::default());
+        draft.manoeuvre = some_manoeuvre(kind);
+        let is_used = uses.contains(&key.field()) && exceed(&mut draft, key);
+        if is_used { of_flight(key, &draft.manoeuvre.to_manoeuvre()) } else { None }
+    };
+    MANOEUVRE_KINDS.iter().enumerate().map(of_kind).collect()
+}
+
+fn of_sinusoid(key: &Key) -> Vec<Option<Limits>> {
+    let of_channel = |(_, channel): &(&str, _)| {
+        let mut draft = Draft::from(&Scene::default());
+        draft.sinusoid = SinusoidDraft { channel: *channel, ..SinusoidDraft::default() };
+        if !exceed(&mut draft, key) {
+            return None;
+        }
+        let mut fields = some_manoeuvre(MANOEUVRE_KINDS.len() - 1);
+        fields.sinusoids[0] = draft.sinusoid.to_sinusoid();
+        of_flight(key, &fields.to_manoeuvre())
+    };
+    CHANNELS.iter().map(of_channel).collect()
+}
+
+fn of_failure(key: &Key) -> Vec<Option<Limits>> {
+    let mut all = Vec::new();
+    for sensor in (0..SENSORS.len()).filter(|sensor| of_sensor(key, *sensor).is_none()) {
+        for kind in 1..FAILURE_KINDS.len() {
+            let mut draft = Draft::from(&Scene::default());
+            // Drop-outs are random without an interval.
+            let interval_s = if key.name == "probability" { 0.0 } else { 1.0 };
+            draft.failure =
+                FailureDraft { sensor, kind, interval_s, duration_s: 1e-3, ..FailureDraft::default() };
+            if exceed(&mut draft, key) {
+                all.push(stated(key, draft.failure.to_planned().map(|_| ())));
+            }
+        }
+    }
+    all
+}

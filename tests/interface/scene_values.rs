@@ -1,0 +1,441 @@
+//! Scenes key by key: the keys as data, values read and set by their paths, items of lists.
+
+use std::ffi::{CStr, CString, c_char};
+use std::ptr::null_mut;
+
+use sins::abi::*;
+use sins::scene::{BUILTIN_SCENES, Fault, FlightSource, KeyKind, KeyLine, Scene, builtin, keys};
+
+use crate::support::init;
+
+const MANOEUVRES: &str = "\
+[[manoeuvre]]
+kind = \"accelerate\"
+duration_s = 30
+speed_change_m_s = 100
+
+[[manoeuvre]]
+kind = \"turn\"
+heading_change_deg = 90
+bank_deg = 30
+
+[[manoeuvre]]
+kind = \"sinusoids\"
+duration_s = 100
+
+[[manoeuvre.sinusoid]]
+channel = \"course\"
+amplitude_deg = 10
+frequency_hz = 0.1
+
+[[manoeuvre.sinusoid]]
+channel = \"roll\"
+amplitude_deg = 5
+frequency_hz = 0.5
+
+[[failure]]
+sensor = \"gyro\"
+axis = \"z\"
+kind = \"bias_step\"
+from_s = 20
+size_deg_h = 3
+";
+
+fn scene() -> Scene {
+    Scene::parse(MANOEUVRES.as_bytes()).unwrap()
+}
+
+fn path_of(key: &KeyLine) -> String {
+    let section = match key.section {
+        "manoeuvre" => "manoeuvre[1]",
+        "manoeuvre.sinusoid" => "manoeuvre[2].sinusoid[1]",
+        "failure" => "failure[0]",
+        section => section,
+    };
+    format!("{section}.{}", key.name)
+}
+
+/// Paths and sentences of faults.
+fn told(faults: Vec<Fault>) -> Vec<(String, String)> {
+    faults.into_iter().map(|fault| (fault.about.path, fault.sentence)).collect()
+}
+
+#[test]
+fn values_are_read_by_their_paths() {
+    let mut scene = scene();
+    scene.set(&[("gyro.bias_deg_h", "[1, 0.1, 0]"), ("flight.title", "a \"b\" # c")]).unwrap();
+    for (path, value) in [
+        ("gyro.bias_deg_h", "[1, 0.1, 0]"),
+        ("gyro.bias_deg_h[1]", "0.1"),
+        ("accelerometer.misalignment_arcsec", "0"),
+        ("options.scheme", "\"exact\""),
+        ("options.subsamples", "2"),
+        ("output.quiet", "false"),
+        ("flight.rate_hz", "100"),
+        ("flight.hours", ""),
+        ("flight.file", ""),
+        ("flight.title", "\"a \\\"b\\\" # c\""),
+        ("manoeuvre[1].bank_deg", "30"),
+        ("manoeuvre[1].ramp_s", "5"),
+        ("manoeuvre[2].sinusoid[1].channel", "\"roll\""),
+        ("failure[0].size_deg_h", "3"),
+        ("failure[0].until_s", ""),
+    ] {
+        assert_eq!(scene.value(path).as_deref(), Some(value), "{path}");
+    }
+    let bias = scene.value("gyro.bias_rad_s[0]").unwrap().parse::<f64>().unwrap();
+    assert_eq!(bias, scene.errors.gyro.bias.x);
+    for path in [
+        "",
+        "gyro",
+        "manoeuvre[3]",
+        "manoeuvre[2].sinusoid[2].channel",
+        "failure[1].kind",
+        "gyro.bias_deg_h[3]",
+    ] {
+        assert_eq!(scene.value(path), None, "{path}");
+    }
+}
+
+/// Each key of each scene: by its own value, in its unit and in SI, the scene stays what it is.
+#[test]
+fn every_value_that_is_read_can_be_set() {
+    let mut scenes: Vec<Scene> = BUILTIN_SCENES.iter().map(|(name, _)| builtin(name).unwrap()).collect();
+    scenes.push(scene());
+    let mut count = 0;
+    for scene in scenes {
+        for key in keys() {
+            for name in [Some(key.name), key.si_name].into_iter().flatten() {
+                let path = path_of(&key).replace(key.name, name);
+                let Some(value) = scene.value(&path).filter(|_| key.name != "preset") else { continue };
+                let mut again = scene.clone();
+                if let Err(faults) = again.set(&[(&path, &value)]) {
+                    // What acts with others alone is refused without them.
+                    let sentence = &faults[0].sentence;
+                    let needs = ["only with", "does not use it", "not for this", "only together"];
+                    assert!(
+                        needs.iter().any(|words| sentence.contains(words)),
+                        "{path} = {value}: {sentence}"
+                    );
+                    continue;
+                }
+                assert_eq!(again, scene, "{path} = {value}");
+                count += 1;
+            }
+        }
+    }
+    println!("{count} values");
+    assert!(count > 1500, "{count}");
+}
+
+#[test]
+fn what_belongs_together_is_set_together() {
+    let mut scene = scene();
+    // A climb has no bank, and a turn no height.
+    let climb = [
+        ("manoeuvre[1].kind", "climb"),
+        ("manoeuvre[1].duration_s", "60"),
+        ("manoeuvre[1].height_change_m", "500"),
+    ];
+    let faults = told(scene.set(&climb).unwrap_err());
+    assert_eq!(
+        faults,
+        [
+            (
+                "manoeuvre[1].heading_change_deg".into(),
+                "manoeuvre.heading_change_deg: climb does not use it".into()
+            ),
+            ("manoeuvre[1].bank_deg".into(), "manoeuvre.bank_deg: climb does not use it".into()),
+        ]
+    );
+    assert_eq!(scene, self::scene(), "a rejected change");
+    let without = [("manoeuvre[1].bank_deg", ""), ("manoeuvre[1].heading_change_deg", "")];
+    scene.set(&[&climb[..], &without].concat()).unwrap();
+    assert_eq!(scene.value("manoeuvre[1].height_change_m").as_deref(), Some("500"));
+    let both = [("gyro.markov_sigma_deg_h[2]", "1"), ("gyro.markov_time_s", "100")];
+    let faults = told(scene.set(&both[..1]).unwrap_err());
+    assert_eq!(faults[0].0, "gyro.markov_time_s[2]", "{faults:?}");
+    scene.set(&both).unwrap();
+    assert_eq!(scene.value("gyro.markov_sigma_deg_h").as_deref(), Some("[0, 0, 1]"));
+    // The fault of an element is told at its line, though the scene has the key.
+    let faults = scene.set(&[("options.seed", "1"), ("gyro.markov_sigma_deg_h[1]", "-1")]).unwrap_err();
+    assert_eq!(
+        (faults[0].line, faults[0].column, faults[0].about.path.as_str()),
+        (0, 2, "gyro.markov_sigma_deg_h[1]")
+    );
+    assert!(scene.set(&[("options.seed", "1"); 4097]).is_err());
+    // One element after the other; no value is 0.
+    scene.set(&[("gyro.markov_sigma_deg_h[0]", "0.25"), ("gyro.markov_sigma_deg_h[2]", "")]).unwrap();
+    assert_eq!(scene.value("gyro.markov_sigma_deg_h").as_deref(), Some("[0.25, 0, 0]"));
+}
+
+#[test]
+fn a_preset_and_another_flight_replace_what_was() {
+    let mut scene = scene();
+    scene.set(&[("gyro.bias_deg_h", "7"), ("gyro.dead_zone_deg_h", "1")]).unwrap();
+    scene.set(&[("gyro.preset", "consumer")]).unwrap();
+    assert_eq!(scene.errors.gyro, sins::sensors::Grade::Consumer.parameters().0);
+    scene.set(&[("gyro.preset", "tactical"), ("gyro.bias_deg_h", "2")]).unwrap();
+    assert_eq!(scene.value("gyro.bias_deg_h").as_deref(), Some("2"));
+    scene.set(&[("flight.builtin", "patrol"), ("flight.rate_hz", "50")]).unwrap();
+    assert_eq!(scene.flight, FlightSource::Builtin("patrol".into()));
+    scene.set(&[("flight.file", "a.csv")]).unwrap();
+    assert_eq!((scene.flight.clone(), scene.rate_hz), (FlightSource::Log("a.csv".into()), 100.0));
+    assert!(scene.set(&[("flight.file", "")]).is_err() && scene.is_log());
+    scene.set_items("manoeuvre", "[[manoeuvre]]\nkind = \"rest\"\nduration_s = 60\n").unwrap();
+    assert_eq!(scene.flown_s(), Ok(60.0));
+}
+
+#[test]
+fn items_are_added_moved_and_removed_by_their_texts() {
+    let mut scene = scene();
+    let items: Vec<String> = (0..3).map(|k| scene.value(&format!("manoeuvre[{k}]")).unwrap()).collect();
+    let moved = [&items[0], &items[2], &items[1], "[[manoeuvre]]\nkind = \"straight\"\nduration_s = 9\n"]
+        .map(str::to_owned);
+    scene.set_items("manoeuvre", &moved.join("\n")).unwrap();
+    assert_eq!(scene.value("manoeuvre[1].sinusoid[0].channel").as_deref(), Some("\"course\""));
+    assert_eq!(scene.value("manoeuvre[3].duration_s").as_deref(), Some("9"));
+    scene.set_items("manoeuvre", &items.join("\n")).unwrap();
+    assert_eq!(scene, self::scene());
+    let failure = scene.value("failure[0]").unwrap();
+    let faults = scene.set_items("failure", &format!("{failure}\n{failure}")).unwrap_err();
+    assert_eq!((faults[0].line, faults[0].about.path.as_str()), (8, "failure[1]"), "{faults:?}");
+    scene.set_items("failure", "").unwrap();
+    assert!(scene.failures.is_empty());
+    for (list, text, line, sentence) in [
+        ("manoeuvre", "", 1, "[flight]: expected a flight: file, builtin or [[manoeuvre]]s"),
+        ("failure", "# first\n[output]\nquiet = true\n", 2, "expected only [[failure]]"),
+        ("failure", "[[manoeuvre]]\nkind = \"rest\"\nduration_s = 1\n", 1, "expected only [[failure]]"),
+        ("failure", "kind = 1", 1, "expected only [[failure]]"),
+        ("failure", "[[failure]", 1, "unclosed array table"),
+        (
+            "manoeuvre",
+            "[[manoeuvre]]\nkind = \"rest\"\nduration_s = -1",
+            3,
+            "manoeuvre.duration_s = -1: must be from 0.001 to 1e8",
+        ),
+        ("gyro", "", 0, "expected manoeuvre or failure"),
+    ] {
+        let before = scene.clone();
+        let faults = scene.set_items(list, text).unwrap_err();
+        let found = (faults[0].line, faults[0].sentence.as_str());
+        assert!(found.0 == line && found.1.starts_with(sentence), "{text}: {faults:?}");
+        assert_eq!(scene, before);
+    }
+}
+
+/// At the limits that a key states a value is taken, beyond them it is not; unless the fault is one of another key.
+#[test]
+fn the_limits_of_the_keys_are_those_of_the_scene() {
+    let mut scene = scene();
+    scene.set(&[("gyro.markov_time_s", "1"), ("options.signal", "closed-loop")]).unwrap();
+    let mut counts = [0; 3];
+    for key in keys() {
+        let Some(limits) = key.limits else {
+            counts[2] += usize::from(matches!(key.kind, KeyKind::Numbers(_)));
+            continue;
+        };
+        let path = path_of(&key);
+        // A matrix whose diagonal must be 0 begins there.
+        let element = if key.spread == 0b011_101_110 {
+            "[1]"
+        } else if key.kind == KeyKind::Numbers(1) || key.kind == KeyKind::Whole {
+            ""
+        } else {
+            "[0]"
+        };
+        for (value, is_within) in [
+            (limits.low, true),
+            (limits.high, true),
+            (limits.low - limits.low.abs().max(1e-3) * 1e-3, false),
+            (limits.high + limits.high.abs().max(1e-3) * 1e-3, false),
+        ] {
+            let value = if key.kind == KeyKind::Whole && !is_within {
+                value.round() + (value - limits.low).signum()
+            } else {
+                value
+            };
+            let mut changed = scene.clone();
+            let faults =
+                changed.set(&[(&format!("{path}{element}"), &value.to_string())]).err().unwrap_or_default();
+            let is_beyond = |fault: &Fault| {
+                let about = &fault.about;
+                about.path == format!("{path}{element}") && about.minimum.is_some() && about.maximum.is_some()
+            };
+            if is_within {
+                // How often depends on how many manoeuvres there are.
+                assert!(
+                    key.name == "repeat" || !faults.iter().any(is_beyond),
+                    "{path}{element} = {value}: {faults:?}"
+                );
+                counts[0] += usize::from(faults.is_empty());
+            } else {
+                assert!(!faults.is_empty() || limits.zero_is_off, "{path}{element} = {value} is taken");
+                counts[1] += usize::from(faults.iter().any(is_beyond));
+            }
+        }
+    }
+    println!("at limits {}, beyond {}, keys of numbers without limits {}", counts[0], counts[1], counts[2]);
+    assert!(counts[0] > 150 && counts[1] > 150 && counts[2] < 6, "{counts:?}");
+}
+
+#[test]
+fn conditions_name_the_items_that_use_a_key() {
+    let of = |section: &str, name: &str| {
+        keys().into_iter().find(|key| (key.section, key.name) == (section, name)).unwrap().condition
+    };
+    assert_eq!(of("manoeuvre", "kind"), "");
+    assert_eq!(of("manoeuvre", "bank_deg"), "kind=turn");
+    assert_eq!(of("manoeuvre", "turns"), "kind=roll|loop|s_turn");
+    assert_eq!(of("manoeuvre.sinusoid", "amplitude_m_s"), "channel=speed");
+    assert_eq!(of("manoeuvre.sinusoid", "phase_deg"), "");
+    assert_eq!(of("failure", "axis"), "sensor=gyro|accelerometer");
+    assert_eq!(of("failure", "size_m"), "kind=bias_step|spikes sensor=altimeter");
+    assert_eq!(of("failure", "interval_s"), "kind=spikes|drop_outs");
+    assert_eq!(of("gyro", "bias_deg_h"), "");
+}
+
+fn text(chars: &[c_char]) -> String {
+    let bytes: Vec<u8> = chars.iter().map(|letter| *letter as u8).collect();
+    CStr::from_bytes_until_nul(&bytes).unwrap().to_str().unwrap().to_owned()
+}
+
+/// A host sees every key, and no text is cut.
+#[test]
+fn the_keys_of_the_c_interface_are_all_of_them() {
+    let mut key = init::<sins_scene_key>();
+    for (index, line) in keys().iter().enumerate() {
+        // SAFETY: a struct of the interface.
+        assert_eq!(unsafe { sins_scene_get_key(index, &mut key) }, SINS_OK);
+        assert_eq!(key.count as usize, keys().len());
+        let texts = [&key.section[..], &key.name, &key.si_name, &key.unit, &key.si_unit, &key.default_value];
+        let expected =
+            [line.section, line.name, line.si_name.unwrap_or(""), line.unit, line.si_unit, &line.default];
+        assert_eq!(texts.map(text), expected);
+        assert_eq!((text(&key.condition), text(&key.meaning)), (line.condition.clone(), line.doc.to_owned()));
+        let words = if let KeyKind::Words(words) = line.kind { words.join("|") } else { String::new() };
+        assert_eq!(text(&key.words), words);
+        let limits = (key.flags & SINS_SCENE_KEY_LIMITS != 0).then_some((key.minimum, key.maximum));
+        assert_eq!(limits, line.limits.map(|limits| (limits.low, limits.high)));
+        assert_eq!((key.elements == 9, key.si_per_unit), (line.kind == KeyKind::Numbers(9), line.unit_si));
+    }
+    // SAFETY: a struct of the interface.
+    assert_eq!(unsafe { sins_scene_get_key(keys().len(), &mut key) }, SINS_ERROR_INVALID_ARGUMENT);
+}
+
+#[test]
+fn a_host_is_told_the_line_the_path_and_the_limits_of_a_fault() {
+    let mut scene = null_mut();
+    let (mut fault, mut needed) = (init::<sins_fault>(), 0);
+    let values =
+        c"# from a form\n\ngyro.range_deg_s[2] = -3\noptions.vertical = free\naltimeter.bias_m = 4\n";
+    // SAFETY: living handles, structs of the interface, terminated texts.
+    unsafe {
+        assert_eq!(sins_scene_create(&mut scene), SINS_OK);
+        assert_eq!(sins_scene_set_values(scene, values.as_ptr()), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(sins_scene_get_fault(scene, 0, &mut fault), SINS_OK);
+        assert_eq!((fault.count, fault.line, text(&fault.path)), (2, 3, "gyro.range_deg_s[2]".into()));
+        let limits = SINS_ERROR_INFO_VALUE | SINS_ERROR_INFO_MINIMUM | SINS_ERROR_INFO_MAXIMUM;
+        assert_eq!((fault.flags, fault.value), (limits, -3.0));
+        assert!((fault.maximum / 5.72958e7 - 1.0).abs() < 1e-6, "{}", fault.maximum);
+        assert_eq!(sins_scene_get_fault(scene, 1, &mut fault), SINS_OK);
+        assert_eq!((fault.line, text(&fault.path), fault.flags), (5, "altimeter".into(), 0));
+        let mut buffer = [0; 64];
+        let read = |path: &CStr, buffer: &mut [c_char; 64], needed: &mut usize| {
+            sins_scene_get_value(scene, path.as_ptr(), buffer.as_mut_ptr(), 64, needed)
+        };
+        assert_eq!(read(c"options.vertical", &mut buffer, &mut needed), SINS_OK);
+        assert_eq!((text(&buffer), needed), ("\"damped\"".into(), 9));
+        assert_eq!(sins_scene_set_values(scene, c"options.vertical = free".as_ptr()), SINS_OK);
+        assert_eq!(sins_scene_get_fault(scene, 0, &mut fault), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(read(c"options.vertcal", &mut buffer, &mut needed), SINS_ERROR_INVALID_ARGUMENT);
+        let failure =
+            CString::new("[[failure]]\nsensor = \"gyro\"\naxis = \"x\"\nkind = \"dead\"\n").unwrap();
+        assert_eq!(sins_scene_set_items(scene, c"failure".as_ptr(), failure.as_ptr()), SINS_OK);
+        assert_eq!(read(c"failure[0].kind", &mut buffer, &mut needed), SINS_OK);
+        assert_eq!(
+            sins_scene_set_values(scene, c"gyro.bias_deg_h = \xff".as_ptr()),
+            SINS_ERROR_INVALID_ARGUMENT
+        );
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+        assert_eq!(sins_scene_set_values(scene, values.as_ptr()), SINS_ERROR_BAD_HANDLE);
+    }
+}
+
+/// As the program `sins` and every host count: rounding takes no sample away, and a log ends with the scene.
+#[test]
+fn the_samples_of_a_flight_and_of_a_log_are_counted() {
+    let rate = |rate_hz: &str| {
+        let mut scene = builtin("rest").unwrap();
+        scene.set(&[("flight.hours", "0.01"), ("flight.rate_hz", rate_hz)]).unwrap();
+        scene.samples(None).unwrap()
+    };
+    assert_eq!((rate("100").count, rate("100").duration_s, rate("3").count), (3601, 36.0, 109));
+    let mut scene = Scene::default();
+    assert_eq!(
+        scene.samples(None).map(|samples| scene.record_every(samples.count, samples.period_s)),
+        Ok(Ok(180))
+    );
+    scene.set(&[("output.every_s", "0.001")]).unwrap();
+    let sentence = scene.record_every(11, 0.01).unwrap_err().to_string();
+    assert_eq!(sentence, "output.every_s = 0.001: must be at least the sample interval, 0.01");
+    let log = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
+    let log: String = log.to_owned()
+        + &(0..11).map(|k| format!("{},0,0,0,0,0,0\n", 5.0 + f64::from(k))).collect::<String>();
+    let log = sins::log::FlightLog::parse(log.as_bytes()).unwrap();
+    scene.set(&[("flight.file", "a.csv")]).unwrap();
+    assert!(scene.samples(None).is_err());
+    let samples = scene.samples(Some(&log)).unwrap();
+    assert_eq!((samples.count, samples.start_s, samples.period_s, samples.duration_s), (11, 5.0, 1.0, 10.0));
+    scene.duration_s = Some(4.0 * (1.0 - 1e-10));
+    assert_eq!(scene.samples(Some(&log)).unwrap().count, 5);
+    scene.duration_s = Some(0.5);
+    let sentence = scene.samples(Some(&log)).unwrap_err().to_string();
+    assert_eq!(sentence, "flight.duration_s = 0.5: the log has no second sample within this time");
+}
+
+/// A line has the names of its head, and its numbers read back to the bit.
+#[test]
+fn a_record_is_a_line_of_a_file() {
+    let line = |record: *const sins_record, sensors: &[f64], covariance: *const sins_covariance| {
+        let mut buffer = vec![0; 2048];
+        let (place, size) = (buffer.as_mut_ptr(), buffer.len());
+        // SAFETY: structs of the interface or null, numbers with their count, a buffer with its size.
+        let status = unsafe {
+            sins_record_line(record, sensors.as_ptr(), sensors.len(), covariance, place, size, null_mut())
+        };
+        assert_eq!(status, SINS_OK);
+        text(&buffer)
+    };
+    let mut record = init::<sins_record>();
+    record.time_s = 0.1;
+    record.truth.heading_rad = -1e-300;
+    record.navigation.latitude_rad = core::f64::consts::FRAC_PI_3;
+    record.model_errors.flags = SINS_ERRORS_NOT_COMPUTED;
+    let mut covariance = init::<sins_covariance>();
+    covariance.misalignment_sigma_enu_rad = [0.0, 0.0, 4e-5];
+    let none = core::ptr::null();
+    for (covariance, columns) in [(none, 51), (&raw const covariance, 60)] {
+        let names = line(core::ptr::null(), &[], covariance);
+        let names: Vec<&str> = names.split(',').collect();
+        let values = line(&record, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.5], covariance);
+        let values: Vec<f64> = values.split(',').map(|value| value.parse().unwrap()).collect();
+        assert_eq!((names.len(), values.len()), (columns, columns));
+        for (name, value) in [
+            ("time_s", 0.1),
+            ("truth_heading_rad", -1e-300),
+            ("navigation_latitude_rad", core::f64::consts::FRAC_PI_3),
+            ("model_error_flags", 4.0),
+            ("gyro_error_x_rad_s", 1.0),
+            ("accel_error_z_m_s2", 6.5),
+            ("sigma_misalignment_up_rad", 4e-5),
+        ] {
+            let found = names.iter().position(|other| *other == name).map(|index| values[index].to_bits());
+            let is_sigma = name.starts_with("sigma");
+            assert!(found == Some(f64::to_bits(value)) || is_sigma && columns == 51, "{name}");
+        }
+    }
+    // SAFETY: as above.
+    let status = unsafe { sins_record_line(&record, [0.0; 5].as_ptr(), 5, none, null_mut(), 0, &mut 0) };
+    assert_eq!(status, SINS_ERROR_INVALID_ARGUMENT);
+}
