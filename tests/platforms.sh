@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The same bits on other processors and word sizes, and what a host does to the library there: Rust's pinned digests, the runs of
-# ensembles against single simulators, and the programs of tests/c. ARM by emulation; 32-bit x86 by the machine itself where its kernel can, as the emulator raises no
-# floating-point exceptions. On this machine as released, and without optimisation. What cannot be had is told at the end.
+# ensembles against single simulators, and the programs of tests/c. ARM by emulation; 32-bit x86 by the machine itself where its
+# kernel can, as the emulator raises no floating-point exceptions. On this machine as released, and without optimisation. What
+# cannot be had is told at the end.
 # SINS_LIB_DIR: a folder with a libsins.so to take for this machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
