@@ -16,7 +16,7 @@ c_examples/build.sh
 # In a folder of its own: a build of the library for the program and one as a shared library alone, as build.sh makes it, replace
 # each other in a folder of cargo, and both would be built again each time.
 cargo build --release --quiet -p sins-cli --target-dir "$target/program"
-cp "$target/program/release/sins" "$sins"
+ln -f "$target/program/release/sins" "$sins"
 
 rm -rf "$out"
 mkdir -p "$out"

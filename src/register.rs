@@ -1,4 +1,4 @@
-//! Two numbers side by side, in a register of the processor where the library may rely on one.
+//! The operations of [`Two`](crate::math::Two): SSE2 on x86-64, where every processor has it, and plain numbers elsewhere.
 
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) use portable::*;

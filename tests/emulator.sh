@@ -58,14 +58,14 @@ refuses() {
     echo "$1: $(head -c 200 "$folder/sentence" | tr -d '\r' | head -1)"
 }
 
-# drive COMMAND [FOLDER] -- OPTION...: the program with these options, driven through its dialogs.
+# drive DRIVER COMMAND [FOLDER] -- OPTION...: the program with these options, driven through its dialogs.
 drive() {
     local command=() program
     while [ "$1" != -- ]; do command+=("$1"); shift; done
     shift
     emulator "$@" &
     program=$!
-    "$wine" "$folder/driver.exe" "${command[@]}" >"$folder/said" || { cat "$folder/said"; fail "${command[*]}"; }
+    "$wine" "$folder/${command[0]}.exe" "${command[@]:1}" >"$folder/said" || { cat "$folder/said"; fail "${command[*]}"; }
     tr -d '\r' <"$folder/said"
     wait "$program"
 }
@@ -78,22 +78,27 @@ fonts() {
     done
 }
 
-# pictures LANGUAGE [NAME]: each page and dialog.
-pictures() {
-    local line program watched name=$1${2:-}
-    emulator /language "$1" /scene "$(path "$folder/flown/trainer.toml")" /run &
+# watch NAME DRIVER COMMAND -- OPTION...: a picture of each page that the driver shows.
+watch() {
+    local line program watched
+    emulator "${@:5}" &
     program=$!
-    coproc driver { "$wine" "$folder/driver.exe" pages; }
+    coproc driver { "$wine" "$folder/$2.exe" "$3"; }
     watched=$driver_PID
     while read -r line <&"${driver[0]}"; do
         line=${line%$'\r'}
         [ "${line% *}" = page ] || fail "$line"
-        import -window root "$folder/${name}_${line#page }.png"
+        import -window root "$folder/$1_${line#page }.png"
         echo >&"${driver[1]}"
     done 2>/dev/null
     wait "$watched" || true
     wait "$program"
-    [ -f "$folder/${name}_manoeuvre.png" ] || fail "not all pages were shown"
+}
+
+# pictures LANGUAGE [NAME]: each page and dialog.
+pictures() {
+    watch "$1${2:-}" driver pages -- /language "$1" /scene "$(path "$folder/flown/trainer.toml")" /run
+    [ -f "$folder/$1${2:-}_manoeuvre.png" ] || fail "not all pages were shown"
 }
 
 # check ARCH BITS OTHER: everything, or what the usage says; with the DLL of the other word size to be refused.
@@ -109,7 +114,10 @@ check() {
     else
         c_examples/emulator/build.sh "$1" "$folder"
     fi
-    "$1-w64-mingw32-gcc" -std=c99 -Wall -Wextra -Werror -O1 -o "$folder/driver.exe" tests/emulator/driver.c -luser32 -static
+    for driver in driver controls; do
+        "$1-w64-mingw32-gcc" -std=c99 -Wall -Wextra -Wno-unused-function -Werror -O1 -o "$folder/$driver.exe" \
+            "tests/emulator/$driver.c" -luser32 -static
+    done
     fonts
 
     refuses "no DLL" "sins.dll: no such file"
@@ -146,7 +154,7 @@ check() {
     # Through the dialogs: an hour of the paper's simulation 2.
     "$sins" scene write simulation2 >"$folder/flown/simulation2.toml"
     sed -i 's/^hours = 48/hours = 2/' "$folder/flown/simulation2.toml"
-    drive fly 1 -- /language en /scene "$(path "$folder/flown/simulation2.toml")" /export "$(path "$folder/flown/records")"
+    drive driver fly 1 -- /language en /scene "$(path "$folder/flown/simulation2.toml")" /export "$(path "$folder/flown/records")"
     grep -q '^hours = 1 ' "$folder/flown/simulation2.toml" || fail "the scene was not saved with its hour"
     "$sins" scene write simulation2 | sed 's/^hours = 48/hours = 1/' | cmp - "$folder/flown/simulation2.toml"
     "$sins" fly "$folder/flown/simulation2.toml" --out "$folder/flown/expected" --quiet
@@ -154,14 +162,14 @@ check() {
 
     # A failure that is set in flight is in the scene that is saved, which flies to the same bits.
     cp "$folder/flown/simulation2.toml" "$folder/flown/exercise.toml"
-    drive exercise -- /language en /scene "$(path "$folder/flown/exercise.toml")" /export "$(path "$folder/flown/records")"
+    drive driver exercise -- /language en /scene "$(path "$folder/flown/exercise.toml")" /export "$(path "$folder/flown/records")"
     grep -q '^\[\[failure\]\]' "$folder/flown/exercise.toml" || fail "the failure is not in the scene"
     "$sins" fly "$folder/flown/exercise.toml" --out "$folder/flown/expected" --quiet
     cmp "$folder/flown/expected/exercise.csv" "$folder/flown/records/exercise.csv"
 
     # Composed in the dialogs: a manoeuvre with a sinusoid before the rest, a preset, a value in SI and another for one axis.
     "$sins" scene write rest >"$folder/flown/edit.toml"
-    drive edit -- /language en /scene "$(path "$folder/flown/edit.toml")"
+    drive driver edit -- /language en /scene "$(path "$folder/flown/edit.toml")"
     "$sins" scene check "$folder/flown/edit.toml"
     tr -d '\n' <"$folder/flown/edit.toml" | grep -Eq 'kind = "sinusoids".*channel = "roll".*amplitude_deg = 5 .*kind = "rest"' ||
         fail "edit.toml has other manoeuvres"
@@ -174,13 +182,29 @@ check() {
     sed -i "s|\.\./flights|$PWD/c_examples/flights|" "$folder/flown/fighter.toml"
     cp "$folder/log.toml" "$folder/flown"
     cp "$(ls c_examples/flights/*.csv | head -1)" "$folder/flown/log.csv"
-    drive files "$(path "$folder/flown")" -- /language en
+    drive driver files "$(path "$folder/flown")" -- /language en
     cmp "$folder/flown/exercise.toml" "$folder/flown/again.toml"
     cmp "$folder/flown/expected/exercise.csv" "$folder/flown/new.csv"
     [ "$(identify -format %k "$folder/flown/again.png")" -gt 10 ] || fail "again.png shows nothing"
-    drive studies -- /language en /scene "$(path "$folder/flown/trainer.toml")"
-    drive sentence -- /language zh
+    drive driver studies -- /language en /scene "$(path "$folder/flown/trainer.toml")"
+    drive driver sentence -- /language zh
     [ "$(grep -c '须' "$folder/said")" -eq 2 ] || fail "a sentence is not in Chinese: of a text, of a struct"
+
+    # Tool tips, the tab key, letters; the language in flight; recommended options; the wheel; the library in use, two windows.
+    drive controls reach -- /language en
+    "$sins" scene write simulation2 --set flight.hours=2 >"$folder/flown/switched.toml"
+    watch language controls language -- /language en /scene "$(path "$folder/flown/switched.toml")" /export "$(path "$folder/flown/records")"
+    "$sins" fly "$folder/flown/switched.toml" --out "$folder/flown/expected" --quiet
+    cmp "$folder/flown/expected/switched.csv" "$folder/flown/records/switched.csv"
+    echo "the language changed in flight"
+    cp "$folder/flown/switched.toml" "$folder/flown/adopted.toml"
+    drive controls adopt -- /language en /scene "$(path "$folder/flown/adopted.toml")"
+    "$sins" scene check "$folder/flown/adopted.toml"
+    grep -Eq '^(scheme|subsamples|updates_per_sample) = ' "$folder/flown/adopted.toml" || fail "the scene has no recommended options"
+    drive controls wheel "$(path "$folder/flown")" -- /language en /scene "$(path "$folder/flown/increments.toml")"
+    ! cmp -s "$folder/flown/whole.png" "$folder/flown/near.png" || fail "the wheel does not zoom"
+    cmp "$folder/flown/whole.png" "$folder/flown/again.png"
+    drive controls dll -- /language en
 
     # Two at once, by the command line: failures, temperature, a log.
     for scene in trainer fighter; do

@@ -42,14 +42,12 @@ need g++ c++
 need qemu-user qemu-aarch64
 need libc6-i386-cross /usr/i686-linux-gnu/lib/ld-linux.so.2
 loader=/usr/i686-linux-gnu/lib/ld-linux.so.2
-export CARGO_PROFILE_DEV_OPT_LEVEL=0 # tests/windows.sh has 32-bit x86 optimised
 if "$loader" --version >/dev/null 2>&1; then
     other i686 i386 "$loader" --library-path /usr/i686-linux-gnu/lib:. # tests/loading.sh has its library here
 else
     could_not "unmasked floating-point exceptions and x87 on 32-bit x86" "the kernel runs no 32-bit programs; emulated"
     other i686 i386 qemu-i386 -L /usr/i686-linux-gnu
 fi
-unset CARGO_PROFILE_DEV_OPT_LEVEL
 other aarch64 arm64 qemu-aarch64 -L /usr/aarch64-linux-gnu
 
 echo "== here, as released and without optimisation"

@@ -19,7 +19,14 @@ enum Channel {
 
 struct Cell {
     double low = 1e300, high = -1e300, last = 0;
-    void join(const Cell &next) { *this = {std::min(low, next.low), std::max(high, next.high), next.last}; }
+    Cell() = default;
+    explicit Cell(double value) : low(value), high(value), last(value) {}
+    void join(const Cell &next)
+    {
+        low = std::min(low, next.low);
+        high = std::max(high, next.high);
+        last = next.last;
+    }
 };
 typedef std::array<Cell, CHANNELS> Cells;
 
@@ -29,7 +36,7 @@ public:
     void put(int channel, const double *values)
     {
         for (int k = 0; k < 3; k++) {
-            now_[channel + k].join({values[k], values[k], values[k]});
+            now_[channel + k].join(Cell(values[k]));
         }
     }
 
@@ -48,6 +55,25 @@ public:
         times.back() = time_s;
         now_ = Cells();
         points_++;
+    }
+
+    /* A channel over the times. */
+    std::vector<Cell> of(int channel) const
+    {
+        std::vector<Cell> result;
+        for (const Cells &own : cells) {
+            result.push_back(own[channel]);
+        }
+        return result;
+    }
+
+    std::vector<double> last(int channel) const
+    {
+        std::vector<double> result;
+        for (const Cells &own : cells) {
+            result.push_back(own[channel].last);
+        }
+        return result;
     }
 
     std::vector<double> times; /* of the ends of the cells [s] */

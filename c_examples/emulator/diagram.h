@@ -133,7 +133,9 @@ private:
                 const Cell &cell = trace.cells[k];
                 if (panel.x[k] >= x.low && panel.x[k] <= x.high && (!is_logarithmic || cell.last != 0)) {
                     for (double value : {on_axis(cell.low), on_axis(cell.high), on_axis(cell.last)}) {
-                        all.join({is_logarithmic ? on_axis(cell.last) : value, value, 0});
+                        Cell reach(value);
+                        reach.low = is_logarithmic ? on_axis(cell.last) : value;
+                        all.join(reach);
                     }
                 }
             }

@@ -1,6 +1,5 @@
 /* A flight through the simulator: a worker thread steps, the window reads. */
 #pragma once
-#include <atomic>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -22,20 +21,15 @@ public:
 
     /* Begins with the first sample; pace: times real time, 0 as fast as it goes. */
     Flight(const Scene &scene, const fs::path &folder, double pace)
+        : scene_(scene),
+          samples_(scene, folder),
+          sim_(scene->create_simulator()),
+          has_covariance_(sim_.options().covariance != 0),
+          records_(sins::Simulator::record_head(has_covariance_))
     {
-        sins_options options = sized<sins_options>();
-        scene_.read(scene.text());
-        samples_.open(scene_, folder);
-        check(lib.sins_scene_create_simulator(scene_.handle(), &sim_));
-        check(lib.sins_get_options(sim_, &options), sim_);
-        has_covariance_ = options.covariance != 0;
-        double every_s = scene_.setup().every_s, intervals = (double)(samples_.count - 1);
-        every_ =
-            (size_t)std::fmax(std::round(every_s > 0 ? every_s / samples_.period_s : intervals / RECORDS), 1);
-        points_every_ = (size_t)std::fmax((double)samples_.count / LEAST_POINTS, 1);
-        records_.open(narrow(text("records") + (has_covariance_ ? text("records_sigma") : L"")) + "\n");
+        points_every_ = (size_t)max((double)samples_.all.count / LEAST_POINTS, 1.0);
         if (!increments_name().empty()) {
-            increments_.open(narrow(text("increments")) + "\n");
+            increments_.emplace(narrow(text("increments")));
         }
         move_pace(pace);
         worker_ = std::thread(&Flight::fly, this);
@@ -69,14 +63,12 @@ public:
     Status status() const
     {
         auto guard = lock();
-        Status status = {
-            state_,   0, samples_.duration_s, saved_s_, sized<sins_record>(), sized<sins_accuracy>(),
-            sentence_};
-        if (lib.sins_get_record(sim_, &status.record) == SINS_OK) {
-            status.time_s = status.record.time_s - samples_.start_s;
-        }
-        lib.sins_get_accuracy(sim_, &status.accuracy);
-        return status;
+        sins_record record = sins::make<sins_record>();
+        sins_accuracy accuracy = sins::make<sins_accuracy>();
+        bool has_record = sim_.get_record(record);
+        sim_.get_accuracy(accuracy);
+        double time_s = has_record ? record.time_s - samples_.all.start_s : 0;
+        return {state_, time_s, samples_.all.duration_s, saved_s_, record, accuracy, sentence_};
     }
 
     Curves curves() const
@@ -89,33 +81,25 @@ public:
     void plan(const Scene &scene)
     {
         auto guard = lock();
-        Scene planned;
-        sins_planned_failure failure = sized<sins_planned_failure>(), other = failure;
-        sins_failure none = sized<sins_failure>();
-        planned.read(scene.text());
-        /* Outputs for which the scene plans none any more are left alone by sins_scene_prepare(). */
-        for (size_t k = 0; lib.sins_scene_get_failure(scene_.handle(), k, &failure) == SINS_OK; k++) {
-            bool stays = false;
-            for (size_t m = 0; lib.sins_scene_get_failure(planned.handle(), m, &other) == SINS_OK; m++) {
-                stays = stays || (other.sensor == failure.sensor && other.axis == failure.axis);
-            }
-            if (!stays) {
-                lib.sins_set_failure(sim_, failure.sensor, failure.axis, &none);
+        const std::vector<sins_planned_failure> planned = scene->failures();
+        /* Outputs for which the scene plans none any more are left alone by prepare(). */
+        for (const sins_planned_failure &failure : scene_->failures()) {
+            if (std::none_of(planned.begin(), planned.end(), [&failure](const sins_planned_failure &other) {
+                    return other.sensor == failure.sensor && other.axis == failure.axis;
+                })) {
+                sim_.set_failure(failure.sensor, failure.axis, sins::make<sins_failure>());
             }
         }
-        scene_ = std::move(planned);
+        scene_ = Scene(scene);
     }
 
     void save_snapshot()
     {
         double time_s = status().time_s;
         auto guard = lock();
-        size_t size = 0;
-        lib.sins_snapshot_size(sim_, &size);
-        snapshot_.resize(size);
-        check(lib.sins_snapshot_save(sim_, snapshot_.data(), size, &size), sim_);
+        snapshot_ = sim_.snapshot_save();
         now_.records = records_.size();
-        now_.increments = increments_.size();
+        now_.increments = increments_ ? increments_->size() : 0;
         saved_ = now_;
         saved_s_ = time_s;
     }
@@ -124,13 +108,13 @@ public:
     {
         auto guard = lock();
         if (saved_s_ < 0) {
-            throw Refusal{text("no_snapshot")};
+            throw Refusal(text("no_snapshot"));
         }
-        check(lib.sins_snapshot_load(sim_, snapshot_.data(), snapshot_.size()), sim_);
+        sim_.snapshot_load(snapshot_);
         now_ = saved_;
         records_.cut(now_.records);
-        if (increments_.is_open()) {
-            increments_.cut(now_.increments);
+        if (increments_) {
+            increments_->cut(now_.increments);
         }
         state_ = state_ == FLYING ? FLYING : PAUSED;
         move_pace(pace_);
@@ -146,16 +130,16 @@ public:
     void write_increments(const fs::path &path)
     {
         auto guard = lock();
-        increments_.copy(path);
+        increments_->copy(path);
     }
 
     /* The file that the scene names for the increments; "": none. */
-    fs::path increments_name() const { return wide(scene_.words(SINS_SCENE_TEXT_IMU)); }
+    fs::path increments_name() const { return wide(scene_->text(SINS_SCENE_TEXT_IMU)); }
     const fs::path &log_path() const { return samples_.log_path; }
 
 private:
-    /* Records of a flight, where the scene does not say; and points of its curves at the least. */
-    static constexpr double RECORDS = 2000, LEAST_POINTS = 100000;
+    /* Points of the curves at the least. */
+    static constexpr double LEAST_POINTS = 100000;
     /* Steps between two looks at the window. */
     static constexpr int STEPS = 256;
 
@@ -164,10 +148,10 @@ private:
         return "," + shortest(values[0]) + "," + shortest(values[1]) + "," + shortest(values[2]);
     }
 
-    struct Moment {                                         /* what goes on from sample to sample */
-        size_t next = 0;                                    /* sample */
-        double angle[3] = {}, velocity[3] = {}, time_s = 0; /* sums since the last record: sensor errors */
-        std::streamoff records = 0, increments = 0;         /* bytes */
+    struct Moment {                      /* what goes on from sample to sample */
+        size_t next = 0;                 /* sample */
+        double sums[6] = {}, time_s = 0; /* since the last record: errors of gyros, accelerometers */
+        std::streamoff records = 0, increments = 0; /* bytes */
         Curves curves;
     };
 
@@ -185,7 +169,7 @@ private:
         SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL); /* the window answers first */
         while (!ends_) {
             bool waits = waiting_ > 0;
-            try {
+            if (!waits) {
                 std::lock_guard<std::mutex> guard(mutex_);
                 double elapsed_s = (double)(GetTickCount64() - paced_at_ms_) / 1000;
                 double due_s = pace_ > 0 ? paced_from_s_ + pace_ * elapsed_s : INFINITY;
@@ -193,13 +177,8 @@ private:
                     waits = next_s() > due_s;
                     if (!waits) {
                         step();
-                        state_ = now_.next == samples_.count ? FINISHED : FLYING;
                     }
                 }
-            } catch (const Refusal &refusal) {
-                auto guard = lock();
-                sentence_ = refusal.sentence;
-                state_ = FAILED;
             }
             if (waits || state_ != FLYING) {
                 Sleep(state_ == FLYING ? 1 : 20);
@@ -210,23 +189,33 @@ private:
     /* Flies to the next sample. */
     void step()
     {
-        sins_flight_sample sample = sized<sins_flight_sample>();
-        sins_imu imu = sized<sins_imu>();
-        size_t index = now_.next;
         try {
-            check(samples_.get(index, &sample));
-            check(lib.sins_scene_prepare(scene_.handle(), sim_, samples_.start_s, &sample));
-            check(lib.sins_push_sample(sim_, &sample), sim_);
-            check(lib.sins_step(sim_), sim_);
-        } catch (const Refusal &refusal) {
-            throw Refusal{samples_.place(index) + refusal.sentence};
+            sins_flight_sample sample = samples_.get(now_.next);
+            scene_->prepare(sim_, samples_.all.start_s, sample);
+            sim_.push_sample(sample);
+            sim_.step();
+            keep(now_.next++);
+            state_ = now_.next == samples_.all.count ? FINISHED : FLYING;
+        } catch (const std::exception &error) {
+            sentence_ = samples_.place(now_.next) + told(error);
+            state_ = FAILED;
         }
-        now_.next++;
-        if (index > 0 && lib.sins_get_imu(sim_, &imu) == SINS_OK) {
+    }
+
+    void keep(size_t index)
+    {
+        sins_imu imu = sins::make<sins_imu>();
+        if (index > 0 && sim_.get_imu(imu)) {
             add_interval(imu);
         }
-        if (index % every_ == 0 || index % points_every_ == 0) {
-            keep(index % every_ == 0);
+        bool is_row = index % samples_.all.record_every == 0;
+        if (is_row || index % points_every_ == 0) {
+            sins_record record = sins::make<sins_record>();
+            sim_.get_record(record);
+            keep_point(record, index > 0); /* rates begin with the first interval */
+            if (is_row) {
+                keep_row(record);
+            }
         }
     }
 
@@ -234,23 +223,20 @@ private:
     void add_interval(const sins_imu &imu)
     {
         for (int k = 0; k < 3; k++) {
-            now_.angle[k] += imu.measured_angle_rad[k] - imu.ideal_angle_rad[k];
-            now_.velocity[k] += imu.measured_velocity_m_s[k] - imu.ideal_velocity_m_s[k];
+            now_.sums[k] += imu.measured_angle_rad[k] - imu.ideal_angle_rad[k];
+            now_.sums[3 + k] += imu.measured_velocity_m_s[k] - imu.ideal_velocity_m_s[k];
         }
         now_.time_s += imu.interval_s;
         now_.curves.put(RATE, imu.measured_rate_rad_s);
         now_.curves.put(FORCE, imu.measured_force_m_s2);
-        if (increments_.is_open()) {
+        if (increments_) {
             std::string values = list(imu.measured_angle_rad) + list(imu.measured_velocity_m_s);
-            increments_.add(shortest(imu.time_s) + values + "\n");
+            increments_->add(shortest(imu.time_s) + values);
         }
     }
 
-    /* Takes a point for the curves, and a row for the file. */
-    void keep(bool is_row)
+    void keep_point(const sins_record &record, bool ends)
     {
-        sins_record record = sized<sins_record>();
-        check(lib.sins_get_record(sim_, &record), sim_);
         for (int k = 0; k < 2; k++) {
             const sins_record_errors &errors = k == 0 ? record.navigation_errors : record.model_errors;
             const sins_record_solution &solution = k == 0 ? record.truth : record.navigation;
@@ -261,41 +247,22 @@ private:
             now_.curves.put(VELOCITY + 3 * k, solution.velocity_enu_m_s);
             now_.curves.put(PLACE + 3 * k, &solution.latitude_rad);
         }
-        if (now_.next > 1) { /* rates begin with the first interval */
-            now_.curves.end_point(record.time_s - samples_.start_s);
-        }
-        if (is_row) {
-            keep_row(record);
+        if (ends) {
+            now_.curves.end_point(record.time_s - samples_.all.start_s);
         }
     }
 
-    /* In the order of the text "records". */
     void keep_row(const sins_record &record)
     {
-        std::string line = shortest(record.time_s);
-        for (const sins_record_solution *solution : {&record.truth, &record.navigation}) {
-            line +=
-                list(&solution->latitude_rad) + list(solution->velocity_enu_m_s) + list(&solution->roll_rad);
+        sins_covariance covariance = sins::make<sins_covariance>();
+        bool has_covariance = has_covariance_ && sim_.get_covariance(covariance);
+        std::vector<double> means(now_.sums, now_.sums + 6);
+        for (double &mean : means) {
+            mean /= now_.time_s > 0 ? now_.time_s : 1;
         }
-        for (const sins_record_errors *errors : {&record.navigation_errors, &record.model_errors}) {
-            line += list(errors->position_enu_m) + list(errors->velocity_enu_m_s);
-            line += list(errors->misalignment_enu_rad) + list(&errors->roll_rad);
-            line += "," + std::to_string(errors->flags);
-        }
-        for (double *sum : {now_.angle, now_.velocity}) {
-            double time_s = now_.time_s > 0 ? now_.time_s : 1,
-                   mean[3] = {sum[0] / time_s, sum[1] / time_s, sum[2] / time_s};
-            line += list(mean);
-            std::fill(sum, sum + 3, 0.0);
-        }
-        if (has_covariance_) {
-            sins_covariance covariance = sized<sins_covariance>();
-            check(lib.sins_get_covariance(sim_, &covariance), sim_);
-            line += list(covariance.position_sigma_enu_m) + list(covariance.velocity_sigma_enu_m_s);
-            line += list(covariance.misalignment_sigma_enu_rad);
-        }
+        records_.add(sins::Simulator::record_line(record, means, has_covariance ? &covariance : NULL));
+        std::fill(now_.sums, now_.sums + 6, 0.0);
         now_.time_s = 0;
-        records_.add(line + "\n");
     }
 
     /* From now on at this pace. */
@@ -306,17 +273,18 @@ private:
         paced_at_ms_ = GetTickCount64();
     }
 
-    double next_s() const { return (double)now_.next * samples_.period_s; }
+    double next_s() const { return (double)now_.next * samples_.all.period_s; }
 
-    Handle<sins_sim> sim_;
     Scene scene_;
     Samples samples_;
-    size_t every_, points_every_; /* samples */
+    sins::Simulator sim_;
     bool has_covariance_;
+    size_t points_every_; /* samples */
     Moment now_, saved_;
     double saved_s_ = -1;
-    std::vector<char> snapshot_;
-    Lines records_, increments_;
+    std::vector<unsigned char> snapshot_;
+    Lines records_;
+    std::optional<Lines> increments_;
     State state_ = FLYING;
     std::wstring sentence_;
     double pace_ = 0, paced_from_s_ = 0;

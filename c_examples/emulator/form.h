@@ -1,111 +1,115 @@
-/* A dialog whose fields are keys of a scene. A label names the keys of the fields behind it, as
- * DoDataExchange() of MFC would: "L&atitude [deg]|flight.latitude_deg". A key in brackets,
- * "[manoeuvre.sinusoid.channel]", belongs to an item within the item: its first label to the first such item,
- * its second label to the second. */
+/* A dialog whose fields are values of a scene. A label names the keys of the fields behind it,
+ * "L&atitude [deg]|flight.latitude_deg"; load() and save() exchange them, as UpdateData() and
+ * DoDataExchange() of MFC. */
 #pragma once
-#include <set>
-
 #include "dialog.h"
 #include "scene.h"
 
 class Form : public Dialog {
 protected:
     struct Field {
+        HWND control;
+        std::string path; /* as the label has it, with the element of several numbers behind it */
         const Key *key;
-        size_t element, nested; /* of a key of several numbers; as in a fault */
-        std::string loaded;     /* the whole value, of which the control shows 15 digits */
+        bool is_in_si;      /* for now */
+        std::string loaded; /* the whole value, of which the control shows 15 digits */
         std::wstring shown;
-        bool is_choice() const { return !key->words.empty(); }
+        bool is_nested() const { return path.starts_with("manoeuvre.sinusoid"); }
+        /* A sinusoid's channel: there may be no such item. */
+        bool has_none() const { return is_nested() && key->is_choice(); }
     };
 
-    void on_control(HWND control, const std::string &behind) override
+    /* item: of which list item the keys are, "manoeuvre[3]"; "": of none. */
+    explicit Form(Scene &scene, const std::string &item = "") : scene_(scene), item_(item) {}
+
+    void on_control(HWND control, const std::string &paths) override
     {
-        WCHAR kind[16] = L"";
-        GetClassNameW(control, kind, 16);
-        if (lstrcmpiW(kind, L"Static") == 0) {
+        if (is_of_class(control, L"Static")) {
             next_.clear();
-            for (const std::string &path : split(behind, " ")) {
-                bool is_nested = path.starts_with("[");
-                const Key *key = key_of(is_nested ? path.substr(1, path.size() - 2) : path);
-                size_t nested = is_nested ? ++nested_[path] : 0;
-                for (size_t k = 0; key != NULL && k < max((size_t)1, key->count); k++) {
-                    next_.push_back({key, k, nested, "", L""});
+            for (const std::string &path : split(paths, " ")) {
+                const Key *key = key_of(path);
+                for (int k = 0; key != NULL && k < max(1, key->elements); k++) {
+                    next_.push_back(key->elements > 1 ? Scene::place(path, k) : path);
                 }
             }
         } else if (!next_.empty()) {
-            bind(control, next_[0].key->path, next_[0].element, next_[0].nested);
+            bind(control, next_[0]);
             next_.erase(next_.begin());
         }
     }
 
-    /* Fills a combo box with the words, and gives the tool tip. */
-    void bind(HWND control, const std::string &path, size_t element = 0, size_t nested = 0)
+    /* Fills a combo box with the words, gives the tool tip, and shows grey what an empty field stands for. */
+    void bind(HWND control, const std::string &path, bool is_in_si = false)
     {
-        const Key *key = key_of(path);
-        fields_[control] = {key, element, nested, "", L""};
-        if (!key->words.empty()) {
-            Texts words = key->word_labels();
-            words.insert(words.begin(), nested > 0, L"-"); /* there may be no such item */
+        unbind(control);
+        fields_.push_back({control, path, key_of(path), is_in_si, "", L""});
+        const Field &field = fields_.back();
+        if (field.key->is_choice()) {
+            Texts words(field.has_none(), L"-");
+            for (const std::string &word : field.key->choices()) {
+                words.push_back(field.key->word_label(word));
+            }
             fill(control, words);
         }
-        SendMessageW(control, EM_SETCUEBANNER, FALSE, (LPARAM)(key->count > 0 ? L"0" : L""));
-        tip(control, key->tip());
+        SendMessageW(control, EM_SETCUEBANNER, FALSE, (LPARAM)wide(field.key->default_number()).c_str());
+        tip(control, field.key->tip());
     }
 
     void unbind(HWND control)
     {
-        fields_.erase(control);
+        std::erase_if(fields_, [control](const Field &field) { return field.control == control; });
         mark(control, L"");
-    }
-
-    /* What an empty field stands for, shown grey. */
-    void cue(const std::string &path, const std::wstring &text) const
-    {
-        for (const auto &[control, field] : fields_) {
-            if (field.key->path == path) {
-                SendMessageW(control, EM_SETCUEBANNER, FALSE, (LPARAM)text.c_str());
-            }
-        }
     }
 
     void enable_fields(const std::string &begin, bool enabled) const /* whose paths begin so */
     {
-        for (const auto &[control, field] : fields_) {
-            if (field.key->path.starts_with(begin)) {
-                EnableWindow(control, enabled);
+        for (const Field &field : fields_) {
+            if (field.path.starts_with(begin)) {
+                EnableWindow(field.control, enabled);
             }
         }
     }
 
-    /* From keys to controls. What a user typed wrong stays while it is marked, unless all is new. */
-    void load(const std::function<std::string(const Field &)> &value, bool all_is_new)
+    /* The fields that the words of other fields exclude are empty and off. */
+    void enable_used() const
     {
-        for (auto &[control, field] : fields_) {
-            const Key &key = *field.key;
-            std::string own = value(field);
-            double number;
-            if (marked_.count(control) != 0 && !all_is_new) {
+        for (const Field &field : fields_) {
+            bool is_used = applies(field);
+            EnableWindow(field.control, is_used);
+            if (!is_used && field.key->is_choice()) {
+                SendMessageW(field.control, CB_SETCURSEL, 0, 0);
+            } else if (!is_used) {
+                SetWindowTextW(field.control, L"");
+            }
+        }
+    }
+
+    /* From the scene to the controls. What a user typed wrong stays while it is marked, unless all is new. */
+    void load(bool all_is_new)
+    {
+        for (Field &field : fields_) {
+            if (marked_.count(field.control) != 0 && !all_is_new) {
                 continue;
             }
-            mark(control, L"");
-            if (field.is_choice()) {
-                bool has_none = field.nested > 0;
-                SendMessageW(control, CB_SETCURSEL,
-                             has_none && own.empty() ? 0 : key.index_of(own) + has_none, 0);
+            double number;
+            mark(field.control, L"");
+            field.loaded = scene_.get(path_of(field, field.is_in_si));
+            std::string own = unquoted(field.loaded);
+            if (field.key->is_choice()) {
+                std::vector<std::string> words = field.key->choices();
+                size_t index = std::find(words.begin(), words.end(), own) - words.begin();
+                index = index < words.size() ? index + field.has_none() : 0;
+                SendMessageW(field.control, CB_SETCURSEL, index, 0);
             } else {
-                own = key.count > 0 ? numbers(own, key)[field.element] : own;
-                bool has_number = key.count > 0 && number_of(own, number);
-                if (has_number && key.path == si_path_) {
-                    own = shortest(number /= key.units_per_si());
-                }
-                bool is_whole = own.find_first_not_of("0123456789") == std::string::npos;
-                std::wstring text = has_number && !is_whole ? shown(number, 15) : wide(unquoted(own));
-                if (text != window_text(control)) {
-                    SetWindowTextW(control, text.c_str());
+                bool is_whole = own.find_first_not_of("0123456789") == own.npos || !number_of(own, number);
+                std::wstring text = field.loaded == field.key->default_number() ? L""
+                                    : is_whole                                  ? wide(own)
+                                                                                : ::shown(number, 15);
+                if (text != window_text(field.control)) {
+                    SetWindowTextW(field.control, text.c_str());
                 }
             }
-            field.loaded = own;
-            field.shown = text_of(control, field);
+            field.shown = wide(now(field));
         }
     }
 
@@ -113,37 +117,49 @@ protected:
     std::vector<Change> changes() const
     {
         std::vector<Change> changes;
-        std::set<std::pair<const Key *, size_t>> done;
-        for (const auto &[control, field] : fields_) {
-            const Key *key = field.key;
-            if (text_of(control, field) != field.shown && done.insert({key, field.nested}).second) {
-                std::vector<std::string> elements(max((size_t)1, key->count));
-                for (const auto &[other_control, other] : fields_) {
-                    if (other.key == key && other.nested == field.nested) {
-                        elements[other.element] = value_of(other_control, other);
-                    }
-                }
-                std::string value = key->count > 1 ? list_of(elements) : elements[0];
-                changes.push_back({key->path, value, field.nested, key->path == si_path_});
+        for (const Field &field : fields_) {
+            if (wide(now(field)) != field.shown) {
+                changes.push_back({path_of(field, field.is_in_si), now(field)});
             }
         }
         return changes;
+    }
+
+    /* From the controls to the scene. */
+    std::wstring save() { return mark_faults(scene_.set_valid(changes())); }
+
+    /* All fields as an item of a list, as it stands in the text of a scene. */
+    std::string item_text() const
+    {
+        std::string text, owner;
+        for (const Field &field : fields_) {
+            std::string own = now(field), before = field.path.substr(0, field.path.rfind('.'));
+            double number;
+            if (own.empty() || !IsWindowEnabled(field.control)) {
+                continue;
+            }
+            if (before != owner) {
+                text += std::string("[[") + field.key->section + "]]\n";
+                owner = before;
+            }
+            bool is_number = number_of(own, number);
+            own = wide(own) == field.shown ? field.loaded : is_number ? shortest(number) : in_quotes(own);
+            text += std::string(field.key->name) + " = " + own + "\n";
+        }
+        return text;
     }
 
     /* Marks the fields at fault, each with its sentence as tool tip; the first sentence, "" if there is none.
      */
     std::wstring mark_faults(const Faults &faults)
     {
-        for (const auto &[control, field] : fields_) {
+        for (const Field &field : fields_) {
             std::wstring sentence;
-            for (const Fault &fault : faults) {
-                if (key_of(fault.path) == field.key && fault.nested == field.nested &&
-                    is_of(fault, control, field)) {
-                    sentence = told(fault.sentence);
-                }
+            for (const sins_fault &fault : faults) {
+                sentence = is_about(fault, path_of(field)) ? told(fault) : sentence;
             }
-            mark(control, sentence);
-            tip(control, sentence.empty() ? field.key->tip() : sentence);
+            mark(field.control, sentence);
+            tip(field.control, sentence.empty() ? field.key->tip() : sentence);
         }
         return told(faults);
     }
@@ -151,53 +167,49 @@ protected:
     /* Whether this notification says that a field has a new value. */
     bool is_change(HWND control, int code) const override
     {
-        auto found = fields_.find(control);
-        return found != fields_.end() &&
-               code == (found->second.is_choice() ? (int)CBN_SELCHANGE : (int)EN_KILLFOCUS);
+        return std::any_of(fields_.begin(), fields_.end(), [control, code](const Field &field) {
+            int change = field.key->is_choice() ? (int)CBN_SELCHANGE : (int)EN_KILLFOCUS;
+            return field.control == control && code == change;
+        });
     }
 
-    /* What a control shows, as a value of the scene. */
-    static std::string typed(HWND control, const Field &field)
-    {
-        std::wstring now = text_of(control, field);
-        bool is_quoted =
-            !now.empty() && !field.key->is_switch() && (field.is_choice() || field.key->is_text());
-        return is_quoted ? in_quotes(narrow(now)) : field.key->is_switch() ? narrow(now) : toml(now);
-    }
-
-    std::map<HWND, Field> fields_;
-    std::string si_path_; /* the key whose fields are in SI units now; "": none */
+    Scene &scene_;
+    std::string item_;
+    std::vector<Field> fields_;
 
 private:
+    std::string path_of(const Field &field, bool in_si = false) const
+    {
+        std::string path = item_.empty() ? field.path : item_ + field.path.substr(field.path.find('.'));
+        return in_si ? path.replace(path.rfind('.') + 1, strlen(field.key->name), field.key->si_name) : path;
+    }
+
     /* What a control shows now: its text or the word. */
-    static std::wstring text_of(HWND control, const Field &field)
+    static std::string now(const Field &field)
     {
-        if (!field.is_choice()) {
-            return window_text(control);
+        if (!field.key->is_choice()) {
+            return narrow(window_text(field.control));
         }
-        int word = (int)SendMessageW(control, CB_GETCURSEL, 0, 0) - (field.nested > 0);
-        return word < 0 ? L"" : wide(field.key->words[word]);
+        int word = (int)SendMessageW(field.control, CB_GETCURSEL, 0, 0) - field.has_none();
+        return word < 0 ? "" : field.key->choices()[word];
     }
 
-    /* The value of a control: as it was loaded, unless it was changed. */
-    static std::string value_of(HWND control, const Field &field)
+    std::string now(const std::string &path) const
     {
-        return text_of(control, field) == field.shown ? field.loaded : typed(control, field);
+        auto own =
+            std::find_if(fields_.begin(), fields_.end(), [&](auto &field) { return field.path == path; });
+        return own == fields_.end() ? "" : now(*own);
     }
 
-    /* Of the elements of a key that one which the fault names: "bias_deg_h[1]"; else those that are no
-     * numbers. */
-    static bool is_of(const Fault &fault, HWND control, const Field &field)
+    /* Whether the item can have a key; a sinusoid has a channel. */
+    bool applies(const Field &field) const
     {
-        std::string name = field.key->name + "[", typed = narrow(window_text(control));
-        size_t bracket = fault.sentence.find(name);
-        double number;
-        if (bracket != std::string::npos) {
-            return (size_t)atoi(&fault.sentence[bracket + name.size()]) == field.element;
-        }
-        return field.key->count < 2 || !(typed.empty() || number_of(typed, number));
+        std::string owner = field.path.substr(0, field.path.rfind('.') + 1);
+        bool is_sinusoid = now("manoeuvre.kind") == "sinusoids" &&
+                           (field.key->is_choice() || !now(owner + "channel").empty());
+        return (is_sinusoid || !field.is_nested()) &&
+               field.key->applies([&](const std::string &name) { return now(owner + name); });
     }
 
-    std::vector<Field> next_;              /* of the label before, not bound yet */
-    std::map<std::string, size_t> nested_; /* how many of a key in brackets */
+    std::vector<std::string> next_; /* paths of the label before, not bound yet */
 };

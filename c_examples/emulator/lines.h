@@ -1,19 +1,10 @@
 /* Lines of text in a temporary file: they may be more than fit into memory. */
 #pragma once
-#include <fstream>
-
 #include "text.h"
 
 class Lines {
 public:
-    ~Lines()
-    {
-        std::error_code none;
-        file_.close();
-        fs::remove(path_, none);
-    }
-
-    void open(const std::string &head)
+    explicit Lines(const std::string &head)
     {
         WCHAR path[MAX_PATH] = L"";
         GetTempFileNameW(fs::temp_directory_path().c_str(), L"sns", 0, path);
@@ -22,12 +13,17 @@ public:
         add(head);
     }
 
-    bool is_open() const { return file_.is_open(); }
+    ~Lines()
+    {
+        std::error_code none;
+        file_.close();
+        fs::remove(path_, none);
+    }
 
     void add(const std::string &line)
     {
-        if (!(file_ << line)) {
-            throw Refusal{text("cannot_write", {text("temporary_file"), path_})};
+        if (!(file_ << line << "\n")) {
+            throw Refusal(text("cannot_write", {text("temporary_file"), path_}));
         }
     }
 
@@ -42,9 +38,9 @@ public:
 
     void copy(const fs::path &path)
     {
-        auto write = [this](const fs::path &to) { return CopyFileW(path_.c_str(), to.c_str(), FALSE) != 0; };
         file_.flush();
-        write_file(path, write);
+        write_file(path,
+                   [this](const fs::path &to) { return CopyFileW(path_.c_str(), to.c_str(), FALSE) != 0; });
     }
 
 private:

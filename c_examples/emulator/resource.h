@@ -58,7 +58,6 @@
 #define IDC_PACE 1311
 #define IDC_PROGRESS 1312
 #define IDC_VALUES 1313
-#define IDC_PACE_LABEL 1314
 
 /* A manoeuvre. */
 #define IDC_KIND 1401

@@ -72,6 +72,8 @@ mod scene_samples;
 #[cfg(feature = "scenes")]
 mod scene_settings;
 #[cfg(feature = "scenes")]
+mod scene_text;
+#[cfg(feature = "scenes")]
 mod scene_value;
 mod sensor_failure;
 mod sensor_params;
@@ -134,6 +136,8 @@ pub use scene_prepare::*;
 pub use scene_samples::*;
 #[cfg(feature = "scenes")]
 pub use scene_settings::*;
+#[cfg(feature = "scenes")]
+pub use scene_text::*;
 #[cfg(feature = "scenes")]
 pub use scene_value::*;
 pub use sensor_failure::*;

@@ -1,6 +1,4 @@
-//! What a scene sets beside the simulator: its flight and its texts.
-
-use core::ffi::c_char;
+//! The flight of a scene, and its settings for that and for the output.
 
 use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
@@ -8,9 +6,8 @@ use super::flight::{self, sins_flight_start};
 use super::manoeuvre::sins_manoeuvre;
 use super::memory::{Array, Output, interface_struct, put, read};
 use super::scene::{sins_scene, with_scene};
-use super::text::{put_text, text_of};
 use crate::error::{Error, Rule, check_integer};
-use crate::scene::{self, FlightPath, FlightSource, Scene, Temperature};
+use crate::scene::{FlightPath, FlightSource, Temperature};
 
 /// Where the flight of a scene comes from: sins_scene_setup.flight.
 pub type sins_scene_flight = i32;
@@ -21,22 +18,6 @@ pub const SINS_SCENE_FLIGHT_MANOEUVRES: sins_scene_flight = 0;
 pub const SINS_SCENE_FLIGHT_BUILTIN: sins_scene_flight = 1;
 /// The flight is a log, named by SINS_SCENE_TEXT_LOG.
 pub const SINS_SCENE_FLIGHT_LOG: sins_scene_flight = 2;
-
-/// The texts of a scene: sins_scene_get_text(), sins_scene_set_text().
-pub type sins_scene_text = i32;
-
-/// Title: the scene in a few words.
-pub const SINS_SCENE_TEXT_TITLE: sins_scene_text = 0;
-/// Path of the flight log, relative to the scene's own folder. Setting it makes the flight a log.
-pub const SINS_SCENE_TEXT_LOG: sins_scene_text = 1;
-/// Name of the built-in scene whose flight is flown. Setting it selects that flight.
-pub const SINS_SCENE_TEXT_BUILTIN: sins_scene_text = 2;
-/// Folder of the output files of a program.
-pub const SINS_SCENE_TEXT_FOLDER: sins_scene_text = 3;
-/// Base name of the output files.
-pub const SINS_SCENE_TEXT_NAME: sins_scene_text = 4;
-/// Name of the file for the measured increments.
-pub const SINS_SCENE_TEXT_IMU: sins_scene_text = 5;
 
 /// Settings of a scene for its flight and its output.
 #[repr(C)]
@@ -221,102 +202,8 @@ pub unsafe extern "C" fn sins_scene_set_manoeuvres(
         start.ellipsoid = scene.options.ellipsoid;
         let path = FlightPath { start, manoeuvres, repeat };
         path.check_repeat("repeat")?;
-        // The index in the host's array, whichever time its manoeuvre is flown.
-        path.length_s().map_err(|error| Error { index: error.index.map(|index| index % count), ..error })?;
+        path.length_s()?;
         scene.flight = FlightSource::Path(path);
-        Ok(SINS_OK)
-    })
-}
-
-fn no_such_text(which: i32) -> Failure {
-    Error::invalid("which", which, Rule::OneOf("sins_scene_text", 0, 5)).into()
-}
-
-/// The text `which` of a scene.
-fn text(scene: &Scene, which: i32) -> Result<&str, Failure> {
-    Ok(match which {
-        SINS_SCENE_TEXT_TITLE => &scene.title,
-        SINS_SCENE_TEXT_LOG => match &scene.flight {
-            FlightSource::Log(name) => name,
-            _ => "",
-        },
-        SINS_SCENE_TEXT_BUILTIN => match &scene.flight {
-            FlightSource::Builtin(name) => name,
-            _ => "",
-        },
-        SINS_SCENE_TEXT_FOLDER => &scene.output.folder,
-        SINS_SCENE_TEXT_NAME => &scene.output.name,
-        SINS_SCENE_TEXT_IMU => &scene.output.imu,
-        _ => return Err(no_such_text(which)),
-    })
-}
-
-/// Reads a text of the scene; which is of enum sins_scene_text. An empty text means that it is not set. buffer, capacity
-/// and needed as in sins_scene_write().
-///
-/// SINS_ERROR_INVALID_ARGUMENT: no such text.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_get_text(
-    scene: *const sins_scene,
-    which: i32,
-    buffer: *mut c_char,
-    capacity: usize,
-    needed: *mut usize,
-) -> sins_status {
-    with_scene(scene, |scene| {
-        let text = text(scene, which)?;
-        // SAFETY: the host's promise.
-        unsafe { put_text(text.as_bytes(), buffer, capacity, needed) }
-    })
-}
-
-/// Sets a text of the scene; which is of enum sins_scene_text. The text is UTF-8, terminated, at most 4096 bytes. An empty
-/// text clears it; a text that selects the flight cannot be empty.
-///
-/// SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_set_text(
-    scene: *mut sins_scene,
-    which: i32,
-    text: *const c_char,
-) -> sins_status {
-    with_scene(scene, |scene| {
-        // SAFETY: the host's promise.
-        let bytes = unsafe { text_of(text, "text")? };
-        let refused = |words| Error { value: None, ..Error::invalid("text", 0.0, Rule::Sentence(words)) };
-        let Ok(text) = core::str::from_utf8(bytes) else { return Err(refused("must be UTF-8").into()) };
-        check_integer("bytes of text", text.len(), 0, 4096)?;
-        if text.chars().any(char::is_control) {
-            return Err(refused("must not have control characters").into());
-        }
-        let flight = |source: FlightSource| {
-            if text.is_empty() {
-                Err(refused("must not be empty: it selects the scene's flight"))
-            } else {
-                Ok(source)
-            }
-        };
-        match which {
-            SINS_SCENE_TEXT_TITLE => scene.title = text.to_owned(),
-            SINS_SCENE_TEXT_LOG => {
-                scene.flight = flight(FlightSource::Log(text.to_owned()))?;
-                scene.rate_hz = Scene::default().rate_hz;
-            }
-            SINS_SCENE_TEXT_BUILTIN => {
-                if crate::scene::builtin(text).is_none() {
-                    return Err(refused("must be the name of a built-in scene").into());
-                }
-                scene.flight = flight(FlightSource::Builtin(text.to_owned()))?;
-            }
-            SINS_SCENE_TEXT_FOLDER => scene.output.folder = text.to_owned(),
-            SINS_SCENE_TEXT_NAME => {
-                let output = scene::Output { name: text.to_owned(), ..scene.output.clone() };
-                output.validate().map_err(|error| Error { field: "text", ..error })?;
-                scene.output = output;
-            }
-            SINS_SCENE_TEXT_IMU => scene.output.imu = text.to_owned(),
-            _ => return Err(no_such_text(which)),
-        }
         Ok(SINS_OK)
     })
 }

@@ -109,7 +109,7 @@ fn unit(v: Two) -> Two {
     v * (Two::both(1.0) / (v * v).sums().sqrt())
 }
 
-/// The product of an unevaluated sum of two doubles, likewise.
+/// The product of an unevaluated sum of two doubles and a factor, as such a sum.
 #[inline(always)]
 fn times((high, low): (Two, Two), factor: Two) -> (Two, Two) {
     let (product, error) = two_product(high, factor);
@@ -136,7 +136,8 @@ impl Earth {
         (self.position(&direction, place.height_m).rounded(), direction.east_north_up().into())
     }
 
-    /// Displacement [m] to a place, Earth-fixed axes, and the unit vectors east, north and up at the place that it begins `at`.
+    /// Displacement [m] to a place, Earth-fixed axes, and the unit vectors east, north and up at the place that it begins `at`. As
+    /// [`Self::position`], with the two places side by side.
     #[inline(always)]
     pub fn displacement(&self, to: &Geodetic, at: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
         let ([sl0, sl1, so0, so1], [cl0, cl1, co0, co1]) =
@@ -168,6 +169,7 @@ impl Earth {
         Two::both(self.equatorial_radius_m) * bulge / (w * (Two::both(1.0) + w))
     }
 
+    /// RN (1 - e²) - a at a place.
     #[inline(always)]
     fn flattened(&self, excess: Two) -> Two {
         excess * (1.0 - self.eccentricity2) - Two::both(self.equatorial_radius_m * self.eccentricity2)
@@ -199,7 +201,7 @@ impl Earth {
         place
     }
 
-    /// Earth-fixed position of a place.
+    /// Earth-fixed position of a place: x and y side by side, as are their distance from the axis and z.
     #[inline(always)]
     fn position(&self, direction: &Direction, height_m: f64) -> Position {
         let Direction { latitude, longitude } = *direction;

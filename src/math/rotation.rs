@@ -198,6 +198,7 @@ pub fn rotation_quaternion(phi: &Vector3<f64>) -> Quaternion<f64> {
 /// The arc tangent of vector over scalar part; 2 acos(w) would give 0 for rotations below 1e-8 rad.
 #[inline]
 pub fn rotation_vector(q: &Quaternion<f64>) -> Vector3<f64> {
+    // Of q and -q, the one with a scalar part that is not negative.
     let sign = Two::both(q.w).less(Two::both(0.0)) & Two::both(-0.0);
     let (xy, zw) = (Two::new(q.i, q.j) ^ sign, Two::new(q.k, q.w) ^ sign);
     let (u, w) = (Vector3::new(xy.first(), xy.second(), zw.first()), zw.second().abs());

@@ -45,8 +45,9 @@ pub fn sin_cos_each<const N: usize>(angles: &[f64; N]) -> ([f64; N], [f64; N]) {
     for i in 0..N {
         sizes[i % 2] += angles[i].abs();
     }
-    // Most often the sum tells that all are in range: one comparison.
-    if !(sizes[0] + sizes[1] < MAX_ANGLE) && !angles.iter().all(|angle| angle.abs() < MAX_ANGLE) {
+    // Most often their sum shows that all are in range: one comparison.
+    let are_in_range = sizes[0] + sizes[1] < MAX_ANGLE || angles.iter().all(|angle| angle.abs() < MAX_ANGLE);
+    if !are_in_range {
         return sin_cos_of_large(angles);
     }
     let mut quarter = [0u64; N];

@@ -129,8 +129,7 @@ impl Reader<'_> {
             return;
         }
         if let Err(error) = scene.flown_s() {
-            let of_manoeuvre = error.index.map(|index| index % self.items.len().max(1));
-            let item = match of_manoeuvre.and_then(|index| self.items.get(index)) {
+            let item = match error.index.and_then(|index| self.items.get(index)) {
                 Some(item) => item.clone(),
                 None => self.section(Section::Flight).clone(),
             };

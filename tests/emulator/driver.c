@@ -168,7 +168,6 @@ static void files(const wchar_t *folder)
 {
     wchar_t path[1024];
     HWND display = page_of(IDC_PROGRESS);
-#define IN_FOLDER(name) (wcscpy(path, folder), wcscat(path, L"\\" name), path)
     name_file(ID_OPEN, IN_FOLDER(L"exercise.toml"));
     expect_title(L"exercise.toml - ");
     name_file(ID_SAVE_AS, IN_FOLDER(L"again.toml"));
@@ -320,28 +319,20 @@ static void edit(void)
 
 int main(int count, char **arguments)
 {
-    int k;
-    for (k = 0; k < 600 && (main_window = find_main_window()) == NULL; k++) {
-        Sleep(100);
-    }
-    if (main_window == NULL || count < 2) {
-        fail("no window");
-    }
-    page_of(IDC_PROGRESS);
-    Sleep(1000);
-    if (strcmp(arguments[1], "fly") == 0 && count == 3) {
+    const char *what = wait_for_window(count, arguments);
+    if (strcmp(what, "fly") == 0 && count == 3) {
         fly(arguments[2]);
-    } else if (strcmp(arguments[1], "exercise") == 0) {
+    } else if (strcmp(what, "exercise") == 0) {
         exercise();
-    } else if (strcmp(arguments[1], "files") == 0 && count == 3) {
+    } else if (strcmp(what, "files") == 0 && count == 3) {
         wchar_t folder[512] = L"";
         MultiByteToWideChar(CP_UTF8, 0, arguments[2], -1, folder, 512);
         files(folder);
-    } else if (strcmp(arguments[1], "studies") == 0) {
+    } else if (strcmp(what, "studies") == 0) {
         studies();
-    } else if (strcmp(arguments[1], "edit") == 0) {
+    } else if (strcmp(what, "edit") == 0) {
         edit();
-    } else if (strcmp(arguments[1], "sentence") == 0) {
+    } else if (strcmp(what, "sentence") == 0) {
         sentence();
     } else {
         pages();

@@ -214,6 +214,9 @@ static void print(const wchar_t *text)
     printf("%s\n", utf8);
 }
 
+/* path, the name of a file in folder. */
+#define IN_FOLDER(name) (wcscpy(path, folder), wcscat(path, L"\\" name), path)
+
 /* The control number k, from 0, of those that a label binds to keys. */
 static HWND field(HWND dialog, int k)
 {
@@ -235,6 +238,21 @@ static void expect_state(HWND display, const wchar_t *state)
         printf("driver: the state is \"%ls\", not \"%ls\"\n", text, state);
         exit(1);
     }
+}
+
+/* Waits for the window; returns the first argument. */
+static const char *wait_for_window(int count, char **arguments)
+{
+    int k;
+    for (k = 0; k < 600 && (main_window = find_main_window()) == NULL; k++) {
+        Sleep(100);
+    }
+    if (main_window == NULL || count < 2) {
+        fail("no window");
+    }
+    page_of(IDC_PROGRESS);
+    Sleep(1000);
+    return arguments[1];
 }
 
 #endif

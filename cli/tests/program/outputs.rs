@@ -30,7 +30,11 @@ fn a_flight_does_not_destroy_its_log() {
         assert_eq!(read(folder.join("logs/mylog.csv")), log(), "{arguments:?}");
         assert_eq!(names(&folder.join("logs")), ["hard.csv", "mylog.csv"], "{arguments:?}");
     }
-    // Redirected, it is still the file.
+}
+
+#[test]
+fn a_log_that_is_redirected_is_still_the_file() {
+    let folder = with_log("redirected");
     let input = std::fs::File::open(folder.join("logs/mylog.csv")).unwrap();
     let output = sins(&folder, &["fly", "-", "--out", "logs", "--name", "mylog", "--force"])
         .stdin(input)

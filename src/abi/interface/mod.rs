@@ -42,7 +42,15 @@ const SUBJECTS: [(&str, &[&str]); 17] = [
     ("Embedded flights", &["manoeuvre", "flight"]),
     (
         "Scenes",
-        &["scene", "scene_prepare", "fault_report", "scene_settings", "scene_flight", "scene_failure"],
+        &[
+            "scene",
+            "scene_prepare",
+            "fault_report",
+            "scene_settings",
+            "scene_flight",
+            "scene_text",
+            "scene_failure",
+        ],
     ),
     ("Values of a scene by their paths", &["scene_key", "scene_value"]),
     ("Flight logs", &["log", "scene_samples"]),

@@ -21,6 +21,7 @@ pub(super) struct LocalGeometry {
     pub n: f64,
 }
 
+/// A call, so that the usual case has no selection of components.
 #[cold]
 #[inline(never)]
 fn east_at_pole() -> Vector3<f64> {

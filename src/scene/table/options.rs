@@ -77,13 +77,13 @@ pub const OPTIONS: &[Key] = &[
         "rfu" => BodyAxes::RightForwardUp,
         "frd" => BodyAxes::ForwardRightDown,
     ]),
-    choice!(O, "signal", "ideal signals, or with a trim that holds an error-free navigator", "options.signal", closed_loop, [
+    choice!(O, "signal", "ideal signals: physical, or with a trim that keeps an error-free navigator at the truth", "options.signal", closed_loop, [
         "physical" => false,
         "closed-loop" => true,
     ]),
     numbers(
         O,
-        ("closed_loop_time_s", si("s"), "time constant of that trim"),
+        ("closed_loop_time_s", si("s"), "time constant of the trim"),
         N,
         "options.closed_loop_time_s",
         |d| one(&mut d.closed_loop_time_s),
@@ -117,7 +117,7 @@ pub const OPTIONS: &[Key] = &[
         (
             "max_acceleration_m_s2",
             si("m/s2"),
-            "mean acceleration between two samples beyond which truth has jumped",
+            "largest mean acceleration between two samples; more is rejected as a jump of the truth",
         ),
         N,
         "options.max_acceleration_m_s2",

@@ -24,7 +24,12 @@ fn of_grade(index: usize) -> (TriadParameters, TriadParameters) {
 const fn preset(section: Section, field: &'static str, set: fn(&mut Draft, usize)) -> Key {
     let words = &[GRADES[0].0, GRADES[1].0, GRADES[2].0, GRADES[3].0, GRADES[4].0, GRADES[5].0, GRADES[6].0];
     let target = Target::Choice { field, words, get: |_| 0, set };
-    Key { section, name: "preset", doc: "errors to begin with", target }
+    Key {
+        section,
+        name: "preset",
+        doc: "grade whose errors are set first; other keys then change single errors",
+        target,
+    }
 }
 
 pub const GYRO: &[Key] = &keys::<{ count(Sensor::Gyro) }>(

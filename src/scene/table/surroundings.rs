@@ -29,9 +29,13 @@ pub const ALTIMETER: &[Key] = &[
         "altimeter.markov_sigma_m",
         |d| one(&mut d.scene.errors.altimeter.markov_sigma_m),
     ),
-    numbers(A, ("markov_time_s", si("s"), "its correlation time"), N, "altimeter.markov_time_s", |d| {
-        one(&mut d.scene.errors.altimeter.markov_time_s)
-    }),
+    numbers(
+        A,
+        ("markov_time_s", si("s"), "correlation time of the Gauss-Markov error"),
+        N,
+        "altimeter.markov_time_s",
+        |d| one(&mut d.scene.errors.altimeter.markov_time_s),
+    ),
     numbers(
         A,
         ("scale_factor_ppm", unit("ppm", PPM, ""), "scale factor error of the height"),
@@ -95,7 +99,7 @@ pub const START: &[Key] = &[
         "initial.misalignment_sigma_enu_rad",
         |d| vector(&mut d.scene.errors.initial.misalignment_sigma_n),
     ),
-    choice!(S, "alignment", "given, or with what levelling and gyrocompassing leave", "initial.alignment", scene.errors.initial.alignment, [
+    choice!(S, "alignment", "alignment: given attitude, or levelling and gyrocompassing", "initial.alignment", scene.errors.initial.alignment, [
         "given" => Alignment::Given,
         "gyrocompass" => Alignment::LevelAndGyrocompass,
     ]),
@@ -104,7 +108,7 @@ pub const START: &[Key] = &[
 pub const MOUNTING: &[Key] = &[
     numbers(
         M,
-        ("lever_arm_m", si("m"), "from the reference point to the block, body axes"),
+        ("lever_arm_m", si("m"), "lever arm from the reference point to the block, body axes"),
         Shape::Vector,
         "mounting.lever_arm_m",
         |d| vector(&mut d.scene.errors.mounting.lever_arm_m),
@@ -145,7 +149,7 @@ pub const GRAVITY: &[Key] = &[
         (
             "deflection_north_sigma_arcsec",
             unit("arcsec", ARCSEC, "rad"),
-            "standard deviation of its random part",
+            "standard deviation of the random part of the deflection in the meridian",
         ),
         N,
         "gravity.deflection_north_sigma_rad",
@@ -153,7 +157,11 @@ pub const GRAVITY: &[Key] = &[
     ),
     numbers(
         G,
-        ("deflection_north_distance_km", unit("km", 1e3, "m"), "correlation distance of that"),
+        (
+            "deflection_north_distance_km",
+            unit("km", 1e3, "m"),
+            "correlation distance of the random part of the deflection in the meridian",
+        ),
         N,
         "gravity.deflection_north_distance_m",
         |d| one(&mut d.scene.errors.gravity.deflection_north.distance_m),
@@ -170,7 +178,7 @@ pub const GRAVITY: &[Key] = &[
         (
             "deflection_east_sigma_arcsec",
             unit("arcsec", ARCSEC, "rad"),
-            "standard deviation of its random part",
+            "standard deviation of the random part of the deflection in the prime vertical",
         ),
         N,
         "gravity.deflection_east_sigma_rad",
@@ -178,7 +186,11 @@ pub const GRAVITY: &[Key] = &[
     ),
     numbers(
         G,
-        ("deflection_east_distance_km", unit("km", 1e3, "m"), "correlation distance of that"),
+        (
+            "deflection_east_distance_km",
+            unit("km", 1e3, "m"),
+            "correlation distance of the random part of the deflection in the prime vertical",
+        ),
         N,
         "gravity.deflection_east_distance_m",
         |d| one(&mut d.scene.errors.gravity.deflection_east.distance_m),
@@ -192,14 +204,22 @@ pub const GRAVITY: &[Key] = &[
     ),
     numbers(
         G,
-        ("anomaly_sigma_mgal", unit("mGal", MILLIGAL, "m/s2"), "standard deviation of its random part"),
+        (
+            "anomaly_sigma_mgal",
+            unit("mGal", MILLIGAL, "m/s2"),
+            "standard deviation of the random part of the anomaly",
+        ),
         N,
         "gravity.anomaly_sigma_m_s2",
         |d| one(&mut d.scene.errors.gravity.anomaly.sigma),
     ),
     numbers(
         G,
-        ("anomaly_distance_km", unit("km", 1e3, "m"), "correlation distance of that"),
+        (
+            "anomaly_distance_km",
+            unit("km", 1e3, "m"),
+            "correlation distance of the random part of the anomaly",
+        ),
         N,
         "gravity.anomaly_distance_m",
         |d| one(&mut d.scene.errors.gravity.anomaly.distance_m),

@@ -32,7 +32,7 @@ impl Chain {
         }
     }
 
-    /// Makes the view of the truth where it is kept: [`Self::true_view`] would move it there.
+    /// Makes the view of the truth where it is kept: [`Self::true_view`] makes it elsewhere and moves it, 60 instructions.
     #[inline(never)]
     pub fn make_true_view(&mut self, point: &TruthPoint) {
         match point.given(self.options.axes) {

@@ -1,12 +1,12 @@
 /* The studies: the options that the flight needs, and the budget of its errors. A worker thread computes. */
-#include "app.h"
+#pragma once
+#include "document.h"
 
 /* What a study finds. */
 struct Result {
     Rows rows;
     std::wstring sentence;
-    bool has_options = false;
-    sins_options options;
+    std::optional<sins_options> options;
 };
 
 /* Limits of the errors; the last number is the duration [s], or the runs. */
@@ -14,33 +14,32 @@ struct Limits {
     double position_m, velocity_m_s, attitude_rad, last;
 };
 
-/* One kind of study: its texts and columns, the samples that the library takes, and its call. */
+typedef std::vector<sins_flight_sample> Piece;
+
+/* One kind of study: its texts, the samples that the library takes, and its call. */
 struct Kind {
-    const char *title, *last, *columns;
-    std::vector<int> widths;
+    const char *title, *last, *last_tip, *columns;
     size_t most;
-    void (*call)(const sins_sim *sim, const std::vector<sins_flight_sample> &samples, const Limits &limits,
-                 Result &result);
+    Result (*call)(const sins::Simulator &sim, const Piece &piece, const Limits &limits);
 };
 
 /* The options that meet the limits. */
-static void find_options(const sins_sim *sim, const std::vector<sins_flight_sample> &samples,
-                         const Limits &limits, Result &result)
+inline Result find_options(const sins::Simulator &sim, const Piece &piece, const Limits &limits)
 {
-    sins_requirement requirement = sized<sins_requirement>();
-    sins_cost cost = sized<sins_cost>();
+    Result result;
+    sins_requirement requirement = sins::make<sins_requirement>();
+    sins_cost cost = sins::make<sins_cost>();
+    sins_options options = sins::make<sins_options>();
     const Key &scheme = *key_of("options.scheme");
     requirement.position_m = limits.position_m;
     requirement.velocity_m_s = limits.velocity_m_s;
     requirement.attitude_rad = limits.attitude_rad;
     requirement.duration_s = limits.last;
-    result.options = sized<sins_options>();
-    sins_status status =
-        check(lib.sins_recommend(sim, samples.data(), samples.size(), &requirement, &result.options, &cost));
+    bool is_met = sim.recommend(piece.data(), piece.size(), requirement, options, cost);
     const Texts names = parts("recommend_rows");
-    const Texts values = {scheme.word_label(scheme.words[result.options.scheme]),
-                          std::to_wstring(result.options.subsamples),
-                          std::to_wstring(result.options.updates_per_sample),
+    const Texts values = {scheme.word_label(scheme.choices()[options.scheme]),
+                          std::to_wstring(options.subsamples),
+                          std::to_wstring(options.updates_per_sample),
                           shown(cost.position_m, 4) + L" m",
                           shown(cost.velocity_m_s, 4) + L" m/s",
                           shown(cost.attitude_rad / SINS_ARCSEC, 4) + L" \u2033",
@@ -50,60 +49,54 @@ static void find_options(const sins_sim *sim, const std::vector<sins_flight_samp
     for (size_t k = 0; k < names.size(); k++) {
         result.rows.push_back({{names[k], values[k]}});
     }
-    result.sentence = parts("met")[status == SINS_REQUIREMENT_NOT_MET ? 1 : 0];
-    result.has_options = true;
+    result.sentence = parts("met")[is_met ? 0 : 1];
+    result.options = options;
+    return result;
 }
 
-static std::wstring name_of(const sins_budget_row &row)
+inline std::wstring name_of(const sins_budget_row &row)
 {
     std::string field = row.field;
     const Key *key = key_of(field.starts_with("accel.") ? "accelerometer" + field.substr(5) : field);
     std::wstring name = label(std::string("effect.") + row.effect, row.effect);
-    if (key != NULL && is_chinese()) {
-        name = label("section." + key->section, key->section) + L"\u00b7" + label(key->path, row.effect);
+    if (key != NULL && language == 1) {
+        name = label(std::string("section.") + key->section, key->section) + L"\u00b7" + key->meaning();
     }
     name += (row.flags & SINS_BUDGET_RANDOM) != 0 ? L" (1\u03c3)" : L"";
     return name + ((row.flags & SINS_BUDGET_CAN_BE_LEFT_OUT) != 0 ? L" *" : L"");
 }
 
 /* The share of each error; a bar is of the largest in position. */
-static void find_shares(const sins_sim *sim, const std::vector<sins_flight_sample> &samples,
-                        const Limits &limits, Result &result)
+inline Result find_shares(const sins::Simulator &sim, const Piece &piece, const Limits &limits)
 {
-    sins_budget_request request = sized<sins_budget_request>();
-    sins_budget budget = sized<sins_budget>();
-    size_t count = 0;
+    Result result;
+    sins_budget_request request = sins::make<sins_budget_request>();
+    std::vector<sins_budget_row> rows;
     double largest = 1e-300;
     request.runs = (uint64_t)limits.last;
     request.position_m = limits.position_m;
     request.velocity_m_s = limits.velocity_m_s;
     request.attitude_rad = limits.attitude_rad;
-    auto call = [&](sins_budget_row *rows, size_t capacity) {
-        return lib.sins_error_budget(sim, samples.data(), samples.size(), &request, rows, capacity, &count,
-                                     &budget);
-    };
-    call(NULL, 0);
-    std::vector<sins_budget_row> rows(count + 1, sized<sins_budget_row>());
-    check(call(rows.data(), rows.size()));
-    rows.resize(count);
-    for (const sins_budget_row &row : rows) {
-        largest = max(largest, row.position_m);
-    }
+    sins_budget budget = sim.error_budget(piece.data(), piece.size(), request, rows);
     auto add = [&](const std::wstring &name, const auto &errors, double bar) {
         std::wstring attitude = shown(errors.attitude_rad / SINS_ARCSEC, 4);
         result.rows.push_back(
             {{name, L"", shown(errors.position_m, 4), shown(errors.velocity_m_s, 4), attitude}, false, bar});
     };
     for (const sins_budget_row &row : rows) {
+        largest = max(largest, row.position_m);
+    }
+    for (const sins_budget_row &row : rows) {
         add(name_of(row), row, row.position_m / largest);
     }
     add(text("budget_total"), budget, 0);
+    return result;
 }
 
-static const Kind RECOMMEND = {
-    "Recommended options", "For the &duration [s]", "columns_recommend", {240, 0}, 360000, find_options};
-static const Kind BUDGET = {"Error budget",       "&Runs", "columns_budget",
-                            {0, 110, 84, 84, 84}, 2000000, find_shares};
+inline const Kind RECOMMEND = {
+    "Recommended options", "For the &duration [s]", "tip_duration", "columns_recommend", 360000,
+    find_options};
+inline const Kind BUDGET = {"Error budget", "&Runs", "tip_runs", "columns_budget", 2000000, find_shares};
 
 /* A computation: what it needs and what it finds, shared by its thread and the dialog. */
 struct Study {
@@ -118,35 +111,28 @@ struct Study {
     /* The samples of the piece, then the call. */
     void compute()
     {
-        Samples flight;
-        Handle<sins_sim> sim;
-        flight.open(scene, folder);
-        size_t first = (size_t)std::fmin(from_s / flight.period_s + 1e-6, (double)flight.count);
-        size_t last = (size_t)std::fmin(to_s / flight.period_s + 1e-6, (double)flight.count - 1);
+        Samples flight(scene, folder);
+        sins::Simulator sim = scene->create_simulator();
+        size_t first = (size_t)min(from_s / flight.all.period_s + 1e-6, (double)flight.all.count);
+        size_t last = (size_t)min(to_s / flight.all.period_s + 1e-6, (double)flight.all.count - 1);
         if (last <= first || last - first >= kind.most) {
-            throw Refusal{last <= first ? text("no_piece", {shown(flight.duration_s, 10)})
-                                        : text("too_long", {std::to_wstring(kind.most)})};
+            throw Refusal(last <= first ? text("no_piece", {shown(flight.all.duration_s, 10)})
+                                        : text("too_long", {std::to_wstring(kind.most)}));
         }
-        std::vector<sins_flight_sample> samples(last - first + 1, sized<sins_flight_sample>());
-        check(lib.sins_scene_create_simulator(scene.handle(), &sim));
-        for (size_t k = 0; k < samples.size() && !is_cancelled; k++) {
-            check(flight.get(first + k, &samples[k])); /* and its temperature: no failures here */
-            check(lib.sins_scene_prepare(scene.handle(), sim, flight.start_s, &samples[k]));
+        Piece piece;
+        for (size_t k = first; k <= last && !is_cancelled; k++) {
+            piece.push_back(flight.get(k)); /* and its temperature: no failures here */
+            scene->prepare(sim, flight.all.start_s, piece.back());
         }
         if (!is_cancelled) {
-            kind.call(sim, samples, limits, result);
+            result = kind.call(sim, piece, limits);
         }
     }
 };
 
-/* The one study that runs. A call of the library cannot be interrupted: after a cancel, and when the dialog
- * is closed, it ends by itself; the next study waits for that, so that no more than one takes memory and
- * time. */
-static std::shared_ptr<Study> running;
-
 class StudyDialog : public Dialog {
 public:
-    StudyDialog(App &app, const Kind &kind) : app_(app), kind_(kind) {}
+    StudyDialog(Document &document, const Kind &kind) : document_(document), kind_(kind) {}
     ~StudyDialog() override { cancel(); }
 
 protected:
@@ -154,15 +140,21 @@ protected:
     {
         SetWindowTextW(window_, text(kind_.title).c_str());
         set(IDC_LAST_LABEL, text(kind_.last));
-        columns(IDC_RESULT, kind_.columns, kind_.widths);
+        add_columns(item(IDC_RESULT), kind_.columns);
         show(IDC_ADOPT, &kind_ == &RECOMMEND);
         enable(IDC_ADOPT, false);
         set(IDC_LIMIT_POSITION, &kind_ == &RECOMMEND ? L"1" : L"");
         set(IDC_FROM, L"0");
         SetTimer(window_, 1, 100, NULL);
-        Samples samples;
-        samples.open(app_.scene, app_.folder());
-        set(IDC_TO, shown(min(samples.duration_s, 600.0), 10));
+        for (int id : {IDC_LIMIT_POSITION, IDC_LIMIT_VELOCITY, IDC_LIMIT_ATTITUDE}) {
+            tip(item(id), text("tip_limit"));
+        }
+        tip(item(IDC_LAST), text(kind_.last_tip));
+        double duration_s = Samples(document_.scene, document_.folder()).all.duration_s;
+        for (int id : {IDC_FROM, IDC_TO}) {
+            tip(item(id), text("range", {L"0", shown(duration_s, 10)}));
+        }
+        set(IDC_TO, shown(min(duration_s, 600.0), 10));
     }
 
     void on_refusal(const std::wstring &sentence) override { set(IDC_STATE, sentence); }
@@ -185,17 +177,17 @@ protected:
         if (message != WM_TIMER) {
             return false;
         }
-        if (running != NULL && running->is_done) {
-            running.reset();
+        if (running_ != NULL && running_->is_done) {
+            running_.reset();
         }
-        if (study_ != NULL && !study_->is_done && running == NULL) {
-            running = study_;
+        if (study_ != NULL && !study_->is_done && running_ == NULL) {
+            running_ = study_;
             set(IDC_STATE, text("computing"));
-            std::thread([own = running] {
+            std::thread([own = running_] {
                 try {
                     own->compute();
-                } catch (const Refusal &refusal) {
-                    own->result.sentence = refusal.sentence;
+                } catch (const std::exception &error) {
+                    own->result.sentence = told(error);
                 }
                 own->is_done = true;
             }).detach();
@@ -204,7 +196,7 @@ protected:
             set(IDC_COMPUTE, text("&Compute"));
             set(IDC_STATE, result_.sentence);
             rows(IDC_RESULT, result_.rows);
-            enable(IDC_ADOPT, result_.has_options);
+            enable(IDC_ADOPT, result_.options.has_value());
             study_.reset();
         }
         return true;
@@ -225,12 +217,11 @@ private:
     {
         Limits limits = {number(IDC_LIMIT_POSITION), number(IDC_LIMIT_VELOCITY),
                          number(IDC_LIMIT_ATTITUDE) * SINS_ARCSEC, number(IDC_LAST)};
-        auto study = std::shared_ptr<Study>(
-            new Study{kind_, Scene(), app_.folder(), number(IDC_FROM), number(IDC_TO), limits, {}});
+        std::shared_ptr<Study> study(new Study{
+            kind_, Scene(document_.scene), document_.folder(), number(IDC_FROM), number(IDC_TO), limits, {}});
         if (has_marks()) {
-            throw Refusal{text("field_not_valid")};
+            throw Refusal(text("field_not_valid"));
         }
-        study->scene.read(app_.scene.text());
         study_ = study;
         set(IDC_STATE, text("waiting"));
         set(IDC_COMPUTE, text("&Cancel"));
@@ -249,27 +240,21 @@ private:
      * out. */
     void adopt()
     {
-        sins_options options = sized<sins_options>();
-        lib.sins_scene_get_options(app_.scene.handle(), &options);
-        options.scheme = result_.options.scheme;
-        options.subsamples = result_.options.subsamples;
-        options.updates_per_sample = result_.options.updates_per_sample;
-        app_.scene.taken(lib.sins_scene_set_options(app_.scene.handle(), &options));
-        app_.edited(L"");
+        const sins_options &options = *result_.options;
+        Faults faults =
+            document_.scene.set({{"options.scheme", key_of("options.scheme")->choices()[options.scheme]},
+                                 {"options.subsamples", std::to_string(options.subsamples)},
+                                 {"options.updates_per_sample", std::to_string(options.updates_per_sample)}});
+        document_.edited(told(faults));
     }
 
-    App &app_;
+    /* The one study that runs. A call of the library cannot be interrupted: after a cancel, and when the
+     * dialog is closed, it ends by itself; the next study waits for that, so that no more than one takes
+     * memory and time. */
+    inline static std::shared_ptr<Study> running_;
+
+    Document &document_;
     const Kind &kind_;
     std::shared_ptr<Study> study_; /* the one that is waited for */
     Result result_;
 };
-
-void recommend(App &app)
-{
-    StudyDialog(app, RECOMMEND).modal(app.window(), IDD_STUDY);
-}
-
-void error_budget(App &app)
-{
-    StudyDialog(app, BUDGET).modal(app.window(), IDD_STUDY);
-}

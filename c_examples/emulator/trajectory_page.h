@@ -1,0 +1,153 @@
+/* Initial conditions of the trajectory: panel (a) of the paper's figure 2. */
+#pragma once
+#include "manoeuvre_dialog.h"
+
+class TrajectoryPage : public Page {
+public:
+    using Page::Page;
+
+    void refresh(bool all_is_new) override
+    {
+        int source = scene_->setup().flight;
+        bool is_path = source == SINS_SCENE_FLIGHT_MANOEUVRES, is_log = source == SINS_SCENE_FLIGHT_LOG;
+        std::wstring builtin = wide(scene_->text(SINS_SCENE_TEXT_BUILTIN));
+        Page::refresh(all_is_new);
+        choose(IDC_SOURCE, std::find(SOURCES, std::end(SOURCES), source) - SOURCES);
+        if (!builtin.empty()) {
+            SendMessageW(item(IDC_BUILTIN), CB_SELECTSTRING, -1, (LPARAM)builtin.c_str());
+        }
+        enable_fields("flight.", is_path);
+        enable_fields("flight.title", true);
+        enable_fields("flight.file", is_log);
+        enable(IDC_BROWSE, is_log);
+        enable(IDC_BUILTIN, !is_path && !is_log);
+        for (int id = IDC_MANOEUVRES; id <= IDC_DOWN; id++) {
+            enable(id, is_path);
+        }
+        rows(IDC_MANOEUVRES, rows_of(scene_, "manoeuvre"));
+        if (previewed_ != scene_.text() + narrow(document_.folder())) {
+            preview();
+        }
+    }
+
+protected:
+    void on_init() override
+    {
+        Texts builtins;
+        for (const std::string &name : sins::Scene::builtin_names()) {
+            builtins.push_back(wide(name));
+        }
+        fill(item(IDC_SOURCE), parts("sources"));
+        fill(item(IDC_BUILTIN), builtins);
+        track_.attach(item(IDC_TRACK));
+        profile_.attach(item(IDC_PROFILE));
+    }
+
+    void on_command(int id, int code) override
+    {
+        if (code == CBN_SELCHANGE && (id == IDC_SOURCE || id == IDC_BUILTIN)) {
+            set_source(id == IDC_BUILTIN ? 0 : chosen(IDC_SOURCE));
+        } else if (id == IDC_BROWSE) {
+            set_source(2);
+        } else if (id == IDC_TAKE) {
+            document_.open_builtin(narrow(get(IDC_BUILTIN)));
+        } else if (id >= IDC_ADD && id <= IDC_DOWN) {
+            edit(id);
+        }
+    }
+
+    void on_notify(NMHDR *notice) override
+    {
+        if (notice->idFrom == IDC_MANOEUVRES && notice->code == (UINT)NM_DBLCLK) {
+            edit(IDC_EDIT);
+        }
+    }
+
+private:
+    /* Where a flight comes from, in the order of the text "sources": as the paper, built-in flights first. */
+    static constexpr int SOURCES[] = {SINS_SCENE_FLIGHT_BUILTIN, SINS_SCENE_FLIGHT_MANOEUVRES,
+                                      SINS_SCENE_FLIGHT_LOG};
+
+    /* The ground track and the height of the flight, from 3000 samples of it. */
+    void preview()
+    {
+        const COLORREF BLUE = RGB(0, 90, 180);
+        Panel track = {text("track"), DEGREES, {}, {{L"", BLUE, false, {}}}};
+        Panel profile = {text("height_over_time"), LENGTH, {}, {{L"", BLUE, false, {}}}};
+        previewed_ = scene_.text() + narrow(document_.folder());
+        try {
+            Samples samples(scene_, document_.folder());
+            for (size_t k = 0; k < samples.all.count; k += samples.all.count / 3000 + 1) {
+                sins_flight_sample sample = samples.get(k);
+                track.x.push_back(sample.longitude_rad);
+                track.traces[0].cells.push_back(Cell(sample.latitude_rad));
+                profile.x.push_back(sample.time_s - samples.all.start_s);
+                profile.traces[0].cells.push_back(Cell(sample.height_m));
+            }
+        } catch (const std::exception &error) {
+            document_.say_line(told(error));
+        }
+        track_.show({track}, DEGREES, false);
+        profile_.show({profile}, DURATION, false);
+    }
+
+    void set_source(int source)
+    {
+        Faults faults;
+        if (source == 0) {
+            /* The paper's simulations are scenes with the flight of another. */
+            std::string name = narrow(get(IDC_BUILTIN)), other = Scene(name)->text(SINS_SCENE_TEXT_BUILTIN);
+            faults = scene_.set({{"flight.builtin", other.empty() ? name : other}});
+        } else if (source == 1) {
+            make_manoeuvres();
+        } else {
+            fs::path path = ask_file(window_, false, "filter_log", L"csv"),
+                     seen = path.lexically_relative(document_.folder());
+            bool is_below = !seen.empty() && *seen.begin() != L".."; /* then as seen from the scene */
+            if (!path.empty()) {
+                faults = scene_.set({{"flight.file", in_quotes(narrow(is_below ? seen : path))}});
+            }
+        }
+        document_.edited(told(faults));
+    }
+
+    /* A built-in flight becomes manoeuvres that can be edited; a log the default flight. */
+    void make_manoeuvres()
+    {
+        sins_flight_start start = sins::make<sins_flight_start>();
+        size_t repeat = 1;
+        bool is_log = scene_->setup().flight == SINS_SCENE_FLIGHT_LOG;
+        std::vector<sins_manoeuvre> all = (is_log ? Scene() : Scene(scene_))->manoeuvres(start, repeat);
+        scene_.set_manoeuvres(start, all, repeat);
+    }
+
+    /* Adds, edits, moves or removes a manoeuvre. */
+    void edit(int id)
+    {
+        Scene draft(scene_);
+        std::vector<std::string> all = scene_.items("manoeuvre");
+        size_t row = min(selected(IDC_MANOEUVRES), all.size()), next = row;
+        if (id == IDC_ADD) {
+            next = row < all.size() ? row + 1 : row;
+            all.insert(all.begin() + next, "[[manoeuvre]]\nkind = \"straight\"\nduration_s = 60\n");
+        } else if (row == all.size()) {
+            return;
+        } else if (id == IDC_REMOVE) {
+            all.erase(all.begin() + row);
+        } else if (id != IDC_EDIT) {
+            next = id == IDC_UP ? max(row, (size_t)1) - 1 : min(row + 1, all.size() - 1);
+            std::swap(all[row], all[next]);
+        }
+        Faults faults = draft.set_items("manoeuvre", all);
+        bool is_edited = faults.empty() && (id == IDC_ADD || id == IDC_EDIT);
+        HWND owner = GetAncestor(window_, GA_ROOT);
+        if (!is_edited || ManoeuvreDialog(draft, next).modal(owner, IDD_MANOEUVRE) == IDOK) {
+            scene_ = std::move(draft);
+            document_.edited(told(faults));
+            select(IDC_MANOEUVRES, next);
+        }
+    }
+
+    Plot track_, profile_;
+    std::string previewed_; /* the scene that the preview shows */
+};
