@@ -164,6 +164,8 @@ fn what_belongs_together_is_set_together() {
         (0, 2, "gyro.markov_sigma_deg_h[1]")
     );
     assert!(scene.set(&[("options.seed", "1"); 4097]).is_err());
+    let faults = scene.set(&[("gyro.scale_factor", "1e305")]).unwrap_err();
+    assert_eq!((faults[0].about.value, faults[0].about.maximum), (None, Some(1e6)), "{faults:?}");
     // One element after the other; no value is 0.
     scene.set(&[("gyro.markov_sigma_deg_h[0]", "0.25"), ("gyro.markov_sigma_deg_h[2]", "")]).unwrap();
     assert_eq!(scene.value("gyro.markov_sigma_deg_h").as_deref(), Some("[0.25, 0, 0]"));
