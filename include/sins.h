@@ -3034,8 +3034,8 @@ SINS_API sins_status SINS_CALL sins_scene_get_value(
     const sins_scene *scene, const char *path, char *buffer, size_t capacity, size_t *needed);
 
 /*
- * Sets values of the scene, all at once. values is a terminated text in UTF-8 with one path = value in each line; blank lines
- * and lines that begin with # are ignored. Paths are those of sins_scene_get_value(). A value is written as in the text of a
+ * Sets values of the scene, all at once, at most 4096. values is a terminated text in UTF-8 with one path = value in each
+ * line; blank lines and lines that begin with # are ignored. Paths are those of sins_scene_get_value(). A value is written as in the text of a
  * scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the default, in an element 0. If a value is set
  * twice, the last counts. A preset replaces all errors of its sensors. flight.file and flight.builtin replace the flight.
  *

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The same bits on other processors and word sizes, and what a host does to the library there: Rust's pinned digests, and the
-# programs of tests/c. ARM by emulation; 32-bit x86 by the machine itself where its kernel can, as the emulator raises no
-# floating-point exceptions. On this machine as released, and without optimisation. What cannot be had is told at the end.
+# The same bits on other processors and word sizes, and what a host does to the library there: Rust's pinned digests, the runs of
+# ensembles against single simulators, and the programs of tests/c. ARM by emulation; 32-bit x86 by the machine itself where its
+# kernel can, as the emulator raises no floating-point exceptions. On this machine as released, and without optimisation. What
+# cannot be had is told at the end.
 # SINS_LIB_DIR: a folder with a libsins.so to take for this machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -33,7 +34,8 @@ other() {
     echo "== $processor"
     rustup target add "$target"
     variable=CARGO_TARGET_$(echo "$processor" | tr a-z A-Z)_UNKNOWN_LINUX_GNU
-    env "${variable}_LINKER=$compiler" "${variable}_RUNNER=$*" cargo test --target "$target" --test state determinism::
+    env "${variable}_LINKER=$compiler" "${variable}_RUNNER=$*" cargo test --target "$target" --test state -- \
+        determinism:: ensemble_widths::
     fly "$compiler" "target/$target/debug/deps/libsins.so" "$@"
     tests/loading.sh "$compiler -std=c99" "target/$target/debug/deps/libsins.so" "$@"
 }

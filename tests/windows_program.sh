@@ -12,12 +12,13 @@ cd "$(dirname "$0")/.."
 # The others do not depend on the system.
 tests="fly:: inputs:: outputs::"
 
-# given SINS.EXE: this machine's build of the tests starts it by wine. They skip what needs Unix, and a file that is redirected by a program
+# given PROCESSOR SINS.EXE: this machine's build of the tests starts it by wine. They skip what needs Unix, and a file that is redirected by a program
 # of Unix, which by wine is another one.
 given() {
     local work=$PWD/target/windows/program
     mkdir -p "$work"
-    printf '#!/bin/sh\nexec "%s" "%s" "$@"\n' "$wine" "$(realpath "$1")" >"$work/sins"
+    [ "$1" = x86_64 ] || fetch_screen32 # wine would speak of the fonts that it misses
+    printf '#!/bin/sh\nexec "%s" "%s" "$@"\n' "$wine" "$(realpath "$2")" >"$work/sins"
     chmod +x "$work/sins"
     export LC_ALL=C.UTF-8 # the command line, for wine
     "$WINESERVER" -p60 >/dev/null 2>&1 || true # one stays for all; or is there already
@@ -42,6 +43,6 @@ built() {
 }
 
 if have_wine "${1:-x86_64}"; then
-    if [ $# -gt 0 ]; then given "$2"; else built; fi
+    if [ $# -gt 0 ]; then given "$@"; else built; fi
 fi
 report_not_run

@@ -3249,11 +3249,11 @@ def scene_get_value(scene, path, buffer, needed):
 
 @_function(status, scene, _Text)
 def scene_set_values(scene, values):
-    """Sets values of the scene, all at once. values is a terminated text in UTF-8 with one path = value in each line;
-    blank lines and lines that begin with # are ignored. Paths are those of sins.scene_get_value(). A value is written
-    as in the text of a scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the default, in an
-    element 0. If a value is set twice, the last counts. A preset replaces all errors of its sensors. flight.file and
-    flight.builtin replace the flight.
+    """Sets values of the scene, all at once, at most 4096. values is a terminated text in UTF-8 with one path = value in
+    each line; blank lines and lines that begin with # are ignored. Paths are those of sins.scene_get_value(). A value
+    is written as in the text of a scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the
+    default, in an element 0. If a value is set twice, the last counts. A preset replaces all errors of its sensors.
+    flight.file and flight.builtin replace the flight.
 
     The scene is checked as sins.scene_parse() checks a text: its values must go together. So set in one call what
     belongs together, as a manoeuvre's kind and its quantities.

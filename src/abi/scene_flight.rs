@@ -202,8 +202,7 @@ pub unsafe extern "C" fn sins_scene_set_manoeuvres(
         start.ellipsoid = scene.options.ellipsoid;
         let path = FlightPath { start, manoeuvres, repeat };
         path.check_repeat("repeat")?;
-        // The index in the host's array, whichever time its manoeuvre is flown.
-        path.length_s().map_err(|error| Error { index: error.index.map(|index| index % count), ..error })?;
+        path.length_s()?;
         scene.flight = FlightSource::Path(path);
         Ok(SINS_OK)
     })

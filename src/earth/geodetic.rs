@@ -5,7 +5,8 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::Earth;
-use crate::math::{Two, atan2_of_two, hypot, sin_cos, sin_cos_each, two_product, two_sum};
+use super::position::Direction;
+use crate::math::{Two, atan2_of_two, hypot, sin_cos, sin_cos_each};
 use crate::snapshot::{ANY, stored};
 
 /// A place by its geodetic coordinates.
@@ -61,59 +62,10 @@ struct Latitude {
     cos: f64,
 }
 
-/// Cosine and sine of the latitude and of the longitude of a place.
-#[derive(Debug, Clone, Copy)]
-struct Direction {
-    latitude: Two,
-    longitude: Two,
-}
-
-impl Direction {
-    #[inline(always)]
-    fn new(sines: Two, cosines: Two) -> Self {
-        Self { latitude: cosines.firsts(sines), longitude: cosines.seconds(sines) }
-    }
-
-    #[inline(always)]
-    fn of(place: &Geodetic) -> Self {
-        let ([sl, so], [cl, co]) = sin_cos_each(&[place.latitude_rad, place.longitude_rad]);
-        Self::new(Two::new(sl, so), Two::new(cl, co))
-    }
-
-    /// Unit vectors, Earth-fixed axes.
-    #[inline(always)]
-    fn east_north_up(&self) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
-        let (cl, sl) = (self.latitude.first(), self.latitude.second());
-        let (co, so) = (self.longitude.first(), self.longitude.second());
-        (Vector3::new(-so, co, 0.0), Vector3::new(-sl * co, -sl * so, cl), Vector3::new(cl * co, cl * so, sl))
-    }
-}
-
-/// An Earth-fixed position [m], each component an unevaluated sum of two doubles.
-struct Position {
-    xy: (Two, Two),
-    z: (f64, f64),
-}
-
-impl Position {
-    #[inline(always)]
-    fn rounded(&self) -> Vector3<f64> {
-        let xy = self.xy.0 + self.xy.1;
-        Vector3::new(xy.first(), xy.second(), self.z.0 + self.z.1)
-    }
-}
-
 /// The vector of length 1 along `v`.
 #[inline(always)]
 fn unit(v: Two) -> Two {
     v * (Two::both(1.0) / (v * v).sums().sqrt())
-}
-
-/// The product of an unevaluated sum of two doubles and a factor, as such a sum.
-#[inline(always)]
-fn times((high, low): (Two, Two), factor: Two) -> (Two, Two) {
-    let (product, error) = two_product(high, factor);
-    (product, error + low * factor)
 }
 
 impl Latitude {
@@ -125,56 +77,6 @@ impl Latitude {
 }
 
 impl Earth {
-    /// Earth-fixed position [m] of a place, to half a unit in the last place and the rounding of the sines.
-    pub fn to_earth_fixed(&self, place: &Geodetic) -> Vector3<f64> {
-        self.to_earth_fixed_with_axes(place).0
-    }
-
-    /// Earth-fixed position [m], and the unit vectors east, north and up there.
-    pub fn to_earth_fixed_with_axes(&self, place: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
-        let direction = Direction::of(place);
-        (self.position(&direction, place.height_m).rounded(), direction.east_north_up().into())
-    }
-
-    /// Displacement [m] to a place, Earth-fixed axes, and the unit vectors east, north and up at the place that it begins `at`. As
-    /// [`Self::position`], with the two places side by side.
-    #[inline(always)]
-    pub fn displacement(&self, to: &Geodetic, at: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
-        let ([sl0, sl1, so0, so1], [cl0, cl1, co0, co1]) =
-            sin_cos_each(&[to.latitude_rad, at.latitude_rad, to.longitude_rad, at.longitude_rad]);
-        let (sin_latitude, cos_latitude) = (Two::new(sl0, sl1), Two::new(cl0, cl1));
-        let (sin_longitude, cos_longitude) = (Two::new(so0, so1), Two::new(co0, co1));
-        let (a, excess) = (Two::both(self.equatorial_radius_m), self.excess(sin_latitude));
-        let height_m = Two::new(to.height_m, at.height_m);
-        let p = times(two_sum(a, excess + height_m), cos_latitude);
-        let flattened = self.flattened(excess) + height_m;
-        let difference = |(high, low): (Two, Two)| {
-            let sum = high + low;
-            sum.first() - sum.second()
-        };
-        let displacement = Vector3::new(
-            difference(times(p, cos_longitude)),
-            difference(times(p, sin_longitude)),
-            difference(times(two_sum(a, flattened), sin_latitude)),
-        );
-        let here = Direction { latitude: Two::new(cl1, sl1), longitude: Two::new(co1, so1) };
-        (displacement, here.east_north_up().into())
-    }
-
-    /// RN - a at a place is small and comes without cancellation: RN = a + a e² s² / (w (1 + w)), w² = 1 - e² s².
-    #[inline(always)]
-    fn excess(&self, sin_latitude: Two) -> Two {
-        let bulge = sin_latitude * self.eccentricity2 * sin_latitude;
-        let w = (Two::both(1.0) - bulge).sqrt();
-        Two::both(self.equatorial_radius_m) * bulge / (w * (Two::both(1.0) + w))
-    }
-
-    /// RN (1 - e²) - a at a place.
-    #[inline(always)]
-    fn flattened(&self, excess: Two) -> Two {
-        excess * (1.0 - self.eccentricity2) - Two::both(self.equatorial_radius_m * self.eccentricity2)
-    }
-
     /// Geodetic coordinates of an Earth-fixed position [m]; on the axis the longitude is 0.
     #[inline(always)]
     pub fn to_geodetic(&self, r_e: &Vector3<f64>) -> Geodetic {
@@ -199,18 +101,6 @@ impl Earth {
         }
         place.height_m += (direction.longitude * cl * xy).sum() + z * sl;
         place
-    }
-
-    /// Earth-fixed position of a place: x and y side by side, as are their distance from the axis and z.
-    #[inline(always)]
-    fn position(&self, direction: &Direction, height_m: f64) -> Position {
-        let Direction { latitude, longitude } = *direction;
-        let a = Two::both(self.equatorial_radius_m);
-        let excess = self.excess(latitude.seconds(latitude));
-        let radii = two_sum(a, excess.firsts(self.flattened(excess)) + Two::both(height_m));
-        let (high, low) = times(radii, latitude);
-        let z = (high.second(), low.second());
-        Position { xy: times((high.firsts(high), low.firsts(low)), longitude), z }
     }
 
     /// Distance of a place from the axis of the Earth [m]; near a pole, where it is small, longitude and heading lose meaning.
@@ -308,11 +198,6 @@ impl Earth {
         let inverse_n = 1.0 / (radii.transverse_m + height_m);
         let inverse_m = 1.0 / (radii.meridian_m + height_m);
         (inverse_n, radii.transverse_m * self.eccentricity2 / w2 * inverse_n * inverse_m)
-    }
-
-    /// Unit vectors east, north and up at a place, Earth-fixed axes.
-    pub fn east_north_up(&self, place: &Geodetic) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
-        Direction::of(place).east_north_up()
     }
 }
 

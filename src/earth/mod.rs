@@ -4,6 +4,7 @@
 
 mod geodetic;
 mod gravity;
+mod position;
 
 pub(crate) use geodetic::navigation_axes_from_half_angles;
 pub use geodetic::{Geodetic, Vertical, VerticalTrack, navigation_axes};

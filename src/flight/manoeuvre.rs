@@ -231,7 +231,8 @@ impl Manoeuvre {
 }
 
 impl Sinusoid {
-    fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
+    /// Checks every field, for a manoeuvre that begins at `speed_m_s`.
+    pub(crate) fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
         let limit = match self.channel {
             Channel::Climb => 1.5,
             Channel::Speed => speed_m_s,

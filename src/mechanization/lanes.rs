@@ -19,50 +19,28 @@
 
 use core::slice::ChunksExact;
 
+use nalgebra::Vector3;
+
 use super::branches::{Any, Usual};
 use super::earth_fixed::EarthFixed;
 use super::geographic::Geographic;
 use super::limits::WELL_WITHIN_M;
-use super::scratch::Scratch;
+use super::scratch::{AxesRows, Bodies, Scratch};
 use super::{
-    Frame, FrameState, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalAid, VerticalCorrection,
-    VerticalRows,
+    AidOfEach, Frame, FrameState, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalAid,
+    VerticalCorrection, VerticalRows,
 };
 use crate::earth::{Earth, GravityModel};
-use crate::signal::{Increment, IncrementRows, RUNS, Row, increment_of};
+use crate::math::AxisTurn;
+use crate::signal::{Increment, IncrementRows, RUNS, increment_of};
 
 /// Navigators of one frame that get the same intervals.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
 pub(crate) struct NavigatorBlock {
     frame: Frame,
-    axes: [Row; EarthFixed::NUMBERS],
+    axes: AxesRows,
     vertical: VerticalRows,
-}
-
-/// What the vertical channels of a block are told.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum AidOfEach<'a> {
-    /// All the same: nothing, or the truth.
-    Same(VerticalAid),
-    /// A barometric height each [m].
-    Barometer { heights_m: &'a Row },
-    /// A barometric height [m], or none.
-    Some { heights_m: &'a Row, is_none: &'a [bool; RUNS] },
-}
-
-impl AidOfEach<'_> {
-    /// That of the run at `lane`.
-    #[inline(always)]
-    pub fn at(&self, lane: usize) -> VerticalAid {
-        match *self {
-            Self::Same(aid) => aid,
-            Self::Some { is_none, .. } if is_none[lane] => VerticalAid::None,
-            Self::Barometer { heights_m } | Self::Some { heights_m, .. } => {
-                VerticalAid::Barometer { height_m: heights_m[lane] }
-            }
-        }
-    }
 }
 
 impl NavigatorBlock {
@@ -93,14 +71,13 @@ impl NavigatorBlock {
         }
     }
 
-    /// Lets `act` act on one navigator after the other, of the first `count` runs.
+    /// Lets `act` act on one navigator after the other.
     pub fn each(
         &mut self,
         (earth, scheme): (&Earth, Scheme),
-        count: usize,
         mut act: impl FnMut(usize, &mut Mechanization),
     ) {
-        for lane in 0..count.min(RUNS) {
+        for lane in 0..RUNS {
             let mut navigator = self.get(lane, earth, scheme);
             act(lane, &mut navigator);
             self.put(lane, &navigator);
@@ -115,56 +92,71 @@ impl NavigatorBlock {
 
     #[inline(always)]
     fn axes(&self, lane: usize) -> EarthFixed {
-        EarthFixed::from_numbers(|i| self.axes[i][lane])
+        axes_at(&self.axes, lane)
     }
 
     #[inline(always)]
     fn put_axes(&mut self, lane: usize, axes: &EarthFixed) {
-        axes.put_numbers(|i, number| self.axes[i][lane] = number);
+        put_axes_at(&mut self.axes, lane, axes);
     }
 
-    /// Navigates the first `count` runs over an interval of length `t` [s], in updates of so many subsamples.
+    /// Navigates the navigators `before`, with `shift_e` [m/s] more, over an interval of length `t` [s], in updates of so many
+    /// subsamples. What was here is overwritten.
     #[inline(always)]
     pub fn navigate(
         &mut self,
+        (before, shift_e): (&Self, Option<&Vector3<f64>>),
         (earth, scheme): (&Earth, Scheme),
         subsamples: usize,
         measured: &[IncrementRows],
         t: f64,
-        count: usize,
         scratch: &mut Scratch,
     ) {
         let updates = measured.chunks_exact(subsamples);
         let update_s = t / updates.len() as f64;
-        if self.frame == Frame::Geographic {
-            return self.navigate_one_by_one((earth, scheme), updates, update_s, count);
+        let mut is_begun = shift_e.is_some() || self.frame == Frame::Geographic;
+        if is_begun {
+            self.clone_from(before);
+            if let Some(shift_e) = shift_e {
+                self.each((earth, scheme), |_, navigator| navigator.shift_velocity(shift_e));
+            }
+        } else {
+            self.vertical.clone_from(&before.vertical);
         }
+        if self.frame == Frame::Geographic {
+            return self.navigate_one_by_one((earth, scheme), updates, update_s);
+        }
+        let Scratch { bodies, start } = scratch;
         let is_always_usual = scheme != Scheme::Paper && earth.gravity_model == GravityModel::Normal;
         let turn = EarthFixed::earth_turn(earth, update_s);
         for update in updates {
             let is_usual = match (scheme, subsamples) {
-                (Scheme::Exact, 1) => scratch.bodies::<1>(update, count),
-                (Scheme::Exact, 2) => scratch.bodies::<2>(update, count),
-                (Scheme::Exact, 3) => scratch.bodies::<3>(update, count),
+                (Scheme::Exact, 1) => bodies.of_usual::<1>(update),
+                (Scheme::Exact, 2) => bodies.of_usual::<2>(update),
+                (Scheme::Exact, 3) => bodies.of_usual::<3>(update),
                 _ => false,
             };
             if !is_usual {
-                scratch.bodies_one_by_one(scheme, update, count);
+                bodies.one_by_one(scheme, update);
             }
-            if !is_always_usual || !(is_usual || scratch.are_usual(count)) {
-                self.update_one_by_one((earth, scheme), update_s, count, scratch);
+            let is_first = !is_begun;
+            is_begun = true;
+            if !is_always_usual || !(is_usual || bodies.are_usual()) {
+                if is_first {
+                    self.axes = before.axes;
+                }
+                self.update_one_by_one((earth, scheme), update_s, bodies);
                 continue;
             }
-            let mut any_left = 0;
-            for lane in 0..count.min(RUNS) {
-                let mut axes = self.axes(lane);
-                let is_left = u64::from(axes.update_by(earth, &scratch.body(lane), update_s, &turn, Usual));
-                self.put_axes(lane, &axes);
-                scratch.is_left[lane] = is_left;
-                any_left |= is_left;
-            }
-            if any_left != 0 {
-                self.renormalize(count, scratch);
+            // Two calls: where the rows may be the ones or the others, the compiler no longer sees that they lie apart.
+            let is_any_left = if is_first {
+                update_usual(&before.axes, &mut self.axes, bodies, earth, update_s, &turn)
+            } else {
+                *start = self.axes;
+                update_usual(start, &mut self.axes, bodies, earth, update_s, &turn)
+            };
+            if is_any_left {
+                self.renormalize(bodies);
             }
         }
     }
@@ -176,10 +168,9 @@ impl NavigatorBlock {
         kind: (&Earth, Scheme),
         updates: ChunksExact<'_, IncrementRows>,
         update_s: f64,
-        count: usize,
     ) {
         let mut increments = [Increment::ZERO; MAX_SUBSAMPLES];
-        self.each(kind, count, |lane, navigator| {
+        self.each(kind, |lane, navigator| {
             for update in updates.clone() {
                 let increments = &mut increments[..update.len()];
                 increments.iter_mut().zip(update).for_each(|(one, rows)| *one = increment_of(rows, lane));
@@ -190,8 +181,8 @@ impl NavigatorBlock {
 
     #[cold]
     #[inline(never)]
-    fn renormalize(&mut self, count: usize, scratch: &Scratch) {
-        for lane in (0..count.min(RUNS)).filter(|&lane| scratch.is_left[lane] != 0) {
+    fn renormalize(&mut self, bodies: &Bodies) {
+        for lane in (0..RUNS).filter(|&lane| bodies.is_left[lane] != 0) {
             let mut axes = self.axes(lane);
             axes.renormalize();
             self.put_axes(lane, &axes);
@@ -200,16 +191,10 @@ impl NavigatorBlock {
 
     #[cold]
     #[inline(never)]
-    fn update_one_by_one(
-        &mut self,
-        (earth, scheme): (&Earth, Scheme),
-        t: f64,
-        count: usize,
-        scratch: &Scratch,
-    ) {
+    fn update_one_by_one(&mut self, (earth, scheme): (&Earth, Scheme), t: f64, bodies: &Bodies) {
         let turn = EarthFixed::earth_turn(earth, t);
-        for lane in 0..count.min(RUNS) {
-            let (mut axes, body) = (self.axes(lane), scratch.body(lane));
+        for lane in 0..RUNS {
+            let (mut axes, body) = (self.axes(lane), bodies.body(lane));
             match scheme {
                 Scheme::Paper => axes.update_paper(earth, &body, t),
                 _ => {
@@ -228,42 +213,41 @@ impl NavigatorBlock {
         (earth, scheme): (&Earth, Scheme),
         aid: &AidOfEach<'_>,
         t: f64,
-        count: usize,
         is_good: &mut [u64; RUNS],
     ) {
         match *aid {
-            _ if self.frame == Frame::Geographic || !self.vertical.are_alike(count) => {
-                self.aid_one_by_one((earth, scheme), aid, t, count);
+            _ if self.frame == Frame::Geographic || !self.vertical.are_alike() => {
+                self.aid_one_by_one((earth, scheme), aid, t);
             }
-            AidOfEach::Some { .. } => self.aid_one_by_one((earth, scheme), aid, t, count),
+            AidOfEach::Some { .. } => self.aid_one_by_one((earth, scheme), aid, t),
             AidOfEach::Same(VerticalAid::None) => self.vertical.skip(),
             AidOfEach::Same(VerticalAid::Truth { height_m, velocity_up_m_s }) => {
-                self.shift_vertical(earth, count, |_, _, height, velocity_up| {
+                self.shift_vertical(earth, |_, _, height, velocity_up| {
                     VerticalCorrection::to_truth(height_m - height, velocity_up_m_s - velocity_up, t)
                 });
             }
             AidOfEach::Same(VerticalAid::Barometer { height_m }) => {
-                self.follow(earth, t, count, |_| height_m);
+                self.follow(earth, t, |_| height_m);
             }
-            AidOfEach::Barometer { heights_m } => self.follow(earth, t, count, |lane| heights_m[lane]),
+            AidOfEach::Barometer { heights_m } => self.follow(earth, t, |lane| heights_m[lane]),
         }
         let is_earth_fixed = self.frame == Frame::EarthFixed;
-        for lane in 0..count.min(RUNS) {
+        for lane in 0..RUNS {
             is_good[lane] = u64::from(is_earth_fixed & self.axes(lane).is_far_within(WELL_WITHIN_M));
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn aid_one_by_one(&mut self, kind: (&Earth, Scheme), aid: &AidOfEach<'_>, t: f64, count: usize) {
-        self.each(kind, count, |lane, navigator| navigator.aid_vertical(&aid.at(lane), t));
+    fn aid_one_by_one(&mut self, kind: (&Earth, Scheme), aid: &AidOfEach<'_>, t: f64) {
+        self.each(kind, |lane, navigator| navigator.aid_vertical(&aid.at(lane), t));
     }
 
     /// Keeps the vertical channels by barometric heights.
     #[inline(always)]
-    fn follow(&mut self, earth: &Earth, t: f64, count: usize, height_m: impl Fn(usize) -> f64) {
+    fn follow(&mut self, earth: &Earth, t: f64, height_m: impl Fn(usize) -> f64) {
         let beginning = self.vertical.begin(t);
-        self.shift_vertical(earth, count, |vertical, lane, height, _| {
+        self.shift_vertical(earth, |vertical, lane, height, _| {
             vertical.answer(lane, height - height_m(lane), &beginning)
         });
     }
@@ -272,10 +256,9 @@ impl NavigatorBlock {
     fn shift_vertical(
         &mut self,
         earth: &Earth,
-        count: usize,
         correct: impl Fn(&mut VerticalRows, usize, f64, f64) -> VerticalCorrection,
     ) {
-        for lane in 0..count.min(RUNS) {
+        for lane in 0..RUNS {
             let mut axes = self.axes(lane);
             let (up, height, velocity_up) = axes.observe_vertical(earth);
             let correction = correct(&mut self.vertical, lane, height, velocity_up);
@@ -283,4 +266,37 @@ impl NavigatorBlock {
             self.put_axes(lane, &axes);
         }
     }
+}
+
+/// Leads each navigator from `start` to `end`; whether there is one whose norm is left. A function, for its references: the rows that
+/// are read and those that are written lie apart.
+#[inline(always)]
+fn update_usual(
+    start: &AxesRows,
+    end: &mut AxesRows,
+    bodies: &mut Bodies,
+    earth: &Earth,
+    t: f64,
+    turn: &AxisTurn,
+) -> bool {
+    let mut any_left = 0;
+    for lane in 0..RUNS {
+        let mut axes = axes_at(start, lane);
+        let is_left = u64::from(axes.update_by(earth, &bodies.body(lane), t, turn, Usual));
+        put_axes_at(end, lane, &axes);
+        bodies.is_left[lane] = is_left;
+        any_left |= is_left;
+    }
+    any_left != 0
+}
+
+#[inline(always)]
+fn put_axes_at(rows: &mut AxesRows, lane: usize, axes: &EarthFixed) {
+    axes.put_numbers(|i, number| rows[i][lane] = number);
+}
+
+/// That of the run at `lane`.
+#[inline(always)]
+fn axes_at(rows: &AxesRows, lane: usize) -> EarthFixed {
+    EarthFixed::from_numbers(|i| rows[i][lane])
 }

@@ -17,14 +17,14 @@ mod vertical_rows;
 
 pub use body::{BodyMotion, MAX_SUBSAMPLES};
 pub(crate) use earth_fixed::displaced_vertical;
-pub(crate) use lanes::{AidOfEach, NavigatorBlock};
+pub(crate) use lanes::NavigatorBlock;
 pub(crate) use limits::check_state;
 use limits::{WELL_WITHIN_M, diverged, is_good, quick_height};
 use norm::MAX_NORM_ERROR;
 pub(crate) use scratch::Scratch;
 use vertical::KeptLoop;
 pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode, VerticalState};
-pub(crate) use vertical_rows::VerticalRows;
+pub(crate) use vertical_rows::{AidOfEach, VerticalRows};
 
 use nalgebra::{Quaternion, Vector3};
 

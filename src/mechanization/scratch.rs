@@ -3,21 +3,38 @@
 use nalgebra::Vector3;
 
 use super::branches::Usual;
+use super::earth_fixed::EarthFixed;
 use super::{BodyMotion, MAX_SUBSAMPLES, Scheme};
 use crate::math::RotationSeries;
-use crate::signal::{Increment, IncrementRows, RUNS, increment_of};
+use crate::signal::{Increment, IncrementRows, RUNS, Row, increment_of};
+
+/// The numbers of the navigators of a block.
+pub(super) type AxesRows = [Row; EarthFixed::NUMBERS];
 
 /// What is needed between the loops over a block.
 #[derive(Debug)]
-#[repr(align(64))]
 pub(crate) struct Scratch {
-    body: [[f64; RUNS]; 12],
-    pub(super) is_left: [u64; RUNS],
+    pub(super) bodies: Bodies,
+    /// Where an update starts that is not the first of its interval.
+    pub(super) start: AxesRows,
 }
 
 impl Scratch {
-    pub const NONE: Self = Self { body: [[0.0; RUNS]; 12], is_left: [0; RUNS] };
+    pub const NONE: Self = Self {
+        bodies: Bodies { body: [[0.0; RUNS]; 12], is_left: [0; RUNS] },
+        start: [[0.0; RUNS]; EarthFixed::NUMBERS],
+    };
+}
 
+/// The body parts, and the runs whose attitude is left to be renormalized.
+#[derive(Debug)]
+#[repr(align(64))]
+pub(super) struct Bodies {
+    body: [Row; 12],
+    pub(super) is_left: [u64; RUNS],
+}
+
+impl Bodies {
     #[inline(always)]
     fn put_body(&mut self, lane: usize, body: &BodyMotion) {
         let BodyMotion { rotation, s1, s2, s3 } = body;
@@ -37,10 +54,10 @@ impl Scratch {
 
     /// Body parts of an update of `K` subsamples; whether all are usual, else they are not to be used.
     #[inline(always)]
-    pub(super) fn bodies<const K: usize>(&mut self, update: &[IncrementRows], count: usize) -> bool {
+    pub(super) fn of_usual<const K: usize>(&mut self, update: &[IncrementRows]) -> bool {
         let Some(update) = update.first_chunk::<K>() else { return false };
         let mut unusual = 0;
-        for lane in 0..count.min(RUNS) {
+        for lane in 0..RUNS {
             let increments: [Increment; K] = core::array::from_fn(|k| increment_of(&update[k], lane));
             let (body, [angle2, quarter2]) = BodyMotion::exact_by(&increments, Usual);
             self.put_body(lane, &body);
@@ -52,10 +69,10 @@ impl Scratch {
 
     /// Body parts of any scheme.
     #[inline(never)]
-    pub(super) fn bodies_one_by_one(&mut self, scheme: Scheme, update: &[IncrementRows], count: usize) {
+    pub(super) fn one_by_one(&mut self, scheme: Scheme, update: &[IncrementRows]) {
         let mut increments = [Increment::ZERO; MAX_SUBSAMPLES];
         let increments = &mut increments[..update.len()];
-        for lane in 0..count.min(RUNS) {
+        for lane in 0..RUNS {
             for (increment, rows) in increments.iter_mut().zip(update) {
                 *increment = increment_of(rows, lane);
             }
@@ -64,8 +81,7 @@ impl Scratch {
     }
 
     /// Whether an update by each of the body parts is usual.
-    pub(super) fn are_usual(&self, count: usize) -> bool {
-        (0..count.min(RUNS))
-            .all(|lane| RotationSeries::is_short(crate::math::quarter_square(&self.body(lane).rotation)))
+    pub(super) fn are_usual(&self) -> bool {
+        (0..RUNS).all(|lane| RotationSeries::is_short(crate::math::quarter_square(&self.body(lane).rotation)))
     }
 }

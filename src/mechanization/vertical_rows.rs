@@ -1,6 +1,6 @@
 //! The vertical loops of many runs side by side.
 
-use super::{VerticalCorrection, VerticalLoop};
+use super::{VerticalAid, VerticalCorrection, VerticalLoop};
 use crate::signal::{RUNS, Row};
 
 /// What each loop keeps. Nearly always all of them have the gains of one interval: others follow from its length.
@@ -48,10 +48,10 @@ impl VerticalRows {
         self.put(lane, &before.get(lane));
     }
 
-    /// Whether the loops of the first `count` runs have the same gains.
+    /// Whether all loops have the same gains.
     #[inline(always)]
-    pub fn are_alike(&self, count: usize) -> bool {
-        self.t.iter().take(count).all(|t| *t == self.shared.t)
+    pub fn are_alike(&self) -> bool {
+        self.t.iter().all(|t| *t == self.shared.t)
     }
 
     /// [`VerticalLoop::skip`] of all.
@@ -85,4 +85,29 @@ impl VerticalRows {
 pub(crate) struct Beginning {
     shared: VerticalLoop,
     is_first: bool,
+}
+
+/// What the vertical channels of a block are told.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum AidOfEach<'a> {
+    /// All the same: nothing, or the truth.
+    Same(VerticalAid),
+    /// A barometric height each [m].
+    Barometer { heights_m: &'a Row },
+    /// A barometric height [m], or none.
+    Some { heights_m: &'a Row, is_none: &'a [bool; RUNS] },
+}
+
+impl AidOfEach<'_> {
+    /// That of the run at `lane`.
+    #[inline(always)]
+    pub fn at(&self, lane: usize) -> VerticalAid {
+        match *self {
+            Self::Same(aid) => aid,
+            Self::Some { is_none, .. } if is_none[lane] => VerticalAid::None,
+            Self::Barometer { heights_m } | Self::Some { heights_m, .. } => {
+                VerticalAid::Barometer { height_m: heights_m[lane] }
+            }
+        }
+    }
 }

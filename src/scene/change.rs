@@ -12,10 +12,17 @@ use crate::sensors::TriadParameters;
 /// The lists whose items can be set.
 const LISTS: [Section; 2] = [Section::Manoeuvre, Section::Failure];
 
+/// Largest number of values that are set at once: each is compared with each.
+const MAX_SETTINGS: usize = 4096;
+
 impl Scene {
     /// Sets values, as [`Self::parse_with`] takes them, all at once. On faults the scene stays what it was. A preset replaces all errors
     /// of its sensors; a log or a built-in flight replaces the flight.
     pub fn set(&mut self, settings: &[(&str, &str)]) -> Result<(), Vec<Fault>> {
+        if settings.len() > MAX_SETTINGS {
+            let sentence = format!("{} values: at most {MAX_SETTINGS} are set at once", settings.len());
+            return Err(vec![Fault { sentence, ..Fault::default() }]);
+        }
         let mut base = self.clone();
         for (path, _) in settings.iter().filter(|(_, value)| !value.is_empty()) {
             match *path {

@@ -117,7 +117,8 @@ impl Reader<'_> {
             ValuePath { site: item.site, key: index, in_si: false, element: element.filter(|_| count > 1) };
         let error = in_unit_of(error, key);
         let (minimum, maximum) = error.rule.limits();
-        let value = error.value.map(Value::as_f64);
+        // A value in SI may be beyond all numbers in a small unit.
+        let value = error.value.map(Value::as_f64).filter(|value| value.is_finite());
         let about = About { path: path.to_string(), value, minimum, maximum };
         self.faults.add_about(span, sentence(&error, key), about);
     }
@@ -128,8 +129,7 @@ impl Reader<'_> {
             return;
         }
         if let Err(error) = scene.flown_s() {
-            let of_manoeuvre = error.index.map(|index| index % self.items.len().max(1));
-            let item = match of_manoeuvre.and_then(|index| self.items.get(index)) {
+            let item = match error.index.and_then(|index| self.items.get(index)) {
                 Some(item) => item.clone(),
                 None => self.section(Section::Flight).clone(),
             };

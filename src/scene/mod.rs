@@ -155,12 +155,17 @@ impl Default for Scene {
 impl FlightPath {
     /// The trajectory.
     pub fn flight(&self) -> Result<Flight, Error> {
-        Flight::new(&self.start, &self.all()?)
+        Flight::new(&self.start, &self.all()?).map_err(|error| self.of_manoeuvre(error))
     }
 
     /// Its length [s], without making it.
     pub fn length_s(&self) -> Result<f64, Error> {
-        Flight::length_s(&self.start, &self.all()?)
+        Flight::length_s(&self.start, &self.all()?).map_err(|error| self.of_manoeuvre(error))
+    }
+
+    /// `error` with the place of its manoeuvre among [`Self::manoeuvres`], whichever time that is flown.
+    fn of_manoeuvre(&self, error: Error) -> Error {
+        Error { index: error.index.map(|index| index % self.manoeuvres.len().max(1)), ..error }
     }
 
     /// Checks how many times the manoeuvres are flown, as the field `repeat`.

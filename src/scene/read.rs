@@ -12,6 +12,7 @@ use super::reader::{Item, Reader};
 use super::setting::take_settings;
 use super::table::{self, KEYS};
 use super::{MAX_TEXT, Scene};
+use crate::error::Error;
 use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields};
 
 type Span = Range<usize>;
@@ -166,13 +167,20 @@ impl Reader<'_> {
         } else if let Some(span) = item.key(other) {
             self.faults.add(span, format!("sinusoid.{other}: not for this channel; expected {own}"));
         }
+        let sinusoid = self.draft.sinusoid.to_sinusoid();
+        // That of the speed is checked with the flight.
+        if let Err(error) = sinusoid.validate(f64::INFINITY) {
+            let own = ["sinusoid.amplitude", "sinusoid.frequency_hz", "sinusoid.phase_rad"];
+            let field = own.into_iter().find(|own| own.split('.').nth(1) == error.field.split('.').nth(1));
+            self.add_error(&Error { field: field.unwrap_or(error.field), ..error }, &item);
+        }
         let manoeuvre = &mut self.draft.manoeuvre;
         let Some(place) = manoeuvre.sinusoids.get_mut(manoeuvre.sinusoid_count) else {
             self.faults
                 .add(&head, format!("[[manoeuvre.sinusoid]]: more than {MAX_SINUSOIDS} in a manoeuvre"));
             return;
         };
-        *place = self.draft.sinusoid.to_sinusoid();
+        *place = sinusoid;
         manoeuvre.sinusoid_count += 1;
     }
 

@@ -104,6 +104,8 @@ impl Reader<'_> {
                     None if setting.is_default() => continue,
                     None => put(&mut self.draft, key, in_si, &value),
                 };
+                // A fault is one of the setting, not of the text that it changes.
+                item.keys.retain(|(other, _)| *other != index);
                 item.keys.push((index, setting.span.clone()));
                 if let Err(sentence) = put {
                     let about = About { path: setting.path.to_string(), ..About::default() };

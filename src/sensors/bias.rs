@@ -44,22 +44,16 @@ impl Bias {
 
     /// What is kept of a run.
     pub fn visit(&mut self, visitor: &mut impl Visitor) {
-        visitor.numbers(self.value.iter_mut());
+        visitor.constants(self.value.iter_mut());
     }
 
-    /// [`Self::apply`] for the first `count` runs of a block.
+    /// [`Self::apply`] for the runs of a block.
     #[inline(always)]
-    pub fn apply_each(
-        states: &mut States<'_>,
-        dt: f64,
-        outputs: &mut [IncrementRows],
-        first: usize,
-        count: usize,
-    ) {
-        let value = states.numbers::<3>();
+    pub fn apply_each(states: &mut States<'_>, dt: f64, outputs: &mut [IncrementRows], first: usize) {
+        let value = states.constants::<3>();
         for output in outputs {
             for axis in 0..3 {
-                for lane in 0..count.min(RUNS) {
+                for lane in 0..RUNS {
                     output[first + axis][lane] += value[axis][lane] * dt;
                 }
             }

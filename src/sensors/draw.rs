@@ -42,45 +42,39 @@ fn of_word(word: u64) -> (f64, bool) {
     (x, x.abs() < X[layer + 1])
 }
 
-/// The next normal number of each of the first `count` generators, whose states are in four rows.
+/// The next normal number of each generator of a block, whose states are in four rows.
 #[inline(always)]
-pub(super) fn normal_each(states: &mut [[u64; RUNS]; 4], count: usize) -> Row {
-    let (mut numbers, mut words, mut edges) = ([0.0; RUNS], [0; RUNS], 0_u64);
-    let count = count.min(RUNS);
-    for lane in 0..count {
+pub(super) fn normal_each(states: &mut [[u64; RUNS]; 4]) -> Row {
+    let (mut numbers, mut words, mut is_at_edge, mut any_edge) = ([0.0; RUNS], [0; RUNS], [0; RUNS], 0);
+    for lane in 0..RUNS {
         let mut generator = Xoshiro256PlusPlus::of_words([0, 1, 2, 3].map(|i: usize| states[i][lane]));
         words[lane] = generator.next_u64();
         let state = generator.words();
         for i in 0..4 {
             states[i][lane] = state[i];
         }
+    }
+    for lane in 0..RUNS {
         let (x, is_inside) = of_word(words[lane]);
         numbers[lane] = x;
-        edges |= BITS[lane] & u64::from(is_inside).wrapping_sub(1);
+        is_at_edge[lane] = u64::from(!is_inside);
+        any_edge |= is_at_edge[lane];
     }
-    if edges != 0 {
-        at_the_edges(states, &words, edges, &mut numbers);
+    if any_edge != 0 {
+        at_the_edges(states, &words, &is_at_edge, &mut numbers);
     }
     numbers
 }
 
-/// One bit for each run.
-const BITS: [u64; RUNS] = {
-    let mut bits = [1; RUNS];
-    let mut lane = 1;
-    while lane < RUNS {
-        bits[lane] = 2 * bits[lane - 1];
-        lane += 1;
-    }
-    bits
-};
-
-/// Draws on for the runs with a bit in `edges`, whose first word does not decide the number.
+/// Draws on for the runs whose first word does not decide the number.
 #[inline(never)]
-fn at_the_edges(states: &mut [[u64; RUNS]; 4], words: &[u64; RUNS], mut edges: u64, numbers: &mut Row) {
-    while edges != 0 {
-        let lane = edges.trailing_zeros() as usize % RUNS;
-        edges &= edges - 1;
+fn at_the_edges(
+    states: &mut [[u64; RUNS]; 4],
+    words: &[u64; RUNS],
+    is_at_edge: &[u64; RUNS],
+    numbers: &mut Row,
+) {
+    for lane in (0..RUNS).filter(|&lane| is_at_edge[lane] != 0) {
         let generator = Xoshiro256PlusPlus::of_words([0, 1, 2, 3].map(|i: usize| states[i][lane]));
         let (x, later) = at_an_edge(words[lane], generator);
         numbers[lane] = x;

@@ -106,28 +106,22 @@ impl Flicker {
         self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
     }
 
-    /// [`Self::apply`] for each increment of the first `count` runs of a block.
+    /// [`Self::apply`] for each increment of the runs of a block.
     #[inline(always)]
-    pub fn apply_each(
-        &self,
-        states: &mut States<'_>,
-        outputs: &mut [IncrementRows],
-        first: usize,
-        count: usize,
-    ) {
+    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize) {
         let streams = states.streams::<3>();
         for axis in 0..3 {
             let x = states.numbers::<{ TIMES_S.len() }>();
             if self.instability[axis] != 0.0 {
                 for output in outputs.iter_mut() {
-                    let mut integrals = streams[axis].normal(count).map(|draw| self.own * draw);
+                    let mut integrals = streams[axis].normal().map(|draw| self.own * draw);
                     for ((deviation, step), x) in DEVIATIONS.iter().zip(&self.steps).zip(x.iter_mut()) {
-                        let draws = streams[axis].normal(count);
-                        for lane in 0..count.min(RUNS) {
+                        let draws = streams[axis].normal();
+                        for lane in 0..RUNS {
                             integrals[lane] += deviation * step.advance_shared(&mut x[lane], draws[lane]);
                         }
                     }
-                    for lane in 0..count.min(RUNS) {
+                    for lane in 0..RUNS {
                         output[first + axis][lane] += self.instability[axis] * integrals[lane];
                     }
                 }

@@ -155,22 +155,16 @@ impl GaussMarkov {
         self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
     }
 
-    /// [`Self::apply`] for the first `count` runs of a block.
+    /// [`Self::apply`] for the runs of a block.
     #[inline(always)]
-    pub fn apply_each(
-        &self,
-        states: &mut States<'_>,
-        outputs: &mut [IncrementRows],
-        first: usize,
-        count: usize,
-    ) {
+    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize) {
         let (x, streams) = (states.numbers::<3>(), states.streams::<3>());
         for axis in 0..3 {
             let (sigma, step) = (self.sigma[axis], self.steps[axis]);
             if sigma != 0.0 {
                 for output in outputs.iter_mut() {
-                    let (n1, n2) = (streams[axis].normal(count), streams[axis].normal(count));
-                    for lane in 0..count.min(RUNS) {
+                    let (n1, n2) = (streams[axis].normal(), streams[axis].normal());
+                    for lane in 0..RUNS {
                         let integral = step.advance_integral(&mut x[axis][lane], [n1[lane], n2[lane]]);
                         output[first + axis][lane] += sigma * integral;
                     }

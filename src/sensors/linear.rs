@@ -49,21 +49,20 @@ impl Linear {
 
     /// What is kept of a run.
     pub fn visit(&mut self, visitor: &mut impl Visitor) {
-        visitor.numbers(self.matrix.iter_mut());
+        visitor.constants(self.matrix.iter_mut());
     }
 
-    /// Adds [`Self::error`] of the inputs of the increments, for the first `count` runs of a block.
+    /// Adds [`Self::error`] of the inputs of the increments, for the runs of a block.
     #[inline(always)]
     pub fn apply_each(
         states: &mut States<'_>,
         inputs: &[Input],
         outputs: &mut [IncrementRows],
         first: usize,
-        count: usize,
     ) {
-        let matrices = states.numbers::<9>();
+        let matrices = states.constants::<9>();
         for (input, output) in inputs.iter().zip(outputs) {
-            for lane in 0..count.min(RUNS) {
+            for lane in 0..RUNS {
                 // Column by column, as they are kept.
                 let matrix = Matrix3::from_fn(|row, column| matrices[3 * column + row][lane]);
                 let error = Self::error_by(&matrix, input);

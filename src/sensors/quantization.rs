@@ -57,21 +57,15 @@ impl Quantization {
         visitor.numbers(self.residual.iter_mut());
     }
 
-    /// [`Self::apply`] for each increment of the first `count` runs of a block.
+    /// [`Self::apply`] for each increment of the runs of a block.
     #[inline(always)]
-    pub fn apply_each(
-        &self,
-        states: &mut States<'_>,
-        outputs: &mut [IncrementRows],
-        first: usize,
-        count: usize,
-    ) {
+    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize) {
         let residuals = states.numbers::<3>();
         for output in outputs {
             for axis in 0..3 {
                 let pulse = self.pulse[axis];
                 if pulse != 0.0 {
-                    for lane in 0..count.min(RUNS) {
+                    for lane in 0..RUNS {
                         Self::quantize(pulse, &mut output[first + axis][lane], &mut residuals[axis][lane]);
                     }
                 }

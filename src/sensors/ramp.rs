@@ -56,19 +56,12 @@ impl Ramp {
         visitor.numbers(self.value.iter_mut());
     }
 
-    /// [`Self::apply`] for each increment of the first `count` runs of a block.
+    /// [`Self::apply`] for each increment of the runs of a block.
     #[inline(always)]
-    pub fn apply_each(
-        &self,
-        states: &mut States<'_>,
-        dt: f64,
-        outputs: &mut [IncrementRows],
-        first: usize,
-        count: usize,
-    ) {
+    pub fn apply_each(&self, states: &mut States<'_>, dt: f64, outputs: &mut [IncrementRows], first: usize) {
         let values = states.numbers::<3>();
         for output in outputs {
-            for lane in 0..count.min(RUNS) {
+            for lane in 0..RUNS {
                 let mut value = Vector3::from_fn(|i, _| values[i][lane]);
                 let integral = Self::advance(&self.slope, &mut value, dt);
                 for axis in 0..3 {

@@ -60,22 +60,16 @@ impl RandomWalk {
         self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
     }
 
-    /// [`Self::apply`] for the first `count` runs of a block.
+    /// [`Self::apply`] for the runs of a block.
     #[inline(always)]
-    pub fn apply_each(
-        &self,
-        states: &mut States<'_>,
-        outputs: &mut [IncrementRows],
-        first: usize,
-        count: usize,
-    ) {
+    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize) {
         let streams = states.streams::<3>();
         for axis in 0..3 {
             let step = self.step[axis];
             if step != 0.0 {
                 for output in outputs.iter_mut() {
-                    let draws = streams[axis].normal(count);
-                    for lane in 0..count.min(RUNS) {
+                    let draws = streams[axis].normal();
+                    for lane in 0..RUNS {
                         output[first + axis][lane] += step * draws[lane];
                     }
                 }

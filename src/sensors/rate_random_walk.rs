@@ -85,23 +85,16 @@ impl RateRandomWalk {
         self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
     }
 
-    /// [`Self::apply`] for each increment of the first `count` runs of a block.
+    /// [`Self::apply`] for each increment of the runs of a block.
     #[inline(always)]
-    pub fn apply_each(
-        &self,
-        states: &mut States<'_>,
-        dt: f64,
-        outputs: &mut [IncrementRows],
-        first: usize,
-        count: usize,
-    ) {
+    pub fn apply_each(&self, states: &mut States<'_>, dt: f64, outputs: &mut [IncrementRows], first: usize) {
         let (value, streams) = (states.numbers::<3>(), states.streams::<3>());
         for axis in 0..3 {
             if self.density[axis] != 0.0 {
                 let step = self.density[axis] * self.root;
                 for output in outputs.iter_mut() {
-                    let (n1, n2) = (streams[axis].normal(count), streams[axis].normal(count));
-                    for lane in 0..count.min(RUNS) {
+                    let (n1, n2) = (streams[axis].normal(), streams[axis].normal());
+                    for lane in 0..RUNS {
                         let draws = [n1[lane], n2[lane]];
                         output[first + axis][lane] += Self::advance(&mut value[axis][lane], step, dt, draws);
                     }

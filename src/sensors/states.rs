@@ -1,5 +1,7 @@
 //! What effects keep of many runs, side by side.
 
+use core::mem::take;
+
 use super::draw::normal_each;
 use super::stream::Stream;
 use crate::error::Error;
@@ -12,24 +14,31 @@ use crate::signal::{RUNS, Row};
 pub(super) struct StreamRows([[u64; RUNS]; 4]);
 
 impl StreamRows {
-    /// The next normal number of each of the first `count` runs.
+    /// The next normal number of each run.
     #[inline(always)]
-    pub fn normal(&mut self, count: usize) -> Row {
-        normal_each(&mut self.0, count)
+    pub fn normal(&mut self) -> Row {
+        normal_each(&mut self.0)
     }
 }
 
-/// Numbers and streams of the runs of a block, in the order of the effects that keep them.
+/// Constants, numbers and streams of the runs of a block, in the order of the effects that keep them.
 #[derive(Debug, Clone)]
 pub(crate) struct StateRows {
+    /// Drawn at turn-on: no interval changes them.
+    constants: Box<[Row]>,
     numbers: Box<[Row]>,
     streams: Box<[StreamRows]>,
 }
 
 /// Goes over what an effect keeps of one run.
 pub(super) trait Visitor {
+    fn constant(&mut self, number: &mut f64);
     fn number(&mut self, number: &mut f64);
     fn stream(&mut self, stream: &mut Stream);
+
+    fn constants<'a>(&mut self, numbers: impl IntoIterator<Item = &'a mut f64>) {
+        numbers.into_iter().for_each(|number| self.constant(number));
+    }
 
     fn numbers<'a>(&mut self, numbers: impl IntoIterator<Item = &'a mut f64>) {
         numbers.into_iter().for_each(|number| self.number(number));
@@ -39,11 +48,16 @@ pub(super) trait Visitor {
 /// Counts them.
 #[derive(Default)]
 pub(super) struct Count {
+    constants: usize,
     numbers: usize,
     streams: usize,
 }
 
 impl Visitor for Count {
+    fn constant(&mut self, _: &mut f64) {
+        self.constants += 1;
+    }
+
     fn number(&mut self, _: &mut f64) {
         self.numbers += 1;
     }
@@ -56,11 +70,18 @@ impl Visitor for Count {
 impl Count {
     /// Rows for all that was counted.
     pub fn rows(&self) -> Result<StateRows, Error> {
-        let mut numbers = room(self.numbers)?;
-        numbers.resize(self.numbers, [0.0; RUNS]);
+        let rows = |count| -> Result<Box<[Row]>, Error> {
+            let mut rows = room(count)?;
+            rows.resize(count, [0.0; RUNS]);
+            Ok(rows.into_boxed_slice())
+        };
         let mut streams = room(self.streams)?;
         streams.resize(self.streams, StreamRows([[0; RUNS]; 4]));
-        Ok(StateRows { numbers: numbers.into_boxed_slice(), streams: streams.into_boxed_slice() })
+        Ok(StateRows {
+            constants: rows(self.constants)?,
+            numbers: rows(self.numbers)?,
+            streams: streams.into_boxed_slice(),
+        })
     }
 }
 
@@ -72,6 +93,11 @@ pub(super) struct Into<'a> {
 }
 
 impl Visitor for Into<'_> {
+    fn constant(&mut self, number: &mut f64) {
+        self.rows.constants[self.next.constants][self.lane] = *number;
+        self.next.constant(number);
+    }
+
     fn number(&mut self, number: &mut f64) {
         self.rows.numbers[self.next.numbers][self.lane] = *number;
         self.next.number(number);
@@ -92,6 +118,11 @@ pub(super) struct From<'a> {
 }
 
 impl Visitor for From<'_> {
+    fn constant(&mut self, number: &mut f64) {
+        *number = self.rows.constants[self.next.constants][self.lane];
+        self.next.constant(number);
+    }
+
     fn number(&mut self, number: &mut f64) {
         *number = self.rows.numbers[self.next.numbers][self.lane];
         self.next.number(number);
@@ -105,13 +136,7 @@ impl Visitor for From<'_> {
 }
 
 impl StateRows {
-    /// All as in `other`, which has as many rows.
-    pub fn copy_from(&mut self, other: &Self) {
-        self.numbers.copy_from_slice(&other.numbers);
-        self.streams.copy_from_slice(&other.streams);
-    }
-
-    /// The run at `lane` as in `other`.
+    /// The run at `lane` as in `other`, which [`Self::states`] had.
     pub fn go_back(&mut self, lane: usize, other: &Self) {
         for (row, before) in self.numbers.iter_mut().zip(&other.numbers) {
             row[lane] = before[lane];
@@ -123,40 +148,60 @@ impl StateRows {
 
     /// Bytes of a run.
     pub fn bytes_of_run(&self) -> usize {
-        (size_of_val(&*self.numbers) + size_of_val(&*self.streams)) / RUNS
+        (size_of_val(&*self.constants) + size_of_val(&*self.numbers) + size_of_val(&*self.streams)) / RUNS
     }
 
-    /// To be taken by one effect after the other.
+    /// To be taken by one effect after the other. `before`, which has as many rows, gets what they were.
     #[inline(always)]
-    pub(super) fn states(&mut self) -> States<'_> {
-        States { numbers: &mut self.numbers, streams: &mut self.streams }
+    pub(super) fn states<'a>(&'a mut self, before: &'a mut Self) -> States<'a> {
+        States {
+            constants: &self.constants,
+            numbers: (&mut self.numbers, &mut before.numbers),
+            streams: (&mut self.streams, &mut before.streams),
+        }
     }
 }
 
-/// What the effects to come keep.
+/// What the effects to come keep, and room for what it was before.
 pub(super) struct States<'a> {
-    numbers: &'a mut [Row],
-    streams: &'a mut [StreamRows],
+    constants: &'a [Row],
+    numbers: (&'a mut [Row], &'a mut [Row]),
+    streams: (&'a mut [StreamRows], &'a mut [StreamRows]),
 }
 
 impl<'a> States<'a> {
+    /// The next rows of constants.
+    #[inline(always)]
+    pub fn constants<const N: usize>(&mut self) -> &'a [Row; N] {
+        let Some((first, rest)) = self.constants.split_first_chunk() else {
+            unreachable!("as many as were counted")
+        };
+        self.constants = rest;
+        first
+    }
+
     /// The next rows of numbers.
     #[inline(always)]
     pub fn numbers<const N: usize>(&mut self) -> &'a mut [Row; N] {
-        let Some((first, rest)) = core::mem::take(&mut self.numbers).split_first_chunk_mut() else {
-            unreachable!("as many as were counted")
-        };
-        self.numbers = rest;
-        first
+        next(&mut self.numbers)
     }
 
     /// The next streams.
     #[inline(always)]
     pub fn streams<const N: usize>(&mut self) -> &'a mut [StreamRows; N] {
-        let Some((first, rest)) = core::mem::take(&mut self.streams).split_first_chunk_mut() else {
-            unreachable!("as many as were counted")
-        };
-        self.streams = rest;
-        first
+        next(&mut self.streams)
     }
+}
+
+/// The next of the first rows; the second ones get what these are.
+#[inline(always)]
+fn next<'a, T: Copy, const N: usize>((now, before): &mut (&'a mut [T], &'a mut [T])) -> &'a mut [T; N] {
+    let (Some((first, rest)), Some((kept, others))) =
+        (take(now).split_first_chunk_mut(), take(before).split_first_chunk_mut())
+    else {
+        unreachable!("as many as were counted")
+    };
+    *kept = *first;
+    (*now, *before) = (rest, others);
+    first
 }

@@ -171,7 +171,7 @@ static void fly_scene(results *found)
     CHECK(sins_scene_builtin_name(1, found->name, sizeof found->name, NULL) == SINS_OK);
     CHECK(sins_scene_write_keys(found->keys, sizeof found->keys, NULL) == SINS_OK);
     SINS_INIT(found->key);
-    CHECK(sins_scene_get_key(25, &found->key) == SINS_OK && found->key.si_per_unit != 1.0);
+    CHECK(sins_scene_get_key(20, &found->key) == SINS_OK);
     CHECK(sins_scene_set_values(scene, "gyro.bias_deg_h[2] = 1e-3") == SINS_OK);
     CHECK(sins_scene_get_value(scene, "gyro.bias_rad_s", found->value, sizeof found->value, NULL) == SINS_OK);
     CHECK(sins_scene_create_simulator(scene, &sim) == SINS_OK);

@@ -110,18 +110,18 @@ impl ModelBlock {
         EarthFixedForm { psi, dv, dr }
     }
 
-    /// Over an interval with these increments of the first `count` runs, as [`ErrorModel::advance`].
+    /// The models `before` over an interval with these increments, as [`ErrorModel::advance`]. What was here is overwritten.
     #[inline(always)]
     pub fn advance(
         &mut self,
+        before: &Self,
         interval: &ModelInterval<'_>,
         measured: &[IncrementRows],
         aid: &AidOfEach<'_>,
-        count: usize,
     ) {
         if self.frame == Frame::Geographic {
             return self
-                .advance_one_by_one(interval, aid, count, |lane| (interval.errors(measured, lane), None));
+                .advance_one_by_one(before, interval, aid, |lane| (interval.errors(measured, lane), None));
         }
         let &ModelInterval { earth, motion, ideal, nodes, gradient, turn, .. } = interval;
         let coefficients =
@@ -133,25 +133,26 @@ impl ModelBlock {
         let part = 1.0 / ideal.len() as f64;
         for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
             let (ideal, from_middle) = (*ideal, ErrorSums::from_middle(i, part));
-            for lane in 0..count.min(RUNS) {
+            for lane in 0..RUNS {
                 let mut of_run = sums.at(lane);
                 of_run.add(&increment_of(measured, lane).minus(&ideal), from_middle);
                 sums.put(lane, &of_run);
             }
         }
         let t = motion.interval_s;
-        for lane in 0..count.min(RUNS) {
-            let mut form = self.form(lane);
+        for lane in 0..RUNS {
+            let mut form = before.form(lane);
             form.advance_by(&coefficients, &turn.of(&sums.at(lane).errors(t).nodes()));
             self.put_state(lane, form.state());
         }
-        self.correct_vertical(interval, aid, count);
+        self.vertical.clone_from(&before.vertical);
+        self.correct_vertical(interval, aid);
         let mut beyond = 0;
-        for lane in 0..count.min(RUNS) {
+        for lane in 0..RUNS {
             beyond |= u64::from(!is_within(&self.form(lane).dr));
         }
         if beyond != 0 {
-            self.each(interval.earth, count, |_, model| model.keep_within());
+            self.each(interval.earth, |_, model| model.keep_within());
         }
     }
 
@@ -160,20 +161,21 @@ impl ModelBlock {
     #[inline(never)]
     pub fn advance_one_by_one(
         &mut self,
+        before: &Self,
         interval: &ModelInterval<'_>,
         aid: &AidOfEach<'_>,
-        count: usize,
         of_run: impl Fn(usize) -> (SensorErrors, Option<Block>),
     ) {
         let &ModelInterval { earth, motion, next, .. } = interval;
-        self.each(earth, count, |lane, model| {
+        self.clone_from(before);
+        self.each(earth, |lane, model| {
             let (errors, block) = of_run(lane);
             model.advance(motion, next, &errors, &aid.at(lane), block.as_ref());
         });
     }
 
-    fn each(&mut self, earth: &Earth, count: usize, mut act: impl FnMut(usize, &mut ErrorModel)) {
-        for lane in 0..count.min(RUNS) {
+    fn each(&mut self, earth: &Earth, mut act: impl FnMut(usize, &mut ErrorModel)) {
+        for lane in 0..RUNS {
             let mut model = self.get(lane, earth);
             act(lane, &mut model);
             self.put(lane, &model);
@@ -181,51 +183,44 @@ impl ModelBlock {
     }
 
     #[inline(always)]
-    fn correct_vertical(&mut self, interval: &ModelInterval<'_>, aid: &AidOfEach<'_>, count: usize) {
+    fn correct_vertical(&mut self, interval: &ModelInterval<'_>, aid: &AidOfEach<'_>) {
         let &ModelInterval { earth, next, motion, .. } = interval;
         // By value, or the compiler fears that the rows lie over it.
         let (truth, t) = (*next, motion.interval_s);
         match *aid {
-            _ if !self.vertical.are_alike(count) => self.correct_one_by_one(interval, aid, count),
-            AidOfEach::Some { .. } => self.correct_one_by_one(interval, aid, count),
+            _ if !self.vertical.are_alike() => self.correct_one_by_one(interval, aid),
+            AidOfEach::Some { .. } => self.correct_one_by_one(interval, aid),
             AidOfEach::Same(VerticalAid::None) => self.vertical.skip(),
             AidOfEach::Same(VerticalAid::Truth { .. }) => {
-                self.shift_vertical(earth, &truth, count, |_, _, form| {
+                self.shift_vertical(earth, &truth, |_, _, form| {
                     let velocity_up = form.velocity_up_error(earth, &truth);
                     VerticalCorrection::to_truth(-form.height_error(&truth), -velocity_up, t)
                 });
             }
             AidOfEach::Same(VerticalAid::Barometer { height_m }) => {
-                self.follow(earth, &truth, t, count, |_| height_m);
+                self.follow(earth, &truth, t, |_| height_m);
             }
             AidOfEach::Barometer { heights_m } => {
-                self.follow(earth, &truth, t, count, |lane| heights_m[lane]);
+                self.follow(earth, &truth, t, |lane| heights_m[lane]);
             }
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn correct_one_by_one(&mut self, interval: &ModelInterval<'_>, aid: &AidOfEach<'_>, count: usize) {
+    fn correct_one_by_one(&mut self, interval: &ModelInterval<'_>, aid: &AidOfEach<'_>) {
         let &ModelInterval { earth, next, motion, .. } = interval;
-        self.each(earth, count, |lane, model| {
+        self.each(earth, |lane, model| {
             model.correct_vertical(motion.interval_s, next, &aid.at(lane), None);
         });
     }
 
     /// Keeps the vertical channels by barometric heights.
     #[inline(always)]
-    fn follow(
-        &mut self,
-        earth: &Earth,
-        truth: &TruthPoint,
-        t: f64,
-        count: usize,
-        height_m: impl Fn(usize) -> f64,
-    ) {
+    fn follow(&mut self, earth: &Earth, truth: &TruthPoint, t: f64, height_m: impl Fn(usize) -> f64) {
         let beginning = self.vertical.begin(t);
         let true_height_m = truth.height_m();
-        self.shift_vertical(earth, truth, count, |vertical, lane, form| {
+        self.shift_vertical(earth, truth, |vertical, lane, form| {
             let altimeter_error = height_m(lane) - true_height_m;
             vertical.answer(lane, form.height_error(truth) - altimeter_error, &beginning)
         });
@@ -236,10 +231,9 @@ impl ModelBlock {
         &mut self,
         earth: &Earth,
         truth: &TruthPoint,
-        count: usize,
         correct: impl Fn(&mut VerticalRows, usize, &EarthFixedForm) -> VerticalCorrection,
     ) {
-        for lane in 0..count.min(RUNS) {
+        for lane in 0..RUNS {
             let mut form = self.form(lane);
             let correction = correct(&mut self.vertical, lane, &form);
             form.shift_vertical(earth, truth, &correction);

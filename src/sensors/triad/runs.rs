@@ -117,25 +117,23 @@ impl Triad {
         }
     }
 
-    /// What the first `count` runs of a block give in the interval that was [shared](Self::share): their part of `outputs`. Each has
-    /// its failures, and copies of the last run none. Runs beyond the range are marked.
+    /// What the runs of a block give in the interval that was [shared](Self::share): their part of `outputs`. Each has
+    /// its failures, and copies of the last run none. Runs beyond the range are marked. `before` gets what `rows` were.
     #[inline(always)]
-    #[expect(clippy::too_many_arguments, reason = "rows that the compiler has to know to lie apart")]
     pub(crate) fn sense_block(
         &self,
         shared: &SharedInput,
         dt: f64,
-        rows: &mut StateRows,
+        (rows, before): (&mut StateRows, &mut StateRows),
         failures: &mut [FailingTriad],
         outputs: &mut [IncrementRows],
         saturated: &mut [u64; RUNS],
-        count: usize,
     ) {
         let first = match self.sensor {
             Sensor::Gyro => 0,
             Sensor::Accelerometer => 3,
         };
-        let mut states = rows.states();
+        let mut states = rows.states(before);
         for (output, input) in outputs.iter_mut().zip(&shared.inputs) {
             for axis in 0..3 {
                 output[first + axis] = [input.signal[axis]; RUNS];
@@ -143,13 +141,13 @@ impl Triad {
         }
         for step in self.plan.of_input() {
             if self.plan.effect(step) == Effect::Linear {
-                Linear::apply_each(&mut states, &shared.inputs, outputs, first, count);
+                Linear::apply_each(&mut states, &shared.inputs, outputs, first);
             }
         }
         for (output, errors) in outputs.iter_mut().zip(&shared.errors) {
             for error in &errors[..shared.error_count] {
                 for axis in 0..3 {
-                    for lane in 0..count.min(RUNS) {
+                    for lane in 0..RUNS {
                         output[first + axis][lane] += error[axis];
                     }
                 }
@@ -157,25 +155,25 @@ impl Triad {
         }
         for step in self.plan.after_signal() {
             match self.plan.effect(step) {
-                Effect::Bias => Bias::apply_each(&mut states, dt, outputs, first, count),
-                Effect::GaussMarkov => self.gauss_markov.apply_each(&mut states, outputs, first, count),
-                Effect::Flicker => self.flicker.apply_each(&mut states, outputs, first, count),
+                Effect::Bias => Bias::apply_each(&mut states, dt, outputs, first),
+                Effect::GaussMarkov => self.gauss_markov.apply_each(&mut states, outputs, first),
+                Effect::Flicker => self.flicker.apply_each(&mut states, outputs, first),
                 Effect::RateRandomWalk => {
-                    self.rate_random_walk.apply_each(&mut states, dt, outputs, first, count);
+                    self.rate_random_walk.apply_each(&mut states, dt, outputs, first);
                 }
-                Effect::Ramp => self.ramp.apply_each(&mut states, dt, outputs, first, count),
-                Effect::RandomWalk => self.random_walk.apply_each(&mut states, outputs, first, count),
+                Effect::Ramp => self.ramp.apply_each(&mut states, dt, outputs, first),
+                Effect::RandomWalk => self.random_walk.apply_each(&mut states, outputs, first),
                 Effect::AddedFailure => {
                     let count = failures.len();
                     each_run(outputs, first, count, |lane, output| failures[lane].add(dt, output));
                 }
                 Effect::DeadZone => {
-                    each_run(outputs, first, count, |_, output| self.dead_zone.apply(dt, output))
+                    each_run(outputs, first, RUNS, |_, output| self.dead_zone.apply(dt, output))
                 }
-                Effect::Range => each_run(outputs, first, count, |lane, output| {
+                Effect::Range => each_run(outputs, first, RUNS, |lane, output| {
                     saturated[lane] |= u64::from(self.range.apply(dt, output));
                 }),
-                Effect::Quantization => self.quantization.apply_each(&mut states, outputs, first, count),
+                Effect::Quantization => self.quantization.apply_each(&mut states, outputs, first),
                 Effect::Outage => {
                     let count = failures.len();
                     each_run(outputs, first, count, |lane, output| failures[lane].replace(dt, output));

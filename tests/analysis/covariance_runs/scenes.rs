@@ -113,14 +113,11 @@ pub fn scenes(is_long: bool) -> Vec<Scene> {
         (Vector3::repeat(5.0 * DEG_PER_HOUR), Vector3::repeat(0.1 * DEG / 60.0));
     (small.accel.bias_sigma, small.accel.random_walk) =
         (Vector3::repeat(1000.0 * MICRO_G), Vector3::repeat(50.0 * MICRO_G));
-    // Of the terms that grow over days none is gravity's own: it drives the errors as a Markov process of the accelerometers does.
-    let without_gravity = ErrorParameters { gravity: GravityDisturbanceParameters::default(), ..everything };
     let airliner = support::Table::csv("c_examples/flights/airliner_cruise.csv").samples(false);
     let airliner: Vec<_> = airliner.into_iter().step_by(5).collect();
-    let (patrol_s, in_field_s) = if is_long { (48.0 * 3600.0, 6.0 * 3600.0) } else { (3600.0, 3600.0) };
+    let patrol_s = if is_long { 48.0 * 3600.0 } else { 3600.0 };
     vec![
-        Scene::new("patrol", built_in("patrol", patrol_s, 0.5), without_gravity),
-        Scene::new("patrol, gravity disturbed", built_in("patrol", in_field_s, 0.5), everything),
+        Scene::new("patrol", built_in("patrol", patrol_s, 0.5), everything),
         Scene::new("patrol, aligned", built_in("patrol", 1200.0, 0.5), aligned),
         Scene::new("aerobatics", built_in("aerobatics", 600.0, 0.05), everything),
         Scene::new("airliner", airliner, everything),

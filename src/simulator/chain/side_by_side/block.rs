@@ -22,18 +22,15 @@ pub(super) struct Report {
     pub is_unaided: bool,
 }
 
-/// Numbers in the longest vector of any instruction set.
-const LANES: usize = 8;
-
-/// Up to [`RUNS`] runs.
+/// Up to [`RUNS`] runs. All lanes are computed, so that each loop has the same length: those beyond the runs are copies of the last
+/// one.
 #[derive(Debug)]
 pub(super) struct Block {
     pub(super) count: usize,
-    /// Lanes that are computed: whole vectors. Those beyond the runs are copies of the last one.
-    pub(super) lanes: usize,
     pub(super) gyro: StateRows,
     pub(super) accel: StateRows,
-    pub(super) navigators: NavigatorBlock,
+    /// One. On the heap, as the models are, so that they can change places with those before an interval.
+    pub(super) navigators: Box<[NavigatorBlock]>,
     /// None or one.
     pub(super) models: Box<[ModelBlock]>,
     /// Sum of the measured increments of the last interval.
@@ -63,6 +60,13 @@ pub(super) fn failures(
     Ok([of(&imperfections.gyro)?, of(&imperfections.accel)?])
 }
 
+/// Room for the navigators of a block.
+pub(super) fn navigators(options: &Options) -> Result<Box<[NavigatorBlock]>, Error> {
+    let mut navigators = room(1)?;
+    navigators.push(NavigatorBlock::new(options.frame));
+    Ok(navigators.into_boxed_slice())
+}
+
 /// Room for the error models of a block, where they are on.
 pub(super) fn models(options: &Options) -> Result<Box<[ModelBlock]>, Error> {
     let mut models = room(1)?;
@@ -80,10 +84,9 @@ impl Block {
         }
         Ok(Self {
             count,
-            lanes: count.next_multiple_of(LANES).min(RUNS),
             gyro: imperfections.gyro.rows()?,
             accel: imperfections.accel.rows()?,
-            navigators: NavigatorBlock::new(options.frame),
+            navigators: navigators(options)?,
             models: models(options)?,
             measured: [[0.0; RUNS]; 6],
             reports: [Report::default(); RUNS],
@@ -106,7 +109,7 @@ impl Block {
             + size_of_val(&*self.altimeters) / self.count
             + 2 * size_of::<FailingTriad>()
             + size_of_val(&*self.disturbed) / self.count
-            + size_of_val(&*self.models) / RUNS
+            + (size_of_val(&*self.navigators) + size_of_val(&*self.models)) / RUNS
     }
 
     /// Lays the sensors of a run in.
@@ -196,7 +199,7 @@ impl Block {
     }
 
     pub fn navigator(&self, lane: usize, earth: &Earth, options: &Options) -> Mechanization {
-        self.navigators.get(lane, earth, options.scheme)
+        self.navigators[0].get(lane, earth, options.scheme)
     }
 
     /// Where it is on.
@@ -207,7 +210,7 @@ impl Block {
     /// Navigator and error model of a run are those of `chain` from now on.
     pub fn put_solution(&mut self, lane: usize, chain: &Chain) {
         for lane in self.copies_of(lane) {
-            self.navigators.put(lane, &chain.mechanization);
+            self.navigators[0].put(lane, &chain.mechanization);
             for (models, model) in self.models.iter_mut().zip(&chain.error_model) {
                 models.put(lane, model);
             }
@@ -216,7 +219,7 @@ impl Block {
 
     /// The lanes with the run at `lane`.
     fn copies_of(&self, lane: usize) -> Range<usize> {
-        if lane + 1 == self.count { lane..self.lanes } else { lane..lane + 1 }
+        if lane + 1 == self.count { lane..RUNS } else { lane..lane + 1 }
     }
 
     /// Takes a run in that has flown as `chain` so far.

@@ -15,13 +15,12 @@ use crate::simulator::aid::aid_vertical;
 impl Block {
     /// Flies an interval.
     pub fn fly(&mut self, set: InstructionSet, interval: &Interval<'_>, workspace: &mut Workspace) {
-        workspace.navigators.clone_from(&self.navigators);
-        workspace.models.clone_from(&self.models);
+        // What was before goes into the workspace: a run that does not stay good goes back to it.
+        core::mem::swap(&mut self.navigators, &mut workspace.navigators);
+        core::mem::swap(&mut self.models, &mut workspace.models);
         (workspace.sums, workspace.reports) = (self.measured, self.reports);
         workspace.is_unaided = [interval.aid == VerticalAid::None; RUNS];
         if self.disturbed.is_empty() {
-            workspace.gyro.copy_from(&self.gyro);
-            workspace.accel.copy_from(&self.accel);
             self.begin_failures(interval, workspace);
             self.sense_heights(interval, workspace);
             set.for_tables().run(Sensing { block: self, interval, workspace });
@@ -40,7 +39,7 @@ impl Block {
     /// The interval begins for the failures, if there are any.
     #[inline]
     fn begin_failures(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
-        for (triad, _) in interval.have_failed().iter().enumerate().filter(|(_, has_failed)| **has_failed) {
+        for (triad, _) in interval.have_failed.iter().enumerate().filter(|(_, has_failed)| **has_failed) {
             workspace.failures[triad][..self.count].clone_from_slice(&self.failures[triad]);
             self.failures[triad].iter_mut().for_each(|failures| failures.begin_interval(interval.t));
         }
@@ -50,6 +49,7 @@ impl Block {
     #[inline]
     fn sense_heights(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
         if let (VerticalAid::Barometer { height_m }, true) = (interval.aid, interval.has_altimeters) {
+            workspace.heights_m = [height_m; RUNS];
             for lane in (0..self.count).filter(|lane| self.diverged[*lane].is_none()) {
                 let indicated_m = self.altimeters[lane].sense(height_m, interval.t);
                 workspace.put_height(lane, height_m, indicated_m);
@@ -93,7 +93,9 @@ impl Block {
                 self.altimeters[lane].undo();
             }
         }
-        self.navigators.go_back(lane, &workspace.navigators);
+        for (navigators, before) in self.navigators.iter_mut().zip(&workspace.navigators) {
+            navigators.go_back(lane, before);
+        }
         for (models, before) in self.models.iter_mut().zip(&workspace.models) {
             models.go_back(lane, before);
         }
@@ -102,8 +104,7 @@ impl Block {
         if self.disturbed.is_empty() {
             self.gyro.go_back(lane, &workspace.gyro);
             self.accel.go_back(lane, &workspace.accel);
-            for (triad, _) in interval.have_failed().iter().enumerate().filter(|(_, has_failed)| **has_failed)
-            {
+            for (triad, _) in interval.have_failed.iter().enumerate().filter(|(_, has_failed)| **has_failed) {
                 self.failures[triad][lane].clone_from(&workspace.failures[triad][lane]);
             }
         }
@@ -131,23 +132,19 @@ impl Work for Sensing<'_> {
     #[inline(always)]
     fn run(self) {
         let Self { block, interval, workspace } = self;
-        let Block { lanes, gyro, accel, measured: sums, reports, failures, .. } = block;
+        let Block { gyro, accel, measured: sums, reports, failures, .. } = block;
         let [gyro_failures, accel_failures] = failures;
-        let Workspace { measured, saturated: marks, is_unaided, .. } = workspace;
-        let &Interval { imperfections, shared, dt, count, .. } = interval;
-        let (lanes, measured) = (*lanes, &mut measured[..count]);
+        let Workspace {
+            gyro: gyro_before, accel: accel_before, measured, saturated: marks, is_unaided, ..
+        } = workspace;
+        let (gyro, accel) = ((gyro, gyro_before), (accel, accel_before));
+        let &Interval { imperfections, shared, dt, count, have_failed: [gyro_failed, accel_failed], .. } =
+            interval;
+        let measured = &mut measured[..count];
 
         *marks = [[0; RUNS]; 2];
-        imperfections.gyro.sense_block(&shared[0], dt, gyro, gyro_failures, measured, &mut marks[0], lanes);
-        imperfections.accel.sense_block(
-            &shared[1],
-            dt,
-            accel,
-            accel_failures,
-            measured,
-            &mut marks[1],
-            lanes,
-        );
+        imperfections.gyro.sense_block(&shared[0], dt, gyro, gyro_failures, measured, &mut marks[0]);
+        imperfections.accel.sense_block(&shared[1], dt, accel, accel_failures, measured, &mut marks[1]);
         for (lane, report) in reports.iter_mut().enumerate() {
             let is_silent =
                 |failures: &[FailingTriad]| failures.get(lane).is_some_and(FailingTriad::are_silent);
@@ -155,19 +152,20 @@ impl Work for Sensing<'_> {
                 flags: ImuFlags {
                     gyro_saturated: marks[0][lane] != 0,
                     accel_saturated: marks[1][lane] != 0,
-                    gyro_invalid: imperfections.gyro.has_failed() && is_silent(gyro_failures),
-                    accel_invalid: imperfections.accel.has_failed() && is_silent(accel_failures),
+                    gyro_invalid: gyro_failed && is_silent(gyro_failures),
+                    accel_invalid: accel_failed && is_silent(accel_failures),
                 },
                 is_unaided: is_unaided[lane],
             };
         }
-        for (i, sum) in sums.iter_mut().enumerate() {
-            *sum = [0.0; RUNS];
+        for i in 0..6 {
+            let mut sum = [0.0; RUNS];
             for rows in measured.iter() {
                 for lane in 0..RUNS {
                     sum[lane] += rows[i][lane];
                 }
             }
+            sums[i] = sum;
         }
     }
 }
@@ -183,42 +181,50 @@ impl Work for Navigating<'_> {
     #[inline(always)]
     fn run(self) {
         let Self { block, interval, workspace } = self;
-        let Workspace { measured, scratch, heights_m, is_unaided, is_good, disturbed, .. } = workspace;
+        let Workspace { navigators: before, models: models_before, measured, scratch, .. } = workspace;
+        let Workspace { heights_m, is_unaided, is_good, disturbed, .. } = workspace;
         let &Interval { earth, options, t, count, aid, has_altimeters, .. } = interval;
-        let Block { lanes, navigators, models, measured: sums, .. } = block;
-        let (lanes, measured, sums) = (*lanes, &measured[..count], &*sums);
+        let Block { navigators, models, measured: sums, .. } = block;
+        let ([navigators], [before]) = (&mut **navigators, &**before) else { return };
+        let (measured, sums) = (&measured[..count], &*sums);
         let aid = match has_altimeters {
             false => AidOfEach::Same(aid),
-            true if is_unaided[..lanes].contains(&true) => AidOfEach::Some { heights_m, is_none: is_unaided },
+            true if is_unaided.contains(&true) => AidOfEach::Some { heights_m, is_none: is_unaided },
             true => AidOfEach::Barometer { heights_m },
         };
         let kind = (earth, options.scheme);
         let mounting_of = |lane: usize| interval.mounting_of(&increment_of(sums, lane));
-        if let Some(shift_e) = &interval.shift_e {
-            navigators.each(kind, lanes, |_, navigator| navigator.shift_velocity(shift_e));
-        }
-        navigators.navigate(kind, options.subsamples, measured, t, lanes, scratch);
+        navigators.navigate(
+            (before, interval.shift_e.as_ref()),
+            kind,
+            options.subsamples,
+            measured,
+            t,
+            scratch,
+        );
         if interval.mounting.is_none() {
-            navigators.aid_vertical(kind, &aid, t, lanes, is_good);
+            navigators.aid_vertical(kind, &aid, t, is_good);
         } else {
-            navigators.each(kind, lanes, |lane, navigator| {
+            navigators.each(kind, |lane, navigator| {
                 let belief = mounting_of(lane).map(|mounting| mounting.belief());
                 aid_vertical(navigator, earth, &aid.at(lane), t, belief);
             });
             *is_good = [0; RUNS];
         }
-        for (models, interval_of_models) in models.iter_mut().zip(&interval.model) {
+        for ((models, before), interval_of_models) in
+            models.iter_mut().zip(models_before).zip(&interval.model)
+        {
             if !block.disturbed.is_empty() {
                 let errors: &[SensorErrors; RUNS] = &disturbed.errors;
-                models.advance_one_by_one(interval_of_models, &aid, lanes, |lane| {
+                models.advance_one_by_one(before, interval_of_models, &aid, |lane| {
                     (errors[lane], mounting_of(lane))
                 });
             } else if interval.mounting.is_some() {
-                models.advance_one_by_one(interval_of_models, &aid, lanes, |lane| {
+                models.advance_one_by_one(before, interval_of_models, &aid, |lane| {
                     (interval_of_models.errors(measured, lane), mounting_of(lane))
                 });
             } else {
-                models.advance(interval_of_models, measured, &aid, lanes);
+                models.advance(before, interval_of_models, measured, &aid);
             }
         }
     }

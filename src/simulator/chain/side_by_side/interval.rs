@@ -17,6 +17,8 @@ pub(super) struct Interval<'a> {
     pub options: &'a Options,
     pub imperfections: &'a Imperfections,
     pub shared: &'a [SharedInput; 2],
+    /// Whether a gyro and whether an accelerometer has failed.
+    pub have_failed: [bool; 2],
     /// At its start.
     pub last_good: LastGood,
     /// Length [s], and that of its increments.
@@ -42,11 +44,6 @@ pub(super) struct Interval<'a> {
 }
 
 impl Interval<'_> {
-    /// Whether a gyro and whether an accelerometer has failed.
-    pub fn have_failed(&self) -> [bool; 2] {
-        [self.imperfections.gyro.has_failed(), self.imperfections.accel.has_failed()]
-    }
-
     /// The mounting of a run, as its sensors see it that gave `measured` in the whole interval.
     pub fn mounting_of(&self, measured: &Increment) -> Option<mounting::Block> {
         self.mounting.map(|block| {

@@ -108,6 +108,7 @@ impl SideBySide {
             options,
             imperfections,
             shared,
+            have_failed: [imperfections.gyro.has_failed(), imperfections.accel.has_failed()],
             last_good,
             t,
             dt,

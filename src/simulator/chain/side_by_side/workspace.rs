@@ -1,6 +1,6 @@
 //! What blocks of runs need for an interval.
 
-use super::block::{Report, failures, models};
+use super::block::{Report, failures, models, navigators};
 use super::disturbed::DisturbedWorkspace;
 use crate::error::Error;
 use crate::errors::ModelBlock;
@@ -22,7 +22,7 @@ pub(super) struct Workspace {
     pub is_good: [u64; RUNS],
     pub gyro: StateRows,
     pub accel: StateRows,
-    pub navigators: NavigatorBlock,
+    pub navigators: Box<[NavigatorBlock]>,
     pub models: Box<[ModelBlock]>,
     pub failures: [Box<[FailingTriad]>; 2],
     pub reports: [Report; RUNS],
@@ -45,7 +45,7 @@ impl Workspace {
             is_good: [0; RUNS],
             gyro,
             accel,
-            navigators: NavigatorBlock::new(options.frame),
+            navigators: navigators(options)?,
             models: models(options)?,
             failures: failures(imperfections, RUNS)?,
             reports: [Report::default(); RUNS],
