@@ -16,7 +16,6 @@ pub(crate) fn room_for_one_more<T>(vector: &mut Vec<T>) -> Result<(), Error> {
 
 /// Whether that many bytes of memory are available now. For code that cannot report a lack of memory, such as parsers of
 /// other crates: without this it ends the process, with it only where memory runs out in between.
-#[cfg(feature = "scenes")]
 pub(crate) fn probe(bytes: usize) -> Result<(), Error> {
     // Used, or the optimizer takes the allocation away.
     room::<u8>(bytes).map(|memory| drop(core::hint::black_box(memory)))

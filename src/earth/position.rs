@@ -67,7 +67,7 @@ impl Earth {
     }
 
     /// Displacement [m] to a place, Earth-fixed axes, and the unit vectors east, north and up at the place that it begins `at`. As
-    /// [`Self::position`], with the two places side by side.
+    /// `position`, with the two places side by side.
     #[inline(always)]
     pub fn displacement(&self, to: &Geodetic, at: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
         let ([sl0, sl1, so0, so1], [cl0, cl1, co0, co1]) =
