@@ -1,4 +1,4 @@
-/* The main window: four pages, the scene as its document, the commands of the menu and the command line. */
+/* The main window: four pages, the scene as its document, and the commands of the menu. */
 #pragma once
 #include <utility>
 
@@ -310,89 +310,13 @@ private:
         }
     }
 
-    /* Scenes in files. */
+    /* Scenes in files: scene_files.h. */
 
-    /* Another scene is the document. */
-    void replaced(const fs::path &file)
-    {
-        path = file;
-        saved_ = scene.text();
-        flight.reset();
-        show_all();
-    }
-
-    void open(const fs::path &file)
-    {
-        if (file.empty()) {
-            return;
-        }
-        if (lstrcmpiW(file.extension().c_str(), L".csv") == 0) { /* a log, for this scene's simulator */
-            edited(told(scene.set({{"flight.file", in_quotes(narrow(file))}})));
-            return;
-        }
-        std::wstring why;
-        for (const sins_fault &fault : scene.read(read_file(file))) {
-            why += file.wstring() + L":" + std::to_wstring(fault.line) + L": " + told(fault) + L"\n";
-        }
-        if (!why.empty()) {
-            throw Refusal(why.substr(0, 2000));
-        }
-        replaced(file);
-        remember(file);
-    }
-
-    /* The files that were open last: in the menu and in the registry. */
-    void remember(const fs::path &file)
-    {
-        std::wstring all;
-        std::erase(recent_, file.wstring());
-        recent_.insert(recent_.begin(), file.wstring());
-        recent_.resize(min(recent_.size(), (size_t)8));
-        for (const std::wstring &own : recent_) {
-            all += own + L"|";
-        }
-        set_registry_text(L"Recent", all);
-        build_menu();
-    }
-
-    /* Into a file, or into one that the user names. */
-    bool save(fs::path file)
-    {
-        std::wstring log = wide(scene->text(SINS_SCENE_TEXT_LOG));
-        fs::path log_path = folder() / log;
-        if (file.empty()) {
-            file = ask_file(window_, true, "filter_scene", L"toml", path);
-        }
-        if (file.empty()) {
-            return false;
-        }
-        if (same_file(file, log_path)) {
-            throw Refusal(text("is_input", {file}));
-        }
-        if (!log.empty() && file.parent_path() != folder()) { /* a log is seen from the scene's folder */
-            scene.set({{"flight.file", in_quotes(narrow(log_path))}});
-        }
-        write_file(file, [this](const fs::path &to) {
-            std::ofstream stream(to, std::ios::binary);
-            return (stream << scene.text()).flush().good();
-        });
-        path = file;
-        saved_ = scene.text();
-        remember(path);
-        show_title();
-        return true;
-    }
-
-    bool may_discard()
-    {
-        leave_field();
-        if (scene.text() == saved_ || is_unattended) {
-            return true;
-        }
-        UINT buttons = MB_YESNOCANCEL | MB_ICONQUESTION;
-        int answer = MessageBoxW(window_, text("save_changes").c_str(), text("title").c_str(), buttons);
-        return answer == IDNO || (answer == IDYES && save(path));
-    }
+    void replaced(const fs::path &file);
+    void open(const fs::path &file);
+    void remember(const fs::path &file);
+    bool save(fs::path file);
+    bool may_discard();
 
     /* The flight. */
 
@@ -448,59 +372,10 @@ private:
         }
     }
 
-    /* /scene FILE or NAME of a built-in scene, /run, /export FOLDER, /picture FILE, /quit; or a FILE. */
-    void follow_command_line()
-    {
-        Texts arguments = std::exchange(arguments_, {});
-        bool runs = false;
-        for (size_t k = 0; k < arguments.size(); k++) {
-            const std::wstring &option = arguments[k];
-            const std::wstring value = k + 1 < arguments.size() ? arguments[k + 1] : L"";
-            bool has_value = true;
-            if (option == L"/scene" && value.find(L'.') == std::wstring::npos) {
-                open_builtin(narrow(value));
-            } else if (option == L"/scene") {
-                open(value);
-            } else if (option == L"/export") {
-                export_folder_ = value;
-            } else if (option == L"/picture") {
-                picture_path_ = value;
-            } else if (option != L"/language") {
-                has_value = false;
-                runs = runs || option == L"/run";
-                if (!option.starts_with(L"/")) {
-                    open(option);
-                }
-            }
-            k += has_value;
-        }
-        if (runs) {
-            fly();
-        }
-    }
+    /* The command line: command_line.h. */
 
-    /* At the end of a flight: what the command line asked for. */
-    void finish_unattended()
-    {
-        Flight::Status status = flight->status();
-        bool has_more = !export_folder_.empty() || !picture_path_.empty() || is_unattended;
-        if (status.state == Flight::FLYING || status.state == Flight::PAUSED || !has_more) {
-            return;
-        }
-        fs::path folder = std::exchange(export_folder_, {}), picture = std::exchange(picture_path_, {});
-        if (status.state == Flight::FAILED && is_unattended) {
-            say(window_, status.sentence);
-        }
-        if (!folder.empty()) {
-            fs::create_directories(folder);
-            export_records(folder / ((path.empty() ? L"flight" : path.stem().wstring()) + L".csv"));
-        }
-        save_picture(picture);
-        if (is_unattended) {
-            flight.reset();
-            DestroyWindow(window_);
-        }
-    }
+    void follow_command_line();
+    void finish_unattended();
 
     Texts arguments_, builtins_, recent_;
     std::string saved_ = scene.text(); /* as it was opened or saved */

@@ -1,5 +1,6 @@
 /* The program: the library is loaded, and the window shown. */
-#include "app.h"
+#include "command_line.h"
+#include "scene_files.h"
 
 /* The library lies beside the program: from nowhere else is it loaded. */
 static bool load_library()
