@@ -17,6 +17,8 @@ mod host_machine;
 #[cfg(feature = "scenes")]
 mod scene_functions;
 #[cfg(feature = "scenes")]
+mod scene_records;
+#[cfg(feature = "scenes")]
 mod scene_settings;
 #[cfg(feature = "scenes")]
 mod scene_text;

@@ -6,7 +6,7 @@ use std::ptr::null_mut;
 use sins::abi::*;
 use sins::scene::{BUILTIN_SCENES, Fault, FlightSource, KeyKind, KeyLine, Scene, builtin, keys};
 
-use crate::support::init;
+use crate::support::{init, text};
 
 const MANOEUVRES: &str = "\
 [[manoeuvre]]
@@ -297,11 +297,6 @@ fn conditions_name_the_items_that_use_a_key() {
     assert_eq!(of("gyro", "bias_deg_h"), "");
 }
 
-fn text(chars: &[c_char]) -> String {
-    let bytes: Vec<u8> = chars.iter().map(|letter| *letter as u8).collect();
-    CStr::from_bytes_until_nul(&bytes).unwrap().to_str().unwrap().to_owned()
-}
-
 /// A host sees every key, and no text is cut.
 #[test]
 fn the_keys_of_the_c_interface_are_all_of_them() {
@@ -362,82 +357,4 @@ fn a_host_is_told_the_line_the_path_and_the_limits_of_a_fault() {
         assert_eq!(sins_scene_destroy(scene), SINS_OK);
         assert_eq!(sins_scene_set_values(scene, values.as_ptr()), SINS_ERROR_BAD_HANDLE);
     }
-}
-
-/// As the program `sins` and every host count: rounding takes no sample away, and a log ends with the scene.
-#[test]
-fn the_samples_of_a_flight_and_of_a_log_are_counted() {
-    let rate = |rate_hz: &str| {
-        let mut scene = builtin("rest").unwrap();
-        scene.set(&[("flight.hours", "0.01"), ("flight.rate_hz", rate_hz)]).unwrap();
-        scene.samples(None).unwrap()
-    };
-    assert_eq!((rate("100").count, rate("100").duration_s, rate("3").count), (3601, 36.0, 109));
-    let mut scene = Scene::default();
-    assert_eq!(
-        scene.samples(None).map(|samples| scene.record_every(samples.count, samples.period_s)),
-        Ok(Ok(180))
-    );
-    scene.set(&[("output.every_s", "0.001")]).unwrap();
-    let sentence = scene.record_every(11, 0.01).unwrap_err().to_string();
-    assert_eq!(sentence, "output.every_s = 0.001: must be at least the sample interval, 0.01");
-    let log = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
-    let log: String = log.to_owned()
-        + &(0..11).map(|k| format!("{},0,0,0,0,0,0\n", 5.0 + f64::from(k))).collect::<String>();
-    let log = sins::log::FlightLog::parse(log.as_bytes()).unwrap();
-    scene.set(&[("flight.file", "a.csv")]).unwrap();
-    assert!(scene.samples(None).is_err());
-    let samples = scene.samples(Some(&log)).unwrap();
-    assert_eq!((samples.count, samples.start_s, samples.period_s, samples.duration_s), (11, 5.0, 1.0, 10.0));
-    scene.duration_s = Some(4.0 * (1.0 - 1e-10));
-    assert_eq!(scene.samples(Some(&log)).unwrap().count, 5);
-    scene.duration_s = Some(0.5);
-    let sentence = scene.samples(Some(&log)).unwrap_err().to_string();
-    assert_eq!(sentence, "flight.duration_s = 0.5: the log has no second sample within this time");
-}
-
-/// A line has the names of its head, and its numbers read back to the bit.
-#[test]
-fn a_record_is_a_line_of_a_file() {
-    let line = |record: *const sins_record, sensors: &[f64], covariance: *const sins_covariance| {
-        let mut buffer = vec![0; 2048];
-        let (place, size) = (buffer.as_mut_ptr(), buffer.len());
-        // SAFETY: structs of the interface or null, numbers with their count, a buffer with its size.
-        let status = unsafe {
-            sins_record_line(record, sensors.as_ptr(), sensors.len(), covariance, place, size, null_mut())
-        };
-        assert_eq!(status, SINS_OK);
-        text(&buffer)
-    };
-    let mut record = init::<sins_record>();
-    record.time_s = 0.1;
-    record.truth.heading_rad = -1e-300;
-    record.navigation.latitude_rad = core::f64::consts::FRAC_PI_3;
-    record.model_errors.flags = SINS_ERRORS_NOT_COMPUTED;
-    let mut covariance = init::<sins_covariance>();
-    covariance.misalignment_sigma_enu_rad = [0.0, 0.0, 4e-5];
-    let none = core::ptr::null();
-    for (covariance, columns) in [(none, 51), (&raw const covariance, 60)] {
-        let names = line(core::ptr::null(), &[], covariance);
-        let names: Vec<&str> = names.split(',').collect();
-        let values = line(&record, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.5], covariance);
-        let values: Vec<f64> = values.split(',').map(|value| value.parse().unwrap()).collect();
-        assert_eq!((names.len(), values.len()), (columns, columns));
-        for (name, value) in [
-            ("time_s", 0.1),
-            ("truth_heading_rad", -1e-300),
-            ("navigation_latitude_rad", core::f64::consts::FRAC_PI_3),
-            ("model_error_flags", 4.0),
-            ("gyro_error_x_rad_s", 1.0),
-            ("accel_error_z_m_s2", 6.5),
-            ("sigma_misalignment_up_rad", 4e-5),
-        ] {
-            let found = names.iter().position(|other| *other == name).map(|index| values[index].to_bits());
-            let is_sigma = name.starts_with("sigma");
-            assert!(found == Some(f64::to_bits(value)) || is_sigma && columns == 51, "{name}");
-        }
-    }
-    // SAFETY: as above.
-    let status = unsafe { sins_record_line(&record, [0.0; 5].as_ptr(), 5, none, null_mut(), 0, &mut 0) };
-    assert_eq!(status, SINS_ERROR_INVALID_ARGUMENT);
 }

@@ -48,6 +48,12 @@ pub fn one_unit_of_each(sensor: Sensor, scale: f64) -> TriadParameters {
     triad
 }
 
+/// The text in an array of a struct.
+pub fn text(chars: &[std::ffi::c_char]) -> String {
+    let bytes: Vec<u8> = chars.iter().map(|letter| *letter as u8).collect();
+    std::ffi::CStr::from_bytes_until_nul(&bytes).unwrap().to_str().unwrap().to_owned()
+}
+
 /// A file of the project.
 pub fn project_file(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
