@@ -466,6 +466,7 @@ package Sins is
    subtype sins_char_40 is char_array (0 .. 39);
    subtype sins_char_48 is char_array (0 .. 47);
    subtype sins_char_96 is char_array (0 .. 95);
+   type double_array is array (size_t range <>) of aliased double with Convention => C;
    type sins_double_3 is array (0 .. 2) of double with Convention => C;
    type sins_double_3_3 is array (0 .. 2, 0 .. 2) of double with Convention => C;
    type sins_double_4 is array (0 .. 3) of double with Convention => C;

@@ -69,11 +69,25 @@ fn constants(constants: &[Constant], kind: &str) -> String {
     text
 }
 
-/// The types of the arrays in structs, each once.
+/// The types of the arrays in structs, and of arrays of numbers that functions take, each once.
 fn arrays(interface: &Interface) -> String {
     let kinds = interface.structs.iter().flat_map(|one| &one.fields).map(|field| &field.kind);
-    let types: BTreeSet<String> = kinds.filter_map(array).collect();
+    let mut types: BTreeSet<String> = kinds.filter_map(array).collect();
+    let takes_numbers = |function: &Function| {
+        let mut arguments = function.arguments.iter().enumerate();
+        arguments.any(|(index, argument)| {
+            matches!(&argument.kind, Type::Const(of) if **of == Type::Double) && function.is_array(index)
+        })
+    };
+    if interface.functions.iter().any(takes_numbers) {
+        types.insert(array_of("double"));
+    }
     "\n".to_owned() + &types.into_iter().collect::<String>()
+}
+
+/// The type of an array of any length.
+fn array_of(element: &str) -> String {
+    format!("   type {element}_array is array (size_t range <>) of aliased {element} with Convention => C;\n")
 }
 
 fn array(kind: &Type) -> Option<String> {
@@ -110,10 +124,7 @@ fn structure(interface: &Interface, one: &Struct) -> String {
         text += &format!("      {} : {}{value};\n", field.name, named(&field.kind));
     }
     text += "   end record with Convention => C;\n";
-    text + &format!(
-        "   type {0}_array is array (size_t range <>) of aliased {0} with Convention => C;\n",
-        one.name
-    )
+    text + &array_of(&one.name)
 }
 
 fn zero(kind: &Type) -> String {
