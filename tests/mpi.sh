@@ -24,7 +24,7 @@ runs=420
 machine=$(c++ -dumpmachine)
 
 # A scene with both error data and a sensor that fails on the way; and in the place of its flight a log.
-"$built/sins" scene write simulation2 -o "$out/scene.toml" --preset navigation --set flight.hours=0.05 --set flight.rate_hz=20 \
+"$built/sins" scene write simulation2 -o "$out/scene.toml" --preset navigation --set flight.hours=0.25 --set flight.rate_hz=20 \
     --set options.error_model=rk4 --set options.run=5
 cat >>"$out/scene.toml" <<'END'
 

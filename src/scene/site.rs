@@ -129,8 +129,8 @@ mod tests {
         assert_eq!(ValuePath::read("gyro.misalignment_arcsec[8]").unwrap().element, Some(8));
         for (text, words) in [
             ("gyro", "gyro: expected section.key"),
-            ("gryo.bias_deg_h", "no such section: gryo; gyro?"),
-            ("gyro.bais_deg_h", "no such key: bais_deg_h; bias_deg_h?"),
+            ("gryo.bias_deg_h", "no such section: gryo; did you mean gyro?"),
+            ("gyro.bais_deg_h", "no such key: bais_deg_h; did you mean bias_deg_h?"),
             ("gyro[0].bias_deg_h", "gyro[0]: expected gyro"),
             ("failure.kind", "failure: expected failure[0]"),
             ("manoeuvre[2].sinusoid.phase_deg", "manoeuvre[2].sinusoid: expected manoeuvre[2].sinusoid[0]"),
