@@ -57,6 +57,7 @@ fn a_record_is_a_line_of_a_file() {
     record.truth.heading_rad = -1e-300;
     record.navigation.latitude_rad = core::f64::consts::FRAC_PI_3;
     record.model_errors.flags = SINS_ERRORS_NOT_COMPUTED;
+    record.truth.velocity_enu_m_s = [f64::NEG_INFINITY, -f64::MIN_POSITIVE, f64::MIN];
     let mut covariance = init::<sins_covariance>();
     covariance.misalignment_sigma_enu_rad = [0.0, 0.0, 4e-5];
     let none = core::ptr::null();
@@ -69,6 +70,9 @@ fn a_record_is_a_line_of_a_file() {
         for (name, value) in [
             ("time_s", 0.1),
             ("truth_heading_rad", -1e-300),
+            ("truth_velocity_east_m_s", f64::NEG_INFINITY),
+            ("truth_velocity_north_m_s", -f64::MIN_POSITIVE),
+            ("truth_velocity_up_m_s", f64::MIN),
             ("navigation_latitude_rad", core::f64::consts::FRAC_PI_3),
             ("model_error_flags", 4.0),
             ("gyro_error_x_rad_s", 1.0),

@@ -350,5 +350,7 @@ fn every_field_of_every_struct() {
     }
     // Integers alone: c/ensemble.c and statistics.rs damage it.
     assert!(expected.remove("sins_statistics"));
+    // Written as a line, whatever their numbers are: interface/scene_records.rs.
+    assert!(expected.remove("sins_record") && expected.remove("sins_covariance"));
     assert_eq!(tried.structs, expected);
 }
