@@ -606,7 +606,7 @@ enum sins_scene_text {
 
 /* What kind of value a key of a scene takes. */
 enum sins_scene_key_kind {
-    /* Numbers: elements of them. */
+    /* Numbers; elements says how many. */
     SINS_SCENE_KEY_NUMBERS = 0,
     /* A whole number, not negative. */
     SINS_SCENE_KEY_WHOLE = 1,
@@ -624,7 +624,7 @@ enum sins_scene_key_flags {
     SINS_SCENE_KEY_IN_LIST = 1,
     /* minimum and maximum are the limits of each number. Without this flag there are none, or they depend on other values. */
     SINS_SCENE_KEY_LIMITS = 2,
-    /* 0 is allowed beside the values within the limits, and means none. */
+    /* 0 is allowed in addition to the values within the limits. It switches the quantity off. */
     SINS_SCENE_KEY_ZERO_IS_OFF = 4
 };
 
@@ -1827,18 +1827,21 @@ typedef struct sins_scene_key {
     int32_t kind;
     /* Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds. */
     int32_t elements;
-    /* Elements that a single number sets, in the place of all: element k by bit k; 0: a single number is not enough. */
+    /*
+     * A single number may be given in the place of all elements if this is not 0. It sets element k if bit k is set, and the other
+     * elements are 0. 0: all elements must be given.
+     */
     uint32_t spread;
     /* 0 */
     uint32_t reserved;
-    /* SI units in one unit of the key; 1 for the other kinds. */
+    /* A number in the unit of name, times this factor, is in SI. 1 if the value is no number. */
     double si_per_unit;
     /*
-     * Least value of each number in the unit of the key, which is allowed itself: of all kinds of items. Other values of the
-     * scene may narrow the limits.
+     * Least allowed value of each number, in the unit of name. If the kinds of items have different limits, it is the widest.
+     * Other values of the scene may narrow the limits.
      */
     double minimum;
-    /* Greatest value, likewise. */
+    /* Greatest allowed value, likewise. */
     double maximum;
     /* Section, such as "gyro" or "manoeuvre.sinusoid"; terminated, as all texts here. */
     char section[24];
@@ -1850,13 +1853,13 @@ typedef struct sins_scene_key {
     char unit[24];
     /* Unit of si_name, such as "rad/s". */
     char si_unit[24];
-    /* Value of a scene that does not set it, as sins_scene_get_value() gives it; empty: it has none then. */
+    /* Value in a scene that does not set the key, as sins_scene_get_value() gives it; empty: no value. */
     char default_value[32];
     /* Words of SINS_SCENE_KEY_WORD, "exact|paper|polynomial". */
     char words[128];
     /*
-     * Items that can have the key: "kind=turn|s_turn" means those whose key kind is one of these words. Several conditions have
-     * a space between them. Empty: all.
+     * Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of these words. If there are
+     * several conditions, with a space between them, an item must meet all. Empty: all items.
      */
     char condition[96];
     /* Meaning, without unit. */
@@ -1886,13 +1889,13 @@ typedef struct sins_scene_samples {
     /* Number of samples. */
     uint64_t count;
     /*
-     * Samples from one record of a program to the next, at least 1: by sins_scene_setup.every_s, or else for about 2000
-     * records.
+     * Number of sample intervals between two records, as the program sins writes them, at least 1: from
+     * sins_scene_setup.every_s, or if that is 0, such that there are about 2000 records.
      */
     uint64_t record_every;
     /* Time stamp of the first sample [s]. */
     double start_s;
-    /* Time between two samples; of a log, the mean [s]. */
+    /* Time between two samples [s]; of a log, the mean. */
     double period_s;
     /* Time from the first to the last sample [s]. */
     double duration_s;
@@ -2180,14 +2183,14 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
 
 /*
- * Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous
- * sample to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors
- * as before: position error in metres (along the truth's east and north, and in height), velocity error (components) and
- * misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the
- * new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running figures continue,
- * and no random number changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow
- * the new signals immediately. Waiting samples are dropped. The time may jump too: the running figures and the
- * grid of a stated period then move with it, as in sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
+ * Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous sample
+ * to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors as before:
+ * position error in metres (along the truth's east and north, and in height), velocity error (components) and misalignment, to
+ * 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the new place. Noise,
+ * sensor processes, failures, the vertical channel, the altimeter's error and running figures continue, and no random number
+ * changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow the new signals immediately.
+ * Waiting samples are dropped. The time may jump too: the running figures and the grid of a stated period then move with it, as
+ * in sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
  * solution is its velocity error alone until the next sample is pushed.
  *
  * If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and
@@ -2285,10 +2288,11 @@ SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, struct sins_alt
  * outputs may fail at the same time.
  *
  * sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
- * zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
- * Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on error
- * data 1 and on error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
- * so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
+ * zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change. Sensor
+ * processes continue during a failure, and act on the output again when it is cleared. A failure acts on error data 1 and on
+ * error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all
+ * failures, so an exercise starts again with working sensors; failures that are set again at the same intervals give the same
+ * bits.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
  * solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -2440,10 +2444,10 @@ SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record
 
 /*
  * Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its files of
- * records; record NULL: the line with the names of the columns. Numbers read back to the bit. sensor_errors are the mean
- * errors of gyros [rad/s] and accelerometers [m/s2] since the record before, x, y, z of each; count is 6; NULL and 0: all 0.
- * covariance, which may be NULL, adds columns of standard deviations. buffer, capacity and needed as in sins_last_error(); a
- * line has at most 1600 bytes. Not for a real-time frame: it allocates.
+ * records. If record is NULL, the line has the names of the columns. Numbers read back to the bit. sensor_errors are count = 6
+ * numbers: the mean errors of the gyros [rad/s] and of the accelerometers [m/s2] since the record before, x, y, z of each. NULL
+ * with count 0: all are 0. covariance adds columns of standard deviations; NULL: none. buffer, capacity and needed as in
+ * sins_last_error(); a line has at most 1600 bytes. Not for a real-time frame: it allocates.
  *
  * SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
  * SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
@@ -2750,11 +2754,11 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  * Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
  * height 0, sampled at 100 Hz.
  *
- * On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
- * of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
- * sins_scene_prepare() and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is available. If memory
- * runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does the same, except
- * that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
+ * On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function of
+ * scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only sins_scene_prepare()
+ * and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is
+ * available. If memory runs out later within the call, because another thread takes it, the process ends. sins_log_parse()
+ * does the same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
  */
 SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
 
@@ -3022,11 +3026,11 @@ SINS_API sins_status SINS_CALL sins_scene_get_key(size_t index, struct sins_scen
  * Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
  * the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
  * "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
- * value: flight.hours of a scene that flies the whole flight. A number that has no equal in the unit of its key is rounded;
- * in SI it is exact. A preset is not kept: its errors are.
+ * value: flight.hours of a scene that flies the whole flight. The scene stores numbers in SI: read in another unit they may be
+ * rounded. The scene does not store the name of a preset, only the errors that the preset sets.
  *
- * "manoeuvre[3]" and "failure[0]" are all lines of an item, for sins_scene_set_items(). A built-in flight and a log have no
- * manoeuvres here. buffer, capacity and needed as in sins_scene_write().
+ * The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins_scene_set_items(). A built-in flight and a log
+ * have no such manoeuvres. buffer, capacity and needed as in sins_scene_write().
  *
  * SINS_ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
  */
@@ -3034,13 +3038,14 @@ SINS_API sins_status SINS_CALL sins_scene_get_value(
     const sins_scene *scene, const char *path, char *buffer, size_t capacity, size_t *needed);
 
 /*
- * Sets values of the scene, all at once, at most 4096. values is a terminated text in UTF-8 with one path = value in each
- * line; blank lines and lines that begin with # are ignored. Paths are those of sins_scene_get_value(). A value is written as in the text of a
- * scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the default, in an element 0. If a value is set
- * twice, the last counts. A preset replaces all errors of its sensors. flight.file and flight.builtin replace the flight.
+ * Sets up to 4096 values of the scene, all or none. values is a terminated text in UTF-8. Each line is path = value, with a path
+ * as in sins_scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written as in the text of a
+ * scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default, and sets a single element to
+ * 0. If a value is set twice, the last one counts. gyro.preset replaces all errors of the gyros, and accelerometer.preset those
+ * of the accelerometers. flight.file and flight.builtin replace the flight.
  *
- * The scene is checked as sins_scene_parse() checks a text: its values must go together. So set in one call what belongs
- * together, as a manoeuvre's kind and its quantities.
+ * The scene is then checked as sins_scene_parse() checks a text. Set values that depend on each other in one call, such as the
+ * kind of a manoeuvre and its quantities.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins_scene_get_fault() gives every fault
  * with the line in values and the path.
@@ -3049,10 +3054,10 @@ SINS_API sins_status SINS_CALL sins_scene_get_value(
 SINS_API sins_status SINS_CALL sins_scene_set_values(sins_scene *scene, const char *values);
 
 /*
- * Sets all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
- * [[manoeuvre]] and its keys, and so on; that of one item is what sins_scene_get_value() gives. So a host adds, removes,
- * moves and replaces items by their texts. An empty text removes all failures. Manoeuvres replace a built-in flight, with its
- * start, or a log, with a start at latitude 0, longitude 0, height 0.
+ * Replaces all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
+ * [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an item, give
+ * the texts of all items that the list shall have, in order. An empty text removes all failures. If the flight was a built-in
+ * flight, the manoeuvres begin at its start; if it was a log, at latitude 0, longitude 0, height 0.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
  * every fault with the line in items and the path.

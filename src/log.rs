@@ -155,7 +155,7 @@ impl FlightLog {
     }
 }
 
-/// Checks a line, which its end is part of: a row then has a line of its own.
+/// Checks a line with its end, so that each row has a line number of its own.
 fn check_line(line: &[u8]) -> Result<(), String> {
     let line = line.strip_suffix(b"\n").map_or(line, |line| line.strip_suffix(b"\r").unwrap_or(line));
     if line.contains(&0) {

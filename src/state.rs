@@ -103,7 +103,7 @@ impl Navigation {
     #[inline(always)]
     pub fn new(place: Geodetic, v_n: Vector3<f64>, q_nb: Quaternion<f64>, axes: BodyAxes) -> Self {
         let place = Geodetic { longitude_rad: wrap_angle(place.longitude_rad), ..place };
-        // One by one: the rest then waits in registers, not in memory.
+        // Angle by angle: the compiler then keeps the rest in registers, not in memory.
         let Euler { roll, pitch, heading } = euler_from_attitude(&axes.exchange(&q_nb));
         Self { place, v_n, q_nb, euler: Euler { roll, pitch, heading } }
     }

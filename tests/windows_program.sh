@@ -1,23 +1,24 @@
 #!/usr/bin/env bash
-# The program sins on Windows, by wine: the tests within it, and those of hostile files and command lines and of the first flights.
+# The program sins on Windows, by wine: its unit tests, and those of its flights, inputs and outputs.
 # What cannot be had is told at the end.
 #
 #     tests/windows_program.sh                       built for 64 bits, little optimised
-#     tests/windows_program.sh i686|x86_64 SINS.EXE  with this one, without the tests within it
+#     tests/windows_program.sh i686|x86_64 SINS.EXE  this program, without the unit tests
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . tests/support/wine.sh
 
-# The others do not depend on the system.
+# The other tests do not depend on the system.
 tests="fly:: inputs:: outputs::"
 
-# given PROCESSOR SINS.EXE: this machine's build of the tests starts it by wine. They skip what needs Unix, and a file that is redirected by a program
-# of Unix, which by wine is another one.
+# given PROCESSOR SINS.EXE: this machine's build of the tests starts the program by wine. Tests that need Unix are left out, and so is
+# the test of a redirected log: started in this way, the program did not recognize the log as its own output. Without arguments this script
+# includes that test.
 given() {
     local work=$PWD/target/windows/program
     mkdir -p "$work"
-    [ "$1" = x86_64 ] || fetch_screen32 # wine would speak of the fonts that it misses
+    [ "$1" = x86_64 ] || fetch_screen32 # without fonts wine prints warnings
     printf '#!/bin/sh\nexec "%s" "%s" "$@"\n' "$wine" "$(realpath "$2")" >"$work/sins"
     chmod +x "$work/sins"
     export LC_ALL=C.UTF-8 # the command line, for wine

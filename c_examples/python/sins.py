@@ -614,7 +614,7 @@ class scene_text(enum.IntEnum):
 class scene_key_kind(enum.IntEnum):
     """What kind of value a key of a scene takes.
 
-    SCENE_KEY_NUMBERS: Numbers: elements of them.
+    SCENE_KEY_NUMBERS: Numbers; elements says how many.
     SCENE_KEY_WHOLE: A whole number, not negative.
     SCENE_KEY_WORD: One of several words.
     SCENE_KEY_TEXT: A text.
@@ -635,7 +635,7 @@ class scene_key_flags(enum.IntFlag):
     SCENE_KEY_IN_LIST: The key belongs to the items of a list: its section stands in double brackets.
     SCENE_KEY_LIMITS: minimum and maximum are the limits of each number. Without this flag there are none, or they
         depend on other values.
-    SCENE_KEY_ZERO_IS_OFF: 0 is allowed beside the values within the limits, and means none.
+    SCENE_KEY_ZERO_IS_OFF: 0 is allowed in addition to the values within the limits. It switches the quantity off.
     """
 
     SCENE_KEY_IN_LIST = 1
@@ -1854,23 +1854,24 @@ class scene_key(_Struct):
     count: Number of keys of the format.
     kind: Kind of the value, of enum sins.scene_key_kind.
     elements: Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds.
-    spread: Elements that a single number sets, in the place of all: element k by bit k; 0: a single number is not
-        enough.
-    si_per_unit: SI units in one unit of the key; 1 for the other kinds.
-    minimum: Least value of each number in the unit of the key, which is allowed itself: of all kinds of items.
-        Other values of the scene may narrow the limits.
-    maximum: Greatest value, likewise.
+    spread: A single number may be given in the place of all elements if this is not 0. It sets element k if bit k
+        is set, and the other elements are 0. 0: all elements must be given.
+    si_per_unit: A number in the unit of name, times this factor, is in SI. 1 if the value is no number.
+    minimum: Least allowed value of each number, in the unit of name. If the kinds of items have different limits,
+        it is the widest. Other values of the scene may narrow the limits.
+    maximum: Greatest allowed value, likewise.
     section[24]: Section, such as "gyro" or "manoeuvre.sinusoid"; terminated, as all texts here.
     name[40]: Name, such as "bias_deg_h": its value is in the unit of data sheets.
     si_name[40]: Name of the key that takes the same quantity in SI, such as "bias_rad_s"; empty: name is that
         key.
     unit[24]: Unit of name, such as "deg/h"; empty: a pure number, or no number.
     si_unit[24]: Unit of si_name, such as "rad/s".
-    default_value[32]: Value of a scene that does not set it, as sins.scene_get_value() gives it; empty: it has
-        none then.
+    default_value[32]: Value in a scene that does not set the key, as sins.scene_get_value() gives it; empty: no
+        value.
     words[128]: Words of sins.SCENE_KEY_WORD, "exact|paper|polynomial".
-    condition[96]: Items that can have the key: "kind=turn|s_turn" means those whose key kind is one of these
-        words. Several conditions have a space between them. Empty: all.
+    condition[96]: Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of
+        these words. If there are several conditions, with a space between them, an item must meet all. Empty: all
+        items.
     meaning[128]: Meaning, without unit.
     """
 
@@ -1920,10 +1921,10 @@ class scene_samples(_Struct):
     """The samples that a scene flies.
 
     count: Number of samples.
-    record_every: Samples from one record of a program to the next, at least 1: by sins.scene_setup.every_s, or
-        else for about 2000 records.
+    record_every: Number of sample intervals between two records, as the program sins writes them, at least 1:
+        from sins.scene_setup.every_s, or if that is 0, such that there are about 2000 records.
     start_s: Time stamp of the first sample [s].
-    period_s: Time between two samples; of a log, the mean [s].
+    period_s: Time between two samples [s]; of a log, the mean.
     duration_s: Time from the first to the last sample [s].
     """
 
@@ -2595,10 +2596,11 @@ def get_record(sim, record):
 @_function(status, POINTER(record), _Array(c_double, is_input=True), POINTER(covariance), _Array(c_char), POINTER(c_size_t))
 def record_line(record, sensor_errors, covariance, buffer, needed):
     """Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its
-    files of records; record NULL: the line with the names of the columns. Numbers read back to the bit. sensor_errors
-    are the mean errors of gyros [rad/s] and accelerometers [m/s2] since the record before, x, y, z of each; count is
-    6; NULL and 0: all 0. covariance, which may be NULL, adds columns of standard deviations. buffer, capacity and
-    needed as in sins.last_error(); a line has at most 1600 bytes. Not for a real-time frame: it allocates.
+    files of records. If record is NULL, the line has the names of the columns. Numbers read back to the bit.
+    sensor_errors are count = 6 numbers: the mean errors of the gyros [rad/s] and of the accelerometers [m/s2] since
+    the record before, x, y, z of each. NULL with count 0: all are 0. covariance adds columns of standard deviations;
+    NULL: none. buffer, capacity and needed as in sins.last_error(); a line has at most 1600 bytes. Not for a
+    real-time frame: it allocates.
 
     sins.ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
     sins.ERROR_OUT_OF_MEMORY: no memory for the text.
@@ -3237,11 +3239,12 @@ def scene_get_value(scene, path, buffer, needed):
     """Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three),
     "gyro.bias_deg_h[1]" (that of the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg",
     "manoeuvre[3].sinusoid[0].channel", "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes.
-    The text is empty if the scene has no such value: flight.hours of a scene that flies the whole flight. A number
-    that has no equal in the unit of its key is rounded; in SI it is exact. A preset is not kept: its errors are.
+    The text is empty if the scene has no such value: flight.hours of a scene that flies the whole flight. The scene
+    stores numbers in SI: read in another unit they may be rounded. The scene does not store the name of a preset,
+    only the errors that the preset sets.
 
-    "manoeuvre[3]" and "failure[0]" are all lines of an item, for sins.scene_set_items(). A built-in flight and a log
-    have no manoeuvres here. buffer, capacity and needed as in sins.scene_write().
+    The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins.scene_set_items(). A built-in flight
+    and a log have no such manoeuvres. buffer, capacity and needed as in sins.scene_write().
 
     sins.ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
     """
@@ -3249,14 +3252,15 @@ def scene_get_value(scene, path, buffer, needed):
 
 @_function(status, scene, _Text)
 def scene_set_values(scene, values):
-    """Sets values of the scene, all at once, at most 4096. values is a terminated text in UTF-8 with one path = value in
-    each line; blank lines and lines that begin with # are ignored. Paths are those of sins.scene_get_value(). A value
-    is written as in the text of a scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the
-    default, in an element 0. If a value is set twice, the last counts. A preset replaces all errors of its sensors.
-    flight.file and flight.builtin replace the flight.
+    """Sets up to 4096 values of the scene, all or none. values is a terminated text in UTF-8. Each line is path = value,
+    with a path as in sins.scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written
+    as in the text of a scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the
+    default, and sets a single element to 0. If a value is set twice, the last one counts. gyro.preset replaces all
+    errors of the gyros, and accelerometer.preset those of the accelerometers. flight.file and flight.builtin replace
+    the flight.
 
-    The scene is checked as sins.scene_parse() checks a text: its values must go together. So set in one call what
-    belongs together, as a manoeuvre's kind and its quantities.
+    The scene is then checked as sins.scene_parse() checks a text. Set values that depend on each other in one call,
+    such as the kind of a manoeuvre and its quantities.
 
     sins.ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins.scene_get_fault() gives every
     fault with the line in values and the path. sins.ERROR_OUT_OF_MEMORY: as sins.scene_create().
@@ -3265,10 +3269,11 @@ def scene_set_values(scene, values):
 
 @_function(status, scene, _Text, _Text)
 def scene_set_items(scene, list, items):
-    """Sets all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a
-    scene: [[manoeuvre]] and its keys, and so on; that of one item is what sins.scene_get_value() gives. So a host
-    adds, removes, moves and replaces items by their texts. An empty text removes all failures. Manoeuvres replace a
-    built-in flight, with its start, or a log, with a start at latitude 0, longitude 0, height 0.
+    """Replaces all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text
+    of a scene: [[manoeuvre]] and its keys, and so on. sins.scene_get_value() gives the text of one item. To add,
+    remove or move an item, give the texts of all items that the list shall have, in order. An empty text removes all
+    failures. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0,
+    longitude 0, height 0.
 
     sins.ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was.
     sins.scene_get_fault() gives every fault with the line in items and the path. sins.ERROR_OUT_OF_MEMORY: as

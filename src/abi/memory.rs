@@ -148,7 +148,7 @@ impl<T: Struct> Output<T> {
         }
     }
 
-    /// By reference: `fill` has one direct caller then, which the compiler makes one with it.
+    /// By reference: then `fill` has one direct caller, and the compiler inlines it there.
     #[cold]
     #[inline(never)]
     fn fill_and_write(&self, fill: &dyn Fn(&mut T)) {

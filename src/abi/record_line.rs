@@ -21,10 +21,10 @@ const ROOM: usize = 1 << 14;
 const SENSOR_ERRORS: usize = 6;
 
 /// Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its files of
-/// records; record NULL: the line with the names of the columns. Numbers read back to the bit. sensor_errors are the mean
-/// errors of gyros [rad/s] and accelerometers [m/s2] since the record before, x, y, z of each; count is 6; NULL and 0: all 0.
-/// covariance, which may be NULL, adds columns of standard deviations. buffer, capacity and needed as in sins_last_error(); a
-/// line has at most 1600 bytes. Not for a real-time frame: it allocates.
+/// records. If record is NULL, the line has the names of the columns. Numbers read back to the bit. sensor_errors are count = 6
+/// numbers: the mean errors of the gyros [rad/s] and of the accelerometers [m/s2] since the record before, x, y, z of each. NULL
+/// with count 0: all are 0. covariance adds columns of standard deviations; NULL: none. buffer, capacity and needed as in
+/// sins_last_error(); a line has at most 1600 bytes. Not for a real-time frame: it allocates.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory for the text.

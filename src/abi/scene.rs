@@ -105,11 +105,11 @@ pub(super) fn change_scene(
 /// Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
 /// height 0, sampled at 100 Hz.
 ///
-/// On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function
-/// of scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
-/// sins_scene_prepare() and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is available. If memory
-/// runs out later within the call, because another thread takes it, the process ends. sins_log_parse() does the same, except
-/// that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
+/// On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function of
+/// scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only sins_scene_prepare()
+/// and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is
+/// available. If memory runs out later within the call, because another thread takes it, the process ends. sins_log_parse()
+/// does the same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_status {
     enter_without_simulator(|| {

@@ -13,7 +13,7 @@ use crate::scene::{KeyKind, KeyLine, key_line};
 /// What kind of value a key of a scene takes.
 pub type sins_scene_key_kind = i32;
 
-/// Numbers: elements of them.
+/// Numbers; elements says how many.
 pub const SINS_SCENE_KEY_NUMBERS: sins_scene_key_kind = 0;
 /// A whole number, not negative.
 pub const SINS_SCENE_KEY_WHOLE: sins_scene_key_kind = 1;
@@ -31,7 +31,7 @@ pub type sins_scene_key_flags = u32;
 pub const SINS_SCENE_KEY_IN_LIST: sins_scene_key_flags = 1;
 /// minimum and maximum are the limits of each number. Without this flag there are none, or they depend on other values.
 pub const SINS_SCENE_KEY_LIMITS: sins_scene_key_flags = 2;
-/// 0 is allowed beside the values within the limits, and means none.
+/// 0 is allowed in addition to the values within the limits. It switches the quantity off.
 pub const SINS_SCENE_KEY_ZERO_IS_OFF: sins_scene_key_flags = 4;
 
 /// A key of the scene format.
@@ -48,16 +48,17 @@ pub struct sins_scene_key {
     pub kind: i32,
     /// Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds.
     pub elements: i32,
-    /// Elements that a single number sets, in the place of all: element k by bit k; 0: a single number is not enough.
+    /// A single number may be given in the place of all elements if this is not 0. It sets element k if bit k is set, and the other
+    /// elements are 0. 0: all elements must be given.
     pub spread: u32,
     /// 0
     pub reserved: u32,
-    /// SI units in one unit of the key; 1 for the other kinds.
+    /// A number in the unit of name, times this factor, is in SI. 1 if the value is no number.
     pub si_per_unit: f64,
-    /// Least value of each number in the unit of the key, which is allowed itself: of all kinds of items. Other values of the
-    /// scene may narrow the limits.
+    /// Least allowed value of each number, in the unit of name. If the kinds of items have different limits, it is the widest.
+    /// Other values of the scene may narrow the limits.
     pub minimum: f64,
-    /// Greatest value, likewise.
+    /// Greatest allowed value, likewise.
     pub maximum: f64,
     /// Section, such as "gyro" or "manoeuvre.sinusoid"; terminated, as all texts here.
     pub section: [c_char; 24],
@@ -69,12 +70,12 @@ pub struct sins_scene_key {
     pub unit: [c_char; 24],
     /// Unit of si_name, such as "rad/s".
     pub si_unit: [c_char; 24],
-    /// Value of a scene that does not set it, as sins_scene_get_value() gives it; empty: it has none then.
+    /// Value in a scene that does not set the key, as sins_scene_get_value() gives it; empty: no value.
     pub default_value: [c_char; 32],
     /// Words of SINS_SCENE_KEY_WORD, "exact|paper|polynomial".
     pub words: [c_char; 128],
-    /// Items that can have the key: "kind=turn|s_turn" means those whose key kind is one of these words. Several conditions have
-    /// a space between them. Empty: all.
+    /// Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of these words. If there are
+    /// several conditions, with a space between them, an item must meet all. Empty: all items.
     pub condition: [c_char; 96],
     /// Meaning, without unit.
     pub meaning: [c_char; 128],

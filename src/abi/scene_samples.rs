@@ -19,12 +19,12 @@ pub struct sins_scene_samples {
     pub reserved: u32,
     /// Number of samples.
     pub count: u64,
-    /// Samples from one record of a program to the next, at least 1: by sins_scene_setup.every_s, or else for about 2000
-    /// records.
+    /// Number of sample intervals between two records, as the program sins writes them, at least 1: from
+    /// sins_scene_setup.every_s, or if that is 0, such that there are about 2000 records.
     pub record_every: u64,
     /// Time stamp of the first sample [s].
     pub start_s: f64,
-    /// Time between two samples; of a log, the mean [s].
+    /// Time between two samples [s]; of a log, the mean.
     pub period_s: f64,
     /// Time from the first to the last sample [s].
     pub duration_s: f64,

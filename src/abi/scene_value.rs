@@ -25,11 +25,11 @@ unsafe fn utf8<'a>(text: *const c_char, name: &'static str) -> Result<&'a str, F
 /// Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
 /// the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
 /// "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
-/// value: flight.hours of a scene that flies the whole flight. A number that has no equal in the unit of its key is rounded;
-/// in SI it is exact. A preset is not kept: its errors are.
+/// value: flight.hours of a scene that flies the whole flight. The scene stores numbers in SI: read in another unit they may be
+/// rounded. The scene does not store the name of a preset, only the errors that the preset sets.
 ///
-/// "manoeuvre[3]" and "failure[0]" are all lines of an item, for sins_scene_set_items(). A built-in flight and a log have no
-/// manoeuvres here. buffer, capacity and needed as in sins_scene_write().
+/// The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins_scene_set_items(). A built-in flight and a log
+/// have no such manoeuvres. buffer, capacity and needed as in sins_scene_write().
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
 #[unsafe(no_mangle)]
@@ -52,13 +52,14 @@ pub unsafe extern "C" fn sins_scene_get_value(
     })
 }
 
-/// Sets values of the scene, all at once, at most 4096. values is a terminated text in UTF-8 with one path = value in each
-/// line; blank lines and lines that begin with # are ignored. Paths are those of sins_scene_get_value(). A value is written as in the text of a
-/// scene, but words and texts need no quotes. No value (gyro.bias_deg_h =) is the default, in an element 0. If a value is set
-/// twice, the last counts. A preset replaces all errors of its sensors. flight.file and flight.builtin replace the flight.
+/// Sets up to 4096 values of the scene, all or none. values is a terminated text in UTF-8. Each line is path = value, with a path
+/// as in sins_scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written as in the text of a
+/// scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default, and sets a single element to
+/// 0. If a value is set twice, the last one counts. gyro.preset replaces all errors of the gyros, and accelerometer.preset those
+/// of the accelerometers. flight.file and flight.builtin replace the flight.
 ///
-/// The scene is checked as sins_scene_parse() checks a text: its values must go together. So set in one call what belongs
-/// together, as a manoeuvre's kind and its quantities.
+/// The scene is then checked as sins_scene_parse() checks a text. Set values that depend on each other in one call, such as the
+/// kind of a manoeuvre and its quantities.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins_scene_get_fault() gives every fault
 /// with the line in values and the path.
@@ -94,10 +95,10 @@ fn place_in_lines(fault: &mut Fault, lines: &[usize]) {
     }
 }
 
-/// Sets all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
-/// [[manoeuvre]] and its keys, and so on; that of one item is what sins_scene_get_value() gives. So a host adds, removes,
-/// moves and replaces items by their texts. An empty text removes all failures. Manoeuvres replace a built-in flight, with its
-/// start, or a log, with a start at latitude 0, longitude 0, height 0.
+/// Replaces all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
+/// [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an item, give
+/// the texts of all items that the list shall have, in order. An empty text removes all failures. If the flight was a built-in
+/// flight, the manoeuvres begin at its start; if it was a log, at latitude 0, longitude 0, height 0.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
 /// every fault with the line in items and the path.

@@ -97,8 +97,8 @@ impl sins_failure_fields {
         Ok(failure)
     }
 
-    /// Rejects values that the failure does not use, because the host must have meant something else; `used` has those that it
-    /// does.
+    /// Rejects values that the failure does not use, because the host must have meant something else. `used` has the values that
+    /// it uses.
     fn check_unused(&self, used: &Self) -> Result<(), Failure> {
         let fields = [
             ("failure.size", self.size, used.size),
@@ -157,10 +157,11 @@ pub(super) fn output(fields: [&'static str; 2], sensor: i32, axis: i32) -> Resul
 /// outputs may fail at the same time.
 ///
 /// sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
-/// zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change.
-/// Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts on error
-/// data 1 and on error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all failures,
-/// so an exercise starts again with working sensors; failures that are set again at the same intervals give the same bits.
+/// zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change. Sensor
+/// processes continue during a failure, and act on the output again when it is cleared. A failure acts on error data 1 and on
+/// error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all
+/// failures, so an exercise starts again with working sensors; failures that are set again at the same intervals give the same
+/// bits.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
 /// solution diverge, sins_step() returns SINS_ERROR_DIVERGED.

@@ -187,14 +187,14 @@ pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins
     })
 }
 
-/// Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous
-/// sample to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors
-/// as before: position error in metres (along the truth's east and north, and in height), velocity error (components) and
-/// misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the
-/// new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running figures continue,
-/// and no random number changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow
-/// the new signals immediately. Waiting samples are dropped. The time may jump too: the running figures and the
-/// grid of a stated period then move with it, as in sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
+/// Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous sample
+/// to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors as before:
+/// position error in metres (along the truth's east and north, and in height), velocity error (components) and misalignment, to
+/// 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the new place. Noise,
+/// sensor processes, failures, the vertical channel, the altimeter's error and running figures continue, and no random number
+/// changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow the new signals immediately.
+/// Waiting samples are dropped. The time may jump too: the running figures and the grid of a stated period then move with it, as
+/// in sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
 /// solution is its velocity error alone until the next sample is pushed.
 ///
 /// If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and

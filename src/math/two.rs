@@ -1,7 +1,7 @@
 //! Two numbers in one register of the processor: one instruction computes with both. The bits are those of the plain operations.
 //!
 //! A [`Pair`](super::Pair) is two plain numbers, which ensembles join with those of other runs. The compiler joins them into
-//! registers by itself, but in a long formula it joins numbers of different pairs and has to part them again: with pairs the
+//! registers by itself, but in a long formula it joins numbers of different pairs and has to separate them again: with pairs the
 //! formulas of the reads take 15 to 25 % more instructions.
 
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Sub};

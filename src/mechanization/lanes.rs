@@ -71,7 +71,7 @@ impl NavigatorBlock {
         }
     }
 
-    /// Lets `act` act on one navigator after the other.
+    /// Calls `act` with each navigator in turn.
     pub fn each(
         &mut self,
         (earth, scheme): (&Earth, Scheme),
@@ -148,7 +148,7 @@ impl NavigatorBlock {
                 self.update_one_by_one((earth, scheme), update_s, bodies);
                 continue;
             }
-            // Two calls: where the rows may be the ones or the others, the compiler no longer sees that they lie apart.
+            // Two calls: with one call on selected rows the compiler could not know that the rows do not overlap.
             let is_any_left = if is_first {
                 update_usual(&before.axes, &mut self.axes, bodies, earth, update_s, &turn)
             } else {
@@ -268,8 +268,8 @@ impl NavigatorBlock {
     }
 }
 
-/// Leads each navigator from `start` to `end`; whether there is one whose norm is left. A function, for its references: the rows that
-/// are read and those that are written lie apart.
+/// Updates each navigator from `start` into `end`. Returns whether an attitude is left to be renormalized. It is a function of its own
+/// because its references tell the compiler that the rows do not overlap.
 #[inline(always)]
 fn update_usual(
     start: &AxesRows,

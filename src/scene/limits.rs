@@ -1,4 +1,5 @@
-//! The limits of the numbers of a key. The checks of the library state them, so they are asked with a number beyond every limit.
+//! The limits of the numbers of a key. The checks of the library state them in their errors: a check is called with a number beyond
+//! every limit, and its error is read.
 
 use super::Scene;
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft};
@@ -8,7 +9,7 @@ use super::value::{Value, put};
 use crate::error::{Error, Rule};
 use crate::flight::{MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields};
 
-/// Least and greatest number of a key, in its unit; both are allowed themselves.
+/// Least and greatest allowed number of a key, in its unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// The least.
@@ -91,7 +92,7 @@ fn of_section(key: &Key) -> Option<Limits> {
     stated(key, draft.validate(key.section).and_then(|()| whole(draft)))
 }
 
-/// Two speeds: a limit that differs depends on the flight.
+/// Speeds at the start of a manoeuvre. A limit that is not the same at both depends on the flight, and is not stated.
 const SPEEDS_M_S: [f64; 2] = [100.0, 200.0];
 
 fn of_flight(key: &Key, manoeuvre: &Manoeuvre) -> Option<Limits> {

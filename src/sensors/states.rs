@@ -136,7 +136,7 @@ impl Visitor for From<'_> {
 }
 
 impl StateRows {
-    /// The run at `lane` as in `other`, which [`Self::states`] had.
+    /// Sets the run at `lane` back to `other`, the `before` of [`Self::states`].
     pub fn go_back(&mut self, lane: usize, other: &Self) {
         for (row, before) in self.numbers.iter_mut().zip(&other.numbers) {
             row[lane] = before[lane];
@@ -151,7 +151,7 @@ impl StateRows {
         (size_of_val(&*self.constants) + size_of_val(&*self.numbers) + size_of_val(&*self.streams)) / RUNS
     }
 
-    /// To be taken by one effect after the other. `before`, which has as many rows, gets what they were.
+    /// The rows, which the effects take one after the other. `before` has as many rows, and gets a copy of each row that is taken.
     #[inline(always)]
     pub(super) fn states<'a>(&'a mut self, before: &'a mut Self) -> States<'a> {
         States {
@@ -162,7 +162,7 @@ impl StateRows {
     }
 }
 
-/// What the effects to come keep, and room for what it was before.
+/// The rows that are not taken yet, and room for their copies.
 pub(super) struct States<'a> {
     constants: &'a [Row],
     numbers: (&'a mut [Row], &'a mut [Row]),
@@ -193,7 +193,7 @@ impl<'a> States<'a> {
     }
 }
 
-/// The next of the first rows; the second ones get what these are.
+/// The next rows of the first slice. The second slice gets a copy of them.
 #[inline(always)]
 fn next<'a, T: Copy, const N: usize>((now, before): &mut (&'a mut [T], &'a mut [T])) -> &'a mut [T; N] {
     let (Some((first, rest)), Some((kept, others))) =

@@ -128,7 +128,7 @@ static HWND open_box(HWND window, UINT command_id, int control)
 static void wait_for_no_box(HWND window)
 {
     int k;
-    for (k = 0; k < 300 && IsWindow(window); k++) { /* one that is hidden may have to take its values over still */
+    for (k = 0; k < 300 && IsWindow(window); k++) { /* the program takes the values of a hidden dialog before it destroys it */
         Sleep(100);
     }
     if (k == 300) {

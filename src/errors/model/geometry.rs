@@ -21,7 +21,7 @@ pub(super) struct LocalGeometry {
     pub n: f64,
 }
 
-/// A call, so that the usual case has no selection of components.
+/// East at a pole. It is a call, so that the usual case does not select between two vectors component by component.
 #[cold]
 #[inline(never)]
 fn east_at_pole() -> Vector3<f64> {

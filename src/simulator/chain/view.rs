@@ -32,7 +32,8 @@ impl Chain {
         }
     }
 
-    /// Makes the view of the truth where it is kept: [`Self::true_view`] makes it elsewhere and moves it, 60 instructions.
+    /// Makes the view of the truth where it is kept: [`Self::true_view`] makes it elsewhere and moves it, which takes
+    /// 60 instructions more.
     #[inline(never)]
     pub fn make_true_view(&mut self, point: &TruthPoint) {
         match point.given(self.options.axes) {

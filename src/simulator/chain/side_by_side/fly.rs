@@ -15,7 +15,7 @@ use crate::simulator::aid::aid_vertical;
 impl Block {
     /// Flies an interval.
     pub fn fly(&mut self, set: InstructionSet, interval: &Interval<'_>, workspace: &mut Workspace) {
-        // What was before goes into the workspace: a run that does not stay good goes back to it.
+        // The state before the interval goes into the workspace. A run that diverges is set back to it.
         core::mem::swap(&mut self.navigators, &mut workspace.navigators);
         core::mem::swap(&mut self.models, &mut workspace.models);
         (workspace.sums, workspace.reports) = (self.measured, self.reports);
