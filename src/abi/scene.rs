@@ -77,10 +77,11 @@ impl From<Vec<Fault>> for Rejected {
     }
 }
 
-/// Changes the scene of a handle by `body`, which reads the scene's text with `size` bytes more. The faults of a rejected change are
-/// kept.
+/// Changes the scene of a handle by `body`, which reads `size` bytes of the host's `argument` beside the scene's text. Keeps the
+/// faults of a rejected change.
 pub(super) fn change_scene(
     scene: *mut sins_scene,
+    argument: &'static str,
     size: usize,
     body: impl FnOnce(&mut Scene) -> Result<(), Rejected>,
 ) -> sins_status {
@@ -96,7 +97,7 @@ pub(super) fn change_scene(
                 *faults = found;
                 let rule =
                     Rule::Sentence("the scene was not changed; sins_scene_get_fault() gives the reasons");
-                Err(Error { value: None, ..Error::invalid("values", 0.0, rule) }.into())
+                Err(Error { value: None, ..Error::invalid(argument, 0.0, rule) }.into())
             }
         }
     })

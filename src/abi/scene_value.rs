@@ -69,7 +69,7 @@ pub unsafe extern "C" fn sins_scene_set_values(scene: *mut sins_scene, values: *
     // SAFETY: the host's promise.
     let values = unsafe { utf8(values, "values") };
     let size = values.map_or(0, str::len);
-    change_scene(scene, size, |scene| {
+    change_scene(scene, "values", size, |scene| {
         let mut settings = Vec::new();
         let mut lines = Vec::new();
         for (line, number) in values?.lines().zip(1..) {
@@ -112,5 +112,5 @@ pub unsafe extern "C" fn sins_scene_set_items(
     // SAFETY: the host's promise.
     let (list, items) = unsafe { (utf8(list, "list"), utf8(items, "items")) };
     let size = items.map_or(0, str::len);
-    change_scene(scene, size, |scene| Ok(scene.set_items(list?, items?)?))
+    change_scene(scene, "items", size, |scene| Ok(scene.set_items(list?, items?)?))
 }

@@ -350,6 +350,11 @@ fn a_host_is_told_the_line_the_path_and_the_limits_of_a_fault() {
             CString::new("[[failure]]\nsensor = \"gyro\"\naxis = \"x\"\nkind = \"dead\"\n").unwrap();
         assert_eq!(sins_scene_set_items(scene, c"failure".as_ptr(), failure.as_ptr()), SINS_OK);
         assert_eq!(read(c"failure[0].kind", &mut buffer, &mut needed), SINS_OK);
+        let twice = CString::new([failure.to_bytes(), failure.to_bytes()].concat()).unwrap();
+        let status = sins_scene_set_items(scene, c"failure".as_ptr(), twice.as_ptr());
+        let mut info = init::<sins_error_info>();
+        assert_eq!(sins_last_error_info(null_mut(), &mut info), SINS_OK);
+        assert_eq!((status, text(&info.field)), (SINS_ERROR_INVALID_ARGUMENT, "items".into()));
         assert_eq!(
             sins_scene_set_values(scene, c"gyro.bias_deg_h = \xff".as_ptr()),
             SINS_ERROR_INVALID_ARGUMENT
