@@ -10,7 +10,7 @@ use super::handle::{hand_out, with_object};
 use super::memory::Output;
 use super::simulator::sins_sim;
 use super::tables::{FLIGHTS, SCENES, SIMULATORS, SceneText};
-use super::text::{bytes_of, put_text, text_of};
+use super::text::{bad_text, bytes_of, put_text, text_of};
 use crate::error::{Error, Rule, check_integer};
 use crate::memory::probe;
 use crate::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, builtin, keys_text};
@@ -95,9 +95,8 @@ pub(super) fn change_scene(
             Err(Rejected::Call(failure)) => Err(failure),
             Err(Rejected::Faults(found)) => {
                 *faults = found;
-                let rule =
-                    Rule::Sentence("the scene was not changed; sins_scene_get_fault() gives the reasons");
-                Err(Error { value: None, ..Error::invalid(argument, 0.0, rule) }.into())
+                Err(bad_text(argument, "the scene was not changed; sins_scene_get_fault() gives the reasons")
+                    .into())
             }
         }
     })

@@ -4,7 +4,7 @@ use core::ffi::c_char;
 
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::scene::{sins_scene, with_scene};
-use super::text::{put_text, text_of};
+use super::text::{bad_text, put_text, utf8_of};
 use crate::error::{Error, Rule, check_integer};
 use crate::scene::{self, FlightSource, Scene};
 
@@ -78,9 +78,8 @@ pub unsafe extern "C" fn sins_scene_set_text(
 ) -> sins_status {
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
-        let bytes = unsafe { text_of(text, "text")? };
-        let refused = |words| Error { value: None, ..Error::invalid("text", 0.0, Rule::Sentence(words)) };
-        let Ok(text) = core::str::from_utf8(bytes) else { return Err(refused("must be UTF-8").into()) };
+        let text = unsafe { utf8_of(text, "text")? };
+        let refused = |rule| bad_text("text", rule);
         check_integer("bytes of text", text.len(), 0, 4096)?;
         if text.chars().any(char::is_control) {
             return Err(refused("must not have control characters").into());

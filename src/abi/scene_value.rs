@@ -4,22 +4,17 @@ use core::ffi::c_char;
 
 use super::failure::{Failure, sins_status};
 use super::scene::{change_scene, sins_scene, with_scene};
-use super::text::{put_text, text_of};
-use crate::error::{Error, Rule};
+use super::text::{bad_text, put_text, utf8_of};
 use crate::scene::{Fault, MAX_TEXT};
 
 /// A terminated text of the host in UTF-8, not longer than a scene's text.
 ///
 /// # Safety
 /// `text` is null or points to a terminated string, which nobody writes while the text lives.
-unsafe fn utf8<'a>(text: *const c_char, name: &'static str) -> Result<&'a str, Failure> {
+unsafe fn short_text<'a>(text: *const c_char, name: &'static str) -> Result<&'a str, Failure> {
     // SAFETY: as this function.
-    let bytes = unsafe { text_of(text, name)? };
-    let refused = |words| Error { value: None, ..Error::invalid(name, 0.0, Rule::Sentence(words)) };
-    if bytes.len() > MAX_TEXT {
-        return Err(refused("must have at most 1 MiB").into());
-    }
-    core::str::from_utf8(bytes).map_err(|_| refused("must be UTF-8").into())
+    let text = unsafe { utf8_of(text, name)? };
+    if text.len() > MAX_TEXT { Err(bad_text(name, "must have at most 1 MiB").into()) } else { Ok(text) }
 }
 
 /// Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
@@ -42,10 +37,9 @@ pub unsafe extern "C" fn sins_scene_get_value(
 ) -> sins_status {
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
-        let path = unsafe { utf8(path, "path")? };
+        let path = unsafe { short_text(path, "path")? };
         let Some(value) = scene.value(path) else {
-            let rule = Rule::Sentence("must name a value or an item of the scene");
-            return Err(Error { value: None, ..Error::invalid("path", 0.0, rule) }.into());
+            return Err(bad_text("path", "must name a value or an item of the scene").into());
         };
         // SAFETY: the host's promise.
         unsafe { put_text(value.as_bytes(), buffer, capacity, needed) }
@@ -67,7 +61,7 @@ pub unsafe extern "C" fn sins_scene_get_value(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_set_values(scene: *mut sins_scene, values: *const c_char) -> sins_status {
     // SAFETY: the host's promise.
-    let values = unsafe { utf8(values, "values") };
+    let values = unsafe { short_text(values, "values") };
     let size = values.map_or(0, str::len);
     change_scene(scene, "values", size, |scene| {
         let mut settings = Vec::new();
@@ -110,7 +104,7 @@ pub unsafe extern "C" fn sins_scene_set_items(
     items: *const c_char,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    let (list, items) = unsafe { (utf8(list, "list"), utf8(items, "items")) };
+    let (list, items) = unsafe { (short_text(list, "list"), short_text(items, "items")) };
     let size = items.map_or(0, str::len);
     change_scene(scene, "items", size, |scene| Ok(scene.set_items(list?, items?)?))
 }

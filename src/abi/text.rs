@@ -5,6 +5,8 @@ use core::ffi::CStr;
 use core::ffi::c_char;
 
 use super::failure::{Failure, SINS_OK, sins_status};
+#[cfg(feature = "scenes")]
+use crate::error::{Error, Rule};
 
 /// Copies bytes to a place of the host.
 ///
@@ -57,6 +59,23 @@ pub(super) unsafe fn text_of<'a>(text: *const c_char, name: &'static str) -> Res
     }
     // SAFETY: not null, and terminated.
     Ok(unsafe { CStr::from_ptr(text) }.to_bytes())
+}
+
+/// A terminated text of the host in UTF-8.
+///
+/// # Safety
+/// As [`text_of`].
+#[cfg(feature = "scenes")]
+pub(super) unsafe fn utf8_of<'a>(text: *const c_char, name: &'static str) -> Result<&'a str, Failure> {
+    // SAFETY: as this function.
+    let bytes = unsafe { text_of(text, name)? };
+    core::str::from_utf8(bytes).map_err(|_| bad_text(name, "must be UTF-8").into())
+}
+
+/// The error of a text; it does not repeat the text.
+#[cfg(feature = "scenes")]
+pub(super) fn bad_text(name: &'static str, rule: &'static str) -> Error {
+    Error { value: None, ..Error::invalid(name, 0.0, Rule::Sentence(rule)) }
 }
 
 /// Text as a fixed array of a struct: terminated, and cut between two characters if it is longer.
