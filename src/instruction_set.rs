@@ -1,9 +1,10 @@
-//! The instruction sets of a processor, chosen when an ensemble is made.
+//! The instruction sets of a processor, chosen when a simulator or an ensemble is made.
 //!
-//! A loop over many runs is compiled once for each set: [`InstructionSet::run`] calls the work in a function that may use its
-//! instructions, and all that is inlined into that function may, too. No set fuses or reorders operations: the bits are the same.
+//! A loop over many runs, and the long formulas of a read, are compiled once for each set: [`InstructionSet::run`] calls the work in a
+//! function that may use its instructions, and all that is inlined into that function may, too. No set fuses or reorders operations:
+//! the bits are the same.
 
-/// Vector instructions that a loop may use, of those that this processor has.
+/// Vector instructions that some work may use, of those that this processor has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct InstructionSet(Kind);
 
@@ -19,9 +20,14 @@ enum Kind {
     Avx512,
 }
 
-/// Work that is compiled for each set. `run` and what it calls in its loops have to be inlined.
+/// Work that is compiled for each set. `run` and what it calls have to be inlined.
 pub(crate) trait Work {
-    fn run(self);
+    type Made;
+
+    /// Whether it gains from eight numbers at a time.
+    const IN_EIGHTS: bool;
+
+    fn run(self) -> Self::Made;
 }
 
 impl InstructionSet {
@@ -41,46 +47,36 @@ impl InstructionSet {
         Self(Kind::Baseline)
     }
 
-    /// The widest of this processor, up to this, for work that looks numbers up in tables. With AVX-512 the compiler gathers them,
-    /// which takes 4.7 ns for a normal number of a run where single loads take 2.8 (Cascade Lake).
-    pub fn for_tables(self) -> Self {
-        match self.0 {
-            #[cfg(target_arch = "x86_64")]
-            Kind::Avx512 => Self(Kind::Avx2),
-            kind => Self(kind),
-        }
-    }
-
     /// Does the work with the instructions of this set.
     #[inline]
-    pub fn run(self, work: impl Work) {
+    pub fn run<W: Work>(self, work: W) -> W::Made {
         match self.0 {
             Kind::Baseline => baseline(work),
             // SAFETY: made by `up_to` alone, where the processor has these instructions.
             #[cfg(target_arch = "x86_64")]
-            Kind::Avx2 => unsafe { avx2(work) },
-            // SAFETY: as above.
+            Kind::Avx512 if W::IN_EIGHTS => unsafe { avx512(work) },
+            // SAFETY: as above; whatever has AVX-512 has AVX2.
             #[cfg(target_arch = "x86_64")]
-            Kind::Avx512 => unsafe { avx512(work) },
+            Kind::Avx2 | Kind::Avx512 => unsafe { avx2(work) },
         }
     }
 }
 
 #[inline(never)]
-fn baseline(work: impl Work) {
-    work.run();
+fn baseline<W: Work>(work: W) -> W::Made {
+    work.run()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 #[target_feature(enable = "avx2")]
-fn avx2(work: impl Work) {
-    work.run();
+fn avx2<W: Work>(work: W) -> W::Made {
+    work.run()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
-fn avx512(work: impl Work) {
-    work.run();
+fn avx512<W: Work>(work: W) -> W::Made {
+    work.run()
 }

@@ -3,8 +3,8 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use crate::earth::{Earth, Geodetic, navigation_axes};
-use crate::math::{Euler, euler_from_attitude, rotate, rotate_inverse, wrap_angle};
+use crate::earth::{Earth, Geodetic, navigation_axes, navigation_axes_from_half_angles};
+use crate::math::{Euler, euler_from_attitude, rotate, rotate_inverse, sin_cos_each_inlined, wrap_angle};
 use crate::snapshot::codes;
 
 /// Distance from the Earth's axis [m] below which longitude, heading, east and north turn fast: at a pole they are undefined.
@@ -90,10 +90,16 @@ impl StateErrors {
 
 impl EarthFixedState {
     /// The geographic view.
-    #[inline(always)]
     pub fn navigation(&self, earth: &Earth, axes: BodyAxes) -> Navigation {
+        self.navigation_inlined(earth, axes)
+    }
+
+    /// The same without a call.
+    #[inline(always)]
+    pub(crate) fn navigation_inlined(&self, earth: &Earth, axes: BodyAxes) -> Navigation {
         let place = earth.to_geodetic(&self.r_e);
-        let q_en = navigation_axes(place.latitude_rad, place.longitude_rad);
+        let (sines, cosines) = sin_cos_each_inlined(&[0.5 * place.latitude_rad, 0.5 * place.longitude_rad]);
+        let q_en = navigation_axes_from_half_angles(&sines, &cosines);
         Navigation::new(place, rotate_inverse(&q_en, &self.v_e), q_en.conjugate() * self.q_eb, axes)
     }
 }

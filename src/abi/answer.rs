@@ -1,14 +1,23 @@
 //! Answers of the reads: a struct, or that there is none yet.
 
-use super::failure::{SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Output, Struct};
+use crate::simulator::{Simulator, View};
 
 /// Writes `value`, or answers that there is none yet.
 pub(super) fn write_or_need<T: Struct>(output: &Output<T>, value: Option<T>) -> sins_status {
-    written_or_need(value.map(|value| output.write(&value)))
+    value.map_or(SINS_NEED_SAMPLE, |value| {
+        output.write(&value);
+        SINS_OK
+    })
 }
 
-/// The answer of a read: whether there was something to write.
-pub(super) fn written_or_need(written: Option<()>) -> sins_status {
-    if written.is_some() { SINS_OK } else { SINS_NEED_SAMPLE }
+/// Fills the struct with what `V` reads of this moment, or answers that there is no moment yet.
+#[inline(always)]
+pub(super) fn fill_or_need<V: View<Struct: Struct>>(
+    simulator: &mut Simulator,
+    output: &Output<V::Struct>,
+) -> Result<sins_status, Failure> {
+    let is_filled = output.fill(|place| simulator.fill::<V>(place))?;
+    Ok(if is_filled { SINS_OK } else { SINS_NEED_SAMPLE })
 }

@@ -1,12 +1,12 @@
 //! `sins_errors`: the errors of the navigated solution.
 
-use super::answer::written_or_need;
+use super::answer::fill_or_need;
 use super::choice::{Choice, choices, flag};
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
 use crate::errors::NavigationErrors;
-use crate::simulator::{ErrorSource, Looked, Moment};
+use crate::simulator::{ErrorSource, Moment, View};
 
 /// The two sources of errors.
 pub type sins_errors_source = i32;
@@ -131,6 +131,32 @@ impl sins_errors {
     }
 }
 
+struct NavigationErrorsView;
+
+impl View for NavigationErrorsView {
+    type Struct = sins_errors;
+    const OF_TRUTH: bool = true;
+    const OF_NAVIGATION: bool = true;
+
+    #[inline(always)]
+    fn fill(errors: &mut sins_errors, moment: Moment<'_>) {
+        *errors = sins_errors::at(moment.time_s(), sins_record_errors::of_navigation(moment));
+    }
+}
+
+struct ModelErrorsView;
+
+impl View for ModelErrorsView {
+    type Struct = sins_errors;
+    const OF_TRUTH: bool = true;
+    const OF_NAVIGATION: bool = false;
+
+    #[inline(always)]
+    fn fill(errors: &mut sins_errors, moment: Moment<'_>) {
+        *errors = sins_errors::at(moment.time_s(), sins_record_errors::of_model(moment));
+    }
+}
+
 /// Reads the errors of the navigated solution; source is of enum sins_errors_source.
 ///
 /// SINS_NEED_SAMPLE: no sample yet.
@@ -149,22 +175,9 @@ pub unsafe extern "C" fn sins_get_errors(
         let output = unsafe { Output::new(errors, "errors")? };
         let source = ErrorSource::of("source", source)?;
         simulator.refuse_without(source)?;
-        let written = match source {
-            ErrorSource::Navigation => {
-                simulator.make_and_see(Looked { truth: true, navigation: true }, |moment| {
-                    output.fill(|place| {
-                        *place = sins_errors::at(moment.time_s(), sins_record_errors::of_navigation(moment))
-                    })
-                })?
-            }
-            ErrorSource::Model => {
-                simulator.make_and_see(Looked { truth: true, navigation: false }, |moment| {
-                    output.fill(|place| {
-                        *place = sins_errors::at(moment.time_s(), sins_record_errors::of_model(moment))
-                    })
-                })?
-            }
-        };
-        Ok(written_or_need(written))
+        match source {
+            ErrorSource::Navigation => fill_or_need::<NavigationErrorsView>(simulator, &output),
+            ErrorSource::Model => fill_or_need::<ModelErrorsView>(simulator, &output),
+        }
     })
 }

@@ -135,28 +135,28 @@ impl<T: Struct> Output<T> {
         }
     }
 
-    /// As [`Self::write`], but `fill` sets the fields: directly in the host's struct, if that has room. It need not set `struct_size`.
+    /// As [`Self::write`], but `fill` sets the fields, or none if it gives false: directly in the host's struct, if that has room. It
+    /// need not set `struct_size`.
     #[inline(always)]
-    pub fn fill(&self, fill: impl Fn(&mut T)) {
-        if self.size < size_of::<T>() || !self.pointer.is_aligned() {
-            return self.fill_and_write(&fill);
+    pub fn fill<E>(&self, fill: impl FnOnce(&mut T) -> Result<bool, E>) -> Result<bool, E> {
+        let mut own: MaybeUninit<T>;
+        let has_room = self.size >= size_of::<T>() && self.pointer.is_aligned();
+        let place = if has_room {
+            self.pointer
+        } else {
+            own = MaybeUninit::zeroed();
+            own.as_mut_ptr()
+        };
+        // SAFETY: `new` was promised that many writable bytes, or they are the library's own; any bytes are a `T`.
+        let place = unsafe { &mut *place };
+        let is_filled = fill(place)?;
+        if has_room {
+            // SAFETY: the head of the struct.
+            unsafe { self.pointer.cast::<u32>().write(self.size as u32) };
+        } else if is_filled {
+            self.write(place);
         }
-        // SAFETY: `new` was promised that many writable bytes, of which any are a `T`.
-        unsafe {
-            fill(&mut *self.pointer);
-            self.pointer.cast::<u32>().write(self.size as u32);
-        }
-    }
-
-    /// By reference: then `fill` has one direct caller, and the compiler inlines it there.
-    #[cold]
-    #[inline(never)]
-    fn fill_and_write(&self, fill: &dyn Fn(&mut T)) {
-        let mut value = MaybeUninit::<T>::zeroed();
-        // SAFETY: any bytes are a `T`.
-        let value = unsafe { value.assume_init_mut() };
-        fill(value);
-        self.write(value);
+        Ok(is_filled)
     }
 }
 
@@ -206,17 +206,17 @@ impl<T: Struct> Array<T> {
 
     /// Element `index`, whose own struct_size is that of the first from then on.
     pub fn write(&self, index: usize, value: &T) -> Result<(), Failure> {
-        self.fill(index, |place| *place = *value)
+        self.output(index)?.write(value);
+        Ok(())
     }
 
-    /// Element `index`, filled by `fill`; its own struct_size is that of the first from then on.
+    /// The place of element `index`, whose own struct_size is that of the first from then on.
     #[inline(always)]
-    pub fn fill(&self, index: usize, fill: impl Fn(&mut T)) -> Result<(), Failure> {
+    pub fn output(&self, index: usize) -> Result<Output<T>, Failure> {
         let pointer = self.element(index)?;
-        Output { pointer, size: self.stride }.fill(fill);
         // SAFETY: the head of an element, which `new` was promised to be writable.
         unsafe { pointer.cast::<u32>().write_unaligned(self.stride as u32) };
-        Ok(())
+        Ok(Output { pointer, size: self.stride })
     }
 }
 

@@ -1,12 +1,12 @@
 //! `sins_record`: one line of the output of `sins_run`.
 
-use super::answer::written_or_need;
+use super::answer::fill_or_need;
 use super::errors::sins_record_errors;
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_record_solution;
-use crate::simulator::{Looked, Moment};
+use crate::simulator::{Moment, View};
 
 /// Truth, navigation and both errors at one instant.
 #[repr(C)]
@@ -31,16 +31,21 @@ pub struct sins_record {
 
 interface_struct!(sins_record, "record", 496);
 
-impl sins_record {
-    /// Is the record of `moment`, but for its struct_size.
+pub(super) struct RecordView;
+
+impl View for RecordView {
+    type Struct = sins_record;
+    const OF_TRUTH: bool = true;
+    const OF_NAVIGATION: bool = true;
+
     #[inline(always)]
-    pub(super) fn be_of(&mut self, moment: Moment<'_>) {
-        self.reserved = 0;
-        self.time_s = moment.time_s();
-        self.truth = sins_record_solution::of(&moment.truth());
-        self.navigation = sins_record_solution::of(&moment.navigation());
-        self.navigation_errors = sins_record_errors::of_navigation(moment);
-        self.model_errors = sins_record_errors::of_model(moment);
+    fn fill(record: &mut sins_record, moment: Moment<'_>) {
+        record.reserved = 0;
+        record.time_s = moment.time_s();
+        record.truth = sins_record_solution::of(&moment.truth());
+        record.navigation = sins_record_solution::of(&moment.navigation());
+        record.navigation_errors = sins_record_errors::of_navigation(moment);
+        record.model_errors = sins_record_errors::of_model(moment);
     }
 }
 
@@ -54,8 +59,6 @@ pub unsafe extern "C" fn sins_get_record(sim: *mut sins_sim, record: *mut sins_r
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(record, "record")? };
-        let looked = Looked { truth: true, navigation: true };
-        let written = simulator.make_and_see(looked, |moment| output.fill(|record| record.be_of(moment)))?;
-        Ok(written_or_need(written))
+        fill_or_need::<RecordView>(simulator, &output)
     })
 }

@@ -1,11 +1,12 @@
 //! `sins_run`: a whole array of samples in one call.
 
+use super::answer::fill_or_need;
 use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Array, put};
-use super::record::sins_record;
+use super::record::{RecordView, sins_record};
 use super::sample::sins_flight_sample;
 use super::simulator::{push, sins_sim, step, with_simulator};
-use crate::simulator::{Looked, Simulator};
+use crate::simulator::Simulator;
 
 /// Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the flight's
 /// start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and
@@ -109,11 +110,7 @@ fn write_record(
     records: &Array<sins_record>,
     done: &mut usize,
 ) -> Result<(), Failure> {
-    let looked = Looked { truth: true, navigation: true };
-    let written =
-        simulator.make_and_see(looked, |moment| records.fill(*done, |record| record.be_of(moment)))?;
-    if let Some(written) = written {
-        written?;
+    if fill_or_need::<RecordView>(simulator, &records.output(*done)?)? == SINS_OK {
         *done += 1;
     }
     Ok(())

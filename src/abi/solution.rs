@@ -1,11 +1,11 @@
 //! `sins_navigation`: the truth or the navigated solution.
 
-use super::answer::{write_or_need, written_or_need};
+use super::answer::{fill_or_need, write_or_need};
 use super::choice::flag;
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use crate::simulator::{Looked, Solution};
+use crate::simulator::{Moment, Solution, View};
 
 /// Flags of a sins_navigation.
 pub type sins_navigation_flags = i32;
@@ -103,6 +103,19 @@ impl sins_navigation {
     }
 }
 
+struct NavigationView;
+
+impl View for NavigationView {
+    type Struct = sins_navigation;
+    const OF_TRUTH: bool = false;
+    const OF_NAVIGATION: bool = true;
+
+    #[inline(always)]
+    fn fill(navigation: &mut sins_navigation, moment: Moment<'_>) {
+        *navigation = sins_navigation::of(&moment.navigation());
+    }
+}
+
 /// Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples have no
 /// velocity, the velocity at the first one is 0 until the second one is pushed.
 ///
@@ -134,9 +147,6 @@ pub unsafe extern "C" fn sins_get_navigation(
         if let Some(alone) = simulator.navigated_alone() {
             return Ok(write_or_need(&output, Some(sins_navigation::of(&alone))));
         }
-        let written = simulator.make_and_see(Looked { truth: false, navigation: true }, |moment| {
-            output.fill(|place| *place = sins_navigation::of(&moment.navigation()));
-        })?;
-        Ok(written_or_need(written))
+        fill_or_need::<NavigationView>(simulator, &output)
     })
 }

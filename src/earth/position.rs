@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{Earth, Geodetic};
-use crate::math::{Two, sin_cos_each, two_product, two_sum};
+use crate::math::{Two, sin_cos_each_inlined, two_product, two_sum};
 
 /// Cosine and sine of the latitude and of the longitude of a place.
 #[derive(Debug, Clone, Copy)]
@@ -20,7 +20,7 @@ impl Direction {
 
     #[inline(always)]
     pub fn of(place: &Geodetic) -> Self {
-        let ([sl, so], [cl, co]) = sin_cos_each(&[place.latitude_rad, place.longitude_rad]);
+        let ([sl, so], [cl, co]) = sin_cos_each_inlined(&[place.latitude_rad, place.longitude_rad]);
         Self::new(Two::new(sl, so), Two::new(cl, co))
     }
 
@@ -71,7 +71,7 @@ impl Earth {
     #[inline(always)]
     pub fn displacement(&self, to: &Geodetic, at: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
         let ([sl0, sl1, so0, so1], [cl0, cl1, co0, co1]) =
-            sin_cos_each(&[to.latitude_rad, at.latitude_rad, to.longitude_rad, at.longitude_rad]);
+            sin_cos_each_inlined(&[to.latitude_rad, at.latitude_rad, to.longitude_rad, at.longitude_rad]);
         let (sin_latitude, cos_latitude) = (Two::new(sl0, sl1), Two::new(cl0, cl1));
         let (sin_longitude, cos_longitude) = (Two::new(so0, so1), Two::new(co0, co1));
         let (a, excess) = (Two::both(self.equatorial_radius_m), self.excess(sin_latitude));

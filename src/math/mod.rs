@@ -28,7 +28,7 @@ pub use rotation::{
     rotate, rotate_inverse, rotated_z, rotation_increment, rotation_increment_by, rotation_matrix,
     rotation_quaternion, rotation_vector,
 };
-pub use sine::{nearest_integer, sin_cos_each};
+pub use sine::{nearest_integer, sin_cos_each, sin_cos_each_inlined};
 pub use stencil::end_derivative_weights;
 pub use transcendental::{asin, atan, atan2, exp, exp_m1, hypot, ln, sin_cos, tan, tanh, wrap_angle};
 pub use two::Two;

@@ -41,6 +41,12 @@ const COSINE: [f64; 6] = [
 /// time: five take as long as one and a half by themselves.
 #[inline(never)]
 pub fn sin_cos_each<const N: usize>(angles: &[f64; N]) -> ([f64; N], [f64; N]) {
+    sin_cos_each_inlined(angles)
+}
+
+/// The same without a call: for work that is compiled for each instruction set.
+#[inline(always)]
+pub fn sin_cos_each_inlined<const N: usize>(angles: &[f64; N]) -> ([f64; N], [f64; N]) {
     let mut sizes = [0.0; 2];
     for i in 0..N {
         sizes[i % 2] += angles[i].abs();

@@ -29,16 +29,16 @@ pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
 pub(crate) use heap::heap_simulator;
 pub use imu::{ImuFlags, ImuInterval};
-pub(crate) use moment::Moment;
+pub(crate) use moment::{Moment, View};
 pub use options::{MAX_UPDATES, Options};
 pub use parameters::ErrorParameters;
-pub(crate) use read::Looked;
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;
 
 use crate::covariance::Propagation;
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
+use crate::instruction_set::InstructionSet;
 use crate::signal::Increment;
 use crate::state::Navigation;
 use crate::truth::{FlightSample, Intake, Pushed, TruthSummary};
@@ -85,6 +85,8 @@ enum Mode {
 pub struct Simulator {
     options: Options,
     earth: Earth,
+    /// Of the reads.
+    instructions: InstructionSet,
     intake: Intake,
     imperfections: Imperfections,
     /// Of a flight to come: a chain that flies has them.
@@ -114,6 +116,7 @@ impl Simulator {
         Self {
             options: *options,
             earth: options.earth(),
+            instructions: InstructionSet::up_to(4),
             intake,
             imperfections: Imperfections::new(options),
             signals,

@@ -67,3 +67,15 @@ impl Moment<'_> {
         errors.map(|errors| (self.time_s(), errors, self.near_pole()))
     }
 }
+
+/// What the host reads of a moment, in a struct of its own.
+pub(crate) trait View {
+    type Struct;
+
+    /// Whether it looks at the truth, and at the navigated solution.
+    const OF_TRUTH: bool;
+    const OF_NAVIGATION: bool;
+
+    /// Sets all that the struct has. It has to be inlined: it is compiled for each instruction set.
+    fn fill(place: &mut Self::Struct, moment: Moment<'_>);
+}

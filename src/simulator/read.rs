@@ -1,19 +1,12 @@
 //! What is read of a simulator: the truth, the navigation, its signals and errors.
 
 use super::chain::Chain;
-use super::{ClosureFigures, ErrorSource, ImuInterval, Mode, Moment, Simulator, Solution, TrimFigures};
+use super::{ClosureFigures, ErrorSource, ImuInterval, Mode, Moment, Simulator, Solution, TrimFigures, View};
 use crate::covariance::NavigationCovariance;
 use crate::error::Error;
 use crate::errors::{AccuracyFigures, NavigationErrors};
 use crate::signal::Increment;
 use crate::truth::{TruthPoint, TruthSummary};
-
-/// Views that a read looks at.
-#[derive(Clone, Copy)]
-pub(crate) struct Looked {
-    pub truth: bool,
-    pub navigation: bool,
-}
 
 impl Simulator {
     /// The truth; `None` before the first sample.
@@ -96,29 +89,31 @@ impl Simulator {
 
     /// What `view` makes of this moment; `None` before the first sample.
     #[inline(always)]
-    pub(crate) fn see<T>(&self, view: impl FnOnce(Moment<'_>) -> T) -> Result<Option<T>, Error> {
+    fn see<T>(&self, view: impl FnOnce(Moment<'_>) -> T) -> Result<Option<T>, Error> {
         self.refuse_while_navigating()?;
         self.read(|chain, point| view(Moment { chain, point }))
     }
 
-    /// As [`Self::see`]; the views that `view` looks at are made where they are kept.
+    /// Fills a struct of the host with what `V` reads of this moment; false before the first sample.
     #[inline(always)]
-    pub(crate) fn make_and_see<T>(
-        &mut self,
-        Looked { truth, navigation }: Looked,
-        view: impl FnOnce(Moment<'_>) -> T,
-    ) -> Result<Option<T>, Error> {
-        self.refuse_while_navigating()?;
+    pub(crate) fn fill<V: View>(&mut self, place: &mut V::Struct) -> Result<bool, Error> {
         let (Mode::Flying(chain), Some(point)) = (&mut self.mode, self.intake.current()) else {
-            return self.read(|chain, point| view(Moment { chain, point }));
+            return self.fill_at_start::<V>(place);
         };
-        if truth && chain.views.truth.get().is_none() {
-            chain.make_true_view(point);
+        chain.fill::<V>(self.instructions, point, place);
+        Ok(true)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn fill_at_start<V: View>(&self, place: &mut V::Struct) -> Result<bool, Error> {
+        self.refuse_while_navigating()?;
+        let Some(first) = self.intake.front() else { return Ok(false) };
+        match &mut self.chain_from_first_sample() {
+            Ok(chain) => chain.fill::<V>(self.instructions, first, place),
+            Err(error) => return Err(*error),
         }
-        if navigation && chain.views.navigation.get().is_none() {
-            chain.make_navigated_view();
-        }
-        Ok(Some(view(Moment { chain, point })))
+        Ok(true)
     }
 
     /// Time [s], covariance of the navigation errors and whether the truth is near a pole; `None` before the first sample. It
@@ -181,6 +176,86 @@ impl Simulator {
         match &self.chain_from_first_sample() {
             Ok(chain) => Ok(view(chain, first)),
             Err(error) => Err(*error),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{FRAC_PI_2, PI};
+
+    use nalgebra::Vector3;
+
+    use super::*;
+    use crate::earth::Geodetic;
+    use crate::instruction_set::InstructionSet;
+    use crate::math::{Euler, mix};
+    use crate::sensors::InitialErrorParameters;
+    use crate::simulator::{Options, Step};
+    use crate::state::BodyAxes;
+    use crate::truth::FlightSample;
+
+    struct Everything;
+
+    impl View for Everything {
+        type Struct = String;
+        const OF_TRUTH: bool = true;
+        const OF_NAVIGATION: bool = true;
+
+        #[inline(always)]
+        fn fill(text: &mut String, moment: Moment<'_>) {
+            let errors = (moment.navigation_errors(), moment.model_errors());
+            *text = format!("{:?}", (moment.truth(), moment.navigation(), errors));
+        }
+    }
+
+    /// Any places and attitudes, poles, the zenith and the date line among them; errors up to halves of a turn.
+    #[test]
+    fn every_instruction_set_reads_the_same_bits() {
+        let mut draws = 0;
+        let mut draw = |size: f64| {
+            draws += 1;
+            size * (mix(draws) as f64 / 2f64.powi(63) - 1.0)
+        };
+        for k in 0..2000_u64 {
+            let axes = if k % 3 == 0 { BodyAxes::ForwardRightDown } else { BodyAxes::RightForwardUp };
+            let options = Options { error_model: true, axes, ..Options::default() };
+            let mut simulator = Simulator::new(&options).unwrap();
+            let error = 10f64.powi(-(k as i32 % 12));
+            simulator
+                .set_initial_errors(&InitialErrorParameters {
+                    position_n: Vector3::new(draw(1e6), draw(1e6), draw(1e3)) * error,
+                    velocity_n: Vector3::repeat(100.0 * error),
+                    misalignment_n: Vector3::new(draw(3.0), draw(3.0), draw(3.0)) * error,
+                    ..Default::default()
+                })
+                .unwrap();
+            let near =
+                |angle: f64, limit: f64, is_near: bool| if is_near { limit + 1e-5 * angle } else { angle };
+            let sample = FlightSample {
+                place: Geodetic {
+                    latitude_rad: near(draw(FRAC_PI_2), 1.5707, k % 5 == 0),
+                    longitude_rad: near(draw(PI), PI - 1e-5, k % 7 == 0),
+                    height_m: draw(9000.0),
+                },
+                euler: Euler {
+                    roll: draw(PI),
+                    pitch: near(draw(FRAC_PI_2), -1.5707, k % 11 == 0),
+                    heading: draw(7.0),
+                },
+                v_n: (k % 4 > 0).then(|| Vector3::new(draw(100.0), draw(100.0), draw(10.0))),
+                ..FlightSample::default()
+            };
+            simulator.push_sample(&sample).unwrap();
+            simulator.push_sample(&FlightSample { time_s: 0.01, ..sample }).unwrap();
+            assert_eq!(simulator.step(), Ok(Step::Done));
+            let read = |instructions: InstructionSet| {
+                let mut text = String::new();
+                let mut simulator = Simulator { instructions, ..simulator.clone() };
+                assert_eq!(simulator.fill::<Everything>(&mut text), Ok(true));
+                text
+            };
+            assert_eq!(read(InstructionSet::up_to(1)), read(InstructionSet::up_to(4)), "{k}");
         }
     }
 }

@@ -4,6 +4,8 @@ use core::cell::OnceCell;
 
 use super::Chain;
 use crate::errors::{NavigationErrors, navigation_minus_truth};
+use crate::instruction_set::{InstructionSet, Work};
+use crate::simulator::{Moment, View};
 use crate::state::Navigation;
 use crate::truth::TruthPoint;
 
@@ -32,25 +34,16 @@ impl Chain {
         }
     }
 
-    /// Makes the view of the truth where it is kept: [`Self::true_view`] makes it elsewhere and moves it, which takes
-    /// 60 instructions more.
-    #[inline(never)]
-    pub fn make_true_view(&mut self, point: &TruthPoint) {
-        match point.given(self.options.axes) {
-            Some(given) => self.views.truth = OnceCell::from(given),
-            None => _ = self.true_view(point),
+    /// Fills a struct of the host with what `V` reads while the truth is at `point`.
+    #[inline(always)]
+    pub fn fill<V: View>(&mut self, set: InstructionSet, point: &TruthPoint, place: &mut V::Struct) {
+        if V::OF_TRUTH && self.views.truth.get().is_none() {
+            set.run(TrueView { chain: self, point });
         }
-    }
-
-    /// Makes the view of the solution where it is kept, in the default axes and without a mounting.
-    #[inline(never)]
-    pub fn make_navigated_view(&mut self) {
-        match (&self.block, self.mechanization.earth_fixed()) {
-            (None, Some(state)) => {
-                self.views.navigation = OnceCell::from(state.navigation(&self.earth, self.options.axes));
-            }
-            _ => _ = self.navigated_view(),
+        if V::OF_NAVIGATION && self.views.navigation.get().is_none() {
+            set.run(NavigatedView { chain: self });
         }
+        set.run(Filling::<V> { moment: Moment { chain: self, point }, place });
     }
 
     /// Navigation minus truth, which is at `point`.
@@ -63,5 +56,64 @@ impl Chain {
     #[inline(always)]
     pub fn navigation_errors_inlined(&self, point: &TruthPoint) -> NavigationErrors {
         navigation_minus_truth(&self.earth, self.navigated_view(), self.true_view(point))
+    }
+}
+
+/// Makes the view of the truth where it is kept: [`Chain::true_view`] makes it elsewhere and moves it, which takes 60 instructions
+/// more.
+struct TrueView<'a> {
+    chain: &'a mut Chain,
+    point: &'a TruthPoint,
+}
+
+impl Work for TrueView<'_> {
+    type Made = ();
+    const IN_EIGHTS: bool = false;
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { chain, point } = self;
+        match point.given(chain.options.axes) {
+            Some(given) => chain.views.truth = OnceCell::from(given),
+            None => _ = chain.true_view(point),
+        }
+    }
+}
+
+/// Makes the view of the solution where it is kept, in the default axes and without a mounting.
+struct NavigatedView<'a> {
+    chain: &'a mut Chain,
+}
+
+impl Work for NavigatedView<'_> {
+    type Made = ();
+    const IN_EIGHTS: bool = false;
+
+    #[inline(always)]
+    fn run(self) {
+        let chain = self.chain;
+        match (&chain.block, chain.mechanization.earth_fixed()) {
+            (None, Some(state)) => {
+                let navigation = state.navigation_inlined(&chain.earth, chain.options.axes);
+                chain.views.navigation = OnceCell::from(navigation);
+            }
+            _ => _ = chain.navigated_view(),
+        }
+    }
+}
+
+/// Fills a struct of the host.
+struct Filling<'a, V: View> {
+    moment: Moment<'a>,
+    place: &'a mut V::Struct,
+}
+
+impl<V: View> Work for Filling<'_, V> {
+    type Made = ();
+    const IN_EIGHTS: bool = false;
+
+    #[inline(always)]
+    fn run(self) {
+        V::fill(self.place, self.moment);
     }
 }
