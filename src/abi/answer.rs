@@ -1,5 +1,7 @@
 //! Answers of the reads: a struct, or that there is none yet.
 
+use core::mem::MaybeUninit;
+
 use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Output, Struct};
 use crate::simulator::{Simulator, View};
@@ -18,6 +20,11 @@ pub(super) fn fill_or_need<V: View<Struct: Struct>>(
     simulator: &mut Simulator,
     output: &Output<V::Struct>,
 ) -> Result<sins_status, Failure> {
-    let is_filled = output.fill(|place| simulator.fill::<V>(place))?;
-    Ok(if is_filled { SINS_OK } else { SINS_NEED_SAMPLE })
+    let mut own = MaybeUninit::uninit();
+    let place = output.place(&mut own);
+    if !simulator.fill::<V>(place)? {
+        return Ok(SINS_NEED_SAMPLE);
+    }
+    output.finish(place);
+    Ok(SINS_OK)
 }

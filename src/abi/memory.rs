@@ -135,28 +135,32 @@ impl<T: Struct> Output<T> {
         }
     }
 
-    /// As [`Self::write`], but `fill` sets the fields, or none if it gives false: directly in the host's struct, if that has room. It
-    /// need not set `struct_size`.
+    /// A struct whose fields are to be set, but for `struct_size`: the host's, if that has room, else `own`. [`Self::finish`] is to follow.
     #[inline(always)]
-    pub fn fill<E>(&self, fill: impl FnOnce(&mut T) -> Result<bool, E>) -> Result<bool, E> {
-        let mut own: MaybeUninit<T>;
-        let has_room = self.size >= size_of::<T>() && self.pointer.is_aligned();
-        let place = if has_room {
+    pub fn place<'a>(&'a self, own: &'a mut MaybeUninit<T>) -> &'a mut T {
+        let place = if self.has_room() {
             self.pointer
         } else {
-            own = MaybeUninit::zeroed();
+            *own = MaybeUninit::zeroed();
             own.as_mut_ptr()
         };
         // SAFETY: `new` was promised that many writable bytes, or they are the library's own; any bytes are a `T`.
-        let place = unsafe { &mut *place };
-        let is_filled = fill(place)?;
-        if has_room {
+        unsafe { &mut *place }
+    }
+
+    /// Writes what `place` gave, and was set.
+    #[inline(always)]
+    pub fn finish(&self, place: &mut T) {
+        if self.has_room() {
             // SAFETY: the head of the struct.
-            unsafe { self.pointer.cast::<u32>().write(self.size as u32) };
-        } else if is_filled {
+            unsafe { core::ptr::from_mut(place).cast::<u32>().write(self.size as u32) };
+        } else {
             self.write(place);
         }
-        Ok(is_filled)
+    }
+
+    fn has_room(&self) -> bool {
+        self.size >= size_of::<T>() && self.pointer.is_aligned()
     }
 }
 
