@@ -22,12 +22,10 @@ enum Kind {
 
 /// Work that is compiled for each set. `run` and what it calls have to be inlined.
 pub(crate) trait Work {
-    type Made;
-
     /// Whether it gains from eight numbers at a time.
-    const IN_EIGHTS: bool;
+    const IN_EIGHTS: bool = false;
 
-    fn run(self) -> Self::Made;
+    fn run(self);
 }
 
 impl InstructionSet {
@@ -49,7 +47,7 @@ impl InstructionSet {
 
     /// Does the work with the instructions of this set.
     #[inline]
-    pub fn run<W: Work>(self, work: W) -> W::Made {
+    pub fn run<W: Work>(self, work: W) {
         match self.0 {
             Kind::Baseline => baseline(work),
             // SAFETY: made by `up_to` alone, where the processor has these instructions.
@@ -63,20 +61,20 @@ impl InstructionSet {
 }
 
 #[inline(never)]
-fn baseline<W: Work>(work: W) -> W::Made {
-    work.run()
+fn baseline(work: impl Work) {
+    work.run();
 }
 
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 #[target_feature(enable = "avx2")]
-fn avx2<W: Work>(work: W) -> W::Made {
-    work.run()
+fn avx2(work: impl Work) {
+    work.run();
 }
 
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
-fn avx512<W: Work>(work: W) -> W::Made {
-    work.run()
+fn avx512(work: impl Work) {
+    work.run();
 }

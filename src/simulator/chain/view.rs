@@ -67,9 +67,6 @@ struct TrueView<'a> {
 }
 
 impl Work for TrueView<'_> {
-    type Made = ();
-    const IN_EIGHTS: bool = false;
-
     #[inline(always)]
     fn run(self) {
         let Self { chain, point } = self;
@@ -86,9 +83,6 @@ struct NavigatedView<'a> {
 }
 
 impl Work for NavigatedView<'_> {
-    type Made = ();
-    const IN_EIGHTS: bool = false;
-
     #[inline(always)]
     fn run(self) {
         let chain = self.chain;
@@ -109,9 +103,6 @@ struct Filling<'a, V: View> {
 }
 
 impl<V: View> Work for Filling<'_, V> {
-    type Made = ();
-    const IN_EIGHTS: bool = false;
-
     #[inline(always)]
     fn run(self) {
         V::fill(self.place, self.moment);

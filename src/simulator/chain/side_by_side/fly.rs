@@ -129,8 +129,6 @@ struct Sensing<'a> {
 }
 
 impl Work for Sensing<'_> {
-    type Made = ();
-
     /// It looks normal numbers up in tables. With AVX-512 the compiler gathers them, which takes 4.7 ns for a number of a run where
     /// single loads take 2.8 (Cascade Lake).
     const IN_EIGHTS: bool = false;
@@ -184,7 +182,6 @@ struct Navigating<'a> {
 }
 
 impl Work for Navigating<'_> {
-    type Made = ();
     const IN_EIGHTS: bool = true;
 
     #[inline(always)]
