@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The same bits on other processors and word sizes, and what a host does to the library there: Rust's pinned digests, the runs of
 # ensembles against single simulators, and the programs of tests/c. ARM by emulation; 32-bit x86 by the machine itself where its
-# kernel can, as the emulator raises no floating-point exceptions. On this machine as released, and without optimisation. What
-# cannot be had is told at the end.
+# kernel can, as the emulator raises no floating-point exceptions. On this machine as released, also on an emulated processor without
+# AVX, and without optimisation. What cannot be had is told at the end.
 # SINS_LIB_DIR: a folder with a libsins.so to take for this machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -52,10 +52,11 @@ else
 fi
 other aarch64 arm64 qemu-aarch64 -L /usr/aarch64-linux-gnu
 
-echo "== here, as released and without optimisation"
+echo "== here, as released, without AVX, and without optimisation"
 programs=digests
 build_library
 fly gcc "$built/libsins.so"
+fly gcc "$built/libsins.so" qemu-x86_64 -cpu Nehalem
 cargo build --quiet --profile unoptimised
 fly gcc target/unoptimised/libsins.so
 report_not_run
