@@ -1,4 +1,4 @@
-//! The instruction sets of a processor, chosen when a simulator or an ensemble is made.
+//! The instruction sets of a processor, chosen when an ensemble is made and at each read of a simulator.
 //!
 //! A loop over many runs, and the long formulas of a read, are compiled once for each set: [`InstructionSet::run`] calls the work in a
 //! function that may use its instructions, and all that is inlined into that function may, too. No set fuses or reorders operations:

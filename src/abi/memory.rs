@@ -118,7 +118,7 @@ pub(super) struct Output<T> {
 
 impl<T: Struct> Output<T> {
     /// # Safety
-    /// `pointer` is null or points to a struct of as many writable bytes as its `struct_size` says, until `write`.
+    /// `pointer` is null or points to a struct of as many writable bytes as its `struct_size` says, until `write` or `finish`.
     pub unsafe fn new(pointer: *mut T, name: &'static str) -> Result<Self, Failure> {
         // SAFETY: as this function.
         Ok(Self { pointer, size: unsafe { stated_size(pointer.cast_const(), name)? } })

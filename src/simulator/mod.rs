@@ -38,7 +38,6 @@ pub(crate) use start::is_of_truth;
 use crate::covariance::Propagation;
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
-use crate::instruction_set::InstructionSet;
 use crate::signal::Increment;
 use crate::state::Navigation;
 use crate::truth::{FlightSample, Intake, Pushed, TruthSummary};
@@ -85,8 +84,6 @@ enum Mode {
 pub struct Simulator {
     options: Options,
     earth: Earth,
-    /// Of the reads.
-    instructions: InstructionSet,
     intake: Intake,
     imperfections: Imperfections,
     /// Of a flight to come: a chain that flies has them.
@@ -116,7 +113,6 @@ impl Simulator {
         Self {
             options: *options,
             earth: options.earth(),
-            instructions: InstructionSet::up_to(4),
             intake,
             imperfections: Imperfections::new(options),
             signals,

@@ -5,8 +5,12 @@ use super::{ClosureFigures, ErrorSource, ImuInterval, Mode, Moment, Simulator, S
 use crate::covariance::NavigationCovariance;
 use crate::error::Error;
 use crate::errors::{AccuracyFigures, NavigationErrors};
+use crate::instruction_set::InstructionSet;
 use crate::signal::Increment;
 use crate::truth::{TruthPoint, TruthSummary};
+
+/// Numbers that the formulas of a read compute at a time.
+pub(super) const READ_WIDTH: usize = 4;
 
 impl Simulator {
     /// The truth; `None` before the first sample.
@@ -97,20 +101,25 @@ impl Simulator {
     /// Fills a struct of the host with what `V` reads of this moment; false before the first sample.
     #[inline(always)]
     pub(crate) fn fill<V: View>(&mut self, place: &mut V::Struct) -> Result<bool, Error> {
+        self.fill_by::<V>(InstructionSet::up_to(READ_WIDTH), place)
+    }
+
+    #[inline(always)]
+    fn fill_by<V: View>(&mut self, set: InstructionSet, place: &mut V::Struct) -> Result<bool, Error> {
         let (Mode::Flying(chain), Some(point)) = (&mut self.mode, self.intake.current()) else {
-            return self.fill_at_start::<V>(place);
+            return self.fill_at_start::<V>(set, place);
         };
-        chain.fill::<V>(self.instructions, point, place);
+        chain.fill::<V>(set, point, place);
         Ok(true)
     }
 
     #[cold]
     #[inline(never)]
-    fn fill_at_start<V: View>(&self, place: &mut V::Struct) -> Result<bool, Error> {
+    fn fill_at_start<V: View>(&self, set: InstructionSet, place: &mut V::Struct) -> Result<bool, Error> {
         self.refuse_while_navigating()?;
         let Some(first) = self.intake.front() else { return Ok(false) };
         match &mut self.chain_from_first_sample() {
-            Ok(chain) => chain.fill::<V>(self.instructions, first, place),
+            Ok(chain) => chain.fill::<V>(set, first, place),
             Err(error) => return Err(*error),
         }
         Ok(true)
@@ -188,7 +197,6 @@ mod tests {
 
     use super::*;
     use crate::earth::Geodetic;
-    use crate::instruction_set::InstructionSet;
     use crate::math::{Euler, mix};
     use crate::sensors::InitialErrorParameters;
     use crate::simulator::{Options, Step};
@@ -249,13 +257,12 @@ mod tests {
             simulator.push_sample(&sample).unwrap();
             simulator.push_sample(&FlightSample { time_s: 0.01, ..sample }).unwrap();
             assert_eq!(simulator.step(), Ok(Step::Done));
-            let read = |instructions: InstructionSet| {
+            let read = |set: InstructionSet| {
                 let mut text = String::new();
-                let mut simulator = Simulator { instructions, ..simulator.clone() };
-                assert_eq!(simulator.fill::<Everything>(&mut text), Ok(true));
+                assert_eq!(simulator.clone().fill_by::<Everything>(set, &mut text), Ok(true));
                 text
             };
-            assert_eq!(read(InstructionSet::up_to(1)), read(InstructionSet::up_to(4)), "{k}");
+            assert_eq!(read(InstructionSet::up_to(1)), read(InstructionSet::up_to(READ_WIDTH)), "{k}");
         }
     }
 }

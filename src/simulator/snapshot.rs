@@ -86,17 +86,7 @@ impl Simulator {
 
     /// Writes the words of the simulator.
     pub(crate) fn save_to(&self, to: &mut Writer<'_>) {
-        let Self {
-            options,
-            earth: _,
-            instructions: _,
-            intake,
-            imperfections,
-            signals: _,
-            covariance,
-            summary,
-            mode,
-        } = self;
+        let Self { options, earth: _, intake, imperfections, signals: _, covariance, summary, mode } = self;
         match mode {
             Mode::Waiting => {
                 save_flight(options, imperfections, intake, None, to);
