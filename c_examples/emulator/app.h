@@ -13,36 +13,30 @@
 /* What the program keeps from run to run: "Language", "Recent". */
 inline const wchar_t REGISTRY[] = L"Software\\SINS_Emulator";
 
-inline std::wstring registry_text(const wchar_t *name)
-{
+inline std::wstring registry_text(const wchar_t *name) {
     WCHAR value[16384] = L"";
     DWORD size = sizeof value;
     RegGetValueW(HKEY_CURRENT_USER, REGISTRY, name, RRF_RT_REG_SZ, NULL, value, &size);
     return value;
 }
 
-inline void set_registry_text(const wchar_t *name, const std::wstring &value)
-{
+inline void set_registry_text(const wchar_t *name, const std::wstring &value) {
     DWORD size = (DWORD)((value.size() + 1) * sizeof(WCHAR));
     RegSetKeyValueW(HKEY_CURRENT_USER, REGISTRY, name, REG_SZ, value.c_str(), size);
 }
 
 class App : public Dialog, public Document {
 public:
-    explicit App(const Texts &arguments) : arguments_(arguments)
-    {
-        for (const std::string &name : sins::Scene::builtin_names()) {
+    explicit App(const Texts &arguments) : arguments_(arguments) {
+        for (const std::string &name : sins::Scene::builtin_names())
             builtins_.push_back(wide(name));
-        }
-        for (const std::string &file : split(narrow(registry_text(L"Recent")), "|")) {
+        for (const std::string &file : split(narrow(registry_text(L"Recent")), "|"))
             recent_.push_back(wide(file));
-        }
         recent_.pop_back(); /* behind the last "|" there is none */
     }
 
     /* True: the language changed, and the window is to be built again. */
-    bool run()
-    {
+    bool run() {
         HACCEL keys = LoadAcceleratorsW(NULL, MAKEINTRESOURCEW(IDR_KEYS));
         MSG message;
         changes_language_ = false;
@@ -56,29 +50,24 @@ public:
         return changes_language_;
     }
 
-    void edited(const std::wstring &fault) override
-    {
+    void edited(const std::wstring &fault) override {
         show_title();
         say_line(fault);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; k++)
             pages_[k]->refresh(false);
-        }
     }
 
     void say_line(const std::wstring &sentence) override { set(IDC_STATUS, sentence); }
 
-    void open_builtin(const std::string &name) override
-    {
+    void open_builtin(const std::string &name) override {
         if (may_discard()) {
             scene = Scene(name);
             replaced(L"");
         }
     }
 
-    void command(int id) override
-    {
-        static const int OF_FLIGHT[] = {ID_EXPORT,  ID_PICTURE, ID_COPY, ID_SNAPSHOT,
-                                        ID_GO_BACK, ID_PAUSE,   ID_STOP};
+    void command(int id) override {
+        static const int OF_FLIGHT[] = {ID_EXPORT, ID_PICTURE, ID_COPY, ID_SNAPSHOT, ID_GO_BACK, ID_PAUSE, ID_STOP};
         std::wstring name = path.stem();
         size_t builtin = id - ID_BUILTIN, recent = id - ID_RECENT, page = id - ID_PAGE;
         leave_field();
@@ -89,9 +78,8 @@ public:
         switch (id) {
         case ID_NEW: open_builtin(""); break;
         case ID_OPEN:
-            if (may_discard()) {
+            if (may_discard())
                 open(ask_file(window_, false, "filter_scene", L"toml"));
-            }
             break;
         case ID_SAVE: save(path); break;
         case ID_SAVE_AS: save(L""); break;
@@ -118,20 +106,18 @@ public:
         case ID_CHINESE: change_language(id == ID_CHINESE); return;
         case ID_ABOUT: say(window_, text("about", {wide(sins::version_string())}), MB_ICONINFORMATION); break;
         default:
-            if (builtin < builtins_.size()) {
+            if (builtin < builtins_.size())
                 open_builtin(narrow(builtins_[builtin]));
-            } else if (recent < recent_.size() && may_discard()) {
+            else if (recent < recent_.size() && may_discard())
                 open(recent_[recent]);
-            } else if (page < 4) {
+            else if (page < 4)
                 show_page((int)page);
-            }
         }
         display_->update();
     }
 
 protected:
-    void on_init() override
-    {
+    void on_init() override {
         RECT work = {};
         Texts names = parts("tabs");
         SystemParametersInfoW(SPI_GETWORKAREA, 0, &work, 0);
@@ -151,8 +137,7 @@ protected:
             pages_[k]->create(window_, IDD_TRAJECTORY + k);
         }
         build_menu();
-        MoveWindow(window_, place_.left, place_.top, place_.right - place_.left, place_.bottom - place_.top,
-                   FALSE);
+        MoveWindow(window_, place_.left, place_.top, place_.right - place_.left, place_.bottom - place_.top, FALSE);
         show_all();
         show_page(page_);
         SetTimer(window_, 1, 100, NULL);
@@ -160,30 +145,23 @@ protected:
         follow_command_line();
     }
 
-    void on_command(int id, int) override
-    {
-        if (id == IDOK) { /* Enter: the field is done */
+    void on_command(int id, int) override {
+        if (id == IDOK) /* Enter: the field is done */
             leave_field();
-        } else {
+        else
             command(id);
-        }
     }
 
-    void on_notify(NMHDR *notice) override
-    {
-        if (notice->idFrom == IDC_TABS && notice->code == (UINT)TCN_SELCHANGE) {
+    void on_notify(NMHDR *notice) override {
+        if (notice->idFrom == IDC_TABS && notice->code == (UINT)TCN_SELCHANGE)
             show_page(TabCtrl_GetCurSel(item(IDC_TABS)));
-        }
     }
 
-    bool on_message(UINT message, WPARAM wparam, LPARAM lparam) override
-    {
+    bool on_message(UINT message, WPARAM wparam, LPARAM lparam) override {
         WCHAR file[32768] = L"";
         switch (message) {
         case WM_SIZE: layout_pages(); return true;
-        case WM_GETMINMAXINFO:
-            ((MINMAXINFO *)lparam)->ptMinTrackSize = {scaled(780), scaled(560)};
-            return true;
+        case WM_GETMINMAXINFO: ((MINMAXINFO *)lparam)->ptMinTrackSize = {scaled(780), scaled(560)}; return true;
         case WM_TIMER:
             if (flight != NULL) {
                 display_->update();
@@ -193,9 +171,8 @@ protected:
         case WM_DROPFILES:
             DragQueryFileW((HDROP)wparam, 0, file, 32768);
             DragFinish((HDROP)wparam);
-            if (may_discard()) {
+            if (may_discard())
                 open(file);
-            }
             return true;
         case WM_CLOSE:
             if (may_discard()) {
@@ -211,8 +188,7 @@ protected:
 private:
     /* The window. */
 
-    static void translate(HMENU menu)
-    {
+    static void translate(HMENU menu) {
         for (int k = 0; k < GetMenuItemCount(menu); k++) {
             WCHAR words[128] = L"";
             GetMenuStringW(menu, k, words, 128, MF_BYPOSITION);
@@ -222,15 +198,13 @@ private:
             info.cbSize = sizeof info;
             info.fMask = MIIM_STRING;
             info.dwTypeData = own.data();
-            if (!pieces[0].empty()) {
+            if (!pieces[0].empty())
                 SetMenuItemInfoW(menu, k, TRUE, &info);
-            }
             translate(GetSubMenu(menu, k));
         }
     }
 
-    void build_menu()
-    {
+    void build_menu() {
         HMENU before = GetMenu(window_);
         HMENU menu = LoadMenuIndirectW(resource(MAKEINTRESOURCEW(4), IDR_MENU)); /* RT_MENU */
         translate(menu);
@@ -249,8 +223,7 @@ private:
         DestroyMenu(before);
     }
 
-    void layout_pages()
-    {
+    void layout_pages() {
         RECT client, bar;
         GetClientRect(window_, &client);
         SendMessageW(item(IDC_STATUS), WM_SIZE, 0, 0);
@@ -259,40 +232,34 @@ private:
         MoveWindow(item(IDC_TABS), 0, 0, client.right, client.bottom, TRUE);
         TabCtrl_AdjustRect(item(IDC_TABS), FALSE, &client);
         for (auto &page : pages_) {
-            MoveWindow(page->window(), client.left, client.top, client.right - client.left,
-                       client.bottom - client.top, TRUE);
+            MoveWindow(page->window(), client.left, client.top, client.right - client.left, client.bottom - client.top,
+                       TRUE);
         }
     }
 
-    void show_page(int index)
-    {
+    void show_page(int index) {
         page_ = index;
         TabCtrl_SetCurSel(item(IDC_TABS), index);
-        for (int k = 0; k < 4; k++) {
+        for (int k = 0; k < 4; k++)
             ShowWindow(pages_[k]->window(), k == index ? SW_SHOW : SW_HIDE);
-        }
         SetWindowPos(pages_[index]->window(), HWND_TOP, 0, 0, 0, 0, SWP_NOMOVE | SWP_NOSIZE);
         RedrawWindow(window_, NULL, NULL, RDW_INVALIDATE | RDW_ALLCHILDREN | RDW_UPDATENOW);
     }
 
-    void show_title()
-    {
+    void show_title() {
         std::wstring name = path.empty() ? text("new_name") : path.filename().wstring();
         name += scene.text() != saved_ ? L"* - " : L" - ";
         SetWindowTextW(window_, (name + text("title")).c_str());
     }
 
-    void show_all()
-    {
+    void show_all() {
         say_line(L"");
-        for (auto &page : pages_) {
+        for (auto &page : pages_)
             page->refresh(true);
-        }
         show_title();
     }
 
-    void change_language(bool chinese)
-    {
+    void change_language(bool chinese) {
         language = chinese;
         set_registry_text(L"Language", chinese ? L"zh" : L"en");
         changes_language_ = true;
@@ -301,8 +268,7 @@ private:
     }
 
     /* What was typed counts, though the field has the focus still. */
-    void leave_field()
-    {
+    void leave_field() {
         HWND focus = GetFocus();
         if (IsChild(window_, focus) && is_of_class(focus, L"Edit")) { /* a button would take it for a click */
             WPARAM left = MAKEWPARAM(GetDlgCtrlID(focus), EN_KILLFOCUS);
@@ -320,8 +286,7 @@ private:
 
     /* The flight. */
 
-    void fly()
-    {
+    void fly() {
         for (int k = 0; k < 3; k++) {
             if (pages_[k]->has_marks()) {
                 show_page(k);
@@ -339,33 +304,27 @@ private:
     }
 
     /* No output replaces the scene or the log that it came from. */
-    void refuse_input(const fs::path &file)
-    {
-        if (same_file(file, path) || same_file(file, flight->log_path())) {
+    void refuse_input(const fs::path &file) {
+        if (same_file(file, path) || same_file(file, flight->log_path()))
             throw Refusal(text("is_input", {file}));
-        }
     }
 
     /* The records, and beside them the measured increments if the scene names a file for them. */
-    void export_records(const fs::path &file)
-    {
+    void export_records(const fs::path &file) {
         fs::path name = flight->increments_name(), increments = file.parent_path() / name;
-        if (file.empty()) {
+        if (file.empty())
             return;
-        }
         refuse_input(file);
         flight->write_records(file);
         if (!name.empty()) {
-            if (name != name.filename() || increments == file) {
+            if (name != name.filename() || increments == file)
                 throw Refusal(text("increments_name", {name}));
-            }
             refuse_input(increments);
             flight->write_increments(increments);
         }
     }
 
-    void save_picture(const fs::path &file)
-    {
+    void save_picture(const fs::path &file) {
         if (!file.empty()) {
             refuse_input(file);
             display_->plot().save(file);

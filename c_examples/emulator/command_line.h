@@ -3,8 +3,7 @@
 #include "app.h"
 
 /* /scene FILE or NAME of a built-in scene, /run, /export FOLDER, /picture FILE, /quit; or a FILE. */
-inline void App::follow_command_line()
-{
+inline void App::follow_command_line() {
     Texts arguments = std::exchange(arguments_, {});
     bool runs = false;
     for (size_t k = 0; k < arguments.size(); k++) {
@@ -22,29 +21,24 @@ inline void App::follow_command_line()
         } else if (option != L"/language") {
             has_value = false;
             runs = runs || option == L"/run";
-            if (!option.starts_with(L"/")) {
+            if (!option.starts_with(L"/"))
                 open(option);
-            }
         }
         k += has_value;
     }
-    if (runs) {
+    if (runs)
         fly();
-    }
 }
 
 /* At the end of a flight: what the command line asked for. */
-inline void App::finish_unattended()
-{
+inline void App::finish_unattended() {
     Flight::Status status = flight->status();
     bool has_more = !export_folder_.empty() || !picture_path_.empty() || is_unattended;
-    if (status.state == Flight::FLYING || status.state == Flight::PAUSED || !has_more) {
+    if (status.state == Flight::FLYING || status.state == Flight::PAUSED || !has_more)
         return;
-    }
     fs::path folder = std::exchange(export_folder_, {}), picture = std::exchange(picture_path_, {});
-    if (status.state == Flight::FAILED && is_unattended) {
+    if (status.state == Flight::FAILED && is_unattended)
         say(window_, status.sentence);
-    }
     if (!folder.empty()) {
         fs::create_directories(folder);
         export_records(folder / ((path.empty() ? L"flight" : path.stem().wstring()) + L".csv"));

@@ -21,8 +21,7 @@ struct Cell {
     double low = 1e300, high = -1e300, last = 0;
     Cell() = default;
     explicit Cell(double value) : low(value), high(value), last(value) {}
-    void join(const Cell &next)
-    {
+    void join(const Cell &next) {
         low = std::min(low, next.low);
         high = std::max(high, next.high);
         last = next.last;
@@ -33,19 +32,15 @@ typedef std::array<Cell, CHANNELS> Cells;
 class Curves {
 public:
     /* Three values of a channel, now. */
-    void put(int channel, const double *values)
-    {
-        for (int k = 0; k < 3; k++) {
+    void put(int channel, const double *values) {
+        for (int k = 0; k < 3; k++)
             now_[channel + k].join(Cell(values[k]));
-        }
     }
 
     /* A point ends: what was put since the point before. */
-    void end_point(double time_s)
-    {
-        if (points_ == stride_ && times.size() == MOST) {
+    void end_point(double time_s) {
+        if (points_ == stride_ && times.size() == MOST)
             halve();
-        }
         if (points_ == stride_) {
             times.push_back(time_s);
             cells.emplace_back();
@@ -58,21 +53,17 @@ public:
     }
 
     /* A channel over the times. */
-    std::vector<Cell> of(int channel) const
-    {
+    std::vector<Cell> of(int channel) const {
         std::vector<Cell> result;
-        for (const Cells &own : cells) {
+        for (const Cells &own : cells)
             result.push_back(own[channel]);
-        }
         return result;
     }
 
-    std::vector<double> last(int channel) const
-    {
+    std::vector<double> last(int channel) const {
         std::vector<double> result;
-        for (const Cells &own : cells) {
+        for (const Cells &own : cells)
             result.push_back(own[channel].last);
-        }
         return result;
     }
 
@@ -82,15 +73,12 @@ public:
 private:
     static const size_t MOST = 2048;
 
-    static void join(Cells &cells, const Cells &next)
-    {
-        for (int k = 0; k < CHANNELS; k++) {
+    static void join(Cells &cells, const Cells &next) {
+        for (int k = 0; k < CHANNELS; k++)
             cells[k].join(next[k]);
-        }
     }
 
-    void halve()
-    {
+    void halve() {
         for (size_t k = 0; k < MOST / 2; k++) {
             cells[k] = cells[2 * k];
             join(cells[k], cells[2 * k + 1]);

@@ -50,22 +50,18 @@ public:
     Range zoomed = {0, 0}; /* of x; equal: all */
 
     /* All of x. */
-    Range whole_x() const
-    {
+    Range whole_x() const {
         Range range = {INFINITY, -INFINITY};
-        for (const Panel &panel : panels) {
-            for (double x : panel.x) {
+        for (const Panel &panel : panels)
+            for (double x : panel.x)
                 range = {min(range.low, x), max(range.high, x)};
-            }
-        }
         range = range.low <= range.high ? range : Range{0, 1};
         range.low = x_quantity == DURATION ? min(range.low, 0.0) : range.low;
         return range.high > range.low ? range : Range{range.low - 1e-9, range.high + 1e-9};
     }
 
     /* Draws it into an area; cursor: a pixel of x, -1 without one. */
-    void draw(HDC dc, RECT area, int cursor) const
-    {
+    void draw(HDC dc, RECT area, int cursor) const {
         static HFONT font = CreateFontW(-scaled(11), 0, 0, 0, FW_NORMAL, 0, 0, 0, DEFAULT_CHARSET, 0, 0,
                                         CLEARTYPE_QUALITY, 0, L"MS Shell Dlg 2");
         HGDIOBJ before = SelectObject(dc, font);
@@ -76,17 +72,15 @@ public:
             Scale own = scale(k, area);
             draw_axes(dc, own, panels[k], k + 1 == panels.size(), cursor);
             IntersectClipRect(dc, own.box.left, own.box.top, own.box.right, own.box.bottom);
-            for (const Trace &trace : panels[k].traces) {
+            for (const Trace &trace : panels[k].traces)
                 draw_trace(dc, own, panels[k], trace);
-            }
             SelectClipRgn(dc, NULL);
         }
         SelectObject(dc, before);
     }
 
     /* What a pixel stands for. */
-    double x_at(int pixel, RECT area) const
-    {
+    double x_at(int pixel, RECT area) const {
         Scale first = scale(0, area);
         double share = (double)(pixel - first.box.left) / max(1L, first.box.right - first.box.left);
         return first.x.low + share * (first.x.high - first.x.low);
@@ -101,32 +95,25 @@ private:
         Range x, y;
         int x_of(double value) const { return pixel(box.left, box.right, value, x); }
         int y_of(double value) const { return pixel(box.bottom, box.top, value, y); }
-        static int pixel(double from, double to, double value, Range range)
-        {
+        static int pixel(double from, double to, double value, Range range) {
             double share = (value - range.low) / (range.high - range.low);
             return (int)std::clamp(from + share * (to - from), -30000.0, 30000.0); /* which GDI can draw */
         }
     };
 
     /* The largest unit that a range fills. */
-    static Unit unit_for(Quantity quantity, Range range)
-    {
+    static Unit unit_for(Quantity quantity, Range range) {
         const std::vector<Unit> &units = UNITS[quantity];
         double size = max(std::fabs(range.low), std::fabs(range.high));
         size_t k = units.size() - 1;
-        while (k > 0 && size < 2 * units[k].si) {
+        while (k > 0 && size < 2 * units[k].si)
             k--;
-        }
         return units[k];
     }
 
-    double on_axis(double value) const
-    {
-        return is_logarithmic ? std::log10(max(std::fabs(value), 1e-300)) : value;
-    }
+    double on_axis(double value) const { return is_logarithmic ? std::log10(max(std::fabs(value), 1e-300)) : value; }
 
-    Range range_y(const Panel &panel, Range x) const
-    {
+    Range range_y(const Panel &panel, Range x) const {
         Cell all;
         for (const Trace &trace : panel.traces) {
             for (size_t k = 0; k < trace.cells.size(); k++) {
@@ -151,16 +138,13 @@ private:
     }
 
     /* The places of axes and curves; the map has one scale for both directions. */
-    Scale scale(size_t panel, RECT area) const
-    {
+    Scale scale(size_t panel, RECT area) const {
         Scale scale = {{}, zoomed.high > zoomed.low ? zoomed : whole_x(), {-1, 1}};
         int line = scaled(15), height = (area.bottom - area.top - 2 * line) / max(1, (int)panels.size());
         int top = area.top + (int)panel * height;
-        scale.box = {area.left + scaled(58), top + line + 2, area.right - scaled(10),
-                     top + height - line / 2};
-        if (panel < panels.size()) {
+        scale.box = {area.left + scaled(58), top + line + 2, area.right - scaled(10), top + height - line / 2};
+        if (panel < panels.size())
             scale.y = range_y(panels[panel], scale.x);
-        }
         if (x_quantity == DEGREES) {
             double middle = (scale.y.low + scale.y.high) / 2, center = (scale.x.low + scale.x.high) / 2;
             double width = scale.box.right - scale.box.left, tall = scale.box.bottom - scale.box.top;
@@ -174,28 +158,24 @@ private:
     }
 
     /* Where an axis has ticks: at multiples of 1, 2 or 5 times a power of ten, about so many. */
-    static std::vector<double> ticks(double low, double high, int count, double least = 0)
-    {
+    static std::vector<double> ticks(double low, double high, int count, double least = 0) {
         double raw = (high - low) / max(1, count), power = std::pow(10, std::floor(std::log10(raw)));
         double step = power * (raw > 5 * power ? 10 : raw > 2 * power ? 5 : raw > power ? 2 : 1);
         std::vector<double> result;
         step = max(step, least);
-        for (double tick = std::ceil(low / step); tick * step <= high * (1 + 1e-12 * (high > 0)); tick++) {
+        for (double tick = std::ceil(low / step); tick * step <= high * (1 + 1e-12 * (high > 0)); tick++)
             result.push_back(tick * step + 0.0); /* no -0 */
-        }
         return result;
     }
 
-    static void line(HDC dc, COLORREF color, int x0, int y0, int x1, int y1)
-    {
+    static void line(HDC dc, COLORREF color, int x0, int y0, int x1, int y1) {
         SetDCPenColor(dc, color);
         MoveToEx(dc, x0, y0, NULL);
         LineTo(dc, x1, y1);
     }
 
     /* The width of what is written. */
-    static int write(HDC dc, int x, int y, UINT align, COLORREF color, const std::wstring &text)
-    {
+    static int write(HDC dc, int x, int y, UINT align, COLORREF color, const std::wstring &text) {
         SIZE size;
         SetTextAlign(dc, align);
         SetTextColor(dc, color);
@@ -204,21 +184,18 @@ private:
         return size.cx;
     }
 
-    void draw_axes(HDC dc, const Scale &scale, const Panel &panel, bool is_last, int cursor) const
-    {
+    void draw_axes(HDC dc, const Scale &scale, const Panel &panel, bool is_last, int cursor) const {
         const RECT &box = scale.box;
         const std::vector<Unit> &units = UNITS[panel.quantity];
         Unit x_unit = unit_for(x_quantity, scale.x), y_unit = unit_for(panel.quantity, scale.y);
-        if (is_logarithmic) { /* one unit whatever the size */
+        if (is_logarithmic) /* one unit whatever the size */
             y_unit = units[panel.quantity == ANGLE || panel.quantity == ANGULAR_RATE ? 0 : 1];
-        }
         double low = scale.x.low / x_unit.si, high = scale.x.high / x_unit.si;
         for (double tick : ticks(low, high, (box.right - box.left) / scaled(80))) {
             int x = scale.x_of(tick * x_unit.si);
             line(dc, GRID, x, box.top, x, box.bottom);
-            if (is_last) {
+            if (is_last)
                 write(dc, x, box.bottom + 2, TA_CENTER, INK, shown(tick, 7));
-            }
         }
         double shift = is_logarithmic ? std::log10(y_unit.si) : 0, factor = is_logarithmic ? 1 : y_unit.si;
         low = scale.y.low / factor - shift;
@@ -234,16 +211,13 @@ private:
         Rectangle(dc, box.left, box.top, box.right, box.bottom);
         if (is_last) {
             std::wstring title = x_quantity == DURATION ? text("time") : label("plot.longitude", "longitude");
-            write(dc, box.right, box.bottom + 2 + scaled(12), TA_RIGHT, INK,
-                  title + L" [" + x_unit.name + L"]");
+            write(dc, box.right, box.bottom + 2 + scaled(12), TA_RIGHT, INK, title + L" [" + x_unit.name + L"]");
         }
         draw_legend(dc, scale, panel, cursor, x_unit, y_unit);
     }
 
     /* The title with the unit, and each curve's name; with the cursor its value there. */
-    void draw_legend(HDC dc, const Scale &scale, const Panel &panel, int cursor, Unit x_unit,
-                     Unit y_unit) const
-    {
+    void draw_legend(HDC dc, const Scale &scale, const Panel &panel, int cursor, Unit x_unit, Unit y_unit) const {
         const RECT &box = scale.box;
         int left = box.left, top = box.top - scaled(14);
         double share = (double)(cursor - box.left) / max(1L, box.right - box.left);
@@ -263,16 +237,13 @@ private:
         }
     }
 
-    void draw_trace(HDC dc, const Scale &scale, const Panel &panel, const Trace &trace) const
-    {
+    void draw_trace(HDC dc, const Scale &scale, const Panel &panel, const Trace &trace) const {
         std::vector<POINT> points;
         for (size_t k = 0; k < trace.cells.size(); k++) {
             const Cell &cell = trace.cells[k];
-            for (double value : {cell.low, cell.high, cell.last}) {
-                if (x_quantity == DURATION || value == cell.last) { /* a map has one point a cell */
+            for (double value : {cell.low, cell.high, cell.last})
+                if (x_quantity == DURATION || value == cell.last) /* a map has one point a cell */
                     points.push_back({scale.x_of(panel.x[k]), scale.y_of(on_axis(value))});
-                }
-            }
         }
         HPEN pen = CreatePen(PS_SOLID, scaled(trace.is_wide ? 3 : 1), trace.color);
         HGDIOBJ before = SelectObject(dc, pen);

@@ -11,23 +11,20 @@
 std::wstring told(const std::exception &error); /* in the user's language */
 
 /* Pixels of so many at 96 dots an inch. */
-inline int scaled(int pixels)
-{
+inline int scaled(int pixels) {
     HDC screen = GetDC(NULL);
     int dots = GetDeviceCaps(screen, LOGPIXELSY);
     ReleaseDC(NULL, screen);
     return MulDiv(pixels, dots, 96);
 }
 
-inline std::wstring window_text(HWND window)
-{
+inline std::wstring window_text(HWND window) {
     std::wstring text(GetWindowTextLengthW(window) + 1, L'\0');
     text.resize(GetWindowTextW(window, text.data(), (int)text.size()));
     return text;
 }
 
-inline bool is_of_class(HWND window, const wchar_t *name)
-{
+inline bool is_of_class(HWND window, const wchar_t *name) {
     WCHAR own[32] = L"";
     GetClassNameW(window, own, 32);
     return lstrcmpiW(own, name) == 0;
@@ -36,8 +33,7 @@ inline bool is_of_class(HWND window, const wchar_t *name)
 /* Says a sentence in a box; while the program runs by itself (/quit) on the error output, and it fails. */
 inline bool is_unattended = false, has_failed = false;
 
-inline void say(HWND owner, const std::wstring &sentence, UINT icon = MB_ICONWARNING)
-{
+inline void say(HWND owner, const std::wstring &sentence, UINT icon = MB_ICONWARNING) {
     if (!is_unattended) {
         MessageBoxW(owner, sentence.c_str(), text("title").c_str(), MB_OK | icon);
         return;
@@ -50,8 +46,7 @@ inline void say(HWND owner, const std::wstring &sentence, UINT icon = MB_ICONWAR
 
 /* A file that the user names; "": none. */
 inline std::wstring ask_file(HWND owner, bool save, const std::string &filter, const wchar_t *ending,
-                             const std::wstring &proposal = L"")
-{
+                             const std::wstring &proposal = L"") {
     WCHAR path[32768] = L"";
     std::wstring pairs = text(filter) + L'\0';
     OPENFILENAMEW ask = {};
@@ -78,11 +73,9 @@ typedef std::vector<Row> Rows;
 
 class Dialog {
 public:
-    virtual ~Dialog()
-    {
-        if (window_ != NULL) {
+    virtual ~Dialog() {
+        if (window_ != NULL)
             DestroyWindow(window_);
-        }
     }
 
     void create(HWND parent, UINT id) /* a page: lives until the object is destroyed */
@@ -111,11 +104,9 @@ protected:
 
     HWND item(int id) const { return GetDlgItem(window_, id); }
     std::wstring get(int id) const { return window_text(item(id)); }
-    void set(int id, const std::wstring &text) const
-    {
-        if (get(id) != text) {
+    void set(int id, const std::wstring &text) const {
+        if (get(id) != text)
             SetWindowTextW(item(id), text.c_str());
-        }
     }
     int chosen(int id) const { return max(0, (int)SendMessageW(item(id), CB_GETCURSEL, 0, 0)); }
     void choose(int id, size_t index) const { SendMessageW(item(id), CB_SETCURSEL, index, 0); }
@@ -124,17 +115,14 @@ protected:
     void show(int id, bool visible) const { ShowWindow(item(id), visible ? SW_SHOW : SW_HIDE); }
     void enable(int id, bool enabled) const { EnableWindow(item(id), enabled); }
 
-    void fill(HWND combo, const Texts &words) const
-    {
+    void fill(HWND combo, const Texts &words) const {
         SendMessageW(combo, CB_RESETCONTENT, 0, 0);
-        for (const std::wstring &word : words) {
+        for (const std::wstring &word : words)
             SendMessageW(combo, CB_ADDSTRING, 0, (LPARAM)word.c_str());
-        }
         SendMessageW(combo, CB_SETCURSEL, 0, 0);
     }
 
-    void tip(HWND control, const std::wstring &text)
-    {
+    void tip(HWND control, const std::wstring &text) {
         TOOLINFOW tool = {};
         bool is_new = tip_texts_.count(control) == 0;
         tip_texts_[control] = text;
@@ -147,22 +135,18 @@ protected:
     }
 
     /* Marks a field as wrong; "": right again. */
-    void mark(HWND control, const std::wstring &sentence)
-    {
+    void mark(HWND control, const std::wstring &sentence) {
         bool is_new = sentence.empty() ? marked_.erase(control) > 0 : marked_[control] != sentence;
-        if (is_new) {
+        if (is_new)
             InvalidateRect(control, NULL, TRUE);
-        }
-        if (!sentence.empty()) {
+        if (!sentence.empty())
             marked_[control] = sentence;
-        }
     }
 
     /* Lists. */
 
     /* The columns of a text, each a title and a width, of which 0 takes what the others leave. */
-    void add_columns(HWND list, const std::string &titles)
-    {
+    void add_columns(HWND list, const std::string &titles) {
         ListView_SetExtendedListViewStyle(list, LVS_EX_FULLROWSELECT | LVS_EX_DOUBLEBUFFER | LVS_EX_LABELTIP);
         for (const std::wstring &title : parts(titles)) {
             std::wstring name = title.substr(0, title.rfind(L' '));
@@ -175,8 +159,7 @@ protected:
         }
     }
 
-    void rows(int id, const Rows &rows)
-    {
+    void rows(int id, const Rows &rows) {
         if (rows_.count(id) == 0 || rows_[id] != rows) {
             rows_[id] = rows;
             ListView_SetItemCountEx(item(id), (int)rows.size(), LVSICF_NOSCROLL);
@@ -185,8 +168,7 @@ protected:
 
     size_t selected(int id) const { return SendMessageW(item(id), LVM_GETNEXTITEM, -1, LVNI_SELECTED); }
 
-    void select(int id, size_t row) const
-    {
+    void select(int id, size_t row) const {
         const UINT STATE = LVIS_SELECTED | LVIS_FOCUSED;
         ListView_SetItemState(item(id), (int)row, STATE, STATE);
         ListView_EnsureVisible(item(id), (int)row, FALSE);
@@ -201,13 +183,11 @@ private:
         RECT place;
     };
 
-    static const DLGTEMPLATE *template_of(UINT id)
-    {
+    static const DLGTEMPLATE *template_of(UINT id) {
         return (const DLGTEMPLATE *)resource(MAKEINTRESOURCEW(5), id); /* RT_DIALOG */
     }
 
-    static INT_PTR CALLBACK procedure(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
-    {
+    static INT_PTR CALLBACK procedure(HWND window, UINT message, WPARAM wparam, LPARAM lparam) {
         Dialog *dialog = (Dialog *)GetWindowLongPtrW(window, GWLP_USERDATA);
         if (message == WM_INITDIALOG) {
             SetWindowLongPtrW(window, GWLP_USERDATA, lparam);
@@ -222,18 +202,16 @@ private:
         return TRUE;
     }
 
-    INT_PTR handle(UINT message, WPARAM wparam, LPARAM lparam)
-    {
+    INT_PTR handle(UINT message, WPARAM wparam, LPARAM lparam) {
         switch (message) {
         case WM_INITDIALOG: init(); return TRUE;
         case WM_COMMAND:
-            if (LOWORD(wparam) == IDCANCEL && (GetWindowLongW(window_, GWL_STYLE) & WS_POPUP) != 0) {
+            if (LOWORD(wparam) == IDCANCEL && (GetWindowLongW(window_, GWL_STYLE) & WS_POPUP) != 0)
                 finish(IDCANCEL);
-            } else if (is_change((HWND)lparam, HIWORD(wparam))) {
+            else if (is_change((HWND)lparam, HIWORD(wparam)))
                 on_change(LOWORD(wparam), HIWORD(wparam));
-            } else {
+            else
                 on_command(LOWORD(wparam), HIWORD(wparam));
-            }
             return TRUE;
         case WM_NOTIFY: notify((NMHDR *)lparam); return TRUE;
         case WM_SIZE: layout(); break;
@@ -247,15 +225,14 @@ private:
     }
 
     /* Translates the controls. */
-    void init()
-    {
+    void init() {
         RECT client;
         std::string ways;
         GetClientRect(window_, &client);
         size_ = {client.right, client.bottom};
         SetWindowTextW(window_, text(narrow(window_text(window_))).c_str());
-        tips_ = CreateWindowExW(WS_EX_TOPMOST, TOOLTIPS_CLASSW, NULL, WS_POPUP | TTS_ALWAYSTIP | TTS_NOPREFIX,
-                                0, 0, 0, 0, window_, NULL, NULL, NULL);
+        tips_ = CreateWindowExW(WS_EX_TOPMOST, TOOLTIPS_CLASSW, NULL, WS_POPUP | TTS_ALWAYSTIP | TTS_NOPREFIX, 0, 0, 0,
+                                0, window_, NULL, NULL, NULL);
         SendMessageW(tips_, TTM_SETMAXTIPWIDTH, 0, scaled(360));
         SendMessageW(tips_, TTM_SETDELAYTIME, TTDT_AUTOPOP, 30000);
         for (HWND own = GetWindow(window_, GW_CHILD); own != NULL; own = GetWindow(own, GW_HWNDNEXT)) {
@@ -270,20 +247,17 @@ private:
                 MapWindowPoints(NULL, window_, (POINT *)&client, 2);
                 growth_[own] = {ways, client};
             }
-            if (GetDlgCtrlID(own) == IDC_HEADING) {
+            if (GetDlgCtrlID(own) == IDC_HEADING)
                 SendMessageW(own, WM_SETFONT, (WPARAM)bold(own), FALSE);
-            }
-            if (!pieces[3].empty()) {
+            if (!pieces[3].empty())
                 add_columns(own, pieces[3]);
-            }
             on_control(own, pieces[1]);
         }
         on_init();
         layout();
     }
 
-    static HFONT bold(HWND control)
-    {
+    static HFONT bold(HWND control) {
         static HFONT bold = NULL;
         LOGFONTW font;
         if (bold == NULL && GetObjectW((HFONT)SendMessageW(control, WM_GETFONT, 0, 0), sizeof font, &font)) {
@@ -293,8 +267,7 @@ private:
         return bold;
     }
 
-    void layout() const
-    {
+    void layout() const {
         RECT client;
         GetClientRect(window_, &client);
         for (const auto &[control, growth] : growth_) {
@@ -302,8 +275,7 @@ private:
                 bool is_whole = growth.ways.find(whole) != std::string::npos;
                 return is_whole ? by : growth.ways.find(half) != std::string::npos ? by / 2 : 0;
             };
-            int wider = max(0, (int)(client.right - size_.cx)),
-                higher = max(0, (int)(client.bottom - size_.cy));
+            int wider = max(0, (int)(client.right - size_.cx)), higher = max(0, (int)(client.bottom - size_.cy));
             const RECT &place = growth.place;
             MoveWindow(control, place.left + grown('x', 'X', wider), place.top + grown('y', 'Y', higher),
                        place.right - place.left + grown('w', 'W', wider),
@@ -312,17 +284,14 @@ private:
         for (const auto &[list, widths] : widths_) {
             GetWindowRect(list, &client);
             int rest = client.right - client.left - GetSystemMetrics(SM_CXVSCROLL) - scaled(4);
-            for (int width : widths) {
+            for (int width : widths)
                 rest -= scaled(width);
-            }
-            for (size_t k = 0; k < widths.size(); k++) {
+            for (size_t k = 0; k < widths.size(); k++)
                 ListView_SetColumnWidth(list, (int)k, widths[k] == 0 ? rest : scaled(widths[k]));
-            }
         }
     }
 
-    void notify(NMHDR *notice)
-    {
+    void notify(NMHDR *notice) {
         const Rows &rows = rows_[(int)notice->idFrom];
         SetWindowLongPtrW(window_, DWLP_MSGRESULT, 0);
         if (notice->code == (UINT)NM_CUSTOMDRAW && !rows.empty()) {
@@ -330,22 +299,19 @@ private:
         } else if (notice->code == (UINT)LVN_GETDISPINFOW && !rows.empty()) {
             LVITEMW &entry = ((NMLVDISPINFOW *)notice)->item;
             const Texts &cells = rows[min((size_t)entry.iItem, rows.size() - 1)].cells;
-            if ((entry.mask & LVIF_TEXT) != 0 && entry.iSubItem < (int)cells.size()) {
+            if ((entry.mask & LVIF_TEXT) != 0 && entry.iSubItem < (int)cells.size())
                 lstrcpynW(entry.pszText, cells[entry.iSubItem].c_str(), entry.cchTextMax);
-            }
         } else {
             on_notify(notice);
         }
     }
 
     /* What is off is grey; the second column may be a bar. */
-    static LRESULT draw_row(NMLVCUSTOMDRAW *draw, const Rows &rows)
-    {
+    static LRESULT draw_row(NMLVCUSTOMDRAW *draw, const Rows &rows) {
         DWORD stage = draw->nmcd.dwDrawStage;
         size_t row = draw->nmcd.dwItemSpec;
-        if (stage == CDDS_PREPAINT) {
+        if (stage == CDDS_PREPAINT)
             return CDRF_NOTIFYITEMDRAW;
-        }
         if (stage == CDDS_ITEMPREPAINT && row < rows.size()) {
             draw->clrText = rows[row].is_grey ? RGB(150, 150, 150) : RGB(0, 0, 0);
             return CDRF_NOTIFYPOSTPAINT;
@@ -361,8 +327,7 @@ private:
         return CDRF_DODEFAULT;
     }
 
-    HBRUSH color(HDC dc, HWND control) const
-    {
+    HBRUSH color(HDC dc, HWND control) const {
         static const COLORREF WRONG = RGB(255, 214, 214), HEADING = RGB(0, 70, 140), MESSAGE = RGB(170, 0, 0);
         static const HBRUSH wrong = CreateSolidBrush(WRONG);
         int id = control == window_ ? 0 : GetDlgCtrlID(control);
@@ -371,11 +336,10 @@ private:
             SetBkColor(dc, WRONG);
             return wrong;
         }
-        if (id == IDC_HEADING || id == IDC_MESSAGE) {
+        if (id == IDC_HEADING || id == IDC_MESSAGE)
             SetTextColor(dc, id == IDC_HEADING ? HEADING : MESSAGE);
-        } else if (!IsWindowEnabled(control)) {
+        else if (!IsWindowEnabled(control))
             SetTextColor(dc, GetSysColor(COLOR_GRAYTEXT));
-        }
         return GetSysColorBrush(COLOR_WINDOW);
     }
 

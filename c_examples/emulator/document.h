@@ -6,7 +6,7 @@
 
 class Document {
 public:
-    virtual void edited(const std::wstring &fault) = 0; /* the scene was: the sentence of a fault, or "" */
+    virtual void edited(const std::wstring &fault) = 0;      /* the scene was: the sentence of a fault, or "" */
     virtual void say_line(const std::wstring &sentence) = 0; /* in the status line */
     virtual void command(int id) = 0;
     virtual void open_builtin(const std::string &name) = 0;
@@ -28,11 +28,9 @@ public:
     virtual void refresh(bool all_is_new) { load(all_is_new); }
 
 protected:
-    void on_change(int, int) override
-    {
-        if (!changes().empty() || has_marks()) {
+    void on_change(int, int) override {
+        if (!changes().empty() || has_marks())
             document_.edited(save());
-        }
     }
 
     void on_refusal(const std::wstring &sentence) override { document_.say_line(sentence); }
@@ -41,18 +39,15 @@ protected:
 };
 
 /* The items of a list of the scene: the number of each, its words, as "gyro x stuck", and its values. */
-inline Rows rows_of(const Scene &scene, const std::string &list)
-{
+inline Rows rows_of(const Scene &scene, const std::string &list) {
     Rows rows;
     const size_t count = scene.items(list).size();
     for (size_t index = 0; index < count; index++) {
         std::wstring words, values;
         auto get = [&](const std::string &name) { return scene.get(Scene::place(list, index) + "." + name); };
         for (const Key &key : keys()) {
-            if (key.section != list ||
-                !key.applies([&get](const std::string &name) { return unquoted(get(name)); })) {
+            if (key.section != list || !key.applies([&get](const std::string &name) { return unquoted(get(name)); }))
                 continue;
-            }
             std::string value = get(key.name);
             if (key.is_choice()) {
                 words += (words.empty() ? L"" : L" ") + key.word_label(unquoted(value));

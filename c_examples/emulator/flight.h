@@ -21,38 +21,30 @@ public:
 
     /* Begins with the first sample; pace: times real time, 0 as fast as it goes. */
     Flight(const Scene &scene, const fs::path &folder, double pace)
-        : scene_(scene),
-          samples_(scene, folder),
-          sim_(scene->create_simulator()),
-          has_covariance_(sim_.options().covariance != 0),
-          records_(sins::Simulator::record_head(has_covariance_))
-    {
+        : scene_(scene), samples_(scene, folder), sim_(scene->create_simulator()),
+          has_covariance_(sim_.options().covariance != 0), records_(sins::Simulator::record_head(has_covariance_)) {
         points_every_ = (size_t)max((double)samples_.all.count / LEAST_POINTS, 1.0);
-        if (!increments_name().empty()) {
+        if (!increments_name().empty())
             increments_.emplace(narrow(text("increments")));
-        }
         move_pace(pace);
         worker_ = std::thread(&Flight::fly, this);
     }
 
     ~Flight() { stop(); }
 
-    void pace(double factor)
-    {
+    void pace(double factor) {
         auto guard = lock();
         move_pace(factor);
     }
 
-    void pause(bool paused)
-    {
+    void pause(bool paused) {
         auto guard = lock();
         state_ = state_ == FLYING && paused ? PAUSED : state_ == PAUSED && !paused ? FLYING : state_;
         move_pace(pace_);
     }
 
     /* The worker ends; what was flown stays. */
-    void stop()
-    {
+    void stop() {
         if (worker_.joinable()) {
             ends_ = true;
             worker_.join();
@@ -60,8 +52,7 @@ public:
         }
     }
 
-    Status status() const
-    {
+    Status status() const {
         auto guard = lock();
         sins_record record = sins::make<sins_record>();
         sins_accuracy accuracy = sins::make<sins_accuracy>();
@@ -71,15 +62,13 @@ public:
         return {state_, time_s, samples_.all.duration_s, saved_s_, record, accuracy, sentence_};
     }
 
-    Curves curves() const
-    {
+    Curves curves() const {
         auto guard = lock();
         return now_.curves;
     }
 
     /* The failures of the scene as they are now: they take effect with the next interval. */
-    void plan(const Scene &scene)
-    {
+    void plan(const Scene &scene) {
         auto guard = lock();
         const std::vector<sins_planned_failure> planned = scene->failures();
         /* Outputs for which the scene plans none any more are left alone by prepare(). */
@@ -93,8 +82,7 @@ public:
         scene_ = Scene(scene);
     }
 
-    void save_snapshot()
-    {
+    void save_snapshot() {
         double time_s = status().time_s;
         auto guard = lock();
         snapshot_ = sim_.snapshot_save();
@@ -104,31 +92,26 @@ public:
         saved_s_ = time_s;
     }
 
-    void go_back()
-    {
+    void go_back() {
         auto guard = lock();
-        if (saved_s_ < 0) {
+        if (saved_s_ < 0)
             throw Refusal(text("no_snapshot"));
-        }
         sim_.snapshot_load(snapshot_);
         now_ = saved_;
         records_.cut(now_.records);
-        if (increments_) {
+        if (increments_)
             increments_->cut(now_.increments);
-        }
         state_ = state_ == FLYING ? FLYING : PAUSED;
         move_pace(pace_);
     }
 
     /* The records so far, as `sins fly` writes them; and what the sensors measured in each interval. */
-    void write_records(const fs::path &path)
-    {
+    void write_records(const fs::path &path) {
         auto guard = lock();
         records_.copy(path);
     }
 
-    void write_increments(const fs::path &path)
-    {
+    void write_increments(const fs::path &path) {
         auto guard = lock();
         increments_->copy(path);
     }
@@ -143,29 +126,26 @@ private:
     /* Steps between two looks at the window. */
     static constexpr int STEPS = 256;
 
-    static std::string list(const double *values)
-    {
+    static std::string list(const double *values) {
         return "," + shortest(values[0]) + "," + shortest(values[1]) + "," + shortest(values[2]);
     }
 
-    struct Moment {                      /* what goes on from sample to sample */
-        size_t next = 0;                 /* sample */
-        double sums[6] = {}, time_s = 0; /* since the last record: errors of gyros, accelerometers */
+    struct Moment {                                 /* what goes on from sample to sample */
+        size_t next = 0;                            /* sample */
+        double sums[6] = {}, time_s = 0;            /* since the last record: errors of gyros, accelerometers */
         std::streamoff records = 0, increments = 0; /* bytes */
         Curves curves;
     };
 
     /* the worker makes way for the window */
-    std::unique_lock<std::mutex> lock() const
-    {
+    std::unique_lock<std::mutex> lock() const {
         waiting_++;
         std::unique_lock<std::mutex> lock(mutex_);
         waiting_--;
         return lock;
     }
 
-    void fly()
-    {
+    void fly() {
         SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL); /* the window answers first */
         while (!ends_) {
             bool waits = waiting_ > 0;
@@ -175,20 +155,17 @@ private:
                 double due_s = pace_ > 0 ? paced_from_s_ + pace_ * elapsed_s : INFINITY;
                 for (int k = 0; k < STEPS && state_ == FLYING && !waits; k++) {
                     waits = next_s() > due_s;
-                    if (!waits) {
+                    if (!waits)
                         step();
-                    }
                 }
             }
-            if (waits || state_ != FLYING) {
+            if (waits || state_ != FLYING)
                 Sleep(state_ == FLYING ? 1 : 20);
-            }
         }
     }
 
     /* Flies to the next sample. */
-    void step()
-    {
+    void step() {
         try {
             sins_flight_sample sample = samples_.get(now_.next);
             scene_->prepare(sim_, samples_.all.start_s, sample);
@@ -202,26 +179,22 @@ private:
         }
     }
 
-    void keep(size_t index)
-    {
+    void keep(size_t index) {
         sins_imu imu = sins::make<sins_imu>();
-        if (index > 0 && sim_.get_imu(imu)) {
+        if (index > 0 && sim_.get_imu(imu))
             add_interval(imu);
-        }
         bool is_row = index % samples_.all.record_every == 0;
         if (is_row || index % points_every_ == 0) {
             sins_record record = sins::make<sins_record>();
             sim_.get_record(record);
             keep_point(record, index > 0); /* rates begin with the first interval */
-            if (is_row) {
+            if (is_row)
                 keep_row(record);
-            }
         }
     }
 
     /* What the sensors gave over an interval. */
-    void add_interval(const sins_imu &imu)
-    {
+    void add_interval(const sins_imu &imu) {
         for (int k = 0; k < 3; k++) {
             now_.sums[k] += imu.measured_angle_rad[k] - imu.ideal_angle_rad[k];
             now_.sums[3 + k] += imu.measured_velocity_m_s[k] - imu.ideal_velocity_m_s[k];
@@ -235,8 +208,7 @@ private:
         }
     }
 
-    void keep_point(const sins_record &record, bool ends)
-    {
+    void keep_point(const sins_record &record, bool ends) {
         for (int k = 0; k < 2; k++) {
             const sins_record_errors &errors = k == 0 ? record.navigation_errors : record.model_errors;
             const sins_record_solution &solution = k == 0 ? record.truth : record.navigation;
@@ -247,27 +219,23 @@ private:
             now_.curves.put(VELOCITY + 3 * k, solution.velocity_enu_m_s);
             now_.curves.put(PLACE + 3 * k, &solution.latitude_rad);
         }
-        if (ends) {
+        if (ends)
             now_.curves.end_point(record.time_s - samples_.all.start_s);
-        }
     }
 
-    void keep_row(const sins_record &record)
-    {
+    void keep_row(const sins_record &record) {
         sins_covariance covariance = sins::make<sins_covariance>();
         bool has_covariance = has_covariance_ && sim_.get_covariance(covariance);
         std::vector<double> means(now_.sums, now_.sums + 6);
-        for (double &mean : means) {
+        for (double &mean : means)
             mean /= now_.time_s > 0 ? now_.time_s : 1;
-        }
         records_.add(sins::Simulator::record_line(record, means, has_covariance ? &covariance : NULL));
         std::fill(now_.sums, now_.sums + 6, 0.0);
         now_.time_s = 0;
     }
 
     /* From now on at this pace. */
-    void move_pace(double factor)
-    {
+    void move_pace(double factor) {
         pace_ = factor;
         paced_from_s_ = next_s();
         paced_at_ms_ = GetTickCount64();

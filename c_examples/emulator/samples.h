@@ -7,8 +7,7 @@
 class Samples {
 public:
     /* folder: that of the scene's file, from which a log is seen. */
-    Samples(const Scene &scene, const fs::path &folder) : rate_hz_(scene->setup().rate_hz)
-    {
+    Samples(const Scene &scene, const fs::path &folder) : rate_hz_(scene->setup().rate_hz) {
         if (scene->setup().flight != SINS_SCENE_FLIGHT_LOG) {
             flight_ = scene->create_flight();
             all = scene->samples();
@@ -23,18 +22,15 @@ public:
         }
     }
 
-    sins_flight_sample get(size_t index) const
-    {
+    sins_flight_sample get(size_t index) const {
         return log_ ? log_->sample(index) : flight_->sample_at((double)index / rate_hz_);
     }
 
     /* Where a sample stands, for a sentence about it: the time, or the line of the log. */
-    std::wstring place(size_t index) const
-    {
+    std::wstring place(size_t index) const {
         uint64_t line = 0;
-        if (!log_) {
+        if (!log_)
             return shown((double)index * all.period_s, 10) + L" s: ";
-        }
         log_->sample(index, &line);
         return log_path.wstring() + L":" + std::to_wstring(line) + L": ";
     }

@@ -24,8 +24,7 @@ struct Kind {
 };
 
 /* The options that meet the limits. */
-inline Result find_options(const sins::Simulator &sim, const Piece &piece, const Limits &limits)
-{
+inline Result find_options(const sins::Simulator &sim, const Piece &piece, const Limits &limits) {
     Result result;
     sins_requirement requirement = sins::make<sins_requirement>();
     sins_cost cost = sins::make<sins_cost>();
@@ -46,29 +45,25 @@ inline Result find_options(const sins::Simulator &sim, const Piece &piece, const
                           shown(cost.instructions_per_step, 6),
                           shown(cost.ns_per_step, 4) + L" ns",
                           std::to_wstring(cost.tried)};
-    for (size_t k = 0; k < names.size(); k++) {
+    for (size_t k = 0; k < names.size(); k++)
         result.rows.push_back({{names[k], values[k]}});
-    }
     result.sentence = parts("met")[is_met ? 0 : 1];
     result.options = options;
     return result;
 }
 
-inline std::wstring name_of(const sins_budget_row &row)
-{
+inline std::wstring name_of(const sins_budget_row &row) {
     std::string field = row.field;
     const Key *key = key_of(field.starts_with("accel.") ? "accelerometer" + field.substr(5) : field);
     std::wstring name = label(std::string("effect.") + row.effect, row.effect);
-    if (key != NULL && language == 1) {
+    if (key != NULL && language == 1)
         name = label(std::string("section.") + key->section, key->section) + L"\u00b7" + key->meaning();
-    }
     name += (row.flags & SINS_BUDGET_RANDOM) != 0 ? L" (1\u03c3)" : L"";
     return name + ((row.flags & SINS_BUDGET_CAN_BE_LEFT_OUT) != 0 ? L" *" : L"");
 }
 
 /* The share of each error; a bar is of the largest in position. */
-inline Result find_shares(const sins::Simulator &sim, const Piece &piece, const Limits &limits)
-{
+inline Result find_shares(const sins::Simulator &sim, const Piece &piece, const Limits &limits) {
     Result result;
     sins_budget_request request = sins::make<sins_budget_request>();
     std::vector<sins_budget_row> rows;
@@ -83,19 +78,16 @@ inline Result find_shares(const sins::Simulator &sim, const Piece &piece, const 
         result.rows.push_back(
             {{name, L"", shown(errors.position_m, 4), shown(errors.velocity_m_s, 4), attitude}, false, bar});
     };
-    for (const sins_budget_row &row : rows) {
+    for (const sins_budget_row &row : rows)
         largest = max(largest, row.position_m);
-    }
-    for (const sins_budget_row &row : rows) {
+    for (const sins_budget_row &row : rows)
         add(name_of(row), row, row.position_m / largest);
-    }
     add(text("budget_total"), budget, 0);
     return result;
 }
 
 inline const Kind RECOMMEND = {
-    "Recommended options", "For the &duration [s]", "tip_duration", "columns_recommend", 360000,
-    find_options};
+    "Recommended options", "For the &duration [s]", "tip_duration", "columns_recommend", 360000, find_options};
 inline const Kind BUDGET = {"Error budget", "&Runs", "tip_runs", "columns_budget", 2000000, find_shares};
 
 /* A computation: what it needs and what it finds, shared by its thread and the dialog. */
@@ -109,8 +101,7 @@ struct Study {
     std::atomic<bool> is_cancelled{false}, is_done{false};
 
     /* The samples of the piece, then the call. */
-    void compute()
-    {
+    void compute() {
         Samples flight(scene, folder);
         sins::Simulator sim = scene->create_simulator();
         size_t first = (size_t)min(from_s / flight.all.period_s + 1e-6, (double)flight.all.count);
@@ -124,9 +115,8 @@ struct Study {
             piece.push_back(flight.get(k)); /* and its temperature: no failures here */
             scene->prepare(sim, flight.all.start_s, piece.back());
         }
-        if (!is_cancelled) {
+        if (!is_cancelled)
             result = kind.call(sim, piece, limits);
-        }
     }
 };
 
@@ -136,8 +126,7 @@ public:
     ~StudyDialog() override { cancel(); }
 
 protected:
-    void on_init() override
-    {
+    void on_init() override {
         SetWindowTextW(window_, text(kind_.title).c_str());
         set(IDC_LAST_LABEL, text(kind_.last));
         add_columns(item(IDC_RESULT), kind_.columns);
@@ -146,21 +135,18 @@ protected:
         set(IDC_LIMIT_POSITION, &kind_ == &RECOMMEND ? L"1" : L"");
         set(IDC_FROM, L"0");
         SetTimer(window_, 1, 100, NULL);
-        for (int id : {IDC_LIMIT_POSITION, IDC_LIMIT_VELOCITY, IDC_LIMIT_ATTITUDE}) {
+        for (int id : {IDC_LIMIT_POSITION, IDC_LIMIT_VELOCITY, IDC_LIMIT_ATTITUDE})
             tip(item(id), text("tip_limit"));
-        }
         tip(item(IDC_LAST), text(kind_.last_tip));
         double duration_s = Samples(document_.scene, document_.folder()).all.duration_s;
-        for (int id : {IDC_FROM, IDC_TO}) {
+        for (int id : {IDC_FROM, IDC_TO})
             tip(item(id), text("range", {L"0", shown(duration_s, 10)}));
-        }
         set(IDC_TO, shown(min(duration_s, 600.0), 10));
     }
 
     void on_refusal(const std::wstring &sentence) override { set(IDC_STATE, sentence); }
 
-    void on_command(int id, int) override
-    {
+    void on_command(int id, int) override {
         if (id == IDC_COMPUTE && study_ != NULL) {
             cancel();
             set(IDC_STATE, text("cancelled"));
@@ -172,14 +158,11 @@ protected:
         }
     }
 
-    bool on_message(UINT message, WPARAM, LPARAM) override
-    {
-        if (message != WM_TIMER) {
+    bool on_message(UINT message, WPARAM, LPARAM) override {
+        if (message != WM_TIMER)
             return false;
-        }
-        if (running_ != NULL && running_->is_done) {
+        if (running_ != NULL && running_->is_done)
             running_.reset();
-        }
         if (study_ != NULL && !study_->is_done && running_ == NULL) {
             running_ = study_;
             set(IDC_STATE, text("computing"));
@@ -204,8 +187,7 @@ protected:
 
 private:
     /* A number of a field, 0 where it is empty. What is none is marked. */
-    double number(int id)
-    {
+    double number(int id) {
         double value = 0;
         std::string typed = narrow(get(id));
         bool is_number = typed.empty() || (number_of(typed, value) && value >= 0);
@@ -213,23 +195,20 @@ private:
         return is_number ? value : 0;
     }
 
-    void start()
-    {
+    void start() {
         Limits limits = {number(IDC_LIMIT_POSITION), number(IDC_LIMIT_VELOCITY),
                          number(IDC_LIMIT_ATTITUDE) * SINS_ARCSEC, number(IDC_LAST)};
-        std::shared_ptr<Study> study(new Study{
-            kind_, Scene(document_.scene), document_.folder(), number(IDC_FROM), number(IDC_TO), limits, {}});
-        if (has_marks()) {
+        std::shared_ptr<Study> study(
+            new Study{kind_, Scene(document_.scene), document_.folder(), number(IDC_FROM), number(IDC_TO), limits, {}});
+        if (has_marks())
             throw Refusal(text("field_not_valid"));
-        }
         study_ = study;
         set(IDC_STATE, text("waiting"));
         set(IDC_COMPUTE, text("&Cancel"));
         on_message(WM_TIMER, 0, 0);
     }
 
-    void cancel()
-    {
+    void cancel() {
         if (study_ != NULL) {
             study_->is_cancelled = true;
             study_.reset();
@@ -238,8 +217,7 @@ private:
 
     /* The recommended options for the scene. The simulator's sample period is that of the flight, and stays
      * out. */
-    void adopt()
-    {
+    void adopt() {
         const sins_options &options = *result_.options;
         Faults faults =
             document_.scene.set({{"options.scheme", key_of("options.scheme")->choices()[options.scheme]},

@@ -6,71 +6,59 @@ class TrajectoryPage : public Page {
 public:
     using Page::Page;
 
-    void refresh(bool all_is_new) override
-    {
+    void refresh(bool all_is_new) override {
         int source = scene_->setup().flight;
         bool is_path = source == SINS_SCENE_FLIGHT_MANOEUVRES, is_log = source == SINS_SCENE_FLIGHT_LOG;
         std::wstring builtin = wide(scene_->text(SINS_SCENE_TEXT_BUILTIN));
         Page::refresh(all_is_new);
         choose(IDC_SOURCE, std::find(SOURCES, std::end(SOURCES), source) - SOURCES);
-        if (!builtin.empty()) {
+        if (!builtin.empty())
             SendMessageW(item(IDC_BUILTIN), CB_SELECTSTRING, -1, (LPARAM)builtin.c_str());
-        }
         enable_fields("flight.", is_path);
         enable_fields("flight.title", true);
         enable_fields("flight.file", is_log);
         enable(IDC_BROWSE, is_log);
         enable(IDC_BUILTIN, !is_path && !is_log);
-        for (int id = IDC_MANOEUVRES; id <= IDC_DOWN; id++) {
+        for (int id = IDC_MANOEUVRES; id <= IDC_DOWN; id++)
             enable(id, is_path);
-        }
         rows(IDC_MANOEUVRES, rows_of(scene_, "manoeuvre"));
-        if (previewed_ != scene_.text() + narrow(document_.folder())) {
+        if (previewed_ != scene_.text() + narrow(document_.folder()))
             preview();
-        }
     }
 
 protected:
-    void on_init() override
-    {
+    void on_init() override {
         Texts builtins;
-        for (const std::string &name : sins::Scene::builtin_names()) {
+        for (const std::string &name : sins::Scene::builtin_names())
             builtins.push_back(wide(name));
-        }
         fill(item(IDC_SOURCE), parts("sources"));
         fill(item(IDC_BUILTIN), builtins);
         track_.attach(item(IDC_TRACK));
         profile_.attach(item(IDC_PROFILE));
     }
 
-    void on_command(int id, int code) override
-    {
-        if (code == CBN_SELCHANGE && (id == IDC_SOURCE || id == IDC_BUILTIN)) {
+    void on_command(int id, int code) override {
+        if (code == CBN_SELCHANGE && (id == IDC_SOURCE || id == IDC_BUILTIN))
             set_source(id == IDC_BUILTIN ? 0 : chosen(IDC_SOURCE));
-        } else if (id == IDC_BROWSE) {
+        else if (id == IDC_BROWSE)
             set_source(2);
-        } else if (id == IDC_TAKE) {
+        else if (id == IDC_TAKE)
             document_.open_builtin(narrow(get(IDC_BUILTIN)));
-        } else if (id >= IDC_ADD && id <= IDC_DOWN) {
+        else if (id >= IDC_ADD && id <= IDC_DOWN)
             edit(id);
-        }
     }
 
-    void on_notify(NMHDR *notice) override
-    {
-        if (notice->idFrom == IDC_MANOEUVRES && notice->code == (UINT)NM_DBLCLK) {
+    void on_notify(NMHDR *notice) override {
+        if (notice->idFrom == IDC_MANOEUVRES && notice->code == (UINT)NM_DBLCLK)
             edit(IDC_EDIT);
-        }
     }
 
 private:
     /* Where a flight comes from, in the order of the text "sources": as the paper, built-in flights first. */
-    static constexpr int SOURCES[] = {SINS_SCENE_FLIGHT_BUILTIN, SINS_SCENE_FLIGHT_MANOEUVRES,
-                                      SINS_SCENE_FLIGHT_LOG};
+    static constexpr int SOURCES[] = {SINS_SCENE_FLIGHT_BUILTIN, SINS_SCENE_FLIGHT_MANOEUVRES, SINS_SCENE_FLIGHT_LOG};
 
     /* The ground track and the height of the flight, from 3000 samples of it. */
-    void preview()
-    {
+    void preview() {
         const COLORREF BLUE = RGB(0, 90, 180);
         Panel track = {text("track"), DEGREES, {}, {{L"", BLUE, false, {}}}};
         Panel profile = {text("height_over_time"), LENGTH, {}, {{L"", BLUE, false, {}}}};
@@ -91,8 +79,7 @@ private:
         profile_.show({profile}, DURATION, false);
     }
 
-    void set_source(int source)
-    {
+    void set_source(int source) {
         Faults faults;
         if (source == 0) {
             /* The paper's simulations are scenes with the flight of another. */
@@ -104,16 +91,14 @@ private:
             fs::path path = ask_file(window_, false, "filter_log", L"csv"),
                      seen = path.lexically_relative(document_.folder());
             bool is_below = !seen.empty() && *seen.begin() != L".."; /* then as seen from the scene */
-            if (!path.empty()) {
+            if (!path.empty())
                 faults = scene_.set({{"flight.file", in_quotes(narrow(is_below ? seen : path))}});
-            }
         }
         document_.edited(told(faults));
     }
 
     /* A built-in flight becomes manoeuvres that can be edited; a log the default flight. */
-    void make_manoeuvres()
-    {
+    void make_manoeuvres() {
         sins_flight_start start = sins::make<sins_flight_start>();
         size_t repeat = 1;
         bool is_log = scene_->setup().flight == SINS_SCENE_FLIGHT_LOG;
@@ -122,8 +107,7 @@ private:
     }
 
     /* Adds, edits, moves or removes a manoeuvre. */
-    void edit(int id)
-    {
+    void edit(int id) {
         Scene draft(scene_);
         std::vector<std::string> all = scene_.items("manoeuvre");
         size_t row = min(selected(IDC_MANOEUVRES), all.size()), next = row;
