@@ -1,9 +1,11 @@
-/* A dialog of the resources, as CDialog: one class derives from it for each. The text of a control in a
- * layout has up to four pieces between "|": its text; the scene keys of the fields behind it; what of the
- * window's growth moves it (x, y) and stretches it (w, h), in capitals by half, for the controls without text
- * behind it too; of a list its columns. */
+/* A dialog of the resources, as CDialog: one class derives from it for each. The text of a control in a layout has up
+ * to four pieces between "|": its text; the scene keys of the fields behind it; what of the window's growth moves it
+ * (x, y) and stretches it (w, h), in capitals by half, for the controls without text behind it too; a list's columns. */
 #pragma once
 #include <commctrl.h>
+
+#include <numeric>
+#include <set>
 
 #include "library.h"
 #include "text.h"
@@ -49,16 +51,11 @@ inline std::wstring ask_file(HWND owner, bool save, const std::string &filter, c
                              const std::wstring &proposal = L"") {
     WCHAR path[32768] = L"";
     std::wstring pairs = text(filter) + L'\0';
-    OPENFILENAMEW ask = {};
+    DWORD flags = OFN_NOCHANGEDIR | OFN_HIDEREADONLY | (save ? OFN_OVERWRITEPROMPT : OFN_FILEMUSTEXIST);
     std::replace(pairs.begin(), pairs.end(), L';', L'\0');
     lstrcpynW(path, proposal.c_str(), 32768);
-    ask.lStructSize = sizeof ask;
-    ask.hwndOwner = owner;
-    ask.lpstrFilter = pairs.c_str();
-    ask.lpstrFile = path;
-    ask.nMaxFile = 32768;
-    ask.lpstrDefExt = ending;
-    ask.Flags = OFN_NOCHANGEDIR | OFN_HIDEREADONLY | (save ? OFN_OVERWRITEPROMPT : OFN_FILEMUSTEXIST);
+    OPENFILENAMEW ask = {.lStructSize = sizeof ask, .hwndOwner = owner, .lpstrFilter = pairs.c_str(), .lpstrFile = path,
+                         .nMaxFile = 32768, .Flags = flags, .lpstrDefExt = ending};
     return (save ? GetSaveFileNameW(&ask) : GetOpenFileNameW(&ask)) ? path : L"";
 }
 
@@ -71,20 +68,23 @@ struct Row {
 };
 typedef std::vector<Row> Rows;
 
+/* A row for each part of a text, with its value. */
+inline Rows rows_of(const std::string &names, const Texts &values) {
+    Rows rows;
+    for (const std::wstring &name : parts(names))
+        rows.push_back({{name, values[rows.size()]}});
+    return rows;
+}
+
 class Dialog {
 public:
-    virtual ~Dialog() {
-        if (window_ != NULL)
-            DestroyWindow(window_);
-    }
+    virtual ~Dialog() { DestroyWindow(window_); }
 
-    void create(HWND parent, UINT id) /* a page: lives until the object is destroyed */
-    {
+    void create(HWND parent, UINT id) { /* a page: lives until the object is destroyed */
         CreateDialogIndirectParamW(NULL, template_of(id), parent, procedure, (LPARAM)this);
     }
 
-    INT_PTR modal(HWND parent, UINT id) /* returns what finish() got */
-    {
+    INT_PTR modal(HWND parent, UINT id) { /* returns what finish() got */
         return DialogBoxIndirectParamW(NULL, template_of(id), parent, procedure, (LPARAM)this);
     }
 
@@ -94,10 +94,9 @@ public:
 protected:
     virtual void on_control(HWND, const std::string &) {} /* with its second piece */
     virtual void on_init() {}
-    virtual void on_command(int, int) {} /* control or menu, code of its notification */
+    virtual void on_command(int, int) {} /* control or menu, code of its notification: of lists and tabs too */
     virtual bool is_change(HWND, int) const { return false; }
     virtual void on_change(int id, int code) { on_command(id, code); } /* a field has a new value */
-    virtual void on_notify(NMHDR *) {}
     virtual bool on_message(UINT, WPARAM, LPARAM) { return false; } /* of another kind; true: it is done */
     virtual void on_refusal(const std::wstring &sentence) { say(window_, sentence); }
     void finish(INT_PTR result) { EndDialog(window_, result); }
@@ -123,44 +122,32 @@ protected:
     }
 
     void tip(HWND control, const std::wstring &text) {
-        TOOLINFOW tool = {};
         bool is_new = tip_texts_.count(control) == 0;
         tip_texts_[control] = text;
-        tool.cbSize = TTTOOLINFOW_V1_SIZE;
-        tool.uFlags = TTF_IDISHWND | TTF_SUBCLASS;
-        tool.hwnd = window_;
-        tool.uId = (UINT_PTR)control;
-        tool.lpszText = tip_texts_[control].data();
+        TOOLINFOW tool = {.cbSize = TTTOOLINFOW_V1_SIZE, .uFlags = TTF_IDISHWND | TTF_SUBCLASS, .hwnd = window_,
+                          .uId = (UINT_PTR)control, .lpszText = tip_texts_[control].data()};
         SendMessageW(tips_, is_new ? TTM_ADDTOOLW : TTM_UPDATETIPTEXTW, 0, (LPARAM)&tool);
     }
 
-    /* Marks a field as wrong; "": right again. */
-    void mark(HWND control, const std::wstring &sentence) {
-        bool is_new = sentence.empty() ? marked_.erase(control) > 0 : marked_[control] != sentence;
-        if (is_new)
+    void mark(HWND control, bool is_wrong) {
+        if (is_wrong ? marked_.insert(control).second : marked_.erase(control) > 0)
             InvalidateRect(control, NULL, TRUE);
-        if (!sentence.empty())
-            marked_[control] = sentence;
     }
 
-    /* Lists. */
-
-    /* The columns of a text, each a title and a width, of which 0 takes what the others leave. */
+    /* The columns of a list, each a title and a width, of which 0 takes what the others leave. */
     void add_columns(HWND list, const std::string &titles) {
         ListView_SetExtendedListViewStyle(list, LVS_EX_FULLROWSELECT | LVS_EX_DOUBLEBUFFER | LVS_EX_LABELTIP);
         for (const std::wstring &title : parts(titles)) {
             std::wstring name = title.substr(0, title.rfind(L' '));
-            LVCOLUMNW column = {};
-            column.mask = LVCF_TEXT | LVCF_SUBITEM;
-            column.pszText = name.data();
-            column.iSubItem = (int)widths_[list].size();
-            ListView_InsertColumn(list, column.iSubItem, &column);
-            widths_[list].push_back(_wtoi(&title[name.size()]));
+            int index = (int)widths_[list].size();
+            LVCOLUMNW column = {.mask = LVCF_TEXT | LVCF_SUBITEM, .pszText = name.data(), .iSubItem = index};
+            ListView_InsertColumn(list, index, &column);
+            widths_[list].push_back(scaled(_wtoi(&title[name.size()])));
         }
     }
 
     void rows(int id, const Rows &rows) {
-        if (rows_.count(id) == 0 || rows_[id] != rows) {
+        if (rows_[id] != rows) {
             rows_[id] = rows;
             ListView_SetItemCountEx(item(id), (int)rows.size(), LVSICF_NOSCROLL);
         }
@@ -175,25 +162,27 @@ protected:
     }
 
     HWND window_ = NULL;
-    std::map<HWND, std::wstring> marked_;
+    std::set<HWND> marked_; /* fields that are wrong */
 
 private:
     struct Growth {
         std::string ways;
         RECT place;
+        int of(char whole, char half, int by) const {
+            return ways.find(whole) != ways.npos ? by : ways.find(half) != ways.npos ? by / 2 : 0;
+        }
     };
 
     static const DLGTEMPLATE *template_of(UINT id) {
-        return (const DLGTEMPLATE *)resource(MAKEINTRESOURCEW(5), id); /* RT_DIALOG */
+        return (const DLGTEMPLATE *)resource(MAKEINTRESOURCEW(5), id).data(); /* RT_DIALOG */
     }
 
     static INT_PTR CALLBACK procedure(HWND window, UINT message, WPARAM wparam, LPARAM lparam) {
-        Dialog *dialog = (Dialog *)GetWindowLongPtrW(window, GWLP_USERDATA);
         if (message == WM_INITDIALOG) {
             SetWindowLongPtrW(window, GWLP_USERDATA, lparam);
-            dialog = (Dialog *)lparam;
-            dialog->window_ = window;
+            ((Dialog *)lparam)->window_ = window;
         }
+        Dialog *dialog = (Dialog *)GetWindowLongPtrW(window, GWLP_USERDATA);
         try {
             return dialog == NULL ? FALSE : dialog->handle(message, wparam, lparam);
         } catch (const std::exception &error) {
@@ -236,9 +225,10 @@ private:
         SendMessageW(tips_, TTM_SETMAXTIPWIDTH, 0, scaled(360));
         SendMessageW(tips_, TTM_SETDELAYTIME, TTDT_AUTOPOP, 30000);
         for (HWND own = GetWindow(window_, GW_CHILD); own != NULL; own = GetWindow(own, GW_HWNDNEXT)) {
-            std::string whole = narrow(window_text(own));
-            std::vector<std::string> pieces = split(whole + "|||", "|");
-            if (!whole.empty()) {
+            std::vector<std::string> pieces = split(narrow(window_text(own)), '|');
+            bool has_text = !pieces.empty();
+            pieces.resize(4);
+            if (has_text) {
                 SetWindowTextW(own, pieces[0].empty() ? L"" : text(pieces[0]).c_str());
                 ways = pieces[2];
             }
@@ -258,69 +248,61 @@ private:
     }
 
     static HFONT bold(HWND control) {
-        static HFONT bold = NULL;
-        LOGFONTW font;
-        if (bold == NULL && GetObjectW((HFONT)SendMessageW(control, WM_GETFONT, 0, 0), sizeof font, &font)) {
-            font.lfWeight = FW_BOLD;
-            bold = CreateFontIndirectW(&font);
-        }
+        LOGFONTW font = {};
+        GetObjectW((HFONT)SendMessageW(control, WM_GETFONT, 0, 0), sizeof font, &font);
+        font.lfWeight = FW_BOLD;
+        static const HFONT bold = CreateFontIndirectW(&font);
         return bold;
     }
 
     void layout() const {
         RECT client;
         GetClientRect(window_, &client);
-        for (const auto &[control, growth] : growth_) {
-            auto grown = [&growth](char whole, char half, int by) {
-                bool is_whole = growth.ways.find(whole) != std::string::npos;
-                return is_whole ? by : growth.ways.find(half) != std::string::npos ? by / 2 : 0;
-            };
-            int wider = max(0, (int)(client.right - size_.cx)), higher = max(0, (int)(client.bottom - size_.cy));
-            const RECT &place = growth.place;
-            MoveWindow(control, place.left + grown('x', 'X', wider), place.top + grown('y', 'Y', higher),
-                       place.right - place.left + grown('w', 'W', wider),
-                       place.bottom - place.top + grown('h', 'H', higher), TRUE);
+        int wider = max(0, (int)(client.right - size_.cx)), higher = max(0, (int)(client.bottom - size_.cy));
+        for (const auto &[control, own] : growth_) {
+            int width = own.place.right - own.place.left, height = own.place.bottom - own.place.top;
+            MoveWindow(control, own.place.left + own.of('x', 'X', wider), own.place.top + own.of('y', 'Y', higher),
+                       width + own.of('w', 'W', wider), height + own.of('h', 'H', higher), TRUE);
         }
         for (const auto &[list, widths] : widths_) {
             GetWindowRect(list, &client);
             int rest = client.right - client.left - GetSystemMetrics(SM_CXVSCROLL) - scaled(4);
-            for (int width : widths)
-                rest -= scaled(width);
+            rest -= std::accumulate(widths.begin(), widths.end(), 0);
             for (size_t k = 0; k < widths.size(); k++)
-                ListView_SetColumnWidth(list, (int)k, widths[k] == 0 ? rest : scaled(widths[k]));
+                ListView_SetColumnWidth(list, (int)k, widths[k] == 0 ? rest : widths[k]);
         }
     }
 
     void notify(NMHDR *notice) {
-        const Rows &rows = rows_[(int)notice->idFrom];
+        int id = (int)notice->idFrom, code = (int)notice->code;
+        const Rows &rows = rows_[id];
         SetWindowLongPtrW(window_, DWLP_MSGRESULT, 0);
-        if (notice->code == (UINT)NM_CUSTOMDRAW && !rows.empty()) {
+        if (code == (int)NM_CUSTOMDRAW && !rows.empty()) {
             SetWindowLongPtrW(window_, DWLP_MSGRESULT, draw_row((NMLVCUSTOMDRAW *)notice, rows));
-        } else if (notice->code == (UINT)LVN_GETDISPINFOW && !rows.empty()) {
+        } else if (code == (int)LVN_GETDISPINFOW && !rows.empty()) {
             LVITEMW &entry = ((NMLVDISPINFOW *)notice)->item;
             const Texts &cells = rows[min((size_t)entry.iItem, rows.size() - 1)].cells;
             if ((entry.mask & LVIF_TEXT) != 0 && entry.iSubItem < (int)cells.size())
                 lstrcpynW(entry.pszText, cells[entry.iSubItem].c_str(), entry.cchTextMax);
-        } else {
-            on_notify(notice);
+        } else if (code == (int)LVN_ITEMCHANGED || code == (int)NM_DBLCLK || code == (int)TCN_SELCHANGE) {
+            on_command(id, code);
         }
     }
 
     /* What is off is grey; the second column may be a bar. */
     static LRESULT draw_row(NMLVCUSTOMDRAW *draw, const Rows &rows) {
-        DWORD stage = draw->nmcd.dwDrawStage;
-        size_t row = draw->nmcd.dwItemSpec;
-        if (stage == CDDS_PREPAINT)
+        if (draw->nmcd.dwDrawStage == CDDS_PREPAINT)
             return CDRF_NOTIFYITEMDRAW;
-        if (stage == CDDS_ITEMPREPAINT && row < rows.size()) {
-            draw->clrText = rows[row].is_grey ? RGB(150, 150, 150) : RGB(0, 0, 0);
+        const Row &row = rows[min((size_t)draw->nmcd.dwItemSpec, rows.size() - 1)];
+        if (draw->nmcd.dwDrawStage == CDDS_ITEMPREPAINT) {
+            draw->clrText = row.is_grey ? RGB(150, 150, 150) : RGB(0, 0, 0);
             return CDRF_NOTIFYPOSTPAINT;
         }
-        if (stage == CDDS_ITEMPOSTPAINT && row < rows.size() && rows[row].bar > 0) {
+        if (draw->nmcd.dwDrawStage == CDDS_ITEMPOSTPAINT && row.bar > 0) {
             RECT bar;
-            ListView_GetSubItemRect(draw->nmcd.hdr.hwndFrom, (int)row, 1, LVIR_BOUNDS, &bar);
+            ListView_GetSubItemRect(draw->nmcd.hdr.hwndFrom, (int)draw->nmcd.dwItemSpec, 1, LVIR_BOUNDS, &bar);
             InflateRect(&bar, -3, -3);
-            bar.right = bar.left + (LONG)((bar.right - bar.left) * rows[row].bar);
+            bar.right = bar.left + (LONG)((bar.right - bar.left) * row.bar);
             SetDCBrushColor(draw->nmcd.hdc, RGB(0, 110, 200));
             FillRect(draw->nmcd.hdc, &bar, (HBRUSH)GetStockObject(DC_BRUSH));
         }
@@ -346,7 +328,7 @@ private:
     HWND tips_ = NULL;
     std::map<HWND, std::wstring> tip_texts_; /* the tool tip does not copy them */
     std::map<HWND, Growth> growth_;
-    std::map<HWND, std::vector<int>> widths_; /* of the columns of lists */
+    std::map<HWND, std::vector<int>> widths_; /* of the columns of lists [pixels] */
     std::map<int, Rows> rows_;
     SIZE size_ = {};
 };

@@ -1,4 +1,4 @@
-/* A control that shows a diagram, with zoom and a cursor. Window class "SinsPlot". */
+/* A diagram in a control of a dialog, with zoom and a cursor. */
 #pragma once
 #include <objidl.h>
 
@@ -8,18 +8,11 @@
 
 class Plot {
 public:
-    static void register_class() {
-        WNDCLASSW plot = {};
-        plot.style = CS_DBLCLKS | CS_HREDRAW | CS_VREDRAW;
-        plot.lpfnWndProc = procedure;
-        plot.hCursor = LoadCursorW(NULL, (LPCWSTR)IDC_CROSS);
-        plot.lpszClassName = L"SinsPlot";
-        RegisterClassW(&plot);
-    }
+    ~Plot() { RemoveWindowSubclass(window_, procedure, 0); }
 
-    void attach(HWND control) {
+    void attach(HWND control) { /* a static control that notifies: it gets the mouse */
         window_ = control;
-        SetWindowLongPtrW(control, GWLP_USERDATA, (LONG_PTR)this);
+        SetWindowSubclass(control, procedure, 0, (DWORD_PTR)this);
     }
 
     void show(const std::vector<Panel> &panels, Quantity x_quantity, bool is_logarithmic) {
@@ -28,8 +21,7 @@ public:
         InvalidateRect(window_, NULL, FALSE);
     }
 
-    void save(const fs::path &path) const /* PNG */
-    {
+    void save(const fs::path &path) const { /* PNG */
         static const CLSID PNG = {0x557cf406, 0x1a04, 0x11d3, {0x9a, 0x73, 0x00, 0x00, 0xf8, 0x1e, 0xf3, 0x2e}};
         ULONG_PTR token = 0;
         Gdiplus::GdiplusStartupInput input;
@@ -43,8 +35,7 @@ public:
         Gdiplus::GdiplusShutdown(token);
     }
 
-    bool copy() const /* to the clipboard */
-    {
+    bool copy() const { /* to the clipboard */
         HBITMAP bitmap = picture(scaled(1000), scaled(700), -1);
         bool done = OpenClipboard(window_) && EmptyClipboard() && SetClipboardData(CF_BITMAP, bitmap) != NULL;
         CloseClipboard();
@@ -54,10 +45,8 @@ public:
     }
 
 private:
-    static LRESULT CALLBACK procedure(HWND window, UINT message, WPARAM wparam, LPARAM lparam) {
-        Plot *plot = (Plot *)GetWindowLongPtrW(window, GWLP_USERDATA);
-        return plot == NULL || message == WM_DESTROY ? DefWindowProcW(window, message, wparam, lparam)
-                                                     : plot->handle(message, wparam, lparam);
+    static LRESULT CALLBACK procedure(HWND, UINT message, WPARAM wparam, LPARAM lparam, UINT_PTR, DWORD_PTR plot) {
+        return ((Plot *)plot)->handle(message, wparam, lparam);
     }
 
     LRESULT handle(UINT message, WPARAM wparam, LPARAM lparam) {
@@ -65,6 +54,8 @@ private:
         switch (message) {
         case WM_ERASEBKGND: return 1;
         case WM_PAINT: paint(); return 0;
+        case WM_SETCURSOR: SetCursor(LoadCursorW(NULL, (LPCWSTR)IDC_CROSS)); return TRUE;
+        case WM_SIZE: break;
         case WM_MOUSEMOVE: {
             TRACKMOUSEEVENT leave = {sizeof leave, TME_LEAVE, window_, 0};
             TrackMouseEvent(&leave);
@@ -91,12 +82,12 @@ private:
         case WM_MOUSEWHEEL: {
             POINT at = {x, (short)HIWORD(lparam)};
             ScreenToClient(window_, &at);
-            Range all = diagram_.zoomed.high > diagram_.zoomed.low ? diagram_.zoomed : diagram_.whole_x();
+            Range all = diagram_.seen_x();
             double middle = x_at(at.x), factor = (short)HIWORD(wparam) > 0 ? 0.7 : 1 / 0.7;
             zoom({middle + (all.low - middle) * factor, middle + (all.high - middle) * factor});
             break;
         }
-        default: return DefWindowProcW(window_, message, wparam, lparam);
+        default: return DefSubclassProc(window_, message, wparam, lparam);
         }
         InvalidateRect(window_, NULL, FALSE);
         return 0;
@@ -113,13 +104,11 @@ private:
     void paint() const {
         PAINTSTRUCT paint;
         RECT all = area(), band = {min(drag_, cursor_), 0, max(drag_, cursor_), all.bottom};
-        HDC dc = BeginPaint(window_, &paint), memory = CreateCompatibleDC(dc);
+        HDC dc = BeginPaint(window_, &paint);
         HBITMAP bitmap = picture(all.right, all.bottom, cursor_);
-        SelectObject(memory, bitmap);
+        DrawStateW(dc, NULL, NULL, (LPARAM)bitmap, 0, 0, 0, 0, 0, DST_BITMAP);
         if (drag_ >= 0)
-            InvertRect(memory, &band);
-        BitBlt(dc, 0, 0, all.right, all.bottom, memory, 0, 0, SRCCOPY);
-        DeleteDC(memory);
+            InvertRect(dc, &band);
         DeleteObject(bitmap);
         EndPaint(window_, &paint);
     }

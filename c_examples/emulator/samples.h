@@ -7,16 +7,16 @@
 class Samples {
 public:
     /* folder: that of the scene's file, from which a log is seen. */
-    Samples(const Scene &scene, const fs::path &folder) : rate_hz_(scene->setup().rate_hz) {
-        if (scene->setup().flight != SINS_SCENE_FLIGHT_LOG) {
-            flight_ = scene->create_flight();
-            all = scene->samples();
+    Samples(const Scene &scene, const fs::path &folder) : rate_hz_(scene.setup().rate_hz) {
+        if (scene.setup().flight != SINS_SCENE_FLIGHT_LOG) {
+            flight_ = scene.create_flight();
+            all = scene.samples();
             return;
         }
-        log_path = folder / wide(scene->text(SINS_SCENE_TEXT_LOG));
+        log_path = folder / wide(scene.text(SINS_SCENE_TEXT_LOG));
         try {
             log_ = sins::Log(read_file(log_path));
-            all = scene->samples(log_->handle());
+            all = scene.samples(log_->handle());
         } catch (const sins::Error &error) {
             throw Refusal(log_path.wstring() + L": " + told(error));
         }
