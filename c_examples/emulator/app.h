@@ -242,27 +242,6 @@ private:
         show_page(3);
     }
 
-    /* No output replaces the scene or the log that it came from. */
-    void refuse_input(const fs::path &file) {
-        if (same_file(file, path) || same_file(file, flight->log_path()))
-            throw Refusal(text("is_input", {file}));
-    }
-
-    /* The records, and beside them the measured increments if the scene names a file for them. */
-    void export_records(const fs::path &file) {
-        fs::path name = flight->increments_name(), increments = file.parent_path() / name;
-        if (file.empty())
-            return;
-        refuse_input(file);
-        flight->write(file, false);
-        if (name.empty())
-            return;
-        if (name != name.filename() || increments == file)
-            throw Refusal(text("increments_name", {name}));
-        refuse_input(increments);
-        flight->write(increments, true);
-    }
-
     void save_picture(const fs::path &file) {
         if (file.empty())
             return;

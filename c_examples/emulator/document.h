@@ -48,7 +48,7 @@ public:
         if (file.empty())
             return;
         if (lstrcmpiW(file.extension().c_str(), L".csv") == 0) {
-            edited(told(scene.set({{"flight.file", in_quotes(narrow(file))}})));
+            fly_log(file);
             return;
         }
         sins::Scene read(read_file(file));
@@ -58,6 +58,13 @@ public:
         if (!why.empty())
             throw Refusal(why.substr(0, 2000));
         replace(std::move(read), file);
+    }
+
+    /* A log is seen from the scene's folder if it lies there or below. */
+    void fly_log(const fs::path &log) {
+        fs::path seen = log.lexically_relative(folder());
+        bool is_below = !seen.empty() && *seen.begin() != L"..";
+        edited(told(scene.set({{"flight.file", in_quotes(narrow(is_below ? seen : log))}})));
     }
 
     /* Into a file, or into one that the user names. */
@@ -78,6 +85,27 @@ public:
         remember(file);
         named(false);
         return true;
+    }
+
+    /* No output replaces the scene or the log that it came from. */
+    void refuse_input(const fs::path &file) {
+        if (same_file(file, path) || same_file(file, flight->log_path()))
+            throw Refusal(text("is_input", {file}));
+    }
+
+    /* The records, and beside them the measured increments if the scene names a file for them. */
+    void export_records(const fs::path &file) {
+        fs::path name = flight->increments_name(), increments = file.parent_path() / name;
+        if (file.empty())
+            return;
+        refuse_input(file);
+        flight->write(file, false);
+        if (name.empty())
+            return;
+        if (name != name.filename() || increments == file)
+            throw Refusal(text("increments_name", {name}));
+        refuse_input(increments);
+        flight->write(increments, true);
     }
 
     Scene scene{sins::Scene::builtin("simulation2")};

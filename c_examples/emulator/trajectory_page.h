@@ -76,22 +76,20 @@ private:
     }
 
     void set_source(int source) {
-        Faults faults;
         if (source == SINS_SCENE_FLIGHT_BUILTIN) {
             /* The paper's simulations are scenes with the flight of another. */
             std::string name = narrow(get(IDC_BUILTIN));
             std::string other = sins::Scene::builtin(name).text(SINS_SCENE_TEXT_BUILTIN);
-            faults = scene_.set({{"flight.builtin", other.empty() ? name : other}});
+            document_.edited(told(scene_.set({{"flight.builtin", other.empty() ? name : other}})));
         } else if (source == SINS_SCENE_FLIGHT_MANOEUVRES) {
             make_manoeuvres();
         } else {
-            fs::path path = ask_file(window_, false, "filter_log", L"csv"),
-                     seen = path.lexically_relative(document_.folder());
-            bool is_below = !seen.empty() && *seen.begin() != L".."; /* then as seen from the scene */
-            if (!path.empty())
-                faults = scene_.set({{"flight.file", in_quotes(narrow(is_below ? seen : path))}});
+            fs::path path = ask_file(window_, false, "filter_log", L"csv");
+            if (path.empty())
+                document_.edited(L"");
+            else
+                document_.fly_log(path);
         }
-        document_.edited(told(faults));
     }
 
     /* A built-in flight becomes manoeuvres that can be edited; a log the default flight. */
@@ -101,6 +99,7 @@ private:
         bool is_log = scene_.setup().flight == SINS_SCENE_FLIGHT_LOG;
         std::vector<sins_manoeuvre> all = (is_log ? Scene() : scene_).manoeuvres(start, repeat);
         scene_.set_manoeuvres(start, all, repeat);
+        document_.edited(L"");
     }
 
     /* Adds, edits, moves or removes a manoeuvre. */
