@@ -272,6 +272,7 @@ static void sentence(void)
 static void edit(void)
 {
     HWND trajectory = page_of(IDC_SOURCE), general = page_of(IDC_SECTION), display = page_of(IDC_PROGRESS), manoeuvre, channel;
+    wchar_t text[16] = L"";
     manoeuvre = open_box(trajectory, IDC_ADD, IDC_KIND);
     choose(manoeuvre, IDC_KIND, 8); /* sinusoids */
     if (!IsWindowEnabled(field(manoeuvre, 7)) || IsWindowEnabled(field(manoeuvre, 8)) || IsWindowEnabled(field(manoeuvre, 2))) {
@@ -293,8 +294,19 @@ static void edit(void)
     wait_for_no_box(manoeuvre);
     ask(trajectory, WM_COMMAND, IDC_REMOVE, 0);
 
+    type(GetDlgItem(general, IDC_HOURS), L"soon");
     choose(general, IDC_PRESET, 4); /* tactical */
+    ask(GetDlgItem(general, IDC_HOURS), WM_GETTEXT, 16, (LPARAM)text);
+    if (wcscmp(text, L"soon") != 0) {
+        fail("a preset drops what was rejected in another field");
+    }
+    type(GetDlgItem(general, IDC_HOURS), L"");
     ask(GetDlgItem(general, IDC_EFFECTS), WM_KEYDOWN, VK_HOME, 0); /* constant bias */
+    type(GetDlgItem(general, IDC_VALUE), L"text");
+    ask(GetDlgItem(general, IDC_VALUE), WM_GETTEXT, 16, (LPARAM)text);
+    if (wcscmp(text, L"text") != 0) {
+        fail("a rejected value of an effect does not stay in its field");
+    }
     choose(general, IDC_UNIT, 1); /* SI */
     type(GetDlgItem(general, IDC_VALUE), L"1e-6");
     ask(GetDlgItem(general, IDC_SAME), BM_SETCHECK, BST_UNCHECKED, 0);
