@@ -37,10 +37,10 @@ interface_struct!(sins_budget_request, "request", 40);
 /// can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
 /// struct_size of the other samples may be 0, that of the other rows anything.
 ///
-/// configured is a simulator as the host flies it, at any moment. Its options count, and all its errors: those of gyros,
-/// accelerometers, altimeter, start, mounting and gravity; failures do not count. The call reads it at the start, and
-/// neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16 runs and no
-/// limits. written and budget may be NULL.
+/// configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of gyros,
+/// accelerometers, altimeter, start, mounting and gravity, but not its failures. The call reads them at the start, and neither
+/// steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for request is 16 runs and no limits.
+/// written and budget may be NULL.
 ///
 /// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
 /// not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.

@@ -7,9 +7,9 @@ use super::sample::sins_flight_sample;
 use super::simulator::{push, sins_sim, step, with_simulator};
 use crate::simulator::{Looked, Simulator};
 
-/// Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the flight's
-/// start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and
-/// stepping sample by sample.
+/// Pushes and steps an array of count samples. Writes a record whenever the number of intervals since the flight's start is a
+/// multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
+/// by sample.
 ///
 /// samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
 /// other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number

@@ -127,7 +127,7 @@ pub unsafe extern "C" fn sins_push_sample(
 ///
 /// SINS_NEED_SAMPLE: no complete interval is waiting.
 /// SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
-/// 100 km/s; this holds for the solution of the sensor block, for that of the reference point, and for the error-free
+/// 100 km/s; the limits apply to the solution of the sensor block, to that of the reference point, and to the error-free
 /// navigator of SINS_SIGNAL_CLOSED_LOOP.
 /// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
@@ -206,8 +206,8 @@ pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins
 ///
 /// SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
 /// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
-/// SINS_ERROR_DIVERGED: the solution would leave its limits, or no place has the position error, because it is too large
-/// (a quarter of the Earth).
+/// SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is about a quarter of the Earth's
+/// circumference or more, so that no place at the sample has this error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_move_truth(
     sim: *mut sins_sim,
