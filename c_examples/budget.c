@@ -1,6 +1,6 @@
 /* Which effects matter? The flight is five minutes of manoeuvres, with tactical sensors, a boresight error of an arc minute and a
- * deflection of the vertical. The program prints the contribution of each error, and marks those that a host which tolerates 10 m
- * may leave out. A host uses its own flight and its own sensors instead. */
+ * deflection of the vertical. The program prints the contribution of each error. It marks the errors that can be left out if a
+ * change of the position error by 10 m is tolerated. A host uses its own flight and its own sensors instead. */
 
 #include <stdio.h>
 #include <stdlib.h>
