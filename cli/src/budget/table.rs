@@ -91,7 +91,7 @@ pub fn remark(survey: &Survey) -> String {
     let mut text = format!("The largest in {}; {} flights", time_text(budget.span_s), budget.flights);
     if budget.runs > 1 {
         text += &format!(
-            "; all together by {} runs: the true value of what is random in it is {:.2} to {:.2} times that (95 %)",
+            "; \"all together\" is from {} runs: the true root mean square of the random part is {:.2} to {:.2} times its figure (95 %)",
             budget.runs, budget.interval.low, budget.interval.high
         );
     }
