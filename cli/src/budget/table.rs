@@ -99,7 +99,7 @@ pub fn remark(survey: &Survey) -> String {
     if budget.rows.iter().any(|row| row.can_be_left_out) {
         let left_out = &budget.left_out;
         text += &format!(
-            " Without what can be left out, flown, the errors change by {}, {}, {}.",
+            " In flights without the effects that can be left out, the errors change by {}, {}, {}.",
             brief(left_out.position_m, LENGTH),
             brief(left_out.velocity_m_s, SPEED),
             brief(left_out.attitude_rad, ANGLE)
