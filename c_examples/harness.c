@@ -261,7 +261,7 @@ static int print_figures(const struct host *host)
         printf("misalignment rad %-7s %24.17g %24.17g\n", axes[k], errors->misalignment_enu_rad[k],
                model->misalignment_enu_rad[k]);
     }
-    printf("\nclosure, navigation - truth: %.4g m, %.4g m/s; of it by inconsistent samples: %.4g m, %.4g m/s\n",
+    printf("\nclosure, navigation - truth: %.4g m, %.4g m/s; caused by inconsistent samples: %.4g m, %.4g m/s\n",
            hypot(accuracy.closure_position_enu_m[0], accuracy.closure_position_enu_m[1]),
            hypot(accuracy.closure_velocity_enu_m_s[0], accuracy.closure_velocity_enu_m_s[1]),
            hypot(accuracy.host_position_enu_m[0], accuracy.host_position_enu_m[1]),
