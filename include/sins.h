@@ -76,7 +76,7 @@
  *     smoothest motion between its ends. Its updates are as long as those before the gap, or longer if the gap would otherwise
  *     need more than 80 subsamples. Attitude and velocity are correct immediately after the gap. The position keeps the
  *     difference between the true path and the smoothest one. In steady flight this difference is 0. In a weave of 4 g with a
- *     period of 8 s, sampled at 100 Hz, it is 5 cm if 1 s is lost, and 3 m if 2.5 s are lost. If the samples have no velocities,
+ *     period of 8 s, sampled at 100 Hz, it is 4 cm if 1 s is lost, and 3 m if 2.5 s are lost. If the samples have no velocities,
  *     the error is larger: up to 5 n^2 times the error of a sample's position, where n is the number of lost intervals. For
  *     example, 1 s lost in straight flight at 50 Hz, with positions accurate to 1 cm, causes 23 m. If such an error is too large,
  *     set a smaller max_gap_s: longer gaps are then rejected.
