@@ -113,8 +113,8 @@ impl From<Refusal> for Failure {
 /// half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter, start,
 /// gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both solutions
 /// alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a duration beyond the
-/// piece, the call assumes that the piece is flown again and again, that each time adds the same errors with the same sign, and
-/// that they grow by the Schuler oscillation with the worst phase. If the flight continues like the piece, its errors are smaller
+/// piece, the call assumes that the piece is flown again and again. Each time adds the same errors with the same sign, and the
+/// errors grow by the Schuler oscillation with the worst phase. If the flight continues like the piece, its errors are smaller
 /// than this prediction. With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
 ///
 /// Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step

@@ -20,8 +20,8 @@ use crate::simulator::{Looked, Simulator};
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 ///
-/// Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns, which sins_last_error()
-/// names: the samples before it were flown, this sample and the rest were not; sins_accuracy.intervals counts the flown
+/// Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns; sins_last_error() names this
+/// sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
 /// intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
 /// sins_reset() empty the queue.
 #[unsafe(no_mangle)]

@@ -169,13 +169,13 @@ pub(super) fn stepped(step: Step) -> sins_status {
     }
 }
 
-/// Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time stamp
-/// time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
+/// Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp time_s [s], and
+/// later samples must have later stamps. time_s is the time that the clock shows when the vehicle moves again. Everything else
 /// stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
-/// along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
-/// stamps are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences
-/// over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The
-/// host must also move its flight_start_s of sins_scene_prepare() by the same time.
+/// along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive stamps
+/// are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences over three
+/// samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The host must also
+/// move its flight_start_s of sins_scene_prepare() by the same time.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
 /// SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
