@@ -873,7 +873,7 @@ typedef struct sins_gyro_params {
     /*
      * Drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
      * -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
-     * specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
+     * specific force at the block's own point, in sensor axes. So a positive element makes a drift in the positive
      * sense about the axis, whatever the sign of the force. The mean force of a subsample is squared, as with
      * nonlinearity.
      */
@@ -1121,9 +1121,8 @@ typedef struct sins_mounting {
     /* Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m]. */
     double lever_arm_m[3];
     /*
-     * Boresight: roll, pitch and heading of the block's axes relative to the body axes, defined as those of the body
-     * relative to the horizon: right side down, nose up, nose to the right; any number of turns up to 10000 rad, as in a
-     * flight sample [rad].
+     * Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined as those of the
+     * body relative to the horizon: positive right side down, nose up, nose to the right. Any number of turns up to 10000 rad.
      */
     double boresight_rad[3];
     /* Believed less true lever arm, -100 to 100 [m]. */
@@ -2032,9 +2031,9 @@ typedef struct sins_budget {
     /* Number of flights that the call made. */
     uint64_t flights;
     /*
-     * Uncertainty of the random errors with all effects together, which comes from the number of runs: lower end of the
-     * 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if
-     * nothing is random.
+     * Uncertainty of the random errors with all effects together, because the number of runs is finite. It is the lower end of
+     * the 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if nothing is
+     * random.
      */
     double sigma_low;
     /* Upper end of that interval, divided likewise; 1 if nothing is random. */
@@ -2170,13 +2169,13 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
 SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
 /*
- * Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time stamp
- * time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
+ * Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp time_s [s], and
+ * later samples must have later stamps. time_s is the time that the clock shows when the vehicle moves again. Everything else
  * stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
- * along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
- * stamps are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences
- * over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The
- * host must also move its flight_start_s of sins_scene_prepare() by the same time.
+ * along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive stamps
+ * are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences over three
+ * samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The host must also
+ * move its flight_start_s of sins_scene_prepare() by the same time.
  *
  * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
  * SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -2363,8 +2362,8 @@ SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struc
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
  * SINS_ERROR_BAD_STATE: navigating on increments.
  *
- * Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns, which sins_last_error()
- * names: the samples before it were flown, this sample and the rest were not; sins_accuracy.intervals counts the flown
+ * Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns; sins_last_error() names this
+ * sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
  * intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
  * sins_reset() empty the queue.
  */
@@ -3131,8 +3130,8 @@ SINS_API sins_status SINS_CALL sins_scene_get_samples(
  * half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter, start,
  * gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both solutions
  * alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a duration beyond the
- * piece, the call assumes that the piece is flown again and again, that each time adds the same errors with the same sign, and
- * that they grow by the Schuler oscillation with the worst phase. If the flight continues like the piece, its errors are smaller
+ * piece, the call assumes that the piece is flown again and again. Each time adds the same errors with the same sign, and the
+ * errors grow by the Schuler oscillation with the worst phase. If the flight continues like the piece, its errors are smaller
  * than this prediction. With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
  *
  * Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step
@@ -3163,14 +3162,14 @@ SINS_API sins_status SINS_CALL sins_recommend(
  * steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for request is 16 runs and no limits.
  * written and budget may be NULL.
  *
- * Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
- * not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
- * lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
+ * Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are not
+ * effects. The misalignment that SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this
+ * misalignment. All runs fly with lever_arm_m and boresight_rad of the mounting.) The contribution of an effect is the error
  * (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
- * this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
- * length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
- * with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
- * flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
+ * this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the length
+ * at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight with this
+ * effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are flown in several
+ * runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
  *
  * rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
  * position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is

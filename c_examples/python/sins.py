@@ -856,9 +856,9 @@ class gyro_params(_Struct):
         true specific force along them.
     g2_sensitivity_rad_s_per_m2_s4[3]: Drift caused by the square of the specific force along the gyro's own axis,
         g2-sensitivity [(rad/s)/(m/s2)^2], -1 to 1. The rate that gyro i measures is too large by element i times the
-        square of component i of the true specific force at the block's own point, in sensor axes: a positive element
-        makes a drift in the positive sense about the axis, whatever the sign of the force. The mean force of a
-        subsample is squared, as with nonlinearity.
+        square of component i of the true specific force at the block's own point, in sensor axes. So a positive
+        element makes a drift in the positive sense about the axis, whatever the sign of the force. The mean force of
+        a subsample is squared, as with nonlinearity.
     reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C],
         -273.15 to 1000. T is sins.flight_sample.temperature_c less this temperature. If one of the coefficients is
         not 0, every sample needs a temperature, and sins.push_imu() is not available.
@@ -1106,9 +1106,9 @@ class mounting(_Struct):
 
     lever_arm_m[3]: Lever arm from the reference point to the block, body axes (sins.options.axes), -100 to 100
         [m].
-    boresight_rad[3]: Boresight: roll, pitch and heading of the block's axes relative to the body axes, defined as
-        those of the body relative to the horizon: right side down, nose up, nose to the right; any number of turns up
-        to 10000 rad, as in a flight sample [rad].
+    boresight_rad[3]: Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They
+        are defined as those of the body relative to the horizon: positive right side down, nose up, nose to the
+        right. Any number of turns up to 10000 rad.
     lever_arm_error_m[3]: Believed less true lever arm, -100 to 100 [m].
     boresight_error_rad[3]: Believed less true boresight angles, -pi to pi [rad]. If the believed heading is too
         large, the heading that the INS reports is too small by the same amount.
@@ -2067,9 +2067,9 @@ class budget(_Struct):
     duration_s: Duration of the evaluation: from the end of the first interval to the end of the last [s].
     runs: Number of runs with all effects together; 1 if nothing is random.
     flights: Number of flights that the call made.
-    sigma_low: Uncertainty of the random errors with all effects together, which comes from the number of runs:
-        lower end of the 95 % confidence interval of their root mean square, divided by their root mean square over
-        these runs; 1 if nothing is random.
+    sigma_low: Uncertainty of the random errors with all effects together, because the number of runs is finite.
+        It is the lower end of the 95 % confidence interval of their root mean square, divided by their root mean
+        square over these runs; 1 if nothing is random.
     sigma_high: Upper end of that interval, divided likewise; 1 if nothing is random.
     position_m: Position error with all effects together, root mean square over the runs, the largest in the
         flight [m].
@@ -2287,14 +2287,14 @@ def step(sim):
 
 @_function(status, sim, c_double)
 def move_time(sim, time_s):
-    """Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time
-    stamp time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on.
-    Everything else stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of
-    a stated period moves along. The flight continues to the same bits as one whose stamps never jumped, if the
-    differences between successive stamps are the same doubles; with a stated period they always are. (If the samples
-    have no velocities, the differences over three samples must be the same doubles too. Durations in sins.accuracy
-    have the rounding of the time stamps.) The host must also move its flight_start_s of sins.scene_prepare() by the
-    same time.
+    """Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp
+    time_s [s], and later samples must have later stamps. time_s is the time that the clock shows when the vehicle
+    moves again. Everything else stays: errors, noise, waiting samples, sensor processes, failures and running
+    figures. The grid of a stated period moves along. The flight continues to the same bits as one whose stamps never
+    jumped, if the differences between successive stamps are the same doubles; with a stated period they always are.
+    (If the samples have no velocities, the differences over three samples must be the same doubles too. Durations in
+    sins.accuracy have the rounding of the time stamps.) The host must also move its flight_start_s of
+    sins.scene_prepare() by the same time.
 
     sins.ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
     sins.ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -2510,10 +2510,10 @@ def run(sim, samples, every, records, written):
     sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
     sins.ERROR_BAD_STATE: navigating on increments.
 
-    Any error of sins.push_sample() or sins.step() stops the run at the sample that it concerns, which
-    sins.last_error() names: the samples before it were flown, this sample and the rest were not;
-    sins.accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the
-    queue, as after sins.step(); sins.reposition() and sins.reset() empty the queue.
+    Any error of sins.push_sample() or sins.step() stops the run at the sample that it concerns; sins.last_error()
+    names this sample. The samples before it were flown, this sample and the rest were not. sins.accuracy.intervals
+    counts the flown intervals. A sample that could be pushed but not flown waits in the queue, as after sins.step();
+    sins.reposition() and sins.reset() empty the queue.
     """
 
 
@@ -3354,8 +3354,8 @@ def recommend(configured, samples, requirement, options, cost):
     of sensors, altimeter, start, gravity and believed mounting, and contradictions within the host's samples, are
     left out, because they act on both solutions alike. The signals are without the trim of sins.SIGNAL_CLOSED_LOOP,
     which would hide the error. For a duration beyond the piece, the call assumes that the piece is flown again and
-    again, that each time adds the same errors with the same sign, and that they grow by the Schuler oscillation with
-    the worst phase. If the flight continues like the piece, its errors are smaller than this prediction. With
+    again. Each time adds the same errors with the same sign, and the errors grow by the Schuler oscillation with the
+    worst phase. If the flight continues like the piece, its errors are smaller than this prediction. With
     sins.VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
 
     Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only
@@ -3383,9 +3383,9 @@ def error_budget(configured, samples, request, rows, written, budget):
     request is 16 runs and no limits. written and budget may be NULL.
 
     Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two
-    settings are not effects. sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the
-    effect that causes it. lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of
-    an effect is the error (navigation less truth) of a run with this effect alone, less the error of a run with no
+    settings are not effects. The misalignment that sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect
+    that causes this misalignment. All runs fly with lever_arm_m and boresight_rad of the mounting.) The contribution
+    of an effect is the error (navigation less truth) of a run with this effect alone, less the error of a run with no
     effect. The row has the length of this vector for position, velocity and misalignment: the largest length at up to
     1000 instants, equally spaced, and the length at the last sample. The contribution of a random effect is one
     standard deviation, by the covariance of a flight with this effect alone (sins.BUDGET_RANDOM; see
