@@ -55,12 +55,20 @@ pub const FAILURE: &[Key] = &[
         |d| d.failure.kind,
         |d, kind| d.failure.kind = kind,
     ),
-    within(F, ("from_s", si("s"), "start of the failure, from the start of the flight"), (0.0, 1e9), "failure.from_s", |d| {
-        one(&mut d.failure.from_s)
-    }),
     within(
         F,
-        ("until_s", si("s"), "end of the failure, from the start of the flight; default: the end of the flight"),
+        ("from_s", si("s"), "start of the failure, from the start of the flight"),
+        (0.0, 1e9),
+        "failure.from_s",
+        |d| one(&mut d.failure.from_s),
+    ),
+    within(
+        F,
+        (
+            "until_s",
+            si("s"),
+            "end of the failure, from the start of the flight; default: the end of the flight",
+        ),
         (0.0, 1e9),
         "failure.until_s",
         |d| one(&mut d.failure.until_s),
@@ -74,17 +82,29 @@ pub const FAILURE: &[Key] = &[
     ),
     numbers(
         F,
-        ("size_micro_g", unit("micro-g", MICRO_G, "m/s2"), "size of a bias step or of spikes, of an accelerometer"),
+        (
+            "size_micro_g",
+            unit("micro-g", MICRO_G, "m/s2"),
+            "size of a bias step or of spikes, of an accelerometer",
+        ),
         N,
         "failure.size_m_s2",
         |d| one(&mut d.failure.size),
     ),
-    numbers(F, ("size_m", si("m"), "size of a bias step or of spikes, of the altimeter"), N, "failure.size_m", |d| {
-        one(&mut d.failure.size)
-    }),
     numbers(
         F,
-        ("density_deg_sqrt_h", unit("deg/sqrt(h)", DEG_PER_SQRT_HOUR, "rad/sqrt(s)"), "density of the noise, of a gyro"),
+        ("size_m", si("m"), "size of a bias step or of spikes, of the altimeter"),
+        N,
+        "failure.size_m",
+        |d| one(&mut d.failure.size),
+    ),
+    numbers(
+        F,
+        (
+            "density_deg_sqrt_h",
+            unit("deg/sqrt(h)", DEG_PER_SQRT_HOUR, "rad/sqrt(s)"),
+            "density of the noise, of a gyro",
+        ),
         N,
         "failure.density_rad_sqrt_s",
         |d| one(&mut d.failure.density),

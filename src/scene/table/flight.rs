@@ -46,7 +46,11 @@ pub const FLIGHT: &[Key] = &[
     ),
     within(
         F,
-        ("temperature_change_c_h", unit("deg C/h", 1.0 / 3600.0, "deg C/s"), "constant rate of change of the temperature"),
+        (
+            "temperature_change_c_h",
+            unit("deg C/h", 1.0 / 3600.0, "deg C/s"),
+            "constant rate of change of the temperature",
+        ),
         (-1e6, 1e6),
         "flight.temperature_change_c_s",
         |d| one(&mut d.temperature_change_c_s),
@@ -80,14 +84,22 @@ pub const FLIGHT: &[Key] = &[
     ),
     numbers(
         F,
-        ("roll_deg", unit("deg", DEG, "rad"), "roll of the body relative to the axes of the path, throughout the flight"),
+        (
+            "roll_deg",
+            unit("deg", DEG, "rad"),
+            "roll of the body relative to the axes of the path, throughout the flight",
+        ),
         N,
         "start.roll_rad",
         |d| one(&mut d.start.roll_rad),
     ),
     numbers(
         F,
-        ("pitch_deg", unit("deg", DEG, "rad"), "pitch of the body relative to the axes of the path, throughout the flight"),
+        (
+            "pitch_deg",
+            unit("deg", DEG, "rad"),
+            "pitch of the body relative to the axes of the path, throughout the flight",
+        ),
         N,
         "start.pitch_rad",
         |d| one(&mut d.start.pitch_rad),
@@ -116,9 +128,13 @@ pub const MANOEUVRE: &[Key] = &[
             set: |d, kind| d.manoeuvre.kind = kind,
         },
     },
-    numbers(M, ("duration_s", si("s"), "duration; not for turn, whose duration follows from its bank"), N, "manoeuvre.duration_s", |d| {
-        one(&mut d.manoeuvre.duration_s)
-    }),
+    numbers(
+        M,
+        ("duration_s", si("s"), "duration; not for turn, whose duration follows from its bank"),
+        N,
+        "manoeuvre.duration_s",
+        |d| one(&mut d.manoeuvre.duration_s),
+    ),
     numbers(
         M,
         ("ramp_s", si("s"), "time in which the manoeuvre builds up, and in which it dies out; default: 5"),
@@ -126,15 +142,27 @@ pub const MANOEUVRE: &[Key] = &[
         "manoeuvre.ramp_s",
         |d| one(&mut d.manoeuvre.ramp_s),
     ),
-    numbers(M, ("speed_change_m_s", si("m/s"), "change of the speed, for accelerate"), N, "manoeuvre.speed_change_m_s", |d| {
-        one(&mut d.manoeuvre.speed_change_m_s)
-    }),
-    numbers(M, ("height_change_m", si("m"), "change of the height, for climb"), N, "manoeuvre.height_change_m", |d| {
-        one(&mut d.manoeuvre.height_change_m)
-    }),
     numbers(
         M,
-        ("heading_change_deg", unit("deg", DEG, "rad"), "change of the heading, for turn; swing to each side, for s_turn"),
+        ("speed_change_m_s", si("m/s"), "change of the speed, for accelerate"),
+        N,
+        "manoeuvre.speed_change_m_s",
+        |d| one(&mut d.manoeuvre.speed_change_m_s),
+    ),
+    numbers(
+        M,
+        ("height_change_m", si("m"), "change of the height, for climb"),
+        N,
+        "manoeuvre.height_change_m",
+        |d| one(&mut d.manoeuvre.height_change_m),
+    ),
+    numbers(
+        M,
+        (
+            "heading_change_deg",
+            unit("deg", DEG, "rad"),
+            "change of the heading, for turn; swing to each side, for s_turn",
+        ),
         N,
         "manoeuvre.heading_change_rad",
         |d| one(&mut d.manoeuvre.heading_change_rad),
@@ -142,9 +170,13 @@ pub const MANOEUVRE: &[Key] = &[
     numbers(M, ("bank_deg", unit("deg", DEG, "rad"), "bank, for turn"), N, "manoeuvre.bank_rad", |d| {
         one(&mut d.manoeuvre.bank_rad)
     }),
-    numbers(M, ("turns", PURE, "number of whole rolls, of whole loops, or of swings, for roll, loop and s_turn"), N, "manoeuvre.turns", |d| {
-        one(&mut d.manoeuvre.turns)
-    }),
+    numbers(
+        M,
+        ("turns", PURE, "number of whole rolls, of whole loops, or of swings, for roll, loop and s_turn"),
+        N,
+        "manoeuvre.turns",
+        |d| one(&mut d.manoeuvre.turns),
+    ),
 ];
 
 /// The words of what a sinusoid moves.
