@@ -72,8 +72,12 @@ private:
         return row < effects_.size() ? effects_[row] : NULL;
     }
 
+    /* In place of what the fields of the effect say. What other fields say, rightly or not, stays. */
     void change(const std::string &path, const std::string &value) {
-        document_.edited(mark_faults(scene_.set({{path, value}})));
+        Changes all = changes();
+        std::erase_if(all, [this](auto &other) { return other.first.starts_with(bound_->path(is_in_si_)); });
+        all[path] = value;
+        document_.edited(mark_faults(scene_.set_valid(all)));
     }
 
     /* A value as the list shows it: a word, a text, or numbers. */

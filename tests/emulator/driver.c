@@ -294,7 +294,13 @@ static void edit(void)
     wait_for_no_box(manoeuvre);
     ask(trajectory, WM_COMMAND, IDC_REMOVE, 0);
 
+    type(GetDlgItem(general, IDC_HOURS), L"soon");
     choose(general, IDC_PRESET, 4); /* tactical */
+    ask(GetDlgItem(general, IDC_HOURS), WM_GETTEXT, 16, (LPARAM)text);
+    if (wcscmp(text, L"soon") != 0) {
+        fail("a preset drops what was rejected in another field");
+    }
+    type(GetDlgItem(general, IDC_HOURS), L"");
     ask(GetDlgItem(general, IDC_EFFECTS), WM_KEYDOWN, VK_HOME, 0); /* constant bias */
     type(GetDlgItem(general, IDC_VALUE), L"text");
     ask(GetDlgItem(general, IDC_VALUE), WM_GETTEXT, 16, (LPARAM)text);
