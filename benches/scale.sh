@@ -25,15 +25,24 @@ awk -v ns="$ns" '
         step = 10 ^ (int(log(x) / log(10)) - 1)
         return int(x / step + 0.5) * step
     }
+    # In groups of three digits, as docs/ writes numbers from 10 000 on.
+    function spaced(x,  text, groups) {
+        text = sprintf("%.0f", x)
+        while (x >= 10000 && length(text) > 3) {
+            groups = " " substr(text, length(text) - 2) groups
+            text = substr(text, 1, length(text) - 3)
+        }
+        return text groups
+    }
     BEGIN {
         printf "A step of a run takes %s ns.\n\n", ns
-        print "| flight at 100 Hz | one run takes | a block of 64 runs | runs an hour on 1 core | on 64 | on 1,024 |"
+        print "| flight at 100 Hz | one run takes | a block of 64 runs | runs an hour on 1 core | on 64 | on 1024 |"
         print "|---|---|---|---|---|---|"
         split("0.0833333 1 48", hours, " ")
         split("5 min,1 h,48 h", names, ",")
         for (k = 1; k <= 3; k++) {
             run_s = ns * 1e-9 * hours[k] * 360000
-            printf "| %s | %.3g s | %.3g s | %.0f | %.0f | %.0f |\n", names[k], run_s, 64 * run_s, rounded(3600 / run_s),
-                rounded(64 * 3600 / run_s), rounded(1024 * 3600 / run_s)
+            printf "| %s | %.3g s | %.3g s | %s | %s | %s |\n", names[k], run_s, 64 * run_s, spaced(rounded(3600 / run_s)),
+                spaced(rounded(64 * 3600 / run_s)), spaced(rounded(1024 * 3600 / run_s))
         }
     }'

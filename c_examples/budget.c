@@ -1,6 +1,6 @@
 /* Which effects matter? The flight is five minutes of manoeuvres, with tactical sensors, a boresight error of an arc minute and a
- * deflection of the vertical. The program prints the contribution of each error, and marks those that a host which tolerates 10 m
- * may leave out. A host uses its own flight and its own sensors instead. */
+ * deflection of the vertical. The program prints the contribution of each error. It marks the errors that can be left out if a
+ * change of the position error by 10 m is tolerated. A host uses its own flight and its own sensors instead. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -113,8 +113,9 @@ static sins_status ask(const sins_flight_sample *samples)
            budget.attitude_rad);
     printf("%-28s %12.3g %12.3g %12.3g\n", "not their sum", budget.remainder_position_m,
            budget.remainder_velocity_m_s, budget.remainder_attitude_rad);
-    printf("left out: %.3g m of %.3g m; all together by %d runs, what is random in it is true to %.2f to %.2f times that\n",
-           budget.left_out_position_m, request.position_m, (int)budget.runs, budget.sigma_low, budget.sigma_high);
+    printf("left out: a change of %.3g m, limit %.3g m\n", budget.left_out_position_m, request.position_m);
+    printf("all together is from %d runs; 95 %% interval of the random part: %.2f to %.2f times its figure\n",
+           (int)budget.runs, budget.sigma_low, budget.sigma_high);
     for (k = 0; k < count; k++) {
         fprintf(stderr, "%-28s %6.0f ns a step\n", rows[k].effect, rows[k].ns_per_step);
     }

@@ -78,7 +78,8 @@ static void get_sample(size_t k, sins_flight_sample *sample)
     }
 }
 
-/* Prepares this number of runs of the scene in a text, from its options.run on. A log that is not NULL replaces its flight. */
+/* Prepares this number of runs of a scene, whose text is given; the first run is options.run of the scene. A log that is not NULL
+ * replaces the flight of the scene. */
 static void open_job(uint64_t runs, const char *scene, size_t scene_size, const char *log, size_t log_size)
 {
     sins_flight_sample sample;

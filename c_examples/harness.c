@@ -16,7 +16,7 @@
 
 #include "sins.h"
 
-/* Time stamps are rounded. A difference below this share of an interval is such rounding. */
+/* Time stamps are rounded. A difference of less than this part of an interval is rounding. */
 #define ROUNDING 1e-6
 
 struct host {
@@ -81,7 +81,7 @@ static void print_fault(const char *path, const sins_fault *fault)
             fault->sentence);
 }
 
-/* A scene with faults has a handle too: it gives all faults at once. */
+/* A scene with faults has a handle too, which gives the faults. */
 static int read_scene(struct host *host, const char *name)
 {
     sins_fault fault;
@@ -166,7 +166,7 @@ static int open_flight(struct host *host, const char *scene_path, const char *lo
     return DONE(NULL, sins_scene_create_flight(host->scene, &host->flight));
 }
 
-/* Sample k of the flight. The library sets its fields, also struct_size. */
+/* Sample k of the flight. The library sets all fields of the sample, also struct_size. */
 static int get_sample(struct host *host, size_t k, sins_flight_sample *sample)
 {
     if (host->log != NULL) {
@@ -210,8 +210,8 @@ static int fly(struct host *host)
         if (sample.time_s - start_s > host->setup.duration_s * (1 + ROUNDING)) {
             break; /* the scene ends before its log */
         }
-        /* Prepare sets the scene's temperature in the sample, and makes sensors fail and recover. A push takes one sample, a
-         * step flies one interval. The first step returns SINS_NEED_SAMPLE, which is not an error. */
+        /* Prepare sets the scene's temperature in the sample, and makes sensors fail and recover. Push takes the sample, step
+         * flies one interval. The first step returns SINS_NEED_SAMPLE, which is not an error. */
         if (!DONE(NULL, sins_scene_prepare(host->scene, host->sim, start_s, &sample))
             || !DONE(host->sim, sins_push_sample(host->sim, &sample)) || !DONE(host->sim, sins_step(host->sim))) {
             fprintf(stderr, "harness: at %.10g s", sample.time_s);
@@ -261,7 +261,7 @@ static int print_figures(const struct host *host)
         printf("misalignment rad %-7s %24.17g %24.17g\n", axes[k], errors->misalignment_enu_rad[k],
                model->misalignment_enu_rad[k]);
     }
-    printf("\nclosure, navigation - truth: %.4g m, %.4g m/s; of it by inconsistent samples: %.4g m, %.4g m/s\n",
+    printf("\nclosure, navigation - truth: %.4g m, %.4g m/s; caused by inconsistent samples: %.4g m, %.4g m/s\n",
            hypot(accuracy.closure_position_enu_m[0], accuracy.closure_position_enu_m[1]),
            hypot(accuracy.closure_velocity_enu_m_s[0], accuracy.closure_velocity_enu_m_s[1]),
            hypot(accuracy.host_position_enu_m[0], accuracy.host_position_enu_m[1]),

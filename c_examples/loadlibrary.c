@@ -10,7 +10,7 @@
 
 #include "sins_loader.h"
 
-/* Times in seconds that are exact in binary, so that every compiler computes the same. */
+/* Times in seconds that are exact in binary, so that the results of all compilers are equal. */
 #define RATE_HZ 128.0
 #define FRAMES (60 * 128)
 

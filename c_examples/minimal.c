@@ -1,4 +1,4 @@
-/* The smallest host: an hour at rest with a gyro bias of 0.01 deg/h, and the position error that it makes. */
+/* The smallest host: an hour at rest with a gyro bias of 0.01 deg/h, and the position error that the bias causes. */
 
 #include <stdio.h>
 

@@ -64,8 +64,8 @@ static sins_status configure(const sins_options *options, sins_sim **sim)
     return status == SINS_OK ? checked(sins_set_mounting(*sim, &mounting), *sim) : status;
 }
 
-/* The distance from the truth after the whole flight with ideal sensors. It is caused by the options, and by the samples, which
- * are few for a shake of 2 Hz. */
+/* The distance from the truth after the whole flight with ideal sensors. Its causes are the options, and the sample rate, which is
+ * low for a shake of 2 Hz. */
 static sins_status fly(const sins_options *options, sins_flight *flight, double *distance_m)
 {
     sins_sim *sim = NULL;

@@ -54,7 +54,10 @@ allan_estimator() { long --test analysis allan::; }
 # ensembles.md
 ensemble() { cargo run --release --manifest-path benches/Cargo.toml --bin ensemble; }
 scale() { benches/scale.sh; }
-covariance() { cargo test --test analysis covariance -- --nocapture; }
+covariance() {
+    cargo test --test analysis covariance:: -- --nocapture
+    long --test analysis covariance_runs::
+}
 
 # questions.md
 at_rest() {

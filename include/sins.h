@@ -15,12 +15,12 @@
  *   }
  *   sins_destroy(sim);
  *
- * Structs. A field of 0 is off, or has its default. Every struct (except the parts of a sins_record) begins with struct_size,
- *   which the caller sets to the sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says
- *   otherwise. So "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers
- *   that warn of fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old
- *   hosts run on new libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does
- *   not know, an output leaves these fields unchanged, and an input must have 0 in them.
+ * Structs. A field of 0 is off, or has the default that its comment gives, such as "0: 2.5 s". Every struct (except the parts of
+ *   a sins_record) begins with struct_size, which the caller sets to the sizeof of the struct, and a second 32-bit integer, which
+ *   is 0 unless its comment says otherwise. So "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro)
+ *   makes the same, for compilers that warn of fields left out. The caller sets struct_size of output structs too. Structs grow
+ *   only at their end, so old hosts run on new libraries, and new hosts on old libraries. If the struct of a newer host has
+ *   fields that this library does not know, an output leaves these fields unchanged, and an input must have 0 in them.
  * Units are SI and radians, as the name of each field says. The macros below convert the units of data sheets:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
  * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
@@ -32,24 +32,25 @@
  *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() and
  *   sins_ensemble_run() keep the intervals that they flew before the error. If a buffer is too small, functions that write a
  *   text cut it and report the size that is needed; sins_error_budget() and sins_scene_get_manoeuvres() report the number of
- *   elements that is needed.)
- *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, with a handle SINS_ERROR_BAD_HANDLE, and with a
- *   struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can return SINS_ERROR_INTERNAL. The other errors of a
- *   function are listed at the function, or under Threads and Unloading. A positive status is not an error: SINS_NEED_SAMPLE
- *   left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output, SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did
- *   what was asked. Test for errors by status < 0.
+ *   elements that is needed. sins_log_parse(), sins_scene_set_values() and sins_scene_set_items() report faults.)
+ *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, every function with a handle
+ *   SINS_ERROR_BAD_HANDLE, and every function with a struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can
+ *   return SINS_ERROR_INTERNAL. The other errors of a function are listed at the function, or under Threads and Unloading. A
+ *   positive status is not an error. With SINS_NEED_SAMPLE the output is unchanged, with SINS_REQUIREMENT_NOT_MET it is written,
+ *   with SINS_SCENE_HAS_FAULTS there is a handle, and with SINS_GAP everything was done. Test for errors by status < 0.
  *   sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
  *   sins_status_string() the name of the status.
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
- *   do. A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
+ *   do. A call takes less than 48 KB of stack, so a thread with a stack of 64 KB is enough.
  *   Nested calls: if a thread is inside a call on a handle, and calls another function with the same handle, the second call
  *     returns SINS_ERROR_BAD_STATE, and sins_last_error(NULL, ...) has the sentence. This happens to a signal handler that
  *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
  *     and sins_snapshot_load(), which use the allocator.
  *   Abandoned calls: a call does not return if siglongjmp() leaves it, or if its thread is cancelled or terminated. It then
- *     holds its handle for ever, and the memory stays in use. Further calls of its own thread with this handle return
- *     SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they return
- *     SINS_ERROR_BAD_STATE, the first of them after 0.1 s. An abandoned call does not restore the host's floating-point state.
+ *     holds its handle for ever, and the memory of the handle is never freed. Further calls of its own thread with this handle
+ *     return SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they
+ *     return SINS_ERROR_BAD_STATE, the first of them after 0.1 s. An abandoned call does not restore the host's floating-point
+ *     state.
  *   fork(): if another thread of the parent was inside a call, calls with its handle return SINS_ERROR_BAD_STATE in the child.
  *     All other handles work there. A process made in another way, such as by vfork() or clone(), must make no call.
  * Unloading. Destroy every handle first, and let every call return. On Windows, a DLL that was built for windows-gnu is never
@@ -65,20 +66,20 @@
  * Host time. The time in a run comes from the time stamps of its samples; the library reads no clock for it. (Clocks are read for
  *   two other purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from
  *   the clock.)
- *   Pause: simply make no calls while paused. A sample that is pushed again returns SINS_ERROR_TIME_ORDER and changes nothing. If
- *     the host's clock stopped too, there is nothing to do. If it ran on, call sins_move_time() before the next push, with the
- *     time of that clock when the vehicle moves on: the flight continues as if there had been no pause. Without that call, the
- *     first sample after a pause of more than max_gap_s returns SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter
- *     pause is flown as if the vehicle had moved on: velocity times the length of the pause. The push after it returns
- *     SINS_GAP.
+ *   Pause: simply make no calls while paused. A push of the same sample again returns SINS_ERROR_TIME_ORDER and changes
+ *     nothing. If the host's clock stopped during the pause, there is nothing to do. If the clock ran on, call sins_move_time()
+ *     before the next push, with the time that the clock shows when the vehicle moves again: the flight continues as if there
+ *     had been no pause. Without that call, the first push after a pause of more than max_gap_s returns
+ *     SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter pause is flown as if the vehicle had moved during the
+ *     pause, by velocity times its length. The push after such a pause returns SINS_GAP.
  *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on the
  *     smoothest motion between its ends. Its updates are as long as those before the gap, or longer if the gap would otherwise
  *     need more than 80 subsamples. Attitude and velocity are correct immediately after the gap. The position keeps the
- *     difference between the true path and the smoothest one. In steady flight there is none. In a weave of 4 g with a period of
- *     8 s, sampled at 100 Hz, it is 5 cm if 1 s is lost, and 3 m if 2.5 s are lost. Without velocities a gap costs more, up to 5
- *     n^2 times the error of a position, where n is the number of lost intervals. For example, 1 s lost in straight flight at 50
- *     Hz, with positions to 1 cm, cost 23 m. If such an error is too large, set a smaller max_gap_s: longer gaps are then
- *     rejected.
+ *     difference between the true path and the smoothest one. In steady flight this difference is 0. In a weave of 4 g with a
+ *     period of 8 s, sampled at 100 Hz, it is 4 cm if 1 s is lost, and 3 m if 2.5 s are lost. If the samples have no velocities,
+ *     the error is larger: up to 5 n^2 times the error of a sample's position, where n is the number of lost intervals. For
+ *     example, 1 s lost in straight flight at 50 Hz, with positions accurate to 1 cm, causes 23 m. If such an error is too large,
+ *     set a smaller max_gap_s: longer gaps are then rejected.
  *   Faster or slower than real time: give samples that are farther apart in simulated time (for example ten times dt, up to
  *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
  *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as a whole.
@@ -105,9 +106,9 @@
  *         sins_step(sim);
  *     }
  *
- *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_.... A program that is
- *   linked with them then does not link, or does not start. A program that loads the library at run time looks up
- *   sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
+ *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_.... A program that
+ *   calls them directly does not link with such a library, or does not start. A program that loads the library at run time looks
+ *   up sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
  *
  * Functions by subject, in the order of this file:
  *
@@ -267,8 +268,8 @@ enum sins_frame {
     /* Navigation in Earth-fixed axes: regular everywhere, poles included. */
     SINS_FRAME_EARTH_FIXED = 0,
     /*
-     * Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where an update
-     * moves by more than 1 % of the distance to the pole: within 25 km at 250 m/s and updates of 1 s.
+     * Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where the vehicle moves in
+     * one update by more than 1 % of the distance to the pole: within 25 km at 250 m/s and with updates of 1 s.
      */
     SINS_FRAME_GEOGRAPHIC = 1
 };
@@ -456,8 +457,8 @@ enum sins_navigation_flags {
      */
     SINS_NAVIGATION_VERTICAL_UNAIDED = 2,
     /*
-     * A flag of the truth: the displacement since the previous sample differs from the one that the velocities give by more than
-     * the root sum of squares of 1 % and 1 cm.
+     * A flag of the truth: the displacement since the previous sample differs from the displacement d that the velocities give by
+     * more than sqrt((0.01 d)^2 + (1 cm)^2).
      */
     SINS_NAVIGATION_INCONSISTENT = 4,
     /*
@@ -546,12 +547,9 @@ enum sins_manoeuvre_kind {
      * duration follows from these.
      */
     SINS_MANOEUVRE_TURN = 4,
-    /* Makes a number of whole rolls, in the field turns (right positive), in duration_s along a straight path. */
+    /* Whole rolls along a straight path in duration_s; the field turns is their number (right positive). */
     SINS_MANOEUVRE_ROLL = 5,
-    /*
-     * Makes a number of whole vertical loops, in the field turns (nose up positive), in duration_s at constant speed. Uses
-     * ramp_s.
-     */
+    /* Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s. */
     SINS_MANOEUVRE_LOOP = 6,
     /*
      * The course swings by heading_change_rad to both sides; the field turns is the number of swings in duration_s. Uses
@@ -671,7 +669,7 @@ typedef struct sins_options {
     int32_t frame;
     /* Algorithm of the mechanization, of enum sins_scheme. */
     int32_t scheme;
-    /* Subsamples of a mechanization update, the parts of it over which the sensors integrate, 1 to 5; 0: 2. */
+    /* Subsamples: the equal parts of a mechanization update over which the sensors integrate, 1 to 5; 0: 2. */
     int32_t subsamples;
     /* Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above). */
     int32_t updates_per_sample;
@@ -703,9 +701,9 @@ typedef struct sins_options {
      */
     double sample_period_s;
     /*
-     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. There
-     * the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and
-     * 91 m with intervals of 100 s.
+     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. At rest the
+     * position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and 91 m
+     * with intervals of 100 s.
      */
     double max_gap_s;
     /*
@@ -731,7 +729,7 @@ typedef struct sins_flight_sample {
     uint32_t flags;
     /*
      * Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. Large stamps are coarse
-     * (2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
+     * (1.2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
      */
     double time_s;
     /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
@@ -761,8 +759,8 @@ typedef struct sins_flight_sample {
     /* With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2]. */
     double specific_force_m_s2[3];
     /*
-     * With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
-     * linear from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
+     * With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C]; linear
+     * from one sample to the next. Needed while temperature coefficients are set: the push of a sample without it then returns
      * SINS_ERROR_INVALID_ARGUMENT, because a forgotten flag would silently disable the effect.
      */
     double temperature_c;
@@ -808,9 +806,9 @@ typedef struct sins_error_info {
  *
  * Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
  * subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration of
- * frequency f. With x = pi f dt, nonlinearity and rectification are too small by the share 1 - (sin x / x)^2. Asymmetry is too
- * small by up to 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample rate, these shares are
- * 0.8 % and 1.2 % with two subsamples per interval, 3.3 % and 4.9 % with one.
+ * frequency f. With x = pi f dt, nonlinearity and rectification are too small by the fraction 1 - (sin x / x)^2. Asymmetry is
+ * too small by up to the fraction 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample rate,
+ * these fractions are 0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with one.
  */
 typedef struct sins_gyro_params {
     /* sizeof(sins_gyro_params) */
@@ -875,7 +873,7 @@ typedef struct sins_gyro_params {
     /*
      * Drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
      * -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
-     * specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
+     * specific force at the block's own point, in sensor axes. So a positive element makes a drift in the positive
      * sense about the axis, whatever the sign of the force. The mean force of a subsample is squared, as with
      * nonlinearity.
      */
@@ -1123,9 +1121,8 @@ typedef struct sins_mounting {
     /* Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m]. */
     double lever_arm_m[3];
     /*
-     * Boresight: roll, pitch and heading of the block's axes relative to the body axes, defined as those of the body
-     * relative to the horizon: right side down, nose up, nose to the right; any number of turns up to 10000 rad, as in a
-     * flight sample [rad].
+     * Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined as those of the
+     * body relative to the horizon: positive right side down, nose up, nose to the right. Any number of turns up to 10000 rad.
      */
     double boresight_rad[3];
     /* Believed less true lever arm, -100 to 100 [m]. */
@@ -1361,8 +1358,8 @@ typedef struct sins_accuracy {
     /* Time since the start [s]. */
     double duration_s;
     /*
-     * Start of the window of the radial error rates, in time since the start: 300 s. Rates before it would be initial errors
-     * divided by a very short time [s].
+     * Start of the window of the radial error rates: 300 s after the start [s]. Earlier rates would be initial errors divided by
+     * a very short time.
      */
     double window_start_s;
     /* Number of samples in the window of the radial error rates. While there are none, the rates are 0. */
@@ -1407,8 +1404,8 @@ typedef struct sins_accuracy {
     /* Number of intervals flown since the start or the last reposition: one less than the number of samples. */
     uint64_t intervals;
     /*
-     * Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants after the start
-     * on [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
+     * Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times closed_loop_time_s after the
+     * start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
      */
     double trim_rate_max_rad_s;
     /* Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2]. */
@@ -1460,8 +1457,8 @@ typedef struct sins_truth_summary {
     /* Time stamp of force_max_m_s2 [s]. */
     double force_max_at_s;
     /*
-     * Largest difference, in one interval, between the displacement and the mean velocity of its two ends times its length
-     * [m].
+     * Largest difference, in one interval, between the displacement by the positions and the displacement by the velocities (the
+     * mean of those at the two ends, times the length of the interval) [m].
      */
     double inconsistency_max_m;
     /* Time stamp of inconsistency_max_m [s]. */
@@ -1714,8 +1711,8 @@ typedef struct sins_manoeuvre {
     /* What each sinusoid moves, of enum sins_channel. */
     int32_t channel[6];
     /*
-     * Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; of the climb angle up to 1.5 rad; of the speed, all
-     * sinusoids together up to the speed.
+     * Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; for the climb angle up to 1.5 rad; for the speed, the sum of the
+     * amplitudes is at most the speed.
      */
     double amplitude[6];
     /* Frequency of each sinusoid, 0 to 1000 [Hz]. */
@@ -1738,9 +1735,9 @@ typedef struct sins_fault {
     uint64_t column;
     /* The value at fault, in the unit of the key that path names. */
     double value;
-    /* Least allowed value, in that unit; if the sentence says "more than", it is rejected too. */
+    /* Least allowed value, in that unit; if the sentence says "more than", this value itself is rejected too. */
     double minimum;
-    /* Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too. */
+    /* Greatest allowed value, in that unit; if the sentence says "less than", this value itself is rejected too. */
     double maximum;
     /*
      * Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
@@ -1771,8 +1768,8 @@ typedef struct sins_scene_setup {
     /* Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s]. */
     double duration_s;
     /*
-     * Duration that will be flown; 0 for a log, whose duration is in sins_log_info, or if duration_s is longer than the
-     * flight; read only [s].
+     * Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s), and if duration_s is longer than
+     * the flight.
      */
     double flown_s;
     /* Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz]. */
@@ -1855,7 +1852,7 @@ typedef struct sins_scene_key {
     char si_unit[24];
     /* Value in a scene that does not set the key, as sins_scene_get_value() gives it; empty: no value. */
     char default_value[32];
-    /* Words of SINS_SCENE_KEY_WORD, "exact|paper|polynomial". */
+    /* Words that a key of SINS_SCENE_KEY_WORD takes, such as "exact|paper|polynomial". */
     char words[128];
     /*
      * Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of these words. If there are
@@ -1889,8 +1886,8 @@ typedef struct sins_scene_samples {
     /* Number of samples. */
     uint64_t count;
     /*
-     * Number of sample intervals between two records, as the program sins writes them, at least 1: from
-     * sins_scene_setup.every_s, or if that is 0, such that there are about 2000 records.
+     * Number of sample intervals between two records of the program sins, at least 1. It follows from sins_scene_setup.every_s;
+     * if every_s is 0, there are about 2000 records.
      */
     uint64_t record_every;
     /* Time stamp of the first sample [s]. */
@@ -2034,9 +2031,9 @@ typedef struct sins_budget {
     /* Number of flights that the call made. */
     uint64_t flights;
     /*
-     * Uncertainty of the random errors with all effects together, which comes from the number of runs: lower end of the
-     * 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if
-     * nothing is random.
+     * Uncertainty of the random errors with all effects together, because the number of runs is finite. It is the lower end of
+     * the 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if nothing is
+     * random.
      */
     double sigma_low;
     /* Upper end of that interval, divided likewise; 1 if nothing is random. */
@@ -2053,11 +2050,14 @@ typedef struct sins_budget {
     double remainder_velocity_m_s;
     /* Part of the misalignment that the sum of all rows does not explain [rad]. */
     double remainder_attitude_rad;
-    /* Change of the position error without the marked effects, by flights of all runs without them [m]. */
+    /*
+     * Change of the position error if the marked effects (SINS_BUDGET_CAN_BE_LEFT_OUT) are left out, from flights of all runs
+     * without them [m].
+     */
     double left_out_position_m;
-    /* Change of the velocity error without the marked effects, likewise [m/s]. */
+    /* Change of the velocity error if the marked effects are left out, likewise [m/s]. */
     double left_out_velocity_m_s;
-    /* Change of the misalignment without the marked effects, likewise [rad]. */
+    /* Change of the misalignment if the marked effects are left out, likewise [rad]. */
     double left_out_attitude_rad;
     /* Time of a step with all effects, measured in this call on this machine [ns]. */
     double ns_per_step;
@@ -2158,7 +2158,7 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
  *
  * SINS_NEED_SAMPLE: no complete interval is waiting.
  * SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
- * 100 km/s; this holds for the solution of the sensor block, for that of the reference point, and for the error-free
+ * 100 km/s; the limits apply to the solution of the sensor block, to that of the reference point, and to the error-free
  * navigator of SINS_SIGNAL_CLOSED_LOOP.
  * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
  * SINS_ERROR_BAD_STATE: navigating on increments.
@@ -2169,13 +2169,13 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
 SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
 /*
- * Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time stamp
- * time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
+ * Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp time_s [s], and
+ * later samples must have later stamps. time_s is the time that the clock shows when the vehicle moves again. Everything else
  * stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
- * along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
- * stamps are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences
- * over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The
- * host must also move its flight_start_s of sins_scene_prepare() by the same time.
+ * along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive stamps
+ * are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences over three
+ * samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The host must also
+ * move its flight_start_s of sins_scene_prepare() by the same time.
  *
  * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
  * SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -2202,8 +2202,8 @@ SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
  *
  * SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
  * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
- * SINS_ERROR_DIVERGED: the solution would leave its limits, or no place has the position error, because it is too large
- * (a quarter of the Earth).
+ * SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is about a quarter of the Earth's
+ * circumference or more, so that no place at the sample has this error.
  */
 SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const struct sins_flight_sample *sample);
 
@@ -2349,9 +2349,9 @@ SINS_API sins_status SINS_CALL sins_set_gravity_disturbance(sins_sim *sim, const
 SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struct sins_gravity_params *params);
 
 /*
- * Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the flight's
- * start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and
- * stepping sample by sample.
+ * Pushes and steps an array of count samples. Writes a record whenever the number of intervals since the flight's start is a
+ * multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
+ * by sample.
  *
  * samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
  * other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
@@ -2362,8 +2362,8 @@ SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struc
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
  * SINS_ERROR_BAD_STATE: navigating on increments.
  *
- * Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns, which sins_last_error()
- * names: the samples before it were flown, this sample and the rest were not; sins_accuracy.intervals counts the flown
+ * Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns; sins_last_error() names this
+ * sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
  * intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
  * sins_reset() empty the queue.
  */
@@ -2565,9 +2565,9 @@ SINS_API sins_status SINS_CALL sins_ensemble_push_sample(
 SINS_API sins_status SINS_CALL sins_ensemble_step(sins_ensemble *ensemble);
 
 /*
- * Pushes and steps an array of samples, count of them. With thousands of runs it is faster than single calls. Any split of a
- * flight into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the distance
- * between samples; struct_size of the other samples may be 0.
+ * Pushes and steps an array of count samples. With thousands of runs this is faster than single calls. Any split of a flight
+ * into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the distance between
+ * samples; struct_size of the other samples may be 0.
  *
  * SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
  * sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it
@@ -2713,9 +2713,9 @@ SINS_API sins_status SINS_CALL sins_gyro_preset(int32_t grade, struct sins_gyro_
 SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_accel_params *params);
 
 /*
- * Creates a flight from an array of manoeuvres, count of them (1 to 4096). Speed, climb angle, course and bank are closed
- * forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
- * manoeuvres[0].struct_size is the distance between the manoeuvres.
+ * Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
+ * smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the distance
+ * between the manoeuvres.
  *
  * Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
  * to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
@@ -2723,8 +2723,8 @@ SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_acce
  *
  * On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
- * sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a path that leaves the range of sins_flight_sample.height_m (the
+ * index in the sentence is that of the manoeuvre).
  * SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
  */
 SINS_API sins_status SINS_CALL sins_flight_create(
@@ -2966,11 +2966,11 @@ SINS_API sins_status SINS_CALL sins_scene_get_manoeuvres(
     size_t *count, size_t *repeat);
 
 /*
- * Composes the flight of the scene of manoeuvres, count of them, all flown repeat times; count * repeat is at most 4096.
+ * Composes the flight of the scene of an array of count manoeuvres, all flown repeat times; count * repeat is at most 4096.
  * start->earth is ignored: the ellipsoid is that of the scene's options. If the flight was a log before, the new flight is
  * sampled at 100 Hz.
  *
- * SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that the height on the way is not checked.
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that heights along the path are not checked.
  */
 SINS_API sins_status SINS_CALL sins_scene_set_manoeuvres(
     sins_scene *scene, const struct sins_flight_start *start, const struct sins_manoeuvre *manoeuvres, size_t count,
@@ -3026,8 +3026,8 @@ SINS_API sins_status SINS_CALL sins_scene_get_key(size_t index, struct sins_scen
  * Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
  * the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
  * "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
- * value: flight.hours of a scene that flies the whole flight. The scene stores numbers in SI: read in another unit they may be
- * rounded. The scene does not store the name of a preset, only the errors that the preset sets.
+ * value: for example flight.hours, if the scene flies the whole flight. The scene stores numbers in SI: read in another unit
+ * they may be rounded. The scene does not store the name of a preset, only the errors that the preset sets.
  *
  * The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins_scene_set_items(). A built-in flight and a log
  * have no such manoeuvres. buffer, capacity and needed as in sins_scene_write().
@@ -3121,24 +3121,23 @@ SINS_API sins_status SINS_CALL sins_scene_get_samples(
  * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
  * cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
  *
- * configured is a simulator as the host flies it, at any moment. Only its options and its mounting count. The call reads it
- * at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
- * point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer, ready for
- * sins_create(). The values of these three in configured do not matter.
+ * configured is a simulator as the host flies it, at any moment. The call uses only its options and its mounting, reads them at
+ * the start, and neither steps nor changes the simulator. NULL is the recommended simulator with its sensor block at the
+ * reference point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer,
+ * ready for sins_create(). The values of these three in configured do not matter.
  *
  * Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
- * reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
- * with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
- * start, gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both
- * solutions alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
- * duration beyond the piece, the call assumes that the piece is flown again and again, that each time adds the same errors
- * with the same sign, and that they grow by the Schuler oscillation with the worst phase. If the flight continues like the
- * piece, its errors are smaller than this prediction. With SINS_VERTICAL_FREE each error counts
- * as a height error, which grows e-fold every 569 s.
+ * reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution with
+ * half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter, start,
+ * gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both solutions
+ * alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a duration beyond the
+ * piece, the call assumes that the piece is flown again and again. Each time adds the same errors with the same sign, and the
+ * errors grow by the Schuler oscillation with the worst phase. If the flight continues like the piece, its errors are smaller
+ * than this prediction. With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
  *
- * The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only
- * ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
- * nothing meets the requirement.
+ * Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step
+ * differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if nothing meets the
+ * requirement.
  *
  * SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
  * closest.
@@ -3159,19 +3158,19 @@ SINS_API sins_status SINS_CALL sins_recommend(
  * can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
  * struct_size of the other samples may be 0, that of the other rows anything.
  *
- * configured is a simulator as the host flies it, at any moment. Its options count, and all its errors: those of gyros,
- * accelerometers, altimeter, start, mounting and gravity; failures do not count. The call reads it at the start, and
- * neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16 runs and no
- * limits. written and budget may be NULL.
+ * configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of gyros,
+ * accelerometers, altimeter, start, mounting and gravity, but not its failures. The call reads them at the start, and neither
+ * steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for request is 16 runs and no limits.
+ * written and budget may be NULL.
  *
- * Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
- * not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
- * lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
+ * Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are not
+ * effects. The misalignment that SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this
+ * misalignment. All runs fly with lever_arm_m and boresight_rad of the mounting.) The contribution of an effect is the error
  * (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
- * this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
- * length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
- * with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
- * flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
+ * this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the length
+ * at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight with this
+ * effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are flown in several
+ * runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
  *
  * rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
  * position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is

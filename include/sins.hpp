@@ -11,11 +11,11 @@
  *           sim.get_navigation(navigation);
  *   }
  *
- * Every function of sins.h has a function of the same name here, without handle and status; sins.h documents it. A negative
- * status is thrown as sins::Error with the library's sentence. A positive status is not an error: the function returns false.
- * With SINS_NEED_SAMPLE the output is unchanged, with SINS_REQUIREMENT_NOT_MET it is written, and with SINS_GAP everything was
- * done; SINS_SCENE_HAS_FAULTS is such a status too. Structs and constants are those of sins.h. The wrapper is this header only:
- * each function makes the call and checks its status.
+ * Every function of sins.h has its function here, without handle and status; sins.h documents it. Names are the same, but a
+ * function that returns its result directly has no get_: gyro() calls sins_get_gyro(). A negative status is thrown as sins::Error
+ * with the library's sentence. With a positive status, which is not an error, the function returns false. The output is then
+ * unchanged (SINS_NEED_SAMPLE) or written (SINS_REQUIREMENT_NOT_MET), or everything was done (SINS_GAP). Structs and constants are
+ * those of sins.h. The wrapper is this header only: each function makes the call and checks its status.
  */
 
 #ifndef SINS_HPP
@@ -231,7 +231,7 @@ public:
     bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
                    sins_options &options, sins_cost &cost) const
     {
-        if (sim_ == nullptr) { /* which sins_recommend() takes for the recommended simulator */
+        if (sim_ == nullptr) { /* sins_recommend() would use the recommended simulator */
             detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
         }
         return detail::done(sins_recommend(sim_, samples, count, &requirement, &options, &cost), nullptr);
@@ -241,7 +241,7 @@ public:
     sins_budget error_budget(const sins_flight_sample *samples, std::size_t count, const sins_budget_request &request,
                              std::vector<sins_budget_row> &rows) const
     {
-        if (sim_ == nullptr) { /* which sins_error_budget() takes for the recommended simulator */
+        if (sim_ == nullptr) { /* sins_error_budget() would use the recommended simulator */
             detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
         }
         sins_budget budget = make<sins_budget>();
@@ -303,7 +303,7 @@ public:
     bool get_covariance(sins_covariance &covariance) const { return done(sins_get_covariance(sim_, &covariance)); }
     bool get_record(sins_record &record) const { return done(sins_get_record(sim_, &record)); }
 
-    /* A record as a line of a file; sensor_errors are six numbers or none, covariance may be NULL. */
+    /* A record as a line of a file of records; sensor_errors are six numbers or none, covariance may be NULL. */
     static std::string record_line(const sins_record &record, const std::vector<double> &sensor_errors = {},
                                    const sins_covariance *covariance = nullptr)
     {
@@ -312,7 +312,7 @@ public:
         });
     }
 
-    /* The first line of such a file. */
+    /* The first line of a file of records: the names of the columns. */
     static std::string record_head(bool has_covariance = false)
     {
         sins_covariance covariance = make<sins_covariance>();
@@ -594,7 +594,7 @@ public:
         });
     }
 
-    /* Sets values, a line path = value each. False: the scene stays as it was, and faults() has the reasons. */
+    /* Sets values: in each line a path, =, a value. False: the scene stays as it was, and faults() has the reasons. */
     bool set_values(const std::string &values) { return changed(sins_scene_set_values(scene_, values.c_str())); }
 
     /* Sets all items of a list, "manoeuvre" or "failure", by their text. False: as set_values(). */
@@ -622,7 +622,7 @@ public:
         });
     }
 
-    /* Which samples it flies: of its flight, or of a log (sins_log *). */
+    /* The samples that the scene flies: those of its own flight, or of a log. */
     sins_scene_samples samples(const sins_log *log = nullptr) const
     {
         sins_scene_samples samples = make<sins_scene_samples>();

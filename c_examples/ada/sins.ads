@@ -108,8 +108,8 @@ package Sins is
    subtype sins_frame is Integer_32;
    --  Navigation in Earth-fixed axes: regular everywhere, poles included.
    SINS_FRAME_EARTH_FIXED : constant sins_frame := 0;
-   --  Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where an update
-   --  moves by more than 1 % of the distance to the pole: within 25 km at 250 m/s and updates of 1 s.
+   --  Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where the vehicle moves
+   --  in one update by more than 1 % of the distance to the pole: within 25 km at 250 m/s and with updates of 1 s.
    SINS_FRAME_GEOGRAPHIC : constant sins_frame := 1;
 
    --  Algorithms of the mechanization.
@@ -258,8 +258,8 @@ package Sins is
    --  Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
    --  every 569 s.
    SINS_NAVIGATION_VERTICAL_UNAIDED : constant sins_navigation_flags := 2;
-   --  A flag of the truth: the displacement since the previous sample differs from the one that the velocities give by more than
-   --  the root sum of squares of 1 % and 1 cm.
+   --  A flag of the truth: the displacement since the previous sample differs from the displacement d that the velocities give by
+   --  more than sqrt((0.01 d)^2 + (1 cm)^2).
    SINS_NAVIGATION_INCONSISTENT : constant sins_navigation_flags := 4;
    --  The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
    --  force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
@@ -328,10 +328,9 @@ package Sins is
    --  Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
    --  duration follows from these.
    SINS_MANOEUVRE_TURN : constant sins_manoeuvre_kind := 4;
-   --  Makes a number of whole rolls, in the field turns (right positive), in duration_s along a straight path.
+   --  Whole rolls along a straight path in duration_s; the field turns is their number (right positive).
    SINS_MANOEUVRE_ROLL : constant sins_manoeuvre_kind := 5;
-   --  Makes a number of whole vertical loops, in the field turns (nose up positive), in duration_s at constant speed. Uses
-   --  ramp_s.
+   --  Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s.
    SINS_MANOEUVRE_LOOP : constant sins_manoeuvre_kind := 6;
    --  The course swings by heading_change_rad to both sides; the field turns is the number of swings in duration_s. Uses
    --  ramp_s.
@@ -488,7 +487,7 @@ package Sins is
       frame : Integer_32 := 0;
       --  Algorithm of the mechanization, of enum sins_scheme.
       scheme : Integer_32 := 0;
-      --  Subsamples of a mechanization update, the parts of it over which the sensors integrate, 1 to 5; 0: 2.
+      --  Subsamples: the equal parts of a mechanization update over which the sensors integrate, 1 to 5; 0: 2.
       subsamples : Integer_32 := 0;
       --  Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
       updates_per_sample : Integer_32 := 0;
@@ -515,9 +514,9 @@ package Sins is
       --  sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
       --  samples: each must be within 0.4 of a period of its multiple.
       sample_period_s : double := 0.0;
-      --  Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. There
-      --  the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and
-      --  91 m with intervals of 100 s.
+      --  Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. At rest the
+      --  position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and 91 m
+      --  with intervals of 100 s.
       max_gap_s : double := 0.0;
       --  Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
       --  the truth.
@@ -538,7 +537,7 @@ package Sins is
       --  Flags of enum sins_sample_flags, or'ed.
       flags : Unsigned_32 := 0;
       --  Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. Large stamps are coarse
-      --  (2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
+      --  (1.2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
       time_s : double := 0.0;
       --  Geodetic latitude, -pi/2 to pi/2 [rad].
       latitude_rad : double := 0.0;
@@ -562,8 +561,8 @@ package Sins is
       angular_rate_rad_s : sins_double_3 := (others => 0.0);
       --  With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
       specific_force_m_s2 : sins_double_3 := (others => 0.0);
-      --  With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
-      --  linear from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
+      --  With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C]; linear
+      --  from one sample to the next. Needed while temperature coefficients are set: the push of a sample without it then returns
       --  SINS_ERROR_INVALID_ARGUMENT, because a forgotten flag would silently disable the effect.
       temperature_c : double := 0.0;
    end record with Convention => C;
@@ -605,9 +604,9 @@ package Sins is
    --
    --  Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
    --  subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration of
-   --  frequency f. With x = pi f dt, nonlinearity and rectification are too small by the share 1 - (sin x / x)^2. Asymmetry is too
-   --  small by up to 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample rate, these shares
-   --  are 0.8 % and 1.2 % with two subsamples per interval, 3.3 % and 4.9 % with one.
+   --  frequency f. With x = pi f dt, nonlinearity and rectification are too small by the fraction 1 - (sin x / x)^2. Asymmetry is
+   --  too small by up to the fraction 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample
+   --  rate, these fractions are 0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with one.
    type sins_gyro_params is record
       --  sizeof(sins_gyro_params)
       struct_size : Unsigned_32 := SINS_SIZEOF_GYRO_PARAMS;
@@ -654,7 +653,7 @@ package Sins is
       g_sensitivity_rad_s_per_m_s2 : sins_double_3_3 := (others => (others => 0.0));
       --  Drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
       --  -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
-      --  specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
+      --  specific force at the block's own point, in sensor axes. So a positive element makes a drift in the positive
       --  sense about the axis, whatever the sign of the force. The mean force of a subsample is squared, as with
       --  nonlinearity.
       g2_sensitivity_rad_s_per_m2_s4 : sins_double_3 := (others => 0.0);
@@ -861,9 +860,8 @@ package Sins is
       reserved : Unsigned_32 := 0;
       --  Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
       lever_arm_m : sins_double_3 := (others => 0.0);
-      --  Boresight: roll, pitch and heading of the block's axes relative to the body axes, defined as those of the body
-      --  relative to the horizon: right side down, nose up, nose to the right; any number of turns up to 10000 rad, as in a
-      --  flight sample [rad].
+      --  Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined as those of the
+      --  body relative to the horizon: positive right side down, nose up, nose to the right. Any number of turns up to 10000 rad.
       boresight_rad : sins_double_3 := (others => 0.0);
       --  Believed less true lever arm, -100 to 100 [m].
       lever_arm_error_m : sins_double_3 := (others => 0.0);
@@ -1089,8 +1087,8 @@ package Sins is
       time_s : double := 0.0;
       --  Time since the start [s].
       duration_s : double := 0.0;
-      --  Start of the window of the radial error rates, in time since the start: 300 s. Rates before it would be initial errors
-      --  divided by a very short time [s].
+      --  Start of the window of the radial error rates: 300 s after the start [s]. Earlier rates would be initial errors divided by
+      --  a very short time.
       window_start_s : double := 0.0;
       --  Number of samples in the window of the radial error rates. While there are none, the rates are 0.
       window_samples : Unsigned_64 := 0;
@@ -1125,8 +1123,8 @@ package Sins is
       inconsistent_samples : Unsigned_64 := 0;
       --  Number of intervals flown since the start or the last reposition: one less than the number of samples.
       intervals : Unsigned_64 := 0;
-      --  Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants after the start
-      --  on [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
+      --  Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times closed_loop_time_s after the
+      --  start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
       trim_rate_max_rad_s : double := 0.0;
       --  Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
       trim_force_max_m_s2 : double := 0.0;
@@ -1175,8 +1173,8 @@ package Sins is
       force_max_m_s2 : double := 0.0;
       --  Time stamp of force_max_m_s2 [s].
       force_max_at_s : double := 0.0;
-      --  Largest difference, in one interval, between the displacement and the mean velocity of its two ends times its length
-      --  [m].
+      --  Largest difference, in one interval, between the displacement by the positions and the displacement by the velocities (the
+      --  mean of those at the two ends, times the length of the interval) [m].
       inconsistency_max_m : double := 0.0;
       --  Time stamp of inconsistency_max_m [s].
       inconsistency_max_at_s : double := 0.0;
@@ -1409,8 +1407,8 @@ package Sins is
       turns : double := 0.0;
       --  What each sinusoid moves, of enum sins_channel.
       channel : sins_integer_32_6 := (others => 0);
-      --  Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; of the climb angle up to 1.5 rad; of the speed, all
-      --  sinusoids together up to the speed.
+      --  Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; for the climb angle up to 1.5 rad; for the speed, the sum of the
+      --  amplitudes is at most the speed.
       amplitude : sins_double_6 := (others => 0.0);
       --  Frequency of each sinusoid, 0 to 1000 [Hz].
       frequency_hz : sins_double_6 := (others => 0.0);
@@ -1433,9 +1431,9 @@ package Sins is
       column : Unsigned_64 := 0;
       --  The value at fault, in the unit of the key that path names.
       value : double := 0.0;
-      --  Least allowed value, in that unit; if the sentence says "more than", it is rejected too.
+      --  Least allowed value, in that unit; if the sentence says "more than", this value itself is rejected too.
       minimum : double := 0.0;
-      --  Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too.
+      --  Greatest allowed value, in that unit; if the sentence says "less than", this value itself is rejected too.
       maximum : double := 0.0;
       --  Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
       --  terminated. Empty for a flight log, and if the text itself is at fault.
@@ -1462,8 +1460,8 @@ package Sins is
       reserved2 : Unsigned_32 := 0;
       --  Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
       duration_s : double := 0.0;
-      --  Duration that will be flown; 0 for a log, whose duration is in sins_log_info, or if duration_s is longer than the
-      --  flight; read only [s].
+      --  Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s), and if duration_s is longer than
+      --  the flight.
       flown_s : double := 0.0;
       --  Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz].
       rate_hz : double := 0.0;
@@ -1543,7 +1541,7 @@ package Sins is
       si_unit : sins_char_24 := (others => nul);
       --  Value in a scene that does not set the key, as sins_scene_get_value() gives it; empty: no value.
       default_value : sins_char_32 := (others => nul);
-      --  Words of SINS_SCENE_KEY_WORD, "exact|paper|polynomial".
+      --  Words that a key of SINS_SCENE_KEY_WORD takes, such as "exact|paper|polynomial".
       words : sins_char_128 := (others => nul);
       --  Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of these words. If there are
       --  several conditions, with a space between them, an item must meet all. Empty: all items.
@@ -1576,8 +1574,8 @@ package Sins is
       reserved : Unsigned_32 := 0;
       --  Number of samples.
       count : Unsigned_64 := 0;
-      --  Number of sample intervals between two records, as the program sins writes them, at least 1: from
-      --  sins_scene_setup.every_s, or if that is 0, such that there are about 2000 records.
+      --  Number of sample intervals between two records of the program sins, at least 1. It follows from sins_scene_setup.every_s;
+      --  if every_s is 0, there are about 2000 records.
       record_every : Unsigned_64 := 0;
       --  Time stamp of the first sample [s].
       start_s : double := 0.0;
@@ -1706,9 +1704,9 @@ package Sins is
       runs : Unsigned_64 := 0;
       --  Number of flights that the call made.
       flights : Unsigned_64 := 0;
-      --  Uncertainty of the random errors with all effects together, which comes from the number of runs: lower end of the
-      --  95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if
-      --  nothing is random.
+      --  Uncertainty of the random errors with all effects together, because the number of runs is finite. It is the lower end of
+      --  the 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if nothing is
+      --  random.
       sigma_low : double := 0.0;
       --  Upper end of that interval, divided likewise; 1 if nothing is random.
       sigma_high : double := 0.0;
@@ -1724,11 +1722,12 @@ package Sins is
       remainder_velocity_m_s : double := 0.0;
       --  Part of the misalignment that the sum of all rows does not explain [rad].
       remainder_attitude_rad : double := 0.0;
-      --  Change of the position error without the marked effects, by flights of all runs without them [m].
+      --  Change of the position error if the marked effects (SINS_BUDGET_CAN_BE_LEFT_OUT) are left out, from flights of all runs
+      --  without them [m].
       left_out_position_m : double := 0.0;
-      --  Change of the velocity error without the marked effects, likewise [m/s].
+      --  Change of the velocity error if the marked effects are left out, likewise [m/s].
       left_out_velocity_m_s : double := 0.0;
-      --  Change of the misalignment without the marked effects, likewise [rad].
+      --  Change of the misalignment if the marked effects are left out, likewise [rad].
       left_out_attitude_rad : double := 0.0;
       --  Time of a step with all effects, measured in this call on this machine [ns].
       ns_per_step : double := 0.0;
@@ -1789,7 +1788,7 @@ package Sins is
    --
    --  SINS_NEED_SAMPLE: no complete interval is waiting.
    --  SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
-   --  100 km/s; this holds for the solution of the sensor block, for that of the reference point, and for the error-free
+   --  100 km/s; the limits apply to the solution of the sensor block, to that of the reference point, and to the error-free
    --  navigator of SINS_SIGNAL_CLOSED_LOOP.
    --  SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
    --  SINS_ERROR_BAD_STATE: navigating on increments.
@@ -1799,13 +1798,13 @@ package Sins is
    function sins_step (sim : sins_sim) return sins_status
      with Import, Convention => C, External_Name => "sins_step";
 
-   --  Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time stamp
-   --  time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
+   --  Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp time_s [s], and
+   --  later samples must have later stamps. time_s is the time that the clock shows when the vehicle moves again. Everything else
    --  stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
-   --  along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
-   --  stamps are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences
-   --  over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The
-   --  host must also move its flight_start_s of sins_scene_prepare() by the same time.
+   --  along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive stamps
+   --  are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences over three
+   --  samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The host must also
+   --  move its flight_start_s of sins_scene_prepare() by the same time.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
    --  SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -1831,8 +1830,8 @@ package Sins is
    --
    --  SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
    --  SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
-   --  SINS_ERROR_DIVERGED: the solution would leave its limits, or no place has the position error, because it is too large
-   --  (a quarter of the Earth).
+   --  SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is about a quarter of the Earth's
+   --  circumference or more, so that no place at the sample has this error.
    function sins_move_truth (sim : sins_sim; sample : sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_move_truth";
 
@@ -1969,9 +1968,9 @@ package Sins is
    function sins_get_gravity_disturbance (sim : sins_sim; params : in out sins_gravity_params) return sins_status
      with Import, Convention => C, External_Name => "sins_get_gravity_disturbance";
 
-   --  Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the flight's
-   --  start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and
-   --  stepping sample by sample.
+   --  Pushes and steps an array of count samples. Writes a record whenever the number of intervals since the flight's start is a
+   --  multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
+   --  by sample.
    --
    --  samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
    --  other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
@@ -1982,8 +1981,8 @@ package Sins is
    --  SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
    --  SINS_ERROR_BAD_STATE: navigating on increments.
    --
-   --  Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns, which sins_last_error()
-   --  names: the samples before it were flown, this sample and the rest were not; sins_accuracy.intervals counts the flown
+   --  Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns; sins_last_error() names this
+   --  sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
    --  intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
    --  sins_reset() empty the queue.
    function sins_run (sim : sins_sim; samples : sins_flight_sample_array; count : size_t; every : size_t;
@@ -2164,9 +2163,9 @@ package Sins is
    function sins_ensemble_step (ensemble : sins_ensemble) return sins_status
      with Import, Convention => C, External_Name => "sins_ensemble_step";
 
-   --  Pushes and steps an array of samples, count of them. With thousands of runs it is faster than single calls. Any split of a
-   --  flight into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the distance
-   --  between samples; struct_size of the other samples may be 0.
+   --  Pushes and steps an array of count samples. With thousands of runs this is faster than single calls. Any split of a flight
+   --  into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the distance between
+   --  samples; struct_size of the other samples may be 0.
    --
    --  SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
    --  sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it
@@ -2294,9 +2293,9 @@ package Sins is
    function sins_accel_preset (grade : Integer_32; params : in out sins_accel_params) return sins_status
      with Import, Convention => C, External_Name => "sins_accel_preset";
 
-   --  Creates a flight from an array of manoeuvres, count of them (1 to 4096). Speed, climb angle, course and bank are closed
-   --  forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
-   --  manoeuvres[0].struct_size is the distance between the manoeuvres.
+   --  Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
+   --  smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the distance
+   --  between the manoeuvres.
    --
    --  Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
    --  to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
@@ -2304,8 +2303,8 @@ package Sins is
    --
    --  On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
-   --  sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+   --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a path that leaves the range of sins_flight_sample.height_m (the
+   --  index in the sentence is that of the manoeuvre).
    --  SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
    function sins_flight_create (start : sins_flight_start; manoeuvres : sins_manoeuvre_array; count : size_t;
        flight : in out sins_flight) return sins_status
@@ -2523,11 +2522,11 @@ package Sins is
        repeat : in out size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_get_manoeuvres";
 
-   --  Composes the flight of the scene of manoeuvres, count of them, all flown repeat times; count * repeat is at most 4096.
+   --  Composes the flight of the scene of an array of count manoeuvres, all flown repeat times; count * repeat is at most 4096.
    --  start->earth is ignored: the ellipsoid is that of the scene's options. If the flight was a log before, the new flight is
    --  sampled at 100 Hz.
    --
-   --  SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that the height on the way is not checked.
+   --  SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that heights along the path are not checked.
    function sins_scene_set_manoeuvres (scene : sins_scene; start : sins_flight_start; manoeuvres : sins_manoeuvre_array;
        count : size_t; repeat : size_t) return sins_status
      with Import, Convention => C, External_Name => "sins_scene_set_manoeuvres";
@@ -2577,8 +2576,8 @@ package Sins is
    --  Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
    --  the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
    --  "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
-   --  value: flight.hours of a scene that flies the whole flight. The scene stores numbers in SI: read in another unit they may be
-   --  rounded. The scene does not store the name of a preset, only the errors that the preset sets.
+   --  value: for example flight.hours, if the scene flies the whole flight. The scene stores numbers in SI: read in another unit
+   --  they may be rounded. The scene does not store the name of a preset, only the errors that the preset sets.
    --
    --  The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins_scene_set_items(). A built-in flight and a log
    --  have no such manoeuvres. buffer, capacity and needed as in sins_scene_write().
@@ -2664,24 +2663,23 @@ package Sins is
    --  Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
    --  cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
    --
-   --  configured is a simulator as the host flies it, at any moment. Only its options and its mounting count. The call reads it
-   --  at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
-   --  point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer, ready for
-   --  sins_create(). The values of these three in configured do not matter.
+   --  configured is a simulator as the host flies it, at any moment. The call uses only its options and its mounting, reads them at
+   --  the start, and neither steps nor changes the simulator. NULL is the recommended simulator with its sensor block at the
+   --  reference point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer,
+   --  ready for sins_create(). The values of these three in configured do not matter.
    --
    --  Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
-   --  reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
-   --  with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
-   --  start, gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both
-   --  solutions alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
-   --  duration beyond the piece, the call assumes that the piece is flown again and again, that each time adds the same errors
-   --  with the same sign, and that they grow by the Schuler oscillation with the worst phase. If the flight continues like the
-   --  piece, its errors are smaller than this prediction. With SINS_VERTICAL_FREE each error counts
-   --  as a height error, which grows e-fold every 569 s.
+   --  reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution with
+   --  half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter, start,
+   --  gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both solutions
+   --  alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a duration beyond the
+   --  piece, the call assumes that the piece is flown again and again. Each time adds the same errors with the same sign, and the
+   --  errors grow by the Schuler oscillation with the worst phase. If the flight continues like the piece, its errors are smaller
+   --  than this prediction. With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
    --
-   --  The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only
-   --  ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
-   --  nothing meets the requirement.
+   --  Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step
+   --  differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if nothing meets the
+   --  requirement.
    --
    --  SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
    --  closest.
@@ -2700,19 +2698,19 @@ package Sins is
    --  can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
    --  struct_size of the other samples may be 0, that of the other rows anything.
    --
-   --  configured is a simulator as the host flies it, at any moment. Its options count, and all its errors: those of gyros,
-   --  accelerometers, altimeter, start, mounting and gravity; failures do not count. The call reads it at the start, and
-   --  neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16 runs and no
-   --  limits. written and budget may be NULL.
+   --  configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of gyros,
+   --  accelerometers, altimeter, start, mounting and gravity, but not its failures. The call reads them at the start, and neither
+   --  steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for request is 16 runs and no limits.
+   --  written and budget may be NULL.
    --
-   --  Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
-   --  not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
-   --  lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
+   --  Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are not
+   --  effects. The misalignment that SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this
+   --  misalignment. All runs fly with lever_arm_m and boresight_rad of the mounting.) The contribution of an effect is the error
    --  (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
    --  this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
-   --  length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
-   --  with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
-   --  flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
+   --  length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight with
+   --  this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are flown in
+   --  several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
    --
    --  rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
    --  position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is

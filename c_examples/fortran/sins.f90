@@ -113,8 +113,8 @@ module sins
   integer, parameter :: sins_frame = c_int32_t
   !> Navigation in Earth-fixed axes: regular everywhere, poles included.
   integer(c_int32_t), parameter :: SINS_FRAME_EARTH_FIXED = 0
-  !> Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where an update
-  !> moves by more than 1 % of the distance to the pole: within 25 km at 250 m/s and updates of 1 s.
+  !> Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where the vehicle moves in
+  !> one update by more than 1 % of the distance to the pole: within 25 km at 250 m/s and with updates of 1 s.
   integer(c_int32_t), parameter :: SINS_FRAME_GEOGRAPHIC = 1
 
   !> Algorithms of the mechanization.
@@ -263,8 +263,8 @@ module sins
   !> Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
   !> every 569 s.
   integer(c_int32_t), parameter :: SINS_NAVIGATION_VERTICAL_UNAIDED = 2
-  !> A flag of the truth: the displacement since the previous sample differs from the one that the velocities give by more than
-  !> the root sum of squares of 1 % and 1 cm.
+  !> A flag of the truth: the displacement since the previous sample differs from the displacement d that the velocities give by
+  !> more than sqrt((0.01 d)^2 + (1 cm)^2).
   integer(c_int32_t), parameter :: SINS_NAVIGATION_INCONSISTENT = 4
   !> The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
   !> force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
@@ -333,10 +333,9 @@ module sins
   !> Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
   !> duration follows from these.
   integer(c_int32_t), parameter :: SINS_MANOEUVRE_TURN = 4
-  !> Makes a number of whole rolls, in the field turns (right positive), in duration_s along a straight path.
+  !> Whole rolls along a straight path in duration_s; the field turns is their number (right positive).
   integer(c_int32_t), parameter :: SINS_MANOEUVRE_ROLL = 5
-  !> Makes a number of whole vertical loops, in the field turns (nose up positive), in duration_s at constant speed. Uses
-  !> ramp_s.
+  !> Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s.
   integer(c_int32_t), parameter :: SINS_MANOEUVRE_LOOP = 6
   !> The course swings by heading_change_rad to both sides; the field turns is the number of swings in duration_s. Uses
   !> ramp_s.
@@ -458,7 +457,7 @@ module sins
     integer(c_int32_t) :: frame = 0_c_int32_t
     !> Algorithm of the mechanization, of enum sins_scheme.
     integer(c_int32_t) :: scheme = 0_c_int32_t
-    !> Subsamples of a mechanization update, the parts of it over which the sensors integrate, 1 to 5; 0: 2.
+    !> Subsamples: the equal parts of a mechanization update over which the sensors integrate, 1 to 5; 0: 2.
     integer(c_int32_t) :: subsamples = 0_c_int32_t
     !> Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
     integer(c_int32_t) :: updates_per_sample = 0_c_int32_t
@@ -485,9 +484,9 @@ module sins
     !> sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
     !> samples: each must be within 0.4 of a period of its multiple.
     real(c_double) :: sample_period_s = 0.0_c_double
-    !> Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. There
-    !> the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and
-    !> 91 m with intervals of 100 s.
+    !> Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. At rest the
+    !> position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and 91 m
+    !> with intervals of 100 s.
     real(c_double) :: max_gap_s = 0.0_c_double
     !> Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
     !> the truth.
@@ -507,7 +506,7 @@ module sins
     !> Flags of enum sins_sample_flags, or'ed.
     integer(c_int32_t) :: flags = 0_c_int32_t
     !> Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. Large stamps are coarse
-    !> (2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
+    !> (1.2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
     real(c_double) :: time_s = 0.0_c_double
     !> Geodetic latitude, -pi/2 to pi/2 [rad].
     real(c_double) :: latitude_rad = 0.0_c_double
@@ -531,8 +530,8 @@ module sins
     real(c_double) :: angular_rate_rad_s(3) = 0.0_c_double
     !> With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
     real(c_double) :: specific_force_m_s2(3) = 0.0_c_double
-    !> With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
-    !> linear from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
+    !> With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C]; linear
+    !> from one sample to the next. Needed while temperature coefficients are set: the push of a sample without it then returns
     !> SINS_ERROR_INVALID_ARGUMENT, because a forgotten flag would silently disable the effect.
     real(c_double) :: temperature_c = 0.0_c_double
   end type sins_flight_sample
@@ -572,9 +571,9 @@ module sins
   !>
   !> Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
   !> subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration of
-  !> frequency f. With x = pi f dt, nonlinearity and rectification are too small by the share 1 - (sin x / x)^2. Asymmetry is too
-  !> small by up to 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample rate, these shares are
-  !> 0.8 % and 1.2 % with two subsamples per interval, 3.3 % and 4.9 % with one.
+  !> frequency f. With x = pi f dt, nonlinearity and rectification are too small by the fraction 1 - (sin x / x)^2. Asymmetry is
+  !> too small by up to the fraction 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample rate,
+  !> these fractions are 0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with one.
   type, bind(C) :: sins_gyro_params
     !> sizeof(sins_gyro_params)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_GYRO_PARAMS
@@ -621,7 +620,7 @@ module sins
     real(c_double) :: g_sensitivity_rad_s_per_m_s2(3, 3) = 0.0_c_double
     !> Drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
     !> -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
-    !> specific force at the block's own point, in sensor axes: a positive element makes a drift in the positive
+    !> specific force at the block's own point, in sensor axes. So a positive element makes a drift in the positive
     !> sense about the axis, whatever the sign of the force. The mean force of a subsample is squared, as with
     !> nonlinearity.
     real(c_double) :: g2_sensitivity_rad_s_per_m2_s4(3) = 0.0_c_double
@@ -823,9 +822,8 @@ module sins
     integer(c_int32_t) :: reserved = 0_c_int32_t
     !> Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
     real(c_double) :: lever_arm_m(3) = 0.0_c_double
-    !> Boresight: roll, pitch and heading of the block's axes relative to the body axes, defined as those of the body
-    !> relative to the horizon: right side down, nose up, nose to the right; any number of turns up to 10000 rad, as in a
-    !> flight sample [rad].
+    !> Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined as those of the
+    !> body relative to the horizon: positive right side down, nose up, nose to the right. Any number of turns up to 10000 rad.
     real(c_double) :: boresight_rad(3) = 0.0_c_double
     !> Believed less true lever arm, -100 to 100 [m].
     real(c_double) :: lever_arm_error_m(3) = 0.0_c_double
@@ -1043,8 +1041,8 @@ module sins
     real(c_double) :: time_s = 0.0_c_double
     !> Time since the start [s].
     real(c_double) :: duration_s = 0.0_c_double
-    !> Start of the window of the radial error rates, in time since the start: 300 s. Rates before it would be initial errors
-    !> divided by a very short time [s].
+    !> Start of the window of the radial error rates: 300 s after the start [s]. Earlier rates would be initial errors divided by
+    !> a very short time.
     real(c_double) :: window_start_s = 0.0_c_double
     !> Number of samples in the window of the radial error rates. While there are none, the rates are 0.
     integer(c_int64_t) :: window_samples = 0_c_int64_t
@@ -1079,8 +1077,8 @@ module sins
     integer(c_int64_t) :: inconsistent_samples = 0_c_int64_t
     !> Number of intervals flown since the start or the last reposition: one less than the number of samples.
     integer(c_int64_t) :: intervals = 0_c_int64_t
-    !> Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants after the start
-    !> on [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
+    !> Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times closed_loop_time_s after the
+    !> start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
     real(c_double) :: trim_rate_max_rad_s = 0.0_c_double
     !> Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
     real(c_double) :: trim_force_max_m_s2 = 0.0_c_double
@@ -1128,8 +1126,8 @@ module sins
     real(c_double) :: force_max_m_s2 = 0.0_c_double
     !> Time stamp of force_max_m_s2 [s].
     real(c_double) :: force_max_at_s = 0.0_c_double
-    !> Largest difference, in one interval, between the displacement and the mean velocity of its two ends times its length
-    !> [m].
+    !> Largest difference, in one interval, between the displacement by the positions and the displacement by the velocities (the
+    !> mean of those at the two ends, times the length of the interval) [m].
     real(c_double) :: inconsistency_max_m = 0.0_c_double
     !> Time stamp of inconsistency_max_m [s].
     real(c_double) :: inconsistency_max_at_s = 0.0_c_double
@@ -1356,8 +1354,8 @@ module sins
     real(c_double) :: turns = 0.0_c_double
     !> What each sinusoid moves, of enum sins_channel.
     integer(c_int32_t) :: channel(6) = 0_c_int32_t
-    !> Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; of the climb angle up to 1.5 rad; of the speed, all
-    !> sinusoids together up to the speed.
+    !> Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; for the climb angle up to 1.5 rad; for the speed, the sum of the
+    !> amplitudes is at most the speed.
     real(c_double) :: amplitude(6) = 0.0_c_double
     !> Frequency of each sinusoid, 0 to 1000 [Hz].
     real(c_double) :: frequency_hz(6) = 0.0_c_double
@@ -1379,9 +1377,9 @@ module sins
     integer(c_int64_t) :: column = 0_c_int64_t
     !> The value at fault, in the unit of the key that path names.
     real(c_double) :: value = 0.0_c_double
-    !> Least allowed value, in that unit; if the sentence says "more than", it is rejected too.
+    !> Least allowed value, in that unit; if the sentence says "more than", this value itself is rejected too.
     real(c_double) :: minimum = 0.0_c_double
-    !> Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too.
+    !> Greatest allowed value, in that unit; if the sentence says "less than", this value itself is rejected too.
     real(c_double) :: maximum = 0.0_c_double
     !> Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
     !> terminated. Empty for a flight log, and if the text itself is at fault.
@@ -1407,8 +1405,8 @@ module sins
     integer(c_int32_t) :: reserved2 = 0_c_int32_t
     !> Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
     real(c_double) :: duration_s = 0.0_c_double
-    !> Duration that will be flown; 0 for a log, whose duration is in sins_log_info, or if duration_s is longer than the
-    !> flight; read only [s].
+    !> Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s), and if duration_s is longer than
+    !> the flight.
     real(c_double) :: flown_s = 0.0_c_double
     !> Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz].
     real(c_double) :: rate_hz = 0.0_c_double
@@ -1486,7 +1484,7 @@ module sins
     character(kind=c_char) :: si_unit(24) = c_null_char
     !> Value in a scene that does not set the key, as sins_scene_get_value() gives it; empty: no value.
     character(kind=c_char) :: default_value(32) = c_null_char
-    !> Words of SINS_SCENE_KEY_WORD, "exact|paper|polynomial".
+    !> Words that a key of SINS_SCENE_KEY_WORD takes, such as "exact|paper|polynomial".
     character(kind=c_char) :: words(128) = c_null_char
     !> Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of these words. If there are
     !> several conditions, with a space between them, an item must meet all. Empty: all items.
@@ -1517,8 +1515,8 @@ module sins
     integer(c_int32_t) :: reserved = 0_c_int32_t
     !> Number of samples.
     integer(c_int64_t) :: count = 0_c_int64_t
-    !> Number of sample intervals between two records, as the program sins writes them, at least 1: from
-    !> sins_scene_setup.every_s, or if that is 0, such that there are about 2000 records.
+    !> Number of sample intervals between two records of the program sins, at least 1. It follows from sins_scene_setup.every_s;
+    !> if every_s is 0, there are about 2000 records.
     integer(c_int64_t) :: record_every = 0_c_int64_t
     !> Time stamp of the first sample [s].
     real(c_double) :: start_s = 0.0_c_double
@@ -1642,9 +1640,9 @@ module sins
     integer(c_int64_t) :: runs = 0_c_int64_t
     !> Number of flights that the call made.
     integer(c_int64_t) :: flights = 0_c_int64_t
-    !> Uncertainty of the random errors with all effects together, which comes from the number of runs: lower end of the
-    !> 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if
-    !> nothing is random.
+    !> Uncertainty of the random errors with all effects together, because the number of runs is finite. It is the lower end of
+    !> the 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if nothing is
+    !> random.
     real(c_double) :: sigma_low = 0.0_c_double
     !> Upper end of that interval, divided likewise; 1 if nothing is random.
     real(c_double) :: sigma_high = 0.0_c_double
@@ -1660,11 +1658,12 @@ module sins
     real(c_double) :: remainder_velocity_m_s = 0.0_c_double
     !> Part of the misalignment that the sum of all rows does not explain [rad].
     real(c_double) :: remainder_attitude_rad = 0.0_c_double
-    !> Change of the position error without the marked effects, by flights of all runs without them [m].
+    !> Change of the position error if the marked effects (SINS_BUDGET_CAN_BE_LEFT_OUT) are left out, from flights of all runs
+    !> without them [m].
     real(c_double) :: left_out_position_m = 0.0_c_double
-    !> Change of the velocity error without the marked effects, likewise [m/s].
+    !> Change of the velocity error if the marked effects are left out, likewise [m/s].
     real(c_double) :: left_out_velocity_m_s = 0.0_c_double
-    !> Change of the misalignment without the marked effects, likewise [rad].
+    !> Change of the misalignment if the marked effects are left out, likewise [rad].
     real(c_double) :: left_out_attitude_rad = 0.0_c_double
     !> Time of a step with all effects, measured in this call on this machine [ns].
     real(c_double) :: ns_per_step = 0.0_c_double
@@ -1748,7 +1747,7 @@ module sins
     !>
     !> SINS_NEED_SAMPLE: no complete interval is waiting.
     !> SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
-    !> 100 km/s; this holds for the solution of the sensor block, for that of the reference point, and for the error-free
+    !> 100 km/s; the limits apply to the solution of the sensor block, to that of the reference point, and to the error-free
     !> navigator of SINS_SIGNAL_CLOSED_LOOP.
     !> SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
     !> SINS_ERROR_BAD_STATE: navigating on increments.
@@ -1761,13 +1760,13 @@ module sins
       integer(sins_status) :: sins_step
     end function sins_step
 
-    !> Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time stamp
-    !> time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
+    !> Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp time_s [s], and
+    !> later samples must have later stamps. time_s is the time that the clock shows when the vehicle moves again. Everything else
     !> stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
-    !> along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
-    !> stamps are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences
-    !> over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The
-    !> host must also move its flight_start_s of sins_scene_prepare() by the same time.
+    !> along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive stamps
+    !> are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences over three
+    !> samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The host must also
+    !> move its flight_start_s of sins_scene_prepare() by the same time.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
     !> SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -1797,8 +1796,8 @@ module sins
     !>
     !> SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
     !> SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
-    !> SINS_ERROR_DIVERGED: the solution would leave its limits, or no place has the position error, because it is too large
-    !> (a quarter of the Earth).
+    !> SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is about a quarter of the Earth's
+    !> circumference or more, so that no place at the sample has this error.
     function sins_move_truth(sim, sample) bind(C, name="sins_move_truth")
       import
       type(c_ptr), value :: sim
@@ -2014,9 +2013,9 @@ module sins
       integer(sins_status) :: sins_get_gravity_disturbance
     end function sins_get_gravity_disturbance
 
-    !> Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the flight's
-    !> start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and
-    !> stepping sample by sample.
+    !> Pushes and steps an array of count samples. Writes a record whenever the number of intervals since the flight's start is a
+    !> multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
+    !> by sample.
     !>
     !> samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
     !> other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
@@ -2027,8 +2026,8 @@ module sins
     !> SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
     !> SINS_ERROR_BAD_STATE: navigating on increments.
     !>
-    !> Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns, which sins_last_error()
-    !> names: the samples before it were flown, this sample and the rest were not; sins_accuracy.intervals counts the flown
+    !> Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns; sins_last_error() names this
+    !> sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
     !> intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
     !> sins_reset() empty the queue.
     function sins_run(sim, samples, count, every, records, capacity, written) bind(C, name="sins_run")
@@ -2295,9 +2294,9 @@ module sins
       integer(sins_status) :: sins_ensemble_step
     end function sins_ensemble_step
 
-    !> Pushes and steps an array of samples, count of them. With thousands of runs it is faster than single calls. Any split of a
-    !> flight into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the distance
-    !> between samples; struct_size of the other samples may be 0.
+    !> Pushes and steps an array of count samples. With thousands of runs this is faster than single calls. Any split of a flight
+    !> into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the distance between
+    !> samples; struct_size of the other samples may be 0.
     !>
     !> SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
     !> sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it
@@ -2503,9 +2502,9 @@ module sins
       integer(sins_status) :: sins_accel_preset
     end function sins_accel_preset
 
-    !> Creates a flight from an array of manoeuvres, count of them (1 to 4096). Speed, climb angle, course and bank are closed
-    !> forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
-    !> manoeuvres[0].struct_size is the distance between the manoeuvres.
+    !> Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
+    !> smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the distance
+    !> between the manoeuvres.
     !>
     !> Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
     !> to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
@@ -2513,8 +2512,8 @@ module sins
     !>
     !> On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
     !>
-    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
-    !> sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+    !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a path that leaves the range of sins_flight_sample.height_m (the
+    !> index in the sentence is that of the manoeuvre).
     !> SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
     function sins_flight_create(start, manoeuvres, count, flight) bind(C, name="sins_flight_create")
       import
@@ -2873,11 +2872,11 @@ module sins
       integer(sins_status) :: sins_scene_get_manoeuvres
     end function sins_scene_get_manoeuvres
 
-    !> Composes the flight of the scene of manoeuvres, count of them, all flown repeat times; count * repeat is at most 4096.
+    !> Composes the flight of the scene of an array of count manoeuvres, all flown repeat times; count * repeat is at most 4096.
     !> start->earth is ignored: the ellipsoid is that of the scene's options. If the flight was a log before, the new flight is
     !> sampled at 100 Hz.
     !>
-    !> SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that the height on the way is not checked.
+    !> SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that heights along the path are not checked.
     function sins_scene_set_manoeuvres(scene, start, manoeuvres, count, repeat) bind(C, name="sins_scene_set_manoeuvres")
       import
       type(c_ptr), value :: scene
@@ -2964,8 +2963,8 @@ module sins
     !> Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
     !> the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
     !> "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
-    !> value: flight.hours of a scene that flies the whole flight. The scene stores numbers in SI: read in another unit they may be
-    !> rounded. The scene does not store the name of a preset, only the errors that the preset sets.
+    !> value: for example flight.hours, if the scene flies the whole flight. The scene stores numbers in SI: read in another unit
+    !> they may be rounded. The scene does not store the name of a preset, only the errors that the preset sets.
     !>
     !> The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins_scene_set_items(). A built-in flight and a log
     !> have no such manoeuvres. buffer, capacity and needed as in sins_scene_write().
@@ -3089,24 +3088,23 @@ module sins
     !> Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
     !> cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
     !>
-    !> configured is a simulator as the host flies it, at any moment. Only its options and its mounting count. The call reads it
-    !> at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
-    !> point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer, ready for
-    !> sins_create(). The values of these three in configured do not matter.
+    !> configured is a simulator as the host flies it, at any moment. The call uses only its options and its mounting, reads them at
+    !> the start, and neither steps nor changes the simulator. NULL is the recommended simulator with its sensor block at the
+    !> reference point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer,
+    !> ready for sins_create(). The values of these three in configured do not matter.
     !>
     !> Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
-    !> reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
-    !> with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
-    !> start, gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both
-    !> solutions alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
-    !> duration beyond the piece, the call assumes that the piece is flown again and again, that each time adds the same errors
-    !> with the same sign, and that they grow by the Schuler oscillation with the worst phase. If the flight continues like the
-    !> piece, its errors are smaller than this prediction. With SINS_VERTICAL_FREE each error counts
-    !> as a height error, which grows e-fold every 569 s.
+    !> reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution with
+    !> half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter, start,
+    !> gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both solutions
+    !> alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a duration beyond the
+    !> piece, the call assumes that the piece is flown again and again. Each time adds the same errors with the same sign, and the
+    !> errors grow by the Schuler oscillation with the worst phase. If the flight continues like the piece, its errors are smaller
+    !> than this prediction. With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
     !>
-    !> The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only
-    !> ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
-    !> nothing meets the requirement.
+    !> Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step
+    !> differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if nothing meets the
+    !> requirement.
     !>
     !> SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
     !> closest.
@@ -3132,19 +3130,19 @@ module sins
     !> can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
     !> struct_size of the other samples may be 0, that of the other rows anything.
     !>
-    !> configured is a simulator as the host flies it, at any moment. Its options count, and all its errors: those of gyros,
-    !> accelerometers, altimeter, start, mounting and gravity; failures do not count. The call reads it at the start, and
-    !> neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16 runs and no
-    !> limits. written and budget may be NULL.
+    !> configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of gyros,
+    !> accelerometers, altimeter, start, mounting and gravity, but not its failures. The call reads them at the start, and neither
+    !> steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for request is 16 runs and no limits.
+    !> written and budget may be NULL.
     !>
-    !> Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
-    !> not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
-    !> lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
+    !> Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are not
+    !> effects. The misalignment that SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this
+    !> misalignment. All runs fly with lever_arm_m and boresight_rad of the mounting.) The contribution of an effect is the error
     !> (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
     !> this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
-    !> length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
-    !> with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
-    !> flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
+    !> length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight with
+    !> this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are flown in
+    !> several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
     !>
     !> rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
     !> position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is

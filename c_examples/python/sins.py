@@ -204,8 +204,8 @@ class frame(enum.IntEnum):
 
     FRAME_EARTH_FIXED: Navigation in Earth-fixed axes: regular everywhere, poles included.
     FRAME_GEOGRAPHIC: Navigation in east-north-up, as in the paper. sins.ERROR_SINGULAR within 6.4 km of a pole,
-        and also where an update moves by more than 1 % of the distance to the pole: within 25 km at 250 m/s and
-        updates of 1 s.
+        and also where the vehicle moves in one update by more than 1 % of the distance to the pole: within 25 km at
+        250 m/s and with updates of 1 s.
     """
 
     FRAME_EARTH_FIXED = 0
@@ -436,8 +436,8 @@ class navigation_flags(enum.IntFlag):
         pole they are undefined. Quaternion, height and the errors in metres stay correct.
     NAVIGATION_VERTICAL_UNAIDED: Nothing aids the vertical channel, because of the options or because the
         altimeter has no signal: any error grows e-fold every 569 s.
-    NAVIGATION_INCONSISTENT: A flag of the truth: the displacement since the previous sample differs from the one
-        that the velocities give by more than the root sum of squares of 1 % and 1 cm.
+    NAVIGATION_INCONSISTENT: A flag of the truth: the displacement since the previous sample differs from the
+        displacement d that the velocities give by more than sqrt((0.01 d)^2 + (1 cm)^2).
     NAVIGATION_NORTH_UNKNOWN: The alignment at the start could not find north, so any heading error is possible.
         Either the accelerometers show no force, or the horizontal error of the levelled rates is at least as large as
         the north component of the Earth rate. (If it is smaller, the heading error is below 90 degrees.) The
@@ -535,10 +535,10 @@ class manoeuvre_kind(enum.IntEnum):
     MANOEUVRE_CLIMB: Changes the height by height_change_m in duration_s. Uses ramp_s.
     MANOEUVRE_TURN: Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll
         in and to roll out. The duration follows from these.
-    MANOEUVRE_ROLL: Makes a number of whole rolls, in the field turns (right positive), in duration_s along a
-        straight path.
-    MANOEUVRE_LOOP: Makes a number of whole vertical loops, in the field turns (nose up positive), in duration_s
-        at constant speed. Uses ramp_s.
+    MANOEUVRE_ROLL: Whole rolls along a straight path in duration_s; the field turns is their number (right
+        positive).
+    MANOEUVRE_LOOP: Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up
+        positive). Uses ramp_s.
     MANOEUVRE_S_TURN: The course swings by heading_change_rad to both sides; the field turns is the number of
         swings in duration_s. Uses ramp_s.
     MANOEUVRE_SINUSOIDS: Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning,
@@ -683,7 +683,7 @@ class options(_Struct):
 
     frame: Axes of the mechanization, of enum sins.frame.
     scheme: Algorithm of the mechanization, of enum sins.scheme.
-    subsamples: Subsamples of a mechanization update, the parts of it over which the sensors integrate, 1 to 5; 0:
+    subsamples: Subsamples: the equal parts of a mechanization update over which the sensors integrate, 1 to 5; 0:
         2.
     updates_per_sample: Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see
         "Gaps" above).
@@ -701,7 +701,7 @@ class options(_Struct):
         stated period, each sample is at an exact multiple of the period from the first. The time stamps then serve
         only to order and to check the samples: each must be within 0.4 of a period of its multiple.
     max_gap_s: Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles
-        at rest. There the position error grows with the third power of the interval: within 12 h it reaches 0.09 m
+        at rest. At rest the position error grows with the third power of the interval: within 12 h it reaches 0.09 m
         with intervals of 10 s, and 91 m with intervals of 100 s.
     max_acceleration_m_s2: Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A
         larger one is rejected as a jump of the truth.
@@ -741,7 +741,7 @@ class flight_sample(_Struct):
 
     flags: Flags of enum sins.sample_flags, or'ed.
     time_s: Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins.options.max_gap_s. Large
-        stamps are coarse (2e-7 s at 1e9 s): state sins.options.sample_period_s with them.
+        stamps are coarse (1.2e-7 s at 1e9 s): state sins.options.sample_period_s with them.
     latitude_rad: Geodetic latitude, -pi/2 to pi/2 [rad].
     longitude_rad: Longitude, east positive, -100 to 100 [rad]; whole turns do not matter.
     height_m: Height above the ellipsoid, -20 km to 2000 km [m].
@@ -757,9 +757,9 @@ class flight_sample(_Struct):
     specific_force_m_s2[3]: With sins.SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each
         up to 1e5 m/s2 [m/s2].
     temperature_c: With sins.SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant,
-        -273.15 to 1000 [deg C]; linear from one sample to the next. Needed while temperature coefficients are set: a
-        sample without it is then sins.ERROR_INVALID_ARGUMENT, because a forgotten flag would silently disable the
-        effect.
+        -273.15 to 1000 [deg C]; linear from one sample to the next. Needed while temperature coefficients are set:
+        the push of a sample without it then returns sins.ERROR_INVALID_ARGUMENT, because a forgotten flag would
+        silently disable the effect.
     """
 
     __slots__ = ()
@@ -822,10 +822,10 @@ class gyro_params(_Struct):
 
     Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean
     signal of a subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the
-    effect of a vibration of frequency f. With x = pi f dt, nonlinearity and rectification are too small by the share
-    1 - (sin x / x)^2. Asymmetry is too small by up to 1 - cos x, if the vibration changes the sign of the signal. If
-    f is a tenth of the sample rate, these shares are 0.8 % and 1.2 % with two subsamples per interval, 3.3 % and 4.9
-    % with one.
+    effect of a vibration of frequency f. With x = pi f dt, nonlinearity and rectification are too small by the
+    fraction 1 - (sin x / x)^2. Asymmetry is too small by up to the fraction 1 - cos x, if the vibration changes the
+    sign of the signal. If f is a tenth of the sample rate, these fractions are 0.8 % and 1.2 % with two subsamples
+    per interval, 3.2 % and 4.9 % with one.
 
     bias_rad_s[3]: Constant bias, measured less true [rad/s], -100 to 100.
     bias_sigma_rad_s[3]: Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100.
@@ -856,9 +856,9 @@ class gyro_params(_Struct):
         true specific force along them.
     g2_sensitivity_rad_s_per_m2_s4[3]: Drift caused by the square of the specific force along the gyro's own axis,
         g2-sensitivity [(rad/s)/(m/s2)^2], -1 to 1. The rate that gyro i measures is too large by element i times the
-        square of component i of the true specific force at the block's own point, in sensor axes: a positive element
-        makes a drift in the positive sense about the axis, whatever the sign of the force. The mean force of a
-        subsample is squared, as with nonlinearity.
+        square of component i of the true specific force at the block's own point, in sensor axes. So a positive
+        element makes a drift in the positive sense about the axis, whatever the sign of the force. The mean force of
+        a subsample is squared, as with nonlinearity.
     reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C],
         -273.15 to 1000. T is sins.flight_sample.temperature_c less this temperature. If one of the coefficients is
         not 0, every sample needs a temperature, and sins.push_imu() is not available.
@@ -1106,9 +1106,9 @@ class mounting(_Struct):
 
     lever_arm_m[3]: Lever arm from the reference point to the block, body axes (sins.options.axes), -100 to 100
         [m].
-    boresight_rad[3]: Boresight: roll, pitch and heading of the block's axes relative to the body axes, defined as
-        those of the body relative to the horizon: right side down, nose up, nose to the right; any number of turns up
-        to 10000 rad, as in a flight sample [rad].
+    boresight_rad[3]: Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They
+        are defined as those of the body relative to the horizon: positive right side down, nose up, nose to the
+        right. Any number of turns up to 10000 rad.
     lever_arm_error_m[3]: Believed less true lever arm, -100 to 100 [m].
     boresight_error_rad[3]: Believed less true boresight angles, -pi to pi [rad]. If the believed heading is too
         large, the heading that the INS reports is too small by the same amount.
@@ -1373,8 +1373,8 @@ class accuracy(_Struct):
 
     time_s: Time [s].
     duration_s: Time since the start [s].
-    window_start_s: Start of the window of the radial error rates, in time since the start: 300 s. Rates before it
-        would be initial errors divided by a very short time [s].
+    window_start_s: Start of the window of the radial error rates: 300 s after the start [s]. Earlier rates would
+        be initial errors divided by a very short time.
     window_samples: Number of samples in the window of the radial error rates. While there are none, the rates are
         0.
     radial_error_rate_rms_m_s: Root mean square of the radial error rate, sqrt(mean RER^2), with RER = horizontal
@@ -1398,8 +1398,8 @@ class accuracy(_Struct):
     inconsistent_samples: Number of samples flagged sins.NAVIGATION_INCONSISTENT.
     intervals: Number of intervals flown since the start or the last reposition: one less than the number of
         samples.
-    trim_rate_max_rad_s: Largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time
-        constants after the start on [rad/s]. It shows the error of the signal generator and the mechanization
+    trim_rate_max_rad_s: Largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times
+        closed_loop_time_s after the start [rad/s]. It shows the error of the signal generator and the mechanization
         themselves. 0 with physical signals.
     trim_force_max_m_s2: Largest trim that sins.SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
     """
@@ -1455,8 +1455,8 @@ class truth_summary(_Struct):
     acceleration_max_at_s: Time stamp of acceleration_max_m_s2 [s].
     force_max_m_s2: Largest specific force: from the velocities and gravity, or the samples' own force [m/s2].
     force_max_at_s: Time stamp of force_max_m_s2 [s].
-    inconsistency_max_m: Largest difference, in one interval, between the displacement and the mean velocity of
-        its two ends times its length [m].
+    inconsistency_max_m: Largest difference, in one interval, between the displacement by the positions and the
+        displacement by the velocities (the mean of those at the two ends, times the length of the interval) [m].
     inconsistency_max_at_s: Time stamp of inconsistency_max_m [s].
     speed_max_m_s: Largest speed against the Earth [m/s].
     speed_max_at_s: Time stamp of speed_max_m_s [s].
@@ -1722,8 +1722,8 @@ class manoeuvre(_Struct):
     bank_rad: Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank.
     turns: Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
     channel[6]: What each sinusoid moves, of enum sins.channel.
-    amplitude[6]: Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; of the climb angle up to 1.5 rad; of
-        the speed, all sinusoids together up to the speed.
+    amplitude[6]: Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; for the climb angle up to 1.5 rad; for
+        the speed, the sum of the amplitudes is at most the speed.
     frequency_hz[6]: Frequency of each sinusoid, 0 to 1000 [Hz].
     phase_rad[6]: Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), with t since the start of the
         manoeuvre [rad].
@@ -1758,8 +1758,10 @@ class fault(_Struct):
         the call.
     column: Column, in characters from 1; for a flight log, the column of the table; 0: as for line.
     value: The value at fault, in the unit of the key that path names.
-    minimum: Least allowed value, in that unit; if the sentence says "more than", it is rejected too.
-    maximum: Greatest allowed value, in that unit; if the sentence says "less than", it is rejected too.
+    minimum: Least allowed value, in that unit; if the sentence says "more than", this value itself is rejected
+        too.
+    maximum: Greatest allowed value, in that unit; if the sentence says "less than", this value itself is rejected
+        too.
     path[96]: Path of the value at fault, as sins.scene_get_value() takes it; or of a section, "gyro", or an item,
         "failure[0]"; terminated. Empty for a flight log, and if the text itself is at fault.
     sentence[256]: Sentence that names key, value and limit, and the key that was probably meant; UTF-8,
@@ -1788,8 +1790,8 @@ class scene_setup(_Struct):
     has_temperature: 1: samples get the temperature below; 0: samples get no temperature.
     quiet: 1: a program shows neither progress nor summary; 0: it does.
     duration_s: Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
-    flown_s: Duration that will be flown; 0 for a log, whose duration is in sins.log_info, or if duration_s is
-        longer than the flight; read only [s].
+    flown_s: Duration that will be flown; read only [s]. 0 for a log (see sins.log_info.duration_s), and if
+        duration_s is longer than the flight.
     rate_hz: Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz].
     temperature_c: Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if has_temperature is
         0 [deg C].
@@ -1868,7 +1870,7 @@ class scene_key(_Struct):
     si_unit[24]: Unit of si_name, such as "rad/s".
     default_value[32]: Value in a scene that does not set the key, as sins.scene_get_value() gives it; empty: no
         value.
-    words[128]: Words of sins.SCENE_KEY_WORD, "exact|paper|polynomial".
+    words[128]: Words that a key of sins.SCENE_KEY_WORD takes, such as "exact|paper|polynomial".
     condition[96]: Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of
         these words. If there are several conditions, with a space between them, an item must meet all. Empty: all
         items.
@@ -1921,8 +1923,8 @@ class scene_samples(_Struct):
     """The samples that a scene flies.
 
     count: Number of samples.
-    record_every: Number of sample intervals between two records, as the program sins writes them, at least 1:
-        from sins.scene_setup.every_s, or if that is 0, such that there are about 2000 records.
+    record_every: Number of sample intervals between two records of the program sins, at least 1. It follows from
+        sins.scene_setup.every_s; if every_s is 0, there are about 2000 records.
     start_s: Time stamp of the first sample [s].
     period_s: Time between two samples [s]; of a log, the mean.
     duration_s: Time from the first to the last sample [s].
@@ -2065,9 +2067,9 @@ class budget(_Struct):
     duration_s: Duration of the evaluation: from the end of the first interval to the end of the last [s].
     runs: Number of runs with all effects together; 1 if nothing is random.
     flights: Number of flights that the call made.
-    sigma_low: Uncertainty of the random errors with all effects together, which comes from the number of runs:
-        lower end of the 95 % confidence interval of their root mean square, divided by their root mean square over
-        these runs; 1 if nothing is random.
+    sigma_low: Uncertainty of the random errors with all effects together, because the number of runs is finite.
+        It is the lower end of the 95 % confidence interval of their root mean square, divided by their root mean
+        square over these runs; 1 if nothing is random.
     sigma_high: Upper end of that interval, divided likewise; 1 if nothing is random.
     position_m: Position error with all effects together, root mean square over the runs, the largest in the
         flight [m].
@@ -2076,10 +2078,10 @@ class budget(_Struct):
     remainder_position_m: Part of the position error that the sum of all rows does not explain [m].
     remainder_velocity_m_s: Part of the velocity error that the sum of all rows does not explain [m/s].
     remainder_attitude_rad: Part of the misalignment that the sum of all rows does not explain [rad].
-    left_out_position_m: Change of the position error without the marked effects, by flights of all runs without
-        them [m].
-    left_out_velocity_m_s: Change of the velocity error without the marked effects, likewise [m/s].
-    left_out_attitude_rad: Change of the misalignment without the marked effects, likewise [rad].
+    left_out_position_m: Change of the position error if the marked effects (sins.BUDGET_CAN_BE_LEFT_OUT) are left
+        out, from flights of all runs without them [m].
+    left_out_velocity_m_s: Change of the velocity error if the marked effects are left out, likewise [m/s].
+    left_out_attitude_rad: Change of the misalignment if the marked effects are left out, likewise [rad].
     ns_per_step: Time of a step with all effects, measured in this call on this machine [ns].
     """
 
@@ -2274,8 +2276,8 @@ def step(sim):
     is flown like any other, as velocity times its length; sins.push_sample() returns sins.GAP for it.
 
     sins.NEED_SAMPLE: no complete interval is waiting. sins.ERROR_DIVERGED: after the interval the solution would be
-    below -500 km or above 20000 km of height, or faster than 100 km/s; this holds for the solution of the sensor
-    block, for that of the reference point, and for the error-free navigator of sins.SIGNAL_CLOSED_LOOP.
+    below -500 km or above 20000 km of height, or faster than 100 km/s; the limits apply to the solution of the sensor
+    block, to that of the reference point, and to the error-free navigator of sins.SIGNAL_CLOSED_LOOP.
     sins.ERROR_SINGULAR: too close to a pole, in geographic axes. sins.ERROR_BAD_STATE: navigating on increments.
 
     After sins.ERROR_DIVERGED and sins.ERROR_SINGULAR the step is not made, and the solution before it stays readable;
@@ -2285,14 +2287,14 @@ def step(sim):
 
 @_function(status, sim, c_double)
 def move_time(sim, time_s):
-    """Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time
-    stamp time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on.
-    Everything else stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of
-    a stated period moves along. The flight continues to the same bits as one whose stamps never jumped, if the
-    differences between successive stamps are the same doubles; with a stated period they always are. (If the samples
-    have no velocities, the differences over three samples must be the same doubles too. Durations in sins.accuracy
-    have the rounding of the time stamps.) The host must also move its flight_start_s of sins.scene_prepare() by the
-    same time.
+    """Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp
+    time_s [s], and later samples must have later stamps. time_s is the time that the clock shows when the vehicle
+    moves again. Everything else stays: errors, noise, waiting samples, sensor processes, failures and running
+    figures. The grid of a stated period moves along. The flight continues to the same bits as one whose stamps never
+    jumped, if the differences between successive stamps are the same doubles; with a stated period they always are.
+    (If the samples have no velocities, the differences over three samples must be the same doubles too. Durations in
+    sins.accuracy have the rounding of the time stamps.) The host must also move its flight_start_s of
+    sins.scene_prepare() by the same time.
 
     sins.ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
     sins.ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -2320,9 +2322,10 @@ def move_truth(sim, sample):
 
     Before the first step there are no errors to keep, and the call acts as sins.reposition().
 
-    sins.ERROR_INVALID_ARGUMENT, sins.ERROR_BAD_STATE: as sins.reposition(). sins.ERROR_SINGULAR: too close to a pole,
-    in geographic axes. sins.ERROR_DIVERGED: the solution would leave its limits, or no place has the position error,
-    because it is too large (a quarter of the Earth).
+    sins.ERROR_INVALID_ARGUMENT, sins.ERROR_BAD_STATE: as sins.reposition().
+    sins.ERROR_SINGULAR: too close to a pole, in geographic axes.
+    sins.ERROR_DIVERGED: the solution would leave its limits, or the position error is about a quarter of the Earth's
+    circumference or more, so that no place at the sample has this error.
     """
 
 
@@ -2494,9 +2497,9 @@ def get_gravity_disturbance(sim, params):
 
 @_function(status, sim, _Array(flight_sample, is_input=True), c_size_t, _Array(record), POINTER(c_size_t))
 def run(sim, samples, every, records, written):
-    """Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the
-    flight's start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records
-    as pushing and stepping sample by sample.
+    """Pushes and steps an array of count samples. Writes a record whenever the number of intervals since the flight's
+    start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as
+    pushing and stepping sample by sample.
 
     samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size
     of the other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets
@@ -2507,10 +2510,10 @@ def run(sim, samples, every, records, written):
     sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
     sins.ERROR_BAD_STATE: navigating on increments.
 
-    Any error of sins.push_sample() or sins.step() stops the run at the sample that it concerns, which
-    sins.last_error() names: the samples before it were flown, this sample and the rest were not;
-    sins.accuracy.intervals counts the flown intervals. A sample that could be pushed but not flown waits in the
-    queue, as after sins.step(); sins.reposition() and sins.reset() empty the queue.
+    Any error of sins.push_sample() or sins.step() stops the run at the sample that it concerns; sins.last_error()
+    names this sample. The samples before it were flown, this sample and the rest were not. sins.accuracy.intervals
+    counts the flown intervals. A sample that could be pushed but not flown waits in the queue, as after sins.step();
+    sins.reposition() and sins.reset() empty the queue.
     """
 
 
@@ -2726,9 +2729,9 @@ def ensemble_step(ensemble):
 
 @_function(status, ensemble, _Array(flight_sample, is_input=True))
 def ensemble_run(ensemble, samples):
-    """Pushes and steps an array of samples, count of them. With thousands of runs it is faster than single calls. Any
-    split of a flight into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size
-    is the distance between samples; struct_size of the other samples may be 0.
+    """Pushes and steps an array of count samples. With thousands of runs this is faster than single calls. Any split of
+    a flight into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the
+    distance between samples; struct_size of the other samples may be 0.
 
     sins.GAP: all samples were flown, and at least one of them ended a gap. Any error of sins.ensemble_push_sample()
     or sins.ensemble_step() stops the run at the sample that it concerns, which sins.last_error() names: the samples
@@ -2891,8 +2894,8 @@ def accel_preset(grade, params):
 
 @_function(status, POINTER(flight_start), _Array(manoeuvre, is_input=True), _New(flight))
 def flight_create(start, manoeuvres, flight):
-    """Creates a flight from an array of manoeuvres, count of them (1 to 4096). Speed, climb angle, course and bank are
-    closed forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
+    """Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed
+    forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
     manoeuvres[0].struct_size is the distance between the manoeuvres.
 
     Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece
@@ -2901,9 +2904,9 @@ def flight_create(start, manoeuvres, flight):
 
     On an error *flight is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason.
 
-    sins.ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
-    sins.flight_sample.height_m (the index in the sentence is that of the manoeuvre).
-    sins.ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
+    sins.ERROR_INVALID_ARGUMENT: a value out of its range, or a path that leaves the range of
+    sins.flight_sample.height_m (the index in the sentence is that of the manoeuvre). sins.ERROR_OUT_OF_MEMORY: no
+    memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
     """
 
 
@@ -3173,11 +3176,11 @@ def scene_get_manoeuvres(scene, start, manoeuvres, count, repeat):
 
 @_function(status, scene, POINTER(flight_start), _Array(manoeuvre, is_input=True), c_size_t)
 def scene_set_manoeuvres(scene, start, manoeuvres, repeat):
-    """Composes the flight of the scene of manoeuvres, count of them, all flown repeat times; count * repeat is at most
-    4096. start->earth is ignored: the ellipsoid is that of the scene's options. If the flight was a log before, the
-    new flight is sampled at 100 Hz.
+    """Composes the flight of the scene of an array of count manoeuvres, all flown repeat times; count * repeat is at
+    most 4096. start->earth is ignored: the ellipsoid is that of the scene's options. If the flight was a log before,
+    the new flight is sampled at 100 Hz.
 
-    sins.ERROR_INVALID_ARGUMENT: as sins.flight_create(), except that the height on the way is not checked.
+    sins.ERROR_INVALID_ARGUMENT: as sins.flight_create(), except that heights along the path are not checked.
     """
 
 
@@ -3239,9 +3242,9 @@ def scene_get_value(scene, path, buffer, needed):
     """Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three),
     "gyro.bias_deg_h[1]" (that of the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg",
     "manoeuvre[3].sinusoid[0].channel", "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes.
-    The text is empty if the scene has no such value: flight.hours of a scene that flies the whole flight. The scene
-    stores numbers in SI: read in another unit they may be rounded. The scene does not store the name of a preset,
-    only the errors that the preset sets.
+    The text is empty if the scene has no such value: for example flight.hours, if the scene flies the whole flight.
+    The scene stores numbers in SI: read in another unit they may be rounded. The scene does not store the name of a
+    preset, only the errors that the preset sets.
 
     The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins.scene_set_items(). A built-in flight
     and a log have no such manoeuvres. buffer, capacity and needed as in sins.scene_write().
@@ -3341,10 +3344,10 @@ def recommend(configured, samples, requirement, options, cost):
     """Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples.
     No cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
 
-    configured is a simulator as the host flies it, at any moment. Only its options and its mounting count. The call
-    reads it at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block
-    at the reference point. options gets the options of configured, but with scheme, subsamples and updates_per_sample
-    of the answer, ready for sins.create(). The values of these three in configured do not matter.
+    configured is a simulator as the host flies it, at any moment. The call uses only its options and its mounting,
+    reads them at the start, and neither steps nor changes the simulator. NULL is the recommended simulator with its
+    sensor block at the reference point. options gets the options of configured, but with scheme, subsamples and
+    updates_per_sample of the answer, ready for sins.create(). The values of these three in configured do not matter.
 
     Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample
     with a reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference
@@ -3352,13 +3355,13 @@ def recommend(configured, samples, requirement, options, cost):
     of sensors, altimeter, start, gravity and believed mounting, and contradictions within the host's samples, are
     left out, because they act on both solutions alike. The signals are without the trim of sins.SIGNAL_CLOSED_LOOP,
     which would hide the error. For a duration beyond the piece, the call assumes that the piece is flown again and
-    again, that each time adds the same errors with the same sign, and that they grow by the Schuler oscillation with
-    the worst phase. If the flight continues like the piece, its errors are smaller than this prediction. With
-    sins.VERTICAL_FREE each error counts as a height error, which grows e-fold every 569 s.
+    again. Each time adds the same errors with the same sign, and the errors grow by the Schuler oscillation with the
+    worst phase. If the flight continues like the piece, its errors are smaller than this prediction. With
+    sins.VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
 
-    The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every
-    day; only ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up
-    to 0.4 ms if nothing meets the requirement.
+    Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only
+    ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms
+    if nothing meets the requirement.
 
     sins.REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that
     comes closest. sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_TIME_ORDER,
@@ -3375,15 +3378,15 @@ def error_budget(configured, samples, request, rows, written, budget):
     which can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between
     rows. struct_size of the other samples may be 0, that of the other rows anything.
 
-    configured is a simulator as the host flies it, at any moment. Its options count, and all its errors: those of
-    gyros, accelerometers, altimeter, start, mounting and gravity; failures do not count. The call reads it at the
-    start, and neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16
-    runs and no limits. written and budget may be NULL.
+    configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those
+    of gyros, accelerometers, altimeter, start, mounting and gravity, but not its failures. The call reads them at the
+    start, and neither steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for
+    request is 16 runs and no limits. written and budget may be NULL.
 
     Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two
-    settings are not effects. sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the
-    effect that causes it. lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of
-    an effect is the error (navigation less truth) of a run with this effect alone, less the error of a run with no
+    settings are not effects. The misalignment that sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect
+    that causes this misalignment. All runs fly with lever_arm_m and boresight_rad of the mounting.) The contribution
+    of an effect is the error (navigation less truth) of a run with this effect alone, less the error of a run with no
     effect. The row has the length of this vector for position, velocity and misalignment: the largest length at up to
     1000 instants, equally spaced, and the length at the last sample. The contribution of a random effect is one
     standard deviation, by the covariance of a flight with this effect alone (sins.BUDGET_RANDOM; see

@@ -17,8 +17,8 @@ use crate::units::{ANGLE, LENGTH, SPEED, brief, time_text, two_digits};
 /// Finds the cheapest options that meet a required accuracy
 ///
 /// Flies a piece of the scene with each algorithm, cheapest first, and compares it with a reference of known uncertainty. The
-/// limits are those of the errors that the algorithm itself causes, at any time. Options and mounting are those of the scene;
-/// its sensor errors do not matter.
+/// limits are those of the errors that the algorithm itself causes, at any time. Options and mounting are those of the scene.
+/// Sensor errors, also those of --preset, do not matter.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     #[command(flatten)]
@@ -69,7 +69,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         return Ok(());
     }
     let what = format!(
-        "no options meet the requirement; with the margin, the error of these is {} times the limit",
+        "no options meet the requirement; with the margin, the error of the best options is {} times the limit",
         two_digits(answer.share)
     );
     Err(Failure::of_kind(Kind::NotMet, what))

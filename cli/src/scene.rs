@@ -91,7 +91,7 @@ pub fn print_keys() -> Result<(), Failure> {
     let head = "\
 A scene is a text in TOML: sections, [section], with lines key = value; # begins a comment. The list has for each key its meaning,
 its values, its unit, and the name of the same key in SI units. `sins fly SCENE --set section.key=value` sets a key in addition
-to the text. A preset is applied first, wherever it stands; other keys then change it.
+to the text. A preset is applied first, wherever it stands; other keys then change single errors.
 
 ";
     print(&format!("{head}{}", keys_text()))

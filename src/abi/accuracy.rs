@@ -21,8 +21,8 @@ pub struct sins_accuracy {
     pub time_s: f64,
     /// Time since the start [s].
     pub duration_s: f64,
-    /// Start of the window of the radial error rates, in time since the start: 300 s. Rates before it would be initial errors
-    /// divided by a very short time [s].
+    /// Start of the window of the radial error rates: 300 s after the start [s]. Earlier rates would be initial errors divided by
+    /// a very short time.
     pub window_start_s: f64,
     /// Number of samples in the window of the radial error rates. While there are none, the rates are 0.
     pub window_samples: u64,
@@ -57,8 +57,8 @@ pub struct sins_accuracy {
     pub inconsistent_samples: u64,
     /// Number of intervals flown since the start or the last reposition: one less than the number of samples.
     pub intervals: u64,
-    /// Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, from ten of its time constants after the start
-    /// on [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
+    /// Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times closed_loop_time_s after the
+    /// start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
     pub trim_rate_max_rad_s: f64,
     /// Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2].
     pub trim_force_max_m_s2: f64,

@@ -37,19 +37,19 @@ interface_struct!(sins_budget_request, "request", 40);
 /// can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
 /// struct_size of the other samples may be 0, that of the other rows anything.
 ///
-/// configured is a simulator as the host flies it, at any moment. Its options count, and all its errors: those of gyros,
-/// accelerometers, altimeter, start, mounting and gravity; failures do not count. The call reads it at the start, and
-/// neither steps nor changes it. NULL is the recommended simulator without errors. NULL for request is 16 runs and no
-/// limits. written and budget may be NULL.
+/// configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of gyros,
+/// accelerometers, altimeter, start, mounting and gravity, but not its failures. The call reads them at the start, and neither
+/// steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for request is 16 runs and no limits.
+/// written and budget may be NULL.
 ///
-/// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are
-/// not effects. SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: the misalignment that it leaves belongs to the effect that causes it.
-/// lever_arm_m and boresight_rad of the mounting: all runs fly with them.) The contribution of an effect is the error
+/// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are not
+/// effects. The misalignment that SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this
+/// misalignment. All runs fly with lever_arm_m and boresight_rad of the mounting.) The contribution of an effect is the error
 /// (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
-/// this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
-/// length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight
-/// with this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are
-/// flown in several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
+/// this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the length
+/// at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight with this
+/// effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are flown in several
+/// runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
 ///
 /// rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
 /// position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is

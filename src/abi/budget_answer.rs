@@ -66,9 +66,9 @@ pub struct sins_budget {
     pub runs: u64,
     /// Number of flights that the call made.
     pub flights: u64,
-    /// Uncertainty of the random errors with all effects together, which comes from the number of runs: lower end of the
-    /// 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if
-    /// nothing is random.
+    /// Uncertainty of the random errors with all effects together, because the number of runs is finite. It is the lower end of
+    /// the 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if nothing is
+    /// random.
     pub sigma_low: f64,
     /// Upper end of that interval, divided likewise; 1 if nothing is random.
     pub sigma_high: f64,
@@ -84,11 +84,12 @@ pub struct sins_budget {
     pub remainder_velocity_m_s: f64,
     /// Part of the misalignment that the sum of all rows does not explain [rad].
     pub remainder_attitude_rad: f64,
-    /// Change of the position error without the marked effects, by flights of all runs without them [m].
+    /// Change of the position error if the marked effects (SINS_BUDGET_CAN_BE_LEFT_OUT) are left out, from flights of all runs
+    /// without them [m].
     pub left_out_position_m: f64,
-    /// Change of the velocity error without the marked effects, likewise [m/s].
+    /// Change of the velocity error if the marked effects are left out, likewise [m/s].
     pub left_out_velocity_m_s: f64,
-    /// Change of the misalignment without the marked effects, likewise [rad].
+    /// Change of the misalignment if the marked effects are left out, likewise [rad].
     pub left_out_attitude_rad: f64,
     /// Time of a step with all effects, measured in this call on this machine [ns].
     pub ns_per_step: f64,

@@ -96,9 +96,9 @@ pub unsafe extern "C" fn sins_ensemble_step(ensemble: *mut sins_ensemble) -> sin
     with_ensemble(ensemble, |ensemble| Ok(stepped(ensemble.step()?)))
 }
 
-/// Pushes and steps an array of samples, count of them. With thousands of runs it is faster than single calls. Any split of a
-/// flight into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the distance
-/// between samples; struct_size of the other samples may be 0.
+/// Pushes and steps an array of count samples. With thousands of runs this is faster than single calls. Any split of a flight
+/// into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the distance between
+/// samples; struct_size of the other samples may be 0.
 ///
 /// SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
 /// sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it

@@ -84,9 +84,9 @@ impl sins_flight_start {
     }
 }
 
-/// Creates a flight from an array of manoeuvres, count of them (1 to 4096). Speed, climb angle, course and bank are closed
-/// forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
-/// manoeuvres[0].struct_size is the distance between the manoeuvres.
+/// Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
+/// smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the distance
+/// between the manoeuvres.
 ///
 /// Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
 /// to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
@@ -94,8 +94,8 @@ impl sins_flight_start {
 ///
 /// On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a height on the way out of the range of
-/// sins_flight_sample.height_m (the index in the sentence is that of the manoeuvre).
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a path that leaves the range of sins_flight_sample.height_m (the
+/// index in the sentence is that of the manoeuvre).
 /// SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_flight_create(

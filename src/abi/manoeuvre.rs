@@ -22,10 +22,9 @@ pub const SINS_MANOEUVRE_CLIMB: sins_manoeuvre_kind = 3;
 /// Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
 /// duration follows from these.
 pub const SINS_MANOEUVRE_TURN: sins_manoeuvre_kind = 4;
-/// Makes a number of whole rolls, in the field turns (right positive), in duration_s along a straight path.
+/// Whole rolls along a straight path in duration_s; the field turns is their number (right positive).
 pub const SINS_MANOEUVRE_ROLL: sins_manoeuvre_kind = 5;
-/// Makes a number of whole vertical loops, in the field turns (nose up positive), in duration_s at constant speed. Uses
-/// ramp_s.
+/// Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s.
 pub const SINS_MANOEUVRE_LOOP: sins_manoeuvre_kind = 6;
 /// The course swings by heading_change_rad to both sides; the field turns is the number of swings in duration_s. Uses
 /// ramp_s.
@@ -77,8 +76,8 @@ pub struct sins_manoeuvre {
     pub turns: f64,
     /// What each sinusoid moves, of enum sins_channel.
     pub channel: [i32; 6],
-    /// Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; of the climb angle up to 1.5 rad; of the speed, all
-    /// sinusoids together up to the speed.
+    /// Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; for the climb angle up to 1.5 rad; for the speed, the sum of the
+    /// amplitudes is at most the speed.
     pub amplitude: [f64; 6],
     /// Frequency of each sinusoid, 0 to 1000 [Hz].
     pub frequency_hz: [f64; 6],

@@ -33,9 +33,8 @@ pub struct sins_mounting {
     pub reserved: u32,
     /// Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
     pub lever_arm_m: [f64; 3],
-    /// Boresight: roll, pitch and heading of the block's axes relative to the body axes, defined as those of the body
-    /// relative to the horizon: right side down, nose up, nose to the right; any number of turns up to 10000 rad, as in a
-    /// flight sample [rad].
+    /// Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined as those of the
+    /// body relative to the horizon: positive right side down, nose up, nose to the right. Any number of turns up to 10000 rad.
     pub boresight_rad: [f64; 3],
     /// Believed less true lever arm, -100 to 100 [m].
     pub lever_arm_error_m: [f64; 3],

@@ -16,8 +16,8 @@ pub type sins_frame = i32;
 
 /// Navigation in Earth-fixed axes: regular everywhere, poles included.
 pub const SINS_FRAME_EARTH_FIXED: sins_frame = 0;
-/// Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where an update
-/// moves by more than 1 % of the distance to the pole: within 25 km at 250 m/s and updates of 1 s.
+/// Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where the vehicle moves in
+/// one update by more than 1 % of the distance to the pole: within 25 km at 250 m/s and with updates of 1 s.
 pub const SINS_FRAME_GEOGRAPHIC: sins_frame = 1;
 
 /// Algorithms of the mechanization.
@@ -116,7 +116,7 @@ pub struct sins_options {
     pub frame: i32,
     /// Algorithm of the mechanization, of enum sins_scheme.
     pub scheme: i32,
-    /// Subsamples of a mechanization update, the parts of it over which the sensors integrate, 1 to 5; 0: 2.
+    /// Subsamples: the equal parts of a mechanization update over which the sensors integrate, 1 to 5; 0: 2.
     pub subsamples: i32,
     /// Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
     pub updates_per_sample: i32,
@@ -143,9 +143,9 @@ pub struct sins_options {
     /// sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
     /// samples: each must be within 0.4 of a period of its multiple.
     pub sample_period_s: f64,
-    /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. There
-    /// the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and
-    /// 91 m with intervals of 100 s.
+    /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. At rest the
+    /// position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and 91 m
+    /// with intervals of 100 s.
     pub max_gap_s: f64,
     /// Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
     /// the truth.

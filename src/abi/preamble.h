@@ -15,12 +15,12 @@
  *   }
  *   sins_destroy(sim);
  *
- * Structs. A field of 0 is off, or has its default. Every struct (except the parts of a sins_record) begins with struct_size,
- *   which the caller sets to the sizeof of the struct, and a second 32-bit integer, which is 0 unless its comment says
- *   otherwise. So "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro) makes the same, for compilers
- *   that warn of fields left out. The caller sets struct_size of output structs too. Structs grow only at their end, so old
- *   hosts run on new libraries, and new hosts on old libraries. If the struct of a newer host has fields that this library does
- *   not know, an output leaves these fields unchanged, and an input must have 0 in them.
+ * Structs. A field of 0 is off, or has the default that its comment gives, such as "0: 2.5 s". Every struct (except the parts of
+ *   a sins_record) begins with struct_size, which the caller sets to the sizeof of the struct, and a second 32-bit integer, which
+ *   is 0 unless its comment says otherwise. So "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro)
+ *   makes the same, for compilers that warn of fields left out. The caller sets struct_size of output structs too. Structs grow
+ *   only at their end, so old hosts run on new libraries, and new hosts on old libraries. If the struct of a newer host has
+ *   fields that this library does not know, an output leaves these fields unchanged, and an input must have 0 in them.
  * Units are SI and radians, as the name of each field says. The macros below convert the units of data sheets:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
  * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
@@ -32,24 +32,25 @@
  *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() and
  *   sins_ensemble_run() keep the intervals that they flew before the error. If a buffer is too small, functions that write a
  *   text cut it and report the size that is needed; sins_error_budget() and sins_scene_get_manoeuvres() report the number of
- *   elements that is needed.)
- *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, with a handle SINS_ERROR_BAD_HANDLE, and with a
- *   struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can return SINS_ERROR_INTERNAL. The other errors of a
- *   function are listed at the function, or under Threads and Unloading. A positive status is not an error: SINS_NEED_SAMPLE
- *   left the output unchanged, SINS_REQUIREMENT_NOT_MET wrote the output, SINS_SCENE_HAS_FAULTS made a handle, SINS_GAP did
- *   what was asked. Test for errors by status < 0.
+ *   elements that is needed. sins_log_parse(), sins_scene_set_values() and sins_scene_set_items() report faults.)
+ *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, every function with a handle
+ *   SINS_ERROR_BAD_HANDLE, and every function with a struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can
+ *   return SINS_ERROR_INTERNAL. The other errors of a function are listed at the function, or under Threads and Unloading. A
+ *   positive status is not an error. With SINS_NEED_SAMPLE the output is unchanged, with SINS_REQUIREMENT_NOT_MET it is written,
+ *   with SINS_SCENE_HAS_FAULTS there is a handle, and with SINS_GAP everything was done. Test for errors by status < 0.
  *   sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
  *   sins_status_string() the name of the status.
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
- *   do. A call takes less than 48 KB of stack, so a thread of 64 KB can make it.
+ *   do. A call takes less than 48 KB of stack, so a thread with a stack of 64 KB is enough.
  *   Nested calls: if a thread is inside a call on a handle, and calls another function with the same handle, the second call
  *     returns SINS_ERROR_BAD_STATE, and sins_last_error(NULL, ...) has the sentence. This happens to a signal handler that
  *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
  *     and sins_snapshot_load(), which use the allocator.
  *   Abandoned calls: a call does not return if siglongjmp() leaves it, or if its thread is cancelled or terminated. It then
- *     holds its handle for ever, and the memory stays in use. Further calls of its own thread with this handle return
- *     SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they return
- *     SINS_ERROR_BAD_STATE, the first of them after 0.1 s. An abandoned call does not restore the host's floating-point state.
+ *     holds its handle for ever, and the memory of the handle is never freed. Further calls of its own thread with this handle
+ *     return SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they
+ *     return SINS_ERROR_BAD_STATE, the first of them after 0.1 s. An abandoned call does not restore the host's floating-point
+ *     state.
  *   fork(): if another thread of the parent was inside a call, calls with its handle return SINS_ERROR_BAD_STATE in the child.
  *     All other handles work there. A process made in another way, such as by vfork() or clone(), must make no call.
  * Unloading. Destroy every handle first, and let every call return. On Windows, a DLL that was built for windows-gnu is never
@@ -65,20 +66,20 @@
  * Host time. The time in a run comes from the time stamps of its samples; the library reads no clock for it. (Clocks are read for
  *   two other purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from
  *   the clock.)
- *   Pause: simply make no calls while paused. A sample that is pushed again returns SINS_ERROR_TIME_ORDER and changes nothing. If
- *     the host's clock stopped too, there is nothing to do. If it ran on, call sins_move_time() before the next push, with the
- *     time of that clock when the vehicle moves on: the flight continues as if there had been no pause. Without that call, the
- *     first sample after a pause of more than max_gap_s returns SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter
- *     pause is flown as if the vehicle had moved on: velocity times the length of the pause. The push after it returns
- *     SINS_GAP.
+ *   Pause: simply make no calls while paused. A push of the same sample again returns SINS_ERROR_TIME_ORDER and changes
+ *     nothing. If the host's clock stopped during the pause, there is nothing to do. If the clock ran on, call sins_move_time()
+ *     before the next push, with the time that the clock shows when the vehicle moves again: the flight continues as if there
+ *     had been no pause. Without that call, the first push after a pause of more than max_gap_s returns
+ *     SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter pause is flown as if the vehicle had moved during the
+ *     pause, by velocity times its length. The push after such a pause returns SINS_GAP.
  *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on the
  *     smoothest motion between its ends. Its updates are as long as those before the gap, or longer if the gap would otherwise
  *     need more than 80 subsamples. Attitude and velocity are correct immediately after the gap. The position keeps the
- *     difference between the true path and the smoothest one. In steady flight there is none. In a weave of 4 g with a period of
- *     8 s, sampled at 100 Hz, it is 5 cm if 1 s is lost, and 3 m if 2.5 s are lost. Without velocities a gap costs more, up to 5
- *     n^2 times the error of a position, where n is the number of lost intervals. For example, 1 s lost in straight flight at 50
- *     Hz, with positions to 1 cm, cost 23 m. If such an error is too large, set a smaller max_gap_s: longer gaps are then
- *     rejected.
+ *     difference between the true path and the smoothest one. In steady flight this difference is 0. In a weave of 4 g with a
+ *     period of 8 s, sampled at 100 Hz, it is 4 cm if 1 s is lost, and 3 m if 2.5 s are lost. If the samples have no velocities,
+ *     the error is larger: up to 5 n^2 times the error of a sample's position, where n is the number of lost intervals. For
+ *     example, 1 s lost in straight flight at 50 Hz, with positions accurate to 1 cm, causes 23 m. If such an error is too large,
+ *     set a smaller max_gap_s: longer gaps are then rejected.
  *   Faster or slower than real time: give samples that are farther apart in simulated time (for example ten times dt, up to
  *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
  *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as a whole.
@@ -105,9 +106,9 @@
  *         sins_step(sim);
  *     }
  *
- *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_.... A program that is
- *   linked with them then does not link, or does not start. A program that loads the library at run time looks up
- *   sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
+ *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_.... A program that
+ *   calls them directly does not link with such a library, or does not start. A program that loads the library at run time looks
+ *   up sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
  *
  * Functions by subject, in the order of this file:
  *

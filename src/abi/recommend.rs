@@ -103,24 +103,23 @@ impl From<Refusal> for Failure {
 /// Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
 /// cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
 ///
-/// configured is a simulator as the host flies it, at any moment. Only its options and its mounting count. The call reads it
-/// at the start, and neither steps nor changes it. NULL is the recommended simulator with its sensor block at the reference
-/// point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer, ready for
-/// sins_create(). The values of these three in configured do not matter.
+/// configured is a simulator as the host flies it, at any moment. The call uses only its options and its mounting, reads them at
+/// the start, and neither steps nor changes the simulator. NULL is the recommended simulator with its sensor block at the
+/// reference point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer,
+/// ready for sins_create(). The values of these three in configured do not matter.
 ///
 /// Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
-/// reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution
-/// with half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter,
-/// start, gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both
-/// solutions alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a
-/// duration beyond the piece, the call assumes that the piece is flown again and again, that each time adds the same errors
-/// with the same sign, and that they grow by the Schuler oscillation with the worst phase. If the flight continues like the
-/// piece, its errors are smaller than this prediction. With SINS_VERTICAL_FREE each error counts
-/// as a height error, which grows e-fold every 569 s.
+/// reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution with
+/// half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter, start,
+/// gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both solutions
+/// alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a duration beyond the
+/// piece, the call assumes that the piece is flown again and again. Each time adds the same errors with the same sign, and the
+/// errors grow by the Schuler oscillation with the worst phase. If the flight continues like the piece, its errors are smaller
+/// than this prediction. With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
 ///
-/// The order of cost is instructions_per_step, so the same samples give the same answer on every machine and every day; only
-/// ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if
-/// nothing meets the requirement.
+/// Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step
+/// differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if nothing meets the
+/// requirement.
 ///
 /// SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
 /// closest.

@@ -8,9 +8,9 @@ use super::sample::sins_flight_sample;
 use super::simulator::{push, sins_sim, step, with_simulator};
 use crate::simulator::Simulator;
 
-/// Pushes and steps an array of samples, count of them. Writes a record whenever the number of intervals since the flight's
-/// start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and
-/// stepping sample by sample.
+/// Pushes and steps an array of count samples. Writes a record whenever the number of intervals since the flight's start is a
+/// multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
+/// by sample.
 ///
 /// samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
 /// other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
@@ -21,8 +21,8 @@ use crate::simulator::Simulator;
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 ///
-/// Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns, which sins_last_error()
-/// names: the samples before it were flown, this sample and the rest were not; sins_accuracy.intervals counts the flown
+/// Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns; sins_last_error() names this
+/// sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
 /// intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
 /// sins_reset() empty the queue.
 #[unsafe(no_mangle)]

@@ -37,7 +37,7 @@ pub struct sins_flight_sample {
     /// Flags of enum sins_sample_flags, or'ed.
     pub flags: u32,
     /// Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. Large stamps are coarse
-    /// (2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
+    /// (1.2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
     pub time_s: f64,
     /// Geodetic latitude, -pi/2 to pi/2 [rad].
     pub latitude_rad: f64,
@@ -61,8 +61,8 @@ pub struct sins_flight_sample {
     pub angular_rate_rad_s: [f64; 3],
     /// With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
     pub specific_force_m_s2: [f64; 3],
-    /// With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C];
-    /// linear from one sample to the next. Needed while temperature coefficients are set: a sample without it is then
+    /// With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C]; linear
+    /// from one sample to the next. Needed while temperature coefficients are set: the push of a sample without it then returns
     /// SINS_ERROR_INVALID_ARGUMENT, because a forgotten flag would silently disable the effect.
     pub temperature_c: f64,
 }

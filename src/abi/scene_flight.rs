@@ -37,8 +37,8 @@ pub struct sins_scene_setup {
     pub reserved2: u32,
     /// Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
     pub duration_s: f64,
-    /// Duration that will be flown; 0 for a log, whose duration is in sins_log_info, or if duration_s is longer than the
-    /// flight; read only [s].
+    /// Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s), and if duration_s is longer than
+    /// the flight.
     pub flown_s: f64,
     /// Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz].
     pub rate_hz: f64,
@@ -183,11 +183,11 @@ pub unsafe extern "C" fn sins_scene_get_manoeuvres(
     })
 }
 
-/// Composes the flight of the scene of manoeuvres, count of them, all flown repeat times; count * repeat is at most 4096.
+/// Composes the flight of the scene of an array of count manoeuvres, all flown repeat times; count * repeat is at most 4096.
 /// start->earth is ignored: the ellipsoid is that of the scene's options. If the flight was a log before, the new flight is
 /// sampled at 100 Hz.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that the height on the way is not checked.
+/// SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that heights along the path are not checked.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_set_manoeuvres(
     scene: *mut sins_scene,

@@ -72,7 +72,7 @@ pub struct sins_scene_key {
     pub si_unit: [c_char; 24],
     /// Value in a scene that does not set the key, as sins_scene_get_value() gives it; empty: no value.
     pub default_value: [c_char; 32],
-    /// Words of SINS_SCENE_KEY_WORD, "exact|paper|polynomial".
+    /// Words that a key of SINS_SCENE_KEY_WORD takes, such as "exact|paper|polynomial".
     pub words: [c_char; 128],
     /// Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of these words. If there are
     /// several conditions, with a space between them, an item must meet all. Empty: all items.

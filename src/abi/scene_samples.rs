@@ -19,8 +19,8 @@ pub struct sins_scene_samples {
     pub reserved: u32,
     /// Number of samples.
     pub count: u64,
-    /// Number of sample intervals between two records, as the program sins writes them, at least 1: from
-    /// sins_scene_setup.every_s, or if that is 0, such that there are about 2000 records.
+    /// Number of sample intervals between two records of the program sins, at least 1. It follows from sins_scene_setup.every_s;
+    /// if every_s is 0, there are about 2000 records.
     pub record_every: u64,
     /// Time stamp of the first sample [s].
     pub start_s: f64,

@@ -20,8 +20,8 @@ unsafe fn short_text<'a>(text: *const c_char, name: &'static str) -> Result<&'a 
 /// Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
 /// the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
 /// "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
-/// value: flight.hours of a scene that flies the whole flight. The scene stores numbers in SI: read in another unit they may be
-/// rounded. The scene does not store the name of a preset, only the errors that the preset sets.
+/// value: for example flight.hours, if the scene flies the whole flight. The scene stores numbers in SI: read in another unit
+/// they may be rounded. The scene does not store the name of a preset, only the errors that the preset sets.
 ///
 /// The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins_scene_set_items(). A built-in flight and a log
 /// have no such manoeuvres. buffer, capacity and needed as in sins_scene_write().

@@ -127,7 +127,7 @@ pub unsafe extern "C" fn sins_push_sample(
 ///
 /// SINS_NEED_SAMPLE: no complete interval is waiting.
 /// SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
-/// 100 km/s; this holds for the solution of the sensor block, for that of the reference point, and for the error-free
+/// 100 km/s; the limits apply to the solution of the sensor block, to that of the reference point, and to the error-free
 /// navigator of SINS_SIGNAL_CLOSED_LOOP.
 /// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
@@ -169,13 +169,13 @@ pub(super) fn stepped(step: Step) -> sins_status {
     }
 }
 
-/// Moves the time after a pause in which the host's clock ran on: from now on the newest accepted sample has the time stamp
-/// time_s [s], and later samples follow on it. time_s is the time of the clock when the vehicle moves on. Everything else
+/// Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp time_s [s], and
+/// later samples must have later stamps. time_s is the time that the clock shows when the vehicle moves again. Everything else
 /// stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
-/// along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive
-/// stamps are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences
-/// over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The
-/// host must also move its flight_start_s of sins_scene_prepare() by the same time.
+/// along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive stamps
+/// are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences over three
+/// samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The host must also
+/// move its flight_start_s of sins_scene_prepare() by the same time.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
 /// SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -206,8 +206,8 @@ pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins
 ///
 /// SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_reposition().
 /// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
-/// SINS_ERROR_DIVERGED: the solution would leave its limits, or no place has the position error, because it is too large
-/// (a quarter of the Earth).
+/// SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is about a quarter of the Earth's
+/// circumference or more, so that no place at the sample has this error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_move_truth(
     sim: *mut sins_sim,

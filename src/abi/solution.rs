@@ -16,8 +16,8 @@ pub const SINS_NAVIGATION_NEAR_POLE: sins_navigation_flags = 1;
 /// Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
 /// every 569 s.
 pub const SINS_NAVIGATION_VERTICAL_UNAIDED: sins_navigation_flags = 2;
-/// A flag of the truth: the displacement since the previous sample differs from the one that the velocities give by more than
-/// the root sum of squares of 1 % and 1 cm.
+/// A flag of the truth: the displacement since the previous sample differs from the displacement d that the velocities give by
+/// more than sqrt((0.01 d)^2 + (1 cm)^2).
 pub const SINS_NAVIGATION_INCONSISTENT: sins_navigation_flags = 4;
 /// The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
 /// force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If

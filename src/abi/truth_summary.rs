@@ -50,8 +50,8 @@ pub struct sins_truth_summary {
     pub force_max_m_s2: f64,
     /// Time stamp of force_max_m_s2 [s].
     pub force_max_at_s: f64,
-    /// Largest difference, in one interval, between the displacement and the mean velocity of its two ends times its length
-    /// [m].
+    /// Largest difference, in one interval, between the displacement by the positions and the displacement by the velocities (the
+    /// mean of those at the two ends, times the length of the interval) [m].
     pub inconsistency_max_m: f64,
     /// Time stamp of inconsistency_max_m [s].
     pub inconsistency_max_at_s: f64,

@@ -210,7 +210,8 @@ impl Geographic {
         }
         let (turn, most) = (self.turn2.sqrt(), Mechanization::MAX_TURN_RAD);
         if turn > most {
-            let words = "this close to a pole needs shorter updates or Earth-fixed axes; must be at most";
+            let words =
+                "is too large near this pole: use shorter updates or Earth-fixed axes; must be at most";
             return singular("turn of the geographic axes in an update", turn, Rule::AtMost(words, most));
         }
         // An interval can be longer than the way over the pole.

@@ -62,9 +62,14 @@ impl Section {
     fn words(self) -> (&'static str, &'static str) {
         match self {
             Self::Flight => ("flight", "the flight: a log, a built-in flight, or a start and [[manoeuvre]]s"),
-            Self::Manoeuvre => ("manoeuvre", "one after the other; angles right and up positive"),
-            Self::Sinusoid => ("manoeuvre.sinusoid", "after a manoeuvre of kind sinusoids, up to 6"),
-            Self::Options => ("options", "the simulator"),
+            Self::Manoeuvre => (
+                "manoeuvre",
+                "a manoeuvre; the list is flown in order; angles are positive to the right and up",
+            ),
+            Self::Sinusoid => {
+                ("manoeuvre.sinusoid", "a sinusoid of the manoeuvre of kind sinusoids above it; up to 6")
+            }
+            Self::Options => ("options", "options of the simulator"),
             Self::Gyro => ("gyro", "gyro errors: a preset, and what differs from it"),
             Self::Accelerometer => {
                 ("accelerometer", "accelerometer errors: a preset, and what differs from it")

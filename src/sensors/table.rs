@@ -167,7 +167,7 @@ pub const PARAMETERS: &[Parameter] = &[
         name: "g2_sensitivity", shape: Axes, is_random: GIVEN,
         doc: "drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity",
         note: "The rate that gyro i measures is too large by element i times the square of component i of the true specific force at \
-            the block's own point, in sensor axes: a positive element makes a drift in the positive sense about the axis, whatever the sign \
+            the block's own point, in sensor axes. So a positive element makes a drift in the positive sense about the axis, whatever the sign \
             of the force. The mean force of a subsample is squared, as with nonlinearity.",
         gyro: field(("gyro.g2_sensitivity_rad_s_per_m2_s4", "(rad/s)/(m/s2)^2"), SHARE,
             ("g2_sensitivity_deg_h_per_g2", "deg/h/g2", DEG_PER_HOUR_PER_G / STANDARD_GRAVITY), "gyro g2-sensitivity"),

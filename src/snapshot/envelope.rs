@@ -74,7 +74,7 @@ pub(super) fn open(snapshot: &[u8], of: SnapshotOf) -> Result<&[u8], Error> {
     if header[CHECKSUM] != checksum(snapshot).to_le_bytes() {
         return Err(Error {
             kind: ErrorKind::Snapshot,
-            ..Error::bad_state("snapshot: its checksum does not fit; bytes were altered")
+            ..Error::bad_state("snapshot: its checksum is wrong; bytes were altered")
         });
     }
     Ok(&snapshot[HEADER_BYTES..])
@@ -131,7 +131,7 @@ mod tests {
         );
         assert_eq!(altered(12, 1), "snapshot size = 40: is not the size that was saved: 41");
         for at in 16..40 {
-            assert_eq!(altered(at, 0x80), "snapshot: its checksum does not fit; bytes were altered");
+            assert_eq!(altered(at, 0x80), "snapshot: its checksum is wrong; bytes were altered");
         }
         let cut = |length: usize| open(&good[..length], SnapshotOf::Simulator).unwrap_err().to_string();
         assert_eq!(cut(39), "snapshot size = 39: is not the size that was saved: 40");

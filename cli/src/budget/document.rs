@@ -30,8 +30,8 @@ pub fn page(surveys: &[Survey]) -> String {
         header {
             h1 { "Error budget" }
             p {
-                "What each effect contributes to the errors of a scene: navigation less truth with this effect alone, less the "
-                "same with nothing set, the largest on the way. Times of a step are uncertain by 1 to 5 %."
+                "What each effect contributes to the errors of a scene: the error with this effect alone, less the error with no effect; "
+                "the largest in the flight. Times of a step are uncertain by 1 to 5 %."
             }
         }
         main {

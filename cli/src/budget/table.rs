@@ -91,7 +91,7 @@ pub fn remark(survey: &Survey) -> String {
     let mut text = format!("The largest in {}; {} flights", time_text(budget.span_s), budget.flights);
     if budget.runs > 1 {
         text += &format!(
-            "; all together by {} runs: the true value of what is random in it is {:.2} to {:.2} times that (95 %)",
+            "; \"all together\" is from {} runs: the true root mean square of the random part is {:.2} to {:.2} times its figure (95 %)",
             budget.runs, budget.interval.low, budget.interval.high
         );
     }
@@ -99,7 +99,7 @@ pub fn remark(survey: &Survey) -> String {
     if budget.rows.iter().any(|row| row.can_be_left_out) {
         let left_out = &budget.left_out;
         text += &format!(
-            " Without what can be left out, flown, the errors change by {}, {}, {}.",
+            " In flights without the effects that can be left out, the errors change by {}, {}, {}.",
             brief(left_out.position_m, LENGTH),
             brief(left_out.velocity_m_s, SPEED),
             brief(left_out.attitude_rad, ANGLE)

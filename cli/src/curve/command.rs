@@ -10,7 +10,8 @@ use crate::given::Settings;
 /// without sensor errors
 ///
 /// Writes into DIR: curve.csv, a row for each configuration; scenes.csv, a row for each scene; SCENE.svg; table.md, which it also
-/// prints. Uses the ellipsoid and the gravity of a scene, but not its scheme, its axes and its sensor errors.
+/// prints. Uses the ellipsoid and the gravity of a scene, but not its scheme, its axes or its sensor errors: --preset has no
+/// effect.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// Built-in scenes, files SCENE.toml, or flight logs LOG.csv

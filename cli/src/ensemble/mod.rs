@@ -73,5 +73,5 @@ fn interrupted(plan: &Plan, runs: u64, checkpoint: &Checkpoint) -> String {
         return "interrupted before the first runs were flown".to_owned();
     }
     let path = checkpoint.path().display();
-    format!("interrupted; {runs} of {} runs are in {path}: the same order goes on from there", plan.runs)
+    format!("interrupted; {runs} of {} runs are in {path}: the same command continues from there", plan.runs)
 }

@@ -33,7 +33,7 @@ const fn choice(
 pub const FAILURE: &[Key] = &[
     choice(
         "sensor",
-        "what fails",
+        "sensor that fails",
         "failure.sensor",
         SENSORS,
         |d| d.failure.sensor,
@@ -41,7 +41,7 @@ pub const FAILURE: &[Key] = &[
     ),
     choice(
         "axis",
-        "of a gyro or an accelerometer",
+        "axis that fails, of a gyro or an accelerometer",
         "failure.axis",
         &["x", "y", "z"],
         |d| d.failure.axis,
@@ -49,42 +49,62 @@ pub const FAILURE: &[Key] = &[
     ),
     choice(
         "kind",
-        "how it fails; none is switched off",
+        "kind of the failure; none: the failure is off",
         "failure.kind",
         KIND_WORDS,
         |d| d.failure.kind,
         |d, kind| d.failure.kind = kind,
     ),
-    within(F, ("from_s", si("s"), "time since the start of the flight"), (0.0, 1e9), "failure.from_s", |d| {
-        one(&mut d.failure.from_s)
-    }),
     within(
         F,
-        ("until_s", si("s"), "time since the start of the flight; default to its end"),
+        ("from_s", si("s"), "start of the failure, from the start of the flight"),
+        (0.0, 1e9),
+        "failure.from_s",
+        |d| one(&mut d.failure.from_s),
+    ),
+    within(
+        F,
+        (
+            "until_s",
+            si("s"),
+            "end of the failure, from the start of the flight; default: the end of the flight",
+        ),
         (0.0, 1e9),
         "failure.until_s",
         |d| one(&mut d.failure.until_s),
     ),
     numbers(
         F,
-        ("size_deg_h", unit("deg/h", DEG_PER_HOUR, "rad/s"), "bias step, spikes of a gyro"),
+        ("size_deg_h", unit("deg/h", DEG_PER_HOUR, "rad/s"), "size of a bias step or of spikes, of a gyro"),
         N,
         "failure.size_rad_s",
         |d| one(&mut d.failure.size),
     ),
     numbers(
         F,
-        ("size_micro_g", unit("micro-g", MICRO_G, "m/s2"), "bias step, spikes of an accelerometer"),
+        (
+            "size_micro_g",
+            unit("micro-g", MICRO_G, "m/s2"),
+            "size of a bias step or of spikes, of an accelerometer",
+        ),
         N,
         "failure.size_m_s2",
         |d| one(&mut d.failure.size),
     ),
-    numbers(F, ("size_m", si("m"), "bias step, spikes of the altimeter"), N, "failure.size_m", |d| {
-        one(&mut d.failure.size)
-    }),
     numbers(
         F,
-        ("density_deg_sqrt_h", unit("deg/sqrt(h)", DEG_PER_SQRT_HOUR, "rad/sqrt(s)"), "noise of a gyro"),
+        ("size_m", si("m"), "size of a bias step or of spikes, of the altimeter"),
+        N,
+        "failure.size_m",
+        |d| one(&mut d.failure.size),
+    ),
+    numbers(
+        F,
+        (
+            "density_deg_sqrt_h",
+            unit("deg/sqrt(h)", DEG_PER_SQRT_HOUR, "rad/sqrt(s)"),
+            "density of the noise, of a gyro",
+        ),
         N,
         "failure.density_rad_sqrt_s",
         |d| one(&mut d.failure.density),
@@ -94,7 +114,7 @@ pub const FAILURE: &[Key] = &[
         (
             "density_micro_g_sqrt_hz",
             unit("micro-g/sqrt(Hz)", MICRO_G, "(m/s)/sqrt(s)"),
-            "noise of an accelerometer",
+            "density of the noise, of an accelerometer",
         ),
         N,
         "failure.density_m_s_sqrt_s",
@@ -102,24 +122,24 @@ pub const FAILURE: &[Key] = &[
     ),
     numbers(
         F,
-        ("density_m_sqrt_hz", si("m/sqrt(Hz)"), "noise of the altimeter"),
+        ("density_m_sqrt_hz", si("m/sqrt(Hz)"), "density of the noise, of the altimeter"),
         N,
         "failure.density_m_sqrt_hz",
         |d| one(&mut d.failure.density),
     ),
     numbers(
         F,
-        ("interval_s", si("s"), "spikes, drop-outs: from one to the next"),
+        ("interval_s", si("s"), "spikes, drop-outs: time from the start of one to the start of the next"),
         N,
         "failure.interval_s",
         |d| one(&mut d.failure.interval_s),
     ),
-    numbers(F, ("duration_s", si("s"), "spikes: length of one"), N, "failure.duration_s", |d| {
+    numbers(F, ("duration_s", si("s"), "spikes: length of one spike"), N, "failure.duration_s", |d| {
         one(&mut d.failure.duration_s)
     }),
     numbers(
         F,
-        ("probability", PURE, "drop-outs without interval_s: that a sample interval is lost"),
+        ("probability", PURE, "drop-outs without interval_s: probability that a sample interval is lost"),
         N,
         "failure.probability",
         |d| one(&mut d.failure.probability),

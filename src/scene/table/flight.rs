@@ -20,19 +20,19 @@ const fn text(
 }
 
 pub const FLIGHT: &[Key] = &[
-    text("file", "LOG.csv", "flight log, seen from the scene file's folder", |d| &mut d.file),
+    text("file", "LOG.csv", "flight log: a path from the folder of the scene file", |d| &mut d.file),
     text("builtin", "patrol", "flight of a built-in scene", |d| &mut d.builtin),
-    text("title", "Patrol", "the scene in words", |d| &mut d.scene.title),
+    text("title", "Patrol", "title of the scene", |d| &mut d.scene.title),
     within(
         F,
-        ("hours", unit("h", 3600.0, "s"), "how long to fly; default the whole flight"),
+        ("hours", unit("h", 3600.0, "s"), "duration to fly; default: the whole flight"),
         (1e-5, 1e5),
         "flight.duration_s",
         |d| one(&mut d.duration_s),
     ),
     within(
         F,
-        ("rate_hz", si("Hz"), "sample rate; a log has its own time stamps"),
+        ("rate_hz", si("Hz"), "sample rate; not for a log, which has its own time stamps"),
         (1e-3, 2e4),
         "flight.rate_hz",
         |d| one(&mut d.scene.rate_hz),
@@ -46,7 +46,11 @@ pub const FLIGHT: &[Key] = &[
     ),
     within(
         F,
-        ("temperature_change_c_h", unit("deg C/h", 1.0 / 3600.0, "deg C/s"), "its change, steady"),
+        (
+            "temperature_change_c_h",
+            unit("deg C/h", 1.0 / 3600.0, "deg C/s"),
+            "constant rate of change of the temperature",
+        ),
         (-1e6, 1e6),
         "flight.temperature_change_c_s",
         |d| one(&mut d.temperature_change_c_s),
@@ -80,14 +84,22 @@ pub const FLIGHT: &[Key] = &[
     ),
     numbers(
         F,
-        ("roll_deg", unit("deg", DEG, "rad"), "roll of the body against the path, all the way"),
+        (
+            "roll_deg",
+            unit("deg", DEG, "rad"),
+            "roll of the body relative to the axes of the path, throughout the flight",
+        ),
         N,
         "start.roll_rad",
         |d| one(&mut d.start.roll_rad),
     ),
     numbers(
         F,
-        ("pitch_deg", unit("deg", DEG, "rad"), "pitch of the body against the path, all the way"),
+        (
+            "pitch_deg",
+            unit("deg", DEG, "rad"),
+            "pitch of the body relative to the axes of the path, throughout the flight",
+        ),
         N,
         "start.pitch_rad",
         |d| one(&mut d.start.pitch_rad),
@@ -95,7 +107,7 @@ pub const FLIGHT: &[Key] = &[
     Key {
         section: F,
         name: "repeat",
-        doc: "how many times the manoeuvres are flown, one after the other",
+        doc: "how many times all manoeuvres are flown",
         target: Target::Count {
             field: "flight.repeat",
             get: |d| d.repeat,
@@ -108,7 +120,7 @@ pub const MANOEUVRE: &[Key] = &[
     Key {
         section: M,
         name: "kind",
-        doc: "what is flown",
+        doc: "kind of the manoeuvre",
         target: Target::Choice {
             field: "manoeuvre.kind",
             words: &first_words(MANOEUVRE_KINDS),
@@ -116,35 +128,55 @@ pub const MANOEUVRE: &[Key] = &[
             set: |d, kind| d.manoeuvre.kind = kind,
         },
     },
-    numbers(M, ("duration_s", si("s"), "duration; of a turn it follows"), N, "manoeuvre.duration_s", |d| {
-        one(&mut d.manoeuvre.duration_s)
-    }),
     numbers(
         M,
-        ("ramp_s", si("s"), "time in which it sets in, and in which it ends; default 5"),
+        ("duration_s", si("s"), "duration; not for turn, whose duration follows from its bank"),
+        N,
+        "manoeuvre.duration_s",
+        |d| one(&mut d.manoeuvre.duration_s),
+    ),
+    numbers(
+        M,
+        ("ramp_s", si("s"), "time in which the manoeuvre builds up, and in which it dies out; default: 5"),
         N,
         "manoeuvre.ramp_s",
         |d| one(&mut d.manoeuvre.ramp_s),
     ),
-    numbers(M, ("speed_change_m_s", si("m/s"), "of accelerate"), N, "manoeuvre.speed_change_m_s", |d| {
-        one(&mut d.manoeuvre.speed_change_m_s)
-    }),
-    numbers(M, ("height_change_m", si("m"), "of climb"), N, "manoeuvre.height_change_m", |d| {
-        one(&mut d.manoeuvre.height_change_m)
-    }),
     numbers(
         M,
-        ("heading_change_deg", unit("deg", DEG, "rad"), "of turn; of s_turn to both sides"),
+        ("speed_change_m_s", si("m/s"), "change of the speed, for accelerate"),
+        N,
+        "manoeuvre.speed_change_m_s",
+        |d| one(&mut d.manoeuvre.speed_change_m_s),
+    ),
+    numbers(
+        M,
+        ("height_change_m", si("m"), "change of the height, for climb"),
+        N,
+        "manoeuvre.height_change_m",
+        |d| one(&mut d.manoeuvre.height_change_m),
+    ),
+    numbers(
+        M,
+        (
+            "heading_change_deg",
+            unit("deg", DEG, "rad"),
+            "change of the heading, for turn; swing to each side, for s_turn",
+        ),
         N,
         "manoeuvre.heading_change_rad",
         |d| one(&mut d.manoeuvre.heading_change_rad),
     ),
-    numbers(M, ("bank_deg", unit("deg", DEG, "rad"), "of turn"), N, "manoeuvre.bank_rad", |d| {
+    numbers(M, ("bank_deg", unit("deg", DEG, "rad"), "bank, for turn"), N, "manoeuvre.bank_rad", |d| {
         one(&mut d.manoeuvre.bank_rad)
     }),
-    numbers(M, ("turns", PURE, "whole rolls or loops; swings of s_turn"), N, "manoeuvre.turns", |d| {
-        one(&mut d.manoeuvre.turns)
-    }),
+    numbers(
+        M,
+        ("turns", PURE, "number of whole rolls, of whole loops, or of swings, for roll, loop and s_turn"),
+        N,
+        "manoeuvre.turns",
+        |d| one(&mut d.manoeuvre.turns),
+    ),
 ];
 
 /// The words of what a sinusoid moves.
@@ -161,7 +193,7 @@ pub const SINUSOID: &[Key] = &[
     Key {
         section: S,
         name: "channel",
-        doc: "what it moves",
+        doc: "quantity that the sinusoid moves",
         target: Target::Choice {
             field: "sinusoid.channel",
             words: &first_words(CHANNELS),

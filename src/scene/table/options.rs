@@ -21,12 +21,12 @@ const fn count(
 }
 
 pub const OPTIONS: &[Key] = &[
-    choice!(O, "scheme", "mechanization", "options.scheme", scene.options.scheme, [
+    choice!(O, "scheme", "algorithm of the mechanization", "options.scheme", scene.options.scheme, [
         "exact" => Scheme::Exact,
         "paper" => Scheme::Paper,
         "polynomial" => Scheme::Polynomial,
     ]),
-    choice!(O, "frame", "axes to navigate in", "options.frame", scene.options.frame, [
+    choice!(O, "frame", "axes of the mechanization", "options.frame", scene.options.frame, [
         "earth" => Frame::EarthFixed,
         "geographic" => Frame::Geographic,
     ]),
@@ -51,11 +51,11 @@ pub const OPTIONS: &[Key] = &[
         "follow" => VerticalMode::FollowTruth,
         "free" => VerticalMode::Free,
     ]),
-    choice!(O, "error_model", "error data 1", "options.error_model", scene.options.error_model, [
+    choice!(O, "error_model", "error differential equations (error data 1)", "options.error_model", scene.options.error_model, [
         "off" => false,
         "rk4" => true,
     ]),
-    choice!(O, "truth_summary", "figures of the true motion", "options.truth_summary", scene.options.truth_summary, [
+    choice!(O, "truth_summary", "summary of the true motion", "options.truth_summary", scene.options.truth_summary, [
         "off" => false,
         "on" => true,
     ]),
@@ -69,7 +69,7 @@ pub const OPTIONS: &[Key] = &[
         "grs80" => Ellipsoid::Grs80,
         "krassovsky" => Ellipsoid::Krassovsky1940,
     ]),
-    choice!(O, "gravity", "gravity", "options.gravity", scene.options.gravity, [
+    choice!(O, "gravity", "normal gravity", "options.gravity", scene.options.gravity, [
         "normal" => GravityModel::Normal,
         "somigliana" => GravityModel::Somigliana,
     ]),
@@ -104,7 +104,7 @@ pub const OPTIONS: &[Key] = &[
     ),
     numbers(
         O,
-        ("sample_period_s", si("s"), "stated period of a log; default its own time stamps"),
+        ("sample_period_s", si("s"), "stated sample period of a log; default: the time stamps of the log"),
         N,
         "options.sample_period_s",
         |d| one(&mut d.sample_period_s),
@@ -144,7 +144,7 @@ pub const OUTPUT: &[Key] = &[
     }),
     within(
         P,
-        ("every_s", si("s"), "spacing of the records; default about 2000 of them"),
+        ("every_s", si("s"), "time between two records; default: about 2000 records"),
         (5e-5, 1e7),
         "output.every_s",
         |d| one(&mut d.every_s),
@@ -152,7 +152,7 @@ pub const OUTPUT: &[Key] = &[
     Key {
         section: P,
         name: "quiet",
-        doc: "neither progress nor summary table",
+        doc: "shows neither progress nor summary",
         target: Target::Flag { get: |d| d.scene.output.quiet, set: |d, quiet| d.scene.output.quiet = quiet },
     },
 ];
