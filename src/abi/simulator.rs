@@ -3,8 +3,9 @@
 use super::boundary::{enter, enter_without_simulator};
 use super::failure::{Failure, SINS_GAP, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::handle::hand_out;
-use super::memory::{Output, read};
+use super::memory::read;
 use super::options::sins_options;
+use super::parameters::{Parameters, get};
 use super::sample::sins_flight_sample;
 use super::tables::SIMULATORS;
 use crate::simulator::{Options, Simulator, Step, heap_simulator};
@@ -69,7 +70,7 @@ pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mu
             Options::default()
         } else {
             // SAFETY: the host's promise.
-            unsafe { read(options, "options")? }.to_options()?
+            unsafe { read(options, "options")? }.to_parameters()?
         };
         // SAFETY: the host's promise; not null.
         unsafe { hand_out(&SIMULATORS, heap_simulator(&options)?, sim, "sim")? };
@@ -88,12 +89,8 @@ pub unsafe extern "C" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
 /// Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins_options) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let output = unsafe { Output::new(options, "options")? };
-        output.write(&sins_options::from_options(simulator.options()));
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { get(sim, options, "options", Simulator::options) }
 }
 
 /// Puts one flight sample into the queue (16 samples). Each sample is checked by itself and against the one before.

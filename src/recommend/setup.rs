@@ -21,7 +21,7 @@ pub struct Setup {
 impl Setup {
     /// That of a simulator, at any moment of its life.
     pub fn of(simulator: &Simulator) -> Self {
-        Self { options: *simulator.options(), mounting: simulator.mounting() }
+        Self { options: *simulator.options(), mounting: *simulator.mounting() }
     }
 
     /// This setup with another algorithm.
