@@ -34,10 +34,7 @@ pub(super) fn on_simulator(
     sim: *const sins_sim,
     body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    SIMULATORS.with(sim.addr(), |place| match &mut **place {
-        [simulator] => body(simulator),
-        _ => Err(Failure::internal()),
-    })
+    SIMULATORS.with(sim.addr(), |memory| body(&mut memory[0]))
 }
 
 /// What `view` makes of a simulator that is an argument under `name` of a function of its own; its sentence stays.
@@ -47,8 +44,8 @@ pub(super) fn look_at<T>(
     view: impl FnOnce(&Simulator) -> T,
 ) -> Result<T, Failure> {
     let mut seen = None;
-    let status = SIMULATORS.with(sim.addr(), |place| {
-        seen = place.first().map(view);
+    let status = SIMULATORS.with(sim.addr(), |memory| {
+        seen = Some(view(&memory[0]));
         Ok(SINS_OK)
     });
     seen.ok_or_else(|| Failure::of_handle(status, name))

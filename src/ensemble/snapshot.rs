@@ -75,8 +75,8 @@ impl Ensemble {
         for (place, run) in (first_run..=u64::MAX).take(count).enumerate() {
             from.enter("snapshot: Ensemble.diverged");
             let has_diverged = from.flag()?;
-            let mut simulator = Simulator::load_from(from)?;
-            let [simulator] = &mut *simulator else { continue };
+            let mut memory = Simulator::load_from(from)?;
+            let [simulator] = &mut *memory;
             from.enter("snapshot: a run of the ensemble");
             let same = same_flight(simulator, &options, run, has_diverged, (&intake, intervals));
             from.require(same, run as f64, "is not one of this ensemble")?;

@@ -146,10 +146,7 @@ impl Reference {
         let coarser = Rung { updates_per_sample: MAX_UPDATES / 2, ..finest };
         let mut setup = setup.physical();
         setup.options.frame = Frame::EarthFixed;
-        let fly = |rung: &Rung| match &mut *setup.with(rung).simulator()? {
-            [simulator] => track(simulator, samples, instants),
-            _ => Ok(Track { states: Vec::new() }),
-        };
+        let fly = |rung: &Rung| track(&mut setup.with(rung).simulator()?[0], samples, instants);
         let track = fly(&finest)?;
         let change = fly(&coarser)?.minus(&track);
         Ok(Self { track, uncertainty: change.plus(&Self::ROUNDING) })
@@ -166,9 +163,8 @@ impl Reference {
         let earth = setup.options.earth();
         let mut memory = setup.physical().simulator()?;
         let mut worst = SolutionError::default();
-        let [simulator] = &mut *memory else { return Ok(worst) };
         let mut states = self.track.states.iter();
-        fly_looking(simulator, samples.iter().copied().map(Ok), |_, simulator| {
+        fly_looking(&mut memory[0], samples.iter().copied().map(Ok), |_, simulator| {
             if let (Some(state), Some(solution)) = (states.next(), simulator.navigation()?) {
                 worst.include(&solution.navigation.earth_fixed(&earth), state);
             }

@@ -61,19 +61,16 @@ impl Simulator {
             _ => damaged(error),
         })?;
         from.finish()?;
-        let [loaded] = &mut *memory else { return Ok(()) };
-        core::mem::swap(self, loaded);
+        core::mem::swap(self, &mut memory[0]);
         Ok(())
     }
 
     /// The simulator that [`Self::save_to`] wrote.
-    pub(crate) fn load_from(from: &mut Reader<'_>) -> Result<Box<[Self]>, Error> {
+    pub(crate) fn load_from(from: &mut Reader<'_>) -> Result<Box<[Self; 1]>, Error> {
         let mut options = Options::default();
         options.load(from).and_then(|()| options.validate())?;
         let mut memory = heap_simulator(&options)?;
-        if let [loaded] = &mut *memory {
-            loaded.read_snapshot(from)?;
-        }
+        memory[0].read_snapshot(from)?;
         Ok(memory)
     }
 

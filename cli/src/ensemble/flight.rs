@@ -94,9 +94,7 @@ impl<'a> Work<'a> {
         if self.must_stop() {
             return Err(interrupted());
         }
-        let simulators = given.scene.simulator()?;
-        let template = simulators.first().ok_or_else(|| Failure::of_kind(Kind::Failed, "no simulator"))?;
-        let mut ensemble = Ensemble::new(template, first_run, runs as usize)?;
+        let mut ensemble = Ensemble::new(&given.scene.simulator()?[0], first_run, runs as usize)?;
         let mut part = Part::new(plan, piece);
         let mut instants = plan.instants.iter().copied().peekable();
         for index in 0..given.count {

@@ -72,10 +72,7 @@ pub fn fly(
     flown: &mut Flown,
     quiet: bool,
 ) -> Result<(), Failure> {
-    let mut simulators = given.scene.simulator()?;
-    let Some(simulator) = simulators.first_mut() else {
-        return Err(Failure::of_kind(Kind::Failed, "no simulator"));
-    };
+    let [simulator] = &mut *given.scene.simulator()?;
     let sensor_errors = SensorSum::default();
     let result = InFlight { simulator, given, every, files, flown, sensor_errors }.fly(quiet);
     if let Ok(Some((_, accuracy, closure))) = simulator.accuracy() {
