@@ -12,7 +12,7 @@ use crate::given::{Given, SceneArguments};
 use crate::limits::LimitArguments;
 use crate::progress::Progress;
 use crate::terminal::print;
-use crate::units::{ANGLE, LENGTH, SPEED, brief, time_text, two_digits};
+use crate::units::{brief_parts, time_text, two_digits};
 
 /// Finds the cheapest options that meet a required accuracy
 ///
@@ -98,14 +98,6 @@ fn text(given: &Given, answer: &Recommendation, ns: f64) -> String {
         Scheme::Paper => "paper",
         Scheme::Polynomial => "polynomial",
     };
-    let leaves = |error: &SolutionError| {
-        format!(
-            "{}, {}, {}",
-            brief(error.position_m, LENGTH),
-            brief(error.velocity_m_s, SPEED),
-            brief(error.attitude_rad, ANGLE)
-        )
-    };
     format!(
         "# {}: {}\n[options]\nscheme = \"{scheme}\"\nsubsamples = {}\nupdates_per_sample = {}\n\n\
          error within {}: {}\n  of which uncertainty of the reference: {}\na step takes {ns:.0} ns on this machine; {} algorithms were tried\n",
@@ -114,8 +106,8 @@ fn text(given: &Given, answer: &Recommendation, ns: f64) -> String {
         answer.rung.subsamples,
         answer.rung.updates_per_sample,
         time_text(answer.duration_s),
-        leaves(&answer.predicted),
-        leaves(&answer.uncertainty),
+        brief_parts(answer.predicted.parts()),
+        brief_parts(answer.uncertainty.parts()),
         answer.tried,
     )
 }

@@ -217,18 +217,7 @@ mod tests {
         let mut points = vec![made(0, 5e3, 20.0), made(3, 8e3, 0.4), made(13, 9e3, 2e-4)];
         points.push(Point { measured: Err("singular".into()), ..points[0].clone() });
         front::mark(&mut points);
-        let floor = sins::recommend::SolutionError { position_m: 1e-7, ..Default::default() };
-        let survey = Survey {
-            name: "a<b".into(),
-            title: "made".into(),
-            duration_s: 3600.0,
-            uncertainty: floor,
-            floor,
-            reference: "",
-            points,
-            sensors_m: [1e3, 1e5],
-        };
-        let svg = diagram(&survey).unwrap();
+        let svg = diagram(&Survey::made("a<b", 3600.0, points, [1e3, 1e5])).unwrap();
         assert!(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"") && svg.ends_with("</svg>\n"));
         assert_eq!(svg.matches("http").count(), 1, "nothing from outside");
         assert!(svg.contains("a&lt;b") && !svg.contains("a<b"));

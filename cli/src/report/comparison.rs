@@ -78,14 +78,8 @@ mod tests {
     fn what_is_the_same_is_reported_once() {
         let mut runs = [made(3, |_, _| 0.0), made(3, |_, _| 0.0)];
         runs[1].summary.rows[1].value = "2".into();
-        let row = |value: &str| Row {
-            key: "seed".into(),
-            value: value.into(),
-            unit: String::new(),
-            label: "random seed".into(),
-        };
         for run in &mut runs {
-            run.summary.rows.push(row("7"));
+            run.summary.rows.push(Row::made("random seed", "7", ""));
         }
         let html = comparison(&runs).into_string();
         let (different, same) = html.split_once("The same in all runs").unwrap();

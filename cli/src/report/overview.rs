@@ -110,12 +110,7 @@ mod tests {
 
     fn with(rows: &[(&str, &str, &str)]) -> Run {
         let mut run = made(3, |_, _| 0.0);
-        run.summary.rows.extend(rows.iter().map(|(key, value, unit)| Row {
-            key: (*key).into(),
-            value: (*value).into(),
-            unit: (*unit).into(),
-            label: String::new(),
-        }));
+        run.summary.rows.extend(rows.iter().map(|(key, value, unit)| Row::made(key, value, unit)));
         run
     }
 
