@@ -1,11 +1,11 @@
 //! `sins recommend`: the cheapest options that meet a required accuracy on a scene.
 
-use sins::mechanization::Scheme;
 use sins::recommend::{
     MAX_SAMPLES, Recommendation, Requirement, Setup, SolutionError, recommend, step_time_ns,
 };
 use sins::truth::FlightSample;
 
+use crate::curve::scheme_name;
 use crate::failure::{Failure, Kind};
 use crate::fly::FOR_LOGS;
 use crate::given::{Given, SceneArguments};
@@ -93,11 +93,7 @@ fn piece(order: &Order, given: &Given) -> Result<(usize, Vec<FlightSample>), Fai
 
 /// The answer, as a scene has it, and what it leaves.
 fn text(given: &Given, answer: &Recommendation, ns: f64) -> String {
-    let scheme = match answer.rung.scheme {
-        Scheme::Exact => "exact",
-        Scheme::Paper => "paper",
-        Scheme::Polynomial => "polynomial",
-    };
+    let scheme = scheme_name(answer.rung.scheme);
     format!(
         "# {}: {}\n[options]\nscheme = \"{scheme}\"\nsubsamples = {}\nupdates_per_sample = {}\n\n\
          error within {}: {}\n  of which uncertainty of the reference: {}\na step takes {ns:.0} ns on this machine; {} algorithms were tried\n",
