@@ -163,7 +163,7 @@ pub unsafe extern "C" fn sins_flight_sample_at(
     with_object(&FLIGHTS, flight, |flight| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(sample, "sample")? };
-        output.write(&sins_flight_sample::from_sample(&flight.sample_at(time_s)?));
+        output.write(&sins_flight_sample::from(&flight.sample_at(time_s)?));
         Ok(SINS_OK)
     })
 }

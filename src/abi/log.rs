@@ -133,7 +133,7 @@ pub unsafe extern "C" fn sins_log_get_sample(
             );
             return Err(Error::invalid("index", index, rule).into());
         };
-        output.write(&sins_flight_sample::from_sample(found));
+        output.write(&sins_flight_sample::from(found));
         if !line.is_null() {
             // SAFETY: not null.
             unsafe { put(line, found_line, "line")? };
