@@ -49,13 +49,11 @@ pub unsafe extern "C" fn sins_ensemble_create(
     ensemble: *mut *mut sins_ensemble,
 ) -> sins_status {
     enter_without_simulator(|| {
-        if ensemble.is_null() {
-            return Err(Failure::null("ensemble"));
+        let make = |template: &Simulator| Ensemble::new(template, first_run, runs);
+        // SAFETY: the host's promise.
+        unsafe {
+            hand_out(&ENSEMBLES, ensemble, "ensemble", || Ok(look_at(configured, "configured", make)??))
         }
-        let made = look_at(configured, "configured", |template| Ensemble::new(template, first_run, runs))??;
-        // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&ENSEMBLES, made, ensemble, "ensemble")? };
-        Ok(SINS_OK)
     })
 }
 

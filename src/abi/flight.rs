@@ -105,14 +105,13 @@ pub unsafe extern "C" fn sins_flight_create(
     flight: *mut *mut sins_flight,
 ) -> sins_status {
     enter_without_simulator(|| {
-        if flight.is_null() {
-            return Err(Failure::null("flight"));
-        }
         // SAFETY: the host's promise.
-        let (start, list) = unsafe { read_flight(start, manoeuvres, count)? };
-        // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&FLIGHTS, Flight::new(&start, &list)?, flight, "flight")? };
-        Ok(SINS_OK)
+        unsafe {
+            hand_out(&FLIGHTS, flight, "flight", || {
+                let (start, list) = read_flight(start, manoeuvres, count)?;
+                Ok(Flight::new(&start, &list)?)
+            })
+        }
     })
 }
 

@@ -1,7 +1,7 @@
 //! `sins_run`: a whole array of samples in one call.
 
 use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
-use super::memory::{Array, put};
+use super::memory::{Array, put_if_wanted};
 use super::record::sins_record;
 use super::sample::sins_flight_sample;
 use super::simulator::{push, sins_sim, step, with_simulator};
@@ -47,10 +47,8 @@ pub unsafe extern "C" fn sins_run(
             let records = unsafe { Array::new(records, wanted, "records")? };
             run(simulator, &samples, every, &records, &mut done)
         });
-        if !written.is_null() {
-            // SAFETY: the host's promise.
-            unsafe { put(written, done, "written")? };
-        }
+        // SAFETY: the host's promise.
+        unsafe { put_if_wanted(written, done) };
         result
     })
 }

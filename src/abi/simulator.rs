@@ -8,6 +8,7 @@ use super::options::sins_options;
 use super::parameters::{Parameters, get};
 use super::sample::sins_flight_sample;
 use super::tables::SIMULATORS;
+use crate::error::Error;
 use crate::simulator::{Options, Simulator, Step, heap_simulator};
 use crate::truth::{FlightSample, Pushed};
 
@@ -37,6 +38,22 @@ pub(super) fn on_simulator(
     SIMULATORS.with(sim.addr(), |memory| body(&mut memory[0]))
 }
 
+/// Moves a simulator to a sample.
+///
+/// # Safety
+/// As the exported functions: `sample` is null or points to a struct.
+unsafe fn at_sample(
+    sim: *mut sins_sim,
+    sample: *const sins_flight_sample,
+    go: fn(&mut Simulator, &FlightSample) -> Result<(), Error>,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: as this function.
+        go(simulator, &unsafe { read(sample, "sample")? }.to_sample()?)?;
+        Ok(SINS_OK)
+    })
+}
+
 /// What `view` makes of a simulator that is an argument under `name` of a function of its own; its sentence stays.
 pub(super) fn look_at<T>(
     sim: *const sins_sim,
@@ -60,18 +77,16 @@ pub(super) fn look_at<T>(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mut sins_sim) -> sins_status {
     enter_without_simulator(|| {
-        if sim.is_null() {
-            return Err(Failure::null("sim"));
+        // SAFETY: the host's promise.
+        unsafe {
+            hand_out(&SIMULATORS, sim, "sim", || {
+                let options = match options.is_null() {
+                    true => Options::default(),
+                    false => read(options, "options")?.to_parameters()?,
+                };
+                Ok(heap_simulator(&options)?)
+            })
         }
-        let options = if options.is_null() {
-            Options::default()
-        } else {
-            // SAFETY: the host's promise.
-            unsafe { read(options, "options")? }.to_parameters()?
-        };
-        // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&SIMULATORS, heap_simulator(&options)?, sim, "sim")? };
-        Ok(SINS_OK)
     })
 }
 
@@ -137,11 +152,11 @@ pub unsafe extern "C" fn sins_step(sim: *mut sins_sim) -> sins_status {
 pub(super) fn push(
     simulator: &mut Simulator,
     sample: &FlightSample,
-) -> Result<sins_status, crate::error::Error> {
+) -> Result<sins_status, Error> {
     simulator.push_sample(sample).map(pushed)
 }
 
-pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, crate::error::Error> {
+pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, Error> {
     simulator.step().map(stepped)
 }
 
@@ -207,12 +222,8 @@ pub unsafe extern "C" fn sins_move_truth(
     sim: *mut sins_sim,
     sample: *const sins_flight_sample,
 ) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let sample = unsafe { read(sample, "sample")? };
-        simulator.move_truth(&sample.to_sample()?)?;
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { at_sample(sim, sample, Simulator::move_truth) }
 }
 
 /// Restarts the INS after the flight simulator was reloaded: the truth jumps to the sample, and the INS starts again there
@@ -231,12 +242,8 @@ pub unsafe extern "C" fn sins_reposition(
     sim: *mut sins_sim,
     sample: *const sins_flight_sample,
 ) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let sample = unsafe { read(sample, "sample")? };
-        simulator.reposition(&sample.to_sample()?)?;
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { at_sample(sim, sample, Simulator::reposition) }
 }
 
 /// Returns to the state before the first sample: the same options, the parameters as they were set last, no failures, and
