@@ -9,6 +9,7 @@ use super::sensor_failure::{ARGUMENTS, output, sins_failure};
 use super::simulator::{look_at, pushed, sins_sim, stepped};
 use super::tables::ENSEMBLES;
 use crate::ensemble::Ensemble;
+use crate::simulator::Simulator;
 
 /// An ensemble: many runs of one simulator over the same samples. A handle is a checked key, like that of a sins_sim, and is
 /// never confused with one. sins_last_error(NULL, ...) on the same thread gives the failures of its functions.
