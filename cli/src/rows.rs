@@ -9,7 +9,10 @@ use crate::failure::{Failure, Kind};
 pub const TABLE_MARK: &str = "<!-- written by sins -->";
 
 /// `rows` under their header, quoted where they need it.
-pub fn text<R: AsRef<[String]>>(header: &[&str], rows: impl IntoIterator<Item = R>) -> Result<String, Failure> {
+pub fn text<R: AsRef<[String]>>(
+    header: &[&str],
+    rows: impl IntoIterator<Item = R>,
+) -> Result<String, Failure> {
     let failure = |error: &dyn std::fmt::Display| {
         Failure::of_kind(Kind::Failed, format!("the table could not be written: {error}"))
     };

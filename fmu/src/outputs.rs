@@ -80,7 +80,8 @@ pub fn variables() -> impl Iterator<Item = Variable> {
     };
     let own = |&(name, unit, nominal, doc): &Number| (name.to_owned(), unit, nominal, doc.to_owned());
     let numbers = SOLUTION.iter().map(own).chain(errors("errors", "navigation less truth", 12));
-    let numbers = numbers.chain(errors("model_errors", "by the error equations", 12)).chain(IMU.iter().map(own));
+    let numbers =
+        numbers.chain(errors("model_errors", "by the error equations", 12)).chain(IMU.iter().map(own));
     let numbers = numbers.chain(errors("sigma", "standard deviation by the covariance", 9));
     let numbers = numbers.map(|(name, unit, nominal, doc)| {
         let variable = Variable::new(name, Role::Output, Value::Real(0.0), doc).in_unit(unit, 1.0);
@@ -123,7 +124,9 @@ pub fn read(simulator: &mut Simulator, behind_gap: bool, into: &mut Values) -> R
     put(&[euler.roll, euler.pitch, euler.heading]);
     for errors in [&errors, &model] {
         let errors = errors.unwrap_or_default();
-        [errors.position_n, errors.velocity_n, errors.misalignment_n].iter().for_each(|three| put(three.as_slice()));
+        [errors.position_n, errors.velocity_n, errors.misalignment_n]
+            .iter()
+            .for_each(|three| put(three.as_slice()));
         put(&[errors.roll_rad, errors.pitch_rad, errors.heading_rad]);
     }
     put(&[imu.interval_s]);

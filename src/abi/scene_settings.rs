@@ -71,7 +71,7 @@ pub unsafe extern "C" fn sins_scene_set_options(
     options: *const sins_options,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { set(scene, options, "options", Options::validate, |scene| &mut scene.options) }
+    unsafe { set(scene, options, "options", Options::validate, |s| &mut s.options) }
 }
 
 /// Reads the gyro errors of the scene.
@@ -93,7 +93,7 @@ pub unsafe extern "C" fn sins_scene_set_gyro(
     params: *const sins_gyro_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { set(scene, params, "params", |gyro| gyro.validate(Sensor::Gyro), |scene| &mut scene.errors.gyro) }
+    unsafe { set(scene, params, "params", |p| p.validate(Sensor::Gyro), |s| &mut s.errors.gyro) }
 }
 
 /// Reads the accelerometer errors of the scene.
@@ -115,7 +115,7 @@ pub unsafe extern "C" fn sins_scene_set_accel(
     params: *const sins_accel_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { set(scene, params, "params", |accel| accel.validate(Sensor::Accelerometer), |scene| &mut scene.errors.accel) }
+    unsafe { set(scene, params, "params", |p| p.validate(Sensor::Accelerometer), |s| &mut s.errors.accel) }
 }
 
 /// Reads the errors of the scene's altimeter.
@@ -137,7 +137,7 @@ pub unsafe extern "C" fn sins_scene_set_altimeter(
     params: *const sins_altimeter_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { set(scene, params, "params", AltimeterParameters::validate, |scene| &mut scene.errors.altimeter) }
+    unsafe { set(scene, params, "params", AltimeterParameters::validate, |s| &mut s.errors.altimeter) }
 }
 
 /// Reads the errors with which the navigation of the scene starts.
@@ -159,7 +159,7 @@ pub unsafe extern "C" fn sins_scene_set_initial_errors(
     errors: *const sins_initial_errors,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { set(scene, errors, "errors", InitialErrorParameters::validate, |scene| &mut scene.errors.initial) }
+    unsafe { set(scene, errors, "errors", InitialErrorParameters::validate, |s| &mut s.errors.initial) }
 }
 
 /// Reads the mounting of the scene's sensor block.
@@ -181,7 +181,7 @@ pub unsafe extern "C" fn sins_scene_set_mounting(
     mounting: *const sins_mounting,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { set(scene, mounting, "mounting", MountingParameters::validate, |scene| &mut scene.errors.mounting) }
+    unsafe { set(scene, mounting, "mounting", MountingParameters::validate, |s| &mut s.errors.mounting) }
 }
 
 /// Reads the gravity disturbance of the scene.
@@ -203,5 +203,5 @@ pub unsafe extern "C" fn sins_scene_set_gravity_disturbance(
     params: *const sins_gravity_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { set(scene, params, "params", GravityDisturbanceParameters::validate, |scene| &mut scene.errors.gravity) }
+    unsafe { set(scene, params, "params", GravityDisturbanceParameters::validate, |s| &mut s.errors.gravity) }
 }

@@ -149,10 +149,7 @@ pub unsafe extern "C" fn sins_step(sim: *mut sins_sim) -> sins_status {
 }
 
 #[inline]
-pub(super) fn push(
-    simulator: &mut Simulator,
-    sample: &FlightSample,
-) -> Result<sins_status, Error> {
+pub(super) fn push(simulator: &mut Simulator, sample: &FlightSample) -> Result<sins_status, Error> {
     simulator.push_sample(sample).map(pushed)
 }
 

@@ -106,7 +106,12 @@ fn drawing(survey: &Survey) -> Drawing {
         }
     }
     let x_label = "largest position error on the way [m]";
-    Drawing { width: WIDTH, x: accuracy(positive_range(errors)), x_label: x_label.to_owned(), panels: vec![panel] }
+    Drawing {
+        width: WIDTH,
+        x: accuracy(positive_range(errors)),
+        x_label: x_label.to_owned(),
+        panels: vec![panel],
+    }
 }
 
 /// Powers of ten that fall to the right; positions are negative logarithms.

@@ -27,9 +27,9 @@ pub const POINTS: [&str; 15] = [
 
 /// A row for each configuration and rate.
 pub fn points(surveys: &[Survey], instructions: &Instructions) -> Result<String, Failure> {
-    let rows = surveys.iter().flat_map(|survey| {
-        survey.points.iter().map(move |point| row(survey, point, instructions))
-    });
+    let rows = surveys
+        .iter()
+        .flat_map(|survey| survey.points.iter().map(move |point| row(survey, point, instructions)));
     text(&POINTS, rows)
 }
 

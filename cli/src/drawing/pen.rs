@@ -3,9 +3,9 @@
 
 use plotters::style::RGBColor;
 
-/// The pens, each with its class in the style sheet.
+/// The pens, each with its class in the style sheet, and whether it draws dots.
 macro_rules! pens {
-    ($($(#[$doc:meta])* $pen:ident $class:literal,)*) => {
+    ($($(#[$doc:meta])* $pen:ident $class:literal $($dot:ident)?,)*) => {
         /// What a line means; the style sheet says how it looks.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum Pen {
@@ -19,6 +19,13 @@ macro_rules! pens {
             pub fn class(self) -> &'static str {
                 match self {
                     $(Self::$pen => $class),*
+                }
+            }
+
+            /// Whether it draws dots, not lines.
+            pub fn is_dot(self) -> bool {
+                match self {
+                    $(Self::$pen => !stringify!($($dot)?).is_empty()),*
                 }
             }
         }
@@ -36,19 +43,19 @@ pens! {
     Sigma "sigma",
     /// Single records of a noisy signal.
     Record "record",
-    Fit "fit", NauticalMile "nautical-mile", Schuler "schuler", Foucault "foucault", Day "day", Start "start",
+    Fit "fit", NauticalMile "nautical-mile", Schuler "schuler", Foucault "foucault", Day "day", Start "start" dot,
     /// What was computed at the end of a long track.
     Late "late",
     /// Points of a scheme, and the line that joins them.
-    PaperScheme "paper-scheme", ExactScheme "exact-scheme", PolynomialScheme "polynomial-scheme",
+    PaperScheme "paper-scheme" dot, ExactScheme "exact-scheme" dot, PolynomialScheme "polynomial-scheme" dot,
     /// The three schemes where samples are too few.
-    PaperHollow "paper-hollow", ExactHollow "exact-hollow", PolynomialHollow "polynomial-hollow",
+    PaperHollow "paper-hollow" dot, ExactHollow "exact-hollow" dot, PolynomialHollow "polynomial-hollow" dot,
     /// In a dot.
     Digit "digit",
     /// The Pareto front.
     Front "front",
     /// Rings around the points of one configuration, and the text at them.
-    DefaultRing "default-ring", PaperRing "paper-ring",
+    DefaultRing "default-ring" dot, PaperRing "paper-ring" dot,
     /// What sensors of a grade err.
     Navigation "navigation", Tactical "tactical",
     /// The smallest error that a reference shows.
@@ -64,19 +71,10 @@ pens! {
     /// What may be left out.
     Limit "limit",
     /// Where one run of an ensemble ends, and how many of them end so.
-    Run "run", Count "count",
+    Run "run" dot, Count "count",
 }
 
 impl Pen {
-    /// Whether it draws dots, not lines.
-    pub fn is_dot(self) -> bool {
-        const DOTS: [Pen; 10] = {
-            use Pen::*;
-            [Start, PaperScheme, ExactScheme, PolynomialScheme, PaperHollow, ExactHollow, PolynomialHollow, DefaultRing, PaperRing, Run]
-        };
-        DOTS.contains(&self)
-    }
-
     /// Its number, from 1, as a colour, for `plotters`.
     pub fn colour(self) -> RGBColor {
         RGBColor(0, 0, self as u8 + 1)

@@ -8,11 +8,11 @@ mod text;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use sins::{Error, ErrorKind};
 use sins::flight::Flight;
 use sins::log::FlightLog;
 use sins::scene::{FlightSource, Samples, Scene};
 use sins::truth::FlightSample;
+use sins::{Error, ErrorKind};
 
 pub use arguments::SceneArguments;
 pub use log::open;

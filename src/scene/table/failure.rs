@@ -17,10 +17,12 @@ pub const BY_SENSOR: [[&str; 3]; 2] = [
 /// The sensors that can fail, in the order of [`BY_SENSOR`].
 pub const SENSORS: &[&str] = &["gyro", "accelerometer", "altimeter"];
 
+const KINDS: &[&str] = &first_words(FAILURE_KINDS);
+
 pub const FAILURE: &[Key] = &[
     word!(F, "sensor", "what fails", "failure.sensor", SENSORS, failure.sensor),
     word!(F, "axis", "of a gyro or an accelerometer", "failure.axis", &["x", "y", "z"], failure.axis),
-    word!(F, "kind", "how it fails; none is switched off", "failure.kind", &first_words(FAILURE_KINDS), failure.kind),
+    word!(F, "kind", "how it fails; none is switched off", "failure.kind", KINDS, failure.kind),
     number!(F, N, "from_s", si("s"), "time since the start of the flight", "failure.from_s" in (0.0, 1e9) => one(failure.from_s)),
     number!(F, N, "until_s", si("s"), "time since the start of the flight; default to its end",
         "failure.until_s" in (0.0, 1e9) => one(failure.until_s)),
