@@ -273,5 +273,5 @@ pub(super) unsafe fn put_if_wanted<T: Copy>(pointer: *mut T, value: T) {
 #[cfg(feature = "scenes")]
 pub(super) fn element<'a, T>(list: &'a [T], index: usize, rule: &'static str) -> Result<&'a T, Failure> {
     let rule = Rule::SentenceWith(rule, list.len() as f64);
-    list.get(index).ok_or_else(|| Error::invalid("index", index, rule).into())
+    list.get(index).ok_or_else(|| crate::error::Error::invalid("index", index, rule).into())
 }

@@ -209,7 +209,7 @@ pub unsafe extern "C" fn sins_scene_builtin_name(
     needed: *mut usize,
 ) -> sins_status {
     enter_without_simulator(|| {
-        let (name, _) = element(&BUILTIN_SCENES, index, "must be less than the number of built-in scenes:")?;
+        let (name, _) = element(BUILTIN_SCENES, index, "must be less than the number of built-in scenes:")?;
         // SAFETY: the host's promise.
         unsafe { put_text(name.as_bytes(), buffer, capacity, needed) }
     })
