@@ -2,7 +2,7 @@
 
 use super::Ensemble;
 use super::part::{PART_RUNS, Part};
-use crate::error::{Error, ErrorKind, Rule};
+use crate::error::{Error, Rule};
 use crate::instruction_set::InstructionSet;
 use crate::memory::room;
 use crate::simulator::{Options, SideBySide, Simulator};
@@ -23,16 +23,10 @@ impl Ensemble {
 
     /// Becomes the ensemble of a snapshot, whatever this one was: the runs go on to the same bits. Allocates.
     ///
-    /// [`ErrorKind::Snapshot`]: not a snapshot of an ensemble, not whole, altered, or of a newer release; then nothing has
-    /// changed.
+    /// [`crate::ErrorKind::Snapshot`]: not a snapshot of an ensemble, not whole, altered, or of a newer release; then nothing
+    /// has changed.
     pub fn load_snapshot(&mut self, snapshot: &[u8]) -> Result<(), Error> {
-        let mut from = Reader::new(snapshot, SnapshotOf::Ensemble)?;
-        let loaded = Self::read_snapshot(&mut from).map_err(|error| match error.kind {
-            ErrorKind::OutOfMemory => error,
-            _ => Error { kind: ErrorKind::Snapshot, ..error },
-        })?;
-        from.finish()?;
-        *self = loaded;
+        *self = Reader::read(snapshot, SnapshotOf::Ensemble, Self::read_snapshot)?;
         Ok(())
     }
 

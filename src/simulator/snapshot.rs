@@ -7,7 +7,7 @@ use super::heap::heap_simulator;
 use super::navigator::Navigator;
 use super::{Imperfections, Mode, Options, Simulator};
 use crate::earth::Geodetic;
-use crate::error::{Error, ErrorKind, Rule};
+use crate::error::{Error, Rule};
 use crate::snapshot::{Reader, SnapshotOf, Stored, Writer, fitting};
 use crate::state::Navigation;
 use crate::truth::Intake;
@@ -52,15 +52,9 @@ impl Simulator {
     /// Becomes the simulator of a snapshot, options included, whatever this one was: the run goes on to the same bits. Only
     /// [`Self::ideal_increments`] are empty until the next interval. Allocates.
     ///
-    /// [`ErrorKind::Snapshot`]: not a snapshot, not whole, altered, or of a newer release; then nothing has changed.
+    /// [`crate::ErrorKind::Snapshot`]: not a snapshot, not whole, altered, or of a newer release; then nothing has changed.
     pub fn load_snapshot(&mut self, snapshot: &[u8]) -> Result<(), Error> {
-        let damaged = |error| Error { kind: ErrorKind::Snapshot, ..error };
-        let mut from = Reader::new(snapshot, SnapshotOf::Simulator)?;
-        let mut memory = Self::load_from(&mut from).map_err(|error| match error.kind {
-            ErrorKind::OutOfMemory => error,
-            _ => damaged(error),
-        })?;
-        from.finish()?;
+        let mut memory = Reader::read(snapshot, SnapshotOf::Simulator, Self::load_from)?;
         core::mem::swap(self, &mut memory[0]);
         Ok(())
     }
@@ -155,6 +149,7 @@ impl Simulator {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::ErrorKind;
     use crate::sensors::TriadParameters;
     use crate::truth::FlightSample;
 
