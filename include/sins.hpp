@@ -607,7 +607,13 @@ public:
 
     std::vector<sins_planned_failure> failures() const
     {
-        return detail::all(make<sins_planned_failure>(), sins_scene_get_failure, handle_);
+        std::size_t count = 0;
+        done(sins_scene_get_failure_count(handle_, &count));
+        std::vector<sins_planned_failure> failures(count, make<sins_planned_failure>());
+        for (std::size_t index = 0; index < count; index++) {
+            done(sins_scene_get_failure(handle_, index, &failures[index]));
+        }
+        return failures;
     }
     void add_failure(const sins_planned_failure &failure) { done(sins_scene_add_failure(handle_, &failure)); }
     void clear_failures() { done(sins_scene_clear_failures(handle_)); }
