@@ -191,7 +191,11 @@ check() {
     [ "$(grep -c '须' "$folder/said")" -eq 2 ] || fail "a sentence is not in Chinese: of a text, of a struct"
 
     # Tool tips, the tab key, letters; the language in flight; recommended options; the wheel; the library in use, two windows.
-    drive controls reach -- /language en
+    for language in en zh; do
+        letters=$(sed -n 's/^    POPUP ".*&\(.\).*/\1/p' "c_examples/emulator/menu_$language.rc" | tr -d '\n' | tr a-z A-Z)
+        [ -n "$letters" ] || fail "no letters in the menu"
+        drive controls reach "$letters" -- /language "$language"
+    done
     "$sins" scene write simulation2 --set flight.hours=2 >"$folder/flown/switched.toml"
     watch language controls language -- /language en /scene "$(path "$folder/flown/switched.toml")" /export "$(path "$folder/flown/records")"
     "$sins" fly "$folder/flown/switched.toml" --out "$folder/flown/expected" --quiet

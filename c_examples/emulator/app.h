@@ -1,48 +1,21 @@
 /* The main window: four pages, the scene as its document, and the commands of the menu. */
 #pragma once
-#include <utility>
-
 #include "display_page.h"
-#include "failure_dialog.h"
 #include "general_page.h"
 #include "study_dialog.h"
 #include "trajectory_page.h"
 
 #include <shellapi.h>
 
-/* What the program keeps from run to run: "Language", "Recent". */
-inline const wchar_t REGISTRY[] = L"Software\\SINS_Emulator";
-
-inline std::wstring registry_text(const wchar_t *name)
-{
-    WCHAR value[16384] = L"";
-    DWORD size = sizeof value;
-    RegGetValueW(HKEY_CURRENT_USER, REGISTRY, name, RRF_RT_REG_SZ, NULL, value, &size);
-    return value;
-}
-
-inline void set_registry_text(const wchar_t *name, const std::wstring &value)
-{
-    DWORD size = (DWORD)((value.size() + 1) * sizeof(WCHAR));
-    RegSetKeyValueW(HKEY_CURRENT_USER, REGISTRY, name, REG_SZ, value.c_str(), size);
-}
+/* Of the command line, and their values. */
+typedef std::map<std::wstring, std::wstring> Options;
 
 class App : public Dialog, public Document {
 public:
-    explicit App(const Texts &arguments) : arguments_(arguments)
-    {
-        for (const std::string &name : sins::Scene::builtin_names()) {
-            builtins_.push_back(wide(name));
-        }
-        for (const std::string &file : split(narrow(registry_text(L"Recent")), "|")) {
-            recent_.push_back(wide(file));
-        }
-        recent_.pop_back(); /* behind the last "|" there is none */
-    }
+    explicit App(const Options &options) : options_(options) {}
 
     /* True: the language changed, and the window is to be built again. */
-    bool run()
-    {
+    bool run() {
         HACCEL keys = LoadAcceleratorsW(NULL, MAKEINTRESOURCEW(IDR_KEYS));
         MSG message;
         changes_language_ = false;
@@ -56,42 +29,37 @@ public:
         return changes_language_;
     }
 
-    void edited(const std::wstring &fault) override
-    {
-        show_title();
-        say_line(fault);
-        for (int k = 0; k < 3; k++) {
-            pages_[k]->refresh(false);
-        }
+    void edited(const std::wstring &fault) override { show_scene(fault, false); }
+
+    void named(bool is_other) override {
+        build_menu();
+        show_scene(L"", is_other);
     }
 
     void say_line(const std::wstring &sentence) override { set(IDC_STATUS, sentence); }
 
-    void open_builtin(const std::string &name) override
-    {
-        if (may_discard()) {
-            scene = Scene(name);
-            replaced(L"");
-        }
+    bool may_discard() override {
+        leave_field();
+        if (is_saved() || is_unattended)
+            return true;
+        UINT buttons = MB_YESNOCANCEL | MB_ICONQUESTION;
+        int answer = MessageBoxW(window_, text("save_changes").c_str(), text("title").c_str(), buttons);
+        return answer == IDNO || (answer == IDYES && save(path));
     }
 
-    void command(int id) override
-    {
-        static const int OF_FLIGHT[] = {ID_EXPORT,  ID_PICTURE, ID_COPY, ID_SNAPSHOT,
-                                        ID_GO_BACK, ID_PAUSE,   ID_STOP};
+    void command(int id) override {
         std::wstring name = path.stem();
         size_t builtin = id - ID_BUILTIN, recent = id - ID_RECENT, page = id - ID_PAGE;
         leave_field();
-        if (flight == NULL && std::find(OF_FLIGHT, std::end(OF_FLIGHT), id) != std::end(OF_FLIGHT)) {
+        if (flight == NULL && id >= ID_EXPORT && id <= ID_STOP) {
             say_line(text("nothing_flown"));
             return;
         }
         switch (id) {
         case ID_NEW: open_builtin(""); break;
         case ID_OPEN:
-            if (may_discard()) {
+            if (may_discard())
                 open(ask_file(window_, false, "filter_scene", L"toml"));
-            }
             break;
         case ID_SAVE: save(path); break;
         case ID_SAVE_AS: save(L""); break;
@@ -118,24 +86,21 @@ public:
         case ID_CHINESE: change_language(id == ID_CHINESE); return;
         case ID_ABOUT: say(window_, text("about", {wide(sins::version_string())}), MB_ICONINFORMATION); break;
         default:
-            if (builtin < builtins_.size()) {
+            if (builtin < builtins_.size())
                 open_builtin(narrow(builtins_[builtin]));
-            } else if (recent < recent_.size() && may_discard()) {
-                open(recent_[recent]);
-            } else if (page < 4) {
+            else if (recent < recent_.size() && may_discard())
+                open(fs::path(recent_[recent]));
+            else if (page < 4)
                 show_page((int)page);
-            }
         }
         display_->update();
     }
 
 protected:
-    void on_init() override
-    {
-        RECT work = {};
-        Texts names = parts("tabs");
-        SystemParametersInfoW(SPI_GETWORKAREA, 0, &work, 0);
+    void on_init() override {
         if (IsRectEmpty(&place_)) {
+            RECT work = {};
+            SystemParametersInfoW(SPI_GETWORKAREA, 0, &work, 0);
             RECT wanted = {work.left, work.top, work.left + scaled(960), work.top + scaled(700)};
             IntersectRect(&place_, &wanted, &work);
         }
@@ -143,47 +108,34 @@ protected:
         pages_[1] = std::make_unique<GeneralPage>(*this);
         pages_[2] = std::make_unique<Page>(*this); /* start of the INS: panel (c) of the paper's figure 2 */
         pages_[3].reset(display_ = new DisplayPage(*this));
+        Texts names = parts("tabs");
         for (int k = 0; k < 4; k++) {
-            TCITEMW tab = {};
-            tab.mask = TCIF_TEXT;
-            tab.pszText = names[k].data();
+            TCITEMW tab = {.mask = TCIF_TEXT, .pszText = names[k].data()};
             SendMessageW(item(IDC_TABS), TCM_INSERTITEMW, k, (LPARAM)&tab);
             pages_[k]->create(window_, IDD_TRAJECTORY + k);
         }
-        build_menu();
-        MoveWindow(window_, place_.left, place_.top, place_.right - place_.left, place_.bottom - place_.top,
-                   FALSE);
-        show_all();
+        MoveWindow(window_, place_.left, place_.top, place_.right - place_.left, place_.bottom - place_.top, FALSE);
+        named(true);
         show_page(page_);
         SetTimer(window_, 1, 100, NULL);
         ShowWindow(window_, SW_SHOWDEFAULT);
         follow_command_line();
     }
 
-    void on_command(int id, int) override
-    {
-        if (id == IDOK) { /* Enter: the field is done */
-            leave_field();
-        } else {
-            command(id);
-        }
-    }
-
-    void on_notify(NMHDR *notice) override
-    {
-        if (notice->idFrom == IDC_TABS && notice->code == (UINT)TCN_SELCHANGE) {
+    void on_command(int id, int code) override {
+        if (id == IDC_TABS && code == (int)TCN_SELCHANGE)
             show_page(TabCtrl_GetCurSel(item(IDC_TABS)));
-        }
+        else if (id == IDOK) /* Enter: the field is done */
+            leave_field();
+        else if (code >= 0)
+            command(id);
     }
 
-    bool on_message(UINT message, WPARAM wparam, LPARAM lparam) override
-    {
+    bool on_message(UINT message, WPARAM wparam, LPARAM lparam) override {
         WCHAR file[32768] = L"";
         switch (message) {
         case WM_SIZE: layout_pages(); return true;
-        case WM_GETMINMAXINFO:
-            ((MINMAXINFO *)lparam)->ptMinTrackSize = {scaled(780), scaled(560)};
-            return true;
+        case WM_GETMINMAXINFO: ((MINMAXINFO *)lparam)->ptMinTrackSize = {scaled(780), scaled(560)}; return true;
         case WM_TIMER:
             if (flight != NULL) {
                 display_->update();
@@ -193,9 +145,8 @@ protected:
         case WM_DROPFILES:
             DragQueryFileW((HDROP)wparam, 0, file, 32768);
             DragFinish((HDROP)wparam);
-            if (may_discard()) {
+            if (may_discard())
                 open(file);
-            }
             return true;
         case WM_CLOSE:
             if (may_discard()) {
@@ -211,46 +162,22 @@ protected:
 private:
     /* The window. */
 
-    static void translate(HMENU menu)
-    {
-        for (int k = 0; k < GetMenuItemCount(menu); k++) {
-            WCHAR words[128] = L"";
-            GetMenuStringW(menu, k, words, 128, MF_BYPOSITION);
-            std::vector<std::string> pieces = split(narrow(words), "\t"); /* and the key */
-            std::wstring own = text(pieces[0]) + (pieces.size() > 1 ? L"\t" + wide(pieces[1]) : L"");
-            MENUITEMINFOW info = {};
-            info.cbSize = sizeof info;
-            info.fMask = MIIM_STRING;
-            info.dwTypeData = own.data();
-            if (!pieces[0].empty()) {
-                SetMenuItemInfoW(menu, k, TRUE, &info);
-            }
-            translate(GetSubMenu(menu, k));
-        }
-    }
-
-    void build_menu()
-    {
-        HMENU before = GetMenu(window_);
-        HMENU menu = LoadMenuIndirectW(resource(MAKEINTRESOURCEW(4), IDR_MENU)); /* RT_MENU */
-        translate(menu);
-        auto fill = [menu](UINT id, const std::string &title, const Texts &words) {
-            HMENU popup = CreatePopupMenu();
-            for (size_t k = 0; k < words.size(); k++) {
-                std::string name = narrow(words[k]);
-                AppendMenuW(popup, MF_STRING, id + k, label("builtin." + name, name).c_str());
-            }
-            UINT kind = MF_BYCOMMAND | MF_POPUP | (words.empty() ? MF_GRAYED : 0);
-            ModifyMenuW(menu, id, kind, (UINT_PTR)popup, text(title).c_str());
+    void build_menu() {
+        HMENU before = GetMenu(window_), menu = LoadMenuIndirectW(resource(MAKEINTRESOURCEW(4), IDR_MENU).data());
+        auto fill = [menu](int position, UINT id, const Texts &words) {
+            HMENU popup = GetSubMenu(GetSubMenu(menu, 0), position);
+            for (size_t k = 0; k < words.size(); k++)
+                AppendMenuW(popup, MF_STRING, id + k, label("builtin." + narrow(words[k]), narrow(words[k])).c_str());
+            if (!words.empty())
+                DeleteMenu(popup, 0, MF_BYPOSITION); /* what stands for none */
         };
-        fill(ID_BUILTIN, "&Built-in scenes", builtins_);
-        fill(ID_RECENT, "&Recent scenes", recent_);
+        fill(4, ID_RECENT, recent_);
+        fill(5, ID_BUILTIN, builtins_);
         SetMenu(window_, menu);
         DestroyMenu(before);
     }
 
-    void layout_pages()
-    {
+    void layout_pages() {
         RECT client, bar;
         GetClientRect(window_, &client);
         SendMessageW(item(IDC_STATUS), WM_SIZE, 0, 0);
@@ -258,41 +185,29 @@ private:
         client.bottom -= bar.bottom - bar.top;
         MoveWindow(item(IDC_TABS), 0, 0, client.right, client.bottom, TRUE);
         TabCtrl_AdjustRect(item(IDC_TABS), FALSE, &client);
-        for (auto &page : pages_) {
-            MoveWindow(page->window(), client.left, client.top, client.right - client.left,
-                       client.bottom - client.top, TRUE);
-        }
+        int width = client.right - client.left, height = client.bottom - client.top;
+        for (auto &page : pages_)
+            MoveWindow(page->window(), client.left, client.top, width, height, TRUE);
     }
 
-    void show_page(int index)
-    {
+    void show_page(int index) {
         page_ = index;
         TabCtrl_SetCurSel(item(IDC_TABS), index);
-        for (int k = 0; k < 4; k++) {
+        for (int k = 0; k < 4; k++)
             ShowWindow(pages_[k]->window(), k == index ? SW_SHOW : SW_HIDE);
-        }
         SetWindowPos(pages_[index]->window(), HWND_TOP, 0, 0, 0, 0, SWP_NOMOVE | SWP_NOSIZE);
         RedrawWindow(window_, NULL, NULL, RDW_INVALIDATE | RDW_ALLCHILDREN | RDW_UPDATENOW);
     }
 
-    void show_title()
-    {
+    void show_scene(const std::wstring &fault, bool all_is_new) {
         std::wstring name = path.empty() ? text("new_name") : path.filename().wstring();
-        name += scene.text() != saved_ ? L"* - " : L" - ";
-        SetWindowTextW(window_, (name + text("title")).c_str());
+        SetWindowTextW(window_, (name + (is_saved() ? L" - " : L"* - ") + text("title")).c_str());
+        say_line(fault);
+        for (auto &page : pages_)
+            page->refresh(all_is_new);
     }
 
-    void show_all()
-    {
-        say_line(L"");
-        for (auto &page : pages_) {
-            page->refresh(true);
-        }
-        show_title();
-    }
-
-    void change_language(bool chinese)
-    {
+    void change_language(bool chinese) {
         language = chinese;
         set_registry_text(L"Language", chinese ? L"zh" : L"en");
         changes_language_ = true;
@@ -301,27 +216,16 @@ private:
     }
 
     /* What was typed counts, though the field has the focus still. */
-    void leave_field()
-    {
+    void leave_field() {
         HWND focus = GetFocus();
-        if (IsChild(window_, focus) && is_of_class(focus, L"Edit")) { /* a button would take it for a click */
-            WPARAM left = MAKEWPARAM(GetDlgCtrlID(focus), EN_KILLFOCUS);
+        WPARAM left = MAKEWPARAM(GetDlgCtrlID(focus), EN_KILLFOCUS);
+        if (IsChild(window_, focus) && is_of_class(focus, L"Edit")) /* a button would take it for a click */
             SendMessageW(GetParent(focus), WM_COMMAND, left, (LPARAM)focus);
-        }
     }
-
-    /* Scenes in files: scene_files.h. */
-
-    void replaced(const fs::path &file);
-    void open(const fs::path &file);
-    void remember(const fs::path &file);
-    bool save(fs::path file);
-    bool may_discard();
 
     /* The flight. */
 
-    void fly()
-    {
+    void fly() {
         for (int k = 0; k < 3; k++) {
             if (pages_[k]->has_marks()) {
                 show_page(k);
@@ -338,48 +242,51 @@ private:
         show_page(3);
     }
 
-    /* No output replaces the scene or the log that it came from. */
-    void refuse_input(const fs::path &file)
-    {
-        if (same_file(file, path) || same_file(file, flight->log_path())) {
-            throw Refusal(text("is_input", {file}));
-        }
-    }
-
-    /* The records, and beside them the measured increments if the scene names a file for them. */
-    void export_records(const fs::path &file)
-    {
-        fs::path name = flight->increments_name(), increments = file.parent_path() / name;
-        if (file.empty()) {
+    void save_picture(const fs::path &file) {
+        if (file.empty())
             return;
-        }
         refuse_input(file);
-        flight->write_records(file);
-        if (!name.empty()) {
-            if (name != name.filename() || increments == file) {
-                throw Refusal(text("increments_name", {name}));
-            }
-            refuse_input(increments);
-            flight->write_increments(increments);
+        display_->plot().save(file);
+    }
+
+    /* The command line. */
+
+    std::wstring take(const wchar_t *option) { /* once */
+        auto own = options_.extract(option);
+        return own ? own.mapped() : L"";
+    }
+
+    void follow_command_line() {
+        std::wstring name = take(L"/scene");
+        if (!name.empty() && name.find(L'.') == name.npos)
+            open_builtin(narrow(name));
+        else
+            open(name);
+        open(take(L""));
+        if (options_.extract(L"/run"))
+            fly();
+    }
+
+    void finish_unattended() {
+        if (flight->is_under_way())
+            return;
+        Flight::Status status = flight->status();
+        fs::path folder = take(L"/export");
+        if (status.state == Flight::FAILED && is_unattended)
+            say(window_, status.sentence);
+        if (!folder.empty()) {
+            fs::create_directories(folder);
+            export_records(folder / ((path.empty() ? L"flight" : path.stem().wstring()) + L".csv"));
+        }
+        save_picture(take(L"/picture"));
+        if (is_unattended) {
+            flight.reset();
+            DestroyWindow(window_);
         }
     }
 
-    void save_picture(const fs::path &file)
-    {
-        if (!file.empty()) {
-            refuse_input(file);
-            display_->plot().save(file);
-        }
-    }
-
-    /* The command line: command_line.h. */
-
-    void follow_command_line();
-    void finish_unattended();
-
-    Texts arguments_, builtins_, recent_;
-    std::string saved_ = scene.text(); /* as it was opened or saved */
-    fs::path export_folder_, picture_path_;
+    Options options_;
+    const Texts builtins_ = builtins();
     std::unique_ptr<Page> pages_[4];
     DisplayPage *display_ = NULL; /* the last of them */
     RECT place_ = {};             /* of the window, and its page, when it is built again */

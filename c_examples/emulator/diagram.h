@@ -1,7 +1,5 @@
 /* A diagram: panels one above the other, with scales, axes, curves and legends. */
 #pragma once
-#include <cmath>
-
 #include "curves.h"
 #include "dialog.h"
 
@@ -28,18 +26,21 @@ struct Trace {
     std::wstring name;
     COLORREF color;
     bool is_wide; /* seen below another */
-    std::vector<Cell> cells;
+    Cells cells;
 };
 
 struct Panel {
     std::wstring title;
     Quantity quantity;
-    std::vector<double> x;
+    Cells x; /* of which the last value counts */
     std::vector<Trace> traces;
 };
 
 struct Range {
     double low, high;
+    bool has(double value) const { return value >= low && value <= high; }
+    double at(double share) const { return low + share * (high - low); }
+    double share_of(double value) const { return (value - low) / (high - low); }
 };
 
 class Diagram {
@@ -49,23 +50,21 @@ public:
     bool is_logarithmic = false;
     Range zoomed = {0, 0}; /* of x; equal: all */
 
-    /* All of x. */
-    Range whole_x() const
-    {
-        Range range = {INFINITY, -INFINITY};
-        for (const Panel &panel : panels) {
-            for (double x : panel.x) {
-                range = {min(range.low, x), max(range.high, x)};
-            }
-        }
-        range = range.low <= range.high ? range : Range{0, 1};
-        range.low = x_quantity == DURATION ? min(range.low, 0.0) : range.low;
-        return range.high > range.low ? range : Range{range.low - 1e-9, range.high + 1e-9};
+    Range whole_x() const {
+        Cell all;
+        for (const Panel &panel : panels)
+            for (const Cell &x : panel.x)
+                all.join(Cell(x.last));
+        if (all.low > all.high)
+            return {0, 1};
+        all.low = x_quantity == DURATION ? min(all.low, 0.0) : all.low;
+        return all.high > all.low ? Range{all.low, all.high} : Range{all.low - 1e-9, all.high + 1e-9};
     }
 
+    Range seen_x() const { return zoomed.high > zoomed.low ? zoomed : whole_x(); }
+
     /* Draws it into an area; cursor: a pixel of x, -1 without one. */
-    void draw(HDC dc, RECT area, int cursor) const
-    {
+    void draw(HDC dc, RECT area, int cursor) const {
         static HFONT font = CreateFontW(-scaled(11), 0, 0, 0, FW_NORMAL, 0, 0, 0, DEFAULT_CHARSET, 0, 0,
                                         CLEARTYPE_QUALITY, 0, L"MS Shell Dlg 2");
         HGDIOBJ before = SelectObject(dc, font);
@@ -76,91 +75,77 @@ public:
             Scale own = scale(k, area);
             draw_axes(dc, own, panels[k], k + 1 == panels.size(), cursor);
             IntersectClipRect(dc, own.box.left, own.box.top, own.box.right, own.box.bottom);
-            for (const Trace &trace : panels[k].traces) {
+            for (const Trace &trace : panels[k].traces)
                 draw_trace(dc, own, panels[k], trace);
-            }
             SelectClipRgn(dc, NULL);
         }
         SelectObject(dc, before);
     }
 
     /* What a pixel stands for. */
-    double x_at(int pixel, RECT area) const
-    {
+    double x_at(int pixel, RECT area) const {
         Scale first = scale(0, area);
-        double share = (double)(pixel - first.box.left) / max(1L, first.box.right - first.box.left);
-        return first.x.low + share * (first.x.high - first.x.low);
+        return first.x.at(first.share(pixel));
     }
 
 private:
     static const COLORREF FRAME = RGB(150, 150, 150), GRID = RGB(228, 228, 228), INK = RGB(60, 60, 60);
     static constexpr double DECADES = 8; /* of a logarithmic axis at the most */
 
-    struct Scale { /* from values to pixels of one panel; those of a logarithmic axis are logarithms */
+    struct Scale { /* from values to pixels of one panel; y of a logarithmic axis is the logarithm in the unit */
         RECT box;
         Range x, y;
-        int x_of(double value) const { return pixel(box.left, box.right, value, x); }
-        int y_of(double value) const { return pixel(box.bottom, box.top, value, y); }
-        static int pixel(double from, double to, double value, Range range)
-        {
-            double share = (value - range.low) / (range.high - range.low);
+        Unit x_unit, y_unit;
+        int x_of(double value) const { return pixel(box.left, box.right, x.share_of(value)); }
+        int y_of(double value) const { return pixel(box.bottom, box.top, y.share_of(value)); }
+        double share(int pixel) const { return (double)(pixel - box.left) / max(1L, box.right - box.left); }
+        static int pixel(double from, double to, double share) {
             return (int)std::clamp(from + share * (to - from), -30000.0, 30000.0); /* which GDI can draw */
         }
     };
 
     /* The largest unit that a range fills. */
-    static Unit unit_for(Quantity quantity, Range range)
-    {
+    static Unit unit_for(Quantity quantity, Range range) {
         const std::vector<Unit> &units = UNITS[quantity];
         double size = max(std::fabs(range.low), std::fabs(range.high));
         size_t k = units.size() - 1;
-        while (k > 0 && size < 2 * units[k].si) {
+        while (k > 0 && size < 2 * units[k].si)
             k--;
-        }
         return units[k];
     }
 
-    double on_axis(double value) const
-    {
-        return is_logarithmic ? std::log10(max(std::fabs(value), 1e-300)) : value;
-    }
+    /* A value on a logarithmic axis. */
+    static double level(double value, Unit unit) { return std::log10(max(std::fabs(value), 1e-300) / unit.si); }
 
-    Range range_y(const Panel &panel, Range x) const
-    {
+    Range range_y(const Panel &panel, Range x, Unit unit) const {
         Cell all;
         for (const Trace &trace : panel.traces) {
             for (size_t k = 0; k < trace.cells.size(); k++) {
                 const Cell &cell = trace.cells[k];
-                if (panel.x[k] >= x.low && panel.x[k] <= x.high && (!is_logarithmic || cell.last != 0)) {
-                    for (double value : {on_axis(cell.low), on_axis(cell.high), on_axis(cell.last)}) {
-                        Cell reach(value);
-                        reach.low = is_logarithmic ? on_axis(cell.last) : value;
-                        all.join(reach);
-                    }
-                }
+                if (x.has(panel.x[k].last) && (!is_logarithmic || cell.last != 0))
+                    all.join(is_logarithmic ? Cell(level(cell.last, unit)) : cell);
             }
         }
-        Range range = all.low <= all.high ? Range{all.low, all.high} : Range{-1, 1};
-        double span = range.high - range.low;
-        double margin = span > 0 ? 0.06 * span : max(1e-12, 0.1 * std::fabs(range.high));
-        if (is_logarithmic) {
-            range.high = std::ceil(range.high);
-            return {std::clamp(std::floor(range.low), range.high - DECADES, range.high - 1), range.high};
-        }
-        return {range.low - margin, range.high + margin};
+        if (all.low > all.high)
+            return {-1, 1};
+        double top = std::ceil(all.high), span = all.high - all.low;
+        double margin = span > 0 ? 0.06 * span : max(1e-12, 0.1 * std::fabs(all.high));
+        return is_logarithmic ? Range{std::clamp(std::floor(all.low), top - DECADES, top - 1), top}
+                              : Range{all.low - margin, all.high + margin};
     }
 
     /* The places of axes and curves; the map has one scale for both directions. */
-    Scale scale(size_t panel, RECT area) const
-    {
-        Scale scale = {{}, zoomed.high > zoomed.low ? zoomed : whole_x(), {-1, 1}};
+    Scale scale(size_t index, RECT area) const {
+        static const Panel NONE = {L"", LENGTH, {}, {}};
+        const Panel &panel = index < panels.size() ? panels[index] : NONE;
+        const bool is_angle = panel.quantity == ANGLE || panel.quantity == ANGULAR_RATE;
         int line = scaled(15), height = (area.bottom - area.top - 2 * line) / max(1, (int)panels.size());
-        int top = area.top + (int)panel * height;
-        scale.box = {area.left + scaled(58), top + line + 2, area.right - scaled(10),
-                     top + height - line / 2};
-        if (panel < panels.size()) {
-            scale.y = range_y(panels[panel], scale.x);
-        }
+        int top = area.top + (int)index * height;
+        Scale scale = {{area.left + scaled(58), top + line + 2, area.right - scaled(10), top + height - line / 2},
+                       seen_x(), {}, {}, {}};
+        scale.x_unit = unit_for(x_quantity, scale.x);
+        scale.y_unit = UNITS[panel.quantity][is_logarithmic && !is_angle]; /* one, whatever the size */
+        scale.y = range_y(panel, scale.x, scale.y_unit);
         if (x_quantity == DEGREES) {
             double middle = (scale.y.low + scale.y.high) / 2, center = (scale.x.low + scale.x.high) / 2;
             double width = scale.box.right - scale.box.left, tall = scale.box.bottom - scale.box.top;
@@ -170,32 +155,29 @@ private:
             scale.x = {center - step * width / east / 2, center + step * width / east / 2};
             scale.y = {middle - step * tall / 2, middle + step * tall / 2};
         }
+        scale.y_unit = is_logarithmic ? scale.y_unit : unit_for(panel.quantity, scale.y);
         return scale;
     }
 
     /* Where an axis has ticks: at multiples of 1, 2 or 5 times a power of ten, about so many. */
-    static std::vector<double> ticks(double low, double high, int count, double least = 0)
-    {
-        double raw = (high - low) / max(1, count), power = std::pow(10, std::floor(std::log10(raw)));
-        double step = power * (raw > 5 * power ? 10 : raw > 2 * power ? 5 : raw > power ? 2 : 1);
+    static std::vector<double> ticks(Range range, int count, double least = 0) {
+        double raw = (range.high - range.low) / max(1, count), power = std::pow(10, std::floor(std::log10(raw)));
+        double step = max(least, power * (raw > 5 * power ? 10 : raw > 2 * power ? 5 : raw > power ? 2 : 1));
+        double end = range.high * (1 + 1e-12 * (range.high > 0));
         std::vector<double> result;
-        step = max(step, least);
-        for (double tick = std::ceil(low / step); tick * step <= high * (1 + 1e-12 * (high > 0)); tick++) {
+        for (double tick = std::ceil(range.low / step); tick * step <= end; tick++)
             result.push_back(tick * step + 0.0); /* no -0 */
-        }
         return result;
     }
 
-    static void line(HDC dc, COLORREF color, int x0, int y0, int x1, int y1)
-    {
+    static void line(HDC dc, COLORREF color, int x0, int y0, int x1, int y1) {
         SetDCPenColor(dc, color);
         MoveToEx(dc, x0, y0, NULL);
         LineTo(dc, x1, y1);
     }
 
     /* The width of what is written. */
-    static int write(HDC dc, int x, int y, UINT align, COLORREF color, const std::wstring &text)
-    {
+    static int write(HDC dc, int x, int y, UINT align, COLORREF color, const std::wstring &text) {
         SIZE size;
         SetTextAlign(dc, align);
         SetTextColor(dc, color);
@@ -204,27 +186,19 @@ private:
         return size.cx;
     }
 
-    void draw_axes(HDC dc, const Scale &scale, const Panel &panel, bool is_last, int cursor) const
-    {
+    void draw_axes(HDC dc, const Scale &scale, const Panel &panel, bool is_last, int cursor) const {
         const RECT &box = scale.box;
-        const std::vector<Unit> &units = UNITS[panel.quantity];
-        Unit x_unit = unit_for(x_quantity, scale.x), y_unit = unit_for(panel.quantity, scale.y);
-        if (is_logarithmic) { /* one unit whatever the size */
-            y_unit = units[panel.quantity == ANGLE || panel.quantity == ANGULAR_RATE ? 0 : 1];
-        }
-        double low = scale.x.low / x_unit.si, high = scale.x.high / x_unit.si;
-        for (double tick : ticks(low, high, (box.right - box.left) / scaled(80))) {
-            int x = scale.x_of(tick * x_unit.si);
+        double unit = scale.x_unit.si;
+        for (double tick : ticks({scale.x.low / unit, scale.x.high / unit}, (box.right - box.left) / scaled(80))) {
+            int x = scale.x_of(tick * unit);
             line(dc, GRID, x, box.top, x, box.bottom);
-            if (is_last) {
+            if (is_last)
                 write(dc, x, box.bottom + 2, TA_CENTER, INK, shown(tick, 7));
-            }
         }
-        double shift = is_logarithmic ? std::log10(y_unit.si) : 0, factor = is_logarithmic ? 1 : y_unit.si;
-        low = scale.y.low / factor - shift;
-        high = scale.y.high / factor - shift;
-        for (double tick : ticks(low, high, (box.bottom - box.top) / scaled(26), is_logarithmic ? 1 : 0)) {
-            int y = scale.y_of((tick + shift) * factor);
+        unit = is_logarithmic ? 1 : scale.y_unit.si;
+        for (double tick : ticks({scale.y.low / unit, scale.y.high / unit}, (box.bottom - box.top) / scaled(26),
+                                 is_logarithmic)) {
+            int y = scale.y_of(tick * unit);
             line(dc, tick == 0 && !is_logarithmic ? FRAME : GRID, box.left, y, box.right, y);
             std::wstring value = shown(is_logarithmic ? std::pow(10, tick) : tick, 6);
             write(dc, box.left - 4, y - scaled(7), TA_RIGHT, INK, value);
@@ -234,44 +208,41 @@ private:
         Rectangle(dc, box.left, box.top, box.right, box.bottom);
         if (is_last) {
             std::wstring title = x_quantity == DURATION ? text("time") : label("plot.longitude", "longitude");
-            write(dc, box.right, box.bottom + 2 + scaled(12), TA_RIGHT, INK,
-                  title + L" [" + x_unit.name + L"]");
+            title += std::wstring(L" [") + scale.x_unit.name + L"]";
+            write(dc, box.right, box.bottom + 2 + scaled(12), TA_RIGHT, INK, title);
         }
-        draw_legend(dc, scale, panel, cursor, x_unit, y_unit);
+        draw_legend(dc, scale, panel, cursor);
     }
 
     /* The title with the unit, and each curve's name; with the cursor its value there. */
-    void draw_legend(HDC dc, const Scale &scale, const Panel &panel, int cursor, Unit x_unit,
-                     Unit y_unit) const
-    {
+    void draw_legend(HDC dc, const Scale &scale, const Panel &panel, int cursor) const {
         const RECT &box = scale.box;
         int left = box.left, top = box.top - scaled(14);
-        double share = (double)(cursor - box.left) / max(1L, box.right - box.left);
+        double share = scale.share(cursor);
         bool has_cursor = share >= 0 && share <= 1 && !panel.x.empty() && x_quantity == DURATION;
-        std::wstring title = panel.title + L" [" + y_unit.name + L"]";
+        std::wstring title = panel.title + L" [" + scale.y_unit.name + L"]";
         size_t k = 0;
         if (has_cursor) {
-            double at = scale.x.low + share * (scale.x.high - scale.x.low);
-            k = std::lower_bound(panel.x.begin(), panel.x.end() - 1, at) - panel.x.begin();
-            title += L"  @ " + shown(panel.x[k] / x_unit.si, 6) + L" " + x_unit.name;
+            while (k + 1 < panel.x.size() && panel.x[k].last < scale.x.at(share))
+                k++;
+            title += L"  @ " + shown(panel.x[k].last / scale.x_unit.si, 6) + L" " + scale.x_unit.name;
             line(dc, FRAME, cursor, box.top, cursor, box.bottom);
         }
         left += scaled(14) + write(dc, left, top, TA_LEFT, INK, title);
         for (const Trace &trace : panel.traces) {
-            std::wstring value = has_cursor ? L" " + shown(trace.cells[k].last / y_unit.si, 5) : L"";
+            std::wstring value = has_cursor ? L" " + shown(trace.cells[k].last / scale.y_unit.si, 5) : L"";
             left += scaled(14) + write(dc, left, top, TA_LEFT, trace.color, trace.name + value);
         }
     }
 
-    void draw_trace(HDC dc, const Scale &scale, const Panel &panel, const Trace &trace) const
-    {
+    void draw_trace(HDC dc, const Scale &scale, const Panel &panel, const Trace &trace) const {
         std::vector<POINT> points;
         for (size_t k = 0; k < trace.cells.size(); k++) {
             const Cell &cell = trace.cells[k];
             for (double value : {cell.low, cell.high, cell.last}) {
-                if (x_quantity == DURATION || value == cell.last) { /* a map has one point a cell */
-                    points.push_back({scale.x_of(panel.x[k]), scale.y_of(on_axis(value))});
-                }
+                double y = is_logarithmic ? level(value, scale.y_unit) : value;
+                if (x_quantity == DURATION || value == cell.last) /* a map has one point a cell */
+                    points.push_back({scale.x_of(panel.x[k].last), scale.y_of(y)});
             }
         }
         HPEN pen = CreatePen(PS_SOLID, scaled(trace.is_wide ? 3 : 1), trace.color);

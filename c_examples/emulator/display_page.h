@@ -11,75 +11,38 @@ public:
     const Plot &plot() const { return plot_; }
 
     /* Draws what was flown. */
-    void update()
-    {
-        static const COLORREF NEW = RGB(0, 70, 160), OTHER = RGB(255, 150, 60);
-        const View &view = VIEWS[chosen(IDC_QUANTITY)];
-        const bool is_map = view.channel == PLACE, has_two = view.traces[0] != '\0',
-                   is_error = view.channel < RATE;
-        const Texts axes = parts(view.axes), names = parts(has_two ? view.traces : "data");
+    void update() {
+        Flight *flight = document_.flight.get();
         bool has_model = false;
-        Curves curves;
-        if (document_.flight != NULL) {
-            Flight::Status status = document_.flight->status();
+        if (flight != NULL) {
+            Flight::Status status = flight->status();
             has_model = (status.record.model_errors.flags & SINS_ERRORS_NOT_COMPUTED) == 0;
-            curves = document_.flight->curves();
             show_values(status);
         } else {
             rows(IDC_VALUES, {});
             set(IDC_PROGRESS, text("ready"));
         }
-        std::vector<Panel> panels;
-        for (int k = 0; k < (is_map ? 1 : 3); k++) {
-            Panel panel = {axes[k], view.quantity, is_map ? curves.last(PLACE + 1) : curves.times, {}};
-            /* Error data 1 below error data 2; of motion the truth, which comes first, below the navigation.
-             */
-            int first = view.channel + k, second = first + 3;
-            if (has_two && checked(IDC_DATA1) && (has_model || !is_error)) {
-                panel.traces.push_back({names[1], OTHER, true, curves.of(is_error ? second : first)});
-            }
-            if (!has_two || checked(IDC_DATA2)) {
-                bool is_first = !has_two || is_error;
-                panel.traces.push_back(
-                    {has_two ? names[0] : L"", NEW, false, curves.of(is_first ? first : second)});
-            }
-            if (is_map || checked(IDC_AXIS + k)) {
-                panels.push_back(panel);
-            }
-            set(IDC_AXIS + k, is_map ? get(IDC_AXIS) : axes[k]);
-        }
-        for (int k = 0; k < 3; k++) {
-            enable(IDC_AXIS + k, !is_map);
-        }
-        for (int k = 0; k < 2; k++) {
-            enable(IDC_DATA2 + k, has_two);
-            set(IDC_DATA2 + k, names[k]);
-        }
-        plot_.show(panels, is_map ? DEGREES : DURATION, checked(IDC_LOGARITHMIC));
+        draw(flight != NULL ? flight->curves() : Curves(), has_model);
     }
 
 protected:
-    void on_init() override
-    {
+    void on_init() override {
         plot_.attach(item(IDC_PLOT));
         fill(item(IDC_QUANTITY), parts("quantities"));
         fill(item(IDC_PACE), parts("paces"));
         choose(IDC_PACE, 4);
-        for (int id : {IDC_DATA2, IDC_DATA1, IDC_AXIS, IDC_AXIS + 1, IDC_AXIS + 2}) {
+        for (int id : {IDC_DATA2, IDC_DATA1, IDC_AXIS, IDC_AXIS + 1, IDC_AXIS + 2})
             check(id, true);
-        }
         tip(item(IDC_PLOT), text("plot_tip"));
     }
 
-    void on_command(int id, int code) override
-    {
-        if (id >= ID_EXPORT && id <= ID_BUDGET) {
+    void on_command(int id, int code) override {
+        if (id >= ID_EXPORT && id <= ID_BUDGET)
             document_.command(id);
-        } else if (id == IDC_PACE && code == CBN_SELCHANGE && document_.flight != NULL) {
-            document_.flight->pace(pace());
-        } else if (code == CBN_SELCHANGE || code == BN_CLICKED) {
+        else if (id == IDC_PACE && code == CBN_SELCHANGE && document_.flight != NULL)
+            document_.flight->set_pace(pace());
+        else if (code == CBN_SELCHANGE || code == BN_CLICKED)
             update();
-        }
     }
 
 private:
@@ -89,16 +52,45 @@ private:
     struct View {
         Channel channel;
         Quantity quantity;
-        const char *axes, *traces; /* two traces are error data 2 and 1, or navigation and truth */
+        const char *axes, *data; /* names of two: error data 2 and 1, or navigation and truth */
     };
     static constexpr View VIEWS[] = {
         {POSITION_ERROR, LENGTH, "axes_enu", "data"}, {VELOCITY_ERROR, SPEED, "axes_enu", "data"},
-        {ATTITUDE_ERROR, ANGLE, "axes_rph", "data"},  {RATE, ANGULAR_RATE, "axes_xyz", ""},
-        {FORCE, ACCELERATION, "axes_xyz", ""},        {ATTITUDE, ANGLE, "axes_rph", "values"},
+        {ATTITUDE_ERROR, ANGLE, "axes_rph", "data"},  {RATE, ANGULAR_RATE, "axes_xyz", NULL},
+        {FORCE, ACCELERATION, "axes_xyz", NULL},      {ATTITUDE, ANGLE, "axes_rph", "values"},
         {VELOCITY, SPEED, "axes_enu", "values"},      {PLACE, DEGREES, "track", "values"}};
 
-    static std::wstring of_three(const double *values, double unit)
-    {
+    void draw(const Curves &curves, bool has_model) {
+        static const COLORREF NEW = RGB(0, 70, 160), OTHER = RGB(255, 150, 60);
+        const View &view = VIEWS[chosen(IDC_QUANTITY)];
+        const bool is_map = view.channel == PLACE, has_two = view.data != NULL, is_error = view.channel < ATTITUDE;
+        const bool has_below = has_two && checked(IDC_DATA1) && (has_model || !is_error);
+        const Texts axes = parts(view.axes), names = parts(has_two ? view.data : "data");
+        std::vector<Panel> panels;
+        for (int k = 0; k < (is_map ? 1 : 3); k++) {
+            Panel panel = {axes[k], view.quantity, curves.cells[is_map ? PLACE + 1 : TIME], {}};
+            const Cells *own = &curves.cells[view.channel + k];
+            if (has_below)
+                panel.traces.push_back({names[1], OTHER, true, own[0]});
+            if (!has_two)
+                panel.traces.push_back({L"", NEW, false, own[0]});
+            else if (checked(IDC_DATA2))
+                panel.traces.push_back({names[0], NEW, false, own[3]});
+            if (is_map || checked(IDC_AXIS + k))
+                panels.push_back(panel);
+        }
+        for (int k = 0; k < 3; k++) {
+            enable(IDC_AXIS + k, !is_map);
+            set(IDC_AXIS + k, is_map ? get(IDC_AXIS + k) : axes[k]);
+        }
+        for (int k = 0; k < 2; k++) {
+            enable(IDC_DATA2 + k, has_two);
+            set(IDC_DATA2 + k, names[k]);
+        }
+        plot_.show(panels, is_map ? DEGREES : DURATION, checked(IDC_LOGARITHMIC));
+    }
+
+    static std::wstring of_three(const double *values, double unit) {
         std::wstring text;
         for (int k = 0; k < 3; k++) {
             double value = values[k] / unit, size = std::fabs(value);
@@ -108,40 +100,31 @@ private:
         return text;
     }
 
-    void show_values(const Flight::Status &status)
-    {
+    void show_values(const Flight::Status &status) {
         const sins_record_solution &truth = status.record.truth, &navigation = status.record.navigation;
-        const sins_record_errors &errors = status.record.navigation_errors,
-                                 &model = status.record.model_errors;
+        const sins_record_errors &errors = status.record.navigation_errors, &model = status.record.model_errors;
         const sins_accuracy &accuracy = status.accuracy;
         const double *closure = accuracy.closure_position_enu_m;
         auto rate = [&](double m_s) {
             return accuracy.window_samples > 1 ? shown(m_s / SINS_NMI_PER_HOUR, 4) : L"-";
         };
-        const Texts names = parts("progress");
-        const Texts values = {shown(navigation.latitude_rad / SINS_DEG, 9),
-                              shown(navigation.longitude_rad / SINS_DEG, 9),
-                              shown(navigation.height_m, 7),
-                              of_three(navigation.velocity_enu_m_s, 1),
-                              of_three(&navigation.roll_rad, SINS_DEG),
-                              of_three(&truth.roll_rad, SINS_DEG),
-                              of_three(errors.position_enu_m, 1),
-                              of_three(model.position_enu_m, 1),
-                              of_three(errors.velocity_enu_m_s, 1),
-                              of_three(errors.misalignment_enu_rad, SINS_ARCMIN),
-                              shown(std::hypot(closure[0], closure[1]), 5),
-                              rate(accuracy.cep_rate_m_s),
-                              rate(accuracy.radial_95_rate_m_s)};
-        Rows lines;
-        for (size_t k = 0; k < names.size(); k++) {
-            lines.push_back({{names[k], values[k]}});
-        }
-        rows(IDC_VALUES, lines);
+        rows(IDC_VALUES, rows_of("progress", {shown(navigation.latitude_rad / SINS_DEG, 9),
+                                              shown(navigation.longitude_rad / SINS_DEG, 9),
+                                              shown(navigation.height_m, 7),
+                                              of_three(navigation.velocity_enu_m_s, 1),
+                                              of_three(&navigation.roll_rad, SINS_DEG),
+                                              of_three(&truth.roll_rad, SINS_DEG),
+                                              of_three(errors.position_enu_m, 1),
+                                              of_three(model.position_enu_m, 1),
+                                              of_three(errors.velocity_enu_m_s, 1),
+                                              of_three(errors.misalignment_enu_rad, SINS_ARCMIN),
+                                              shown(std::hypot(closure[0], closure[1]), 5),
+                                              rate(accuracy.cep_rate_m_s),
+                                              rate(accuracy.radial_95_rate_m_s)}));
         std::wstring time = shown(status.time_s / 3600, 6) + L" / " + shown(status.duration_s / 3600, 6);
         set(IDC_PROGRESS, parts("states")[status.state] + L"\n" + time + L" h");
-        if (status.state == Flight::FAILED) {
+        if (status.state == Flight::FAILED)
             document_.say_line(status.sentence);
-        }
         enable(ID_GO_BACK, status.snapshot_s >= 0);
     }
 

@@ -4,20 +4,143 @@
 #include "form.h"
 #include "plot.h"
 
+/* What the program keeps from run to run: "Language", "Recent". */
+inline const wchar_t REGISTRY[] = L"Software\\SINS_Emulator";
+
+inline std::wstring registry_text(const wchar_t *name) {
+    WCHAR value[16384] = L"";
+    DWORD size = sizeof value;
+    RegGetValueW(HKEY_CURRENT_USER, REGISTRY, name, RRF_RT_REG_SZ, NULL, value, &size);
+    return value;
+}
+
+inline void set_registry_text(const wchar_t *name, const std::wstring &value) {
+    DWORD size = (DWORD)((value.size() + 1) * sizeof(WCHAR));
+    RegSetKeyValueW(HKEY_CURRENT_USER, REGISTRY, name, REG_SZ, value.c_str(), size);
+}
+
 class Document {
 public:
     virtual void edited(const std::wstring &fault) = 0; /* the scene was: the sentence of a fault, or "" */
+    virtual void named(bool is_other) = 0;              /* the scene has a file now; is_other: it is another scene */
+    virtual bool may_discard() = 0;                     /* what is not saved */
     virtual void say_line(const std::wstring &sentence) = 0; /* in the status line */
     virtual void command(int id) = 0;
-    virtual void open_builtin(const std::string &name) = 0;
+
+    static Texts builtins() { /* names of the built-in scenes */
+        Texts names;
+        for (const std::string &name : sins::Scene::builtin_names())
+            names.push_back(wide(name));
+        return names;
+    }
+
+    bool is_saved() const { return scene.write() == saved_; }
     fs::path folder() const { return path.parent_path(); }
 
-    Scene scene{"simulation2"};
+    /* A built-in scene by its name; "": the default scene. */
+    void open_builtin(const std::string &name) {
+        if (may_discard())
+            replace(name.empty() ? sins::Scene() : sins::Scene::builtin(name), L"");
+    }
+
+    /* A scene, or a log for this scene's simulator. */
+    void open(const fs::path &file) {
+        if (file.empty())
+            return;
+        if (lstrcmpiW(file.extension().c_str(), L".csv") == 0) {
+            fly_log(file);
+            return;
+        }
+        sins::Scene read(read_file(file));
+        std::wstring why;
+        for (const sins_fault &fault : read.faults())
+            why += file.wstring() + L":" + std::to_wstring(fault.line) + L": " + told(fault) + L"\n";
+        if (!why.empty())
+            throw Refusal(why.substr(0, 2000));
+        replace(std::move(read), file);
+    }
+
+    /* A log is seen from the scene's folder if it lies there or below. */
+    void fly_log(const fs::path &log) {
+        fs::path seen = log.lexically_relative(folder());
+        bool is_below = !seen.empty() && *seen.begin() != L"..";
+        edited(told(scene.set({{"flight.file", in_quotes(narrow(is_below ? seen : log))}})));
+    }
+
+    /* Into a file, or into one that the user names. */
+    bool save(fs::path file) {
+        std::wstring log = wide(scene.text(SINS_SCENE_TEXT_LOG));
+        if (file.empty())
+            file = ask_file(GetActiveWindow(), true, "filter_scene", L"toml", path);
+        if (file.empty())
+            return false;
+        if (same_file(file, folder() / log))
+            throw Refusal(text("is_input", {file}));
+        if (!log.empty() && file.parent_path() != folder()) /* a log is seen from the scene's folder */
+            scene.set({{"flight.file", in_quotes(narrow(folder() / log))}});
+        write_file(file, [this](const fs::path &to) {
+            std::ofstream stream(to, std::ios::binary);
+            return (stream << scene.write()).flush().good();
+        });
+        remember(file);
+        named(false);
+        return true;
+    }
+
+    /* No output replaces the scene or the log that it came from. */
+    void refuse_input(const fs::path &file) {
+        if (same_file(file, path) || same_file(file, flight->log_path()))
+            throw Refusal(text("is_input", {file}));
+    }
+
+    /* The records, and beside them the measured increments if the scene names a file for them. */
+    void export_records(const fs::path &file) {
+        fs::path name = flight->increments_name(), increments = file.parent_path() / name;
+        if (file.empty())
+            return;
+        refuse_input(file);
+        flight->write(file, false);
+        if (name.empty())
+            return;
+        if (name != name.filename() || increments == file)
+            throw Refusal(text("increments_name", {name}));
+        refuse_input(increments);
+        flight->write(increments, true);
+    }
+
+    Scene scene{sins::Scene::builtin("simulation2")};
     fs::path path;
     std::unique_ptr<Flight> flight;
 
 protected:
     ~Document() = default;
+
+    Texts recent_ = split(registry_text(L"Recent"), L'|'); /* files that were open last */
+
+private:
+    void replace(sins::Scene &&other, const fs::path &file) {
+        scene = std::move(other);
+        flight.reset();
+        remember(file);
+        named(true);
+    }
+
+    /* The scene is in this file as it is. */
+    void remember(const fs::path &file) {
+        path = file;
+        saved_ = scene.write();
+        if (file.empty())
+            return;
+        std::erase(recent_, file.wstring());
+        recent_.insert(recent_.begin(), file.wstring());
+        recent_.resize(min(recent_.size(), (size_t)8));
+        std::wstring all;
+        for (const std::wstring &own : recent_)
+            all += own + L"|";
+        set_registry_text(L"Recent", all);
+    }
+
+    std::string saved_ = scene.write(); /* as it was opened or saved */
 };
 
 /* A page of the main window: its fields go into the scene as soon as they are left. */
@@ -28,40 +151,12 @@ public:
     virtual void refresh(bool all_is_new) { load(all_is_new); }
 
 protected:
-    void on_change(int, int) override
-    {
-        if (!changes().empty() || has_marks()) {
+    void on_change(int, int) override {
+        if (!changes().empty() || has_marks())
             document_.edited(save());
-        }
     }
 
     void on_refusal(const std::wstring &sentence) override { document_.say_line(sentence); }
 
     Document &document_;
 };
-
-/* The items of a list of the scene: the number of each, its words, as "gyro x stuck", and its values. */
-inline Rows rows_of(const Scene &scene, const std::string &list)
-{
-    Rows rows;
-    const size_t count = scene.items(list).size();
-    for (size_t index = 0; index < count; index++) {
-        std::wstring words, values;
-        auto get = [&](const std::string &name) { return scene.get(Scene::place(list, index) + "." + name); };
-        for (const Key &key : keys()) {
-            if (key.section != list ||
-                !key.applies([&get](const std::string &name) { return unquoted(get(name)); })) {
-                continue;
-            }
-            std::string value = get(key.name);
-            if (key.is_choice()) {
-                words += (words.empty() ? L"" : L" ") + key.word_label(unquoted(value));
-            } else if (value != key.default_value) {
-                values += (values.empty() ? L"" : L", ") + label(key.path() + ".short", key.name) + L" ";
-                values += wide(value) + (*key.unit ? L" " + wide(key.unit) : L"");
-            }
-        }
-        rows.push_back({{std::to_wstring(index + 1), words, values}});
-    }
-    return rows;
-}

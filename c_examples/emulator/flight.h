@@ -21,48 +21,48 @@ public:
 
     /* Begins with the first sample; pace: times real time, 0 as fast as it goes. */
     Flight(const Scene &scene, const fs::path &folder, double pace)
-        : scene_(scene),
-          samples_(scene, folder),
-          sim_(scene->create_simulator()),
-          has_covariance_(sim_.options().covariance != 0),
-          records_(sins::Simulator::record_head(has_covariance_))
-    {
+        : scene_(scene), samples_(scene, folder), sim_(scene.create_simulator()),
+          has_covariance_(sim_.options().covariance != 0), records_(sins::Simulator::record_head(has_covariance_)) {
         points_every_ = (size_t)max((double)samples_.all.count / LEAST_POINTS, 1.0);
-        if (!increments_name().empty()) {
+        if (!increments_name().empty())
             increments_.emplace(narrow(text("increments")));
-        }
-        move_pace(pace);
+        set_pace(pace);
         worker_ = std::thread(&Flight::fly, this);
     }
 
     ~Flight() { stop(); }
 
-    void pace(double factor)
-    {
-        auto guard = lock();
-        move_pace(factor);
+    /* While it is held, the flight stands still. */
+    std::unique_lock<std::recursive_mutex> hold() const {
+        std::lock_guard<std::mutex> door(door_); /* the worker comes after the window */
+        return std::unique_lock<std::recursive_mutex>(mutex_);
     }
 
-    void pause(bool paused)
-    {
-        auto guard = lock();
+    /* From now on at this pace. */
+    void set_pace(double pace) {
+        auto held = hold();
+        pace_ = pace;
+        paced_from_s_ = next_s();
+        paced_at_ms_ = GetTickCount64();
+    }
+
+    void pause(bool paused) {
+        auto held = hold();
         state_ = state_ == FLYING && paused ? PAUSED : state_ == PAUSED && !paused ? FLYING : state_;
-        move_pace(pace_);
+        set_pace(pace_);
     }
 
     /* The worker ends; what was flown stays. */
-    void stop()
-    {
+    void stop() {
         if (worker_.joinable()) {
             ends_ = true;
             worker_.join();
-            state_ = state_ == FLYING || state_ == PAUSED ? STOPPED : state_;
+            state_ = is_under_way() ? STOPPED : state_;
         }
     }
 
-    Status status() const
-    {
-        auto guard = lock();
+    Status status() const {
+        auto held = hold();
         sins_record record = sins::make<sins_record>();
         sins_accuracy accuracy = sins::make<sins_accuracy>();
         bool has_record = sim_.get_record(record);
@@ -71,127 +71,95 @@ public:
         return {state_, time_s, samples_.all.duration_s, saved_s_, record, accuracy, sentence_};
     }
 
-    Curves curves() const
-    {
-        auto guard = lock();
+    bool is_under_way() const {
+        auto held = hold();
+        return state_ == FLYING || state_ == PAUSED;
+    }
+
+    Curves curves() const {
+        auto held = hold();
         return now_.curves;
     }
 
     /* The failures of the scene as they are now: they take effect with the next interval. */
-    void plan(const Scene &scene)
-    {
-        auto guard = lock();
-        const std::vector<sins_planned_failure> planned = scene->failures();
-        /* Outputs for which the scene plans none any more are left alone by prepare(). */
-        for (const sins_planned_failure &failure : scene_->failures()) {
-            if (std::none_of(planned.begin(), planned.end(), [&failure](const sins_planned_failure &other) {
-                    return other.sensor == failure.sensor && other.axis == failure.axis;
-                })) {
-                sim_.set_failure(failure.sensor, failure.axis, sins::make<sins_failure>());
-            }
+    void plan(const Scene &scene) {
+        auto held = hold();
+        const std::vector<sins_planned_failure> planned = scene.failures();
+        for (const sins_planned_failure &own : scene_.failures()) {
+            bool stays = std::any_of(planned.begin(), planned.end(), [&own](const sins_planned_failure &other) {
+                return other.sensor == own.sensor && other.axis == own.axis;
+            });
+            if (!stays) /* prepare() leaves alone what has none planned */
+                sim_.set_failure(own.sensor, own.axis, sins::make<sins_failure>());
         }
         scene_ = Scene(scene);
     }
 
-    void save_snapshot()
-    {
-        double time_s = status().time_s;
-        auto guard = lock();
+    void save_snapshot() {
+        auto held = hold();
         snapshot_ = sim_.snapshot_save();
         now_.records = records_.size();
         now_.increments = increments_ ? increments_->size() : 0;
         saved_ = now_;
-        saved_s_ = time_s;
+        saved_s_ = status().time_s;
     }
 
-    void go_back()
-    {
-        auto guard = lock();
-        if (saved_s_ < 0) {
+    void go_back() {
+        auto held = hold();
+        if (saved_s_ < 0)
             throw Refusal(text("no_snapshot"));
-        }
         sim_.snapshot_load(snapshot_);
         now_ = saved_;
         records_.cut(now_.records);
-        if (increments_) {
+        if (increments_)
             increments_->cut(now_.increments);
-        }
         state_ = state_ == FLYING ? FLYING : PAUSED;
-        move_pace(pace_);
+        set_pace(pace_);
     }
 
-    /* The records so far, as `sins fly` writes them; and what the sensors measured in each interval. */
-    void write_records(const fs::path &path)
-    {
-        auto guard = lock();
-        records_.copy(path);
-    }
-
-    void write_increments(const fs::path &path)
-    {
-        auto guard = lock();
-        increments_->copy(path);
+    /* The records so far, as `sins fly` writes them; or what the sensors measured in each interval. */
+    void write(const fs::path &path, bool increments) {
+        auto held = hold();
+        (increments ? *increments_ : records_).copy(path);
     }
 
     /* The file that the scene names for the increments; "": none. */
-    fs::path increments_name() const { return wide(scene_->text(SINS_SCENE_TEXT_IMU)); }
+    fs::path increments_name() const { return wide(scene_.text(SINS_SCENE_TEXT_IMU)); }
     const fs::path &log_path() const { return samples_.log_path; }
 
 private:
-    /* Points of the curves at the least. */
-    static constexpr double LEAST_POINTS = 100000;
-    /* Steps between two looks at the window. */
-    static constexpr int STEPS = 256;
+    static constexpr double LEAST_POINTS = 100000; /* of the curves */
+    static constexpr int STEPS = 256;              /* between two looks at the window */
 
-    static std::string list(const double *values)
-    {
-        return "," + shortest(values[0]) + "," + shortest(values[1]) + "," + shortest(values[2]);
-    }
-
-    struct Moment {                      /* what goes on from sample to sample */
-        size_t next = 0;                 /* sample */
-        double sums[6] = {}, time_s = 0; /* since the last record: errors of gyros, accelerometers */
+    struct Moment {                                 /* what goes on from sample to sample */
+        size_t next = 0;                            /* sample */
+        double sums[6] = {}, time_s = 0;            /* since the last record: errors of gyros, accelerometers */
         std::streamoff records = 0, increments = 0; /* bytes */
         Curves curves;
     };
 
-    /* the worker makes way for the window */
-    std::unique_lock<std::mutex> lock() const
-    {
-        waiting_++;
-        std::unique_lock<std::mutex> lock(mutex_);
-        waiting_--;
-        return lock;
-    }
-
-    void fly()
-    {
+    void fly() {
         SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL); /* the window answers first */
         while (!ends_) {
-            bool waits = waiting_ > 0;
-            if (!waits) {
-                std::lock_guard<std::mutex> guard(mutex_);
-                double elapsed_s = (double)(GetTickCount64() - paced_at_ms_) / 1000;
-                double due_s = pace_ > 0 ? paced_from_s_ + pace_ * elapsed_s : INFINITY;
-                for (int k = 0; k < STEPS && state_ == FLYING && !waits; k++) {
-                    waits = next_s() > due_s;
-                    if (!waits) {
-                        step();
-                    }
-                }
-            }
-            if (waits || state_ != FLYING) {
-                Sleep(state_ == FLYING ? 1 : 20);
-            }
+            { std::lock_guard<std::mutex> door(door_); }
+            std::unique_lock<std::recursive_mutex> held(mutex_);
+            double elapsed_s = (double)(GetTickCount64() - paced_at_ms_) / 1000;
+            double due_s = pace_ > 0 ? paced_from_s_ + pace_ * elapsed_s : INFINITY;
+            auto waits = [&] { return state_ != FLYING || next_s() > due_s; };
+            for (int k = 0; k < STEPS && !waits(); k++)
+                step();
+            bool is_early = waits();
+            held.unlock();
+            if (is_early)
+                Sleep(1);
         }
     }
 
     /* Flies to the next sample. */
-    void step()
-    {
+    void step() {
         try {
             sins_flight_sample sample = samples_.get(now_.next);
-            scene_->prepare(sim_, samples_.all.start_s, sample);
+            scene_.prepare(sim_, samples_.all.start_s, sample);
             sim_.push_sample(sample);
             sim_.step();
             keep(now_.next++);
@@ -202,26 +170,24 @@ private:
         }
     }
 
-    void keep(size_t index)
-    {
+    void keep(size_t index) {
         sins_imu imu = sins::make<sins_imu>();
-        if (index > 0 && sim_.get_imu(imu)) {
-            add_interval(imu);
-        }
+        if (index > 0 && sim_.get_imu(imu))
+            keep_interval(imu);
         bool is_row = index % samples_.all.record_every == 0;
         if (is_row || index % points_every_ == 0) {
             sins_record record = sins::make<sins_record>();
             sim_.get_record(record);
-            keep_point(record, index > 0); /* rates begin with the first interval */
-            if (is_row) {
+            keep_point(record);
+            if (index > 0) /* rates begin with the first interval */
+                now_.curves.end_point(record.time_s - samples_.all.start_s);
+            if (is_row)
                 keep_row(record);
-            }
         }
     }
 
     /* What the sensors gave over an interval. */
-    void add_interval(const sins_imu &imu)
-    {
+    void keep_interval(const sins_imu &imu) {
         for (int k = 0; k < 3; k++) {
             now_.sums[k] += imu.measured_angle_rad[k] - imu.ideal_angle_rad[k];
             now_.sums[3 + k] += imu.measured_velocity_m_s[k] - imu.ideal_velocity_m_s[k];
@@ -230,15 +196,16 @@ private:
         now_.curves.put(RATE, imu.measured_rate_rad_s);
         now_.curves.put(FORCE, imu.measured_force_m_s2);
         if (increments_) {
-            std::string values = list(imu.measured_angle_rad) + list(imu.measured_velocity_m_s);
-            increments_->add(shortest(imu.time_s) + values);
+            std::string line = shortest(imu.time_s);
+            for (const double *values : {imu.measured_angle_rad, imu.measured_velocity_m_s})
+                line += "," + shortest(values[0]) + "," + shortest(values[1]) + "," + shortest(values[2]);
+            increments_->add(line);
         }
     }
 
-    void keep_point(const sins_record &record, bool ends)
-    {
+    void keep_point(const sins_record &record) {
         for (int k = 0; k < 2; k++) {
-            const sins_record_errors &errors = k == 0 ? record.navigation_errors : record.model_errors;
+            const sins_record_errors &errors = k == 0 ? record.model_errors : record.navigation_errors;
             const sins_record_solution &solution = k == 0 ? record.truth : record.navigation;
             now_.curves.put(ATTITUDE_ERROR + 3 * k, &errors.roll_rad);
             now_.curves.put(VELOCITY_ERROR + 3 * k, errors.velocity_enu_m_s);
@@ -247,30 +214,17 @@ private:
             now_.curves.put(VELOCITY + 3 * k, solution.velocity_enu_m_s);
             now_.curves.put(PLACE + 3 * k, &solution.latitude_rad);
         }
-        if (ends) {
-            now_.curves.end_point(record.time_s - samples_.all.start_s);
-        }
     }
 
-    void keep_row(const sins_record &record)
-    {
+    void keep_row(const sins_record &record) {
         sins_covariance covariance = sins::make<sins_covariance>();
         bool has_covariance = has_covariance_ && sim_.get_covariance(covariance);
         std::vector<double> means(now_.sums, now_.sums + 6);
-        for (double &mean : means) {
+        for (double &mean : means)
             mean /= now_.time_s > 0 ? now_.time_s : 1;
-        }
         records_.add(sins::Simulator::record_line(record, means, has_covariance ? &covariance : NULL));
         std::fill(now_.sums, now_.sums + 6, 0.0);
         now_.time_s = 0;
-    }
-
-    /* From now on at this pace. */
-    void move_pace(double factor)
-    {
-        pace_ = factor;
-        paced_from_s_ = next_s();
-        paced_at_ms_ = GetTickCount64();
     }
 
     double next_s() const { return (double)now_.next * samples_.all.period_s; }
@@ -289,8 +243,8 @@ private:
     std::wstring sentence_;
     double pace_ = 0, paced_from_s_ = 0;
     ULONGLONG paced_at_ms_ = 0;
-    mutable std::mutex mutex_;
-    mutable std::atomic<int> waiting_{0};
+    mutable std::mutex door_;
+    mutable std::recursive_mutex mutex_;
     std::atomic<bool> ends_{false};
     std::thread worker_;
 };

@@ -4,8 +4,7 @@
 
 class Lines {
 public:
-    explicit Lines(const std::string &head)
-    {
+    explicit Lines(const std::string &head) {
         WCHAR path[MAX_PATH] = L"";
         GetTempFileNameW(fs::temp_directory_path().c_str(), L"sns", 0, path);
         path_ = path;
@@ -13,34 +12,28 @@ public:
         add(head);
     }
 
-    ~Lines()
-    {
+    ~Lines() {
         std::error_code none;
         file_.close();
         fs::remove(path_, none);
     }
 
-    void add(const std::string &line)
-    {
-        if (!(file_ << line << "\n")) {
+    void add(const std::string &line) {
+        if (!(file_ << line << "\n"))
             throw Refusal(text("cannot_write", {text("temporary_file"), path_}));
-        }
     }
 
     std::streamoff size() { return file_.tellp(); } /* bytes */
 
-    void cut(std::streamoff size)
-    {
+    void cut(std::streamoff size) {
         file_.flush();
         fs::resize_file(path_, size);
         file_.seekp(size);
     }
 
-    void copy(const fs::path &path)
-    {
+    void copy(const fs::path &path) {
         file_.flush();
-        write_file(path,
-                   [this](const fs::path &to) { return CopyFileW(path_.c_str(), to.c_str(), FALSE) != 0; });
+        write_file(path, [this](const fs::path &to) { return CopyFileW(path_.c_str(), to.c_str(), FALSE) != 0; });
     }
 
 private:

@@ -1,4 +1,4 @@
-/* A control that shows a diagram, with zoom and a cursor. Window class "SinsPlot". */
+/* A diagram in a control of a dialog, with zoom and a cursor. */
 #pragma once
 #include <objidl.h>
 
@@ -8,33 +8,21 @@
 
 class Plot {
 public:
-    static void register_class()
-    {
-        WNDCLASSW plot = {};
-        plot.style = CS_DBLCLKS | CS_HREDRAW | CS_VREDRAW;
-        plot.lpfnWndProc = procedure;
-        plot.hCursor = LoadCursorW(NULL, (LPCWSTR)IDC_CROSS);
-        plot.lpszClassName = L"SinsPlot";
-        RegisterClassW(&plot);
-    }
+    ~Plot() { RemoveWindowSubclass(window_, procedure, 0); }
 
-    void attach(HWND control)
-    {
+    void attach(HWND control) { /* a static control that notifies: it gets the mouse */
         window_ = control;
-        SetWindowLongPtrW(control, GWLP_USERDATA, (LONG_PTR)this);
+        SetWindowSubclass(control, procedure, 0, (DWORD_PTR)this);
     }
 
-    void show(const std::vector<Panel> &panels, Quantity x_quantity, bool is_logarithmic)
-    {
+    void show(const std::vector<Panel> &panels, Quantity x_quantity, bool is_logarithmic) {
         Range zoomed = x_quantity == diagram_.x_quantity ? diagram_.zoomed : Range{0, 0};
         diagram_ = {panels, x_quantity, is_logarithmic && x_quantity == DURATION, zoomed};
         InvalidateRect(window_, NULL, FALSE);
     }
 
-    void save(const fs::path &path) const /* PNG */
-    {
-        static const CLSID PNG = {
-            0x557cf406, 0x1a04, 0x11d3, {0x9a, 0x73, 0x00, 0x00, 0xf8, 0x1e, 0xf3, 0x2e}};
+    void save(const fs::path &path) const { /* PNG */
+        static const CLSID PNG = {0x557cf406, 0x1a04, 0x11d3, {0x9a, 0x73, 0x00, 0x00, 0xf8, 0x1e, 0xf3, 0x2e}};
         ULONG_PTR token = 0;
         Gdiplus::GdiplusStartupInput input;
         Gdiplus::GdiplusStartup(&token, &input, NULL);
@@ -47,31 +35,27 @@ public:
         Gdiplus::GdiplusShutdown(token);
     }
 
-    bool copy() const /* to the clipboard */
-    {
+    bool copy() const { /* to the clipboard */
         HBITMAP bitmap = picture(scaled(1000), scaled(700), -1);
         bool done = OpenClipboard(window_) && EmptyClipboard() && SetClipboardData(CF_BITMAP, bitmap) != NULL;
         CloseClipboard();
-        if (!done) { /* else it is the clipboard's */
+        if (!done) /* else it is the clipboard's */
             DeleteObject(bitmap);
-        }
         return done;
     }
 
 private:
-    static LRESULT CALLBACK procedure(HWND window, UINT message, WPARAM wparam, LPARAM lparam)
-    {
-        Plot *plot = (Plot *)GetWindowLongPtrW(window, GWLP_USERDATA);
-        return plot == NULL || message == WM_DESTROY ? DefWindowProcW(window, message, wparam, lparam)
-                                                     : plot->handle(message, wparam, lparam);
+    static LRESULT CALLBACK procedure(HWND, UINT message, WPARAM wparam, LPARAM lparam, UINT_PTR, DWORD_PTR plot) {
+        return ((Plot *)plot)->handle(message, wparam, lparam);
     }
 
-    LRESULT handle(UINT message, WPARAM wparam, LPARAM lparam)
-    {
+    LRESULT handle(UINT message, WPARAM wparam, LPARAM lparam) {
         int x = (short)LOWORD(lparam);
         switch (message) {
         case WM_ERASEBKGND: return 1;
         case WM_PAINT: paint(); return 0;
+        case WM_SETCURSOR: SetCursor(LoadCursorW(NULL, (LPCWSTR)IDC_CROSS)); return TRUE;
+        case WM_SIZE: break;
         case WM_MOUSEMOVE: {
             TRACKMOUSEEVENT leave = {sizeof leave, TME_LEAVE, window_, 0};
             TrackMouseEvent(&leave);
@@ -86,9 +70,8 @@ private:
             break;
         case WM_LBUTTONUP:
             ReleaseCapture();
-            if (drag_ >= 0 && abs(x - drag_) > 4) {
+            if (drag_ >= 0 && abs(x - drag_) > 4)
                 zoom({x_at(min(x, drag_)), x_at(max(x, drag_))});
-            }
             drag_ = -1;
             break;
         case WM_LBUTTONDBLCLK:
@@ -99,19 +82,18 @@ private:
         case WM_MOUSEWHEEL: {
             POINT at = {x, (short)HIWORD(lparam)};
             ScreenToClient(window_, &at);
-            Range all = diagram_.zoomed.high > diagram_.zoomed.low ? diagram_.zoomed : diagram_.whole_x();
+            Range all = diagram_.seen_x();
             double middle = x_at(at.x), factor = (short)HIWORD(wparam) > 0 ? 0.7 : 1 / 0.7;
             zoom({middle + (all.low - middle) * factor, middle + (all.high - middle) * factor});
             break;
         }
-        default: return DefWindowProcW(window_, message, wparam, lparam);
+        default: return DefSubclassProc(window_, message, wparam, lparam);
         }
         InvalidateRect(window_, NULL, FALSE);
         return 0;
     }
 
-    RECT area() const
-    {
+    RECT area() const {
         RECT area;
         GetClientRect(window_, &area);
         return area;
@@ -119,35 +101,28 @@ private:
 
     double x_at(int pixel) const { return diagram_.x_at(pixel, area()); }
 
-    void paint() const
-    {
+    void paint() const {
         PAINTSTRUCT paint;
         RECT all = area(), band = {min(drag_, cursor_), 0, max(drag_, cursor_), all.bottom};
-        HDC dc = BeginPaint(window_, &paint), memory = CreateCompatibleDC(dc);
+        HDC dc = BeginPaint(window_, &paint);
         HBITMAP bitmap = picture(all.right, all.bottom, cursor_);
-        SelectObject(memory, bitmap);
-        if (drag_ >= 0) {
-            InvertRect(memory, &band);
-        }
-        BitBlt(dc, 0, 0, all.right, all.bottom, memory, 0, 0, SRCCOPY);
-        DeleteDC(memory);
+        DrawStateW(dc, NULL, NULL, (LPARAM)bitmap, 0, 0, 0, 0, 0, DST_BITMAP);
+        if (drag_ >= 0)
+            InvertRect(dc, &band);
         DeleteObject(bitmap);
         EndPaint(window_, &paint);
     }
 
     /* No closer than 1e-6 of all, and no farther than all. */
-    void zoom(Range x)
-    {
+    void zoom(Range x) {
         Range all = diagram_.whole_x();
         x = {max(x.low, all.low), min(x.high, all.high)};
-        if (x.high - x.low > 1e-6 * (all.high - all.low)) {
+        if (x.high - x.low > 1e-6 * (all.high - all.low))
             diagram_.zoomed = x.low > all.low || x.high < all.high ? x : Range{0, 0};
-        }
     }
 
     /* The diagram at a size of its own. The caller deletes it. */
-    HBITMAP picture(int width, int height, int cursor) const
-    {
+    HBITMAP picture(int width, int height, int cursor) const {
         HDC screen = GetDC(NULL), memory = CreateCompatibleDC(screen);
         HBITMAP bitmap = CreateCompatibleBitmap(screen, max(1, width), max(1, height));
         HGDIOBJ before = SelectObject(memory, bitmap);

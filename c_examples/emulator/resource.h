@@ -22,12 +22,12 @@
 #define IDC_HEADING 900
 #define IDC_FIELD 901
 
-/* Trajectory. */
+/* Trajectory; the buttons of its list, and the lists of items. */
 #define IDC_SOURCE 1001
 #define IDC_BUILTIN 1002
 #define IDC_TAKE 1003
 #define IDC_BROWSE 1005
-#define IDC_MANOEUVRES 1020
+#define IDC_ITEMS 1020
 #define IDC_ADD 1021
 #define IDC_EDIT 1022
 #define IDC_REMOVE 1023
@@ -59,52 +59,44 @@
 #define IDC_PROGRESS 1312
 #define IDC_VALUES 1313
 
-/* A manoeuvre. */
+/* A manoeuvre, a failure. */
 #define IDC_KIND 1401
 #define IDC_MESSAGE 1450
-
-/* A failure, and the studies. */
-#define IDC_SENSOR 1501
-#define IDC_SENSOR_AXIS 1502
 #define IDC_FAILURE_SIZE 1503
-#define IDC_DENSITY 1504
-#define IDC_FAILING 1508
 #define IDC_CLEAR 1509
-#define IDC_SIZE_UNIT 1510
-#define IDC_DENSITY_UNIT 1511
+
+/* The studies. */
 #define IDC_FROM 1600
 #define IDC_TO 1601
-#define IDC_LIMIT_POSITION 1602
-#define IDC_LIMIT_VELOCITY 1603
-#define IDC_LIMIT_ATTITUDE 1604
-#define IDC_LAST 1606 /* duration, or runs */
-#define IDC_LAST_LABEL 1611
+#define IDC_LIMIT 1602 /* to 1604: position, velocity, attitude */
+#define IDC_LAST 1606  /* duration, or runs */
 #define IDC_RESULT 1607
 #define IDC_STATE 1608
 #define IDC_COMPUTE 1609
 #define IDC_ADOPT 1610
+#define IDC_LAST_LABEL 1611
 
 /* Commands: of the menu, and buttons of the display. */
 #define ID_NEW 2001
 #define ID_OPEN 2002
 #define ID_SAVE 2003
 #define ID_SAVE_AS 2004
-#define ID_EXPORT 2005
-#define ID_PICTURE 2006
-#define ID_COPY 2007
-#define ID_QUIT 2008
-#define ID_FLY 2010
-#define ID_PAUSE 2011
-#define ID_STOP 2012
-#define ID_RESET 2013
-#define ID_FAILURE 2014
-#define ID_SNAPSHOT 2015
-#define ID_GO_BACK 2016
-#define ID_RECOMMEND 2017
-#define ID_BUDGET 2018
-#define ID_ENGLISH 2020
-#define ID_CHINESE 2021
-#define ID_ABOUT 2022
+#define ID_QUIT 2005
+#define ID_ENGLISH 2006
+#define ID_CHINESE 2007
+#define ID_ABOUT 2008
+#define ID_EXPORT 2010 /* from here on of the display; to ID_STOP of what was flown */
+#define ID_PICTURE 2011
+#define ID_COPY 2012
+#define ID_SNAPSHOT 2013
+#define ID_GO_BACK 2014
+#define ID_PAUSE 2015
+#define ID_STOP 2016
+#define ID_FLY 2017
+#define ID_RESET 2018
+#define ID_FAILURE 2019
+#define ID_RECOMMEND 2020
+#define ID_BUDGET 2021
 #define ID_PAGE 2030    /* to 2033 */
 #define ID_RECENT 2100  /* to 2107 */
 #define ID_BUILTIN 2200 /* and those that follow */

@@ -7,34 +7,30 @@
 class Samples {
 public:
     /* folder: that of the scene's file, from which a log is seen. */
-    Samples(const Scene &scene, const fs::path &folder) : rate_hz_(scene->setup().rate_hz)
-    {
-        if (scene->setup().flight != SINS_SCENE_FLIGHT_LOG) {
-            flight_ = scene->create_flight();
-            all = scene->samples();
+    Samples(const Scene &scene, const fs::path &folder) : rate_hz_(scene.setup().rate_hz) {
+        if (scene.setup().flight != SINS_SCENE_FLIGHT_LOG) {
+            flight_ = scene.create_flight();
+            all = scene.samples();
             return;
         }
-        log_path = folder / wide(scene->text(SINS_SCENE_TEXT_LOG));
+        log_path = folder / wide(scene.text(SINS_SCENE_TEXT_LOG));
         try {
             log_ = sins::Log(read_file(log_path));
-            all = scene->samples(log_->handle());
+            all = scene.samples(log_->handle());
         } catch (const sins::Error &error) {
             throw Refusal(log_path.wstring() + L": " + told(error));
         }
     }
 
-    sins_flight_sample get(size_t index) const
-    {
+    sins_flight_sample get(size_t index) const {
         return log_ ? log_->sample(index) : flight_->sample_at((double)index / rate_hz_);
     }
 
     /* Where a sample stands, for a sentence about it: the time, or the line of the log. */
-    std::wstring place(size_t index) const
-    {
+    std::wstring place(size_t index) const {
         uint64_t line = 0;
-        if (!log_) {
+        if (!log_)
             return shown((double)index * all.period_s, 10) + L" s: ";
-        }
         log_->sample(index, &line);
         return log_path.wstring() + L":" + std::to_wstring(line) + L": ";
     }

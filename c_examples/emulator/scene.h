@@ -5,12 +5,10 @@
 
 /* A key of the scene format, in the user's language. */
 struct Key : sins_scene_key {
-    std::string path() const { return std::string(section) + "." + name; }
+    std::string path(bool in_si = false) const { return std::string(section) + "." + (in_si ? si_name : name); }
     bool is_choice() const { return kind == SINS_SCENE_KEY_WORD || kind == SINS_SCENE_KEY_FLAG; }
-    bool is_number() const { return kind == SINS_SCENE_KEY_NUMBERS || kind == SINS_SCENE_KEY_WHOLE; }
-    std::vector<std::string> choices() const
-    {
-        return split(kind == SINS_SCENE_KEY_FLAG ? "false|true" : words, "|");
+    std::vector<std::string> choices() const {
+        return split(std::string(kind == SINS_SCENE_KEY_FLAG ? "false|true" : words), '|');
     }
     std::wstring meaning() const { return label(path(), sins_scene_key::meaning); }
     std::wstring word_label(const std::string &word) const { return label(path() + "." + word, word); }
@@ -19,10 +17,9 @@ struct Key : sins_scene_key {
     std::string default_number() const { return elements > 1 ? "0" : default_value; }
 
     /* Whether an item with such words can have it: "kind=turn|s_turn sensor=gyro". */
-    template <class Word> bool applies(Word word_of) const
-    {
-        std::vector<std::string> terms = split(condition, " ");
-        return !*condition || std::all_of(terms.begin(), terms.end(), [&](const std::string &term) {
+    bool applies(const std::function<std::string(const std::string &name)> &word_of) const {
+        std::vector<std::string> terms = split(std::string(condition), ' ');
+        return std::all_of(terms.begin(), terms.end(), [&](const std::string &term) {
             size_t equals = term.find('=');
             std::string words = "|" + term.substr(equals + 1) + "|";
             return words.find("|" + word_of(term.substr(0, equals)) + "|") != words.npos;
@@ -30,57 +27,53 @@ struct Key : sins_scene_key {
     }
 
     /* What it means, its unit and its range. */
-    std::wstring tip() const
-    {
+    std::wstring tip() const {
         std::wstring tip = meaning() + (*unit ? L" [" + wide(unit) + L"]" : L"");
-        if ((flags & SINS_SCENE_KEY_LIMITS) != 0) {
-            bool or_zero = (flags & SINS_SCENE_KEY_ZERO_IS_OFF) != 0;
+        bool or_zero = (flags & SINS_SCENE_KEY_ZERO_IS_OFF) != 0;
+        if ((flags & SINS_SCENE_KEY_LIMITS) != 0)
             tip += L"\n" + text(or_zero ? "range_or_0" : "range", {shown(minimum, 6), shown(maximum, 6)});
-        }
         return tip;
     }
 };
 
-inline const std::vector<Key> &keys()
-{
-    static const std::vector<Key> all = [] {
-        std::vector<Key> keys;
-        for (const sins_scene_key &key : sins::Scene::keys()) {
-            keys.push_back({key});
-        }
-        return keys;
-    }();
+inline const std::vector<Key> &keys() {
+    static const std::vector<sins_scene_key> found = sins::Scene::keys();
+    static const std::vector<Key> all(found.begin(), found.end());
     return all;
 }
 
 /* The key of a path, without and with places in lists; NULL: none. */
-inline const Key *key_of(const std::string &path)
-{
+inline const Key *key_of(const std::string &path) {
     static const std::regex PLACE("\\[\\d+\\]");
     std::string plain = std::regex_replace(path, PLACE, "");
-    auto own =
-        std::find_if(keys().begin(), keys().end(), [&](const Key &key) { return key.path() == plain; });
+    auto own = std::find_if(keys().begin(), keys().end(), [&](const Key &key) { return key.path() == plain; });
     return own == keys().end() ? NULL : &*own;
 }
 
+inline std::string place(const std::string &list, size_t index) { return list + "[" + std::to_string(index) + "]"; }
+
+/* The paths of the numbers of a value, or of all that it is. */
+inline std::vector<std::string> elements_of(const std::string &path) {
+    const Key *key = key_of(path);
+    std::vector<std::string> paths;
+    for (int k = 0; key != NULL && k < max(1, key->elements); k++)
+        paths.push_back(key->elements > 1 ? place(path, k) : path);
+    return paths;
+}
+
 /* A text as it stands in a scene, and back. */
-inline std::string in_quotes(const std::string &text)
-{
+inline std::string in_quotes(const std::string &text) {
     return "\"" + std::regex_replace(text, std::regex("[\"\\\\]"), "\\$&") + "\"";
 }
 
-inline std::string unquoted(const std::string &value)
-{
+inline std::string unquoted(const std::string &value) {
     bool is_quoted = value.size() > 1 && value[0] == '"';
-    return is_quoted ? std::regex_replace(value.substr(1, value.size() - 2), std::regex("\\\\(.)"), "$1")
-                     : value;
+    return is_quoted ? std::regex_replace(value.substr(1, value.size() - 2), std::regex("\\\\(.)"), "$1") : value;
 }
 
-/* A sentence of the library in the user's language: about what, its value and limits; else by the rules of
- * the language, each a kind of sentence behind "gyro.bias_deg_h[1] = -3: ". */
-template <class Info>
-std::wstring told(const std::string &sentence, const std::string &what, const Info &info)
-{
+/* A sentence of the library in the user's language: about what, its value and limits; else by the rules of the
+ * language, each a kind of sentence behind "gyro.bias_deg_h[1] = -3: ". */
+template <class Info> std::wstring told(const std::string &sentence, const std::string &what, const Info &info) {
     const uint32_t LIMITS = SINS_ERROR_INFO_MINIMUM | SINS_ERROR_INFO_MAXIMUM;
     const std::wstring whole = wide(sentence), end = whole.substr(min(whole.find(L": ") + 2, whole.size()));
     const Key *key = key_of(what);
@@ -90,144 +83,83 @@ std::wstring told(const std::string &sentence, const std::string &what, const In
         return text(kind, {name, shown(info.value, 6), shown(info.minimum, 6), shown(info.maximum, 6)});
     }
     const auto &texts = all_texts();
-    for (auto rule = texts.lower_bound("rule "); rule != texts.end() && rule->first.starts_with("rule ");
-         rule++) {
+    for (auto rule = texts.lower_bound("rule "); rule != texts.end() && rule->first.starts_with("rule "); rule++) {
         const std::wregex kind(wide(rule->first.substr(5)));
-        if (std::regex_match(end, kind)) {
+        if (std::regex_match(end, kind))
             return name + L"\uff1a" + std::regex_replace(end, kind, rule->second);
-        }
     }
     return whole;
 }
 
-inline std::wstring told(const sins_fault &fault)
-{
-    return told(fault.sentence, fault.path, fault);
-}
+inline std::wstring told(const sins_fault &fault) { return told(fault.sentence, fault.path, fault); }
 
-inline std::wstring told(const std::exception &error)
-{
+inline std::wstring told(const std::exception &error) {
     const sins::Error *own = dynamic_cast<const sins::Error *>(&error);
     return own == NULL ? wide(error.what()) : told(error.what(), own->info().field, own->info());
 }
 
 typedef std::vector<sins_fault> Faults;
 
-inline std::wstring told(const Faults &faults)
-{
-    return faults.empty() ? L"" : told(faults[0]);
-}
+inline std::wstring told(const Faults &faults) { return faults.empty() ? L"" : told(faults[0]); }
 
 /* Whether a fault is about the value at a path, or about all values of its key. */
-inline bool is_about(const sins_fault &fault, const std::string &path)
-{
+inline bool is_about(const sins_fault &fault, const std::string &path) {
     return path == fault.path || path.starts_with(std::string(fault.path) + "[");
 }
 
-/* A value, without the quotes of words and texts; "": the default. */
-struct Change {
-    std::string path, value;
-};
+/* Values by their paths, without the quotes of words and texts; "": the default. */
+typedef std::map<std::string, std::string> Changes;
 
-class Scene {
+/* A scene that can be copied, and whose values are set as the user changes them. Faults: it stays what it was. */
+class Scene : public sins::Scene {
 public:
-    /* The built-in scene of a name; "": the default scene. */
-    explicit Scene(const std::string &builtin = "")
-        : scene_(builtin.empty() ? sins::Scene() : sins::Scene::builtin(builtin)),
-          text_(scene_.write())
-    {
-    }
-    Scene(const Scene &other) : scene_(other.text_), text_(other.text_) {}
+    Scene(sins::Scene &&own = {}) : sins::Scene(std::move(own)) {}
+    Scene(const Scene &other) : sins::Scene(other.write()) {}
     Scene(Scene &&) = default;
     Scene &operator=(Scene &&) = default;
 
-    const sins::Scene *operator->() const { return &scene_; }
-    const std::string &text() const { return text_; }
-
-    /* Makes this scene what the text says. With faults it stays what it was. */
-    Faults read(const std::string &text)
-    {
-        sins::Scene read(text);
-        Faults faults = read.faults();
-        if (faults.empty()) {
-            scene_ = std::move(read);
-            text_ = scene_.write();
-        }
-        return faults;
-    }
-
     /* "": there is none. */
-    std::string get(const std::string &path) const
-    {
+    std::string get(const std::string &path) const {
         try {
-            return scene_.value(path);
+            return value(path);
         } catch (const sins::Error &) {
             return "";
         }
     }
 
-    /* All at once; with faults the scene stays what it was. */
-    Faults set(const std::vector<Change> &changes)
-    {
+    /* All at once. */
+    Faults set(const Changes &changes) {
         std::string lines;
-        for (const Change &change : changes) {
-            lines += change.path + " = " + change.value + "\n";
-        }
-        return after(scene_.set_values(lines));
+        for (const auto &[path, value] : changes)
+            lines += path + " = " + value + "\n";
+        set_values(lines);
+        return faults();
     }
 
     /* All changes that the library takes; the faults are of the others. */
-    Faults set_valid(std::vector<Change> changes)
-    {
+    Faults set_valid(Changes changes) {
         Faults faults = set(changes);
-        size_t erased = std::erase_if(changes, [&](const Change &change) {
-            return std::any_of(faults.begin(), faults.end(),
-                               [&](const sins_fault &fault) { return is_about(fault, change.path); });
-        });
-        if (erased > 0 && !changes.empty()) {
+        size_t before = changes.size();
+        for (const sins_fault &fault : faults)
+            std::erase_if(changes, [&](const auto &change) { return is_about(fault, change.first); });
+        if (changes.size() < before && !changes.empty())
             set_valid(changes);
-        }
         return faults;
     }
 
     /* The items of a list, "manoeuvre" or "failure", as they stand in the text. */
-    std::vector<std::string> items(const std::string &list) const
-    {
+    std::vector<std::string> items(const std::string &list) const {
         std::vector<std::string> items;
-        for (std::string item; !(item = get(place(list, items.size()))).empty();) {
+        for (std::string item; !(item = get(place(list, items.size()))).empty();)
             items.push_back(item);
-        }
         return items;
     }
 
-    Faults set_items(const std::string &list, const std::vector<std::string> &items)
-    {
+    Faults set_items(const std::string &list, const std::vector<std::string> &items) {
         std::string all;
-        for (const std::string &item : items) {
+        for (const std::string &item : items)
             all += item + "\n";
-        }
-        return after(scene_.set_items(list, all));
+        sins::Scene::set_items(list, all);
+        return faults();
     }
-
-    void set_manoeuvres(const sins_flight_start &start, const std::vector<sins_manoeuvre> &all, size_t repeat)
-    {
-        scene_.set_manoeuvres(start, all, repeat);
-        after(true);
-    }
-
-    static std::string place(const std::string &list, size_t index)
-    {
-        return list + "[" + std::to_string(index) + "]";
-    }
-
-private:
-    /* The faults of a change that was rejected. */
-    Faults after(bool done)
-    {
-        text_ = done ? scene_.write() : text_;
-        return done ? Faults() : scene_.faults();
-    }
-
-    sins::Scene scene_;
-    std::string text_;
 };

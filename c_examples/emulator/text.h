@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,19 +24,16 @@ using std::min;
 
 typedef std::vector<std::wstring> Texts;
 
-inline std::wstring wide(const std::string &utf8)
-{
+inline std::wstring wide(const std::string &utf8) {
     std::wstring text(utf8.size(), L'\0');
     text.resize(MultiByteToWideChar(CP_UTF8, 0, utf8.data(), utf8.size(), text.data(), text.size()));
     return text;
 }
 
-inline std::string narrow(const std::wstring &text)
-{
+inline std::string narrow(const std::wstring &text) {
     std::string utf8(3 * text.size(), '\0');
-    int size =
-        WideCharToMultiByte(CP_UTF8, 0, text.data(), text.size(), utf8.data(), utf8.size(), NULL, NULL);
-    return utf8.substr(0, size);
+    utf8.resize(WideCharToMultiByte(CP_UTF8, 0, text.data(), text.size(), utf8.data(), utf8.size(), NULL, NULL));
+    return utf8;
 }
 
 /* Thrown: why something is not done, for the user. */
@@ -43,152 +41,113 @@ struct Refusal : std::runtime_error {
     explicit Refusal(const std::wstring &sentence) : std::runtime_error(narrow(sentence)) {}
 };
 
-inline std::vector<std::string> split(const std::string &text, const std::string &by)
-{
-    std::vector<std::string> result;
-    size_t from = 0, at;
-    while ((at = text.find(by, from)) != std::string::npos) {
-        result.push_back(text.substr(from, at - from));
-        from = at + by.size();
-    }
-    result.push_back(text.substr(from));
-    return result;
+/* The pieces of a text; behind the last separator there is none. */
+template <class Text> std::vector<Text> split(const Text &text, typename Text::value_type separator) {
+    std::vector<Text> pieces;
+    std::basic_istringstream<typename Text::value_type> stream(text);
+    for (Text piece; std::getline(stream, piece, separator);)
+        pieces.push_back(piece);
+    return pieces;
 }
 
 /* The language of all texts and dialogs: 0 English, 1 Chinese. */
 inline std::atomic<int> language{0};
 
-/* A resource in the user's language. */
-inline const void *resource(LPCWSTR type, UINT id, DWORD *size = NULL)
-{
+inline std::string_view resource(LPCWSTR type, UINT id, int of = language) {
     static const WORD IDS[] = {MAKELANGID(LANG_ENGLISH, SUBLANG_ENGLISH_US),
                                MAKELANGID(LANG_CHINESE, SUBLANG_CHINESE_SIMPLIFIED)};
-    HRSRC found = FindResourceExW(NULL, type, MAKEINTRESOURCEW(id), IDS[language]);
-    if (size != NULL) {
-        *size = SizeofResource(NULL, found);
-    }
-    return LockResource(LoadResource(NULL, found));
+    HRSRC found = FindResourceExW(NULL, type, MAKEINTRESOURCEW(id), IDS[of]);
+    return {(const char *)LockResource(LoadResource(NULL, found)), SizeofResource(NULL, found)};
 }
 
-/* The texts of a language by their names. Read once: threads look them up. */
-inline std::map<std::string, std::wstring> read_texts(int of)
-{
+/* The texts of a language by their names. */
+inline std::map<std::string, std::wstring> read_texts(int of) {
     std::map<std::string, std::wstring> texts;
-    DWORD size = 0;
-    int before = language.exchange(of);
-    const char *bytes = (const char *)resource(MAKEINTRESOURCEW(10), IDR_TEXTS, &size); /* RT_RCDATA */
-    for (const std::string &line : split(std::string(bytes, size), "\n")) {
+    for (const std::string &line : split(std::string(resource(MAKEINTRESOURCEW(10), IDR_TEXTS, of)), '\n')) {
         size_t equals = line.find(" = ");
-        if (equals != std::string::npos) {
-            texts[line.substr(0, equals)] = wide(line.substr(equals + 3));
-        }
+        texts[line.substr(0, equals)] = wide(line.substr(equals + 3));
     }
-    language = before;
     return texts;
 }
 
-inline const std::map<std::string, std::wstring> &all_texts()
-{
+/* Read once: threads look them up. */
+inline const std::map<std::string, std::wstring> &all_texts() {
     static const std::map<std::string, std::wstring> languages[] = {read_texts(0), read_texts(1)};
     return languages[language];
 }
 
 /* What the library names, in the user's language: scene keys, their words, effects. */
-inline std::wstring label(const std::string &name, const std::string &otherwise)
-{
+inline std::wstring label(const std::string &name, const std::string &otherwise) {
     auto found = all_texts().find(name);
     return found == all_texts().end() ? wide(otherwise) : found->second;
 }
 
 /* A text of the resources by its name, its %1, %2, ... replaced; without such a text the name itself. */
-inline std::wstring text(const std::string &name, const Texts &values = {})
-{
+inline std::wstring text(const std::string &name, const Texts &values = {}) {
     std::wstring result = label(name, name);
     for (size_t k = values.size(); k-- > 0;) {
         size_t at = result.find(L"%" + std::to_wstring(k + 1));
-        if (at != std::wstring::npos) {
+        if (at != std::wstring::npos)
             result.replace(at, 2, values[k]);
-        }
     }
     return result;
 }
 
-/* A text cut at ";". */
-inline Texts parts(const std::string &name)
-{
-    Texts result;
-    for (const std::string &part : split(narrow(text(name)), ";")) {
-        result.push_back(wide(part));
-    }
-    return result;
-}
+inline Texts parts(const std::string &name) { return split(text(name), L';'); }
 
 /* The shortest text that reads back to the bit, as the program `sins` writes it. */
-inline std::string shortest(double value)
-{
+inline std::string shortest(double value) {
     char digits[400];
     double size = std::fabs(value);
-    auto form =
-        size == 0 || (size >= 1e-5 && size < 1e15) ? std::chars_format::fixed : std::chars_format::scientific;
+    bool is_plain = size == 0 || (size >= 1e-5 && size < 1e15);
+    auto form = is_plain ? std::chars_format::fixed : std::chars_format::scientific;
     std::string text(digits, std::to_chars(digits, digits + sizeof digits, value, form).ptr);
     size_t exponent = text.find('e') + 1;
     return exponent == 0 ? text : text.substr(0, exponent) + std::to_string(atoi(&text[exponent]));
 }
 
 /* Significant digits. */
-inline std::wstring shown(double value, int digits)
-{
+inline std::wstring shown(double value, int digits) {
     char text[64];
     auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
     return wide(std::string(text, end.ptr));
 }
 
 /* Reads a whole text as a number, in any locale; false: it is none, or not finite. */
-inline bool number_of(const std::string &text, double &value)
-{
+inline bool number_of(const std::string &text, double &value) {
     const char *first = text.c_str() + (text[0] == '+' ? 1 : 0), *last = text.c_str() + text.size();
     std::from_chars_result read = std::from_chars(first, last, value);
     return first != last && read.ec == std::errc() && read.ptr == last && std::isfinite(value);
 }
 
 /* A file that cannot be read or written, with the system's sentence. */
-inline Refusal refusal(const char *name, const fs::path &path, DWORD error = GetLastError())
-{
+inline Refusal refusal(const char *name, const fs::path &path) {
     WCHAR sentence[256] = L"";
     DWORD flags = FORMAT_MESSAGE_FROM_SYSTEM | FORMAT_MESSAGE_IGNORE_INSERTS | FORMAT_MESSAGE_MAX_WIDTH_MASK;
-    FormatMessageW(flags, NULL, error, 0, sentence, 256, NULL);
+    FormatMessageW(flags, NULL, GetLastError(), 0, sentence, 256, NULL);
     return Refusal(text(name, {path.wstring(), sentence}));
 }
 
-inline std::string read_file(const fs::path &path)
-{
-    std::error_code none;
-    uintmax_t size = fs::file_size(path, none);
+inline std::string read_file(const fs::path &path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) {
+    std::string bytes(std::istreambuf_iterator<char>(file), {});
+    if (!file.is_open() || file.bad())
         throw refusal("cannot_read", path);
-    }
-    std::string bytes(min(size, (uintmax_t)1 << 30), '\0');
-    if (size != bytes.size() || !file.read(bytes.data(), bytes.size())) {
-        throw refusal("cannot_read", path, size > bytes.size() ? ERROR_FILE_TOO_LARGE : GetLastError());
-    }
     return bytes;
 }
 
 /* Writes a file beside its place and renames it at the end: it is whole, or not there. */
-inline void write_file(const fs::path &path, const std::function<bool(const fs::path &beside)> &write)
-{
+inline void write_file(const fs::path &path, const std::function<bool(const fs::path &beside)> &write) {
     fs::path beside = path.wstring() + L".new";
     if (!write(beside) || !MoveFileExW(beside.c_str(), path.c_str(), MOVEFILE_REPLACE_EXISTING)) {
-        DWORD error = GetLastError();
+        Refusal why = refusal("cannot_write", path);
         DeleteFileW(beside.c_str());
-        throw refusal("cannot_write", path, error);
+        throw why;
     }
 }
 
 /* Whether two names lead to one file. */
-inline bool same_file(const fs::path &one, const fs::path &other)
-{
+inline bool same_file(const fs::path &one, const fs::path &other) {
     std::error_code none;
     return fs::equivalent(one, other, none);
 }

@@ -1,87 +1,71 @@
 /* Initial conditions of the trajectory: panel (a) of the paper's figure 2. */
 #pragma once
-#include "manoeuvre_dialog.h"
+#include "items.h"
 
 class TrajectoryPage : public Page {
 public:
     using Page::Page;
 
-    void refresh(bool all_is_new) override
-    {
-        int source = scene_->setup().flight;
+    void refresh(bool all_is_new) override {
+        int source = scene_.setup().flight;
         bool is_path = source == SINS_SCENE_FLIGHT_MANOEUVRES, is_log = source == SINS_SCENE_FLIGHT_LOG;
-        std::wstring builtin = wide(scene_->text(SINS_SCENE_TEXT_BUILTIN));
+        std::wstring builtin = wide(scene_.text(SINS_SCENE_TEXT_BUILTIN));
         Page::refresh(all_is_new);
         choose(IDC_SOURCE, std::find(SOURCES, std::end(SOURCES), source) - SOURCES);
-        if (!builtin.empty()) {
+        if (!builtin.empty())
             SendMessageW(item(IDC_BUILTIN), CB_SELECTSTRING, -1, (LPARAM)builtin.c_str());
-        }
         enable_fields("flight.", is_path);
         enable_fields("flight.title", true);
         enable_fields("flight.file", is_log);
         enable(IDC_BROWSE, is_log);
         enable(IDC_BUILTIN, !is_path && !is_log);
-        for (int id = IDC_MANOEUVRES; id <= IDC_DOWN; id++) {
+        for (int id = IDC_ITEMS; id <= IDC_DOWN; id++)
             enable(id, is_path);
-        }
-        rows(IDC_MANOEUVRES, rows_of(scene_, "manoeuvre"));
-        if (previewed_ != scene_.text() + narrow(document_.folder())) {
+        rows(IDC_ITEMS, rows_of(scene_, "manoeuvre"));
+        if (previewed_ != scene_.write() + narrow(document_.folder()))
             preview();
-        }
     }
 
 protected:
-    void on_init() override
-    {
-        Texts builtins;
-        for (const std::string &name : sins::Scene::builtin_names()) {
-            builtins.push_back(wide(name));
-        }
+    void on_init() override {
         fill(item(IDC_SOURCE), parts("sources"));
-        fill(item(IDC_BUILTIN), builtins);
+        fill(item(IDC_BUILTIN), document_.builtins());
         track_.attach(item(IDC_TRACK));
         profile_.attach(item(IDC_PROFILE));
     }
 
-    void on_command(int id, int code) override
-    {
-        if (code == CBN_SELCHANGE && (id == IDC_SOURCE || id == IDC_BUILTIN)) {
-            set_source(id == IDC_BUILTIN ? 0 : chosen(IDC_SOURCE));
-        } else if (id == IDC_BROWSE) {
-            set_source(2);
-        } else if (id == IDC_TAKE) {
+    void on_command(int id, int code) override {
+        if (code == CBN_SELCHANGE && id == IDC_SOURCE)
+            set_source(SOURCES[chosen(IDC_SOURCE)]);
+        else if (code == CBN_SELCHANGE && id == IDC_BUILTIN)
+            set_source(SINS_SCENE_FLIGHT_BUILTIN);
+        else if (id == IDC_BROWSE)
+            set_source(SINS_SCENE_FLIGHT_LOG);
+        else if (id == IDC_TAKE)
             document_.open_builtin(narrow(get(IDC_BUILTIN)));
-        } else if (id >= IDC_ADD && id <= IDC_DOWN) {
+        else if (id >= IDC_ADD && id <= IDC_DOWN)
             edit(id);
-        }
-    }
-
-    void on_notify(NMHDR *notice) override
-    {
-        if (notice->idFrom == IDC_MANOEUVRES && notice->code == (UINT)NM_DBLCLK) {
+        else if (id == IDC_ITEMS && code == (int)NM_DBLCLK)
             edit(IDC_EDIT);
-        }
     }
 
 private:
     /* Where a flight comes from, in the order of the text "sources": as the paper, built-in flights first. */
-    static constexpr int SOURCES[] = {SINS_SCENE_FLIGHT_BUILTIN, SINS_SCENE_FLIGHT_MANOEUVRES,
-                                      SINS_SCENE_FLIGHT_LOG};
+    static constexpr int SOURCES[] = {SINS_SCENE_FLIGHT_BUILTIN, SINS_SCENE_FLIGHT_MANOEUVRES, SINS_SCENE_FLIGHT_LOG};
 
     /* The ground track and the height of the flight, from 3000 samples of it. */
-    void preview()
-    {
+    void preview() {
         const COLORREF BLUE = RGB(0, 90, 180);
         Panel track = {text("track"), DEGREES, {}, {{L"", BLUE, false, {}}}};
         Panel profile = {text("height_over_time"), LENGTH, {}, {{L"", BLUE, false, {}}}};
-        previewed_ = scene_.text() + narrow(document_.folder());
+        previewed_ = scene_.write() + narrow(document_.folder());
         try {
             Samples samples(scene_, document_.folder());
             for (size_t k = 0; k < samples.all.count; k += samples.all.count / 3000 + 1) {
                 sins_flight_sample sample = samples.get(k);
-                track.x.push_back(sample.longitude_rad);
+                track.x.push_back(Cell(sample.longitude_rad));
                 track.traces[0].cells.push_back(Cell(sample.latitude_rad));
-                profile.x.push_back(sample.time_s - samples.all.start_s);
+                profile.x.push_back(Cell(sample.time_s - samples.all.start_s));
                 profile.traces[0].cells.push_back(Cell(sample.height_m));
             }
         } catch (const std::exception &error) {
@@ -91,42 +75,38 @@ private:
         profile_.show({profile}, DURATION, false);
     }
 
-    void set_source(int source)
-    {
-        Faults faults;
-        if (source == 0) {
+    void set_source(int source) {
+        if (source == SINS_SCENE_FLIGHT_BUILTIN) {
             /* The paper's simulations are scenes with the flight of another. */
-            std::string name = narrow(get(IDC_BUILTIN)), other = Scene(name)->text(SINS_SCENE_TEXT_BUILTIN);
-            faults = scene_.set({{"flight.builtin", other.empty() ? name : other}});
-        } else if (source == 1) {
+            std::string name = narrow(get(IDC_BUILTIN));
+            std::string other = sins::Scene::builtin(name).text(SINS_SCENE_TEXT_BUILTIN);
+            document_.edited(told(scene_.set({{"flight.builtin", other.empty() ? name : other}})));
+        } else if (source == SINS_SCENE_FLIGHT_MANOEUVRES) {
             make_manoeuvres();
         } else {
-            fs::path path = ask_file(window_, false, "filter_log", L"csv"),
-                     seen = path.lexically_relative(document_.folder());
-            bool is_below = !seen.empty() && *seen.begin() != L".."; /* then as seen from the scene */
-            if (!path.empty()) {
-                faults = scene_.set({{"flight.file", in_quotes(narrow(is_below ? seen : path))}});
-            }
+            fs::path path = ask_file(window_, false, "filter_log", L"csv");
+            if (path.empty())
+                document_.edited(L"");
+            else
+                document_.fly_log(path);
         }
-        document_.edited(told(faults));
     }
 
     /* A built-in flight becomes manoeuvres that can be edited; a log the default flight. */
-    void make_manoeuvres()
-    {
+    void make_manoeuvres() {
         sins_flight_start start = sins::make<sins_flight_start>();
         size_t repeat = 1;
-        bool is_log = scene_->setup().flight == SINS_SCENE_FLIGHT_LOG;
-        std::vector<sins_manoeuvre> all = (is_log ? Scene() : Scene(scene_))->manoeuvres(start, repeat);
+        bool is_log = scene_.setup().flight == SINS_SCENE_FLIGHT_LOG;
+        std::vector<sins_manoeuvre> all = (is_log ? Scene() : scene_).manoeuvres(start, repeat);
         scene_.set_manoeuvres(start, all, repeat);
+        document_.edited(L"");
     }
 
     /* Adds, edits, moves or removes a manoeuvre. */
-    void edit(int id)
-    {
+    void edit(int id) {
         Scene draft(scene_);
         std::vector<std::string> all = scene_.items("manoeuvre");
-        size_t row = min(selected(IDC_MANOEUVRES), all.size()), next = row;
+        size_t row = min(selected(IDC_ITEMS), all.size()), next = row;
         if (id == IDC_ADD) {
             next = row < all.size() ? row + 1 : row;
             all.insert(all.begin() + next, "[[manoeuvre]]\nkind = \"straight\"\nduration_s = 60\n");
@@ -144,7 +124,7 @@ private:
         if (!is_edited || ManoeuvreDialog(draft, next).modal(owner, IDD_MANOEUVRE) == IDOK) {
             scene_ = std::move(draft);
             document_.edited(told(faults));
-            select(IDC_MANOEUVRES, next);
+            select(IDC_ITEMS, next);
         }
     }
 

@@ -3074,7 +3074,8 @@ module sins
     !> sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
     !> sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
     !>
-    !> SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, or the log has no second sample within the duration.
+    !> SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, the log has no second sample within the duration, or
+    !> sins_scene_setup.every_s is less than the time between two samples.
     !> SINS_ERROR_BAD_HANDLE: scene or log is not a valid handle.
     !> SINS_ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins_scene_parse().
     function sins_scene_get_samples(scene, log, samples) bind(C, name="sins_scene_get_samples")

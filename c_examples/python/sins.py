@@ -3329,7 +3329,8 @@ def scene_get_samples(scene, log, samples):
     sins.flight_sample_at(flight, k / rate_hz) of sins.scene_create_flight(). For a log, sample k is
     sins.log_get_sample(log, k); the samples end at the duration that the scene sets.
 
-    sins.ERROR_INVALID_ARGUMENT: the flight is not valid, or the log has no second sample within the duration.
+    sins.ERROR_INVALID_ARGUMENT: the flight is not valid, the log has no second sample within the duration, or
+    sins.scene_setup.every_s is less than the time between two samples.
     sins.ERROR_BAD_HANDLE: scene or log is not a valid handle.
     sins.ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins.scene_parse().
     """

@@ -36,7 +36,8 @@ interface_struct!(sins_scene_samples, "samples", 48);
 /// sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
 /// sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, or the log has no second sample within the duration.
+/// SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, the log has no second sample within the duration, or
+/// sins_scene_setup.every_s is less than the time between two samples.
 /// SINS_ERROR_BAD_HANDLE: scene or log is not a valid handle.
 /// SINS_ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins_scene_parse().
 #[unsafe(no_mangle)]
@@ -69,7 +70,7 @@ impl sins_scene_samples {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
             count: count as u64,
-            record_every: scene.record_every(count, period_s).unwrap_or(1),
+            record_every: scene.record_every(count, period_s)?,
             start_s,
             period_s,
             duration_s,

@@ -1,8 +1,8 @@
 /*
  * What the controls of SINS_Emulator give to a user beside their values:
  *
- *     controls reach       every field of every page and dialog has a tool tip with its range, the tab key goes down or to the right, and
- *                          the letter of a label leads to the field behind it
+ *     controls reach M     every field of every page and dialog has a tool tip with its range, the tab key goes down or to the right, the
+ *                          letter of a label leads to the field behind it, and no letter of a page hides one of M, those of the menu
  *     controls language    the language changes in flight, which goes on to its end
  *     controls adopt       the recommended options are put into the scene, which is saved
  *     controls wheel DIR   the wheel and a double-click zoom the diagram: DIR\whole.png, DIR\near.png, DIR\far.png
@@ -94,8 +94,8 @@ static HWND focus(void)
     return info.hwndFocus;
 }
 
-/* A letter stands once; that of a label leads to the control behind it. */
-static void expect_letters(HWND page)
+/* A letter stands once, and not in the menu too; that of a label leads to the control behind it. */
+static void expect_letters(HWND page, const char *menu)
 {
     HWND owners[256] = {0}, control, next;
     int letter, k;
@@ -107,6 +107,10 @@ static void expect_letters(HWND page)
         }
         if (owners[letter] != NULL) {
             printf("driver: %c stands twice, with controls %d and %d\n", letter, GetDlgCtrlID(owners[letter]), GetDlgCtrlID(control));
+            exit(1);
+        }
+        if (strchr(menu, letter) != NULL) {
+            printf("driver: %c of control %d hides a menu\n", letter, GetDlgCtrlID(control));
             exit(1);
         }
         owners[letter] = control;
@@ -126,23 +130,23 @@ static void expect_letters(HWND page)
     }
 }
 
-static void expect_all(HWND page)
+static void expect_all(HWND page, const char *menu)
 {
     Sleep(300);
     expect_tips(page);
     expect_tab_order(page);
-    expect_letters(page);
+    expect_letters(page, menu);
 }
 
 static void expect_dialog(HWND window, UINT id)
 {
     HWND dialog = open_box(window, id, 0);
-    expect_all(dialog);
+    expect_all(dialog, ""); /* it has no menu */
     ask(dialog, WM_COMMAND, IDCANCEL, 0);
     wait_for_no_box(dialog);
 }
 
-static void reach(void)
+static void reach(const char *menu)
 {
     static const int OF_PAGE[] = {IDC_SOURCE, IDC_SECTION, 0, IDC_PROGRESS};
     HWND trajectory = page_of(IDC_SOURCE), general = page_of(IDC_SECTION), start = NULL;
@@ -153,7 +157,7 @@ static void reach(void)
     }
     for (k = 0; k < 4; k++) {
         command(ID_PAGE + k);
-        expect_all(k == 2 ? start : page_of(OF_PAGE[k]));
+        expect_all(k == 2 ? start : page_of(OF_PAGE[k]), menu);
     }
     command(ID_PAGE + 1);
     for (k = 0; k < 9; k++) { /* each section of effects */
@@ -293,8 +297,8 @@ static void dll(void)
 int main(int count, char **arguments)
 {
     const char *what = wait_for_window(count, arguments);
-    if (strcmp(what, "reach") == 0) {
-        reach();
+    if (strcmp(what, "reach") == 0 && count == 3) {
+        reach(arguments[2]);
     } else if (strcmp(what, "language") == 0) {
         language();
     } else if (strcmp(what, "adopt") == 0) {

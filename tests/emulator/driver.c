@@ -272,6 +272,7 @@ static void sentence(void)
 static void edit(void)
 {
     HWND trajectory = page_of(IDC_SOURCE), general = page_of(IDC_SECTION), display = page_of(IDC_PROGRESS), manoeuvre, channel;
+    wchar_t text[16] = L"";
     manoeuvre = open_box(trajectory, IDC_ADD, IDC_KIND);
     choose(manoeuvre, IDC_KIND, 8); /* sinusoids */
     if (!IsWindowEnabled(field(manoeuvre, 7)) || IsWindowEnabled(field(manoeuvre, 8)) || IsWindowEnabled(field(manoeuvre, 2))) {
@@ -295,6 +296,11 @@ static void edit(void)
 
     choose(general, IDC_PRESET, 4); /* tactical */
     ask(GetDlgItem(general, IDC_EFFECTS), WM_KEYDOWN, VK_HOME, 0); /* constant bias */
+    type(GetDlgItem(general, IDC_VALUE), L"text");
+    ask(GetDlgItem(general, IDC_VALUE), WM_GETTEXT, 16, (LPARAM)text);
+    if (wcscmp(text, L"text") != 0) {
+        fail("a rejected value of an effect does not stay in its field");
+    }
     choose(general, IDC_UNIT, 1); /* SI */
     type(GetDlgItem(general, IDC_VALUE), L"1e-6");
     ask(GetDlgItem(general, IDC_SAME), BM_SETCHECK, BST_UNCHECKED, 0);

@@ -284,6 +284,28 @@ fn a_message_names_the_field_that_the_caller_set() {
     }
 }
 
+/// As the program `sins` rejects them.
+#[test]
+fn records_closer_than_the_samples_of_a_log_are_rejected() {
+    let (mut scene, mut log, mut samples) = (null_mut(), null_mut(), init::<sins_scene_samples>());
+    let text = c"time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n0,0,0,0,0,0,0\n1,0,0,0,0,0,0\n";
+    // SAFETY: texts with their sizes, handles of these calls, places for the results.
+    unsafe {
+        assert_eq!(sins_scene_create(&mut scene), SINS_OK);
+        assert_eq!(sins_log_parse(text.as_ptr(), text.count_bytes(), &mut log, null_mut()), SINS_OK);
+        for (every_s, status) in [(c"0.4", SINS_ERROR_INVALID_ARGUMENT), (c"2", SINS_OK)] {
+            let values =
+                [c"flight.file = a.csv\noutput.every_s = ".to_bytes(), every_s.to_bytes_with_nul()].concat();
+            assert_eq!(sins_scene_set_values(scene, values.as_ptr().cast()), SINS_OK);
+            assert_eq!(sins_scene_get_samples(scene, log, &mut samples), status);
+        }
+        assert_eq!((samples.count, samples.record_every), (2, 2));
+        assert_eq!(last_error(), "output.every_s = 0.4: must be at least the sample interval, 1");
+        assert_eq!(sins_log_destroy(log), SINS_OK);
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+    }
+}
+
 #[test]
 fn the_fault_of_a_log_is_the_last_error_until_another_call_fails() {
     let mut log = null_mut();
