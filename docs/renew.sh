@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 figures=$PWD/target/figures
-sins=target/release/sins
+sins=target/program/release/sins
 
 long() {
     cargo test --release --features long-tests "$@" -- --nocapture
@@ -100,7 +100,8 @@ for name in "$@"; do
     fi
 done
 mkdir -p "$figures"
-cargo build --release -p sins-cli
+# In a folder of its own, as in c_examples/fly.sh: the builds of the program and of the shared library replace each other.
+cargo build --release -p sins-cli --target-dir target/program
 for name in ${*:-$all}; do
     echo "== $name: $figures/$name.txt ($SECONDS s)"
     set +e # in a condition bash would ignore errexit within the function

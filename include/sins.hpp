@@ -89,15 +89,78 @@ inline bool done(sins_status status, const sins_sim *sim)
     return status == SINS_OK;
 }
 
-/* The text that `write` writes, in a buffer of the size that it asks for. */
-template <class Write> std::string text(Write write)
+/* The text that a function writes, in a buffer of the size that it asks for. */
+template <class Function, class... Arguments> std::string text(Function write, Arguments... arguments)
 {
     std::size_t needed = 0;
-    done(write(nullptr, 0, &needed), nullptr);
+    done(write(arguments..., nullptr, 0, &needed), nullptr);
     std::vector<char> buffer(needed);
-    done(write(buffer.data(), needed, &needed), nullptr);
+    done(write(arguments..., buffer.data(), needed, &needed), nullptr);
     return std::string(buffer.data(), needed - 1);
 }
+
+/* The struct that a function fills in. */
+template <class T, class Function, class... Arguments> T filled(const sins_sim *sim, Function fill, Arguments... arguments)
+{
+    T value = make<T>();
+    done(fill(arguments..., &value), sim);
+    return value;
+}
+
+/* The number, or the handle, that a function gives. */
+template <class T, class Function, class... Arguments> T given(const sins_sim *sim, Function give, Arguments... arguments)
+{
+    T value = T();
+    done(give(arguments..., &value), sim);
+    return value;
+}
+
+/* The structs that a function has, by their index from 0, until there is no more. */
+template <class T, class Function, class... Arguments> std::vector<T> all(T one, Function get, Arguments... arguments)
+{
+    std::vector<T> values;
+    while (get(arguments..., values.size(), &one) == SINS_OK) {
+        values.push_back(one);
+    }
+    return values;
+}
+
+inline void destroy(sins_sim *sim) { sins_destroy(sim); }
+inline void destroy(sins_flight *flight) { sins_flight_destroy(flight); }
+inline void destroy(sins_ensemble *ensemble) { sins_ensemble_destroy(ensemble); }
+inline void destroy(sins_scene *scene) { sins_scene_destroy(scene); }
+inline void destroy(sins_log *log) { sins_log_destroy(log); }
+
+/* Owns a handle. It can be moved, but not copied. */
+template <class T> class Owner {
+public:
+    explicit Owner(T *handle) noexcept : handle_(handle) {}
+
+    Owner(Owner &&other) noexcept : handle_(other.handle_) { other.handle_ = nullptr; }
+
+    Owner &operator=(Owner &&other) noexcept
+    {
+        Owner taken(std::move(other));
+        std::swap(handle_, taken.handle_);
+        return *this;
+    }
+
+    Owner(const Owner &) = delete;
+    Owner &operator=(const Owner &) = delete;
+
+    ~Owner()
+    {
+        if (handle_ != nullptr) {
+            destroy(handle_);
+        }
+    }
+
+    /* The handle, for functions of sins.h. This object still owns it. */
+    T *handle() const noexcept { return handle_; }
+
+protected:
+    T *handle_;
+};
 
 } // namespace detail
 
@@ -136,93 +199,42 @@ inline bool recommend(const sins_flight_sample *samples, std::size_t count, cons
 }
 
 /* An embedded flight. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
-class Flight {
+class Flight : public detail::Owner<sins_flight> {
 public:
     Flight(const sins_flight_start &start, const sins_manoeuvre *manoeuvres, std::size_t count)
+        : Owner(detail::given<sins_flight *>(nullptr, sins_flight_create, &start, manoeuvres, count))
     {
-        detail::done(sins_flight_create(&start, manoeuvres, count, &flight_), nullptr);
-    }
-
-    Flight(Flight &&other) noexcept : flight_(other.flight_) { other.flight_ = nullptr; }
-
-    Flight &operator=(Flight &&other) noexcept
-    {
-        Flight taken(std::move(other));
-        std::swap(flight_, taken.flight_);
-        return *this;
-    }
-
-    Flight(const Flight &) = delete;
-    Flight &operator=(const Flight &) = delete;
-
-    ~Flight()
-    {
-        if (flight_ != nullptr) {
-            sins_flight_destroy(flight_);
-        }
     }
 
     /* Takes ownership of a handle that a function of sins.h made. */
-    explicit Flight(sins_flight *flight) noexcept : flight_(flight) {}
+    explicit Flight(sins_flight *flight) noexcept : Owner(flight) {}
 
-    /* The handle, for functions of sins.h. This object still owns it. */
-    sins_flight *handle() const noexcept { return flight_; }
-
-    double duration() const
-    {
-        double duration_s = 0.0;
-        detail::done(sins_flight_duration(flight_, &duration_s), nullptr);
-        return duration_s;
-    }
+    double duration() const { return detail::given<double>(nullptr, sins_flight_duration, handle_); }
 
     sins_flight_sample sample_at(double time_s) const
     {
-        sins_flight_sample sample = make<sins_flight_sample>();
-        detail::done(sins_flight_sample_at(flight_, time_s, &sample), nullptr);
-        return sample;
+        return detail::filled<sins_flight_sample>(nullptr, sins_flight_sample_at, handle_, time_s);
     }
 
     /* Reads the sample at time_s into a struct with struct_size set. */
     void sample_at(double time_s, sins_flight_sample &sample) const
     {
-        detail::done(sins_flight_sample_at(flight_, time_s, &sample), nullptr);
+        detail::done(sins_flight_sample_at(handle_, time_s, &sample), nullptr);
     }
-
-private:
-    sins_flight *flight_ = nullptr;
 };
 
 /* A simulator. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
-class Simulator {
+class Simulator : public detail::Owner<sins_sim> {
 public:
-    Simulator() { detail::done(sins_create(nullptr, &sim_), nullptr); }
+    Simulator() : Simulator(detail::given<sins_sim *>(nullptr, sins_create, nullptr)) {}
 
-    explicit Simulator(const sins_options &options) { detail::done(sins_create(&options, &sim_), nullptr); }
+    explicit Simulator(const sins_options &options)
+        : Simulator(detail::given<sins_sim *>(nullptr, sins_create, &options))
+    {
+    }
 
     /* Takes ownership of a handle that a function of sins.h made. */
-    explicit Simulator(sins_sim *sim) noexcept : sim_(sim) {}
-
-    Simulator(Simulator &&other) noexcept : sim_(other.sim_) { other.sim_ = nullptr; }
-
-    Simulator &operator=(Simulator &&other) noexcept
-    {
-        Simulator taken(std::move(other));
-        std::swap(sim_, taken.sim_);
-        return *this;
-    }
-
-    Simulator(const Simulator &) = delete;
-    Simulator &operator=(const Simulator &) = delete;
-
-    ~Simulator()
-    {
-        if (sim_ != nullptr) {
-            sins_destroy(sim_);
-        }
-    }
-
-    /* The handle, for functions of sins.h. This object still owns it. */
-    sins_sim *handle() const noexcept { return sim_; }
+    explicit Simulator(sins_sim *sim) noexcept : Owner(sim) {}
 
     /*
      * Recommends options for a simulator that is configured as this one. options and cost need struct_size. False: no options meet
@@ -231,23 +243,23 @@ public:
     bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
                    sins_options &options, sins_cost &cost) const
     {
-        if (sim_ == nullptr) { /* sins_recommend() would use the recommended simulator */
+        if (handle_ == nullptr) { /* sins_recommend() would use the recommended simulator */
             detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
         }
-        return detail::done(sins_recommend(sim_, samples, count, &requirement, &options, &cost), nullptr);
+        return detail::done(sins_recommend(handle_, samples, count, &requirement, &options, &cost), nullptr);
     }
 
     /* Error budget of all errors of this simulator. rows gets the first row and one row for each effect. */
     sins_budget error_budget(const sins_flight_sample *samples, std::size_t count, const sins_budget_request &request,
                              std::vector<sins_budget_row> &rows) const
     {
-        if (sim_ == nullptr) { /* sins_error_budget() would use the recommended simulator */
+        if (handle_ == nullptr) { /* sins_error_budget() would use the recommended simulator */
             detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
         }
         sins_budget budget = make<sins_budget>();
         std::size_t number = 0;
         const auto ask = [&] {
-            return sins_error_budget(sim_, samples, count, &request, rows.empty() ? nullptr : rows.data(), rows.size(),
+            return sins_error_budget(handle_, samples, count, &request, rows.empty() ? nullptr : rows.data(), rows.size(),
                                      &number, &budget);
         };
         rows.clear();
@@ -258,76 +270,67 @@ public:
         return budget;
     }
 
-    void set_gyro(const sins_gyro_params &params) { done(sins_set_gyro(sim_, &params)); }
-    void set_accel(const sins_accel_params &params) { done(sins_set_accel(sim_, &params)); }
-    void set_altimeter(const sins_altimeter_params &params) { done(sins_set_altimeter(sim_, &params)); }
+    void set_gyro(const sins_gyro_params &params) { done(sins_set_gyro(handle_, &params)); }
+    void set_accel(const sins_accel_params &params) { done(sins_set_accel(handle_, &params)); }
+    void set_altimeter(const sins_altimeter_params &params) { done(sins_set_altimeter(handle_, &params)); }
 
     /* sensor is of enum sins_sensor, axis is 0, 1, 2 for x, y, z. */
     void set_failure(int32_t sensor, int32_t axis, const sins_failure &failure)
     {
-        done(sins_set_failure(sim_, sensor, axis, &failure));
+        done(sins_set_failure(handle_, sensor, axis, &failure));
     }
 
-    void set_mounting(const sins_mounting &mounting) { done(sins_set_mounting(sim_, &mounting)); }
+    void set_mounting(const sins_mounting &mounting) { done(sins_set_mounting(handle_, &mounting)); }
     void set_gravity_disturbance(const sins_gravity_params &params)
     {
-        done(sins_set_gravity_disturbance(sim_, &params));
+        done(sins_set_gravity_disturbance(handle_, &params));
     }
-    void set_initial_errors(const sins_initial_errors &errors) { done(sins_set_initial_errors(sim_, &errors)); }
+    void set_initial_errors(const sins_initial_errors &errors) { done(sins_set_initial_errors(handle_, &errors)); }
 
     /* False: the sample was accepted, after a gap (SINS_GAP). */
-    bool push_sample(const sins_flight_sample &sample) { return done(sins_push_sample(sim_, &sample)); }
+    bool push_sample(const sins_flight_sample &sample) { return done(sins_push_sample(handle_, &sample)); }
 
     /* False: no complete interval yet. */
-    bool step() { return done(sins_step(sim_)); }
+    bool step() { return done(sins_step(handle_)); }
 
-    void move_time(double time_s) { done(sins_move_time(sim_, time_s)); }
-    void move_truth(const sins_flight_sample &sample) { done(sins_move_truth(sim_, &sample)); }
-    void reposition(const sins_flight_sample &sample) { done(sins_reposition(sim_, &sample)); }
-    void reset() { done(sins_reset(sim_)); }
+    void move_time(double time_s) { done(sins_move_time(handle_, time_s)); }
+    void move_truth(const sins_flight_sample &sample) { done(sins_move_truth(handle_, &sample)); }
+    void reposition(const sins_flight_sample &sample) { done(sins_reposition(handle_, &sample)); }
+    void reset() { done(sins_reset(handle_)); }
 
     /* written, if not NULL, gets the number of records, also if the call throws. False: all was flown, with a gap (SINS_GAP). */
     bool run(const sins_flight_sample *samples, std::size_t count, std::size_t every = 0,
              sins_record *records = nullptr, std::size_t capacity = 0, std::size_t *written = nullptr)
     {
-        return done(sins_run(sim_, samples, count, every, records, capacity, written));
+        return done(sins_run(handle_, samples, count, every, records, capacity, written));
     }
 
     /* These read into structs with struct_size set. False: there is no sample, or no interval, yet. */
-    bool get_truth(sins_navigation &truth) const { return done(sins_get_truth(sim_, &truth)); }
-    bool get_navigation(sins_navigation &navigation) const { return done(sins_get_navigation(sim_, &navigation)); }
-    bool get_imu(sins_imu &imu) const { return done(sins_get_imu(sim_, &imu)); }
-    bool get_errors(int32_t source, sins_errors &errors) const { return done(sins_get_errors(sim_, source, &errors)); }
-    bool get_accuracy(sins_accuracy &accuracy) const { return done(sins_get_accuracy(sim_, &accuracy)); }
-    bool get_truth_summary(sins_truth_summary &summary) const { return done(sins_get_truth_summary(sim_, &summary)); }
-    bool get_covariance(sins_covariance &covariance) const { return done(sins_get_covariance(sim_, &covariance)); }
-    bool get_record(sins_record &record) const { return done(sins_get_record(sim_, &record)); }
+    bool get_truth(sins_navigation &truth) const { return done(sins_get_truth(handle_, &truth)); }
+    bool get_navigation(sins_navigation &navigation) const { return done(sins_get_navigation(handle_, &navigation)); }
+    bool get_imu(sins_imu &imu) const { return done(sins_get_imu(handle_, &imu)); }
+    bool get_errors(int32_t source, sins_errors &errors) const { return done(sins_get_errors(handle_, source, &errors)); }
+    bool get_accuracy(sins_accuracy &accuracy) const { return done(sins_get_accuracy(handle_, &accuracy)); }
+    bool get_truth_summary(sins_truth_summary &summary) const { return done(sins_get_truth_summary(handle_, &summary)); }
+    bool get_covariance(sins_covariance &covariance) const { return done(sins_get_covariance(handle_, &covariance)); }
+    bool get_record(sins_record &record) const { return done(sins_get_record(handle_, &record)); }
 
     /* A record as a line of a file of records; sensor_errors are six numbers or none, covariance may be NULL. */
     static std::string record_line(const sins_record &record, const std::vector<double> &sensor_errors = {},
                                    const sins_covariance *covariance = nullptr)
     {
-        return detail::text([&](char *buffer, std::size_t capacity, std::size_t *needed) {
-            return sins_record_line(&record, sensor_errors.data(), sensor_errors.size(), covariance, buffer, capacity, needed);
-        });
+        return detail::text(sins_record_line, &record, sensor_errors.data(), sensor_errors.size(), covariance);
     }
 
     /* The first line of a file of records: the names of the columns. */
     static std::string record_head(bool has_covariance = false)
     {
         sins_covariance covariance = make<sins_covariance>();
-        return detail::text([&](char *buffer, std::size_t capacity, std::size_t *needed) {
-            return sins_record_line(nullptr, nullptr, 0, has_covariance ? &covariance : nullptr, buffer, capacity, needed);
-        });
+        return detail::text(sins_record_line, nullptr, nullptr, std::size_t(0), has_covariance ? &covariance : nullptr);
     }
 
     /* The options in effect, defaults in place of 0. */
-    sins_options options() const
-    {
-        sins_options options = make<sins_options>();
-        done(sins_get_options(sim_, &options));
-        return options;
-    }
+    sins_options options() const { return read_back<sins_options>(sins_get_options); }
 
     /* These return what was set last: to show it, or to change one field and set it again. */
     sins_gyro_params gyro() const { return read_back<sins_gyro_params>(sins_get_gyro); }
@@ -343,27 +346,18 @@ public:
     /* sensor is of enum sins_sensor, axis is 0, 1, 2 for x, y, z. */
     sins_failure failure(int32_t sensor, int32_t axis) const
     {
-        sins_failure failure = make<sins_failure>();
-        done(sins_get_failure(sim_, sensor, axis, &failure));
-        return failure;
+        return detail::filled<sins_failure>(handle_, sins_get_failure, handle_, sensor, axis);
     }
 
-    void start_navigation(const sins_navigation &navigation) { done(sins_start_navigation(sim_, &navigation)); }
-    void push_imu(const sins_imu_increment &increment) { done(sins_push_imu(sim_, &increment)); }
+    void start_navigation(const sins_navigation &navigation) { done(sins_start_navigation(handle_, &navigation)); }
+    void push_imu(const sins_imu_increment &increment) { done(sins_push_imu(handle_, &increment)); }
 
-    std::size_t snapshot_size() const
-    {
-        std::size_t size = 0;
-        done(sins_snapshot_size(sim_, &size));
-        return size;
-    }
+    std::size_t snapshot_size() const { return detail::given<std::size_t>(handle_, sins_snapshot_size, handle_); }
 
     /* Returns the number of bytes that were written. */
     std::size_t snapshot_save(void *buffer, std::size_t capacity) const
     {
-        std::size_t written = 0;
-        done(sins_snapshot_save(sim_, buffer, capacity, &written));
-        return written;
+        return detail::given<std::size_t>(handle_, sins_snapshot_save, handle_, buffer, capacity);
     }
 
     std::vector<unsigned char> snapshot_save() const
@@ -373,21 +367,16 @@ public:
         return bytes;
     }
 
-    void snapshot_load(const void *snapshot, std::size_t size) { done(sins_snapshot_load(sim_, snapshot, size)); }
+    void snapshot_load(const void *snapshot, std::size_t size) { done(sins_snapshot_load(handle_, snapshot, size)); }
     void snapshot_load(const std::vector<unsigned char> &snapshot) { snapshot_load(snapshot.data(), snapshot.size()); }
 
 private:
-    bool done(sins_status status) const { return detail::done(status, sim_); }
+    bool done(sins_status status) const { return detail::done(status, handle_); }
 
-    template <class Params>
-    Params read_back(sins_status(SINS_CALL *get)(sins_sim *, Params *)) const
+    template <class Params> Params read_back(sins_status(SINS_CALL *get)(sins_sim *, Params *)) const
     {
-        Params params = make<Params>();
-        done(get(sim_, &params));
-        return params;
+        return detail::filled<Params>(handle_, get, handle_);
     }
-
-    sins_sim *sim_ = nullptr;
 };
 
 /* Adds the runs of other to those of into. make<sins_statistics>() makes a struct without runs. */
@@ -398,140 +387,106 @@ inline void statistics_merge(sins_statistics &into, const sins_statistics &other
 
 inline sins_figures statistics_figures(const sins_statistics &statistics)
 {
-    sins_figures figures = make<sins_figures>();
-    detail::done(sins_statistics_figures(&statistics, &figures), nullptr);
-    return figures;
+    return detail::filled<sins_figures>(nullptr, sins_statistics_figures, &statistics);
 }
 
 /* An ensemble of runs. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
-class Ensemble {
+class Ensemble : public detail::Owner<sins_ensemble> {
 public:
     /* The runs first_run to first_run + runs - 1 of a simulator that was set up and has taken no sample. */
     Ensemble(const Simulator &configured, uint64_t first_run, std::size_t runs)
+        : Owner(detail::given<sins_ensemble *>(nullptr, sins_ensemble_create, configured.handle(), first_run, runs))
     {
-        done(sins_ensemble_create(configured.handle(), first_run, runs, &ensemble_));
     }
-
-    Ensemble(Ensemble &&other) noexcept : ensemble_(other.ensemble_) { other.ensemble_ = nullptr; }
-
-    Ensemble &operator=(Ensemble &&other) noexcept
-    {
-        Ensemble taken(std::move(other));
-        std::swap(ensemble_, taken.ensemble_);
-        return *this;
-    }
-
-    Ensemble(const Ensemble &) = delete;
-    Ensemble &operator=(const Ensemble &) = delete;
-
-    ~Ensemble()
-    {
-        if (ensemble_ != nullptr) {
-            sins_ensemble_destroy(ensemble_);
-        }
-    }
-
-    /* The handle, for functions of sins.h. This object still owns it. */
-    sins_ensemble *handle() const noexcept { return ensemble_; }
 
     uint64_t first_run() const
     {
         uint64_t first_run = 0;
-        done(sins_ensemble_get_runs(ensemble_, &first_run, nullptr));
+        done(sins_ensemble_get_runs(handle_, &first_run, nullptr));
         return first_run;
     }
 
     std::size_t runs() const
     {
-        std::size_t runs = 0;
-        done(sins_ensemble_get_runs(ensemble_, nullptr, &runs));
-        return runs;
+        return detail::given<std::size_t>(nullptr, sins_ensemble_get_runs, handle_, nullptr);
     }
 
     /* False: the sample was accepted, after a gap (SINS_GAP). */
-    bool push_sample(const sins_flight_sample &sample) { return done(sins_ensemble_push_sample(ensemble_, &sample)); }
+    bool push_sample(const sins_flight_sample &sample) { return done(sins_ensemble_push_sample(handle_, &sample)); }
 
     /* False: no complete interval yet. */
-    bool step() { return done(sins_ensemble_step(ensemble_)); }
+    bool step() { return done(sins_ensemble_step(handle_)); }
 
     /* False: all was flown, with a gap (SINS_GAP). */
     bool run(const sins_flight_sample *samples, std::size_t count)
     {
-        return done(sins_ensemble_run(ensemble_, samples, count));
+        return done(sins_ensemble_run(handle_, samples, count));
     }
 
-    void reposition(const sins_flight_sample &sample) { done(sins_ensemble_reposition(ensemble_, &sample)); }
-    void reset() { done(sins_ensemble_reset(ensemble_)); }
+    void reposition(const sins_flight_sample &sample) { done(sins_ensemble_reposition(handle_, &sample)); }
+    void reset() { done(sins_ensemble_reset(handle_)); }
 
     /* sensor is of enum sins_sensor, axis is 0, 1, 2 for x, y, z. */
     void set_failure(int32_t sensor, int32_t axis, const sins_failure &failure)
     {
-        done(sins_ensemble_set_failure(ensemble_, sensor, axis, &failure));
+        done(sins_ensemble_set_failure(handle_, sensor, axis, &failure));
     }
 
     /* These read into structs with struct_size set. False: there is no sample, or no interval, yet. */
-    bool get_truth(sins_navigation &truth) const { return done(sins_ensemble_get_truth(ensemble_, &truth)); }
+    bool get_truth(sins_navigation &truth) const { return done(sins_ensemble_get_truth(handle_, &truth)); }
     bool get_navigation(uint64_t run, sins_navigation &navigation) const
     {
-        return done(sins_ensemble_get_navigation(ensemble_, run, &navigation));
+        return done(sins_ensemble_get_navigation(handle_, run, &navigation));
     }
-    bool get_imu(uint64_t run, sins_imu &imu) const { return done(sins_ensemble_get_imu(ensemble_, run, &imu)); }
+    bool get_imu(uint64_t run, sins_imu &imu) const { return done(sins_ensemble_get_imu(handle_, run, &imu)); }
     bool get_errors(uint64_t run, int32_t source, sins_errors &errors) const
     {
-        return done(sins_ensemble_get_errors(ensemble_, run, source, &errors));
+        return done(sins_ensemble_get_errors(handle_, run, source, &errors));
     }
     bool get_statistics(int32_t source, sins_statistics &statistics) const
     {
-        return done(sins_ensemble_get_statistics(ensemble_, source, &statistics));
+        return done(sins_ensemble_get_statistics(handle_, source, &statistics));
     }
 
     /* The numbers of the runs that have diverged. */
     std::vector<uint64_t> diverged() const
     {
-        std::vector<uint64_t> runs;
-        uint64_t run = 0;
-        while (sins_ensemble_get_diverged(ensemble_, runs.size(), &run) == SINS_OK) {
-            runs.push_back(run);
-        }
-        return runs;
+        return detail::all(uint64_t(0), sins_ensemble_get_diverged, handle_);
     }
 
     std::vector<unsigned char> snapshot_save() const
     {
-        std::size_t size = 0, written = 0;
-        done(sins_ensemble_snapshot_size(ensemble_, &size));
-        std::vector<unsigned char> bytes(size);
-        done(sins_ensemble_snapshot_save(ensemble_, bytes.data(), bytes.size(), &written));
-        bytes.resize(written);
+        std::vector<unsigned char> bytes(detail::given<std::size_t>(nullptr, sins_ensemble_snapshot_size, handle_));
+        void *const buffer = bytes.data();
+        bytes.resize(detail::given<std::size_t>(nullptr, sins_ensemble_snapshot_save, handle_, buffer, bytes.size()));
         return bytes;
     }
 
     void snapshot_load(const std::vector<unsigned char> &snapshot)
     {
-        done(sins_ensemble_snapshot_load(ensemble_, snapshot.data(), snapshot.size()));
+        done(sins_ensemble_snapshot_load(handle_, snapshot.data(), snapshot.size()));
     }
 
 private:
     static bool done(sins_status status) { return detail::done(status, nullptr); }
-
-    sins_ensemble *ensemble_ = nullptr;
 };
 
 /* A scene. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
-class Scene {
+class Scene : public detail::Owner<sins_scene> {
 public:
     /* The default scene. */
-    Scene() { detail::done(sins_scene_create(&scene_), nullptr); }
+    Scene() : Scene(detail::given<sins_scene *>(nullptr, sins_scene_create)) {}
 
     /* The scene of a text. If the text has faults, only faults() can be used. */
-    explicit Scene(const std::string &text) { detail::done(sins_scene_parse(text.data(), text.size(), &scene_), nullptr); }
+    explicit Scene(const std::string &text)
+        : Scene(detail::given<sins_scene *>(nullptr, sins_scene_parse, text.data(), text.size()))
+    {
+    }
 
     /* A built-in scene by its name. */
     static Scene builtin(const std::string &name)
     {
-        sins_scene *scene = nullptr;
-        detail::done(sins_scene_create_builtin(name.c_str(), &scene), nullptr);
-        return Scene(scene);
+        return Scene(detail::given<sins_scene *>(nullptr, sins_scene_create_builtin, name.c_str()));
     }
 
     /* The names of the built-in scenes. */
@@ -545,113 +500,60 @@ public:
         return names;
     }
 
-    Scene(Scene &&other) noexcept : scene_(other.scene_) { other.scene_ = nullptr; }
-
-    Scene &operator=(Scene &&other) noexcept
-    {
-        Scene taken(std::move(other));
-        std::swap(scene_, taken.scene_);
-        return *this;
-    }
-
-    Scene(const Scene &) = delete;
-    Scene &operator=(const Scene &) = delete;
-
-    ~Scene()
-    {
-        if (scene_ != nullptr) {
-            sins_scene_destroy(scene_);
-        }
-    }
-
-    /* The handle, for functions of sins.h. This object still owns it. */
-    sins_scene *handle() const noexcept { return scene_; }
-
     /* The faults of the text, or of the change that was rejected last; empty if there are none. */
     std::vector<sins_fault> faults() const
     {
-        std::vector<sins_fault> faults;
-        sins_fault fault = make<sins_fault>();
-        while (sins_scene_get_fault(scene_, faults.size(), &fault) == SINS_OK) {
-            faults.push_back(fault);
-        }
-        return faults;
+        return detail::all(make<sins_fault>(), sins_scene_get_fault, handle_);
     }
 
     /* The scene as TOML. */
-    std::string write() const
-    {
-        return detail::text([this](char *buffer, std::size_t capacity, std::size_t *needed) {
-            return sins_scene_write(scene_, buffer, capacity, needed);
-        });
-    }
+    std::string write() const { return detail::text(sins_scene_write, handle_); }
 
     /* The value at a path, "gyro.bias_deg_h[1]", as it stands in the text of a scene; or all lines of an item, "failure[0]". */
     std::string value(const std::string &path) const
     {
-        return detail::text([&](char *buffer, std::size_t capacity, std::size_t *needed) {
-            return sins_scene_get_value(scene_, path.c_str(), buffer, capacity, needed);
-        });
+        return detail::text(sins_scene_get_value, handle_, path.c_str());
     }
 
     /* Sets values: in each line a path, =, a value. False: the scene stays as it was, and faults() has the reasons. */
-    bool set_values(const std::string &values) { return changed(sins_scene_set_values(scene_, values.c_str())); }
+    bool set_values(const std::string &values) { return changed(sins_scene_set_values(handle_, values.c_str())); }
 
     /* Sets all items of a list, "manoeuvre" or "failure", by their text. False: as set_values(). */
     bool set_items(const std::string &list, const std::string &items)
     {
-        return changed(sins_scene_set_items(scene_, list.c_str(), items.c_str()));
+        return changed(sins_scene_set_items(handle_, list.c_str(), items.c_str()));
     }
 
     /* The keys of the scene format. */
-    static std::vector<sins_scene_key> keys()
-    {
-        std::vector<sins_scene_key> keys;
-        sins_scene_key key = make<sins_scene_key>();
-        while (sins_scene_get_key(keys.size(), &key) == SINS_OK) {
-            keys.push_back(key);
-        }
-        return keys;
-    }
+    static std::vector<sins_scene_key> keys() { return detail::all(make<sins_scene_key>(), sins_scene_get_key); }
 
     /* Every section and key of a scene, one in a line. */
-    static std::string write_keys()
-    {
-        return detail::text([](char *buffer, std::size_t capacity, std::size_t *needed) {
-            return sins_scene_write_keys(buffer, capacity, needed);
-        });
-    }
+    static std::string write_keys() { return detail::text(sins_scene_write_keys); }
 
     /* The samples that the scene flies: those of its own flight, or of a log. */
     sins_scene_samples samples(const sins_log *log = nullptr) const
     {
-        sins_scene_samples samples = make<sins_scene_samples>();
-        done(sins_scene_get_samples(scene_, log, &samples));
-        return samples;
+        return detail::filled<sins_scene_samples>(nullptr, sins_scene_get_samples, handle_, log);
     }
 
     Simulator create_simulator() const
     {
-        sins_sim *sim = nullptr;
-        done(sins_scene_create_simulator(scene_, &sim));
-        return Simulator(sim);
+        return Simulator(detail::given<sins_sim *>(nullptr, sins_scene_create_simulator, handle_));
     }
 
     Flight create_flight() const
     {
-        sins_flight *flight = nullptr;
-        done(sins_scene_create_flight(scene_, &flight));
-        return Flight(flight);
+        return Flight(detail::given<sins_flight *>(nullptr, sins_scene_create_flight, handle_));
     }
 
     void prepare(Simulator &sim, double flight_start_s, sins_flight_sample &sample) const
     {
-        done(sins_scene_prepare(scene_, sim.handle(), flight_start_s, &sample));
+        done(sins_scene_prepare(handle_, sim.handle(), flight_start_s, &sample));
     }
 
     void prepare(Ensemble &ensemble, double flight_start_s, sins_flight_sample &sample) const
     {
-        done(sins_scene_prepare_ensemble(scene_, ensemble.handle(), flight_start_s, &sample));
+        done(sins_scene_prepare_ensemble(handle_, ensemble.handle(), flight_start_s, &sample));
     }
 
     sins_options options() const { return read_back<sins_options>(sins_scene_get_options); }
@@ -671,55 +573,53 @@ public:
     std::vector<sins_manoeuvre> manoeuvres(sins_flight_start &start, std::size_t &repeat) const
     {
         std::size_t count = 0;
-        done(sins_scene_get_manoeuvres(scene_, nullptr, nullptr, 0, &count, nullptr));
+        done(sins_scene_get_manoeuvres(handle_, nullptr, nullptr, 0, &count, nullptr));
         std::vector<sins_manoeuvre> manoeuvres(count, make<sins_manoeuvre>());
-        done(sins_scene_get_manoeuvres(scene_, &start, manoeuvres.data(), count, &count, &repeat));
+        done(sins_scene_get_manoeuvres(handle_, &start, manoeuvres.data(), count, &count, &repeat));
         return manoeuvres;
     }
     void set_manoeuvres(const sins_flight_start &start, const std::vector<sins_manoeuvre> &manoeuvres,
                         std::size_t repeat = 1)
     {
-        done(sins_scene_set_manoeuvres(scene_, &start, manoeuvres.data(), manoeuvres.size(), repeat));
+        done(sins_scene_set_manoeuvres(handle_, &start, manoeuvres.data(), manoeuvres.size(), repeat));
     }
 
     sins_scene_setup setup() const { return read_back<sins_scene_setup>(sins_scene_get_setup); }
 
-    void set_options(const sins_options &options) { done(sins_scene_set_options(scene_, &options)); }
-    void set_gyro(const sins_gyro_params &params) { done(sins_scene_set_gyro(scene_, &params)); }
-    void set_accel(const sins_accel_params &params) { done(sins_scene_set_accel(scene_, &params)); }
-    void set_altimeter(const sins_altimeter_params &params) { done(sins_scene_set_altimeter(scene_, &params)); }
-    void set_initial_errors(const sins_initial_errors &errors) { done(sins_scene_set_initial_errors(scene_, &errors)); }
-    void set_mounting(const sins_mounting &mounting) { done(sins_scene_set_mounting(scene_, &mounting)); }
+    void set_options(const sins_options &options) { done(sins_scene_set_options(handle_, &options)); }
+    void set_gyro(const sins_gyro_params &params) { done(sins_scene_set_gyro(handle_, &params)); }
+    void set_accel(const sins_accel_params &params) { done(sins_scene_set_accel(handle_, &params)); }
+    void set_altimeter(const sins_altimeter_params &params) { done(sins_scene_set_altimeter(handle_, &params)); }
+    void set_initial_errors(const sins_initial_errors &errors) { done(sins_scene_set_initial_errors(handle_, &errors)); }
+    void set_mounting(const sins_mounting &mounting) { done(sins_scene_set_mounting(handle_, &mounting)); }
     void set_gravity_disturbance(const sins_gravity_params &params)
     {
-        done(sins_scene_set_gravity_disturbance(scene_, &params));
+        done(sins_scene_set_gravity_disturbance(handle_, &params));
     }
-    void set_setup(const sins_scene_setup &setup) { done(sins_scene_set_setup(scene_, &setup)); }
+    void set_setup(const sins_scene_setup &setup) { done(sins_scene_set_setup(handle_, &setup)); }
 
     /* which is of enum sins_scene_text. */
     std::string text(int32_t which) const
     {
-        return detail::text([this, which](char *buffer, std::size_t capacity, std::size_t *needed) {
-            return sins_scene_get_text(scene_, which, buffer, capacity, needed);
-        });
+        return detail::text(sins_scene_get_text, handle_, which);
     }
-    void set_text(int32_t which, const std::string &text) { done(sins_scene_set_text(scene_, which, text.c_str())); }
+    void set_text(int32_t which, const std::string &text) { done(sins_scene_set_text(handle_, which, text.c_str())); }
 
     std::vector<sins_planned_failure> failures() const
     {
         std::size_t count = 0;
-        done(sins_scene_get_failure_count(scene_, &count));
+        done(sins_scene_get_failure_count(handle_, &count));
         std::vector<sins_planned_failure> failures(count, make<sins_planned_failure>());
         for (std::size_t index = 0; index < count; index++) {
-            done(sins_scene_get_failure(scene_, index, &failures[index]));
+            done(sins_scene_get_failure(handle_, index, &failures[index]));
         }
         return failures;
     }
-    void add_failure(const sins_planned_failure &failure) { done(sins_scene_add_failure(scene_, &failure)); }
-    void clear_failures() { done(sins_scene_clear_failures(scene_)); }
+    void add_failure(const sins_planned_failure &failure) { done(sins_scene_add_failure(handle_, &failure)); }
+    void clear_failures() { done(sins_scene_clear_failures(handle_)); }
 
 private:
-    explicit Scene(sins_scene *scene) noexcept : scene_(scene) {}
+    explicit Scene(sins_scene *scene) noexcept : Owner(scene) {}
 
     bool changed(sins_status status) const
     {
@@ -728,65 +628,35 @@ private:
 
     static void done(sins_status status) { detail::done(status, nullptr); }
 
-    template <class Params>
-    Params read_back(sins_status(SINS_CALL *get)(const sins_scene *, Params *)) const
+    template <class Params> Params read_back(sins_status(SINS_CALL *get)(const sins_scene *, Params *)) const
     {
-        Params params = make<Params>();
-        done(get(scene_, &params));
-        return params;
+        return detail::filled<Params>(nullptr, get, handle_);
     }
-
-    sins_scene *scene_ = nullptr;
 };
 
 /* A flight log in memory. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
-class Log {
+class Log : public detail::Owner<sins_log> {
 public:
     /* The log of a text. If the text has faults, what() of the error has the first one and its place. */
-    explicit Log(const std::string &text)
-    {
-        detail::done(sins_log_parse(text.data(), text.size(), &log_, nullptr), nullptr);
-    }
+    explicit Log(const std::string &text) : Owner(parsed(text)) {}
 
-    Log(Log &&other) noexcept : log_(other.log_) { other.log_ = nullptr; }
-
-    Log &operator=(Log &&other) noexcept
-    {
-        Log taken(std::move(other));
-        std::swap(log_, taken.log_);
-        return *this;
-    }
-
-    Log(const Log &) = delete;
-    Log &operator=(const Log &) = delete;
-
-    ~Log()
-    {
-        if (log_ != nullptr) {
-            sins_log_destroy(log_);
-        }
-    }
-
-    /* The handle, for functions of sins.h. This object still owns it. */
-    sins_log *handle() const noexcept { return log_; }
-
-    sins_log_info info() const
-    {
-        sins_log_info info = make<sins_log_info>();
-        detail::done(sins_log_get_info(log_, &info), nullptr);
-        return info;
-    }
+    sins_log_info info() const { return detail::filled<sins_log_info>(nullptr, sins_log_get_info, handle_); }
 
     /* line, if not NULL, gets the line of the text on which the sample stands. */
     sins_flight_sample sample(std::size_t index, uint64_t *line = nullptr) const
     {
         sins_flight_sample sample = make<sins_flight_sample>();
-        detail::done(sins_log_get_sample(log_, index, &sample, line), nullptr);
+        detail::done(sins_log_get_sample(handle_, index, &sample, line), nullptr);
         return sample;
     }
 
 private:
-    sins_log *log_ = nullptr;
+    static sins_log *parsed(const std::string &text)
+    {
+        sins_log *log = nullptr;
+        detail::done(sins_log_parse(text.data(), text.size(), &log, nullptr), nullptr);
+        return log;
+    }
 };
 
 } // namespace sins

@@ -171,6 +171,8 @@ pub mod errors;
 #[forbid(unsafe_code)]
 pub mod flight;
 mod instruction_set;
+#[forbid(unsafe_code)]
+mod joined;
 #[cfg(feature = "scenes")]
 #[forbid(unsafe_code)]
 pub mod log;

@@ -21,6 +21,12 @@ pub(crate) fn probe(bytes: usize) -> Result<(), Error> {
     room::<u8>(bytes).map(|memory| drop(core::hint::black_box(memory)))
 }
 
+/// The only element of `memory`, on the heap: memory for it can be missing without the end of the process, unlike that of a `Box`.
+pub(crate) fn only<T>(memory: Vec<T>) -> Result<Box<[T; 1]>, Error> {
+    let count = memory.len();
+    memory.into_boxed_slice().try_into().map_err(|_| missing(count))
+}
+
 fn missing(count: usize) -> Error {
     Error::of(
         ErrorKind::OutOfMemory,

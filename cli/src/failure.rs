@@ -49,6 +49,11 @@ impl Failure {
         Self::new(format!("{}: {what}", path.display()))
     }
 
+    /// About an input file that cannot be read.
+    pub fn of_input(path: &Path, error: &dyn fmt::Display) -> Self {
+        Self::of_file(path, &format!("cannot be read: {error}"))
+    }
+
     /// About a line of an input file, counted from 1.
     pub fn of_line(path: &Path, line: u64, what: &dyn fmt::Display) -> Self {
         Self::new(format!("{}:{line}: {what}", path.display()))

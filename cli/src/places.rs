@@ -62,6 +62,11 @@ pub fn below(folder: &Path, file: &str, key: &str, option: &str) -> Result<PathB
     Ok(folder.join(path))
 }
 
+/// The file beside `path` that has its name and another ending.
+pub fn beside(path: &Path, ending: &str) -> PathBuf {
+    path.with_file_name(format!("{}{ending}", path.file_stem().unwrap_or_default().to_string_lossy()))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

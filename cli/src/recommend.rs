@@ -1,18 +1,18 @@
 //! `sins recommend`: the cheapest options that meet a required accuracy on a scene.
 
-use sins::mechanization::Scheme;
 use sins::recommend::{
     MAX_SAMPLES, Recommendation, Requirement, Setup, SolutionError, recommend, step_time_ns,
 };
 use sins::truth::FlightSample;
 
+use crate::curve::scheme_name;
 use crate::failure::{Failure, Kind};
 use crate::fly::FOR_LOGS;
 use crate::given::{Given, SceneArguments};
 use crate::limits::LimitArguments;
 use crate::progress::Progress;
 use crate::terminal::print;
-use crate::units::{ANGLE, LENGTH, SPEED, brief, time_text, two_digits};
+use crate::units::{brief_parts, time_text, two_digits};
 
 /// Finds the cheapest options that meet a required accuracy
 ///
@@ -93,19 +93,7 @@ fn piece(order: &Order, given: &Given) -> Result<(usize, Vec<FlightSample>), Fai
 
 /// The answer, as a scene has it, and what it leaves.
 fn text(given: &Given, answer: &Recommendation, ns: f64) -> String {
-    let scheme = match answer.rung.scheme {
-        Scheme::Exact => "exact",
-        Scheme::Paper => "paper",
-        Scheme::Polynomial => "polynomial",
-    };
-    let leaves = |error: &SolutionError| {
-        format!(
-            "{}, {}, {}",
-            brief(error.position_m, LENGTH),
-            brief(error.velocity_m_s, SPEED),
-            brief(error.attitude_rad, ANGLE)
-        )
-    };
+    let scheme = scheme_name(answer.rung.scheme);
     format!(
         "# {}: {}\n[options]\nscheme = \"{scheme}\"\nsubsamples = {}\nupdates_per_sample = {}\n\n\
          error within {}: {}\n  of which uncertainty of the reference: {}\na step takes {ns:.0} ns on this machine; {} algorithms were tried\n",
@@ -114,8 +102,8 @@ fn text(given: &Given, answer: &Recommendation, ns: f64) -> String {
         answer.rung.subsamples,
         answer.rung.updates_per_sample,
         time_text(answer.duration_s),
-        leaves(&answer.predicted),
-        leaves(&answer.uncertainty),
+        brief_parts(answer.predicted.parts()),
+        brief_parts(answer.uncertainty.parts()),
         answer.tried,
     )
 }

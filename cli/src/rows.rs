@@ -8,12 +8,16 @@ use crate::failure::{Failure, Kind};
 /// Every table in Markdown begins with this mark, by which the program recognizes its own tables.
 pub const TABLE_MARK: &str = "<!-- written by sins -->";
 
-/// `rows`, the header first, quoted where they need it.
-pub fn text<R: AsRef<[String]>>(rows: &[R]) -> Result<String, Failure> {
+/// `rows` under their header, quoted where they need it.
+pub fn text<R: AsRef<[String]>>(
+    header: &[&str],
+    rows: impl IntoIterator<Item = R>,
+) -> Result<String, Failure> {
     let failure = |error: &dyn std::fmt::Display| {
         Failure::of_kind(Kind::Failed, format!("the table could not be written: {error}"))
     };
     let mut writer = Writer::from_writer(Vec::new());
+    writer.write_record(header).map_err(|error| failure(&error))?;
     for row in rows {
         writer.write_record(row.as_ref()).map_err(|error| failure(&error))?;
     }

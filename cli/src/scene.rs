@@ -132,6 +132,5 @@ pub fn print_key_fields() -> Result<(), Failure> {
             key.condition,
         ]
     };
-    let head = FIELDS.map(str::to_owned).to_vec();
-    print(&rows::text(&std::iter::once(head).chain(keys().into_iter().map(row)).collect::<Vec<_>>())?)
+    print(&rows::text(&FIELDS, keys().into_iter().map(row))?)
 }

@@ -120,6 +120,12 @@ pub fn brief(value: f64, family: &Family) -> String {
     format!("{} {}", short(value / unit.si), unit.name)
 }
 
+/// Position [m], velocity [m/s] and attitude [rad], each by [`brief`].
+pub fn brief_parts(parts: [f64; 3]) -> String {
+    let [position, velocity, attitude] = parts;
+    [brief(position, LENGTH), brief(velocity, SPEED), brief(attitude, ANGLE)].join(", ")
+}
+
 /// Two significant digits, or all before the point.
 pub fn two_digits(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {

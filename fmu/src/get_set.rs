@@ -46,37 +46,46 @@ unsafe fn set<T: Copy>(
     }
 }
 
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetReal(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *mut f64,
-) -> fmi2Status {
-    let real = |value| if let Value::Real(value) = value { Some(value) } else { None };
-    unsafe { get(component, "fmi2GetReal", Base::Real, (references, count, values), real) }
+macro_rules! getters {
+    ($($name:ident: $base:ident as $type:ty;)*) => {$(
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn $name(
+            component: *mut Component,
+            references: *const u32,
+            count: usize,
+            values: *mut $type,
+        ) -> fmi2Status {
+            let own = |value| if let Value::$base(value) = value { Some(<$type>::from(value)) } else { None };
+            unsafe { get(component, stringify!($name), Base::$base, (references, count, values), own) }
+        }
+    )*};
 }
 
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetInteger(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *mut c_int,
-) -> fmi2Status {
-    let integer = |value| if let Value::Integer(value) = value { Some(value) } else { None };
-    unsafe { get(component, "fmi2GetInteger", Base::Integer, (references, count, values), integer) }
+getters! {
+    fmi2GetReal: Real as f64;
+    fmi2GetInteger: Integer as c_int;
+    fmi2GetBoolean: Boolean as c_int;
 }
 
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetBoolean(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *mut c_int,
-) -> fmi2Status {
-    let boolean = |value| if let Value::Boolean(value) = value { Some(c_int::from(value)) } else { None };
-    unsafe { get(component, "fmi2GetBoolean", Base::Boolean, (references, count, values), boolean) }
+macro_rules! setters {
+    ($($name:ident: $type:ty, $value:expr;)*) => {$(
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn $name(
+            component: *mut Component,
+            references: *const u32,
+            count: usize,
+            values: *const $type,
+        ) -> fmi2Status {
+            unsafe { set(component, stringify!($name), (references, count, values), $value) }
+        }
+    )*};
+}
+
+setters! {
+    fmi2SetReal: f64, |value| Ok(Value::Real(value));
+    fmi2SetInteger: c_int, |value| Ok(Value::Integer(value));
+    fmi2SetBoolean: c_int, |value| Ok(Value::Boolean(value != 0));
+    fmi2SetString: *const c_char, |value| Ok(Value::String(text(value)?.to_owned()));
 }
 
 #[unsafe(no_mangle)]
@@ -102,48 +111,4 @@ pub unsafe extern "C" fn fmi2GetString(
             Ok(fmi2OK)
         })
     }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetReal(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *const f64,
-) -> fmi2Status {
-    unsafe { set(component, "fmi2SetReal", (references, count, values), |value| Ok(Value::Real(value))) }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetInteger(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *const c_int,
-) -> fmi2Status {
-    unsafe {
-        set(component, "fmi2SetInteger", (references, count, values), |value| Ok(Value::Integer(value)))
-    }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetBoolean(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *const c_int,
-) -> fmi2Status {
-    let boolean = |value| Ok(Value::Boolean(value != 0));
-    unsafe { set(component, "fmi2SetBoolean", (references, count, values), boolean) }
-}
-
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetString(
-    component: *mut Component,
-    references: *const u32,
-    count: usize,
-    values: *const *const c_char,
-) -> fmi2Status {
-    let string = |value| Ok(Value::String(unsafe { text(value) }?.to_owned()));
-    unsafe { set(component, "fmi2SetString", (references, count, values), string) }
 }

@@ -19,23 +19,8 @@ struct Group {
     inputs: &'static [Input],
 }
 
-struct Input {
-    name: &'static str,
-    unit: &'static str,
-    limits: (f64, f64),
-    nominal: f64,
-    doc: &'static str,
-}
-
-const fn input(
-    name: &'static str,
-    unit: &'static str,
-    limits: (f64, f64),
-    nominal: f64,
-    doc: &'static str,
-) -> Input {
-    Input { name, unit, limits, nominal, doc }
-}
+/// Name, unit, limits, usual size, meaning.
+type Input = (&'static str, &'static str, (f64, f64), f64, &'static str);
 
 const fn of_size(largest: f64) -> (f64, f64) {
     (-largest, largest)
@@ -50,81 +35,36 @@ const VELOCITY: (f64, f64) = of_size(FlightSample::MAX_VELOCITY_M_S);
 const RATE: (f64, f64) = of_size(FlightSample::MAX_RATE_RAD_S);
 const FORCE: (f64, f64) = of_size(FlightSample::MAX_FORCE_M_S2);
 
+#[rustfmt::skip]
 const GROUPS: [Group; 6] = [
-    Group {
-        name: "position",
-        is_needed: true,
-        inputs: &[
-            input("truth.latitude_rad", "rad", LATITUDE, 1.0, "geodetic latitude"),
-            input("truth.longitude_rad", "rad", LONGITUDE, 1.0, "longitude, east positive"),
-            input("truth.height_m", "m", HEIGHT, 1e4, "height above the ellipsoid"),
-        ],
-    },
-    Group {
-        name: "attitude",
-        is_needed: true,
-        inputs: &[
-            input("truth.roll_rad", "rad", ANGLE, 1.0, "roll, right wing down positive; any number of turns"),
-            input("truth.pitch_rad", "rad", ANGLE, 1.0, "pitch, nose up positive"),
-            input("truth.heading_rad", "rad", ANGLE, 1.0, "heading, clockwise from true north"),
-        ],
-    },
-    Group {
-        name: "velocity",
-        is_needed: false,
-        inputs: &[
-            input("truth.velocity_east_m_s", "m/s", VELOCITY, 100.0, "velocity against the Earth, east"),
-            input("truth.velocity_north_m_s", "m/s", VELOCITY, 100.0, "velocity against the Earth, north"),
-            input("truth.velocity_up_m_s", "m/s", VELOCITY, 10.0, "velocity against the Earth, up"),
-        ],
-    },
-    Group {
-        name: "angular rate",
-        is_needed: false,
-        inputs: &[
-            input(
-                "truth.rate_rad_s[1]",
-                "rad/s",
-                RATE,
-                1.0,
-                "angular rate against inertial space, sensor axis x",
-            ),
-            input(
-                "truth.rate_rad_s[2]",
-                "rad/s",
-                RATE,
-                1.0,
-                "angular rate against inertial space, sensor axis y",
-            ),
-            input(
-                "truth.rate_rad_s[3]",
-                "rad/s",
-                RATE,
-                1.0,
-                "angular rate against inertial space, sensor axis z",
-            ),
-        ],
-    },
-    Group {
-        name: "specific force",
-        is_needed: false,
-        inputs: &[
-            input("truth.force_m_s2[1]", "m/s2", FORCE, 10.0, "specific force, sensor axis x"),
-            input("truth.force_m_s2[2]", "m/s2", FORCE, 10.0, "specific force, sensor axis y"),
-            input("truth.force_m_s2[3]", "m/s2", FORCE, 10.0, "specific force, sensor axis z"),
-        ],
-    },
-    Group {
-        name: "temperature",
-        is_needed: false,
-        inputs: &[input(
-            "truth.temperature_c",
-            "deg C",
-            TEMPERATURE_RANGE_C,
-            20.0,
-            "temperature of the gyros and accelerometers",
-        )],
-    },
+    Group { name: "position", is_needed: true, inputs: &[
+        ("truth.latitude_rad", "rad", LATITUDE, 1.0, "geodetic latitude"),
+        ("truth.longitude_rad", "rad", LONGITUDE, 1.0, "longitude, east positive"),
+        ("truth.height_m", "m", HEIGHT, 1e4, "height above the ellipsoid"),
+    ] },
+    Group { name: "attitude", is_needed: true, inputs: &[
+        ("truth.roll_rad", "rad", ANGLE, 1.0, "roll, right wing down positive; any number of turns"),
+        ("truth.pitch_rad", "rad", ANGLE, 1.0, "pitch, nose up positive"),
+        ("truth.heading_rad", "rad", ANGLE, 1.0, "heading, clockwise from true north"),
+    ] },
+    Group { name: "velocity", is_needed: false, inputs: &[
+        ("truth.velocity_east_m_s", "m/s", VELOCITY, 100.0, "velocity against the Earth, east"),
+        ("truth.velocity_north_m_s", "m/s", VELOCITY, 100.0, "velocity against the Earth, north"),
+        ("truth.velocity_up_m_s", "m/s", VELOCITY, 10.0, "velocity against the Earth, up"),
+    ] },
+    Group { name: "angular rate", is_needed: false, inputs: &[
+        ("truth.rate_rad_s[1]", "rad/s", RATE, 1.0, "angular rate against inertial space, sensor axis x"),
+        ("truth.rate_rad_s[2]", "rad/s", RATE, 1.0, "angular rate against inertial space, sensor axis y"),
+        ("truth.rate_rad_s[3]", "rad/s", RATE, 1.0, "angular rate against inertial space, sensor axis z"),
+    ] },
+    Group { name: "specific force", is_needed: false, inputs: &[
+        ("truth.force_m_s2[1]", "m/s2", FORCE, 10.0, "specific force, sensor axis x"),
+        ("truth.force_m_s2[2]", "m/s2", FORCE, 10.0, "specific force, sensor axis y"),
+        ("truth.force_m_s2[3]", "m/s2", FORCE, 10.0, "specific force, sensor axis z"),
+    ] },
+    Group { name: "temperature", is_needed: false, inputs: &[
+        ("truth.temperature_c", "deg C", TEMPERATURE_RANGE_C, 20.0, "temperature of the gyros and accelerometers"),
+    ] },
 ];
 
 /// Number of inputs.
@@ -141,14 +81,9 @@ pub const COUNT: usize = {
 pub fn variables() -> impl Iterator<Item = Variable> {
     GROUPS.iter().flat_map(|group| {
         let rest = if group.is_needed { "" } else { "; off until the master sets it" };
-        group.inputs.iter().map(move |input| {
-            let doc = format!("{}{rest}", input.doc);
-            let variable = Variable::new(input.name, Role::Input, Value::Real(0.0), doc);
-            Variable {
-                nominal: input.nominal,
-                limits: Some(input.limits),
-                ..variable.in_unit(input.unit, 1.0)
-            }
+        group.inputs.iter().map(move |&(name, unit, limits, nominal, doc)| {
+            let variable = Variable::new(name, Role::Input, Value::Real(0.0), format!("{doc}{rest}"));
+            Variable { nominal, limits: Some(limits), ..variable.in_unit(unit, 1.0) }
         })
     })
 }
@@ -163,7 +98,7 @@ pub fn sample(time_s: f64, values: &[f64], is_set: &[bool; COUNT]) -> Result<Fli
         let missing = places.clone().find(|&place| !is_set[place]);
         if let Some(missing) = missing {
             if group.is_needed || is_set[places.clone()].contains(&true) {
-                let name = group.inputs[missing - places.start].name;
+                let name = group.inputs[missing - places.start].0;
                 return Err(format!("{name} is not connected: the {} is incomplete", group.name));
             }
             continue;

@@ -64,8 +64,7 @@ impl Flight {
     /// The flight that parameters call for, before its first sample.
     pub fn new(values: &Values, resources: Option<&PathBuf>) -> Result<Self, String> {
         let scene = parameters::scene(values, resources.map(PathBuf::as_path))?;
-        let simulators = scene.simulator().map_err(|error| error.to_string())?;
-        let simulator = simulators.into_iter().next().ok_or("no simulator")?;
+        let [simulator] = *scene.simulator().map_err(|error| error.to_string())?;
         Ok(Self { scene, simulator: Box::new(simulator), first_s: None, taken: None })
     }
 

@@ -1,7 +1,5 @@
 //! The outputs: what is read of the simulator behind a step.
 
-use nalgebra::Vector3;
-use sins::errors::NavigationErrors;
 use sins::state::Navigation;
 use sins::{Error, ErrorSource, Simulator};
 
@@ -11,7 +9,7 @@ use crate::variables::{Role, Variable};
 /// A number: name, unit, usual size, meaning.
 type Number = (&'static str, &'static str, f64, &'static str);
 
-const NUMBERS: [Number; 56] = [
+const SOLUTION: [Number; 10] = [
     ("time_of_solution_s", "s", 1.0, "time of the truth that all outputs belong to"),
     ("navigation.latitude_rad", "rad", 1.0, "navigated latitude"),
     ("navigation.longitude_rad", "rad", 1.0, "navigated longitude"),
@@ -22,30 +20,25 @@ const NUMBERS: [Number; 56] = [
     ("navigation.roll_rad", "rad", 1.0, "navigated roll"),
     ("navigation.pitch_rad", "rad", 1.0, "navigated pitch"),
     ("navigation.heading_rad", "rad", 1.0, "navigated heading"),
-    ("errors.position_east_m", "m", 100.0, "navigation less truth: displacement east"),
-    ("errors.position_north_m", "m", 100.0, "navigation less truth: displacement north"),
-    ("errors.position_up_m", "m", 100.0, "navigation less truth: height"),
-    ("errors.velocity_east_m_s", "m/s", 0.1, "navigation less truth: velocity east"),
-    ("errors.velocity_north_m_s", "m/s", 0.1, "navigation less truth: velocity north"),
-    ("errors.velocity_up_m_s", "m/s", 0.1, "navigation less truth: velocity up"),
-    ("errors.misalignment_east_rad", "rad", 1e-4, "navigation less truth: misalignment about east"),
-    ("errors.misalignment_north_rad", "rad", 1e-4, "navigation less truth: misalignment about north"),
-    ("errors.misalignment_up_rad", "rad", 1e-4, "navigation less truth: misalignment about up"),
-    ("errors.roll_rad", "rad", 1e-4, "navigation less truth: roll"),
-    ("errors.pitch_rad", "rad", 1e-4, "navigation less truth: pitch"),
-    ("errors.heading_rad", "rad", 1e-4, "navigation less truth: heading"),
-    ("model_errors.position_east_m", "m", 100.0, "by the error equations: displacement east"),
-    ("model_errors.position_north_m", "m", 100.0, "by the error equations: displacement north"),
-    ("model_errors.position_up_m", "m", 100.0, "by the error equations: height"),
-    ("model_errors.velocity_east_m_s", "m/s", 0.1, "by the error equations: velocity east"),
-    ("model_errors.velocity_north_m_s", "m/s", 0.1, "by the error equations: velocity north"),
-    ("model_errors.velocity_up_m_s", "m/s", 0.1, "by the error equations: velocity up"),
-    ("model_errors.misalignment_east_rad", "rad", 1e-4, "by the error equations: misalignment about east"),
-    ("model_errors.misalignment_north_rad", "rad", 1e-4, "by the error equations: misalignment about north"),
-    ("model_errors.misalignment_up_rad", "rad", 1e-4, "by the error equations: misalignment about up"),
-    ("model_errors.roll_rad", "rad", 1e-4, "by the error equations: roll"),
-    ("model_errors.pitch_rad", "rad", 1e-4, "by the error equations: pitch"),
-    ("model_errors.heading_rad", "rad", 1e-4, "by the error equations: heading"),
+];
+
+/// Errors, of which there are those of the navigation, those of the error equations, and the first nine by the covariance.
+const ERRORS: [Number; 12] = [
+    ("position_east_m", "m", 100.0, "displacement east"),
+    ("position_north_m", "m", 100.0, "displacement north"),
+    ("position_up_m", "m", 100.0, "height"),
+    ("velocity_east_m_s", "m/s", 0.1, "velocity east"),
+    ("velocity_north_m_s", "m/s", 0.1, "velocity north"),
+    ("velocity_up_m_s", "m/s", 0.1, "velocity up"),
+    ("misalignment_east_rad", "rad", 1e-4, "misalignment about east"),
+    ("misalignment_north_rad", "rad", 1e-4, "misalignment about north"),
+    ("misalignment_up_rad", "rad", 1e-4, "misalignment about up"),
+    ("roll_rad", "rad", 1e-4, "roll"),
+    ("pitch_rad", "rad", 1e-4, "pitch"),
+    ("heading_rad", "rad", 1e-4, "heading"),
+];
+
+const IMU: [Number; 13] = [
     ("imu.interval_s", "s", 0.01, "length of the interval that ends at the time of the solution"),
     ("imu.delta_angle_rad[1]", "rad", 0.01, "measured increment of the angle in it, sensor axis x"),
     ("imu.delta_angle_rad[2]", "rad", 0.01, "measured increment of the angle in it, sensor axis y"),
@@ -59,26 +52,9 @@ const NUMBERS: [Number; 56] = [
     ("imu.mean_force_m_s2[1]", "m/s2", 10.0, "measured specific force, mean of the interval, sensor axis x"),
     ("imu.mean_force_m_s2[2]", "m/s2", 10.0, "measured specific force, mean of the interval, sensor axis y"),
     ("imu.mean_force_m_s2[3]", "m/s2", 10.0, "measured specific force, mean of the interval, sensor axis z"),
-    ("sigma.position_east_m", "m", 100.0, "standard deviation by the covariance: displacement east"),
-    ("sigma.position_north_m", "m", 100.0, "standard deviation by the covariance: displacement north"),
-    ("sigma.position_up_m", "m", 100.0, "standard deviation by the covariance: height"),
-    ("sigma.velocity_east_m_s", "m/s", 0.1, "standard deviation by the covariance: velocity east"),
-    ("sigma.velocity_north_m_s", "m/s", 0.1, "standard deviation by the covariance: velocity north"),
-    ("sigma.velocity_up_m_s", "m/s", 0.1, "standard deviation by the covariance: velocity up"),
-    (
-        "sigma.misalignment_east_rad",
-        "rad",
-        1e-4,
-        "standard deviation by the covariance: misalignment about east",
-    ),
-    (
-        "sigma.misalignment_north_rad",
-        "rad",
-        1e-4,
-        "standard deviation by the covariance: misalignment about north",
-    ),
-    ("sigma.misalignment_up_rad", "rad", 1e-4, "standard deviation by the covariance: misalignment about up"),
 ];
+
+const COUNT: usize = SOLUTION.len() + 2 * ERRORS.len() + IMU.len() + 9;
 
 const FLAGS: [(&str, &str); 11] = [
     ("flags.available", "there is a solution: a sample was taken"),
@@ -96,7 +72,18 @@ const FLAGS: [(&str, &str); 11] = [
 
 /// The outputs as variables.
 pub fn variables() -> impl Iterator<Item = Variable> {
-    let numbers = NUMBERS.iter().map(|&(name, unit, nominal, doc)| {
+    let errors = |name: &'static str, of: &'static str, count: usize| {
+        let number = move |&(end, unit, nominal, doc): &Number| {
+            (format!("{name}.{end}"), unit, nominal, format!("{of}: {doc}"))
+        };
+        ERRORS[..count].iter().map(number)
+    };
+    let own = |&(name, unit, nominal, doc): &Number| (name.to_owned(), unit, nominal, doc.to_owned());
+    let numbers = SOLUTION.iter().map(own).chain(errors("errors", "navigation less truth", 12));
+    let numbers =
+        numbers.chain(errors("model_errors", "by the error equations", 12)).chain(IMU.iter().map(own));
+    let numbers = numbers.chain(errors("sigma", "standard deviation by the covariance", 9));
+    let numbers = numbers.map(|(name, unit, nominal, doc)| {
         let variable = Variable::new(name, Role::Output, Value::Real(0.0), doc).in_unit(unit, 1.0);
         Variable { nominal, ..variable }
     });
@@ -122,7 +109,7 @@ pub fn read(simulator: &mut Simulator, behind_gap: bool, into: &mut Values) -> R
     };
     let imu = simulator.imu().unwrap_or_default();
 
-    let from = into.reals.len() - NUMBERS.len();
+    let from = into.reals.len() - COUNT;
     let numbers = &mut into.reals[from..];
     let from = into.booleans.len() - FLAGS.len();
     let flags = &mut into.booleans[from..];
@@ -136,22 +123,11 @@ pub fn read(simulator: &mut Simulator, behind_gap: bool, into: &mut Values) -> R
     put(v_n.as_slice());
     put(&[euler.roll, euler.pitch, euler.heading]);
     for errors in [&errors, &model] {
-        let zero = Vector3::zeros();
-        let (position, velocity, misalignment, angles) = match errors {
-            Some(NavigationErrors {
-                position_n,
-                velocity_n,
-                misalignment_n,
-                roll_rad,
-                pitch_rad,
-                heading_rad,
-                ..
-            }) => {
-                (*position_n, *velocity_n, *misalignment_n, Vector3::new(*roll_rad, *pitch_rad, *heading_rad))
-            }
-            None => (zero, zero, zero, zero),
-        };
-        [position, velocity, misalignment, angles].iter().for_each(|vector| put(vector.as_slice()));
+        let errors = errors.unwrap_or_default();
+        [errors.position_n, errors.velocity_n, errors.misalignment_n]
+            .iter()
+            .for_each(|three| put(three.as_slice()));
+        put(&[errors.roll_rad, errors.pitch_rad, errors.heading_rad]);
     }
     put(&[imu.interval_s]);
     put(imu.measured.angle.as_slice());

@@ -5,11 +5,24 @@
 use std::ptr;
 
 use crate::instance::Refused;
-use crate::interface::{Component, elements, elements_mut, fmi2OK, fmi2Status, on};
+use crate::interface::{Component, Outcome, elements, elements_mut, fmi2OK, fmi2Status, on};
 use crate::saved;
 
 /// A state that was got: its bytes.
 pub type State = Vec<u8>;
+
+/// Puts `bytes` in the place of an earlier state, or hands a state out.
+///
+/// # Safety
+/// `state` is null or a state.
+unsafe fn hand_out(state: &mut *mut State, bytes: State) -> Outcome {
+    // SAFETY: the caller's promise.
+    match unsafe { state.as_mut() } {
+        Some(earlier) => *earlier = bytes,
+        None => *state = Box::into_raw(Box::new(bytes)),
+    }
+    Ok(fmi2OK)
+}
 
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut Component, state: *mut *mut State) -> fmi2Status {
@@ -17,11 +30,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut Component, state: *mut 
         on(component, "fmi2GetFMUstate", |component| {
             let state = state.as_mut().ok_or_else(|| Refused::error("a null pointer"))?;
             let bytes = saved::save(&component.instance).map_err(Refused::error)?;
-            match state.as_mut() {
-                Some(earlier) => *earlier = bytes,
-                None => *state = Box::into_raw(Box::new(bytes)),
-            }
-            Ok(fmi2OK)
+            hand_out(state, bytes)
         })
     }
 }
@@ -99,11 +108,7 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
             let state = state.as_mut().ok_or_else(|| Refused::error("a null pointer"))?;
             let bytes = elements(bytes, size)?;
             saved::load(bytes, &component.instance).map_err(Refused::error)?;
-            match state.as_mut() {
-                Some(earlier) => *earlier = bytes.to_vec(),
-                None => *state = Box::into_raw(Box::new(bytes.to_vec())),
-            }
-            Ok(fmi2OK)
+            hand_out(state, bytes.to_vec())
         })
     }
 }

@@ -1,9 +1,10 @@
 //! Setting and reading the errors of the accelerometers.
 
-use super::failure::{SINS_OK, sins_status};
-use super::memory::{Output, read};
+use super::failure::sins_status;
+use super::parameters::{get, set};
 use super::sensor_params::sins_accel_params;
-use super::simulator::{sins_sim, with_simulator};
+use super::simulator::sins_sim;
+use crate::simulator::Simulator;
 
 /// Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers of
 /// other effects do not change. Random processes that were active continue.
@@ -11,21 +12,13 @@ use super::simulator::{sins_sim, with_simulator};
 /// SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_accel(sim: *mut sins_sim, params: *const sins_accel_params) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let params = unsafe { read(params, "params")? };
-        simulator.set_accel(&params.to_parameters()?)?;
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { set(sim, params, "params", Simulator::set_accel) }
 }
 
 /// Reads the accelerometer errors, as they were set last: at any moment, also after sins_snapshot_load().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_accel(sim: *mut sins_sim, params: *mut sins_accel_params) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let output = unsafe { Output::new(params, "params")? };
-        output.write(&sins_accel_params::from_parameters(simulator.accel()));
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { get(sim, params, "params", Simulator::accel) }
 }

@@ -1,10 +1,12 @@
 //! `sins_altimeter_params`.
 
 use super::choice::check_reserved;
-use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, interface_struct, read};
-use super::simulator::{sins_sim, with_simulator};
+use super::failure::{Failure, sins_status};
+use super::memory::interface_struct;
+use super::parameters::{Parameters, get, set};
+use super::simulator::sins_sim;
 use crate::sensors::AltimeterParameters;
+use crate::simulator::Simulator;
 
 /// Errors of the barometric altimeter, whose height damps the vertical channel. All zero is an ideal altimeter.
 #[repr(C)]
@@ -30,16 +32,17 @@ pub struct sins_altimeter_params {
 
 interface_struct!(sins_altimeter_params, "altimeter", 56);
 
-impl sins_altimeter_params {
-    /// The struct with `parameters`.
-    pub(super) fn from_parameters(parameters: &AltimeterParameters) -> Self {
+impl Parameters for sins_altimeter_params {
+    type Own = AltimeterParameters;
+
+    fn from_parameters(parameters: &AltimeterParameters) -> Self {
         let AltimeterParameters { bias_m, markov_sigma_m, markov_time_s, noise_m, scale_factor, lag_s } =
             *parameters;
         let struct_size = size_of::<Self>() as u32;
         Self { struct_size, reserved: 0, bias_m, markov_sigma_m, markov_time_s, noise_m, scale_factor, lag_s }
     }
 
-    pub(super) fn to_parameters(self) -> Result<AltimeterParameters, Failure> {
+    fn to_parameters(self) -> Result<AltimeterParameters, Failure> {
         check_reserved("altimeter.reserved", self.reserved)?;
         Ok(AltimeterParameters {
             bias_m: self.bias_m,
@@ -61,12 +64,8 @@ pub unsafe extern "C" fn sins_set_altimeter(
     sim: *mut sins_sim,
     params: *const sins_altimeter_params,
 ) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let params = unsafe { read(params, "params")? };
-        simulator.set_altimeter(&params.to_parameters()?)?;
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { set(sim, params, "params", Simulator::set_altimeter) }
 }
 
 /// Reads the errors of the altimeter, as they were set last: at any moment, also after sins_snapshot_load().
@@ -75,10 +74,6 @@ pub unsafe extern "C" fn sins_get_altimeter(
     sim: *mut sins_sim,
     params: *mut sins_altimeter_params,
 ) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let output = unsafe { Output::new(params, "params")? };
-        output.write(&sins_altimeter_params::from_parameters(simulator.altimeter()));
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { get(sim, params, "params", Simulator::altimeter) }
 }

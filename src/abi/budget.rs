@@ -4,7 +4,7 @@ use super::boundary::enter_without_simulator;
 use super::budget_answer::{sins_budget, sins_budget_row};
 use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Array, Output, interface_struct, put, read};
+use super::memory::{Array, Output, interface_struct, put_if_wanted, read};
 use super::sample::sins_flight_sample;
 use super::simulator::{look_at, sins_sim};
 use crate::budget::{BudgetRequest, Effect, MAX_SAMPLES, MIN_SAMPLES, Scene, error_budget, step_costs_ns};
@@ -101,18 +101,15 @@ pub unsafe extern "C" fn sins_error_budget(
         };
         request.validate()?;
         // SAFETY: the host's promise; written at the end alone.
-        let summary = if budget.is_null() { None } else { Some(unsafe { Output::new(budget, "budget")? }) };
+        let summary = unsafe { Output::if_wanted(budget, "budget")? };
         check_integer("count", count, MIN_SAMPLES as i64, MAX_SAMPLES as i64)?;
         // SAFETY: the host's promise; samples are only read.
         let samples = unsafe { Array::new(samples.cast_mut(), count, "samples")? };
         let needed = 1 + Effect::set_in(&parameters).count();
-        let tell = |number: usize| match written.is_null() {
-            true => Ok(()),
-            // SAFETY: the host's promise.
-            false => unsafe { put(written, number, "written") },
-        };
+        // SAFETY: the host's promise.
+        let tell = |number: usize| unsafe { put_if_wanted(written, number) };
         if needed > capacity {
-            tell(needed)?;
+            tell(needed);
             return Err(Failure::buffer("capacity", capacity, needed));
         }
         // SAFETY: the host's promise.
@@ -134,7 +131,7 @@ pub unsafe extern "C" fn sins_error_budget(
         if let Some(summary) = summary {
             summary.write(&sins_budget::new(&answer, &costs));
         }
-        tell(needed)?;
+        tell(needed);
         Ok(SINS_OK)
     })
 }

@@ -9,6 +9,7 @@ use super::sensor_failure::{ARGUMENTS, output, sins_failure};
 use super::simulator::{look_at, pushed, sins_sim, stepped};
 use super::tables::ENSEMBLES;
 use crate::ensemble::Ensemble;
+use crate::simulator::Simulator;
 
 /// An ensemble: many runs of one simulator over the same samples. A handle is a checked key, like that of a sins_sim, and is
 /// never confused with one. sins_last_error(NULL, ...) on the same thread gives the failures of its functions.
@@ -49,13 +50,11 @@ pub unsafe extern "C" fn sins_ensemble_create(
     ensemble: *mut *mut sins_ensemble,
 ) -> sins_status {
     enter_without_simulator(|| {
-        if ensemble.is_null() {
-            return Err(Failure::null("ensemble"));
+        let make = |template: &Simulator| Ensemble::new(template, first_run, runs);
+        // SAFETY: the host's promise.
+        unsafe {
+            hand_out(&ENSEMBLES, ensemble, "ensemble", || Ok(look_at(configured, "configured", make)??))
         }
-        let made = look_at(configured, "configured", |template| Ensemble::new(template, first_run, runs))??;
-        // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&ENSEMBLES, made, ensemble, "ensemble")? };
-        Ok(SINS_OK)
     })
 }
 

@@ -6,7 +6,7 @@ use super::ensemble::{sins_ensemble, with_ensemble};
 use super::errors::sins_errors;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::imu::sins_imu;
-use super::memory::{Output, put};
+use super::memory::{Output, put, put_if_wanted};
 use super::solution::sins_navigation;
 use crate::error::{Error, Rule};
 use crate::simulator::ErrorSource;
@@ -19,14 +19,10 @@ pub unsafe extern "C" fn sins_ensemble_get_runs(
     runs: *mut usize,
 ) -> sins_status {
     with_ensemble(ensemble, |ensemble| {
-        if !first_run.is_null() {
-            // SAFETY: the host's promise.
-            unsafe { put(first_run, ensemble.first_run(), "first_run")? };
-        }
-        if !runs.is_null() {
-            // SAFETY: the host's promise.
-            unsafe { put(runs, ensemble.runs(), "runs")? };
-        }
+        // SAFETY: the host's promise.
+        unsafe { put_if_wanted(first_run, ensemble.first_run()) };
+        // SAFETY: the host's promise.
+        unsafe { put_if_wanted(runs, ensemble.runs()) };
         Ok(SINS_OK)
     })
 }

@@ -4,7 +4,7 @@ use core::ffi::c_void;
 
 use super::ensemble::{sins_ensemble, with_ensemble};
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::put;
+use super::memory::{put, put_if_wanted};
 use super::text::{bytes_of, bytes_to_fill};
 
 /// Reads the size that a snapshot has now: about 1.3 to 5.25 KiB for each run, as for a simulator.
@@ -41,10 +41,8 @@ pub unsafe extern "C" fn sins_ensemble_snapshot_save(
         }
         // SAFETY: the host's promise; not null, and there is room.
         let length = ensemble.save_snapshot(unsafe { bytes_to_fill(buffer.cast(), size) })?;
-        if !written.is_null() {
-            // SAFETY: the host's promise.
-            unsafe { put(written, length, "written")? };
-        }
+        // SAFETY: the host's promise.
+        unsafe { put_if_wanted(written, length) };
         Ok(SINS_OK)
     })
 }

@@ -105,14 +105,13 @@ pub unsafe extern "C" fn sins_flight_create(
     flight: *mut *mut sins_flight,
 ) -> sins_status {
     enter_without_simulator(|| {
-        if flight.is_null() {
-            return Err(Failure::null("flight"));
-        }
         // SAFETY: the host's promise.
-        let (start, list) = unsafe { read_flight(start, manoeuvres, count)? };
-        // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&FLIGHTS, Flight::new(&start, &list)?, flight, "flight")? };
-        Ok(SINS_OK)
+        unsafe {
+            hand_out(&FLIGHTS, flight, "flight", || {
+                let (start, list) = read_flight(start, manoeuvres, count)?;
+                Ok(Flight::new(&start, &list)?)
+            })
+        }
     })
 }
 
@@ -163,7 +162,7 @@ pub unsafe extern "C" fn sins_flight_sample_at(
     with_object(&FLIGHTS, flight, |flight| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(sample, "sample")? };
-        output.write(&sins_flight_sample::from_sample(&flight.sample_at(time_s)?));
+        output.write(&sins_flight_sample::from(&flight.sample_at(time_s)?));
         Ok(SINS_OK)
     })
 }

@@ -1,10 +1,12 @@
 //! `sins_gravity_params`.
 
 use super::choice::check_reserved;
-use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, interface_struct, read};
-use super::simulator::{sins_sim, with_simulator};
+use super::failure::{Failure, sins_status};
+use super::memory::interface_struct;
+use super::parameters::{Parameters, get, set};
+use super::simulator::sins_sim;
 use crate::sensors::{GravityDisturbanceParameters, GravityField};
+use crate::simulator::Simulator;
 
 /// True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
 /// disturbance: true and normal gravity are taken at the same point). Each has a constant part and a random part. The random
@@ -57,17 +59,14 @@ pub unsafe extern "C" fn sins_set_gravity_disturbance(
     sim: *mut sins_sim,
     params: *const sins_gravity_params,
 ) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let params = unsafe { read(params, "params")? };
-        simulator.set_gravity_disturbance(&params.to_parameters()?)?;
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { set(sim, params, "params", Simulator::set_gravity_disturbance) }
 }
 
-impl sins_gravity_params {
-    /// The struct with `parameters`.
-    pub(super) fn from_parameters(parameters: &GravityDisturbanceParameters) -> Self {
+impl Parameters for sins_gravity_params {
+    type Own = GravityDisturbanceParameters;
+
+    fn from_parameters(parameters: &GravityDisturbanceParameters) -> Self {
         let GravityDisturbanceParameters { deflection_north, deflection_east, anomaly } = parameters;
         Self {
             struct_size: size_of::<Self>() as u32,
@@ -84,7 +83,7 @@ impl sins_gravity_params {
         }
     }
 
-    pub(super) fn to_parameters(self) -> Result<GravityDisturbanceParameters, Failure> {
+    fn to_parameters(self) -> Result<GravityDisturbanceParameters, Failure> {
         check_reserved("gravity.reserved", self.reserved)?;
         let field = |mean, sigma, distance_m| GravityField { mean, sigma, distance_m };
         Ok(GravityDisturbanceParameters {
@@ -109,10 +108,6 @@ pub unsafe extern "C" fn sins_get_gravity_disturbance(
     sim: *mut sins_sim,
     params: *mut sins_gravity_params,
 ) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let output = unsafe { Output::new(params, "params")? };
-        output.write(&sins_gravity_params::from_parameters(simulator.gravity_disturbance()));
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { get(sim, params, "params", Simulator::gravity_disturbance) }
 }

@@ -1,9 +1,10 @@
 //! Setting and reading the errors of the gyros.
 
-use super::failure::{SINS_OK, sins_status};
-use super::memory::{Output, read};
+use super::failure::sins_status;
+use super::parameters::{get, set};
 use super::sensor_params::sins_gyro_params;
-use super::simulator::{sins_sim, with_simulator};
+use super::simulator::sins_sim;
+use crate::simulator::Simulator;
 
 /// Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
 /// effects do not change. Random processes that were active continue.
@@ -13,21 +14,13 @@ use super::simulator::{sins_sim, with_simulator};
 /// increments.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_gyro_params) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let params = unsafe { read(params, "params")? };
-        simulator.set_gyro(&params.to_parameters()?)?;
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { set(sim, params, "params", Simulator::set_gyro) }
 }
 
 /// Reads the gyro errors, as they were set last: at any moment, also after sins_snapshot_load().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_gyro(sim: *mut sins_sim, params: *mut sins_gyro_params) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let output = unsafe { Output::new(params, "params")? };
-        output.write(&sins_gyro_params::from_parameters(simulator.gyro()));
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { get(sim, params, "params", Simulator::gyro) }
 }

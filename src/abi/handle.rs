@@ -1,7 +1,7 @@
 //! Handles of the host: calls on them, and new ones.
 
 use super::boundary::{enter, remember};
-use super::failure::{Failure, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::put;
 use super::registry::Registry;
 
@@ -14,17 +14,21 @@ pub(super) fn with_object<T, H>(
     enter(|| table.with(handle.addr(), |object| body(object).inspect_err(|&failure| remember(failure))))
 }
 
-/// Gives the host a handle of `object`, at `place`, the argument `name`.
+/// Makes an object and gives the host its handle, at `place`, the argument `name`, which is looked at first.
 ///
 /// # Safety
-/// `place` is not null and writable.
+/// `place` is null or writable.
 pub(super) unsafe fn hand_out<T, H>(
     table: &Registry<T>,
-    object: T,
     place: *mut *mut H,
     name: &'static str,
-) -> Result<(), Failure> {
-    let key = table.insert(object)?;
+    make: impl FnOnce() -> Result<T, Failure>,
+) -> Result<sins_status, Failure> {
+    if place.is_null() {
+        return Err(Failure::null(name));
+    }
+    let key = table.insert(make()?)?;
     // SAFETY: as this function.
-    unsafe { put(place, core::ptr::without_provenance_mut(key), name) }
+    unsafe { put(place, core::ptr::without_provenance_mut(key), name)? };
+    Ok(SINS_OK)
 }

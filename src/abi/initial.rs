@@ -3,10 +3,12 @@
 use nalgebra::Vector3;
 
 use super::choice::{Choice, check_reserved, choices};
-use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, interface_struct, read};
-use super::simulator::{sins_sim, with_simulator};
+use super::failure::{Failure, sins_status};
+use super::memory::interface_struct;
+use super::parameters::{Parameters, get, set};
+use super::simulator::sins_sim;
 use crate::sensors::{Alignment, InitialErrorParameters};
+use crate::simulator::Simulator;
 
 /// How the INS finds its attitude at the start.
 pub type sins_alignment = i32;
@@ -56,9 +58,10 @@ choices!(sins_alignment: Alignment {
     LevelAndGyrocompass = SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS,
 });
 
-impl sins_initial_errors {
-    /// The struct with `parameters`.
-    pub(super) fn from_parameters(parameters: &InitialErrorParameters) -> Self {
+impl Parameters for sins_initial_errors {
+    type Own = InitialErrorParameters;
+
+    fn from_parameters(parameters: &InitialErrorParameters) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
@@ -73,7 +76,7 @@ impl sins_initial_errors {
         }
     }
 
-    pub(super) fn to_parameters(self) -> Result<InitialErrorParameters, Failure> {
+    fn to_parameters(self) -> Result<InitialErrorParameters, Failure> {
         check_reserved("initial.reserved", self.reserved)?;
         check_reserved("initial.reserved2", self.reserved2)?;
         let alignment = Alignment::of("initial.alignment", self.alignment)?;
@@ -98,12 +101,8 @@ pub unsafe extern "C" fn sins_set_initial_errors(
     sim: *mut sins_sim,
     errors: *const sins_initial_errors,
 ) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let errors = unsafe { read(errors, "errors")? };
-        simulator.set_initial_errors(&errors.to_parameters()?)?;
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { set(sim, errors, "errors", Simulator::set_initial_errors) }
 }
 
 /// Reads the errors with which the navigation starts, as they were set last: at any moment, also after
@@ -113,10 +112,6 @@ pub unsafe extern "C" fn sins_get_initial_errors(
     sim: *mut sins_sim,
     errors: *mut sins_initial_errors,
 ) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let output = unsafe { Output::new(errors, "errors")? };
-        output.write(&sins_initial_errors::from_parameters(simulator.initial_errors()));
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { get(sim, errors, "errors", Simulator::initial_errors) }
 }

@@ -7,7 +7,7 @@ use super::failure::{Failure, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status}
 use super::fault_report::sins_fault;
 use super::handle::{hand_out, with_object};
 use super::last_error::Sentence;
-use super::memory::{Output, interface_struct, put};
+use super::memory::{Output, element, interface_struct, put_if_wanted};
 use super::sample::sins_flight_sample;
 use super::tables::LOGS;
 use super::text::{bytes_of, chars};
@@ -69,16 +69,13 @@ pub unsafe extern "C" fn sins_log_parse(
             return Err(Failure::null("log"));
         }
         // SAFETY: the host's promise.
-        let output = if fault.is_null() { None } else { Some(unsafe { Output::new(fault, "fault")? }) };
+        let output = unsafe { Output::if_wanted(fault, "fault")? };
         // SAFETY: the host's promise.
         let text = unsafe { bytes_of(text.cast(), size, "text")? };
         probe(ROOM)?;
         match FlightLog::parse(text) {
-            Ok(found) => {
-                // SAFETY: the host's promise.
-                unsafe { hand_out(&LOGS, found, log, "log")? };
-                Ok(SINS_OK)
-            }
+            // SAFETY: the host's promise.
+            Ok(found) => unsafe { hand_out(&LOGS, log, "log", || Ok(found)) },
             Err(LogError::Memory(error)) => Err(error.into()),
             Err(LogError::Fault(found)) => {
                 if let Some(output) = output {
@@ -126,18 +123,10 @@ pub unsafe extern "C" fn sins_log_get_sample(
     with_object(&LOGS, log, |log| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(sample, "sample")? };
-        let (Some(found), Some(found_line)) = (log.samples().get(index), log.line(index)) else {
-            let rule = Rule::SentenceWith(
-                "must be less than the number of samples of the log:",
-                log.samples().len() as f64,
-            );
-            return Err(Error::invalid("index", index, rule).into());
-        };
-        output.write(&sins_flight_sample::from_sample(found));
-        if !line.is_null() {
-            // SAFETY: not null.
-            unsafe { put(line, found_line, "line")? };
-        }
+        let found = element(log.samples(), index, "must be less than the number of samples of the log:")?;
+        output.write(&sins_flight_sample::from(found));
+        // SAFETY: the host's promise.
+        unsafe { put_if_wanted(line, log.line(index).unwrap_or_default()) };
         Ok(SINS_OK)
     })
 }

@@ -124,6 +124,15 @@ impl<T: Struct> Output<T> {
         Ok(Self { pointer, size: unsafe { stated_size(pointer.cast_const(), name)? } })
     }
 
+    /// A place that may be null: none.
+    ///
+    /// # Safety
+    /// As [`Self::new`].
+    pub unsafe fn if_wanted(pointer: *mut T, name: &'static str) -> Result<Option<Self>, Failure> {
+        // SAFETY: as this function.
+        (!pointer.is_null()).then(|| unsafe { Self::new(pointer, name) }).transpose()
+    }
+
     /// Writes all that the host's struct has room for; its `struct_size` stays.
     pub fn write(&self, value: &T) {
         const HEAD: usize = size_of::<u32>();
@@ -251,4 +260,22 @@ pub(super) unsafe fn put<T: Copy>(pointer: *mut T, value: T, name: &'static str)
     // SAFETY: not null.
     unsafe { pointer.write_unaligned(value) };
     Ok(())
+}
+
+/// Writes `value` to a place of the host, if the host gives one.
+///
+/// # Safety
+/// As [`put`].
+pub(super) unsafe fn put_if_wanted<T: Copy>(pointer: *mut T, value: T) {
+    if !pointer.is_null() {
+        // SAFETY: not null.
+        unsafe { pointer.write_unaligned(value) };
+    }
+}
+
+/// The element `index`; `rule` says what there must be of it.
+#[cfg(feature = "scenes")]
+pub(super) fn element<'a, T>(list: &'a [T], index: usize, rule: &'static str) -> Result<&'a T, Failure> {
+    let rule = Rule::SentenceWith(rule, list.len() as f64);
+    list.get(index).ok_or_else(|| crate::error::Error::invalid("index", index, rule).into())
 }

@@ -48,6 +48,7 @@ mod memory;
 mod mounting;
 mod navigator;
 mod options;
+mod parameters;
 mod preset;
 mod process;
 mod recommend;
@@ -102,16 +103,12 @@ pub use errors::*;
 pub use failure::*;
 #[cfg(feature = "fault-injection")]
 pub use fault::sins_inject_panic;
-#[cfg(feature = "scenes")]
-pub use fault_report::sins_fault;
 pub use flight::*;
 pub use gravity::*;
 pub use gyro::*;
 pub use imu::*;
 pub use initial::*;
 pub use last_error::*;
-#[cfg(feature = "scenes")]
-pub use log::*;
 pub use manoeuvre::*;
 pub use mounting::*;
 pub use navigator::*;
@@ -122,24 +119,6 @@ pub use record::*;
 pub use record_line::sins_record_line;
 pub use run::sins_run;
 pub use sample::*;
-#[cfg(feature = "scenes")]
-pub use scene::*;
-#[cfg(feature = "scenes")]
-pub use scene_failure::*;
-#[cfg(feature = "scenes")]
-pub use scene_flight::*;
-#[cfg(feature = "scenes")]
-pub use scene_key::*;
-#[cfg(feature = "scenes")]
-pub use scene_prepare::*;
-#[cfg(feature = "scenes")]
-pub use scene_samples::*;
-#[cfg(feature = "scenes")]
-pub use scene_settings::*;
-#[cfg(feature = "scenes")]
-pub use scene_text::*;
-#[cfg(feature = "scenes")]
-pub use scene_value::*;
 pub use sensor_failure::*;
 pub use sensor_params::{sins_accel_params, sins_gyro_params};
 pub use simulator::*;
@@ -148,6 +127,11 @@ pub use solution::*;
 pub use statistics::*;
 pub use truth_summary::{sins_get_truth_summary, sins_truth_summary};
 pub use version::*;
+#[cfg(feature = "scenes")]
+pub use {
+    fault_report::sins_fault, log::*, scene::*, scene_failure::*, scene_flight::*, scene_key::*,
+    scene_prepare::*, scene_samples::*, scene_settings::*, scene_text::*, scene_value::*,
+};
 
 // That the sizes which the header states are those of the structs; a library without scenes lacks some of these.
 #[cfg(feature = "scenes")]

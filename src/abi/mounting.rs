@@ -3,11 +3,13 @@
 use nalgebra::Vector3;
 
 use super::choice::check_reserved;
-use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, interface_struct, read};
-use super::simulator::{sins_sim, with_simulator};
+use super::failure::{Failure, sins_status};
+use super::memory::interface_struct;
+use super::parameters::{Parameters, get, set};
+use super::simulator::sins_sim;
 use crate::math::Euler;
 use crate::mounting::MountingParameters;
+use crate::simulator::Simulator;
 
 /// Position and attitude of the sensor block relative to the reference point of the flight samples, and the errors of what
 /// the INS believes about them: believed = true + error, component by component. All zero is a block at the reference
@@ -55,17 +57,14 @@ pub unsafe extern "C" fn sins_set_mounting(
     sim: *mut sins_sim,
     mounting: *const sins_mounting,
 ) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let mounting = unsafe { read(mounting, "mounting")? };
-        simulator.set_mounting(&mounting.to_parameters()?)?;
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { set(sim, mounting, "mounting", Simulator::set_mounting) }
 }
 
-impl sins_mounting {
-    /// The struct with `parameters`.
-    pub(super) fn from_parameters(parameters: &MountingParameters) -> Self {
+impl Parameters for sins_mounting {
+    type Own = MountingParameters;
+
+    fn from_parameters(parameters: &MountingParameters) -> Self {
         let angles = |euler: &Euler| [euler.roll, euler.pitch, euler.heading];
         Self {
             struct_size: size_of::<Self>() as u32,
@@ -77,7 +76,7 @@ impl sins_mounting {
         }
     }
 
-    pub(super) fn to_parameters(self) -> Result<MountingParameters, Failure> {
+    fn to_parameters(self) -> Result<MountingParameters, Failure> {
         check_reserved("mounting.reserved", self.reserved)?;
         let angles = |[roll, pitch, heading]: [f64; 3]| Euler { roll, pitch, heading };
         Ok(MountingParameters {
@@ -92,10 +91,6 @@ impl sins_mounting {
 /// Reads the mounting of the sensor block, as it was set last: at any moment, also after sins_snapshot_load().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_mounting(sim: *mut sins_sim, mounting: *mut sins_mounting) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let output = unsafe { Output::new(mounting, "mounting")? };
-        output.write(&sins_mounting::from_parameters(&simulator.mounting()));
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { get(sim, mounting, "mounting", Simulator::mounting) }
 }

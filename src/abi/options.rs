@@ -3,6 +3,7 @@
 use super::choice::{Choice, check_reserved, choices, one_of};
 use super::failure::Failure;
 use super::memory::interface_struct;
+use super::parameters::Parameters;
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::error::{Error, Rule, check_integer};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
@@ -184,9 +185,11 @@ choices!(sins_axes: BodyAxes {
 /// Time constant of the closed loop where the host gives none [s].
 const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
 
-impl sins_options {
+impl Parameters for sins_options {
+    type Own = Options;
+
     /// The options as they are in effect, no default left 0.
-    pub(super) fn from_options(options: &Options) -> Self {
+    fn from_parameters(options: &Options) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
@@ -214,7 +217,7 @@ impl sins_options {
         }
     }
 
-    pub(super) fn to_options(self) -> Result<Options, Failure> {
+    fn to_parameters(self) -> Result<Options, Failure> {
         check_reserved("options.reserved", self.reserved)?;
         let covariance = one_of(
             "options.covariance",

@@ -4,6 +4,7 @@ use super::boundary::enter_without_simulator;
 use super::choice::one_of;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::Output;
+use super::parameters::Parameters;
 use super::sensor_params::{sins_accel_params, sins_gyro_params};
 use crate::sensors::{Grade, TriadParameters};
 

@@ -5,6 +5,7 @@ use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, SINS_REQUIREMENT_NOT_MET, sins_status};
 use super::memory::{Array, Output, interface_struct, read};
 use super::options::sins_options;
+use super::parameters::Parameters;
 use super::sample::sins_flight_sample;
 use super::simulator::{look_at, sins_sim};
 use crate::error::check_integer;
@@ -158,7 +159,7 @@ pub unsafe extern "C" fn sins_recommend(
         let answer = recommend(&setup, &samples, &requirement)?;
         let chosen = setup.with(&answer.rung);
         let ns_per_step = step_time_ns(&chosen, &samples)?;
-        options.write(&sins_options::from_options(&chosen.options));
+        options.write(&sins_options::from_parameters(&chosen.options));
         let instructions_per_step = answer.rung.instructions(setup.options.frame);
         cost.write(&sins_cost::new(&answer, instructions_per_step, ns_per_step));
         Ok(if answer.met { SINS_OK } else { SINS_REQUIREMENT_NOT_MET })

@@ -9,7 +9,7 @@ use super::failure::{
 use super::key::{FirstGeneration, LAST_GENERATION, SLOTS, key_of, kind_of, slot_of};
 use super::lock::{Guard, Lock};
 use super::refusal::refuse;
-use crate::memory::room;
+use crate::memory::{only, room};
 
 /// In place of the key of a slot: the slot is free. No key has this kind.
 const FREE: usize = 0;
@@ -39,7 +39,7 @@ struct Place<T> {
     /// Number of keys of this slot that were given out and destroyed.
     used: usize,
     /// A slice of one, which unlike a `Box` can be allocated without aborting.
-    content: Option<Box<[Content<T>]>>,
+    content: Option<Box<[Content<T>; 1]>>,
 }
 
 struct Content<T> {
@@ -84,7 +84,7 @@ impl<T> Registry<T> {
     pub fn insert(&self, value: T) -> Result<usize, Failure> {
         let mut memory = room(1)?;
         memory.push(Content { value, last_failure: None, broken: false });
-        let content = memory.into_boxed_slice();
+        let content = only(memory)?;
         let first_generation = self.first_generation.get();
 
         let start = self.next.fetch_add(1, Ordering::Relaxed);

@@ -2,7 +2,7 @@
 
 use super::answer::fill_or_need;
 use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
-use super::memory::{Array, put};
+use super::memory::{Array, put_if_wanted};
 use super::record::{RecordView, sins_record};
 use super::sample::sins_flight_sample;
 use super::simulator::{push, sins_sim, step, with_simulator};
@@ -48,10 +48,8 @@ pub unsafe extern "C" fn sins_run(
             let records = unsafe { Array::new(records, wanted, "records")? };
             run(simulator, &samples, every, &records, &mut done)
         });
-        if !written.is_null() {
-            // SAFETY: the host's promise.
-            unsafe { put(written, done, "written")? };
-        }
+        // SAFETY: the host's promise.
+        unsafe { put_if_wanted(written, done) };
         result
     })
 }

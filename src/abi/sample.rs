@@ -92,8 +92,10 @@ impl sins_flight_sample {
             temperature_c: (self.flags & SINS_SAMPLE_TEMPERATURE != 0).then_some(self.temperature_c),
         })
     }
+}
 
-    pub(super) fn from_sample(sample: &FlightSample) -> Self {
+impl From<&FlightSample> for sins_flight_sample {
+    fn from(sample: &FlightSample) -> Self {
         let flags = flag(sample.omega_ib_b.is_some(), SINS_SAMPLE_ANGULAR_RATE)
             | flag(sample.f_b.is_some(), SINS_SAMPLE_SPECIFIC_FORCE)
             | flag(sample.v_n.is_none(), SINS_SAMPLE_NO_VELOCITY)

@@ -7,7 +7,7 @@ use super::failure::{Failure, SINS_OK, SINS_SCENE_HAS_FAULTS, sins_status};
 use super::fault_report::sins_fault;
 use super::flight::sins_flight;
 use super::handle::{hand_out, with_object};
-use super::memory::Output;
+use super::memory::{Output, element};
 use super::simulator::sins_sim;
 use super::tables::{FLIGHTS, SCENES, SIMULATORS, SceneText};
 use super::text::{bad_text, bytes_of, put_text, text_of};
@@ -113,13 +113,9 @@ pub(super) fn change_scene(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_status {
     enter_without_simulator(|| {
-        if scene.is_null() {
-            return Err(Failure::null("scene"));
-        }
-        probe(ROOM)?;
-        // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&SCENES, of_scene(Scene::default()), scene, "scene")? };
-        Ok(SINS_OK)
+        let make = || probe(ROOM).map(|()| of_scene(Scene::default())).map_err(Failure::from);
+        // SAFETY: the host's promise.
+        unsafe { hand_out(&SCENES, scene, "scene", make) }
     })
 }
 
@@ -136,18 +132,21 @@ pub unsafe extern "C" fn sins_scene_parse(
     scene: *mut *mut sins_scene,
 ) -> sins_status {
     enter_without_simulator(|| {
-        if scene.is_null() {
-            return Err(Failure::null("scene"));
-        }
+        let mut status = SINS_OK;
         // SAFETY: the host's promise.
-        let text = unsafe { bytes_of(text.cast(), size, "text")? };
-        probe(ROOM + ROOM_OF_BYTE * text.len().min(MAX_TEXT))?;
-        let (content, status) = match Scene::parse(text) {
-            Ok(scene) => (of_scene(scene), SINS_OK),
-            Err(faults) => (SceneText { scene: None, faults }, SINS_SCENE_HAS_FAULTS),
+        unsafe {
+            hand_out(&SCENES, scene, "scene", || {
+                let text = bytes_of(text.cast(), size, "text")?;
+                probe(ROOM + ROOM_OF_BYTE * text.len().min(MAX_TEXT))?;
+                Ok(Scene::parse(text).map_or_else(
+                    |faults| {
+                        status = SINS_SCENE_HAS_FAULTS;
+                        SceneText { scene: None, faults }
+                    },
+                    of_scene,
+                ))
+            })?
         };
-        // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&SCENES, content, scene, "scene")? };
         Ok(status)
     })
 }
@@ -166,13 +165,7 @@ pub unsafe extern "C" fn sins_scene_get_fault(
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(fault, "fault")? };
         let faults = &content.faults;
-        let Some(found) = faults.get(index) else {
-            let rule = Rule::SentenceWith(
-                "must be less than the number of faults of the scene:",
-                faults.len() as f64,
-            );
-            return Err(Error::invalid("index", index, rule).into());
-        };
+        let found = element(faults, index, "must be less than the number of faults of the scene:")?;
         output.write(&sins_fault::new(found, faults.len()));
         Ok(SINS_OK)
     })
@@ -189,22 +182,19 @@ pub unsafe extern "C" fn sins_scene_create_builtin(
     scene: *mut *mut sins_scene,
 ) -> sins_status {
     enter_without_simulator(|| {
-        if scene.is_null() {
-            return Err(Failure::null("scene"));
-        }
-        // SAFETY: the host's promise.
-        let name = unsafe { text_of(name, "name")? };
-        probe(ROOM_OF_BYTE * ROOM)?;
-        let Some(found) = core::str::from_utf8(name).ok().and_then(builtin) else {
-            let rule = Rule::SentenceWith(
-                "must be the name of a built-in scene; there are",
-                BUILTIN_SCENES.len() as f64,
-            );
-            return Err(Error { field: "name", value: None, ..Error::invalid("name", 0.0, rule) }.into());
+        let unknown = || {
+            let count = BUILTIN_SCENES.len() as f64;
+            let rule = Rule::SentenceWith("must be the name of a built-in scene; there are", count);
+            Failure::from(Error { value: None, ..Error::invalid("name", 0.0, rule) })
         };
-        // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&SCENES, of_scene(found), scene, "scene")? };
-        Ok(SINS_OK)
+        // SAFETY: the host's promise.
+        unsafe {
+            hand_out(&SCENES, scene, "scene", || {
+                let name = text_of(name, "name")?;
+                probe(ROOM_OF_BYTE * ROOM)?;
+                core::str::from_utf8(name).ok().and_then(builtin).map(of_scene).ok_or_else(unknown)
+            })
+        }
     })
 }
 
@@ -219,13 +209,7 @@ pub unsafe extern "C" fn sins_scene_builtin_name(
     needed: *mut usize,
 ) -> sins_status {
     enter_without_simulator(|| {
-        let Some((name, _)) = BUILTIN_SCENES.get(index) else {
-            let rule = Rule::SentenceWith(
-                "must be less than the number of built-in scenes:",
-                BUILTIN_SCENES.len() as f64,
-            );
-            return Err(Error::invalid("index", index as f64, rule).into());
-        };
+        let (name, _) = element(BUILTIN_SCENES, index, "must be less than the number of built-in scenes:")?;
         // SAFETY: the host's promise.
         unsafe { put_text(name.as_bytes(), buffer, capacity, needed) }
     })
@@ -280,13 +264,9 @@ pub unsafe extern "C" fn sins_scene_create_simulator(
     sim: *mut *mut sins_sim,
 ) -> sins_status {
     with_scene(scene, |scene| {
-        if sim.is_null() {
-            return Err(Failure::null("sim"));
-        }
-        scene.check()?;
-        // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&SIMULATORS, scene.simulator()?, sim, "sim")? };
-        Ok(SINS_OK)
+        let make = || scene.check().and_then(|()| scene.simulator()).map_err(Failure::from);
+        // SAFETY: the host's promise.
+        unsafe { hand_out(&SIMULATORS, sim, "sim", make) }
     })
 }
 
@@ -301,12 +281,8 @@ pub unsafe extern "C" fn sins_scene_create_flight(
     flight: *mut *mut sins_flight,
 ) -> sins_status {
     with_scene(scene, |scene| {
-        if flight.is_null() {
-            return Err(Failure::null("flight"));
-        }
-        // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&FLIGHTS, scene.flight()?, flight, "flight")? };
-        Ok(SINS_OK)
+        // SAFETY: the host's promise.
+        unsafe { hand_out(&FLIGHTS, flight, "flight", || Ok(scene.flight()?)) }
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, interface_struct, put, read};
+use super::memory::{Output, element, interface_struct, put, read};
 use super::scene::{sins_scene, with_scene};
 use super::sensor_failure::{output, sins_failure_fields};
 use super::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
@@ -57,13 +57,8 @@ pub unsafe extern "C" fn sins_scene_get_failure(
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(failure, "failure")? };
-        let Some(planned) = scene.failures.get(index) else {
-            let rule = Rule::SentenceWith(
-                "must be less than the number of failures of the scene:",
-                scene.failures.len() as f64,
-            );
-            return Err(Error::invalid("index", index, rule).into());
-        };
+        let rule = "must be less than the number of failures of the scene:";
+        let planned = element(&scene.failures, index, rule)?;
         output.write(&sins_planned_failure::new(planned));
         Ok(SINS_OK)
     })

@@ -4,7 +4,7 @@ use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::flight::{self, sins_flight_start};
 use super::manoeuvre::sins_manoeuvre;
-use super::memory::{Array, Output, interface_struct, put, read};
+use super::memory::{Array, Output, interface_struct, put, put_if_wanted, read};
 use super::scene::{sins_scene, with_scene};
 use crate::error::{Error, Rule, check_integer};
 use crate::scene::{FlightPath, FlightSource, Temperature};
@@ -160,7 +160,7 @@ pub unsafe extern "C" fn sins_scene_get_manoeuvres(
         let path = scene.path()?;
         // SAFETY: the host's promise.
         unsafe {
-            let start = if start.is_null() { None } else { Some(Output::new(start, "start")?) };
+            let start = Output::if_wanted(start, "start")?;
             let places = Array::new(manoeuvres, capacity, "manoeuvres")?;
             put(count, path.manoeuvres.len(), "count")?;
             if capacity == 0 && manoeuvres.is_null() {
@@ -175,9 +175,7 @@ pub unsafe extern "C" fn sins_scene_get_manoeuvres(
             if let Some(start) = start {
                 start.write(&sins_flight_start::from_start(&path.start));
             }
-            if !repeat.is_null() {
-                put(repeat, path.repeat, "repeat")?;
-            }
+            put_if_wanted(repeat, path.repeat);
         }
         Ok(SINS_OK)
     })

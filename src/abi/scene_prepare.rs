@@ -74,7 +74,7 @@ unsafe fn prepare(
             Ok(result?)
         });
         if status == SINS_OK {
-            output.write(&sins_flight_sample::from_sample(&prepared));
+            output.write(&sins_flight_sample::from(&prepared));
         }
         match result {
             Err(error) => Err(error.into()),

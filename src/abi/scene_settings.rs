@@ -1,44 +1,50 @@
 //! What a scene sets of the simulator: the same structs as those of the simulator's own functions.
 
 use super::altimeter::sins_altimeter_params;
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{SINS_OK, sins_status};
 use super::gravity::sins_gravity_params;
 use super::initial::sins_initial_errors;
-use super::memory::{Output, Struct, read};
+use super::memory::{Output, read};
 use super::mounting::sins_mounting;
 use super::options::sins_options;
+use super::parameters::Parameters;
 use super::scene::{sins_scene, with_scene};
 use super::sensor_params::{sins_accel_params, sins_gyro_params};
+use crate::error::Error;
+use crate::mounting::MountingParameters;
 use crate::scene::Scene;
-use crate::sensors::Sensor;
+use crate::sensors::{AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, Sensor};
+use crate::simulator::Options;
 
 /// # Safety
 /// As the exported functions: `place` is null or points to a struct that may be written.
-unsafe fn get<T: Struct>(
+unsafe fn get<P: Parameters>(
     scene: *const sins_scene,
-    place: *mut T,
+    place: *mut P,
     name: &'static str,
-    settings: impl FnOnce(&Scene) -> T,
+    of: fn(&Scene) -> &P::Own,
 ) -> sins_status {
     with_scene(scene, |scene| {
         // SAFETY: as this function.
-        let output = unsafe { Output::new(place, name)? };
-        output.write(&settings(scene));
+        unsafe { Output::new(place, name)? }.write(&P::from_parameters(of(scene)));
         Ok(SINS_OK)
     })
 }
 
 /// # Safety
 /// As the exported functions: `place` is null or points to a struct.
-unsafe fn set<T: Struct>(
+unsafe fn set<P: Parameters>(
     scene: *mut sins_scene,
-    place: *const T,
+    place: *const P,
     name: &'static str,
-    settings: impl FnOnce(&mut Scene, T) -> Result<(), Failure>,
+    validate: fn(&P::Own) -> Result<(), Error>,
+    of: fn(&mut Scene) -> &mut P::Own,
 ) -> sins_status {
     with_scene(scene, |scene| {
         // SAFETY: as this function.
-        settings(scene, unsafe { read(place, name)? })?;
+        let parameters = unsafe { read(place, name)? }.to_parameters()?;
+        validate(&parameters)?;
+        *of(scene) = parameters;
         Ok(SINS_OK)
     })
 }
@@ -52,7 +58,7 @@ pub unsafe extern "C" fn sins_scene_get_options(
     options: *mut sins_options,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { get(scene, options, "options", |scene| sins_options::from_options(&scene.options)) }
+    unsafe { get(scene, options, "options", |scene| &scene.options) }
 }
 
 /// Sets the options of the scene. As with every part, an error leaves the scene unchanged. Parts can be set in any order:
@@ -65,14 +71,7 @@ pub unsafe extern "C" fn sins_scene_set_options(
     options: *const sins_options,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe {
-        set(scene, options, "options", |scene, options| {
-            let options = options.to_options()?;
-            options.validate()?;
-            scene.options = options;
-            Ok(())
-        })
-    }
+    unsafe { set(scene, options, "options", Options::validate, |s| &mut s.options) }
 }
 
 /// Reads the gyro errors of the scene.
@@ -82,7 +81,7 @@ pub unsafe extern "C" fn sins_scene_get_gyro(
     params: *mut sins_gyro_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { get(scene, params, "params", |scene| sins_gyro_params::from_parameters(&scene.errors.gyro)) }
+    unsafe { get(scene, params, "params", |scene| &scene.errors.gyro) }
 }
 
 /// Sets the gyro errors of the scene.
@@ -94,14 +93,7 @@ pub unsafe extern "C" fn sins_scene_set_gyro(
     params: *const sins_gyro_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe {
-        set(scene, params, "params", |scene, params| {
-            let parameters = params.to_parameters()?;
-            parameters.validate(Sensor::Gyro)?;
-            scene.errors.gyro = parameters;
-            Ok(())
-        })
-    }
+    unsafe { set(scene, params, "params", |p| p.validate(Sensor::Gyro), |s| &mut s.errors.gyro) }
 }
 
 /// Reads the accelerometer errors of the scene.
@@ -111,7 +103,7 @@ pub unsafe extern "C" fn sins_scene_get_accel(
     params: *mut sins_accel_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe { get(scene, params, "params", |scene| sins_accel_params::from_parameters(&scene.errors.accel)) }
+    unsafe { get(scene, params, "params", |scene| &scene.errors.accel) }
 }
 
 /// Sets the accelerometer errors of the scene.
@@ -123,14 +115,7 @@ pub unsafe extern "C" fn sins_scene_set_accel(
     params: *const sins_accel_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe {
-        set(scene, params, "params", |scene, params| {
-            let parameters = params.to_parameters()?;
-            parameters.validate(Sensor::Accelerometer)?;
-            scene.errors.accel = parameters;
-            Ok(())
-        })
-    }
+    unsafe { set(scene, params, "params", |p| p.validate(Sensor::Accelerometer), |s| &mut s.errors.accel) }
 }
 
 /// Reads the errors of the scene's altimeter.
@@ -140,9 +125,7 @@ pub unsafe extern "C" fn sins_scene_get_altimeter(
     params: *mut sins_altimeter_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe {
-        get(scene, params, "params", |scene| sins_altimeter_params::from_parameters(&scene.errors.altimeter))
-    }
+    unsafe { get(scene, params, "params", |scene| &scene.errors.altimeter) }
 }
 
 /// Sets the errors of the scene's altimeter.
@@ -154,14 +137,7 @@ pub unsafe extern "C" fn sins_scene_set_altimeter(
     params: *const sins_altimeter_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe {
-        set(scene, params, "params", |scene, params| {
-            let parameters = params.to_parameters()?;
-            parameters.validate()?;
-            scene.errors.altimeter = parameters;
-            Ok(())
-        })
-    }
+    unsafe { set(scene, params, "params", AltimeterParameters::validate, |s| &mut s.errors.altimeter) }
 }
 
 /// Reads the errors with which the navigation of the scene starts.
@@ -171,9 +147,7 @@ pub unsafe extern "C" fn sins_scene_get_initial_errors(
     errors: *mut sins_initial_errors,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe {
-        get(scene, errors, "errors", |scene| sins_initial_errors::from_parameters(&scene.errors.initial))
-    }
+    unsafe { get(scene, errors, "errors", |scene| &scene.errors.initial) }
 }
 
 /// Sets the errors with which the navigation of the scene starts.
@@ -185,14 +159,7 @@ pub unsafe extern "C" fn sins_scene_set_initial_errors(
     errors: *const sins_initial_errors,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe {
-        set(scene, errors, "errors", |scene, errors| {
-            let parameters = errors.to_parameters()?;
-            parameters.validate()?;
-            scene.errors.initial = parameters;
-            Ok(())
-        })
-    }
+    unsafe { set(scene, errors, "errors", InitialErrorParameters::validate, |s| &mut s.errors.initial) }
 }
 
 /// Reads the mounting of the scene's sensor block.
@@ -202,9 +169,7 @@ pub unsafe extern "C" fn sins_scene_get_mounting(
     mounting: *mut sins_mounting,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe {
-        get(scene, mounting, "mounting", |scene| sins_mounting::from_parameters(&scene.errors.mounting))
-    }
+    unsafe { get(scene, mounting, "mounting", |scene| &scene.errors.mounting) }
 }
 
 /// Sets the mounting of the scene's sensor block.
@@ -216,14 +181,7 @@ pub unsafe extern "C" fn sins_scene_set_mounting(
     mounting: *const sins_mounting,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe {
-        set(scene, mounting, "mounting", |scene, mounting| {
-            let parameters = mounting.to_parameters()?;
-            parameters.validate()?;
-            scene.errors.mounting = parameters;
-            Ok(())
-        })
-    }
+    unsafe { set(scene, mounting, "mounting", MountingParameters::validate, |s| &mut s.errors.mounting) }
 }
 
 /// Reads the gravity disturbance of the scene.
@@ -233,9 +191,7 @@ pub unsafe extern "C" fn sins_scene_get_gravity_disturbance(
     params: *mut sins_gravity_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe {
-        get(scene, params, "params", |scene| sins_gravity_params::from_parameters(&scene.errors.gravity))
-    }
+    unsafe { get(scene, params, "params", |scene| &scene.errors.gravity) }
 }
 
 /// Sets the gravity disturbance of the scene.
@@ -247,12 +203,5 @@ pub unsafe extern "C" fn sins_scene_set_gravity_disturbance(
     params: *const sins_gravity_params,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    unsafe {
-        set(scene, params, "params", |scene, params| {
-            let parameters = params.to_parameters()?;
-            parameters.validate()?;
-            scene.errors.gravity = parameters;
-            Ok(())
-        })
-    }
+    unsafe { set(scene, params, "params", GravityDisturbanceParameters::validate, |s| &mut s.errors.gravity) }
 }

@@ -5,6 +5,7 @@ use core::slice::{from_mut, from_ref};
 use super::choice::check_reserved;
 use super::failure::Failure;
 use super::memory::interface_struct;
+use super::parameters::Parameters;
 use crate::sensors::{PARAMETERS, TriadParameters};
 
 const COUNT: usize = PARAMETERS.len();
@@ -17,16 +18,17 @@ macro_rules! sensor_params {
         // The first release has all of it.
         interface_struct!($type, $name, size_of::<$type>());
 
-        impl $type {
-            pub(super) fn to_parameters(self) -> Result<TriadParameters, Failure> {
+        impl Parameters for $type {
+            type Own = TriadParameters;
+
+            fn to_parameters(self) -> Result<TriadParameters, Failure> {
                 check_reserved(concat!($name, ".reserved"), self.reserved)?;
                 let mut parameters = TriadParameters::default();
                 copy(self.numbers(), parameters.numbers_mut());
                 Ok(parameters)
             }
 
-            /// The struct with `parameters`.
-            pub(super) fn from_parameters(parameters: &TriadParameters) -> Self {
+            fn from_parameters(parameters: &TriadParameters) -> Self {
                 let mut params = Self { struct_size: size_of::<Self>() as u32, ..Self::default() };
                 copy(parameters.numbers(), params.numbers_mut());
                 params

@@ -3,10 +3,12 @@
 use super::boundary::{enter, enter_without_simulator};
 use super::failure::{Failure, SINS_GAP, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::handle::hand_out;
-use super::memory::{Output, read};
+use super::memory::read;
 use super::options::sins_options;
+use super::parameters::{Parameters, get};
 use super::sample::sins_flight_sample;
 use super::tables::SIMULATORS;
+use crate::error::Error;
 use crate::simulator::{Options, Simulator, Step, heap_simulator};
 use crate::truth::{FlightSample, Pushed};
 
@@ -33,9 +35,22 @@ pub(super) fn on_simulator(
     sim: *const sins_sim,
     body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    SIMULATORS.with(sim.addr(), |place| match &mut **place {
-        [simulator] => body(simulator),
-        _ => Err(Failure::internal()),
+    SIMULATORS.with(sim.addr(), |memory| body(&mut memory[0]))
+}
+
+/// Moves a simulator to a sample.
+///
+/// # Safety
+/// As the exported functions: `sample` is null or points to a struct.
+unsafe fn at_sample(
+    sim: *mut sins_sim,
+    sample: *const sins_flight_sample,
+    go: fn(&mut Simulator, &FlightSample) -> Result<(), Error>,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: as this function.
+        go(simulator, &unsafe { read(sample, "sample")? }.to_sample()?)?;
+        Ok(SINS_OK)
     })
 }
 
@@ -46,8 +61,8 @@ pub(super) fn look_at<T>(
     view: impl FnOnce(&Simulator) -> T,
 ) -> Result<T, Failure> {
     let mut seen = None;
-    let status = SIMULATORS.with(sim.addr(), |place| {
-        seen = place.first().map(view);
+    let status = SIMULATORS.with(sim.addr(), |memory| {
+        seen = Some(view(&memory[0]));
         Ok(SINS_OK)
     });
     seen.ok_or_else(|| Failure::of_handle(status, name))
@@ -62,18 +77,16 @@ pub(super) fn look_at<T>(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mut sins_sim) -> sins_status {
     enter_without_simulator(|| {
-        if sim.is_null() {
-            return Err(Failure::null("sim"));
+        // SAFETY: the host's promise.
+        unsafe {
+            hand_out(&SIMULATORS, sim, "sim", || {
+                let options = match options.is_null() {
+                    true => Options::default(),
+                    false => read(options, "options")?.to_parameters()?,
+                };
+                Ok(heap_simulator(&options)?)
+            })
         }
-        let options = if options.is_null() {
-            Options::default()
-        } else {
-            // SAFETY: the host's promise.
-            unsafe { read(options, "options")? }.to_options()?
-        };
-        // SAFETY: the host's promise; not null.
-        unsafe { hand_out(&SIMULATORS, heap_simulator(&options)?, sim, "sim")? };
-        Ok(SINS_OK)
     })
 }
 
@@ -88,12 +101,8 @@ pub unsafe extern "C" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
 /// Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins_options) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let output = unsafe { Output::new(options, "options")? };
-        output.write(&sins_options::from_options(simulator.options()));
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { get(sim, options, "options", Simulator::options) }
 }
 
 /// Puts one flight sample into the queue (16 samples). Each sample is checked by itself and against the one before.
@@ -140,14 +149,11 @@ pub unsafe extern "C" fn sins_step(sim: *mut sins_sim) -> sins_status {
 }
 
 #[inline]
-pub(super) fn push(
-    simulator: &mut Simulator,
-    sample: &FlightSample,
-) -> Result<sins_status, crate::error::Error> {
+pub(super) fn push(simulator: &mut Simulator, sample: &FlightSample) -> Result<sins_status, Error> {
     simulator.push_sample(sample).map(pushed)
 }
 
-pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, crate::error::Error> {
+pub(super) fn step(simulator: &mut Simulator) -> Result<sins_status, Error> {
     simulator.step().map(stepped)
 }
 
@@ -213,12 +219,8 @@ pub unsafe extern "C" fn sins_move_truth(
     sim: *mut sins_sim,
     sample: *const sins_flight_sample,
 ) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let sample = unsafe { read(sample, "sample")? };
-        simulator.move_truth(&sample.to_sample()?)?;
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { at_sample(sim, sample, Simulator::move_truth) }
 }
 
 /// Restarts the INS after the flight simulator was reloaded: the truth jumps to the sample, and the INS starts again there
@@ -237,12 +239,8 @@ pub unsafe extern "C" fn sins_reposition(
     sim: *mut sins_sim,
     sample: *const sins_flight_sample,
 ) -> sins_status {
-    with_simulator(sim, |simulator| {
-        // SAFETY: the host's promise.
-        let sample = unsafe { read(sample, "sample")? };
-        simulator.reposition(&sample.to_sample()?)?;
-        Ok(SINS_OK)
-    })
+    // SAFETY: the host's promise.
+    unsafe { at_sample(sim, sample, Simulator::reposition) }
 }
 
 /// Returns to the state before the first sample: the same options, the parameters as they were set last, no failures, and

@@ -3,7 +3,7 @@
 use core::ffi::c_void;
 
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::put;
+use super::memory::{put, put_if_wanted};
 use super::simulator::{sins_sim, with_simulator};
 use super::text::{bytes_of, put_bytes};
 
@@ -48,10 +48,8 @@ pub unsafe extern "C" fn sins_snapshot_save(
         let length = simulator.save_snapshot(&mut bytes)?;
         // SAFETY: the host's promise.
         unsafe { put_bytes(&bytes[..length], buffer.cast(), capacity)? };
-        if !written.is_null() {
-            // SAFETY: the host's promise.
-            unsafe { put(written, length, "written")? };
-        }
+        // SAFETY: the host's promise.
+        unsafe { put_if_wanted(written, length) };
         Ok(SINS_OK)
     })
 }

@@ -10,7 +10,7 @@ use crate::scene::{Fault, Scene};
 use crate::simulator::Simulator;
 
 /// Simulators. Each is in a slice of one, because its memory can be allocated without aborting, which a `Box` cannot.
-pub(super) static SIMULATORS: Registry<Box<[Simulator]>> = Registry::new(1);
+pub(super) static SIMULATORS: Registry<Box<[Simulator; 1]>> = Registry::new(1);
 pub(super) static FLIGHTS: Registry<Flight> = Registry::new(2);
 #[cfg(feature = "scenes")]
 pub(super) static SCENES: Registry<SceneText> = Registry::new(3);

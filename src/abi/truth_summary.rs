@@ -4,7 +4,7 @@ use super::answer::write_or_need;
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use crate::truth::{Extreme, TruthSummary};
+use crate::truth::TruthSummary;
 
 /// Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
 /// and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
@@ -83,68 +83,37 @@ interface_struct!(sins_truth_summary, "summary", 232);
 
 impl sins_truth_summary {
     fn new(summary: &TruthSummary) -> Self {
-        let TruthSummary {
-            intervals,
-            gaps,
-            flown_s,
-            first_s,
-            last_s,
-            interval_max,
-            turn_max,
-            rate_max,
-            acceleration_max,
-            force_max,
-            inconsistency_max,
-            speed_max,
-            fast_samples,
-            sideslip_max,
-            attack_max,
-            height_min,
-            height_max,
-        } = *summary;
-        let pair = |Extreme { value, time_s }| (value, time_s);
-        let (interval_max_s, interval_max_at_s) = pair(interval_max);
-        let (turn_max_rad, turn_max_at_s) = pair(turn_max);
-        let (rate_max_rad_s, rate_max_at_s) = pair(rate_max);
-        let (acceleration_max_m_s2, acceleration_max_at_s) = pair(acceleration_max);
-        let (force_max_m_s2, force_max_at_s) = pair(force_max);
-        let (inconsistency_max_m, inconsistency_max_at_s) = pair(inconsistency_max);
-        let (speed_max_m_s, speed_max_at_s) = pair(speed_max);
-        let (sideslip_max_rad, sideslip_max_at_s) = pair(sideslip_max);
-        let (attack_max_rad, attack_max_at_s) = pair(attack_max);
-        let (height_min_m, height_min_at_s) = pair(height_min);
-        let (height_max_m, height_max_at_s) = pair(height_max);
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
-            intervals,
-            gaps,
-            fast_samples,
-            flown_s,
-            first_s,
-            last_s,
-            interval_max_s,
-            interval_max_at_s,
-            turn_max_rad,
-            turn_max_at_s,
-            rate_max_rad_s,
-            rate_max_at_s,
-            acceleration_max_m_s2,
-            acceleration_max_at_s,
-            force_max_m_s2,
-            force_max_at_s,
-            inconsistency_max_m,
-            inconsistency_max_at_s,
-            speed_max_m_s,
-            speed_max_at_s,
-            sideslip_max_rad,
-            sideslip_max_at_s,
-            attack_max_rad,
-            attack_max_at_s,
-            height_min_m,
-            height_min_at_s,
-            height_max_m,
-            height_max_at_s,
+            intervals: summary.intervals,
+            gaps: summary.gaps,
+            fast_samples: summary.fast_samples,
+            flown_s: summary.flown_s,
+            first_s: summary.first_s,
+            last_s: summary.last_s,
+            interval_max_s: summary.interval_max.value,
+            interval_max_at_s: summary.interval_max.time_s,
+            turn_max_rad: summary.turn_max.value,
+            turn_max_at_s: summary.turn_max.time_s,
+            rate_max_rad_s: summary.rate_max.value,
+            rate_max_at_s: summary.rate_max.time_s,
+            acceleration_max_m_s2: summary.acceleration_max.value,
+            acceleration_max_at_s: summary.acceleration_max.time_s,
+            force_max_m_s2: summary.force_max.value,
+            force_max_at_s: summary.force_max.time_s,
+            inconsistency_max_m: summary.inconsistency_max.value,
+            inconsistency_max_at_s: summary.inconsistency_max.time_s,
+            speed_max_m_s: summary.speed_max.value,
+            speed_max_at_s: summary.speed_max.time_s,
+            sideslip_max_rad: summary.sideslip_max.value,
+            sideslip_max_at_s: summary.sideslip_max.time_s,
+            attack_max_rad: summary.attack_max.value,
+            attack_max_at_s: summary.attack_max.time_s,
+            height_min_m: summary.height_min.value,
+            height_min_at_s: summary.height_min.time_s,
+            height_max_m: summary.height_max.value,
+            height_max_at_s: summary.height_max.time_s,
         }
     }
 }

@@ -43,8 +43,7 @@ impl Contribution {
 
     fn root(&self, squares: [f64; 3]) -> SolutionError {
         let runs = self.runs.max(1) as f64;
-        let [position_m, velocity_m_s, attitude_rad] = squares.map(|square| (square / runs).sqrt());
-        SolutionError { position_m, velocity_m_s, attitude_rad }
+        squares.map(|square| (square / runs).sqrt()).into()
     }
 }
 

@@ -1,5 +1,6 @@
 //! The effects of a budget: one line each.
 
+use crate::joined::{joined, total};
 use crate::sensors::{PARAMETERS, Sensor};
 use crate::simulator::ErrorParameters;
 
@@ -46,20 +47,9 @@ macro_rules! effects {
 }
 
 /// All of them: of gravity, of the sensors as their table has them, of the altimeter, of the start and of the mounting.
-pub static EFFECTS: &[Effect] = &{
-    let mut effects = [GRAVITY[0]; GRAVITY.len() + GYRO.len() + ACCEL.len() + OTHERS.len()];
-    let parts = [GRAVITY, GYRO, ACCEL, OTHERS];
-    let (mut part, mut place) = (0, 0);
-    while part < parts.len() {
-        let mut index = 0;
-        while index < parts[part].len() {
-            effects[place] = parts[part][index];
-            (place, index) = (place + 1, index + 1);
-        }
-        part += 1;
-    }
-    effects
-};
+pub static EFFECTS: &[Effect] = &joined::<Effect, { total(PARTS) }>(PARTS);
+
+const PARTS: &[&[Effect]] = &[GRAVITY, GYRO, ACCEL, OTHERS];
 
 const GRAVITY: &[Effect] = effects! {
     "deflection north", "gravity.deflection_north_rad", DETERMINISTIC: gravity.deflection_north.mean;

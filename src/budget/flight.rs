@@ -100,9 +100,8 @@ pub(super) fn fly(
     let mut memory = parameters.simulator(&Options { key, error_model, covariance, ..*options })?;
     let instants = scene.instants();
     let mut track = Track { span_s: 0.0, errors: room(instants)? };
-    let [simulator] = &mut *memory else { return Ok(track) };
     let mut start_s = None;
-    fly_looking(simulator, scene.samples(), |index, simulator| {
+    fly_looking(&mut memory[0], scene.samples(), |index, simulator| {
         if track.errors.len() < instants
             && index == scene.instant(track.errors.len())
             && let Some((time_s, deviation)) = look.at(simulator)?

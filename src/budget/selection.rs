@@ -13,7 +13,7 @@ struct Together {
 impl Together {
     fn with(&self, worst: &SolutionError, is_random: bool) -> Self {
         let mut together = *self;
-        for (k, size) in [worst.position_m, worst.velocity_m_s, worst.attitude_rad].into_iter().enumerate() {
+        for (k, size) in worst.parts().into_iter().enumerate() {
             if is_random {
                 together.squares[k] += size * size;
             } else {
@@ -24,8 +24,7 @@ impl Together {
     }
 
     fn size(&self) -> SolutionError {
-        let root = |k: usize| (self.sums[k] * self.sums[k] + self.squares[k]).sqrt();
-        SolutionError { position_m: root(0), velocity_m_s: root(1), attitude_rad: root(2) }
+        [0, 1, 2].map(|k| (self.sums[k] * self.sums[k] + self.squares[k]).sqrt()).into()
     }
 }
 

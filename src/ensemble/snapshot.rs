@@ -2,7 +2,7 @@
 
 use super::Ensemble;
 use super::part::{PART_RUNS, Part};
-use crate::error::{Error, ErrorKind, Rule};
+use crate::error::{Error, Rule};
 use crate::instruction_set::InstructionSet;
 use crate::memory::room;
 use crate::simulator::{Options, SideBySide, Simulator};
@@ -23,16 +23,10 @@ impl Ensemble {
 
     /// Becomes the ensemble of a snapshot, whatever this one was: the runs go on to the same bits. Allocates.
     ///
-    /// [`ErrorKind::Snapshot`]: not a snapshot of an ensemble, not whole, altered, or of a newer release; then nothing has
-    /// changed.
+    /// [`crate::ErrorKind::Snapshot`]: not a snapshot of an ensemble, not whole, altered, or of a newer release; then nothing
+    /// has changed.
     pub fn load_snapshot(&mut self, snapshot: &[u8]) -> Result<(), Error> {
-        let mut from = Reader::new(snapshot, SnapshotOf::Ensemble)?;
-        let loaded = Self::read_snapshot(&mut from).map_err(|error| match error.kind {
-            ErrorKind::OutOfMemory => error,
-            _ => Error { kind: ErrorKind::Snapshot, ..error },
-        })?;
-        from.finish()?;
-        *self = loaded;
+        *self = Reader::read(snapshot, SnapshotOf::Ensemble, Self::read_snapshot)?;
         Ok(())
     }
 
@@ -75,8 +69,8 @@ impl Ensemble {
         for (place, run) in (first_run..=u64::MAX).take(count).enumerate() {
             from.enter("snapshot: Ensemble.diverged");
             let has_diverged = from.flag()?;
-            let mut simulator = Simulator::load_from(from)?;
-            let [simulator] = &mut *simulator else { continue };
+            let mut memory = Simulator::load_from(from)?;
+            let [simulator] = &mut *memory;
             from.enter("snapshot: a run of the ensemble");
             let same = same_flight(simulator, &options, run, has_diverged, (&intake, intervals));
             from.require(same, run as f64, "is not one of this ensemble")?;

@@ -15,7 +15,7 @@ pub(crate) use model::{ModelBlock, ModelInterval, VALID_DISPLACEMENT_M, VALID_MI
 use nalgebra::Vector3;
 
 /// Errors of a solution, computed less true. Angles are wrapped differences.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct NavigationErrors {
     /// Position [m]: displacement from truth along true east and north, and difference of heights.
     pub position_n: Vector3<f64>,

@@ -38,36 +38,26 @@ impl Pair {
     }
 }
 
-impl Add for Pair {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self([self.0[0] + other.0[0], self.0[1] + other.0[1]])
-    }
+macro_rules! operators {
+    ($($trait:ident $method:ident of $type:ident: |$one:ident, $other:ident| $value:expr;)*) => {$(
+        impl $trait for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, $other: Self) -> Self {
+                let $one = self;
+                $value
+            }
+        }
+    )*};
 }
 
-impl Sub for Pair {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self([self.0[0] - other.0[0], self.0[1] - other.0[1]])
-    }
-}
-
-impl Mul for Pair {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        Self([self.0[0] * other.0[0], self.0[1] * other.0[1]])
-    }
-}
-
-impl Div for Pair {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        Self([self.0[0] / other.0[0], self.0[1] / other.0[1]])
-    }
+operators! {
+    Add add of Pair: |a, b| Self([a.0[0] + b.0[0], a.0[1] + b.0[1]]);
+    Sub sub of Pair: |a, b| Self([a.0[0] - b.0[0], a.0[1] - b.0[1]]);
+    Mul mul of Pair: |a, b| Self([a.0[0] * b.0[0], a.0[1] * b.0[1]]);
+    Div div of Pair: |a, b| Self([a.0[0] / b.0[0], a.0[1] / b.0[1]]);
+    Add add of VectorPair: |a, b| Self { x: a.x + b.x, y: a.y + b.y, z: a.z + b.z };
+    Sub sub of VectorPair: |a, b| Self { x: a.x - b.x, y: a.y - b.y, z: a.z - b.z };
 }
 
 impl Mul<f64> for Pair {
@@ -158,25 +148,9 @@ impl VectorPair {
     }
 }
 
-impl Add for VectorPair {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
-    }
-}
-
 impl AddAssign for VectorPair {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
-    }
-}
-
-impl Sub for VectorPair {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
     }
 }

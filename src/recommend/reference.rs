@@ -23,33 +23,44 @@ pub struct SolutionError {
     pub attitude_rad: f64,
 }
 
+impl From<[f64; 3]> for SolutionError {
+    fn from([position_m, velocity_m_s, attitude_rad]: [f64; 3]) -> Self {
+        Self { position_m, velocity_m_s, attitude_rad }
+    }
+}
+
 impl SolutionError {
+    /// Position, velocity and attitude.
+    pub fn parts(&self) -> [f64; 3] {
+        [self.position_m, self.velocity_m_s, self.attitude_rad]
+    }
+
+    fn with(&self, other: &Self, of: impl Fn(f64, f64) -> f64) -> Self {
+        let (one, other) = (self.parts(), other.parts());
+        [0, 1, 2].map(|part| of(one[part], other[part])).into()
+    }
+
     /// The sum of two errors.
     pub fn plus(&self, other: &Self) -> Self {
-        Self {
-            position_m: self.position_m + other.position_m,
-            velocity_m_s: self.velocity_m_s + other.velocity_m_s,
-            attitude_rad: self.attitude_rad + other.attitude_rad,
-        }
+        self.with(other, |one, other| one + other)
     }
 
     /// So many times it.
     pub fn times(&self, factor: f64) -> Self {
-        Self {
-            position_m: self.position_m * factor,
-            velocity_m_s: self.velocity_m_s * factor,
-            attitude_rad: self.attitude_rad * factor,
-        }
+        self.with(self, |one, _| one * factor)
+    }
+
+    /// The larger of two errors, part by part.
+    pub fn max(&self, other: &Self) -> Self {
+        self.with(other, f64::max)
     }
 
     /// The largest share of a limit that it takes up, of those that are not 0.
     ///
     /// A limit below 1e-100 counts as 1e-100: no solution is so good, and the share of the largest predicted error stays finite.
     pub fn share_of(&self, limits: &Self) -> f64 {
-        let errors = [self.position_m, self.velocity_m_s, self.attitude_rad];
-        let limits = [limits.position_m, limits.velocity_m_s, limits.attitude_rad];
-        let share = |(error, limit): (f64, f64)| if limit > 0.0 { error / limit.max(1e-100) } else { 0.0 };
-        errors.into_iter().zip(limits).map(share).fold(0.0, f64::max)
+        let share = |error: f64, limit: f64| if limit > 0.0 { error / limit.max(1e-100) } else { 0.0 };
+        self.with(limits, share).parts().into_iter().fold(0.0, f64::max)
     }
 
     /// Takes the difference of `state` from `reference` in, if it is worse.
@@ -146,10 +157,7 @@ impl Reference {
         let coarser = Rung { updates_per_sample: MAX_UPDATES / 2, ..finest };
         let mut setup = setup.physical();
         setup.options.frame = Frame::EarthFixed;
-        let fly = |rung: &Rung| match &mut *setup.with(rung).simulator()? {
-            [simulator] => track(simulator, samples, instants),
-            _ => Ok(Track { states: Vec::new() }),
-        };
+        let fly = |rung: &Rung| track(&mut setup.with(rung).simulator()?[0], samples, instants);
         let track = fly(&finest)?;
         let change = fly(&coarser)?.minus(&track);
         Ok(Self { track, uncertainty: change.plus(&Self::ROUNDING) })
@@ -166,9 +174,8 @@ impl Reference {
         let earth = setup.options.earth();
         let mut memory = setup.physical().simulator()?;
         let mut worst = SolutionError::default();
-        let [simulator] = &mut *memory else { return Ok(worst) };
         let mut states = self.track.states.iter();
-        fly_looking(simulator, samples.iter().copied().map(Ok), |_, simulator| {
+        fly_looking(&mut memory[0], samples.iter().copied().map(Ok), |_, simulator| {
             if let (Some(state), Some(solution)) = (states.next(), simulator.navigation()?) {
                 worst.include(&solution.navigation.earth_fixed(&earth), state);
             }

@@ -21,7 +21,7 @@ pub struct Setup {
 impl Setup {
     /// That of a simulator, at any moment of its life.
     pub fn of(simulator: &Simulator) -> Self {
-        Self { options: *simulator.options(), mounting: simulator.mounting() }
+        Self { options: *simulator.options(), mounting: *simulator.mounting() }
     }
 
     /// This setup with another algorithm.
@@ -36,11 +36,9 @@ impl Setup {
     }
 
     /// A simulator before its first sample, without errors.
-    pub(super) fn simulator(&self) -> Result<Box<[Simulator]>, Error> {
+    pub(super) fn simulator(&self) -> Result<Box<[Simulator; 1]>, Error> {
         let mut memory = heap_simulator(&self.options)?;
-        for simulator in &mut *memory {
-            simulator.set_mounting(&self.mounting.believed())?;
-        }
+        memory[0].set_mounting(&self.mounting.believed())?;
         Ok(memory)
     }
 }

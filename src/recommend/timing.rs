@@ -20,10 +20,9 @@ pub fn step_time_ns(setup: &Setup, samples: &[FlightSample]) -> Result<f64, Erro
     let stretch = &samples[..samples.len().min(STEPS + 1)];
     let repeats = STEPS.div_ceil(stretch.len().saturating_sub(1).max(1));
     let mut memory = setup.simulator()?;
-    let [simulator] = &mut *memory else { return Ok(0.0) };
     let mut rounds = [0.0; ROUNDS];
     for round in &mut rounds {
-        *round = round_ns(simulator, stretch, repeats)?;
+        *round = round_ns(&mut memory[0], stretch, repeats)?;
     }
     rounds.sort_unstable_by(f64::total_cmp);
     Ok(rounds[ROUNDS / 2])

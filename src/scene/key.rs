@@ -6,49 +6,47 @@ use super::draft::Draft;
 use crate::math::Euler;
 use crate::sensors::Sensor;
 
-/// The sections of a scene file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Section {
-    Flight,
-    Manoeuvre,
-    Sinusoid,
-    Options,
-    Gyro,
-    Accelerometer,
-    Altimeter,
-    Start,
-    Mounting,
-    Gravity,
-    Failure,
-    Output,
+/// The sections, each with its name, as it stands in brackets, and what its keys set, in words.
+macro_rules! sections {
+    ($($section:ident $name:literal $doc:literal)*) => {
+        /// The sections of a scene file.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum Section {
+            $($section),*
+        }
+
+        impl Section {
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$section),*];
+
+            /// Its name, as it stands in brackets.
+            pub fn name(self) -> &'static str {
+                [$($name),*][self as usize]
+            }
+
+            /// What its keys set, in words.
+            pub fn doc(self) -> &'static str {
+                [$($doc),*][self as usize]
+            }
+        }
+    };
+}
+
+sections! {
+    Flight "flight" "the flight: a log, a built-in flight, or a start and [[manoeuvre]]s"
+    Manoeuvre "manoeuvre" "a manoeuvre; the list is flown in order; angles are positive to the right and up"
+    Sinusoid "manoeuvre.sinusoid" "a sinusoid of the manoeuvre of kind sinusoids above it; up to 6"
+    Options "options" "options of the simulator"
+    Gyro "gyro" "gyro errors: a preset, and what differs from it"
+    Accelerometer "accelerometer" "accelerometer errors: a preset, and what differs from it"
+    Altimeter "altimeter" "errors of the altimeter, which aids the damped vertical channel"
+    Start "start" "errors at the start: computed less true"
+    Mounting "mounting" "mounting of the sensor block, and errors of what the INS believes about it: believed less true"
+    Gravity "gravity" "true gravity less normal gravity: constant, and random over the distance flown"
+    Failure "failure" "failure of one output of a sensor, for a time"
+    Output "output" "what a program that flies the scene writes"
 }
 
 impl Section {
-    pub const ALL: [Self; 12] = [
-        Self::Flight,
-        Self::Manoeuvre,
-        Self::Sinusoid,
-        Self::Options,
-        Self::Gyro,
-        Self::Accelerometer,
-        Self::Altimeter,
-        Self::Start,
-        Self::Mounting,
-        Self::Gravity,
-        Self::Failure,
-        Self::Output,
-    ];
-
-    /// Its name, as it stands in brackets.
-    pub fn name(self) -> &'static str {
-        self.words().0
-    }
-
-    /// What its keys set, in words.
-    pub fn doc(self) -> &'static str {
-        self.words().1
-    }
-
     /// Whether it stands in double brackets, any number of times.
     pub fn is_list(self) -> bool {
         matches!(self, Self::Manoeuvre | Self::Sinusoid | Self::Failure)
@@ -57,37 +55,6 @@ impl Section {
     /// How many lists an item of it is in: 0, it is no list.
     pub fn lists(self) -> usize {
         usize::from(self.is_list()) + usize::from(self == Self::Sinusoid)
-    }
-
-    fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Flight => ("flight", "the flight: a log, a built-in flight, or a start and [[manoeuvre]]s"),
-            Self::Manoeuvre => (
-                "manoeuvre",
-                "a manoeuvre; the list is flown in order; angles are positive to the right and up",
-            ),
-            Self::Sinusoid => {
-                ("manoeuvre.sinusoid", "a sinusoid of the manoeuvre of kind sinusoids above it; up to 6")
-            }
-            Self::Options => ("options", "options of the simulator"),
-            Self::Gyro => ("gyro", "gyro errors: a preset, and what differs from it"),
-            Self::Accelerometer => {
-                ("accelerometer", "accelerometer errors: a preset, and what differs from it")
-            }
-            Self::Altimeter => {
-                ("altimeter", "errors of the altimeter, which aids the damped vertical channel")
-            }
-            Self::Start => ("start", "errors at the start: computed less true"),
-            Self::Mounting => (
-                "mounting",
-                "mounting of the sensor block, and errors of what the INS believes about it: believed less true",
-            ),
-            Self::Gravity => {
-                ("gravity", "true gravity less normal gravity: constant, and random over the distance flown")
-            }
-            Self::Failure => ("failure", "failure of one output of a sensor, for a time"),
-            Self::Output => ("output", "what a program that flies the scene writes"),
-        }
     }
 }
 

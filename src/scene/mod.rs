@@ -208,7 +208,7 @@ impl Scene {
     }
 
     /// The simulator of the scene. It has no failure yet: [`Self::prepare`] sets failures at their times.
-    pub fn simulator(&self) -> Result<Box<[Simulator]>, Error> {
+    pub fn simulator(&self) -> Result<Box<[Simulator; 1]>, Error> {
         self.errors.simulator(&self.simulator_options())
     }
 

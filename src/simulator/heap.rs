@@ -6,17 +6,16 @@ use super::{Options, Simulator};
 use crate::covariance::Propagation;
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
-use crate::memory::room;
+use crate::memory::{only, room};
 
-/// A simulator on the heap: two of them and a step are more than the stack that a call may take. A slice of one, which unlike
-/// a `Box` can be allocated without aborting.
+/// A simulator on the heap: two of them and a step are more than the stack that a call may take.
 #[inline(never)]
-pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator]>, Error> {
+pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator; 1]>, Error> {
     // The processor is asked now, and not by the first read.
     InstructionSet::up_to(READ_WIDTH);
     let mut memory = room(1)?;
     let (intake, signals) = (Simulator::intake(options)?, Signals::new()?);
     let covariance = Propagation::new(options.covariance, options.earth(), options.vertical)?;
     memory.push(Simulator::with(options, intake, signals, covariance));
-    Ok(memory.into_boxed_slice())
+    only(memory)
 }

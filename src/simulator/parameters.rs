@@ -51,9 +51,9 @@ impl ErrorParameters {
     }
 
     /// A simulator before its first sample that has these errors.
-    pub(crate) fn simulator(&self, options: &Options) -> Result<Box<[Simulator]>, Error> {
+    pub(crate) fn simulator(&self, options: &Options) -> Result<Box<[Simulator; 1]>, Error> {
         let mut memory = heap_simulator(options)?;
-        memory.iter_mut().try_for_each(|simulator| self.set_to(simulator))?;
+        self.set_to(&mut memory[0])?;
         Ok(memory)
     }
 }

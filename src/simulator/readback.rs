@@ -30,8 +30,8 @@ impl Simulator {
     }
 
     /// Where the sensor block sits, as it was set.
-    pub fn mounting(&self) -> MountingParameters {
-        self.imperfections.set().mounting
+    pub fn mounting(&self) -> &MountingParameters {
+        &self.imperfections.set().mounting
     }
 
     /// True less normal gravity, as it was set.

@@ -7,7 +7,7 @@ use super::heap::heap_simulator;
 use super::navigator::Navigator;
 use super::{Imperfections, Mode, Options, Simulator};
 use crate::earth::Geodetic;
-use crate::error::{Error, ErrorKind, Rule};
+use crate::error::{Error, Rule};
 use crate::snapshot::{Reader, SnapshotOf, Stored, Writer, fitting};
 use crate::state::Navigation;
 use crate::truth::Intake;
@@ -52,28 +52,19 @@ impl Simulator {
     /// Becomes the simulator of a snapshot, options included, whatever this one was: the run goes on to the same bits. Only
     /// [`Self::ideal_increments`] are empty until the next interval. Allocates.
     ///
-    /// [`ErrorKind::Snapshot`]: not a snapshot, not whole, altered, or of a newer release; then nothing has changed.
+    /// [`crate::ErrorKind::Snapshot`]: not a snapshot, not whole, altered, or of a newer release; then nothing has changed.
     pub fn load_snapshot(&mut self, snapshot: &[u8]) -> Result<(), Error> {
-        let damaged = |error| Error { kind: ErrorKind::Snapshot, ..error };
-        let mut from = Reader::new(snapshot, SnapshotOf::Simulator)?;
-        let mut memory = Self::load_from(&mut from).map_err(|error| match error.kind {
-            ErrorKind::OutOfMemory => error,
-            _ => damaged(error),
-        })?;
-        from.finish()?;
-        let [loaded] = &mut *memory else { return Ok(()) };
-        core::mem::swap(self, loaded);
+        let mut memory = Reader::read(snapshot, SnapshotOf::Simulator, Self::load_from)?;
+        core::mem::swap(self, &mut memory[0]);
         Ok(())
     }
 
     /// The simulator that [`Self::save_to`] wrote.
-    pub(crate) fn load_from(from: &mut Reader<'_>) -> Result<Box<[Self]>, Error> {
+    pub(crate) fn load_from(from: &mut Reader<'_>) -> Result<Box<[Self; 1]>, Error> {
         let mut options = Options::default();
         options.load(from).and_then(|()| options.validate())?;
         let mut memory = heap_simulator(&options)?;
-        if let [loaded] = &mut *memory {
-            loaded.read_snapshot(from)?;
-        }
+        memory[0].read_snapshot(from)?;
         Ok(memory)
     }
 
@@ -158,6 +149,7 @@ impl Simulator {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::ErrorKind;
     use crate::sensors::TriadParameters;
     use crate::truth::FlightSample;
 

@@ -16,9 +16,22 @@ pub(crate) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// The reader of a snapshot with a valid header.
-    pub fn new(snapshot: &'a [u8], of: SnapshotOf) -> Result<Self, Error> {
-        Ok(Self { rest: open(snapshot, of)?, sizes: 0, left: 0, field: "" })
+    /// What `read` makes of a whole snapshot. All its errors are the snapshot's, but for memory that is missing.
+    pub fn read<T>(
+        snapshot: &'a [u8],
+        of: SnapshotOf,
+        read: impl FnOnce(&mut Self) -> Result<T, Error>,
+    ) -> Result<T, Error> {
+        let mut from = Self { rest: open(snapshot, of)?, sizes: 0, left: 0, field: "" };
+        let made = read(&mut from).map_err(|error| match error.kind {
+            ErrorKind::OutOfMemory => error,
+            _ => Error { kind: ErrorKind::Snapshot, ..error },
+        })?;
+        if from.rest.is_empty() && from.sizes == 0 {
+            return Ok(made);
+        }
+        let rule = Rule::Zero(": the snapshot has bytes after its end");
+        Err(Error::of(ErrorKind::Snapshot, "snapshot bytes left over", from.rest.len(), rule))
     }
 
     /// Sets the name, in messages, of what is read next.
@@ -67,15 +80,6 @@ impl<'a> Reader<'a> {
     /// Bytes to come.
     pub fn bytes_left(&self) -> usize {
         self.rest.len()
-    }
-
-    /// Checks that nothing is left.
-    pub fn finish(&self) -> Result<(), Error> {
-        if self.rest.is_empty() && self.sizes == 0 {
-            return Ok(());
-        }
-        let rule = Rule::Zero(": the snapshot has bytes after its end");
-        Err(Error::of(ErrorKind::Snapshot, "snapshot bytes left over", self.rest.len(), rule))
     }
 
     /// Rejects `value` of the current field if it is not `good`.

@@ -114,10 +114,9 @@ static void set_all(sins_sim *sim)
     sins_altimeter_params altimeter = scene_altimeter();
     sins_initial_errors initial = scene_initial_errors();
     sins_failure stuck = {.struct_size = sizeof stuck, .kind = SINS_FAILURE_STUCK};
-    sins_mounting mounting = {.struct_size = sizeof mounting, .lever_arm_m = {1.5, 3.0, -0.8}};
+    sins_mounting mounting = {.struct_size = sizeof mounting, .lever_arm_m = {1.5, 3.0, -0.8}, .boresight_error_rad = {1e-3}};
     sins_gravity_params gravity = {.struct_size = sizeof gravity, .deflection_north_rad = 1e-5};
     initial.alignment = SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS;
-    mounting.boresight_error_rad[0] = 1e-3;
     gyro.bias_temperature_rad_s_per_k[0] = 1e-9;
     MEASURE(sins_set_gyro(sim, &gyro));
     MEASURE(sins_set_accel(sim, &accel));

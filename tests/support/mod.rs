@@ -201,25 +201,6 @@ pub fn patrol(duration_s: f64) -> sins::flight::Flight {
     patrol::patrol_from(&start, duration_s).unwrap()
 }
 
-/// `sample` as the C interface has it.
-pub fn interface_sample(sample: &FlightSample) -> sins::abi::sins_flight_sample {
-    sins::abi::sins_flight_sample {
-        struct_size: size_of::<sins::abi::sins_flight_sample>() as u32,
-        flags: 0,
-        time_s: sample.time_s,
-        latitude_rad: sample.place.latitude_rad,
-        longitude_rad: sample.place.longitude_rad,
-        height_m: sample.place.height_m,
-        velocity_enu_m_s: sample.v_n.unwrap().into(),
-        roll_rad: sample.euler.roll,
-        pitch_rad: sample.euler.pitch,
-        heading_rad: sample.euler.heading,
-        angular_rate_rad_s: [0.0; 3],
-        specific_force_m_s2: [0.0; 3],
-        temperature_c: 0.0,
-    }
-}
-
 /// Options with a stated sample rate and the vertical channel following the truth.
 pub fn options_at(rate_hz: f64) -> sins::Options {
     sins::Options {

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::failure::Failure;
+use crate::places::beside;
 
 /// Draws the Allan deviation of an IMU log, and finds the noise coefficients that explain it
 ///
@@ -59,9 +60,7 @@ impl Order {
 
     /// File of the coefficients.
     pub fn fit(&self) -> Option<PathBuf> {
-        let points = self.points.as_ref()?;
-        let stem = points.file_stem().unwrap_or_default().to_string_lossy();
-        Some(points.with_file_name(format!("{stem}_fit.csv")))
+        self.points.as_ref().map(|points| beside(points, "_fit.csv"))
     }
 }
 

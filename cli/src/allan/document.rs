@@ -85,24 +85,19 @@ fn figure(analysis: &Analysis) -> Result<Figure, Failure> {
 }
 
 fn coefficients(analysis: &Analysis) -> Markup {
+    let rows = analysis.coefficients.iter().map(|coefficient| {
+        let value = html! {
+            td {
+                (table::on_sheet(analysis, coefficient))
+                @if let Some(density) = table::density(analysis, coefficient) { ", " (density) }
+            }
+        };
+        (html! { (coefficient.term.letter()) ", " (sheet::name(analysis.sensor, coefficient.term)) }, value)
+    });
     html! {
         div {
             h3 { (analysis.name) }
-            table.list {
-                tbody {
-                    @for coefficient in &analysis.coefficients {
-                        tr {
-                            th scope="row" {
-                                (coefficient.term.letter()) ", " (sheet::name(analysis.sensor, coefficient.term))
-                            }
-                            td {
-                                (table::on_sheet(analysis, coefficient))
-                                @if let Some(density) = table::density(analysis, coefficient) { ", " (density) }
-                            }
-                        }
-                    }
-                }
-            }
+            (page::table(Some("list"), Vec::new(), rows))
         }
     }
 }

@@ -1,6 +1,5 @@
 //! An IMU log: columns of rates, forces or increments at equal intervals.
 
-use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
@@ -10,7 +9,7 @@ use super::command::Order;
 use super::quantity::{Quantity, Sensor, TIMES, choose};
 use crate::drawing::series::mean;
 use crate::failure::Failure;
-use crate::given::reject_device;
+use crate::given::open;
 use crate::progress::Progress;
 use crate::table::Table;
 
@@ -37,9 +36,7 @@ impl Log {
     /// Reads the log of `order`.
     pub fn read(order: &Order) -> Result<Self, Failure> {
         let path = &order.log;
-        reject_device(path)?;
-        let input =
-            File::open(path).map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
+        let input = open(path)?;
         // A pipe has no length.
         let length = input.metadata().map_or(0, |metadata| metadata.len());
         let what = format!("reading {}", path.display());

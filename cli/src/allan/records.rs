@@ -22,7 +22,7 @@ pub fn points(analyses: &[Analysis]) -> Result<String, Failure> {
             row
         })
     });
-    text(&std::iter::once(POINTS.map(str::to_owned).to_vec()).chain(rows).collect::<Vec<_>>())
+    text(&POINTS, rows)
 }
 
 /// A row for each column and term; a coefficient whose low end is 0 is not resolved.
@@ -35,7 +35,7 @@ pub fn coefficients(analyses: &[Analysis]) -> Result<String, Failure> {
             row
         })
     });
-    text(&std::iter::once(COEFFICIENTS.map(str::to_owned).to_vec()).chain(rows).collect::<Vec<_>>())
+    text(&COEFFICIENTS, rows)
 }
 
 #[cfg(test)]

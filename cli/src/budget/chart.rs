@@ -8,6 +8,7 @@ use crate::drawing::axis::Axis;
 use crate::drawing::figure::Legend;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::FINE;
+use crate::drawing::series::positive_range;
 use crate::units::{ANGLE, Family, LENGTH, SPEED, short};
 
 /// Room for the names, width of a panel and of the value behind its longest bar, height of a line and of its bar, of the
@@ -122,10 +123,8 @@ fn bar(line: &Line, width: f64, left: f64, k: usize) -> Markup {
 
 /// Powers of ten that contain `values`, except values that are too small to be seen next to the largest.
 fn axis(values: impl Iterator<Item = f64>) -> Axis {
-    let positive = values.filter(|value| *value > 0.0 && value.is_finite());
-    let (low, high) = positive
-        .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), value| (low.min(value), high.max(value)));
-    let (low, high) = if low <= high { (low.log10(), high.log10()) } else { (0.0, 0.0) };
+    let (low, high) = positive_range(values);
+    let (low, high) = (low.log10(), high.log10());
     // Half a decade for the smallest to have a bar at all.
     Axis::decades((low - 0.5).max(high - DECADES), high.max(low + 1.0), 5)
 }

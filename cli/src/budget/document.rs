@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::survey::Survey;
+use super::survey::{Line, Survey};
 use super::{chart, table};
 use crate::drawing::document as page;
 use crate::drawing::figure::Figure;
@@ -64,27 +64,17 @@ fn figure(survey: &Survey) -> Figure {
 
 fn figures(survey: &Survey) -> Markup {
     let columns = table::Columns::of(survey);
-    html! {
-        table {
-            thead {
-                tr {
-                    @for head in columns.heads() { th scope="col" { (head) } }
-                    th scope="col" { "field" }
-                }
-            }
-            tbody {
-                @for line in survey.lines() {
-                    tr {
-                        th scope="row" { (line.name) }
-                        td { (table::kind(&line)) }
-                        @for cell in columns.cells(&line) { td.number { (cell) } }
-                        td.number { (columns.cost(&line)) }
-                        td { code { (line.field) } }
-                    }
-                }
-            }
-        }
-    }
+    let heads = columns.heads().into_iter().chain(["field".to_owned()]).collect();
+    let row = |line: Line| {
+        let cells = html! {
+            td { (table::kind(&line)) }
+            @for cell in columns.cells(&line) { td.number { (cell) } }
+            td.number { (columns.cost(&line)) }
+            td { code { (line.field) } }
+        };
+        (html! { (line.name) }, cells)
+    };
+    page::table(None, heads, survey.lines().into_iter().map(row))
 }
 
 #[cfg(test)]

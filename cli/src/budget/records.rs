@@ -23,11 +23,9 @@ pub const COLUMNS: [&str; 12] = [
 
 /// A row for each line.
 pub fn records(surveys: &[Survey]) -> Result<String, Failure> {
-    let mut rows = vec![COLUMNS.map(str::to_owned).to_vec()];
-    for survey in surveys {
-        rows.extend(survey.lines().iter().map(|line| row(survey, line)));
-    }
-    text(&rows)
+    let rows =
+        surveys.iter().flat_map(|survey| survey.lines().into_iter().map(move |line| row(survey, &line)));
+    text(&COLUMNS, rows)
 }
 
 fn row(survey: &Survey, line: &Line) -> Vec<String> {
@@ -38,9 +36,7 @@ fn row(survey: &Survey, line: &Line) -> Vec<String> {
         Kind::Together => "together",
     };
     let mut row = [&survey.name, line.name, line.field, kind].map(str::to_owned).to_vec();
-    let parts = |error: SolutionError| {
-        [error.position_m, error.velocity_m_s, error.attitude_rad].map(|part| format!("{part:.6e}"))
-    };
+    let parts = |error: SolutionError| error.parts().map(|part| format!("{part:.6e}"));
     for error in [Some(line.worst), line.end] {
         row.extend(error.map_or_else(Default::default, parts));
     }

@@ -1,7 +1,7 @@
 //! The budgets as Markdown.
 
 use super::survey::{Kind, Line, Survey};
-use crate::units::{ANGLE, Family, LENGTH, SPEED, Unit, brief, short, time_text, usual};
+use crate::units::{ANGLE, Family, LENGTH, SPEED, Unit, brief_parts, short, time_text, usual};
 
 /// Costs are uncertain by so much of a step: less is noise, and may be negative.
 const NOISE: f64 = 0.01;
@@ -37,7 +37,7 @@ impl Columns {
     pub fn of(survey: &Survey) -> Self {
         let lines = survey.lines();
         let unit = |part: usize, family: &Family| {
-            let largest = lines.iter().map(|line| parts(line)[part]).fold(0.0, f64::max);
+            let largest = lines.iter().map(|line| line.worst.parts()[part]).fold(0.0, f64::max);
             usual(largest, family)
         };
         Self { units: [unit(0, LENGTH), unit(1, SPEED), unit(2, ANGLE)], step_ns: survey.costs.total_ns }
@@ -57,7 +57,7 @@ impl Columns {
 
     /// Position, velocity and attitude.
     pub fn cells(&self, line: &Line) -> [String; 3] {
-        let parts = parts(line);
+        let parts = line.worst.parts();
         std::array::from_fn(|part| short(parts[part] / self.units[part].si))
     }
 
@@ -69,10 +69,6 @@ impl Columns {
             Some(cost) => format!("{cost:.0}"),
         }
     }
-}
-
-fn parts(line: &Line) -> [f64; 3] {
-    [line.worst.position_m, line.worst.velocity_m_s, line.worst.attitude_rad]
 }
 
 /// What a line is.
@@ -97,12 +93,9 @@ pub fn remark(survey: &Survey) -> String {
     }
     text += ".";
     if budget.rows.iter().any(|row| row.can_be_left_out) {
-        let left_out = &budget.left_out;
+        let left_out = brief_parts(budget.left_out.parts());
         text += &format!(
-            " In flights without the effects that can be left out, the errors change by {}, {}, {}.",
-            brief(left_out.position_m, LENGTH),
-            brief(left_out.velocity_m_s, SPEED),
-            brief(left_out.attitude_rad, ANGLE)
+            " In flights without the effects that can be left out, the errors change by {left_out}."
         );
     }
     text

@@ -21,6 +21,15 @@ pub struct Configuration {
     pub frame: Frame,
 }
 
+/// The word of a scheme, as scenes have it.
+pub fn scheme_name(scheme: Scheme) -> &'static str {
+    match scheme {
+        Scheme::Paper => "paper",
+        Scheme::Exact => "exact",
+        Scheme::Polynomial => "polynomial",
+    }
+}
+
 impl Configuration {
     /// The paper's own.
     pub const PAPER: Self = Self {
@@ -59,11 +68,7 @@ impl Configuration {
     }
 
     pub fn scheme_name(&self) -> &'static str {
-        match self.rung.scheme {
-            Scheme::Paper => "paper",
-            Scheme::Exact => "exact",
-            Scheme::Polynomial => "polynomial",
-        }
+        scheme_name(self.rung.scheme)
     }
 
     pub fn frame_name(&self) -> &'static str {

@@ -14,7 +14,7 @@ use crate::drawing::figure::Legend;
 use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Dot, Drawing, FINE, Mark, Note, Panel, Trace};
-use crate::drawing::series::Points;
+use crate::drawing::series::{Points, positive_range};
 use crate::failure::Failure;
 use crate::units::time_text;
 
@@ -87,7 +87,7 @@ fn legends(survey: &Survey) -> [Legend; 2] {
 fn drawing(survey: &Survey) -> Drawing {
     let measured: Vec<(&Point, &Measured)> =
         survey.points.iter().filter_map(|point| Some((point, point.measured.as_ref().ok()?))).collect();
-    let (low, high) = bounds(measured.iter().map(|(_, measured)| measured.cost_ns * MICRO));
+    let (low, high) = positive_range(measured.iter().map(|(_, measured)| measured.cost_ns * MICRO));
     let cost = Axis::decades(low.log10() - 0.15, high.log10() + 0.2, 8);
     let errors = measured.iter().map(|(_, measured)| measured.position_m());
     let errors = errors.chain(survey.sensors_m).chain([survey.floor.position_m]);
@@ -106,7 +106,12 @@ fn drawing(survey: &Survey) -> Drawing {
         }
     }
     let x_label = "largest position error on the way [m]";
-    Drawing { width: WIDTH, x: accuracy(bounds(errors)), x_label: x_label.to_owned(), panels: vec![panel] }
+    Drawing {
+        width: WIDTH,
+        x: accuracy(positive_range(errors)),
+        x_label: x_label.to_owned(),
+        panels: vec![panel],
+    }
 }
 
 /// Powers of ten that fall to the right; positions are negative logarithms.
@@ -114,13 +119,6 @@ fn accuracy((low, high): (f64, f64)) -> Axis {
     let rising = Axis::decades(low.log10() - 0.4, high.log10() + 0.4, 20);
     let ticks = rising.ticks.into_iter().rev().map(|(at, text)| (-at, text)).collect();
     Axis { low: -rising.high, high: -rising.low, ticks }
-}
-
-fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let positive = values.filter(|value| *value > 0.0 && value.is_finite());
-    let (low, high) = positive
-        .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), value| (low.min(value), high.max(value)));
-    if low <= high { (low, high) } else { (1.0, 1.0) }
 }
 
 fn place(measured: &Measured) -> (f64, f64) {
@@ -217,18 +215,7 @@ mod tests {
         let mut points = vec![made(0, 5e3, 20.0), made(3, 8e3, 0.4), made(13, 9e3, 2e-4)];
         points.push(Point { measured: Err("singular".into()), ..points[0].clone() });
         front::mark(&mut points);
-        let floor = sins::recommend::SolutionError { position_m: 1e-7, ..Default::default() };
-        let survey = Survey {
-            name: "a<b".into(),
-            title: "made".into(),
-            duration_s: 3600.0,
-            uncertainty: floor,
-            floor,
-            reference: "",
-            points,
-            sensors_m: [1e3, 1e5],
-        };
-        let svg = diagram(&survey).unwrap();
+        let svg = diagram(&Survey::made("a<b", 3600.0, points, [1e3, 1e5])).unwrap();
         assert!(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"") && svg.ends_with("</svg>\n"));
         assert_eq!(svg.matches("http").count(), 1, "nothing from outside");
         assert!(svg.contains("a&lt;b") && !svg.contains("a<b"));

@@ -127,17 +127,7 @@ pub mod tests {
         let again =
             [Point { rate_hz: 10.0, ..points[0].clone() }, Point { rate_hz: 10.0, ..points[1].clone() }];
         points.extend(again);
-        let survey = Survey {
-            name: "loop".into(),
-            title: String::new(),
-            duration_s: 1.0,
-            uncertainty: SolutionError::default(),
-            floor: SolutionError::default(),
-            reference: "",
-            points,
-            sensors_m: [0.0; 2],
-        };
-        let lines = costlier_and_less_accurate(&[survey]);
+        let lines = costlier_and_less_accurate(&[Survey::made("loop", 1.0, points, [0.0; 2])]);
         assert!(lines[0].ends_with("36000 times its error; beaten at 2 rates"), "{}", lines[0]);
         assert!(lines[1].ends_with("2.0 times its error; beaten at this rate only"), "{}", lines[1]);
     }

@@ -1,6 +1,5 @@
 //! Instructions of a step, as `benches/instructions.sh matrix` counts them.
 
-use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
@@ -8,7 +7,7 @@ use csv::{ReaderBuilder, Trim};
 
 use super::configuration::Configuration;
 use crate::failure::Failure;
-use crate::given::reject_device;
+use crate::given::open;
 
 const HEADER: [&str; 5] = ["scheme", "subsamples", "updates_per_sample", "frame", "instructions_per_step"];
 
@@ -20,10 +19,7 @@ pub struct Instructions {
 
 impl Instructions {
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        reject_device(path)?;
-        let input =
-            File::open(path).map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
-        Self::from_csv(path, input)
+        Self::from_csv(path, open(path)?)
     }
 
     fn from_csv(path: &Path, input: impl Read) -> Result<Self, Failure> {

@@ -21,6 +21,7 @@ mod table;
 mod timing;
 
 pub use command::Order;
+pub use configuration::scheme_name;
 
 use std::path::PathBuf;
 

@@ -27,11 +27,10 @@ pub const POINTS: [&str; 15] = [
 
 /// A row for each configuration and rate.
 pub fn points(surveys: &[Survey], instructions: &Instructions) -> Result<String, Failure> {
-    let mut rows = vec![POINTS.map(str::to_owned).to_vec()];
-    for survey in surveys {
-        rows.extend(survey.points.iter().map(|point| row(survey, point, instructions)));
-    }
-    text(&rows)
+    let rows = surveys
+        .iter()
+        .flat_map(|survey| survey.points.iter().map(move |point| row(survey, point, instructions)));
+    text(&POINTS, rows)
 }
 
 fn row(survey: &Survey, point: &Point, instructions: &Instructions) -> Vec<String> {
@@ -53,10 +52,7 @@ fn row(survey: &Survey, point: &Point, instructions: &Instructions) -> Vec<Strin
             let floors: Vec<&str> =
                 floors.filter_map(|(name, is_at_floor)| is_at_floor.then_some(name)).collect();
             row.extend([format!("{:.0}", measured.cost_ns), counted]);
-            let error = &judgement.error;
-            row.extend(
-                [error.position_m, error.velocity_m_s, error.attitude_rad].map(|e| format!("{e:.4e}")),
-            );
+            row.extend(judgement.error.parts().map(|part| format!("{part:.4e}")));
             row.push(floors.join(" "));
             row.push(if point.is_undersampled { "undersampled" } else { "" }.to_owned());
         }
@@ -87,22 +83,16 @@ pub const SCENES: [&str; 9] = [
 
 /// A row for each scene: what its reference knows, and what sensors would err.
 pub fn scenes(surveys: &[Survey]) -> Result<String, Failure> {
-    let mut rows = vec![SCENES.map(str::to_owned).to_vec()];
-    for survey in surveys {
-        let uncertainty = &survey.uncertainty;
+    let row = |survey: &Survey| {
         let mut row = vec![
             survey.name.clone(),
             survey.title.clone(),
             survey.duration_s.to_string(),
             survey.reference.to_owned(),
         ];
-        row.extend(
-            [uncertainty.position_m, uncertainty.velocity_m_s, uncertainty.attitude_rad]
-                .into_iter()
-                .chain(survey.sensors_m)
-                .map(|value| format!("{value:.3e}")),
-        );
-        rows.push(row);
-    }
-    text(&rows)
+        let numbers = survey.uncertainty.parts().into_iter().chain(survey.sensors_m);
+        row.extend(numbers.map(|value| format!("{value:.3e}")));
+        row
+    };
+    text(&SCENES, surveys.iter().map(row))
 }

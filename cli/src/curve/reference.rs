@@ -72,24 +72,14 @@ impl Judge {
     /// The finest solution that the samples of a log allow. The motion between the samples is unknown.
     pub fn of_log(options: &Options, samples: &[FlightSample], instants: &[usize]) -> Result<Self, Failure> {
         let Reference { track, uncertainty } = Reference::new(&(*options).into(), samples, instants)?;
-        let rounding = of_inconsistency(0.0, options.earth().equatorial_radius_m, 0.0);
-        let uncertainty = SolutionError {
-            position_m: uncertainty.position_m.max(rounding.position_m),
-            velocity_m_s: uncertainty.velocity_m_s.max(rounding.velocity_m_s),
-            attitude_rad: uncertainty.attitude_rad.max(rounding.attitude_rad),
-        };
+        let uncertainty = uncertainty.max(&of_inconsistency(0.0, options.earth().equatorial_radius_m, 0.0));
         let description = "polynomials through 5 subsamples, 16 updates a sample of the log; uncertainty: against 8 updates";
         Ok(Self { track, uncertainty, description })
     }
 
     /// The smallest errors that are reported.
     pub fn floor(&self) -> SolutionError {
-        let SolutionError { position_m, velocity_m_s, attitude_rad } = self.uncertainty;
-        SolutionError {
-            position_m: MARGIN * position_m,
-            velocity_m_s: MARGIN * velocity_m_s,
-            attitude_rad: MARGIN * attitude_rad,
-        }
+        self.uncertainty.times(MARGIN)
     }
 
     /// The errors of `track`.
@@ -100,18 +90,8 @@ impl Judge {
 
 /// `error`, but no smaller than `floor`.
 fn clamped(error: &SolutionError, floor: &SolutionError) -> Judgement {
-    Judgement {
-        error: SolutionError {
-            position_m: error.position_m.max(floor.position_m),
-            velocity_m_s: error.velocity_m_s.max(floor.velocity_m_s),
-            attitude_rad: error.attitude_rad.max(floor.attitude_rad),
-        },
-        at_floor: [
-            error.position_m < floor.position_m,
-            error.velocity_m_s < floor.velocity_m_s,
-            error.attitude_rad < floor.attitude_rad,
-        ],
-    }
+    let (parts, floors) = (error.parts(), floor.parts());
+    Judgement { error: error.max(floor), at_floor: [0, 1, 2].map(|part| parts[part] < floors[part]) }
 }
 
 /// With the rounding of coordinates of the size `radius` [m], of velocities of the size `speed` [m/s] and of attitudes: four

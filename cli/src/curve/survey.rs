@@ -46,6 +46,16 @@ pub struct Survey {
     pub sensors_m: [f64; 2],
 }
 
+#[cfg(test)]
+impl Survey {
+    /// A survey of `points` for tests, of a scene of `duration_s` [s].
+    pub fn made(name: &str, duration_s: f64, points: Vec<Point>, sensors_m: [f64; 2]) -> Self {
+        let floor = SolutionError { position_m: 1e-7, ..Default::default() };
+        let (name, title) = (name.into(), "made".into());
+        Self { name, title, duration_s, uncertainty: floor, floor, reference: "", points, sensors_m }
+    }
+}
+
 impl Measured {
     pub fn position_m(&self) -> f64 {
         self.judgement.error.position_m

@@ -58,24 +58,13 @@ mod tests {
     fn the_cheapest_for_each_accuracy() {
         let mut points = vec![made(0, 5e3, 20.0), made(3, 8.14e3, 0.4), made(4, 9e3, 2e-4)];
         front::mark(&mut points);
-        let floor = Default::default();
-        let survey = Survey {
-            name: "loop".into(),
-            title: "one".into(),
-            duration_s: 1800.0,
-            uncertainty: floor,
-            floor,
-            reference: "",
-            points,
-            sensors_m: [1234.0, 45_600.0],
-        };
-        let surveys = [survey];
+        let surveys = [Survey::made("loop", 1800.0, points, [1234.0, 45_600.0])];
         assert!(super::table(&surveys, 120.0).starts_with("| scene | 100 m in 2 min |"));
         let table = table(&surveys, 3600.0);
         assert!(table.starts_with("| scene | 100 m in an hour |"));
         let row = table.lines().nth(2).unwrap();
         let cells: Vec<&str> = row.split('|').map(str::trim).collect();
-        assert_eq!(cells[1], "loop: one");
+        assert_eq!(cells[1], "loop: made");
         assert_eq!(cells[2], "paper 1 @ 50 Hz, 5.0 µs");
         // 0.4 m in half an hour are 0.8 m in an hour.
         assert_eq!(cells[3], "exact 2 @ 50 Hz, 8.1 µs");

@@ -45,6 +45,20 @@ pub fn figure(figure: &Figure) -> Markup {
     }
 }
 
+/// A table: heads of its columns, if it has any; for each row what it is about, and its cells.
+pub fn table(
+    class: Option<&str>,
+    heads: Vec<String>,
+    rows: impl IntoIterator<Item = (Markup, Markup)>,
+) -> Markup {
+    html! {
+        table class=[class] {
+            @if !heads.is_empty() { thead { tr { @for head in heads { th scope="col" { (head) } } } } }
+            tbody { @for (name, cells) in rows { tr { th scope="row" { (name) } (cells) } } }
+        }
+    }
+}
+
 /// A piece of the line that `pen` draws.
 pub fn swatch(pen: Pen) -> Markup {
     html! {

@@ -3,180 +3,81 @@
 
 use plotters::style::RGBColor;
 
-/// What a line means; the style sheet says how it looks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Pen {
-    Text = 1,
-    Grid,
-    Axis,
+/// The pens, each with its class in the style sheet, and whether it draws dots.
+macro_rules! pens {
+    ($($(#[$doc:meta])* $pen:ident $class:literal $($dot:ident)?,)*) => {
+        /// What a line means; the style sheet says how it looks.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum Pen {
+            $($(#[$doc])* $pen),*
+        }
+
+        impl Pen {
+            pub const ALL: &[Self] = &[$(Self::$pen),*];
+
+            /// Its class in the style sheet.
+            pub fn class(self) -> &'static str {
+                match self {
+                    $(Self::$pen => $class),*
+                }
+            }
+
+            /// Whether it draws dots, not lines.
+            pub fn is_dot(self) -> bool {
+                match self {
+                    $(Self::$pen => !stringify!($($dot)?).is_empty()),*
+                }
+            }
+        }
+    };
+}
+
+pens! {
+    Text "text", Grid "grid", Axis "axis",
     /// What was computed: thin, dark, over `Reference`.
-    Computed,
+    Computed "computed",
     /// What it is compared with: broad, light.
-    Reference,
-    East,
-    North,
-    Up,
+    Reference "reference",
+    East "east", North "north", Up "up",
     /// One standard deviation, above and below.
-    Sigma,
+    Sigma "sigma",
     /// Single records of a noisy signal.
-    Record,
-    Fit,
-    NauticalMile,
-    Schuler,
-    Foucault,
-    Day,
-    Start,
+    Record "record",
+    Fit "fit", NauticalMile "nautical-mile", Schuler "schuler", Foucault "foucault", Day "day", Start "start" dot,
     /// What was computed at the end of a long track.
-    Late,
+    Late "late",
     /// Points of a scheme, and the line that joins them.
-    PaperScheme,
-    ExactScheme,
-    PolynomialScheme,
+    PaperScheme "paper-scheme" dot, ExactScheme "exact-scheme" dot, PolynomialScheme "polynomial-scheme" dot,
     /// The three schemes where samples are too few.
-    PaperHollow,
-    ExactHollow,
-    PolynomialHollow,
+    PaperHollow "paper-hollow" dot, ExactHollow "exact-hollow" dot, PolynomialHollow "polynomial-hollow" dot,
     /// In a dot.
-    Digit,
+    Digit "digit",
     /// The Pareto front.
-    Front,
+    Front "front",
     /// Rings around the points of one configuration, and the text at them.
-    DefaultRing,
-    PaperRing,
+    DefaultRing "default-ring" dot, PaperRing "paper-ring" dot,
     /// What sensors of a grade err.
-    Navigation,
-    Tactical,
+    Navigation "navigation", Tactical "tactical",
     /// The smallest error that a reference shows.
-    Floor,
+    Floor "floor",
     /// An area where the truth may be.
-    Band,
+    Band "band",
     /// A wider one around it.
-    OuterBand,
+    OuterBand "outer-band",
     /// What one term alone would make.
-    Asymptote,
+    Asymptote "asymptote",
     /// Bars: of a random effect, of a deterministic one, of the mechanization, of all together.
-    Random,
-    Deterministic,
-    Own,
-    Together,
+    Random "random", Deterministic "deterministic", Own "own", Together "together",
     /// What may be left out.
-    Limit,
+    Limit "limit",
     /// Where one run of an ensemble ends, and how many of them end so.
-    Run,
-    Count,
+    Run "run" dot, Count "count",
 }
 
 impl Pen {
-    pub const ALL: [Self; 40] = [
-        Self::Text,
-        Self::Grid,
-        Self::Axis,
-        Self::Computed,
-        Self::Reference,
-        Self::East,
-        Self::North,
-        Self::Up,
-        Self::Sigma,
-        Self::Record,
-        Self::Fit,
-        Self::NauticalMile,
-        Self::Schuler,
-        Self::Foucault,
-        Self::Day,
-        Self::Start,
-        Self::Late,
-        Self::PaperScheme,
-        Self::ExactScheme,
-        Self::PolynomialScheme,
-        Self::PaperHollow,
-        Self::ExactHollow,
-        Self::PolynomialHollow,
-        Self::Digit,
-        Self::Front,
-        Self::DefaultRing,
-        Self::PaperRing,
-        Self::Navigation,
-        Self::Tactical,
-        Self::Floor,
-        Self::Band,
-        Self::OuterBand,
-        Self::Asymptote,
-        Self::Random,
-        Self::Deterministic,
-        Self::Own,
-        Self::Together,
-        Self::Limit,
-        Self::Run,
-        Self::Count,
-    ];
-
-    /// Its class in the style sheet.
-    pub fn class(self) -> &'static str {
-        match self {
-            Self::Text => "text",
-            Self::Grid => "grid",
-            Self::Axis => "axis",
-            Self::Computed => "computed",
-            Self::Reference => "reference",
-            Self::East => "east",
-            Self::North => "north",
-            Self::Up => "up",
-            Self::Sigma => "sigma",
-            Self::Record => "record",
-            Self::Fit => "fit",
-            Self::NauticalMile => "nautical-mile",
-            Self::Schuler => "schuler",
-            Self::Foucault => "foucault",
-            Self::Day => "day",
-            Self::Start => "start",
-            Self::Late => "late",
-            Self::PaperScheme => "paper-scheme",
-            Self::ExactScheme => "exact-scheme",
-            Self::PolynomialScheme => "polynomial-scheme",
-            Self::PaperHollow => "paper-hollow",
-            Self::ExactHollow => "exact-hollow",
-            Self::PolynomialHollow => "polynomial-hollow",
-            Self::Digit => "digit",
-            Self::Front => "front",
-            Self::DefaultRing => "default-ring",
-            Self::PaperRing => "paper-ring",
-            Self::Navigation => "navigation",
-            Self::Tactical => "tactical",
-            Self::Floor => "floor",
-            Self::Band => "band",
-            Self::OuterBand => "outer-band",
-            Self::Asymptote => "asymptote",
-            Self::Random => "random",
-            Self::Deterministic => "deterministic",
-            Self::Own => "own",
-            Self::Together => "together",
-            Self::Limit => "limit",
-            Self::Run => "run",
-            Self::Count => "count",
-        }
-    }
-
-    /// Whether it draws dots, not lines.
-    pub fn is_dot(self) -> bool {
-        use Pen::*;
-        matches!(
-            self,
-            Start
-                | PaperScheme
-                | ExactScheme
-                | PolynomialScheme
-                | PaperHollow
-                | ExactHollow
-                | PolynomialHollow
-                | DefaultRing
-                | PaperRing
-                | Run
-        )
-    }
-
-    /// Its number as a colour, for `plotters`.
+    /// Its number, from 1, as a colour, for `plotters`.
     pub fn colour(self) -> RGBColor {
-        RGBColor(0, 0, self as u8)
+        RGBColor(0, 0, self as u8 + 1)
     }
 }
 

@@ -239,7 +239,7 @@ fn with_classes(body: &str) -> String {
     let mut text = body.to_owned();
     for pen in Pen::ALL {
         for attribute in ["stroke", "fill"] {
-            let colour = format!("{attribute}=\"#0000{:02X}\"", pen as u8);
+            let colour = format!("{attribute}=\"#0000{:02X}\"", pen.colour().2);
             text = text.replace(&colour, &format!("class=\"{}\"", pen.class()));
         }
     }

@@ -35,8 +35,20 @@ pub fn panel(caption: String, height: f64, ticks: usize, traces: Vec<Trace>) -> 
     Panel::new(caption, Axis::around(low.min(0.0), high.max(0.0), 0.0, ticks), height, traces)
 }
 
+/// Axes in `unit` with equal scales around `east` and `north`, each from low to high [m], and the height of the panel. An axis
+/// is for at least `least` [m].
+pub fn equal_axes(east: (f64, f64), north: (f64, f64), least: f64, unit: Unit) -> (Axis, Axis, f64) {
+    let span = |(low, high): (f64, f64)| (high - low).max(least);
+    let (width, height, scale) = equal_scale(span(east), span(north));
+    let centred = |(low, high): (f64, f64), units: f64| {
+        let (middle, half) = ((low + high) / 2.0 / unit.si, units / scale / 2.0 / unit.si);
+        Axis::linear(middle - half, middle + half, 6)
+    };
+    (centred(east, width), centred(north, height), height)
+}
+
 /// Width and height of the panel and the drawing units for one plotted unit, the same on both axes.
-pub fn equal_scale(east: f64, north: f64) -> (f64, f64, f64) {
+fn equal_scale(east: f64, north: f64) -> (f64, f64, f64) {
     let margin = 1.12;
     let height = (PANEL_WIDTH * north / east).clamp(0.35 * PANEL_WIDTH, 0.75 * PANEL_WIDTH);
     (PANEL_WIDTH, height, (PANEL_WIDTH / (east * margin)).min(height / (north * margin)))

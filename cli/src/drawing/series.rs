@@ -70,12 +70,22 @@ pub fn magnitude(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, value| value.abs().max(most))
 }
 
+/// Smallest and largest value; none of nothing.
+pub fn range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
+    values.into_iter().fold(None, |range, value| match range {
+        None => Some((value, value)),
+        Some((low, high)) => Some((value.min(low), value.max(high))),
+    })
+}
+
+/// Smallest and largest of the values that a logarithmic axis can show; (1, 1) if there are none.
+pub fn positive_range(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    range(values.into_iter().filter(|value| *value > 0.0 && value.is_finite())).unwrap_or((1.0, 1.0))
+}
+
 /// Smallest and largest `y` of all `lines`; (0, 0) without points.
 pub fn bounds<'a>(lines: impl IntoIterator<Item = &'a Points>) -> (f64, f64) {
-    let all = lines.into_iter().flatten().map(|point| point.1);
-    let (low, high) =
-        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
-    if low <= high { (low, high) } else { (0.0, 0.0) }
+    range(lines.into_iter().flatten().map(|point| point.1)).unwrap_or_default()
 }
 
 /// Straight line of least squares y = a + b x as (a, b); level where `x` does not spread.

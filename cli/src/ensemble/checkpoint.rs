@@ -53,7 +53,7 @@ impl Checkpoint {
             // Another's file, which --force replaces.
             Ok(_) => return Ok(Results::new(plan)),
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Results::new(plan)),
-            Err(error) => return Err(Failure::of_file(&self.path, &format!("cannot be read: {error}"))),
+            Err(error) => return Err(Failure::of_input(&self.path, &error)),
         };
         self.parse(&bytes, plan).map_err(|why| {
             Failure::of_file(

@@ -2,11 +2,13 @@
 
 use maud::{Markup, html};
 use sins::ErrorSource;
+use sins::scene::ChangedKey;
+use sins::statistics::Figures;
 
-use super::study::{QUANTITIES, Study};
+use super::study::{QUANTITIES, Quantity, Study};
 use super::table::Row;
 use super::{bands, ends};
-use crate::drawing::document::{document, figure};
+use crate::drawing::document::{document, figure, table};
 use crate::failure::Failure;
 use crate::record::EAST_NORTH_UP;
 use crate::units::{LENGTH, time_text, with_unit};
@@ -70,70 +72,41 @@ fn numbers(study: &Study) -> Markup {
         let of = move |values: [f64; 9]| with_unit(values[place], family);
         ends.iter().map(move |(_, row)| [row.mean(), row.sigma(), row.rms()].map(of))
     };
-    html! {
-        table {
-            thead {
-                tr {
-                    th scope="col" { "error" }
-                    @for (name, _) in &ends {
-                        @for what in ["mean", "1σ", "RMS"] { th scope="col" { (what) ", " (name) } }
-                    }
-                }
-            }
-            tbody {
-                @for quantity in &QUANTITIES {
-                    @for axis in 0..study.axes(quantity) {
-                        tr {
-                            th scope="row" { (quantity.name) " " (EAST_NORTH_UP[axis]) }
-                            @for triple in values(quantity.first + axis, quantity.family) {
-                                @for value in triple { td.number { (value) } }
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
+    let mut heads = vec!["error".to_owned()];
+    heads.extend(
+        ends.iter().flat_map(|(name, _)| ["mean", "1σ", "RMS"].map(|what| format!("{what}, {name}"))),
+    );
+    let axes = QUANTITIES.iter().flat_map(|of| (0..study.axes(of)).map(move |axis| (of, axis)));
+    let row = |(of, axis): (&Quantity, usize)| {
+        let values = values(of.first + axis, of.family).flatten();
+        (
+            html! { (of.name) " " (EAST_NORTH_UP[axis]) },
+            html! { @for value in values { td.number { (value) } } },
+        )
+    };
+    table(None, heads, axes.map(row))
 }
 
 /// Radii at the end.
 fn radii(study: &Study) -> Markup {
-    let ends = ends_by_data(study);
-    html! {
-        table {
-            thead {
-                tr {
-                    th scope="col" { "horizontal position error" }
-                    @for what in ["CEP50", "R95", "largest", "runs"] { th scope="col" { (what) } }
-                }
+    let heads = ["horizontal position error", "CEP50", "R95", "largest", "runs"].map(str::to_owned);
+    let cells = |figures: &Figures| {
+        html! {
+            @for size in [figures.cep50_m, figures.r95_m, figures.largest_radial_m] {
+                td.number { (with_unit(size, LENGTH)) }
             }
-            tbody {
-                @for (name, row) in &ends {
-                    tr {
-                        th scope="row" { (name) }
-                        @for size in [row.figures.cep50_m, row.figures.r95_m, row.figures.largest_radial_m] {
-                            td.number { (with_unit(size, LENGTH)) }
-                        }
-                        td.number { (row.figures.runs) }
-                    }
-                }
-            }
+            td.number { (figures.runs) }
         }
-    }
+    };
+    let rows = ends_by_data(study).into_iter().map(|(name, row)| (html! { (name) }, cells(&row.figures)));
+    table(None, heads.into(), rows)
 }
 
 /// The keys of the scene that are not at their defaults.
 fn settings(study: &Study) -> Markup {
-    html! {
-        table.list {
-            tbody {
-                @for key in study.given.scene.changed_keys() {
-                    tr {
-                        th scope="row" { code { (key.section) "." (key.name) } }
-                        td { (key.value) " " (key.unit) }
-                    }
-                }
-            }
-        }
-    }
+    let keys = study.given.scene.changed_keys().into_iter();
+    let row = |key: ChangedKey| {
+        (html! { code { (key.section) "." (key.name) } }, html! { td { (key.value) " " (key.unit) } })
+    };
+    table(Some("list"), Vec::new(), keys.map(row))
 }

@@ -8,8 +8,8 @@ use crate::drawing::axis::Axis;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Dot, Drawing, Mark, Panel, Trace, WIDTH};
-use crate::drawing::scales::equal_scale;
-use crate::drawing::series::Points;
+use crate::drawing::scales::equal_axes;
+use crate::drawing::series::{Points, range};
 use crate::failure::Failure;
 use crate::units::{LENGTH, fitting};
 
@@ -78,29 +78,21 @@ pub fn scatter(study: &Study) -> Result<Option<Figure>, Failure> {
     // The axes contain the truth.
     let all = ellipses.iter().flat_map(|(_, points)| points.iter().copied());
     let all = all.chain(dots.iter().map(|place| (place[0], place[1]))).chain([(0.0, 0.0)]);
-    let (mut low, mut high) = ([0.0f64; 2], [0.0f64; 2]);
-    for (east, north) in all {
-        (low[0], high[0]) = (low[0].min(east), high[0].max(east));
-        (low[1], high[1]) = (low[1].min(north), high[1].max(north));
-    }
-    let span: [f64; 2] = std::array::from_fn(|axis| high[axis] - low[axis]);
+    let (east, north): (Vec<f64>, Vec<f64>) = all.unzip();
+    let [east, north] = [east, north].map(|values| range(values).unwrap_or_default());
+    let size = (east.1 - east.0).max(north.1 - north.0);
+    let unit = fitting(size, LENGTH);
     // Ellipses of no width, and runs all alike, still have axes.
-    let least = span[0].max(span[1]).max(1e-9) * 1e-3;
-    let (width, height, scale) = equal_scale(span[0].max(least), span[1].max(least));
-    let unit = fitting(span[0].max(span[1]), LENGTH);
-    let axis = |k: usize, units: f64| {
-        let (middle, half) = ((low[k] + high[k]) / 2.0 / unit.si, units / scale / 2.0 / unit.si);
-        Axis::linear(middle - half, middle + half, 6)
-    };
+    let (x, y, height) = equal_axes(east, north, size.max(1e-9) * 1e-3, unit);
     let scaled = |(east, north): (f64, f64)| (east / unit.si, north / unit.si);
     let traces = ellipses.map(|(pen, points)| Trace::new(pen, points.into_iter().map(scaled).collect()));
     let caption = format!("north [{}]", unit.name);
-    let mut panel = Panel::new(caption, axis(1, height), height, traces.into());
+    let mut panel = Panel::new(caption, y, height, traces.into());
     let dot = |place: &[f64; 2]| Dot { at: scaled((place[0], place[1])), pen: Pen::Run, radius: 2.5 };
     panel.dots.extend(dots.iter().map(dot));
     panel.dots.push(Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 5.0 });
     let x_label = format!("east [{}]", unit.name);
-    let drawing = Drawing { width: WIDTH, x: axis(0, width), x_label, panels: vec![panel] };
+    let drawing = Drawing { width: WIDTH, x, x_label, panels: vec![panel] };
 
     let share = |share: f64| {
         let inside = places.iter().filter(|place| normal.distance(**place) <= within(share)).count();

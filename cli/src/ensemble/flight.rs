@@ -94,18 +94,16 @@ impl<'a> Work<'a> {
         if self.must_stop() {
             return Err(interrupted());
         }
-        let simulators = given.scene.simulator()?;
-        let template = simulators.first().ok_or_else(|| Failure::of_kind(Kind::Failed, "no simulator"))?;
-        let mut ensemble = Ensemble::new(template, first_run, runs as usize)?;
+        let mut ensemble = Ensemble::new(&given.scene.simulator()?[0], first_run, runs as usize)?;
         let mut part = Part::new(plan, piece);
         let mut instants = plan.instants.iter().copied().peekable();
         for index in 0..given.count {
             self.push(&mut ensemble, index, given.sample(index)?)?;
             if index > 0 {
-                ensemble.step().map_err(|error| stopped(given, index, &error))?;
+                ensemble.step().map_err(|error| given.stopped_at(index, &error))?;
             }
             if instants.next_if_eq(&index).is_some() {
-                self.read(&ensemble, &mut part).map_err(|error| stopped(given, index, &error))?;
+                self.read(&ensemble, &mut part).map_err(|error| given.stopped_at(index, &error))?;
             }
             if index % CHUNK == 0 && index > 0 {
                 self.progress.fly(CHUNK * runs as usize, given.period_s);
@@ -127,7 +125,7 @@ impl<'a> Work<'a> {
         let scene = &self.given.scene;
         let prepared = scene.prepare(ensemble, self.given.start_s, &mut sample);
         let pushed = prepared.and_then(|()| ensemble.push_sample(&sample));
-        pushed.map(|_| ()).map_err(|error| stopped(self.given, index, &error))
+        pushed.map(|_| ()).map_err(|error| self.given.stopped_at(index, &error))
     }
 
     /// Takes the statistics of this instant, and the errors of the runs that are drawn.
@@ -162,13 +160,4 @@ fn state(ensemble: &Ensemble, run: u64) -> Result<Option<State>, Error> {
 /// Other threads hear of it by the flag; what the user reads is the first of all failures.
 fn interrupted() -> Failure {
     Failure::of_kind(Kind::Interrupted, "")
-}
-
-/// Why the flight ends at a sample: it is a bad one, or the truth left its range.
-fn stopped(given: &Given, index: usize, error: &Error) -> Failure {
-    let refusal = given.failure_at(index, error);
-    match error.kind {
-        ErrorKind::InvalidArgument | ErrorKind::TimeOrder | ErrorKind::Discontinuity => refusal,
-        _ => Failure::of_kind(Kind::Failed, refusal.to_string()),
-    }
 }

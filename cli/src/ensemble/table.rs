@@ -9,11 +9,11 @@ use super::plan::Plan;
 use super::results::{Results, State};
 use crate::failure::Failure;
 use crate::given::Given;
+use crate::record::EAST_NORTH_UP;
 use crate::rows::number;
 
 /// The three errors, with their units as columns have them.
 const QUANTITIES: [(&str, &str); 3] = [("position", "m"), ("velocity", "m_s"), ("misalignment", "rad")];
-const AXES: [&str; 3] = ["east", "north", "up"];
 
 /// How the statistics' file begins: by it the program knows its own.
 pub const MARK: &str = "time_s,error_data,runs,diverged,out_of_range,";
@@ -107,7 +107,7 @@ pub fn radial(state: &State) -> f64 {
 
 /// The names of the nine errors.
 fn states(begin: &str) -> Vec<String> {
-    let of = |(what, unit): (&str, &str)| AXES.map(|axis| format!("{begin}{what}_{axis}_{unit}"));
+    let of = |(what, unit): (&str, &str)| EAST_NORTH_UP.map(|axis| format!("{begin}{what}_{axis}_{unit}"));
     QUANTITIES.into_iter().flat_map(of).collect()
 }
 

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use sins::errors::AccuracyFigures;
 use sins::records;
 use sins::truth::{FlightSample, TruthSummary};
-use sins::{ClosureFigures, Error, ErrorKind, ImuInterval, Simulator, TrimFigures};
+use sins::{ClosureFigures, Error, ImuInterval, Simulator, TrimFigures};
 
 use super::imu;
 use crate::failure::{Failure, Kind};
@@ -72,10 +72,7 @@ pub fn fly(
     flown: &mut Flown,
     quiet: bool,
 ) -> Result<(), Failure> {
-    let mut simulators = given.scene.simulator()?;
-    let Some(simulator) = simulators.first_mut() else {
-        return Err(Failure::of_kind(Kind::Failed, "no simulator"));
-    };
+    let [simulator] = &mut *given.scene.simulator()?;
     let sensor_errors = SensorSum::default();
     let result = InFlight { simulator, given, every, files, flown, sensor_errors }.fly(quiet);
     if let Ok(Some((_, accuracy, closure))) = simulator.accuracy() {
@@ -137,12 +134,12 @@ impl InFlight<'_> {
     fn push(&mut self, index: usize, mut sample: FlightSample) -> Result<(), Failure> {
         let prepared = self.given.scene.prepare(self.simulator, self.given.start_s, &mut sample);
         let pushed = prepared.and_then(|()| self.simulator.push_sample(&sample));
-        pushed.map(|_| ()).map_err(|error| stopped(self.given, index, &error))
+        pushed.map(|_| ()).map_err(|error| self.given.stopped_at(index, &error))
     }
 
     /// Flies the interval that the sample `index` ends.
     fn step(&mut self, index: usize) -> Result<(), Failure> {
-        self.simulator.step().map_err(|error| stopped(self.given, index, &error))?;
+        self.simulator.step().map_err(|error| self.given.stopped_at(index, &error))?;
         self.flown.steps += 1;
         if let Some(interval) = self.simulator.imu() {
             self.sensor_errors.add(&interval);
@@ -162,16 +159,7 @@ impl InFlight<'_> {
 
     /// The record now, after the sample `index`.
     fn record(&mut self, index: usize) -> Result<Option<Record>, Failure> {
-        Record::now(self.simulator).map_err(|error| stopped(self.given, index, &error))
-    }
-}
-
-/// Why the flight ends at a sample: it is a bad one, or the solution left its range.
-fn stopped(given: &Given, index: usize, error: &Error) -> Failure {
-    let refusal = given.failure_at(index, error);
-    match error.kind {
-        ErrorKind::InvalidArgument | ErrorKind::TimeOrder | ErrorKind::Discontinuity => refusal,
-        _ => Failure::of_kind(Kind::Failed, refusal.to_string()),
+        Record::now(self.simulator).map_err(|error| self.given.stopped_at(index, &error))
     }
 }
 

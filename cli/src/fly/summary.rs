@@ -5,6 +5,7 @@ use sins::units::NMI_PER_HOUR;
 
 use super::figures::Figures;
 use crate::failure::{Failure, printable};
+use crate::record::EAST_NORTH_UP;
 use crate::rows;
 use crate::units::six_digits;
 
@@ -13,13 +14,13 @@ pub const MARK: &str = "key,value,unit,label\nname,";
 
 /// The file. A figure that there is not has the value "none".
 pub fn text(figures: &Figures) -> Result<String, Failure> {
-    let mut summary = Rows(vec![["key", "value", "unit", "label"].map(str::to_owned)]);
+    let mut summary = Rows(Vec::new());
     settings(figures, &mut summary);
     flight(figures, &mut summary);
     closure(figures, &mut summary);
     accuracy(figures, &mut summary);
     summary.text("library_version", env!("CARGO_PKG_VERSION"), "library version");
-    rows::text(&summary.0)
+    rows::text(&["key", "value", "unit", "label"], &summary.0)
 }
 
 struct Rows(Vec<[String; 4]>);
@@ -43,7 +44,7 @@ impl Rows {
 
     fn axes(&mut self, key: &str, unit: &str, values: &Vector3<f64>, label: &str) {
         let (name, end) = key.split_once("{}").unwrap_or((key, ""));
-        for (axis, value) in ["east", "north", "up"].into_iter().zip(values) {
+        for (axis, value) in EAST_NORTH_UP.into_iter().zip(values) {
             self.number(&format!("{name}{axis}{end}"), *value, unit, &format!("{label}, {axis}"));
         }
     }

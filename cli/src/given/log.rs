@@ -1,5 +1,6 @@
 //! Flight logs from files, pipes and standard input.
 
+use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
@@ -7,8 +8,14 @@ use sins::log::{FlightLog, LogError};
 
 use crate::failure::Failure;
 
+/// Opens an input that is no device.
+pub fn open(path: &Path) -> Result<File, Failure> {
+    reject_device(path)?;
+    File::open(path).map_err(|error| Failure::of_input(path, &error))
+}
+
 /// A device has no end, or waits for a keyboard.
-pub fn reject_device(path: &Path) -> Result<(), Failure> {
+fn reject_device(path: &Path) -> Result<(), Failure> {
     if is_device(path) {
         return Err(Failure::of_file(path, &"is a device: expected a file or a pipe"));
     }
@@ -39,7 +46,7 @@ pub fn read_log(path: &Path) -> Result<FlightLog, Failure> {
     } else {
         std::fs::read(path)
     };
-    let text = read.map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
+    let text = read.map_err(|error| Failure::of_input(path, &error))?;
     match FlightLog::parse(&text) {
         Ok(log) => Ok(log),
         Err(LogError::Fault(fault)) => Err(Failure::of_line(path, fault.line as u64, &fault.sentence)),

@@ -8,18 +8,18 @@ mod text;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use sins::Error;
 use sins::flight::Flight;
 use sins::log::FlightLog;
 use sins::scene::{FlightSource, Samples, Scene};
 use sins::truth::FlightSample;
+use sins::{Error, ErrorKind};
 
 pub use arguments::SceneArguments;
-pub use log::reject_device;
+pub use log::open;
 pub use settings::Settings;
 pub use text::is_log;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Kind};
 use crate::units::rounded;
 use log::read_log;
 use text::{Text, name_of};
@@ -158,6 +158,15 @@ impl Given {
             Motion::Log(path, log) => {
                 format!("{}:{}", path.display(), log.line(index).unwrap_or_default())
             }
+        }
+    }
+
+    /// Why a flight ends at the sample `index`: it is a bad one, or the truth or the solution left its range.
+    pub fn stopped_at(&self, index: usize, error: &Error) -> Failure {
+        let refusal = self.failure_at(index, error);
+        match error.kind {
+            ErrorKind::InvalidArgument | ErrorKind::TimeOrder | ErrorKind::Discontinuity => refusal,
+            _ => Failure::of_kind(Kind::Failed, refusal.to_string()),
         }
     }
 

@@ -39,7 +39,7 @@ impl Text {
         // A device may have no end.
         let most = MAX_TEXT as u64 + 1;
         let read = std::fs::File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes));
-        read.map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
+        read.map_err(|error| Failure::of_input(path, &error))?;
         let origin = path.display().to_string();
         Ok(Self { bytes, origin, path: Some(path.to_owned()), name: name_of(path) })
     }

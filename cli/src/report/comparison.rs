@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 
+use crate::drawing::document::table;
 use crate::report::run::Run;
 use crate::report::summary::Row;
 
@@ -16,6 +17,10 @@ pub fn comparison(runs: &[Run]) -> Markup {
     let (same, different): (Vec<_>, Vec<_>) = rows
         .into_iter()
         .partition(|row| runs.iter().all(|run| run.summary.value(&row.key) == Some(row.value.as_str())));
+    let mut heads = vec!["Quantity".to_owned()];
+    heads.extend(runs.iter().map(|run| run.name.clone()));
+    let cells = |row: &Row| html! { @for run in runs { (cell(run.summary.row(&row.key))) } };
+    let compared = |row: &Row| (html! { (row.title()) }, cells(row));
     html! {
         section {
             h2 { "All runs compared" }
@@ -23,19 +28,7 @@ pub fn comparison(runs: &[Run]) -> Markup {
                 summary { "Settings and figures of all runs" }
                 // Inside: a link to it opens the details.
                 div.table id="comparison" tabindex="0" {
-                    table.comparison {
-                        thead {
-                            tr { th scope="col" { "Quantity" } @for run in runs { th scope="col" { (run.name) } } }
-                        }
-                        tbody {
-                            @for row in different {
-                                tr {
-                                    th scope="row" { (row.title()) }
-                                    @for run in runs { (cell(run.summary.row(&row.key))) }
-                                }
-                            }
-                        }
-                    }
+                    (table(Some("comparison"), heads, different.into_iter().map(compared)))
                 }
                 @if !same.is_empty() {
                     h3 { "The same in all runs" }
@@ -58,15 +51,7 @@ fn cell(row: Option<&Row>) -> Markup {
 
 /// Label and value of each row.
 pub fn list(rows: &[&Row]) -> Markup {
-    html! {
-        table.list {
-            tbody {
-                @for row in rows {
-                    tr { th scope="row" { (row.title()) } (cell(Some(row))) }
-                }
-            }
-        }
-    }
+    table(Some("list"), Vec::new(), rows.iter().map(|row| (html! { (row.title()) }, cell(Some(row)))))
 }
 
 #[cfg(test)]
@@ -78,14 +63,8 @@ mod tests {
     fn what_is_the_same_is_reported_once() {
         let mut runs = [made(3, |_, _| 0.0), made(3, |_, _| 0.0)];
         runs[1].summary.rows[1].value = "2".into();
-        let row = |value: &str| Row {
-            key: "seed".into(),
-            value: value.into(),
-            unit: String::new(),
-            label: "random seed".into(),
-        };
         for run in &mut runs {
-            run.summary.rows.push(row("7"));
+            run.summary.rows.push(Row::made("random seed", "7", ""));
         }
         let html = comparison(&runs).into_string();
         let (different, same) = html.split_once("The same in all runs").unwrap();

@@ -169,13 +169,7 @@ mod tests {
         assert_eq!(drawing(&run, &POSITION).panels.len(), 4);
         assert!(note(&run, &POSITION, 3).contains("up 1.000×10⁻⁹ m"));
 
-        let row = |value: &str| Row {
-            key: "vertical".into(),
-            value: value.into(),
-            unit: String::new(),
-            label: String::new(),
-        };
-        run.summary.rows.push(row("follow"));
+        run.summary.rows.push(Row::made("vertical", "follow", ""));
         let panels = |quantity| drawing(&run, quantity).panels.len();
         assert_eq!((panels(&ATTITUDE), panels(&VELOCITY), panels(&POSITION)), (4, 3, 3));
         let figure = figure(&run, &POSITION).unwrap();

@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 
+use crate::drawing::document::table;
 use crate::report::run::Run;
 use crate::report::spectrum::SCHULER_S;
 use crate::units::{self, time_text, with_unit};
@@ -29,23 +30,17 @@ const COLUMNS: [Column; 9] = [
 
 /// The table, with what its columns mean below.
 pub fn overview(runs: &[Run]) -> Markup {
+    let heads = ["Run"].into_iter().chain(COLUMNS.iter().map(|column| column.title));
+    let heads = heads.map(str::to_owned).collect();
+    let row = |(place, run): (usize, &Run)| {
+        let name = html! { a href={ "#run-" (place + 1) } { (run.name) } };
+        (name, html! { @for column in &COLUMNS { (cell(column, run)) } })
+    };
     html! {
         section {
             h2 { "The runs" }
             div.table tabindex="0" {
-                table.runs {
-                    thead {
-                        tr { th scope="col" { "Run" } @for column in &COLUMNS { th scope="col" { (column.title) } } }
-                    }
-                    tbody {
-                        @for (place, run) in runs.iter().enumerate() {
-                            tr {
-                                th scope="row" { a href={ "#run-" (place + 1) } { (run.name) } }
-                                @for column in &COLUMNS { (cell(column, run)) }
-                            }
-                        }
-                    }
-                }
+                (table(Some("runs"), heads, runs.iter().enumerate().map(row)))
             }
             p.source {
                 "Data 1: error differential equations. Data 2: navigation minus truth. "
@@ -110,12 +105,7 @@ mod tests {
 
     fn with(rows: &[(&str, &str, &str)]) -> Run {
         let mut run = made(3, |_, _| 0.0);
-        run.summary.rows.extend(rows.iter().map(|(key, value, unit)| Row {
-            key: (*key).into(),
-            value: (*value).into(),
-            unit: (*unit).into(),
-            label: String::new(),
-        }));
+        run.summary.rows.extend(rows.iter().map(|(key, value, unit)| Row::made(key, value, unit)));
         run
     }
 

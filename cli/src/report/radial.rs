@@ -82,13 +82,7 @@ mod tests {
     #[test]
     fn the_slope_is_that_of_the_summary() {
         let mut run = made(400, |name, t| if name == "navigation_error_position_north_m" { t } else { 0.0 });
-        let row = crate::report::summary::Row {
-            key: "slope_nmi_h".into(),
-            value: "0.6178".into(),
-            unit: "nmi/h".into(),
-            label: String::new(),
-        };
-        run.summary.rows.push(row);
+        run.summary.rows.push(crate::report::summary::Row::made("slope_nmi_h", "0.6178", "nmi/h"));
         assert!(figure(&run).unwrap().note.ends_with("0.6178 nmi/h."));
         if let Some(row) = run.summary.rows.last_mut() {
             (row.value, row.unit) = ("none".into(), String::new());

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::Vector3;
 
 use crate::failure::Failure;
+use crate::places::beside;
 use crate::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
 use crate::report::summary::Summary;
 use crate::table::Table;
@@ -62,8 +63,7 @@ impl Run {
             Failure::of_file(&summary_path, &what)
         })?;
         let summary = Summary::read(&summary_path, summary)?;
-        let input =
-            File::open(path).map_err(|error| Failure::of_file(path, &format!("cannot be read: {error}")))?;
+        let input = File::open(path).map_err(|error| Failure::of_input(path, &error))?;
         Self::from_table(path, &stem, Table::read(path, input)?, summary)
     }
 
@@ -126,8 +126,7 @@ impl Run {
 
 /// Where the summary of the records at `path` has to be.
 pub fn summary_path(path: &Path) -> PathBuf {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!("{stem}_summary.csv"))
+    beside(path, "_summary.csv")
 }
 
 impl Places {

@@ -67,6 +67,14 @@ impl Summary {
     }
 }
 
+#[cfg(test)]
+impl Row {
+    /// A row for tests, without a label.
+    pub fn made(key: &str, value: &str, unit: &str) -> Self {
+        Self { key: key.into(), value: value.into(), unit: unit.into(), label: String::new() }
+    }
+}
+
 impl Row {
     /// Whether it is an error of the run: a length, a speed, an angle or a rate of radial error.
     pub fn is_error(&self) -> bool {
@@ -120,9 +128,7 @@ mod tests {
 
     #[test]
     fn si_units_become_readable() {
-        let row = |value: &str, unit: &str| {
-            Row { key: "k".into(), value: value.into(), unit: unit.into(), label: String::new() }.text()
-        };
+        let row = |value: &str, unit: &str| Row::made("k", value, unit).text();
         assert_eq!(row("-1.9066e-9", "m"), "-1.907×10⁻⁹ m");
         assert_eq!(row("12345.678", "m"), "12.35 km");
         assert_eq!(row("0.0", "m"), "0 m");

@@ -8,8 +8,8 @@ use crate::drawing::axis::Axis;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Dot, Drawing, Panel, Trace, WIDTH};
-use crate::drawing::scales::{equal_scale, line, over_time, time_axis};
-use crate::drawing::series::{Points, bounds, magnitude, outline};
+use crate::drawing::scales::{equal_axes, line, over_time, time_axis};
+use crate::drawing::series::{Points, bounds, magnitude, outline, range};
 use crate::failure::Failure;
 use crate::report::run::{Places, Run};
 use crate::units::{KILOMETRE, LENGTH, METRE, Unit, fitting, time_text, with_unit};
@@ -57,7 +57,8 @@ pub fn figure(run: &Run) -> Result<Figure, Failure> {
 /// Length of the parts at both ends of the truth that are drawn, in whole minutes; none if all of it is drawn.
 fn stretch_s(duration_s: f64, (east, north): &Track) -> Option<f64> {
     let path: f64 = (1..east.len()).map(|k| (east[k] - east[k - 1]).hypot(north[k] - north[k - 1])).sum();
-    let extent = span(range(east)).max(span(range(north)));
+    let [east, north] = [east, north].map(|values| extremes(values));
+    let extent = (east.1 - east.0).max(north.1 - north.0);
     (path > REPEATS * extent).then(|| (SHOWN * extent / path * duration_s / 60.0).ceil() * 60.0)
 }
 
@@ -95,19 +96,14 @@ fn track(
     let lines = lines(run, truth, navigation, stretch_s);
     let (east, north): Track = lines.iter().flat_map(|(_, points)| points).copied().unzip();
     let unit = fitting(magnitude(&east).max(magnitude(&north)).max(LEAST_TRACK_M), LENGTH);
-    let (east, north) = (range(&east), range(&north));
-    let (width, height, scale) = equal_scale(span(east).max(LEAST_TRACK_M), span(north).max(LEAST_TRACK_M));
-    let centred = |(low, high): (f64, f64), units: f64| {
-        let (middle, half) = ((low + high) / 2.0 / unit.si, units / scale / 2.0 / unit.si);
-        Axis::linear(middle - half, middle + half, 6)
-    };
+    let (x, y, height) = equal_axes(extremes(&east), extremes(&north), LEAST_TRACK_M, unit);
     let scaled = |points: Points| points.into_iter().map(|(e, n)| (e / unit.si, n / unit.si)).collect();
     let traces = lines.into_iter().map(|(pen, points)| Trace::new(pen, scaled(points))).collect();
     let caption = format!("north of the start [{}]", unit.name);
-    let mut panel = Panel::new(caption, centred(north, height), height, traces);
+    let mut panel = Panel::new(caption, y, height, traces);
     panel.dots.push(Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 6.0 });
     let x_label = format!("east of the start [{}]", unit.name);
-    let drawing = Drawing { width: WIDTH, x: centred(east, width), x_label, panels: vec![panel] };
+    let drawing = Drawing { width: WIDTH, x, x_label, panels: vec![panel] };
     let far = truth.0.iter().zip(&truth.1).fold(0.0, |most: f64, (e, n)| most.max(e.hypot(*n)));
     let note = format!(
         "Farthest from the start: {}. Start at latitude {:.4}°, longitude {:.4}°.",
@@ -131,7 +127,7 @@ fn height(run: &Run, shown_s: f64) -> Result<(String, String), Failure> {
     ];
     let y = Axis::around(low / unit.si, high / unit.si, LEAST_HEIGHT_M / unit.si, 5);
     let panels = vec![Panel::new(format!("height above the ellipsoid [{}]", unit.name), y, 120.0, traces)];
-    let (low, high) = range(&run.truth.height_m);
+    let (low, high) = extremes(&run.truth.height_m);
     let note = format!("Heights {low:.1} m to {high:.1} m.");
     let drawing = over_time(time, panels);
     Ok((drawing.svg(&format!("Height above the ellipsoid over time. {note}"))?, note))
@@ -163,12 +159,9 @@ fn local(path: &Places, origin: &Places) -> Track {
         .unzip()
 }
 
-fn range(values: &[f64]) -> (f64, f64) {
-    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)))
-}
-
-fn span((low, high): (f64, f64)) -> f64 {
-    high - low
+/// Smallest and largest of the records.
+fn extremes(values: &[f64]) -> (f64, f64) {
+    range(values.iter().copied()).unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -9,49 +9,27 @@ mod surroundings;
 pub use failure::SENSORS;
 pub use flight::CHANNELS;
 
-use super::key::{Key, Place, Places, Section, Shape, Target, Unit};
+use super::draft::Draft;
+use super::key::{Key, Section, Target, Unit};
+use crate::joined::{joined, total};
 
 /// Every key.
-pub const KEYS: &[Key] = &{
-    let parts = [
-        flight::FLIGHT,
-        flight::MANOEUVRE,
-        flight::SINUSOID,
-        options::OPTIONS,
-        sensors::GYRO,
-        sensors::ACCELEROMETER,
-        surroundings::ALTIMETER,
-        surroundings::START,
-        surroundings::MOUNTING,
-        surroundings::GRAVITY,
-        failure::FAILURE,
-        options::OUTPUT,
-    ];
-    let mut keys = [flight::FLIGHT[0]; COUNT];
-    let (mut part, mut place) = (0, 0);
-    while part < parts.len() {
-        let mut index = 0;
-        while index < parts[part].len() {
-            keys[place] = parts[part][index];
-            (place, index) = (place + 1, index + 1);
-        }
-        part += 1;
-    }
-    keys
-};
+pub const KEYS: &[Key] = &joined::<Key, { total(PARTS) }>(PARTS);
 
-const COUNT: usize = flight::FLIGHT.len()
-    + flight::MANOEUVRE.len()
-    + flight::SINUSOID.len()
-    + options::OPTIONS.len()
-    + sensors::GYRO.len()
-    + sensors::ACCELEROMETER.len()
-    + surroundings::ALTIMETER.len()
-    + surroundings::START.len()
-    + surroundings::MOUNTING.len()
-    + surroundings::GRAVITY.len()
-    + failure::FAILURE.len()
-    + options::OUTPUT.len();
+const PARTS: &[&[Key]] = &[
+    flight::FLIGHT,
+    flight::MANOEUVRE,
+    flight::SINUSOID,
+    options::OPTIONS,
+    sensors::GYRO,
+    sensors::ACCELEROMETER,
+    surroundings::ALTIMETER,
+    surroundings::START,
+    surroundings::MOUNTING,
+    surroundings::GRAVITY,
+    failure::FAILURE,
+    options::OUTPUT,
+];
 
 /// The keys of a section with their places in [`KEYS`].
 pub fn of_section(section: Section) -> impl Iterator<Item = (usize, &'static Key)> {
@@ -92,39 +70,55 @@ const fn first_words<T: Copy, const N: usize>(table: [(&'static str, T); N]) -> 
 
 const PURE: Unit = si("");
 
-/// A key of numbers, whose limits are the library's.
-const fn numbers(
+/// A text that is not empty.
+const fn text(
     section: Section,
-    (name, unit, doc): (&'static str, Unit, &'static str),
-    shape: Shape,
-    field: &'static str,
-    places: fn(&mut super::draft::Draft) -> Places<'_>,
+    name: &'static str,
+    example: &'static str,
+    doc: &'static str,
+    place: fn(&mut Draft) -> &mut String,
 ) -> Key {
-    Key {
-        section,
-        name,
-        doc,
-        target: Target::Numbers { field, unit, shape, limits: None, place: Place::At(places) },
-    }
+    Key { section, name, doc, target: Target::Text { example, place } }
 }
 
-/// A number that is the scene's own, with its limits in its unit.
-const fn within(
-    section: Section,
-    (name, unit, doc): (&'static str, Unit, &'static str),
-    (low, high): (f64, f64),
-    field: &'static str,
-    places: fn(&mut super::draft::Draft) -> Places<'_>,
-) -> Key {
-    let target = Target::Numbers {
-        field,
-        unit,
-        shape: Shape::Number,
-        limits: Some((low, high)),
-        place: Place::At(places),
+/// A key of numbers: section, shape, name, unit, meaning; the library's field, and the place in the draft. The limits are the
+/// library's; `in` has those of a number that is the scene's own, in its unit.
+macro_rules! number {
+    ($section:expr, $shape:expr, $name:literal, $unit:expr, $doc:literal,
+        $field:literal $(in $limits:expr)? => $places:ident($($place:ident).+)) => {
+        Key {
+            section: $section,
+            name: $name,
+            doc: $doc,
+            target: Target::Numbers {
+                field: $field,
+                unit: $unit,
+                shape: $shape,
+                limits: [$(Some($limits),)? None][0],
+                place: Place::At(|draft| $places(&mut draft.$($place).+)),
+            },
+        }
     };
-    Key { section, name, doc, target }
 }
+use number;
+
+/// A key of words, whose number is in the draft.
+macro_rules! word {
+    ($section:expr, $name:literal, $doc:literal, $field:literal, $words:expr, $($place:ident).+) => {
+        Key {
+            section: $section,
+            name: $name,
+            doc: $doc,
+            target: Target::Choice {
+                field: $field,
+                words: $words,
+                get: |draft| draft.$($place).+,
+                set: |draft, index| draft.$($place).+ = index,
+            },
+        }
+    };
+}
+use word;
 
 /// A key of words, each for one value of a place in the draft.
 macro_rules! choice {

@@ -1,7 +1,7 @@
 //! The simulator and what a program writes: `[options]`, `[output]`.
 
-use super::super::key::{Key, Section, Shape, Target, one};
-use super::{choice, numbers, si, within};
+use super::super::key::{Key, Place, Section, Shape, Target, one};
+use super::{choice, number, si, text};
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
 use crate::state::BodyAxes;
@@ -77,17 +77,13 @@ pub const OPTIONS: &[Key] = &[
         "rfu" => BodyAxes::RightForwardUp,
         "frd" => BodyAxes::ForwardRightDown,
     ]),
-    choice!(O, "signal", "ideal signals: physical, or with a trim that keeps an error-free navigator at the truth", "options.signal", closed_loop, [
+    choice!(O, "signal", "ideal signals: physical, or with a trim that keeps an error-free navigator at the truth",
+        "options.signal", closed_loop, [
         "physical" => false,
         "closed-loop" => true,
     ]),
-    numbers(
-        O,
-        ("closed_loop_time_s", si("s"), "time constant of the trim"),
-        N,
-        "options.closed_loop_time_s",
-        |d| one(&mut d.closed_loop_time_s),
-    ),
+    number!(O, N, "closed_loop_time_s", si("s"), "time constant of the trim",
+        "options.closed_loop_time_s" => one(closed_loop_time_s)),
     count(
         "seed",
         "seed of all random streams",
@@ -102,53 +98,25 @@ pub const OPTIONS: &[Key] = &[
         |d| d.scene.options.key.run,
         |d, n| d.scene.options.key.run = n,
     ),
-    numbers(
-        O,
-        ("sample_period_s", si("s"), "stated sample period of a log; default: the time stamps of the log"),
-        N,
-        "options.sample_period_s",
-        |d| one(&mut d.sample_period_s),
-    ),
-    numbers(O, ("max_gap_s", si("s"), "longest interval between samples"), N, "options.max_gap_s", |d| {
-        one(&mut d.scene.options.intake.max_gap_s)
-    }),
-    numbers(
-        O,
-        (
-            "max_acceleration_m_s2",
-            si("m/s2"),
-            "largest mean acceleration between two samples; more is rejected as a jump of the truth",
-        ),
-        N,
-        "options.max_acceleration_m_s2",
-        |d| one(&mut d.scene.options.intake.max_acceleration_m_s2),
-    ),
+    number!(O, N, "sample_period_s", si("s"), "stated sample period of a log; default: the time stamps of the log",
+        "options.sample_period_s" => one(sample_period_s)),
+    number!(O, N, "max_gap_s", si("s"), "longest interval between samples",
+        "options.max_gap_s" => one(scene.options.intake.max_gap_s)),
+    number!(O, N, "max_acceleration_m_s2", si("m/s2"),
+        "largest mean acceleration between two samples; more is rejected as a jump of the truth",
+        "options.max_acceleration_m_s2" => one(scene.options.intake.max_acceleration_m_s2)),
 ];
 
-const fn text(
-    name: &'static str,
-    example: &'static str,
-    doc: &'static str,
-    place: fn(&mut super::super::draft::Draft) -> &mut String,
-) -> Key {
-    Key { section: P, name, doc, target: Target::Text { example, place } }
-}
-
 pub const OUTPUT: &[Key] = &[
-    text("folder", "sins_out", "folder of the output files", |d| &mut d.scene.output.folder),
-    text("name", "patrol", "base name of the output files; default from the scene", |d| {
+    text(P, "folder", "sins_out", "folder of the output files", |d| &mut d.scene.output.folder),
+    text(P, "name", "patrol", "base name of the output files; default from the scene", |d| {
         &mut d.scene.output.name
     }),
-    text("imu", "imu.csv", "file of the measured increments of every sample interval", |d| {
+    text(P, "imu", "imu.csv", "file of the measured increments of every sample interval", |d| {
         &mut d.scene.output.imu
     }),
-    within(
-        P,
-        ("every_s", si("s"), "time between two records; default: about 2000 records"),
-        (5e-5, 1e7),
-        "output.every_s",
-        |d| one(&mut d.every_s),
-    ),
+    number!(P, N, "every_s", si("s"), "time between two records; default: about 2000 records",
+        "output.every_s" in (5e-5, 1e7) => one(every_s)),
     Key {
         section: P,
         name: "quiet",

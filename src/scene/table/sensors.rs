@@ -2,6 +2,7 @@
 
 use super::super::draft::Draft;
 use super::super::key::{Key, Place, Section, Shape, Target, Unit};
+use super::first_words;
 use crate::sensors::{Grade, PARAMETERS, ParameterShape, Sensor, TriadParameters};
 
 /// The words of a preset, and the grade of each; the first is none.
@@ -22,8 +23,7 @@ fn of_grade(index: usize) -> (TriadParameters, TriadParameters) {
 
 /// A preset; a scene that is written states the errors themselves.
 const fn preset(section: Section, field: &'static str, set: fn(&mut Draft, usize)) -> Key {
-    let words = &[GRADES[0].0, GRADES[1].0, GRADES[2].0, GRADES[3].0, GRADES[4].0, GRADES[5].0, GRADES[6].0];
-    let target = Target::Choice { field, words, get: |_| 0, set };
+    let target = Target::Choice { field, words: const { &first_words(GRADES) }, get: |_| 0, set };
     Key {
         section,
         name: "preset",

@@ -11,7 +11,7 @@ use sins::truth::FlightSample;
 
 use super::{limits, triad, turning};
 use crate::support::budget::budget_of;
-use crate::support::{interface_sample, options_at};
+use crate::support::options_at;
 
 /// Rows and summary of the C function with `capacity` rows of room.
 fn through_the_interface(
@@ -20,7 +20,7 @@ fn through_the_interface(
     request: &sins_budget_request,
     capacity: usize,
 ) -> (sins_status, usize, Vec<sins_budget_row>, sins_budget) {
-    let samples: Vec<sins_flight_sample> = samples.iter().map(interface_sample).collect();
+    let samples: Vec<sins_flight_sample> = samples.iter().map(Into::into).collect();
     // SAFETY: structs of numbers; the pointers are those of locals.
     unsafe {
         let (mut options, mut budget): (sins_options, sins_budget) = std::mem::zeroed();

@@ -16,7 +16,7 @@ use sins::state::EarthFixedState;
 use sins::truth::FlightSample;
 use sins::{Options, Simulator};
 
-use crate::support::{DEG, interface_sample, options_at};
+use crate::support::{DEG, options_at};
 
 const CRUISE: FlightStart = FlightStart {
     latitude_rad: 40.0 * DEG,
@@ -50,7 +50,7 @@ fn asked_through_the_interface(
     setup: &Setup,
     requirement: &Requirement,
 ) -> (sins_status, [i32; 3], sins_cost) {
-    let samples: Vec<sins_flight_sample> = samples.iter().map(interface_sample).collect();
+    let samples: Vec<sins_flight_sample> = samples.iter().map(Into::into).collect();
     let requirement = sins_requirement {
         struct_size: size_of::<sins_requirement>() as u32,
         reserved: 0,
