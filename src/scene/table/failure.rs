@@ -30,7 +30,8 @@ pub const FAILURE: &[Key] = &[
         failure.axis
     ),
     word!(F, "kind", "kind of the failure; none: the failure is off", "failure.kind", KINDS, failure.kind),
-    number!(F, N, "from_s", si("s"), "start of the failure, from the start of the flight", "failure.from_s" in (0.0, 1e9) => one(failure.from_s)),
+    number!(F, N, "from_s", si("s"), "start of the failure, from the start of the flight",
+        "failure.from_s" in (0.0, 1e9) => one(failure.from_s)),
     number!(F, N, "until_s", si("s"), "end of the failure, from the start of the flight; default: the end of the flight",
         "failure.until_s" in (0.0, 1e9) => one(failure.until_s)),
     number!(F, N, "size_deg_h", unit("deg/h", DEG_PER_HOUR, "rad/s"), "size of a bias step or of spikes, of a gyro",

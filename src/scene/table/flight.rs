@@ -55,16 +55,19 @@ pub const MANOEUVRE: &[Key] = &[
         &first_words(MANOEUVRE_KINDS),
         manoeuvre.kind
     ),
-    number!(M, N, "duration_s", si("s"), "duration; not for turn, whose duration follows from its bank", "manoeuvre.duration_s" => one(manoeuvre.duration_s)),
+    number!(M, N, "duration_s", si("s"), "duration; not for turn, whose duration follows from its bank",
+        "manoeuvre.duration_s" => one(manoeuvre.duration_s)),
     number!(M, N, "ramp_s", si("s"), "time in which the manoeuvre builds up, and in which it dies out; default: 5",
         "manoeuvre.ramp_s" => one(manoeuvre.ramp_s)),
     number!(M, N, "speed_change_m_s", si("m/s"), "change of the speed, for accelerate",
         "manoeuvre.speed_change_m_s" => one(manoeuvre.speed_change_m_s)),
-    number!(M, N, "height_change_m", si("m"), "change of the height, for climb", "manoeuvre.height_change_m" => one(manoeuvre.height_change_m)),
+    number!(M, N, "height_change_m", si("m"), "change of the height, for climb",
+        "manoeuvre.height_change_m" => one(manoeuvre.height_change_m)),
     number!(M, N, "heading_change_deg", unit("deg", DEG, "rad"), "change of the heading, for turn; swing to each side, for s_turn",
         "manoeuvre.heading_change_rad" => one(manoeuvre.heading_change_rad)),
     number!(M, N, "bank_deg", unit("deg", DEG, "rad"), "bank, for turn", "manoeuvre.bank_rad" => one(manoeuvre.bank_rad)),
-    number!(M, N, "turns", PURE, "number of whole rolls, of whole loops, or of swings, for roll, loop and s_turn", "manoeuvre.turns" => one(manoeuvre.turns)),
+    number!(M, N, "turns", PURE, "number of whole rolls, of whole loops, or of swings, for roll, loop and s_turn",
+        "manoeuvre.turns" => one(manoeuvre.turns)),
 ];
 
 /// The words of what a sinusoid moves.
