@@ -42,8 +42,7 @@ preset = "paper2"
 error_model = "rk4"
 )";
 
-void fly(const sins::Scene &scene, sins::Simulator &sim)
-{
+void fly(const sins::Scene &scene, sins::Simulator &sim) {
     const sins::Flight flight = scene.create_flight();
     const sins_scene_setup setup = scene.setup();
     const auto last = static_cast<long>(setup.flown_s * setup.rate_hz + 1e-6);
@@ -65,13 +64,11 @@ void fly(const sins::Scene &scene, sins::Simulator &sim)
 
 } // namespace
 
-int main()
-{
+int main() {
     try {
         std::printf("sins %s\n", sins::version_string());
-        for (const sins_fault &fault : sins::Scene("[flight]\nspeed_ms = 200\nbuiltin = \"petrol\"\n").faults()) {
+        for (const sins_fault &fault : sins::Scene("[flight]\nspeed_ms = 200\nbuiltin = \"petrol\"\n").faults())
             std::printf("line %d: %s\n", static_cast<int>(fault.line), fault.sentence);
-        }
 
         sins::Scene scene{std::string(text)};
         auto altimeter = scene.altimeter(); /* what the text leaves out is ideal: change it, and write the scene out */
@@ -82,9 +79,8 @@ int main()
         sins::Simulator sim = scene.create_simulator();
         fly(scene, sim);
         auto accuracy = sins::make<sins_accuracy>();
-        if (sim.get_accuracy(accuracy)) {
+        if (sim.get_accuracy(accuracy))
             std::printf("R50 = 0.8326 sqrt(mean RER^2) = %.3f nmi/h\n", accuracy.cep_rate_m_s / SINS_NMI_PER_HOUR);
-        }
 
         auto gyro = sins::make<sins_gyro_params>();
         gyro.markov_sigma_rad_s[1] = 0.01 * SINS_DEG_PER_HOUR; /* without its correlation time */

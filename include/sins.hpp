@@ -35,9 +35,7 @@ namespace sins {
 class Error : public std::runtime_error {
 public:
     Error(sins_status status, const std::string &sentence, const sins_error_info &info)
-        : std::runtime_error(sentence), status_(status), info_(info)
-    {
-    }
+        : std::runtime_error(sentence), status_(status), info_(info) {}
 
     sins_status status() const noexcept { return status_; }
     const sins_error_info &info() const noexcept { return info_; }
@@ -48,22 +46,17 @@ private:
 };
 
 /* A struct of sins.h that is zero except for struct_size: everything is off, or as recommended. */
-template <typename T> T make() noexcept
-{
+template <typename T> T make() noexcept {
     T zeroed = T();
     zeroed.struct_size = sizeof(T);
     return zeroed;
 }
 
 /* The name of a status, such as "SINS_ERROR_TIME_ORDER". */
-inline const char *status_string(sins_status status) noexcept
-{
-    return sins_status_string(status);
-}
+inline const char *status_string(sins_status status) noexcept { return sins_status_string(status); }
 
 /* The sentence of the last failed call on sim; NULL: of the last failed call on this thread that has no simulator. */
-inline std::string last_error(const sins_sim *sim)
-{
+inline std::string last_error(const sins_sim *sim) {
     char sentence[1024];
     const sins_status status = sins_last_error(sim, sentence, sizeof sentence, nullptr);
     return status == SINS_OK || status == SINS_ERROR_BUFFER_TOO_SMALL ? sentence : status_string(status);
@@ -71,8 +64,7 @@ inline std::string last_error(const sins_sim *sim)
 
 namespace detail {
 
-[[noreturn]] inline void fail(sins_status status, const sins_sim *sim)
-{
+[[noreturn]] inline void fail(sins_status status, const sins_sim *sim) {
     /* The failure of a call with an invalid handle is kept for the thread. */
     const sins_sim *place = status == SINS_ERROR_BAD_HANDLE ? nullptr : sim;
     sins_error_info info = make<sins_error_info>();
@@ -81,17 +73,14 @@ namespace detail {
 }
 
 /* True for SINS_OK, false for a positive status. Throws an error. */
-inline bool done(sins_status status, const sins_sim *sim)
-{
-    if (status < 0) {
+inline bool done(sins_status status, const sins_sim *sim) {
+    if (status < 0)
         fail(status, sim);
-    }
     return status == SINS_OK;
 }
 
 /* The text that a function writes, in a buffer of the size that it asks for. */
-template <class Function, class... Arguments> std::string text(Function write, Arguments... arguments)
-{
+template <class Function, class... Arguments> std::string text(Function write, Arguments... arguments) {
     std::size_t needed = 0;
     done(write(arguments..., nullptr, 0, &needed), nullptr);
     std::vector<char> buffer(needed);
@@ -100,28 +89,26 @@ template <class Function, class... Arguments> std::string text(Function write, A
 }
 
 /* The struct that a function fills in. */
-template <class T, class Function, class... Arguments> T filled(const sins_sim *sim, Function fill, Arguments... arguments)
-{
+template <class T, class Function, class... Arguments>
+T filled(const sins_sim *sim, Function fill, Arguments... arguments) {
     T value = make<T>();
     done(fill(arguments..., &value), sim);
     return value;
 }
 
 /* The number, or the handle, that a function gives. */
-template <class T, class Function, class... Arguments> T given(const sins_sim *sim, Function give, Arguments... arguments)
-{
+template <class T, class Function, class... Arguments>
+T given(const sins_sim *sim, Function give, Arguments... arguments) {
     T value = T();
     done(give(arguments..., &value), sim);
     return value;
 }
 
 /* The structs that a function has, by their index from 0, until there is no more. */
-template <class T, class Function, class... Arguments> std::vector<T> all(T one, Function get, Arguments... arguments)
-{
+template <class T, class Function, class... Arguments> std::vector<T> all(T one, Function get, Arguments... arguments) {
     std::vector<T> values;
-    while (get(arguments..., values.size(), &one) == SINS_OK) {
+    while (get(arguments..., values.size(), &one) == SINS_OK)
         values.push_back(one);
-    }
     return values;
 }
 
@@ -138,8 +125,7 @@ public:
 
     Owner(Owner &&other) noexcept : handle_(other.handle_) { other.handle_ = nullptr; }
 
-    Owner &operator=(Owner &&other) noexcept
-    {
+    Owner &operator=(Owner &&other) noexcept {
         Owner taken(std::move(other));
         std::swap(handle_, taken.handle_);
         return *this;
@@ -148,11 +134,9 @@ public:
     Owner(const Owner &) = delete;
     Owner &operator=(const Owner &) = delete;
 
-    ~Owner()
-    {
-        if (handle_ != nullptr) {
+    ~Owner() {
+        if (handle_ != nullptr)
             destroy(handle_);
-        }
     }
 
     /* The handle, for functions of sins.h. This object still owns it. */
@@ -165,27 +149,19 @@ protected:
 } // namespace detail
 
 /* Version of the interface of the loaded library: compare it with SINS_HEADER_ABI. */
-inline uint32_t abi_version() noexcept
-{
-    return sins_abi_version();
-}
+inline uint32_t abi_version() noexcept { return sins_abi_version(); }
 
 /* Release of the loaded library, such as "0.1.0". */
-inline const char *version_string() noexcept
-{
-    return sins_version_string();
-}
+inline const char *version_string() noexcept { return sins_version_string(); }
 
 /* grade is of enum sins_grade. */
-inline sins_gyro_params gyro_preset(int32_t grade)
-{
+inline sins_gyro_params gyro_preset(int32_t grade) {
     sins_gyro_params params = make<sins_gyro_params>();
     detail::done(sins_gyro_preset(grade, &params), nullptr);
     return params;
 }
 
-inline sins_accel_params accel_preset(int32_t grade)
-{
+inline sins_accel_params accel_preset(int32_t grade) {
     sins_accel_params params = make<sins_accel_params>();
     detail::done(sins_accel_preset(grade, &params), nullptr);
     return params;
@@ -193,8 +169,7 @@ inline sins_accel_params accel_preset(int32_t grade)
 
 /* For the recommended simulator; see Simulator::recommend(). */
 inline bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
-                      sins_options &options, sins_cost &cost)
-{
+                      sins_options &options, sins_cost &cost) {
     return detail::done(sins_recommend(nullptr, samples, count, &requirement, &options, &cost), nullptr);
 }
 
@@ -202,23 +177,19 @@ inline bool recommend(const sins_flight_sample *samples, std::size_t count, cons
 class Flight : public detail::Owner<sins_flight> {
 public:
     Flight(const sins_flight_start &start, const sins_manoeuvre *manoeuvres, std::size_t count)
-        : Owner(detail::given<sins_flight *>(nullptr, sins_flight_create, &start, manoeuvres, count))
-    {
-    }
+        : Owner(detail::given<sins_flight *>(nullptr, sins_flight_create, &start, manoeuvres, count)) {}
 
     /* Takes ownership of a handle that a function of sins.h made. */
     explicit Flight(sins_flight *flight) noexcept : Owner(flight) {}
 
     double duration() const { return detail::given<double>(nullptr, sins_flight_duration, handle_); }
 
-    sins_flight_sample sample_at(double time_s) const
-    {
+    sins_flight_sample sample_at(double time_s) const {
         return detail::filled<sins_flight_sample>(nullptr, sins_flight_sample_at, handle_, time_s);
     }
 
     /* Reads the sample at time_s into a struct with struct_size set. */
-    void sample_at(double time_s, sins_flight_sample &sample) const
-    {
+    void sample_at(double time_s, sins_flight_sample &sample) const {
         detail::done(sins_flight_sample_at(handle_, time_s, &sample), nullptr);
     }
 };
@@ -229,9 +200,7 @@ public:
     Simulator() : Simulator(detail::given<sins_sim *>(nullptr, sins_create, nullptr)) {}
 
     explicit Simulator(const sins_options &options)
-        : Simulator(detail::given<sins_sim *>(nullptr, sins_create, &options))
-    {
-    }
+        : Simulator(detail::given<sins_sim *>(nullptr, sins_create, &options)) {}
 
     /* Takes ownership of a handle that a function of sins.h made. */
     explicit Simulator(sins_sim *sim) noexcept : Owner(sim) {}
@@ -241,31 +210,26 @@ public:
      * the requirement, and options and cost are those of the best options there are.
      */
     bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
-                   sins_options &options, sins_cost &cost) const
-    {
-        if (handle_ == nullptr) { /* sins_recommend() would use the recommended simulator */
+                   sins_options &options, sins_cost &cost) const {
+        if (handle_ == nullptr) /* sins_recommend() would use the recommended simulator */
             detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
-        }
         return detail::done(sins_recommend(handle_, samples, count, &requirement, &options, &cost), nullptr);
     }
 
     /* Error budget of all errors of this simulator. rows gets the first row and one row for each effect. */
     sins_budget error_budget(const sins_flight_sample *samples, std::size_t count, const sins_budget_request &request,
-                             std::vector<sins_budget_row> &rows) const
-    {
-        if (handle_ == nullptr) { /* sins_error_budget() would use the recommended simulator */
+                             std::vector<sins_budget_row> &rows) const {
+        if (handle_ == nullptr) /* sins_error_budget() would use the recommended simulator */
             detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
-        }
         sins_budget budget = make<sins_budget>();
         std::size_t number = 0;
         const auto ask = [&] {
-            return sins_error_budget(handle_, samples, count, &request, rows.empty() ? nullptr : rows.data(), rows.size(),
-                                     &number, &budget);
+            return sins_error_budget(handle_, samples, count, &request, rows.empty() ? nullptr : rows.data(),
+                                     rows.size(), &number, &budget);
         };
         rows.clear();
-        if (ask() == SINS_ERROR_BUFFER_TOO_SMALL) {
+        if (ask() == SINS_ERROR_BUFFER_TOO_SMALL)
             rows.assign(number, make<sins_budget_row>());
-        }
         detail::done(ask(), nullptr);
         return budget;
     }
@@ -275,14 +239,12 @@ public:
     void set_altimeter(const sins_altimeter_params &params) { done(sins_set_altimeter(handle_, &params)); }
 
     /* sensor is of enum sins_sensor, axis is 0, 1, 2 for x, y, z. */
-    void set_failure(int32_t sensor, int32_t axis, const sins_failure &failure)
-    {
+    void set_failure(int32_t sensor, int32_t axis, const sins_failure &failure) {
         done(sins_set_failure(handle_, sensor, axis, &failure));
     }
 
     void set_mounting(const sins_mounting &mounting) { done(sins_set_mounting(handle_, &mounting)); }
-    void set_gravity_disturbance(const sins_gravity_params &params)
-    {
+    void set_gravity_disturbance(const sins_gravity_params &params) {
         done(sins_set_gravity_disturbance(handle_, &params));
     }
     void set_initial_errors(const sins_initial_errors &errors) { done(sins_set_initial_errors(handle_, &errors)); }
@@ -300,8 +262,7 @@ public:
 
     /* written, if not NULL, gets the number of records, also if the call throws. False: all was flown, with a gap (SINS_GAP). */
     bool run(const sins_flight_sample *samples, std::size_t count, std::size_t every = 0,
-             sins_record *records = nullptr, std::size_t capacity = 0, std::size_t *written = nullptr)
-    {
+             sins_record *records = nullptr, std::size_t capacity = 0, std::size_t *written = nullptr) {
         return done(sins_run(handle_, samples, count, every, records, capacity, written));
     }
 
@@ -309,22 +270,24 @@ public:
     bool get_truth(sins_navigation &truth) const { return done(sins_get_truth(handle_, &truth)); }
     bool get_navigation(sins_navigation &navigation) const { return done(sins_get_navigation(handle_, &navigation)); }
     bool get_imu(sins_imu &imu) const { return done(sins_get_imu(handle_, &imu)); }
-    bool get_errors(int32_t source, sins_errors &errors) const { return done(sins_get_errors(handle_, source, &errors)); }
+    bool get_errors(int32_t source, sins_errors &errors) const {
+        return done(sins_get_errors(handle_, source, &errors));
+    }
     bool get_accuracy(sins_accuracy &accuracy) const { return done(sins_get_accuracy(handle_, &accuracy)); }
-    bool get_truth_summary(sins_truth_summary &summary) const { return done(sins_get_truth_summary(handle_, &summary)); }
+    bool get_truth_summary(sins_truth_summary &summary) const {
+        return done(sins_get_truth_summary(handle_, &summary));
+    }
     bool get_covariance(sins_covariance &covariance) const { return done(sins_get_covariance(handle_, &covariance)); }
     bool get_record(sins_record &record) const { return done(sins_get_record(handle_, &record)); }
 
     /* A record as a line of a file of records; sensor_errors are six numbers or none, covariance may be NULL. */
     static std::string record_line(const sins_record &record, const std::vector<double> &sensor_errors = {},
-                                   const sins_covariance *covariance = nullptr)
-    {
+                                   const sins_covariance *covariance = nullptr) {
         return detail::text(sins_record_line, &record, sensor_errors.data(), sensor_errors.size(), covariance);
     }
 
     /* The first line of a file of records: the names of the columns. */
-    static std::string record_head(bool has_covariance = false)
-    {
+    static std::string record_head(bool has_covariance = false) {
         sins_covariance covariance = make<sins_covariance>();
         return detail::text(sins_record_line, nullptr, nullptr, std::size_t(0), has_covariance ? &covariance : nullptr);
     }
@@ -338,14 +301,12 @@ public:
     sins_altimeter_params altimeter() const { return read_back<sins_altimeter_params>(sins_get_altimeter); }
     sins_initial_errors initial_errors() const { return read_back<sins_initial_errors>(sins_get_initial_errors); }
     sins_mounting mounting() const { return read_back<sins_mounting>(sins_get_mounting); }
-    sins_gravity_params gravity_disturbance() const
-    {
+    sins_gravity_params gravity_disturbance() const {
         return read_back<sins_gravity_params>(sins_get_gravity_disturbance);
     }
 
     /* sensor is of enum sins_sensor, axis is 0, 1, 2 for x, y, z. */
-    sins_failure failure(int32_t sensor, int32_t axis) const
-    {
+    sins_failure failure(int32_t sensor, int32_t axis) const {
         return detail::filled<sins_failure>(handle_, sins_get_failure, handle_, sensor, axis);
     }
 
@@ -355,13 +316,11 @@ public:
     std::size_t snapshot_size() const { return detail::given<std::size_t>(handle_, sins_snapshot_size, handle_); }
 
     /* Returns the number of bytes that were written. */
-    std::size_t snapshot_save(void *buffer, std::size_t capacity) const
-    {
+    std::size_t snapshot_save(void *buffer, std::size_t capacity) const {
         return detail::given<std::size_t>(handle_, sins_snapshot_save, handle_, buffer, capacity);
     }
 
-    std::vector<unsigned char> snapshot_save() const
-    {
+    std::vector<unsigned char> snapshot_save() const {
         std::vector<unsigned char> bytes(snapshot_size());
         bytes.resize(snapshot_save(bytes.data(), bytes.size()));
         return bytes;
@@ -373,20 +332,17 @@ public:
 private:
     bool done(sins_status status) const { return detail::done(status, handle_); }
 
-    template <class Params> Params read_back(sins_status(SINS_CALL *get)(sins_sim *, Params *)) const
-    {
+    template <class Params> Params read_back(sins_status(SINS_CALL *get)(sins_sim *, Params *)) const {
         return detail::filled<Params>(handle_, get, handle_);
     }
 };
 
 /* Adds the runs of other to those of into. make<sins_statistics>() makes a struct without runs. */
-inline void statistics_merge(sins_statistics &into, const sins_statistics &other)
-{
+inline void statistics_merge(sins_statistics &into, const sins_statistics &other) {
     detail::done(sins_statistics_merge(&into, &other), nullptr);
 }
 
-inline sins_figures statistics_figures(const sins_statistics &statistics)
-{
+inline sins_figures statistics_figures(const sins_statistics &statistics) {
     return detail::filled<sins_figures>(nullptr, sins_statistics_figures, &statistics);
 }
 
@@ -395,21 +351,15 @@ class Ensemble : public detail::Owner<sins_ensemble> {
 public:
     /* The runs first_run to first_run + runs - 1 of a simulator that was set up and has taken no sample. */
     Ensemble(const Simulator &configured, uint64_t first_run, std::size_t runs)
-        : Owner(detail::given<sins_ensemble *>(nullptr, sins_ensemble_create, configured.handle(), first_run, runs))
-    {
-    }
+        : Owner(detail::given<sins_ensemble *>(nullptr, sins_ensemble_create, configured.handle(), first_run, runs)) {}
 
-    uint64_t first_run() const
-    {
+    uint64_t first_run() const {
         uint64_t first_run = 0;
         done(sins_ensemble_get_runs(handle_, &first_run, nullptr));
         return first_run;
     }
 
-    std::size_t runs() const
-    {
-        return detail::given<std::size_t>(nullptr, sins_ensemble_get_runs, handle_, nullptr);
-    }
+    std::size_t runs() const { return detail::given<std::size_t>(nullptr, sins_ensemble_get_runs, handle_, nullptr); }
 
     /* False: the sample was accepted, after a gap (SINS_GAP). */
     bool push_sample(const sins_flight_sample &sample) { return done(sins_ensemble_push_sample(handle_, &sample)); }
@@ -418,8 +368,7 @@ public:
     bool step() { return done(sins_ensemble_step(handle_)); }
 
     /* False: all was flown, with a gap (SINS_GAP). */
-    bool run(const sins_flight_sample *samples, std::size_t count)
-    {
+    bool run(const sins_flight_sample *samples, std::size_t count) {
         return done(sins_ensemble_run(handle_, samples, count));
     }
 
@@ -427,43 +376,34 @@ public:
     void reset() { done(sins_ensemble_reset(handle_)); }
 
     /* sensor is of enum sins_sensor, axis is 0, 1, 2 for x, y, z. */
-    void set_failure(int32_t sensor, int32_t axis, const sins_failure &failure)
-    {
+    void set_failure(int32_t sensor, int32_t axis, const sins_failure &failure) {
         done(sins_ensemble_set_failure(handle_, sensor, axis, &failure));
     }
 
     /* These read into structs with struct_size set. False: there is no sample, or no interval, yet. */
     bool get_truth(sins_navigation &truth) const { return done(sins_ensemble_get_truth(handle_, &truth)); }
-    bool get_navigation(uint64_t run, sins_navigation &navigation) const
-    {
+    bool get_navigation(uint64_t run, sins_navigation &navigation) const {
         return done(sins_ensemble_get_navigation(handle_, run, &navigation));
     }
     bool get_imu(uint64_t run, sins_imu &imu) const { return done(sins_ensemble_get_imu(handle_, run, &imu)); }
-    bool get_errors(uint64_t run, int32_t source, sins_errors &errors) const
-    {
+    bool get_errors(uint64_t run, int32_t source, sins_errors &errors) const {
         return done(sins_ensemble_get_errors(handle_, run, source, &errors));
     }
-    bool get_statistics(int32_t source, sins_statistics &statistics) const
-    {
+    bool get_statistics(int32_t source, sins_statistics &statistics) const {
         return done(sins_ensemble_get_statistics(handle_, source, &statistics));
     }
 
     /* The numbers of the runs that have diverged. */
-    std::vector<uint64_t> diverged() const
-    {
-        return detail::all(uint64_t(0), sins_ensemble_get_diverged, handle_);
-    }
+    std::vector<uint64_t> diverged() const { return detail::all(uint64_t(0), sins_ensemble_get_diverged, handle_); }
 
-    std::vector<unsigned char> snapshot_save() const
-    {
+    std::vector<unsigned char> snapshot_save() const {
         std::vector<unsigned char> bytes(detail::given<std::size_t>(nullptr, sins_ensemble_snapshot_size, handle_));
         void *const buffer = bytes.data();
         bytes.resize(detail::given<std::size_t>(nullptr, sins_ensemble_snapshot_save, handle_, buffer, bytes.size()));
         return bytes;
     }
 
-    void snapshot_load(const std::vector<unsigned char> &snapshot)
-    {
+    void snapshot_load(const std::vector<unsigned char> &snapshot) {
         done(sins_ensemble_snapshot_load(handle_, snapshot.data(), snapshot.size()));
     }
 
@@ -479,39 +419,30 @@ public:
 
     /* The scene of a text. If the text has faults, only faults() can be used. */
     explicit Scene(const std::string &text)
-        : Scene(detail::given<sins_scene *>(nullptr, sins_scene_parse, text.data(), text.size()))
-    {
-    }
+        : Scene(detail::given<sins_scene *>(nullptr, sins_scene_parse, text.data(), text.size())) {}
 
     /* A built-in scene by its name. */
-    static Scene builtin(const std::string &name)
-    {
+    static Scene builtin(const std::string &name) {
         return Scene(detail::given<sins_scene *>(nullptr, sins_scene_create_builtin, name.c_str()));
     }
 
     /* The names of the built-in scenes. */
-    static std::vector<std::string> builtin_names()
-    {
+    static std::vector<std::string> builtin_names() {
         std::vector<std::string> names;
         char name[64];
-        while (sins_scene_builtin_name(names.size(), name, sizeof name, nullptr) == SINS_OK) {
+        while (sins_scene_builtin_name(names.size(), name, sizeof name, nullptr) == SINS_OK)
             names.push_back(name);
-        }
         return names;
     }
 
     /* The faults of the text, or of the change that was rejected last; empty if there are none. */
-    std::vector<sins_fault> faults() const
-    {
-        return detail::all(make<sins_fault>(), sins_scene_get_fault, handle_);
-    }
+    std::vector<sins_fault> faults() const { return detail::all(make<sins_fault>(), sins_scene_get_fault, handle_); }
 
     /* The scene as TOML. */
     std::string write() const { return detail::text(sins_scene_write, handle_); }
 
     /* The value at a path, "gyro.bias_deg_h[1]", as it stands in the text of a scene; or all lines of an item, "failure[0]". */
-    std::string value(const std::string &path) const
-    {
+    std::string value(const std::string &path) const {
         return detail::text(sins_scene_get_value, handle_, path.c_str());
     }
 
@@ -519,8 +450,7 @@ public:
     bool set_values(const std::string &values) { return changed(sins_scene_set_values(handle_, values.c_str())); }
 
     /* Sets all items of a list, "manoeuvre" or "failure", by their text. False: as set_values(). */
-    bool set_items(const std::string &list, const std::string &items)
-    {
+    bool set_items(const std::string &list, const std::string &items) {
         return changed(sins_scene_set_items(handle_, list.c_str(), items.c_str()));
     }
 
@@ -531,28 +461,23 @@ public:
     static std::string write_keys() { return detail::text(sins_scene_write_keys); }
 
     /* The samples that the scene flies: those of its own flight, or of a log. */
-    sins_scene_samples samples(const sins_log *log = nullptr) const
-    {
+    sins_scene_samples samples(const sins_log *log = nullptr) const {
         return detail::filled<sins_scene_samples>(nullptr, sins_scene_get_samples, handle_, log);
     }
 
-    Simulator create_simulator() const
-    {
+    Simulator create_simulator() const {
         return Simulator(detail::given<sins_sim *>(nullptr, sins_scene_create_simulator, handle_));
     }
 
-    Flight create_flight() const
-    {
+    Flight create_flight() const {
         return Flight(detail::given<sins_flight *>(nullptr, sins_scene_create_flight, handle_));
     }
 
-    void prepare(Simulator &sim, double flight_start_s, sins_flight_sample &sample) const
-    {
+    void prepare(Simulator &sim, double flight_start_s, sins_flight_sample &sample) const {
         done(sins_scene_prepare(handle_, sim.handle(), flight_start_s, &sample));
     }
 
-    void prepare(Ensemble &ensemble, double flight_start_s, sins_flight_sample &sample) const
-    {
+    void prepare(Ensemble &ensemble, double flight_start_s, sins_flight_sample &sample) const {
         done(sins_scene_prepare_ensemble(handle_, ensemble.handle(), flight_start_s, &sample));
     }
 
@@ -562,16 +487,14 @@ public:
     sins_altimeter_params altimeter() const { return read_back<sins_altimeter_params>(sins_scene_get_altimeter); }
     sins_initial_errors initial_errors() const { return read_back<sins_initial_errors>(sins_scene_get_initial_errors); }
     sins_mounting mounting() const { return read_back<sins_mounting>(sins_scene_get_mounting); }
-    sins_gravity_params gravity_disturbance() const
-    {
+    sins_gravity_params gravity_disturbance() const {
         return read_back<sins_gravity_params>(sins_scene_get_gravity_disturbance);
     }
     /*
      * The manoeuvres of the flight. start, with struct_size set, gets the start of the flight, and repeat how many times all
      * manoeuvres are flown.
      */
-    std::vector<sins_manoeuvre> manoeuvres(sins_flight_start &start, std::size_t &repeat) const
-    {
+    std::vector<sins_manoeuvre> manoeuvres(sins_flight_start &start, std::size_t &repeat) const {
         std::size_t count = 0;
         done(sins_scene_get_manoeuvres(handle_, nullptr, nullptr, 0, &count, nullptr));
         std::vector<sins_manoeuvre> manoeuvres(count, make<sins_manoeuvre>());
@@ -579,8 +502,7 @@ public:
         return manoeuvres;
     }
     void set_manoeuvres(const sins_flight_start &start, const std::vector<sins_manoeuvre> &manoeuvres,
-                        std::size_t repeat = 1)
-    {
+                        std::size_t repeat = 1) {
         done(sins_scene_set_manoeuvres(handle_, &start, manoeuvres.data(), manoeuvres.size(), repeat));
     }
 
@@ -590,29 +512,25 @@ public:
     void set_gyro(const sins_gyro_params &params) { done(sins_scene_set_gyro(handle_, &params)); }
     void set_accel(const sins_accel_params &params) { done(sins_scene_set_accel(handle_, &params)); }
     void set_altimeter(const sins_altimeter_params &params) { done(sins_scene_set_altimeter(handle_, &params)); }
-    void set_initial_errors(const sins_initial_errors &errors) { done(sins_scene_set_initial_errors(handle_, &errors)); }
+    void set_initial_errors(const sins_initial_errors &errors) {
+        done(sins_scene_set_initial_errors(handle_, &errors));
+    }
     void set_mounting(const sins_mounting &mounting) { done(sins_scene_set_mounting(handle_, &mounting)); }
-    void set_gravity_disturbance(const sins_gravity_params &params)
-    {
+    void set_gravity_disturbance(const sins_gravity_params &params) {
         done(sins_scene_set_gravity_disturbance(handle_, &params));
     }
     void set_setup(const sins_scene_setup &setup) { done(sins_scene_set_setup(handle_, &setup)); }
 
     /* which is of enum sins_scene_text. */
-    std::string text(int32_t which) const
-    {
-        return detail::text(sins_scene_get_text, handle_, which);
-    }
+    std::string text(int32_t which) const { return detail::text(sins_scene_get_text, handle_, which); }
     void set_text(int32_t which, const std::string &text) { done(sins_scene_set_text(handle_, which, text.c_str())); }
 
-    std::vector<sins_planned_failure> failures() const
-    {
+    std::vector<sins_planned_failure> failures() const {
         std::size_t count = 0;
         done(sins_scene_get_failure_count(handle_, &count));
         std::vector<sins_planned_failure> failures(count, make<sins_planned_failure>());
-        for (std::size_t index = 0; index < count; index++) {
+        for (std::size_t index = 0; index < count; index++)
             done(sins_scene_get_failure(handle_, index, &failures[index]));
-        }
         return failures;
     }
     void add_failure(const sins_planned_failure &failure) { done(sins_scene_add_failure(handle_, &failure)); }
@@ -621,15 +539,13 @@ public:
 private:
     explicit Scene(sins_scene *scene) noexcept : Owner(scene) {}
 
-    bool changed(sins_status status) const
-    {
+    bool changed(sins_status status) const {
         return !(status == SINS_ERROR_INVALID_ARGUMENT && !faults().empty()) && detail::done(status, nullptr);
     }
 
     static void done(sins_status status) { detail::done(status, nullptr); }
 
-    template <class Params> Params read_back(sins_status(SINS_CALL *get)(const sins_scene *, Params *)) const
-    {
+    template <class Params> Params read_back(sins_status(SINS_CALL *get)(const sins_scene *, Params *)) const {
         return detail::filled<Params>(nullptr, get, handle_);
     }
 };
@@ -643,16 +559,14 @@ public:
     sins_log_info info() const { return detail::filled<sins_log_info>(nullptr, sins_log_get_info, handle_); }
 
     /* line, if not NULL, gets the line of the text on which the sample stands. */
-    sins_flight_sample sample(std::size_t index, uint64_t *line = nullptr) const
-    {
+    sins_flight_sample sample(std::size_t index, uint64_t *line = nullptr) const {
         sins_flight_sample sample = make<sins_flight_sample>();
         detail::done(sins_log_get_sample(handle_, index, &sample, line), nullptr);
         return sample;
     }
 
 private:
-    static sins_log *parsed(const std::string &text)
-    {
+    static sins_log *parsed(const std::string &text) {
         sins_log *log = nullptr;
         detail::done(sins_log_parse(text.data(), text.size(), &log, nullptr), nullptr);
         return log;
