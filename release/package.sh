@@ -23,10 +23,10 @@ umask 022
 dist=$PWD/target/dist
 mkdir -p "$dist"
 
-# texts FOLDER TARGET TOOLCHAIN: what all packages have: documents, examples with scenes and flights, licences.
+# texts FOLDER TARGET TOOLCHAIN: what all packages have: documents with their pictures, examples with scenes and flights, licences.
 texts() {
     local file
-    git ls-files README.md CHANGELOG.md docs c_examples | grep -v '\.sh$' | while read -r file; do
+    git ls-files README.md CHANGELOG.md docs 'benches/*.svg' c_examples | grep -v '\.sh$' | while read -r file; do
         command install -Dm644 "$file" "$1/$file"
     done
     cp -r "$manual" "$1/docs/sins.h"

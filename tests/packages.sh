@@ -31,11 +31,16 @@ flies() {
 
 # files FOLDER NAME...: what every package has, and these.
 files() {
-    local folder=$1 name
+    local folder=$1 name page
     shift
     for name in include/{sins.h,sins.hpp,sins_functions.h} c_examples/{harness.c,loadlibrary.c,sins_loader.h,scenes/patrol.toml} README.md \
         CHANGELOG.md docs/packages.md docs/sins.h/index.html licences/{LICENSE-MIT,LICENSE-APACHE,crates.txt,rust-library.html} "$@"; do
         [ -s "$folder/$name" ] || fail "$folder: no $name"
+    done
+    find "$folder" -name '*.md' | while read -r page; do
+        { grep -oE '!\[[^]]*\]\([^) ]+' "$page" || true; } | sed 's/.*(//' | while read -r name; do
+            [ -s "${page%/*}/$name" ] || fail "$page: no picture $name"
+        done
     done
     grep -q 'flight simulator *FlightSample' "$folder/docs/sins.h/index.html" || fail "$folder: no picture of the data flow"
     if grep -rlF -e "$PWD" -e "$HOME/" "$folder"; then fail "these name a folder of this machine"; fi
