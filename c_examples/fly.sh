@@ -15,7 +15,7 @@ echo "building (some minutes, once)"
 c_examples/build.sh
 # In a folder of its own: a build of the library for the program and one as a shared library alone, as build.sh makes it, replace
 # each other in a folder of cargo, and both would be built again each time.
-# Not optimised across crates, which takes as long again.
+# The program is not optimised across crates, which would take as long again.
 cargo build --release --quiet -p sins-cli --target-dir "$target/program" --config profile.release.lto=false
 ln -f "$target/program/release/sins" "$sins"
 

@@ -21,7 +21,7 @@ pub(crate) fn probe(bytes: usize) -> Result<(), Error> {
     room::<u8>(bytes).map(|memory| drop(core::hint::black_box(memory)))
 }
 
-/// The only element of `memory`, on the heap: memory for it can be missing without the end of the process, unlike that of a `Box`.
+/// The only element of `memory`, which [`room`] made, as a box. `Box::new` would end the process if there is no memory.
 pub(crate) fn only<T>(memory: Vec<T>) -> Result<Box<[T; 1]>, Error> {
     let count = memory.len();
     memory.into_boxed_slice().try_into().map_err(|_| missing(count))

@@ -38,7 +38,7 @@ struct Slot<T> {
 struct Place<T> {
     /// Number of keys of this slot that were given out and destroyed.
     used: usize,
-    /// A slice of one, which unlike a `Box` can be allocated without aborting.
+    /// Made by [`only`], as memory for it can be missing.
     content: Option<Box<[Content<T>; 1]>>,
 }
 

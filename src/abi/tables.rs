@@ -9,7 +9,7 @@ use crate::log::FlightLog;
 use crate::scene::{Fault, Scene};
 use crate::simulator::Simulator;
 
-/// Simulators. Each is in a slice of one, because its memory can be allocated without aborting, which a `Box` cannot.
+/// Simulators, each made by [`crate::memory::only`], as memory for it can be missing.
 pub(super) static SIMULATORS: Registry<Box<[Simulator; 1]>> = Registry::new(1);
 pub(super) static FLIGHTS: Registry<Flight> = Registry::new(2);
 #[cfg(feature = "scenes")]

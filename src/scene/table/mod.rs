@@ -122,7 +122,8 @@ use word;
 
 /// A key of words, each for one value of a place in the draft.
 macro_rules! choice {
-    ($section:expr, $name:literal, $doc:literal, $field:literal, $($place:ident).+, [$($word:literal => $value:expr),+ $(,)?]) => {
+    ($section:expr, $name:literal, $doc:literal, $field:literal, $($place:ident).+,
+        [$($word:literal => $value:expr),+ $(,)?]) => {
         Key {
             section: $section,
             name: $name,
