@@ -69,10 +69,12 @@ filled() { # OUT.csv
     find "$out/$mpi" -name "$(basename "$1").[0-9]*" -not -name '*.part' -size +1k
 }
 
-# Starts with so many ranks and kills one of them when the first block is in a new file.
+# Starts with so many ranks and kills one of them when the first block is in a new file. However fast they are, they are not done by
+# then: rank 0 opens the table as a pipe that nobody reads, and waits.
 kill_a_rank() { # RANKS OUT.csv
     local before
     before=$(filled "$2" | wc -l)
+    mkfifo "$2.part"
     "$mpirun" -n "$1" "$out/$mpi/ensemble_mpi" "$out/scene.toml" $runs "$2" >"$2.words" 2>&1 &
     local job=$! deadline=$((SECONDS + 120)) process victim=
     until [ "$(filled "$2" | wc -l)" -gt "$before" ]; do
@@ -84,11 +86,12 @@ kill_a_rank() { # RANKS OUT.csv
             victim=$process
         fi
     done
-    kill -9 "$victim" # none: the job was over, the scene too short
+    kill -9 "$victim"
     if wait $job; then
         echo "$mpi: the job outlived its rank"
         exit 1
     fi
+    rm "$2.part"
     [ ! -e "$2" ]
 }
 
