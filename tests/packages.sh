@@ -15,7 +15,7 @@ packages=("$@")
 warnings="-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror"
 dist=target/dist
 out=$PWD/target/packages
-digests=$(sed -n 's/.*the same (`\([0-9a-f ]*\)`).*/\1/p' tests/README.md)
+digests=$(sed -n 's/.*the same on all platforms: `\([0-9a-f ]*\)`.*/\1/p' tests/README.md)
 glibc=2.17
 need g++ cc
 need pkgconf pkg-config
