@@ -30,6 +30,7 @@ texts() {
         command install -Dm644 "$file" "$1/$file"
     done
     cp -r "$manual" "$1/docs/sins.h"
+    release/documents.py "$1"
     command install -Dm644 -t "$1/licences" LICENSE-MIT LICENSE-APACHE
     release/licences.py "$2" >"$1/licences/crates.txt"
     command install -m644 "$(rustc "+$3" --print sysroot)/share/doc/rust/COPYRIGHT-library.html" "$1/licences/rust-library.html"

@@ -38,8 +38,8 @@ files() {
         [ -s "$folder/$name" ] || fail "$folder: no $name"
     done
     find "$folder" -name '*.md' | while read -r page; do
-        { grep -oE '!\[[^]]*\]\([^) ]+' "$page" || true; } | sed 's/.*(//' | while read -r name; do
-            [ -s "${page%/*}/$name" ] || fail "$page: no picture $name"
+        { grep -oE '\]\([^) ]+' "$page" || true; } | sed -E 's/..//; s/#.*//; /:\/\//d; /^$/d' | while read -r name; do
+            [ -e "${page%/*}/$name" ] || fail "$page: no file $name"
         done
     done
     grep -q 'flight simulator *FlightSample' "$folder/docs/sins.h/index.html" || fail "$folder: no picture of the data flow"
