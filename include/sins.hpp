@@ -11,11 +11,12 @@
  *           sim.get_navigation(navigation);
  *   }
  *
- * Every function of sins.h has its function here, without handle and status; sins.h documents it. Names are the same, but a
- * function that returns its result directly has no get_: gyro() calls sins_get_gyro(). A negative status is thrown as sins::Error
- * with the library's sentence. With a positive status, which is not an error, the function returns false. The output is then
- * unchanged (SINS_NEED_SAMPLE) or written (SINS_REQUIREMENT_NOT_MET), or everything was done (SINS_GAP). Structs and constants are
- * those of sins.h. The wrapper is this header only: each function makes the call and checks its status.
+ * The functions of sins.h are members here, without handle and status; sins.h documents them. Names are the same, but a function
+ * that returns its result directly has no get_: gyro() calls sins_get_gyro(). A negative status is thrown as sins::Error with the
+ * library's sentence. (Exceptions: set_values() and set_items() of a scene return false if the values have faults.) With a
+ * positive status, which is not an error, a function returns false. The output is then unchanged (SINS_NEED_SAMPLE) or written
+ * (SINS_REQUIREMENT_NOT_MET), or everything was done (SINS_GAP). A Scene is also made of a text that has faults: see faults().
+ * Structs and constants are those of sins.h. The wrapper is this header only: each function makes the call and checks its status.
  */
 
 #ifndef SINS_HPP
@@ -65,11 +66,11 @@ inline std::string last_error(const sins_sim *sim) {
 namespace detail {
 
 [[noreturn]] inline void fail(sins_status status, const sins_sim *sim) {
-    /* The failure of a call with an invalid handle is kept for the thread. */
-    const sins_sim *place = status == SINS_ERROR_BAD_HANDLE ? nullptr : sim;
+    /* The failure of a call whose handle was rejected is kept for the thread. */
     sins_error_info info = make<sins_error_info>();
-    sins_last_error_info(place, &info);
-    throw Error(status, last_error(place), info);
+    if (sins_last_error_info(sim, &info) < 0)
+        sins_last_error_info(sim = nullptr, &info);
+    throw Error(status, last_error(sim), info);
 }
 
 /* True for SINS_OK, false for a positive status. Throws an error. */
@@ -107,8 +108,11 @@ T given(const sins_sim *sim, Function give, Arguments... arguments) {
 /* The structs that a function has, by their index from 0, until there is no more. */
 template <class T, class Function, class... Arguments> std::vector<T> all(T one, Function get, Arguments... arguments) {
     std::vector<T> values;
-    while (get(arguments..., values.size(), &one) == SINS_OK)
+    sins_status status;
+    while ((status = get(arguments..., values.size(), &one)) == SINS_OK)
         values.push_back(one);
+    if (status != SINS_ERROR_INVALID_ARGUMENT)
+        done(status, nullptr);
     return values;
 }
 
@@ -435,7 +439,7 @@ public:
         return names;
     }
 
-    /* The faults of the text, or of the change that was rejected last; empty if there are none. */
+    /* The faults of the text, or of the last set_values() or set_items(); empty if that call succeeded. */
     std::vector<sins_fault> faults() const { return detail::all(make<sins_fault>(), sins_scene_get_fault, handle_); }
 
     /* The scene as TOML. */

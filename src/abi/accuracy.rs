@@ -55,7 +55,7 @@ pub struct sins_accuracy {
     pub inconsistency_max_m: f64,
     /// Number of samples flagged SINS_NAVIGATION_INCONSISTENT.
     pub inconsistent_samples: u64,
-    /// Number of intervals flown since the start or the last reposition: one less than the number of samples.
+    /// Number of intervals flown since the start or the last reposition.
     pub intervals: u64,
     /// Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times closed_loop_time_s after the
     /// start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.

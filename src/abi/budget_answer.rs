@@ -30,11 +30,11 @@ pub struct sins_budget_row {
     /// The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
     /// out. Empty in the first row.
     pub field: [c_char; 48],
-    /// Length of the contribution to the position error, the largest in the flight [m].
+    /// Length of the contribution to the position error, the largest at up to 1000 instants of the flight [m].
     pub position_m: f64,
-    /// Length of the contribution to the velocity error, the largest in the flight [m/s].
+    /// Length of the contribution to the velocity error, the largest at these instants [m/s].
     pub velocity_m_s: f64,
-    /// Length of the contribution to the misalignment, the largest in the flight [rad].
+    /// Length of the contribution to the misalignment, the largest at these instants [rad].
     pub attitude_rad: f64,
     /// Length of the contribution to the position error at the end of the flight [m].
     pub end_position_m: f64,

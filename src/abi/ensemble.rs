@@ -35,7 +35,7 @@ pub(super) fn with_ensemble(
 /// statistics can be merged. The library starts no thread.
 ///
 /// What all runs share is computed once a step, and runs are flown side by side: a run takes a fraction of the time of a
-/// simulator, and about 2 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
+/// simulator, and 1.7 to 2.6 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
 ///
 /// After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
 ///
@@ -83,13 +83,13 @@ pub unsafe extern "C" fn sins_ensemble_push_sample(
 
 /// Flies one sample interval with all runs that have not diverged. No allocation, no system call.
 ///
-/// A run has diverged if sins_step() would return SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR for it. A diverged run keeps the
-/// solution before that step, and is not flown any further. sins_ensemble_get_diverged() reports it, and
-/// sins_ensemble_get_statistics() counts it. The other runs and the truth continue, even if all runs have diverged.
-/// sins_ensemble_reposition() and sins_ensemble_reset() start all runs again.
+/// A run has diverged if its solution leaves its limits (SINS_ERROR_DIVERGED of sins_step()), or comes too close to a pole in
+/// geographic axes (SINS_ERROR_SINGULAR). A diverged run is not flown any further, and its reads return SINS_ERROR_DIVERGED.
+/// sins_ensemble_get_diverged() reports it, and sins_ensemble_get_statistics() counts it. The other runs and the truth
+/// continue, even if all runs have diverged. sins_ensemble_reposition() and sins_ensemble_reset() start all runs again.
 ///
 /// SINS_NEED_SAMPLE: no complete interval is waiting. SINS_ERROR_SINGULAR: the truth is too close to a pole, in geographic
-/// axes or for an alignment by gyrocompass; the step is not made.
+/// axes or for an alignment by gyrocompassing; the step is made for no run.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_step(ensemble: *mut sins_ensemble) -> sins_status {
     with_ensemble(ensemble, |ensemble| Ok(stepped(ensemble.step()?)))

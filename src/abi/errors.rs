@@ -42,8 +42,8 @@ pub struct sins_record_errors {
     pub height_m: f64,
     /// Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
     pub velocity_enu_m_s: [f64; 3],
-    /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
-    /// to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
+    /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
+    /// east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
     pub misalignment_enu_rad: [f64; 3],
     /// Error of roll, wrapped to -pi to pi [rad].
     pub roll_rad: f64,

@@ -5,7 +5,7 @@ use core::fmt;
 use crate::error::{Error, ErrorKind, Rule};
 
 /// Result of a call: SINS_OK is 0, a negative status is an error, a positive status is neither. After an error nothing has
-/// changed.
+/// changed, with the exceptions under Errors.
 pub type sins_status = i32;
 
 /// Values of a sins_status: 0 is success, a negative status is an error, a positive status is neither.
@@ -13,7 +13,7 @@ pub type sins_status_code = i32;
 
 /// The call did what it says.
 pub const SINS_OK: sins_status_code = 0;
-/// There is no complete interval yet: push the next sample.
+/// There is no sample yet, or no complete interval: push the next sample.
 pub const SINS_NEED_SAMPLE: sins_status_code = 1;
 /// No options meet the requirement; the outputs hold the best options there are.
 pub const SINS_REQUIREMENT_NOT_MET: sins_status_code = 2;
@@ -40,9 +40,10 @@ pub const SINS_ERROR_TIME_ORDER: sins_status_code = -6;
 pub const SINS_ERROR_DISCONTINUITY: sins_status_code = -7;
 /// The queue of samples is full: step first.
 pub const SINS_ERROR_QUEUE_FULL: sins_status_code = -8;
-/// The solution diverged: it left its limits. The last good solution stays readable.
+/// The solution diverged: it left its limits. The last good solution of a simulator stays readable; that of a run of an
+/// ensemble does not.
 pub const SINS_ERROR_DIVERGED: sins_status_code = -9;
-/// The mechanization in geographic axes came too close to a pole.
+/// Too close to a pole: the mechanization in geographic axes, or within 64 km an alignment by gyrocompassing.
 pub const SINS_ERROR_SINGULAR: sins_status_code = -10;
 /// A buffer is too small for the result.
 pub const SINS_ERROR_BUFFER_TOO_SMALL: sins_status_code = -11;

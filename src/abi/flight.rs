@@ -88,9 +88,9 @@ impl sins_flight_start {
 /// smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the distance
 /// between the manoeuvres.
 ///
-/// Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
-/// to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
-/// and heading need no pieces.
+/// Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece is up to
+/// 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch and
+/// heading need no pieces.
 ///
 /// On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
 ///

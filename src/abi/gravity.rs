@@ -50,7 +50,7 @@ interface_struct!(sins_gravity_params, "gravity", 80);
 
 /// Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
 /// reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
-/// disturbance does not affect a navigator on increments, because these contain their own gravity.
+/// disturbance does not affect a navigator on increments, because the host's increments already contain its effect.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: steps have been made.

@@ -18,7 +18,8 @@ pub const SINS_ALIGNMENT_GIVEN: sins_alignment = 0;
 /// The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
 /// turned by the given and the drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense
 /// no horizontal force. Gyrocompassing then finds the heading at which the levelled rate of the gyros points north.
-/// SINS_NAVIGATION_NORTH_UNKNOWN is set if north could not be found.
+/// SINS_NAVIGATION_NORTH_UNKNOWN is set if the sensor errors hide north. Within 64 km of a pole the start returns
+/// SINS_ERROR_SINGULAR.
 pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: sins_alignment = 1;
 
 /// Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations

@@ -62,7 +62,8 @@ pub struct sins_manoeuvre {
     pub sinusoid_count: i32,
     /// Duration, 1e-3 to 1e8 [s].
     pub duration_s: f64,
-    /// Time in which the manoeuvre builds up, and time in which it dies out; each at most half of the duration. 0: 5 s [s].
+    /// Time in which the manoeuvre builds up, and time in which it dies out, 1e-3 to 1e8; 0: 5 s [s]. If it is longer than
+    /// half of the duration, half of the duration is used.
     pub ramp_s: f64,
     /// Change of speed; the speed must stay between 0 and 10 km/s [m/s].
     pub speed_change_m_s: f64,

@@ -29,8 +29,8 @@ pub struct sins_imu_increment {
     pub count: i32,
     /// Must be 0.
     pub reserved2: u32,
-    /// Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the first part, x, y,
-    /// z of the second part, and so on [rad].
+    /// Integral of the angular rate against inertial space over each part: x, y, z of the first part, x, y, z of the second
+    /// part, and so on [rad]. The rotation in each part, and in the interval, must be less than half a turn.
     pub angle_rad: [f64; 15],
     /// Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
     pub velocity_m_s: [f64; 15],

@@ -129,7 +129,7 @@ pub struct sins_options {
     pub earth: i32,
     /// Normal gravity, of enum sins_gravity.
     pub gravity: i32,
-    /// Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins_axes.
+    /// Directions of the body axes and of the sensor axes, of enum sins_axes.
     pub axes: i32,
     /// Ideal signals, of enum sins_signal.
     pub signal: i32,
@@ -137,8 +137,8 @@ pub struct sins_options {
     pub seed: u64,
     /// Number of the run in an ensemble: the same seed with another run gives other random numbers.
     pub run: u64,
-    /// Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 with
-    /// another signal.
+    /// Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s, for which max_gap_s
+    /// must be at most 7.5 s. Must be 0 with another signal.
     pub closed_loop_time_s: f64,
     /// Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a stated period, each
     /// sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the

@@ -25,27 +25,29 @@
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
  * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
  * Frames. Navigation axes are east-north-up. Roll is positive right wing down, pitch nose up, heading clockwise from true
- *   north; the rotation sequence is heading, pitch, roll (aerospace). Sensor axes are right-forward-up, or forward-right-down by
- *   sins_options.axes. Latitude is geodetic, height is above the ellipsoid.
+ *   north; the rotation sequence is heading, pitch, roll (aerospace). Body axes are right-forward-up, or forward-right-down by
+ *   sins_options.axes. Sensor axes are the axes of the sensor block: the body axes, unless sins_mounting sets a boresight.
+ *   Latitude is geodetic, height is above the ellipsoid.
  * Errors. A function that can fail returns a sins_status, and gives data through pointers. A function that cannot fail returns
  *   its value directly.
- *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() and
- *   sins_ensemble_run() keep the intervals that they flew before the error. If a buffer is too small, functions that write a
- *   text cut it and report the size that is needed; sins_error_budget() and sins_scene_get_manoeuvres() report the number of
- *   elements that is needed. sins_log_parse(), sins_scene_set_values() and sins_scene_set_items() report faults.)
+ *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: after
+ *   SINS_ERROR_INTERNAL the handle cannot be used any more. sins_run() and sins_ensemble_run() keep the intervals that they
+ *   flew before the error; sins_run() also keeps their records, and sets written. If a buffer is too small, functions that
+ *   write a text cut it and report the size that is needed; sins_error_budget() and sins_scene_get_manoeuvres() report the
+ *   number of elements that is needed. sins_log_parse(), sins_scene_set_values() and sins_scene_set_items() report faults.)
  *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, every function with a handle
  *   SINS_ERROR_BAD_HANDLE, and every function with a struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can
  *   return SINS_ERROR_INTERNAL. The other errors of a function are listed at the function, or under Threads and Unloading. A
- *   positive status is not an error. With SINS_NEED_SAMPLE the output is unchanged, with SINS_REQUIREMENT_NOT_MET it is written,
- *   with SINS_SCENE_HAS_FAULTS there is a handle, and with SINS_GAP everything was done. Test for errors by status < 0.
- *   sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
+ *   positive status is not an error. With SINS_NEED_SAMPLE the output is unchanged, with SINS_REQUIREMENT_NOT_MET it is
+ *   written, with SINS_SCENE_HAS_FAULTS there is a handle, and with SINS_GAP everything was done. Test for errors by
+ *   status < 0. sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
  *   sins_status_string() the name of the status.
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
  *   do. A call takes less than 48 KB of stack, so a thread with a stack of 64 KB is enough.
  *   Nested calls: if a thread is inside a call on a handle, and calls another function with the same handle, the second call
  *     returns SINS_ERROR_BAD_STATE, and sins_last_error(NULL, ...) has the sentence. This happens to a signal handler that
- *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
- *     and sins_snapshot_load(), which use the allocator.
+ *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except those that use
+ *     the allocator: sins_destroy(), sins_snapshot_load(), sins_ensemble_create(), sins_recommend() and sins_error_budget().
  *   Abandoned calls: a call does not return if siglongjmp() leaves it, or if its thread is cancelled or terminated. It then
  *     holds its handle for ever, and the memory of the handle is never freed. Further calls of its own thread with this handle
  *     return SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they
@@ -59,39 +61,41 @@
  *   the DLL is loaded. Load the library before other modules have used up the indexes. If fewer than eight are left, functions
  *   without a handle return SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, Windows may abort the process when
  *   a thread or the process ends.
- * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
- *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. This also holds
- *   for the same functions of ensembles, and for the functions of statistics. The library prints nothing, and reads no
- *   environment variable and no file. It leaves the host's floating-point control state and x87 registers as it found them.
- * Host time. The time in a run comes from the time stamps of its samples; the library reads no clock for it. (Clocks are read for
- *   two other purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from
- *   the clock.)
+ * Real time. Push, step, run, the reads (except sins_record_line()), the setters, reset, reposition, sins_move_time(),
+ *   sins_move_truth() and sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another
+ *   thread. This also holds for the same functions of ensembles, and for the functions of statistics. The library prints
+ *   nothing, and reads no environment variable and no file. It leaves the host's floating-point control state and x87 registers
+ *   as it found them.
+ * Host time. The time in a run comes from the time stamps of its samples, or from sample_period_s if it is stated. The library
+ *   reads no clock for it. (Clocks are read for two other purposes: sins_recommend() and sins_error_budget() measure times, and
+ *   the first create draws handle numbers from the clock.)
  *   Pause: simply make no calls while paused. A push of the same sample again returns SINS_ERROR_TIME_ORDER and changes
  *     nothing. If the host's clock stopped during the pause, there is nothing to do. If the clock ran on, call sins_move_time()
  *     before the next push, with the time that the clock shows when the vehicle moves again: the flight continues as if there
  *     had been no pause. Without that call, the first push after a pause of more than max_gap_s returns
- *     SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter pause is flown as if the vehicle had moved during the
- *     pause, by velocity times its length. The push after such a pause returns SINS_GAP.
+ *     SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter pause is flown as motion: the vehicle moves by its
+ *     velocity times the length of the pause. The push after such a pause returns SINS_GAP if the interval is a gap.
  *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on the
  *     smoothest motion between its ends. Its updates are as long as those before the gap, or longer if the gap would otherwise
  *     need more than 80 subsamples. Attitude and velocity are correct immediately after the gap. The position keeps the
  *     difference between the true path and the smoothest one. In steady flight this difference is 0. In a weave of 4 g with a
  *     period of 8 s, sampled at 100 Hz, it is 4 cm if 1 s is lost, and 3 m if 2.5 s are lost. If the samples have no velocities,
- *     the error is larger: up to 5 n^2 times the error of a sample's position, where n is the number of lost intervals. For
- *     example, 1 s lost in straight flight at 50 Hz, with positions accurate to 1 cm, causes 23 m. If such an error is too large,
- *     set a smaller max_gap_s: longer gaps are then rejected.
+ *     the error is larger: up to 5 n^2 times the error of a sample's position, where n is the number of lost intervals. If 1 s
+ *     is lost in straight flight at 50 Hz, with positions accurate to 1 cm, this bound is 125 m; the error in a test is 23 m.
+ *     If such an error is too large, set a smaller max_gap_s: longer gaps are then rejected.
  *   Faster or slower than real time: give samples that are farther apart in simulated time (for example ten times dt, up to
- *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
- *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as a whole.
- *     So the accuracy depends on the actual sample rate. A turn of 170 degrees or more between two samples is rejected. The size
- *     of the noise follows the length of the interval. Only noise_m of the altimeter and the probability of drop-outs apply to
+ *     max_gap_s) or closer together (down to 5e-5 s). If sample_period_s is 0, the spacing may change from one sample to the
+ *     next. If it is stated, each spacing must be a whole number of periods. Each interval is integrated as a whole. So the
+ *     accuracy depends on the actual sample rate. A turn of 170 degrees or more between two samples is rejected. The size of
+ *     the noise follows the length of the interval. Only noise_m of the altimeter and the probability of drop-outs apply to
  *     each sample, whatever the length of its interval.
  *   Slew: sins_move_truth() keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards its errors:
  *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats the flight with the same random numbers.
  *     sins_snapshot_load() returns to a saved moment.
- * Same bits. The same options, seed, parameters and samples give the same outputs bit for bit, on every platform and for any
- *   sequence of calls. The exceptions are times: ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect
- *   has its own stream, so switching one effect on or off leaves the random numbers of all others unchanged.
+ * Same bits. The same options, seed, samples and settings, each set before the same interval, give the same outputs bit for bit
+ *   on every platform. Reads, and the way in which samples are split into calls, do not change them. The exceptions are times:
+ *   ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect has its own stream, so switching one effect
+ *   on or off leaves the random numbers of all others unchanged.
  *
  * Scenes and logs. A scene is a flight, the settings of the simulator, and the planned failures of its sensors, as a text in TOML.
  *   A log is a flight as a table of samples, also as text. The host reads the files; the library parses their bytes:
@@ -101,7 +105,7 @@
  *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
  *     while (...) {
  *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
- *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures; 0.0: time of the first sample
+ *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures; 0.0: time stamp of the first sample
  *         sins_push_sample(sim, &sample);
  *         sins_step(sim);
  *     }
@@ -167,7 +171,8 @@ extern "C" {
 
 /*
  * A simulator. This type and the next four are handles: keys that every call checks, never addresses. A call with a handle that
- * is null, made up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE. No key is ever used again.
+ * is null, made up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE, unless the function says what null means. No
+ * key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 /* An embedded flight: the library computes its samples from manoeuvres. */

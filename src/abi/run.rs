@@ -17,7 +17,7 @@ use crate::simulator::Simulator;
 /// of records, also on an error.
 ///
 /// SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
-/// sins_get_truth_summary() counts them.
+/// if sins_options.truth_summary is on, sins_truth_summary.gaps is their number.
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 ///

@@ -26,9 +26,10 @@ pub const SINS_SAMPLE_TEMPERATURE: sins_sample_flags = 8;
 const KNOWN_FLAGS: u32 =
     SINS_SAMPLE_ANGULAR_RATE | SINS_SAMPLE_SPECIFIC_FORCE | SINS_SAMPLE_NO_VELOCITY | SINS_SAMPLE_TEMPERATURE;
 
-/// True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from velocity
-/// and attitude; position enters only through gravity and curvature. Vibration above a tenth of the sample rate cannot be
-/// recovered from samples; give angular rate and specific force if you have them.
+/// True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from velocity and
+/// attitude, and from angular rate and specific force if the sample carries them. Position enters only through gravity and
+/// curvature, unless the samples have no velocity: then the velocity is derived from the positions. Vibration above a tenth
+/// of the sample rate cannot be recovered from samples; give angular rate and specific force if you have them.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_flight_sample {
@@ -56,10 +57,11 @@ pub struct sins_flight_sample {
     pub pitch_rad: f64,
     /// Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
     pub heading_rad: f64,
-    /// With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant, each up to
-    /// 1000 rad/s [rad/s].
+    /// With SINS_SAMPLE_ANGULAR_RATE: angular rate of the vehicle against inertial space along the body axes at this instant,
+    /// each up to 1000 rad/s [rad/s].
     pub angular_rate_rad_s: [f64; 3],
-    /// With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
+    /// With SINS_SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body axes at this instant, each up to
+    /// 1e5 m/s2 [m/s2].
     pub specific_force_m_s2: [f64; 3],
     /// With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C]; linear
     /// from one sample to the next. Needed while temperature coefficients are set: the push of a sample without it then returns

@@ -37,8 +37,8 @@ pub struct sins_scene_setup {
     pub reserved2: u32,
     /// Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
     pub duration_s: f64,
-    /// Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s), and if duration_s is longer than
-    /// the flight.
+    /// Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s). 0 also if duration_s is longer
+    /// than the flight: sins_scene_write() rejects such a scene.
     pub flown_s: f64,
     /// Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz].
     pub rate_hz: f64,

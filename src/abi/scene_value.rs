@@ -49,8 +49,9 @@ pub unsafe extern "C" fn sins_scene_get_value(
 /// Sets up to 4096 values of the scene, all or none. values is a terminated text in UTF-8. Each line is path = value, with a path
 /// as in sins_scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written as in the text of a
 /// scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default, and sets a single element to
-/// 0. If a value is set twice, the last one counts. gyro.preset replaces all errors of the gyros, and accelerometer.preset those
-/// of the accelerometers. flight.file and flight.builtin replace the flight.
+/// 0. If a value is set twice, the last one counts. gyro.preset replaces all errors of the gyros, accelerometer.preset those
+/// of the accelerometers, before the other lines are applied, wherever it stands. flight.file and flight.builtin replace the
+/// flight.
 ///
 /// The scene is then checked as sins_scene_parse() checks a text. Set values that depend on each other in one call, such as the
 /// kind of a manoeuvre and its quantities.

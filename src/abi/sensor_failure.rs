@@ -26,7 +26,8 @@ pub const SINS_FAILURE_NONE: sins_failure_kind = 0;
 /// its first value. It is not flagged, because it looks like valid data.
 pub const SINS_FAILURE_STUCK: sins_failure_kind = 1;
 /// No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
-/// altimeter nothing stabilizes the vertical channel, which is flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
+/// altimeter nothing stabilizes the vertical channel of SINS_VERTICAL_DAMPED; this is flagged
+/// SINS_NAVIGATION_VERTICAL_UNAIDED.
 pub const SINS_FAILURE_DEAD: sins_failure_kind = 2;
 /// An additional bias, of the field size. Not flagged.
 pub const SINS_FAILURE_BIAS_STEP: sins_failure_kind = 3;
@@ -35,7 +36,7 @@ pub const SINS_FAILURE_BIAS_STEP: sins_failure_kind = 3;
 pub const SINS_FAILURE_SPIKES: sins_failure_kind = 4;
 /// Additional white noise of the field density; for the altimeter, its mean over the interval. Not flagged.
 pub const SINS_FAILURE_NOISE: sins_failure_kind = 5;
-/// Sample intervals are lost: the output is 0 there, and flagged as with SINS_FAILURE_DEAD. Either each interval is lost
+/// Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
 /// independently with the field probability, or one interval is lost every interval_s, the first immediately.
 pub const SINS_FAILURE_DROP_OUTS: sins_failure_kind = 6;
 
@@ -47,9 +48,10 @@ pub struct sins_failure_fields {
     pub kind: i32,
     /// Must be 0.
     pub reserved2: u32,
-    /// Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
+    /// Bias step, spikes: size, up to 100 rad/s for a gyro, 1e4 m/s2 for an accelerometer, 1e5 m for the altimeter [u].
     pub size: f64,
-    /// Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
+    /// Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
+    /// [u sqrt(s)].
     pub density: f64,
     /// Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
     pub interval_s: f64,

@@ -233,7 +233,8 @@ pub unsafe extern "C" fn sins_move_truth(
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 ///
-/// If no INS can start there (a pole, in geographic axes), the reads and the next step return the error.
+/// If no INS can start there (too close to a pole, in geographic axes or for gyrocompassing), the reads and the next step
+/// return the error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reposition(
     sim: *mut sins_sim,

@@ -7,8 +7,8 @@ use super::memory::{put, put_if_wanted};
 use super::simulator::{sins_sim, with_simulator};
 use super::text::{bytes_of, put_bytes};
 
-/// A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
-/// sins_snapshot_size().
+/// A buffer of this size holds every snapshot of a simulator that this release saves. For a library newer than this header
+/// ask sins_snapshot_size(); for an ensemble ask sins_ensemble_snapshot_size().
 pub const SINS_SNAPSHOT_MAX_SIZE: usize = 20480;
 
 /// Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. Without

@@ -44,7 +44,8 @@ pub struct sins_record_solution {
     pub pitch_rad: f64,
     /// Heading, clockwise from true north, 0 to 2 pi [rad].
     pub heading_rad: f64,
-    /// Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
+    /// Attitude quaternion, scalar first: rotates from body axes to east-north-up; from sensor axes while navigating on
+    /// increments.
     pub quaternion_nb: [f64; 4],
     /// Flags of enum sins_navigation_flags, or'ed.
     pub flags: i32,

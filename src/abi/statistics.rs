@@ -94,8 +94,8 @@ impl From<&Figures> for sins_figures {
 }
 
 /// Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. sins_statistics_merge() adds
-/// those of other runs at the same moment. Within 20 km of the Earth's axis (SINS_NAVIGATION_NEAR_POLE of the truth) velocity and
-/// misalignment have no meaning. No allocation, no system call.
+/// those of other runs at the same moment. Within 20 km of the Earth's axis (SINS_NAVIGATION_NEAR_POLE of the truth) the up
+/// misalignment and the east and north components of the velocity error have no meaning. No allocation, no system call.
 ///
 /// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
 /// the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.

@@ -9,8 +9,9 @@ use crate::truth::TruthSummary;
 /// Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
 /// and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
 /// sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
-/// contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations and
-/// forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was found.
+/// contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are means
+/// from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
+/// samples. Each ..._at_s is the time stamp of the sample at which the value was found.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_truth_summary {
