@@ -215,16 +215,14 @@ public:
      */
     bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
                    sins_options &options, sins_cost &cost) const {
-        if (handle_ == nullptr) /* sins_recommend() would use the recommended simulator */
-            detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
+        snapshot_size(); /* throws without a handle, for which sins_recommend() would use the recommended simulator */
         return detail::done(sins_recommend(handle_, samples, count, &requirement, &options, &cost), nullptr);
     }
 
     /* Error budget of all errors of this simulator. rows gets the first row and one row for each effect. */
     sins_budget error_budget(const sins_flight_sample *samples, std::size_t count, const sins_budget_request &request,
                              std::vector<sins_budget_row> &rows) const {
-        if (handle_ == nullptr) /* sins_error_budget() would use the recommended simulator */
-            detail::fail(SINS_ERROR_BAD_HANDLE, nullptr);
+        snapshot_size(); /* throws without a handle, for which sins_error_budget() would use the recommended simulator */
         sins_budget budget = make<sins_budget>();
         std::size_t number = 0;
         const auto ask = [&] {

@@ -4,7 +4,7 @@ use sins::abi::{sins_accel_params, sins_gyro_params};
 use sins::sensors::{PARAMETERS, Sensor};
 
 use crate::support::c_programs::{
-    STRICT, c_compiler, compiler_of, cpp_compiler, library_folder, run_test_program, succeed,
+    STRICT, c_compiler, compiler_of, cpp_compiler, library_folder, prints_alike, run_test_program, succeed,
 };
 use crate::support::project_file;
 
@@ -72,6 +72,12 @@ fn the_headers_are_clean_under_the_warnings_of_strict_projects() {
         }
         succeed(compiler.arg("-I").arg(project_file("include")).arg(project_file("tests/c/strict.c")));
     }
+}
+
+/// `sins.hpp`, in the oldest and a newer standard.
+#[test]
+fn the_wrapper_owns_handles_and_throws_the_right_sentences() {
+    prints_alike("wrapper", &["tests/c/wrapper.cpp"], &["c++11", "c++17"], &[]);
 }
 
 #[test]

@@ -1,0 +1,127 @@
+/* sins.hpp: what it adds to sins.h. Ownership, errors as exceptions with the right sentence, positive statuses as false. */
+
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "check.h"
+#include "sins.hpp"
+
+template <class Call> sins::Error error_of(Call call) {
+    try {
+        call();
+    } catch (const sins::Error &error) {
+        return error;
+    }
+    std::fprintf(stderr, "no exception\n");
+    std::exit(1);
+}
+
+static bool names(const sins::Error &error, const char *words) {
+    return std::string(error.what()).find(words) != std::string::npos;
+}
+
+static sins_flight_sample at(double time_s) {
+    auto sample = sins::make<sins_flight_sample>();
+    sample.time_s = time_s;
+    sample.latitude_rad = 40 * SINS_DEG;
+    return sample;
+}
+
+/* Each call on a moved-from object throws, with the sentence of this call and not of an earlier one. */
+template <class Call> void rejects_no_handle(Call call) {
+    error_of([] { sins::gyro_preset(99); });
+    const sins::Error error = error_of(call);
+    CHECK(error.status() == SINS_ERROR_BAD_HANDLE);
+    CHECK(error.info().status == SINS_ERROR_BAD_HANDLE);
+    CHECK(names(error, "is null, made up, destroyed, or of another kind"));
+}
+
+static void moved_objects() {
+    static_assert(!std::is_copy_constructible<sins::Simulator>::value, "a handle has one owner");
+    sins::Simulator sim, other(std::move(sim));
+    sins::Scene scene, kept(std::move(scene));
+    sins::Ensemble ensemble(other, 0, 3), runs(std::move(ensemble));
+    auto options = sins::make<sins_options>();
+    auto cost = sins::make<sins_cost>();
+    auto requirement = sins::make<sins_requirement>();
+    std::vector<sins_budget_row> rows;
+    const sins_flight_sample samples[2] = {at(0), at(1)};
+
+    requirement.position_m = 1;
+    CHECK(other.handle() != nullptr && sim.handle() == nullptr);
+    rejects_no_handle([&] { sim.step(); });
+    rejects_no_handle([&] { sim.options(); });
+    rejects_no_handle([&] { sim.recommend(samples, 2, requirement, options, cost); });
+    rejects_no_handle([&] { sim.error_budget(samples, 2, sins::make<sins_budget_request>(), rows); });
+    rejects_no_handle([&] { scene.write(); });
+    rejects_no_handle([&] { scene.faults(); });
+    rejects_no_handle([&] { scene.set_values("gyro.preset = tactical"); });
+    rejects_no_handle([&] { ensemble.diverged(); });
+    rejects_no_handle([&] { ensemble.runs(); });
+
+    sim = std::move(other); /* and back */
+    CHECK(!sim.step() && runs.runs() == 3 && runs.diverged().empty() && kept.faults().empty());
+}
+
+static void errors() {
+    sins::Simulator sim, second;
+    auto gyro = sins::make<sins_gyro_params>();
+
+    gyro.bias_rad_s[1] = 1e9;
+    const sins::Error error = error_of([&] { sim.set_gyro(gyro); });
+    CHECK(error.status() == SINS_ERROR_INVALID_ARGUMENT && names(error, "gyro.bias_rad_s[1]"));
+    CHECK(std::string(error.info().field) == "gyro.bias_rad_s" && error.info().index == 1 && error.info().value == 1e9);
+    CHECK(sins::last_error(sim.handle()) == error.what());
+    CHECK(sins::last_error(second.handle()) == "no error");
+    CHECK(sim.gyro().bias_rad_s[1] == 0);
+}
+
+static void positive_statuses() {
+    sins::Simulator sim;
+    auto truth = sins::make<sins_navigation>();
+
+    CHECK(!sim.get_truth(truth) && !sim.step());
+    for (double time_s : {0.0, 0.1, 0.2})
+        CHECK(sim.push_sample(at(time_s)));
+    CHECK(!sim.push_sample(at(1.2))); /* a gap */
+    CHECK(sim.step() && sim.step() && sim.step() && !sim.step());
+    CHECK(sim.get_truth(truth) && truth.time_s == 1.2);
+}
+
+static void scenes() {
+    sins::Scene broken("[flight]\nbuiltin = \"patrol\"\n[gyro]\nbais_deg_h = 1\n"), scene;
+    CHECK(broken.faults().size() == 1);
+    CHECK(error_of([&] { broken.write(); }).status() == SINS_ERROR_BAD_STATE);
+
+    const std::string before = scene.write();
+    CHECK(!scene.set_values("gyro.bias_deg_h = x\ngyro.scale_factor_ppm = 1e9\n"));
+    CHECK(scene.faults().size() == 2 && scene.write() == before);
+    CHECK(scene.set_values("gyro.bias_deg_h = 1\ngyro.preset = tactical\n") && scene.faults().empty());
+    CHECK(scene.gyro().bias_rad_s[2] == 1 * SINS_DEG_PER_HOUR);
+    CHECK(scene.gyro().bias_sigma_rad_s[0] > 0); /* the preset, below the value that was set */
+    CHECK(!scene.set_items("manoeuvre", "[[manoeuvre]]\nkind = \"leap\"\n") && !scene.faults().empty());
+    CHECK(!scene.set_items("sensor", "") && !scene.faults().empty());
+    CHECK(error_of([&] { scene.value("gyro.none"); }).status() == SINS_ERROR_INVALID_ARGUMENT);
+}
+
+static void snapshots() {
+    sins::Simulator sim, other;
+    sim.push_sample(at(0));
+    const std::vector<unsigned char> saved = sim.snapshot_save();
+    CHECK(saved.size() == sim.snapshot_size());
+    other.snapshot_load(saved);
+    CHECK(other.snapshot_save() == saved);
+    const sins::Error error = error_of([&] { other.snapshot_load({1, 2, 3}); });
+    CHECK(error.status() == SINS_ERROR_SNAPSHOT && other.snapshot_save() == saved);
+}
+
+int main() {
+    moved_objects();
+    errors();
+    positive_statuses();
+    scenes();
+    snapshots();
+    return 0;
+}
