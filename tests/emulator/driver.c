@@ -207,8 +207,8 @@ static void studies(void)
     int k;
     GetWindowThreadProcessId(main_window, &process_id);
     process = OpenProcess(SYNCHRONIZE, FALSE, process_id);
-    compute(dialog, L"1200");
-    Sleep(4000); /* the samples are made: the library computes */
+    compute(dialog, L"3500"); /* tens of seconds; on a fast machine ten */
+    Sleep(2500); /* the samples are made: the library computes */
     from_ms = GetTickCount();
     ask(dialog, WM_COMMAND, IDC_COMPUTE, 0); /* cancelled */
     printf("cancelled in %lu ms\n", (unsigned long)(GetTickCount() - from_ms));
@@ -223,8 +223,8 @@ static void studies(void)
         fail("after a cancel no study has a result");
     }
     printf("the next study had its result after %lu ms\n", (unsigned long)(GetTickCount() - from_ms));
-    compute(dialog, L"1200");
-    Sleep(4000);
+    compute(dialog, L"3500");
+    Sleep(2500);
     ask(dialog, WM_COMMAND, IDCANCEL, 0);
     wait_for_no_box(dialog);
     close_window();
