@@ -25,27 +25,29 @@
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
  * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
  * Frames. Navigation axes are east-north-up. Roll is positive right wing down, pitch nose up, heading clockwise from true
- *   north; the rotation sequence is heading, pitch, roll (aerospace). Sensor axes are right-forward-up, or forward-right-down by
- *   sins_options.axes. Latitude is geodetic, height is above the ellipsoid.
+ *   north; the rotation sequence is heading, pitch, roll (aerospace). Body axes are right-forward-up, or forward-right-down by
+ *   sins_options.axes. Sensor axes are the axes of the sensor block: the body axes, unless sins_mounting sets a boresight.
+ *   Latitude is geodetic, height is above the ellipsoid.
  * Errors. A function that can fail returns a sins_status, and gives data through pointers. A function that cannot fail returns
  *   its value directly.
- *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: sins_run() and
- *   sins_ensemble_run() keep the intervals that they flew before the error. If a buffer is too small, functions that write a
- *   text cut it and report the size that is needed; sins_error_budget() and sins_scene_get_manoeuvres() report the number of
- *   elements that is needed. sins_log_parse(), sins_scene_set_values() and sins_scene_set_items() report faults.)
+ *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: after
+ *   SINS_ERROR_INTERNAL the handle cannot be used any more. sins_run() and sins_ensemble_run() keep the intervals that they
+ *   flew before the error; sins_run() also keeps their records, and sets written. If a buffer is too small, functions that
+ *   write a text cut it and report the size that is needed; sins_error_budget() and sins_scene_get_manoeuvres() report the
+ *   number of elements that is needed. sins_log_parse(), sins_scene_set_values() and sins_scene_set_items() report faults.)
  *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, every function with a handle
  *   SINS_ERROR_BAD_HANDLE, and every function with a struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can
  *   return SINS_ERROR_INTERNAL. The other errors of a function are listed at the function, or under Threads and Unloading. A
- *   positive status is not an error. With SINS_NEED_SAMPLE the output is unchanged, with SINS_REQUIREMENT_NOT_MET it is written,
- *   with SINS_SCENE_HAS_FAULTS there is a handle, and with SINS_GAP everything was done. Test for errors by status < 0.
- *   sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
- *   sins_status_string() the name of the status.
+ *   positive status is not an error. With SINS_NEED_SAMPLE the output is unchanged, with SINS_REQUIREMENT_NOT_MET it is
+ *   written, with SINS_SCENE_HAS_FAULTS there is a handle, and with SINS_GAP everything was done. Test for errors by
+ *   status < 0. sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a
+ *   struct, sins_status_string() the name of the status.
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
  *   do. A call takes less than 48 KB of stack, so a thread with a stack of 64 KB is enough.
  *   Nested calls: if a thread is inside a call on a handle, and calls another function with the same handle, the second call
  *     returns SINS_ERROR_BAD_STATE, and sins_last_error(NULL, ...) has the sentence. This happens to a signal handler that
- *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except sins_destroy()
- *     and sins_snapshot_load(), which use the allocator.
+ *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except those that use
+ *     the allocator: sins_destroy(), sins_snapshot_load(), sins_ensemble_create(), sins_recommend() and sins_error_budget().
  *   Abandoned calls: a call does not return if siglongjmp() leaves it, or if its thread is cancelled or terminated. It then
  *     holds its handle for ever, and the memory of the handle is never freed. Further calls of its own thread with this handle
  *     return SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they
@@ -59,39 +61,41 @@
  *   the DLL is loaded. Load the library before other modules have used up the indexes. If fewer than eight are left, functions
  *   without a handle return SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, Windows may abort the process when
  *   a thread or the process ends.
- * Real time. Push, step, run, the reads, the setters, reset, reposition, sins_move_time(), sins_move_truth() and
- *   sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another thread. This also holds
- *   for the same functions of ensembles, and for the functions of statistics. The library prints nothing, and reads no
- *   environment variable and no file. It leaves the host's floating-point control state and x87 registers as it found them.
- * Host time. The time in a run comes from the time stamps of its samples; the library reads no clock for it. (Clocks are read for
- *   two other purposes: sins_recommend() and sins_error_budget() measure times, and the first create draws handle numbers from
- *   the clock.)
+ * Real time. Push, step, run, the reads (except sins_record_line()), the setters, reset, reposition, sins_move_time(),
+ *   sins_move_truth() and sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another
+ *   thread. This also holds for the same functions of ensembles, and for the functions of statistics. The library prints
+ *   nothing, and reads no environment variable and no file. It leaves the host's floating-point control state and x87 registers
+ *   as it found them.
+ * Host time. The time in a run comes from the time stamps of its samples, or from sample_period_s if it is stated. The library
+ *   reads no clock for it. (Clocks are read for two other purposes: sins_recommend() and sins_error_budget() measure times, and
+ *   the first create draws handle numbers from the clock.)
  *   Pause: simply make no calls while paused. A push of the same sample again returns SINS_ERROR_TIME_ORDER and changes
  *     nothing. If the host's clock stopped during the pause, there is nothing to do. If the clock ran on, call sins_move_time()
  *     before the next push, with the time that the clock shows when the vehicle moves again: the flight continues as if there
  *     had been no pause. Without that call, the first push after a pause of more than max_gap_s returns
- *     SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter pause is flown as if the vehicle had moved during the
- *     pause, by velocity times its length. The push after such a pause returns SINS_GAP.
+ *     SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter pause is flown as motion: the vehicle moves by its
+ *     velocity times the length of the pause. The push after such a pause returns SINS_GAP if the interval is a gap.
  *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on the
  *     smoothest motion between its ends. Its updates are as long as those before the gap, or longer if the gap would otherwise
  *     need more than 80 subsamples. Attitude and velocity are correct immediately after the gap. The position keeps the
  *     difference between the true path and the smoothest one. In steady flight this difference is 0. In a weave of 4 g with a
  *     period of 8 s, sampled at 100 Hz, it is 4 cm if 1 s is lost, and 3 m if 2.5 s are lost. If the samples have no velocities,
- *     the error is larger: up to 5 n^2 times the error of a sample's position, where n is the number of lost intervals. For
- *     example, 1 s lost in straight flight at 50 Hz, with positions accurate to 1 cm, causes 23 m. If such an error is too large,
- *     set a smaller max_gap_s: longer gaps are then rejected.
+ *     the error is larger: up to 5 n^2 times the error of a sample's position, where n is the number of lost intervals. If 1 s
+ *     is lost in straight flight at 50 Hz, with positions accurate to 1 cm, this bound is 125 m; the error in a test is 23 m.
+ *     If such an error is too large, set a smaller max_gap_s: longer gaps are then rejected.
  *   Faster or slower than real time: give samples that are farther apart in simulated time (for example ten times dt, up to
- *     max_gap_s) or closer together (down to 5e-5 s). The spacing may change from one sample to the next. With sample_period_s
- *     stated, time stamps may skip whole periods; other spacings need sample_period_s = 0. Each interval is integrated as a whole.
- *     So the accuracy depends on the actual sample rate. A turn of 170 degrees or more between two samples is rejected. The size
- *     of the noise follows the length of the interval. Only noise_m of the altimeter and the probability of drop-outs apply to
+ *     max_gap_s) or closer together (down to 5e-5 s). If sample_period_s is 0, the spacing may change from one sample to the
+ *     next. If it is stated, each spacing must be a whole number of periods. Each interval is integrated as a whole. So the
+ *     accuracy depends on the actual sample rate. A turn of 170 degrees or more between two samples is rejected. The size of
+ *     the noise follows the length of the interval. Only noise_m of the altimeter and the probability of drop-outs apply to
  *     each sample, whatever the length of its interval.
  *   Slew: sins_move_truth() keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards its errors:
  *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats the flight with the same random numbers.
  *     sins_snapshot_load() returns to a saved moment.
- * Same bits. The same options, seed, parameters and samples give the same outputs bit for bit, on every platform and for any
- *   sequence of calls. The exceptions are times: ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect
- *   has its own stream, so switching one effect on or off leaves the random numbers of all others unchanged.
+ * Same bits. The same options, seed, samples and settings, each set before the same interval, give the same outputs bit for bit
+ *   on every platform. Reads, and the way in which samples are split into calls, do not change them. The exceptions are times:
+ *   ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect has its own stream, so switching one effect
+ *   on or off leaves the random numbers of all others unchanged.
  *
  * Scenes and logs. A scene is a flight, the settings of the simulator, and the planned failures of its sensors, as a text in TOML.
  *   A log is a flight as a table of samples, also as text. The host reads the files; the library parses their bytes:
@@ -101,7 +105,7 @@
  *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
  *     while (...) {
  *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
- *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures; 0.0: time of the first sample
+ *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures; 0.0: time stamp of the first sample
  *         sins_push_sample(sim, &sample);
  *         sins_step(sim);
  *     }
@@ -202,7 +206,8 @@ extern "C" {
 
 /*
  * A simulator. This type and the next four are handles: keys that every call checks, never addresses. A call with a handle that
- * is null, made up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE. No key is ever used again.
+ * is null, made up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE, unless the function says what null means. No
+ * key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 /* An embedded flight: the library computes its samples from manoeuvres. */
@@ -218,7 +223,7 @@ typedef struct sins_log sins_log;
 enum sins_status_code {
     /* The call did what it says. */
     SINS_OK = 0,
-    /* There is no complete interval yet: push the next sample. */
+    /* There is no sample yet, or no complete interval: push the next sample. */
     SINS_NEED_SAMPLE = 1,
     /* No options meet the requirement; the outputs hold the best options there are. */
     SINS_REQUIREMENT_NOT_MET = 2,
@@ -249,9 +254,12 @@ enum sins_status_code {
     SINS_ERROR_DISCONTINUITY = -7,
     /* The queue of samples is full: step first. */
     SINS_ERROR_QUEUE_FULL = -8,
-    /* The solution diverged: it left its limits. The last good solution stays readable. */
+    /*
+     * The solution diverged: it left its limits. The last good solution of a simulator stays readable; that of a run of an
+     * ensemble does not.
+     */
     SINS_ERROR_DIVERGED = -9,
-    /* The mechanization in geographic axes came too close to a pole. */
+    /* Too close to a pole: the mechanization in geographic axes, or within 64 km an alignment by gyrocompassing. */
     SINS_ERROR_SINGULAR = -10,
     /* A buffer is too small for the result. */
     SINS_ERROR_BUFFER_TOO_SMALL = -11,
@@ -397,7 +405,8 @@ enum sins_failure_kind {
     SINS_FAILURE_STUCK = 1,
     /*
      * No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
-     * altimeter nothing stabilizes the vertical channel, which is flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
+     * altimeter nothing stabilizes the vertical channel of SINS_VERTICAL_DAMPED; this is flagged
+     * SINS_NAVIGATION_VERTICAL_UNAIDED.
      */
     SINS_FAILURE_DEAD = 2,
     /* An additional bias, of the field size. Not flagged. */
@@ -410,7 +419,7 @@ enum sins_failure_kind {
     /* Additional white noise of the field density; for the altimeter, its mean over the interval. Not flagged. */
     SINS_FAILURE_NOISE = 5,
     /*
-     * Sample intervals are lost: the output is 0 there, and flagged as with SINS_FAILURE_DEAD. Either each interval is lost
+     * Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
      * independently with the field probability, or one interval is lost every interval_s, the first immediately.
      */
     SINS_FAILURE_DROP_OUTS = 6
@@ -424,7 +433,8 @@ enum sins_alignment {
      * The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
      * turned by the given and the drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense
      * no horizontal force. Gyrocompassing then finds the heading at which the levelled rate of the gyros points north.
-     * SINS_NAVIGATION_NORTH_UNKNOWN is set if north could not be found.
+     * SINS_NAVIGATION_NORTH_UNKNOWN is set if the sensor errors hide north. Within 64 km of a pole the start returns
+     * SINS_ERROR_SINGULAR.
      */
     SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1
 };
@@ -648,14 +658,14 @@ enum sins_budget_flags {
 #define SINS_VERSION_PATCH 0
 
 /*
- * A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
- * sins_snapshot_size().
+ * A buffer of this size holds every snapshot of a simulator that this release saves. For a library newer than this header
+ * ask sins_snapshot_size(); for an ensemble ask sins_ensemble_snapshot_size().
  */
 #define SINS_SNAPSHOT_MAX_SIZE 20480
 
 /*
  * Result of a call: SINS_OK is 0, a negative status is an error, a positive status is neither. After an error nothing has
- * changed.
+ * changed, with the exceptions under Errors.
  */
 typedef int32_t sins_status;
 
@@ -681,7 +691,7 @@ typedef struct sins_options {
     int32_t earth;
     /* Normal gravity, of enum sins_gravity. */
     int32_t gravity;
-    /* Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins_axes. */
+    /* Directions of the body axes and of the sensor axes, of enum sins_axes. */
     int32_t axes;
     /* Ideal signals, of enum sins_signal. */
     int32_t signal;
@@ -690,8 +700,8 @@ typedef struct sins_options {
     /* Number of the run in an ensemble: the same seed with another run gives other random numbers. */
     uint64_t run;
     /*
-     * Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 with
-     * another signal.
+     * Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s, for which max_gap_s
+     * must be at most 7.5 s. Must be 0 with another signal.
      */
     double closed_loop_time_s;
     /*
@@ -718,9 +728,10 @@ typedef struct sins_options {
 } sins_options;
 
 /*
- * True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from velocity
- * and attitude; position enters only through gravity and curvature. Vibration above a tenth of the sample rate cannot be
- * recovered from samples; give angular rate and specific force if you have them.
+ * True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from velocity and
+ * attitude, and from angular rate and specific force if the sample carries them. Position enters only through gravity and
+ * curvature, unless the samples have no velocity: then the velocity is derived from the positions. Vibration above a tenth
+ * of the sample rate cannot be recovered from samples; give angular rate and specific force if you have them.
  */
 typedef struct sins_flight_sample {
     /* sizeof(sins_flight_sample) */
@@ -752,11 +763,14 @@ typedef struct sins_flight_sample {
     /* Heading, clockwise from true north, any number of turns up to 10000 rad [rad]. */
     double heading_rad;
     /*
-     * With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant, each up to
-     * 1000 rad/s [rad/s].
+     * With SINS_SAMPLE_ANGULAR_RATE: angular rate of the vehicle against inertial space along the body axes at this instant,
+     * each up to 1000 rad/s [rad/s].
      */
     double angular_rate_rad_s[3];
-    /* With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2]. */
+    /*
+     * With SINS_SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body axes at this instant, each up to
+     * 1e5 m/s2 [m/s2].
+     */
     double specific_force_m_s2[3];
     /*
      * With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C]; linear
@@ -804,11 +818,11 @@ typedef struct sins_error_info {
  * misalignment, asymmetry, nonlinearity), on the true specific force (g-sensitivity, g2-sensitivity) and on temperature; then
  * biases and noise; then dead zone, range, quantization.
  *
- * Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
- * subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration of
- * frequency f. With x = pi f dt, nonlinearity and rectification are too small by the fraction 1 - (sin x / x)^2. Asymmetry is
- * too small by up to the fraction 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample rate,
- * these fractions are 0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with one.
+ * Asymmetry, nonlinearity, dead zone and range, g2-sensitivity of the gyros, and vibration rectification of the accelerometers
+ * act on the mean signal of a subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the
+ * effect of a vibration of frequency f. With x = pi f dt, nonlinearity and rectification are too small by the fraction 1 - (sin
+ * x / x)^2. Asymmetry is too small by up to the fraction 1 - cos x, if the vibration changes the sign of the signal. If f is a
+ * tenth of the sample rate, these fractions are 0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with one.
  */
 typedef struct sins_gyro_params {
     /* sizeof(sins_gyro_params) */
@@ -1052,9 +1066,12 @@ typedef struct sins_failure {
     int32_t kind;
     /* Must be 0. */
     uint32_t reserved2;
-    /* Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u]. */
+    /* Bias step, spikes: size, up to 100 rad/s for a gyro, 1e4 m/s2 for an accelerometer, 1e5 m for the altimeter [u]. */
     double size;
-    /* Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)]. */
+    /*
+     * Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
+     * [u sqrt(s)].
+     */
     double density;
     /* Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]. */
     double interval_s;
@@ -1192,7 +1209,10 @@ typedef struct sins_record_solution {
     double pitch_rad;
     /* Heading, clockwise from true north, 0 to 2 pi [rad]. */
     double heading_rad;
-    /* Attitude quaternion, scalar first: rotates from sensor axes to east-north-up. */
+    /*
+     * Attitude quaternion, scalar first: rotates from body axes to east-north-up; from sensor axes while navigating on
+     * increments.
+     */
     double quaternion_nb[4];
     /* Flags of enum sins_navigation_flags, or'ed. */
     int32_t flags;
@@ -1213,8 +1233,8 @@ typedef struct sins_record_errors {
     /* Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position. */
     double velocity_enu_m_s[3];
     /*
-     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
-     * to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
+     * east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
      */
     double misalignment_enu_rad[3];
     /* Error of roll, wrapped to -pi to pi [rad]. */
@@ -1272,7 +1292,10 @@ typedef struct sins_navigation {
     double pitch_rad;
     /* Heading, clockwise from true north, 0 to 2 pi [rad]. */
     double heading_rad;
-    /* Attitude quaternion, scalar first: rotates from sensor axes to east-north-up. */
+    /*
+     * Attitude quaternion, scalar first: rotates from body axes to east-north-up; from sensor axes while navigating on
+     * increments.
+     */
     double quaternion_nb[4];
     /* Flags of enum sins_navigation_flags, or'ed. */
     int32_t flags;
@@ -1327,8 +1350,8 @@ typedef struct sins_errors {
     /* Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position. */
     double velocity_enu_m_s[3];
     /*
-     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
-     * to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
+     * east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
      */
     double misalignment_enu_rad[3];
     /* Error of roll, wrapped to -pi to pi [rad]. */
@@ -1401,7 +1424,7 @@ typedef struct sins_accuracy {
     double inconsistency_max_m;
     /* Number of samples flagged SINS_NAVIGATION_INCONSISTENT. */
     uint64_t inconsistent_samples;
-    /* Number of intervals flown since the start or the last reposition: one less than the number of samples. */
+    /* Number of intervals flown since the start or the last reposition. */
     uint64_t intervals;
     /*
      * Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times closed_loop_time_s after the
@@ -1416,8 +1439,9 @@ typedef struct sins_accuracy {
  * Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
  * and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
  * sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
- * contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations and
- * forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was found.
+ * contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are means
+ * from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
+ * samples. Each ..._at_s is the time stamp of the sample at which the value was found.
  */
 typedef struct sins_truth_summary {
     /* sizeof(sins_truth_summary) */
@@ -1556,8 +1580,8 @@ typedef struct sins_imu_increment {
     /* Must be 0. */
     uint32_t reserved2;
     /*
-     * Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the first part, x, y,
-     * z of the second part, and so on [rad].
+     * Integral of the angular rate against inertial space over each part: x, y, z of the first part, x, y, z of the second
+     * part, and so on [rad]. The rotation in each part, and in the interval, must be less than half a turn.
      */
     double angle_rad[15];
     /* Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s]. */
@@ -1696,7 +1720,10 @@ typedef struct sins_manoeuvre {
     int32_t sinusoid_count;
     /* Duration, 1e-3 to 1e8 [s]. */
     double duration_s;
-    /* Time in which the manoeuvre builds up, and time in which it dies out; each at most half of the duration. 0: 5 s [s]. */
+    /*
+     * Time in which the manoeuvre builds up, and time in which it dies out, 1e-3 to 1e8; 0: 5 s [s]. If it is longer than
+     * half of the duration, half of the duration is used.
+     */
     double ramp_s;
     /* Change of speed; the speed must stay between 0 and 10 km/s [m/s]. */
     double speed_change_m_s;
@@ -1768,8 +1795,8 @@ typedef struct sins_scene_setup {
     /* Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s]. */
     double duration_s;
     /*
-     * Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s), and if duration_s is longer than
-     * the flight.
+     * Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s). 0 also if duration_s is longer
+     * than the flight: sins_scene_write() rejects such a scene.
      */
     double flown_s;
     /* Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz]. */
@@ -1800,9 +1827,12 @@ typedef struct sins_planned_failure {
     int32_t kind;
     /* Must be 0. */
     uint32_t reserved2;
-    /* Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u]. */
+    /* Bias step, spikes: size, up to 100 rad/s for a gyro, 1e4 m/s2 for an accelerometer, 1e5 m for the altimeter [u]. */
     double size;
-    /* Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)]. */
+    /*
+     * Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
+     * [u sqrt(s)].
+     */
     double density;
     /* Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]. */
     double interval_s;
@@ -1996,11 +2026,11 @@ typedef struct sins_budget_row {
      * out. Empty in the first row.
      */
     char field[48];
-    /* Length of the contribution to the position error, the largest in the flight [m]. */
+    /* Length of the contribution to the position error, the largest at up to 1000 instants of the flight [m]. */
     double position_m;
-    /* Length of the contribution to the velocity error, the largest in the flight [m/s]. */
+    /* Length of the contribution to the velocity error, the largest at these instants [m/s]. */
     double velocity_m_s;
-    /* Length of the contribution to the misalignment, the largest in the flight [rad]. */
+    /* Length of the contribution to the misalignment, the largest at these instants [rad]. */
     double attitude_rad;
     /* Length of the contribution to the position error at the end of the flight [m]. */
     double end_position_m;
@@ -2218,7 +2248,8 @@ SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const struct sins_
  * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
  * SINS_ERROR_BAD_STATE: navigating on increments.
  *
- * If no INS can start there (a pole, in geographic axes), the reads and the next step return the error.
+ * If no INS can start there (too close to a pole, in geographic axes or for gyrocompassing), the reads and the next step
+ * return the error.
  */
 SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_flight_sample *sample);
 
@@ -2338,7 +2369,7 @@ SINS_API sins_status SINS_CALL sins_get_mounting(sins_sim *sim, struct sins_moun
 /*
  * Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
  * reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
- * disturbance does not affect a navigator on increments, because these contain their own gravity.
+ * disturbance does not affect a navigator on increments, because the host's increments already contain its effect.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_BAD_STATE: steps have been made.
@@ -2358,7 +2389,7 @@ SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struc
  * of records, also on an error.
  *
  * SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
- * sins_get_truth_summary() counts them.
+ * if sins_options.truth_summary is on, sins_truth_summary.gaps is their number.
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
  * SINS_ERROR_BAD_STATE: navigating on increments.
  *
@@ -2525,7 +2556,7 @@ SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *sna
  * statistics can be merged. The library starts no thread.
  *
  * What all runs share is computed once a step, and runs are flown side by side: a run takes a fraction of the time of a
- * simulator, and about 2 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
+ * simulator, and 1.7 to 2.6 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
  *
  * After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
  *
@@ -2554,13 +2585,13 @@ SINS_API sins_status SINS_CALL sins_ensemble_push_sample(
 /*
  * Flies one sample interval with all runs that have not diverged. No allocation, no system call.
  *
- * A run has diverged if sins_step() would return SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR for it. A diverged run keeps the
- * solution before that step, and is not flown any further. sins_ensemble_get_diverged() reports it, and
- * sins_ensemble_get_statistics() counts it. The other runs and the truth continue, even if all runs have diverged.
- * sins_ensemble_reposition() and sins_ensemble_reset() start all runs again.
+ * A run has diverged if its solution leaves its limits (SINS_ERROR_DIVERGED of sins_step()), or comes too close to a pole in
+ * geographic axes (SINS_ERROR_SINGULAR). A diverged run is not flown any further, and its reads return SINS_ERROR_DIVERGED.
+ * sins_ensemble_get_diverged() reports it, and sins_ensemble_get_statistics() counts it. The other runs and the truth
+ * continue, even if all runs have diverged. sins_ensemble_reposition() and sins_ensemble_reset() start all runs again.
  *
  * SINS_NEED_SAMPLE: no complete interval is waiting. SINS_ERROR_SINGULAR: the truth is too close to a pole, in geographic
- * axes or for an alignment by gyrocompass; the step is not made.
+ * axes or for an alignment by gyrocompassing; the step is made for no run.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_step(sins_ensemble *ensemble);
 
@@ -2645,8 +2676,8 @@ SINS_API sins_status SINS_CALL sins_ensemble_get_diverged(sins_ensemble *ensembl
 
 /*
  * Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. sins_statistics_merge() adds
- * those of other runs at the same moment. Within 20 km of the Earth's axis (SINS_NAVIGATION_NEAR_POLE of the truth) velocity and
- * misalignment have no meaning. No allocation, no system call.
+ * those of other runs at the same moment. Within 20 km of the Earth's axis (SINS_NAVIGATION_NEAR_POLE of the truth) the up
+ * misalignment and the east and north components of the velocity error have no meaning. No allocation, no system call.
  *
  * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
  * the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.
@@ -2717,9 +2748,9 @@ SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_acce
  * smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the distance
  * between the manoeuvres.
  *
- * Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
- * to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
- * and heading need no pieces.
+ * Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece is up to
+ * 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch and
+ * heading need no pieces.
  *
  * On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
  *
@@ -3041,8 +3072,9 @@ SINS_API sins_status SINS_CALL sins_scene_get_value(
  * Sets up to 4096 values of the scene, all or none. values is a terminated text in UTF-8. Each line is path = value, with a path
  * as in sins_scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written as in the text of a
  * scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default, and sets a single element to
- * 0. If a value is set twice, the last one counts. gyro.preset replaces all errors of the gyros, and accelerometer.preset those
- * of the accelerometers. flight.file and flight.builtin replace the flight.
+ * 0. If a value is set twice, the last one counts. gyro.preset replaces all errors of the gyros, accelerometer.preset those
+ * of the accelerometers, before the other lines are applied, wherever it stands. flight.file and flight.builtin replace the
+ * flight.
  *
  * The scene is then checked as sins_scene_parse() checks a text. Set values that depend on each other in one call, such as the
  * kind of a manoeuvre and its quantities.

@@ -52,19 +52,19 @@ package Sins is
    SINS_VERSION_MINOR : constant := 1;
    --  Patch number of this release.
    SINS_VERSION_PATCH : constant := 0;
-   --  A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
-   --  sins_snapshot_size().
+   --  A buffer of this size holds every snapshot of a simulator that this release saves. For a library newer than this header
+   --  ask sins_snapshot_size(); for an ensemble ask sins_ensemble_snapshot_size().
    SINS_SNAPSHOT_MAX_SIZE : constant := 20480;
 
    --  Result of a call: SINS_OK is 0, a negative status is an error, a positive status is neither. After an error nothing has
-   --  changed.
+   --  changed, with the exceptions under Errors.
    subtype sins_status is Integer_32;
 
    --  Values of a sins_status: 0 is success, a negative status is an error, a positive status is neither.
    subtype sins_status_code is Integer_32;
    --  The call did what it says.
    SINS_OK : constant sins_status_code := 0;
-   --  There is no complete interval yet: push the next sample.
+   --  There is no sample yet, or no complete interval: push the next sample.
    SINS_NEED_SAMPLE : constant sins_status_code := 1;
    --  No options meet the requirement; the outputs hold the best options there are.
    SINS_REQUIREMENT_NOT_MET : constant sins_status_code := 2;
@@ -91,9 +91,10 @@ package Sins is
    SINS_ERROR_DISCONTINUITY : constant sins_status_code := -7;
    --  The queue of samples is full: step first.
    SINS_ERROR_QUEUE_FULL : constant sins_status_code := -8;
-   --  The solution diverged: it left its limits. The last good solution stays readable.
+   --  The solution diverged: it left its limits. The last good solution of a simulator stays readable; that of a run of an
+   --  ensemble does not.
    SINS_ERROR_DIVERGED : constant sins_status_code := -9;
-   --  The mechanization in geographic axes came too close to a pole.
+   --  Too close to a pole: the mechanization in geographic axes, or within 64 km an alignment by gyrocompassing.
    SINS_ERROR_SINGULAR : constant sins_status_code := -10;
    --  A buffer is too small for the result.
    SINS_ERROR_BUFFER_TOO_SMALL : constant sins_status_code := -11;
@@ -215,7 +216,8 @@ package Sins is
    --  its first value. It is not flagged, because it looks like valid data.
    SINS_FAILURE_STUCK : constant sins_failure_kind := 1;
    --  No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
-   --  altimeter nothing stabilizes the vertical channel, which is flagged SINS_NAVIGATION_VERTICAL_UNAIDED.
+   --  altimeter nothing stabilizes the vertical channel of SINS_VERTICAL_DAMPED; this is flagged
+   --  SINS_NAVIGATION_VERTICAL_UNAIDED.
    SINS_FAILURE_DEAD : constant sins_failure_kind := 2;
    --  An additional bias, of the field size. Not flagged.
    SINS_FAILURE_BIAS_STEP : constant sins_failure_kind := 3;
@@ -224,7 +226,7 @@ package Sins is
    SINS_FAILURE_SPIKES : constant sins_failure_kind := 4;
    --  Additional white noise of the field density; for the altimeter, its mean over the interval. Not flagged.
    SINS_FAILURE_NOISE : constant sins_failure_kind := 5;
-   --  Sample intervals are lost: the output is 0 there, and flagged as with SINS_FAILURE_DEAD. Either each interval is lost
+   --  Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
    --  independently with the field probability, or one interval is lost every interval_s, the first immediately.
    SINS_FAILURE_DROP_OUTS : constant sins_failure_kind := 6;
 
@@ -235,7 +237,8 @@ package Sins is
    --  The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
    --  turned by the given and the drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense
    --  no horizontal force. Gyrocompassing then finds the heading at which the levelled rate of the gyros points north.
-   --  SINS_NAVIGATION_NORTH_UNKNOWN is set if north could not be found.
+   --  SINS_NAVIGATION_NORTH_UNKNOWN is set if the sensor errors hide north. Within 64 km of a pole the start returns
+   --  SINS_ERROR_SINGULAR.
    SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS : constant sins_alignment := 1;
 
    --  Flags of a sins_flight_sample.
@@ -499,7 +502,7 @@ package Sins is
       earth : Integer_32 := 0;
       --  Normal gravity, of enum sins_gravity.
       gravity : Integer_32 := 0;
-      --  Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins_axes.
+      --  Directions of the body axes and of the sensor axes, of enum sins_axes.
       axes : Integer_32 := 0;
       --  Ideal signals, of enum sins_signal.
       signal : Integer_32 := 0;
@@ -507,8 +510,8 @@ package Sins is
       seed : Unsigned_64 := 0;
       --  Number of the run in an ensemble: the same seed with another run gives other random numbers.
       run : Unsigned_64 := 0;
-      --  Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s. Must be 0 with
-      --  another signal.
+      --  Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s, for which max_gap_s
+      --  must be at most 7.5 s. Must be 0 with another signal.
       closed_loop_time_s : double := 0.0;
       --  Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a stated period, each
       --  sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
@@ -528,9 +531,10 @@ package Sins is
    end record with Convention => C;
    type sins_options_array is array (size_t range <>) of aliased sins_options with Convention => C;
 
-   --  True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from velocity
-   --  and attitude; position enters only through gravity and curvature. Vibration above a tenth of the sample rate cannot be
-   --  recovered from samples; give angular rate and specific force if you have them.
+   --  True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from velocity and
+   --  attitude, and from angular rate and specific force if the sample carries them. Position enters only through gravity and
+   --  curvature, unless the samples have no velocity: then the velocity is derived from the positions. Vibration above a tenth
+   --  of the sample rate cannot be recovered from samples; give angular rate and specific force if you have them.
    type sins_flight_sample is record
       --  sizeof(sins_flight_sample)
       struct_size : Unsigned_32 := SINS_SIZEOF_FLIGHT_SAMPLE;
@@ -556,10 +560,11 @@ package Sins is
       pitch_rad : double := 0.0;
       --  Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
       heading_rad : double := 0.0;
-      --  With SINS_SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this instant, each up to
-      --  1000 rad/s [rad/s].
+      --  With SINS_SAMPLE_ANGULAR_RATE: angular rate of the vehicle against inertial space along the body axes at this instant,
+      --  each up to 1000 rad/s [rad/s].
       angular_rate_rad_s : sins_double_3 := (others => 0.0);
-      --  With SINS_SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each up to 1e5 m/s2 [m/s2].
+      --  With SINS_SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body axes at this instant, each up to
+      --  1e5 m/s2 [m/s2].
       specific_force_m_s2 : sins_double_3 := (others => 0.0);
       --  With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C]; linear
       --  from one sample to the next. Needed while temperature coefficients are set: the push of a sample without it then returns
@@ -602,11 +607,12 @@ package Sins is
    --  misalignment, asymmetry, nonlinearity), on the true specific force (g-sensitivity, g2-sensitivity) and on temperature; then
    --  biases and noise; then dead zone, range, quantization.
    --
-   --  Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean signal of a
-   --  subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect of a vibration of
-   --  frequency f. With x = pi f dt, nonlinearity and rectification are too small by the fraction 1 - (sin x / x)^2. Asymmetry is
-   --  too small by up to the fraction 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample
-   --  rate, these fractions are 0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with one.
+   --  Asymmetry, nonlinearity, dead zone and range, g2-sensitivity of the gyros, and vibration rectification of the accelerometers
+   --  act on the mean signal of a subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces
+   --  the effect of a vibration of frequency f. With x = pi f dt, nonlinearity and rectification are too small by the fraction 1 -
+   --  (sin x / x)^2. Asymmetry is too small by up to the fraction 1 - cos x, if the vibration changes the sign of the signal. If f
+   --  is a tenth of the sample rate, these fractions are 0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with
+   --  one.
    type sins_gyro_params is record
       --  sizeof(sins_gyro_params)
       struct_size : Unsigned_32 := SINS_SIZEOF_GYRO_PARAMS;
@@ -796,9 +802,10 @@ package Sins is
       kind : Integer_32 := 0;
       --  Must be 0.
       reserved2 : Unsigned_32 := 0;
-      --  Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
+      --  Bias step, spikes: size, up to 100 rad/s for a gyro, 1e4 m/s2 for an accelerometer, 1e5 m for the altimeter [u].
       size : double := 0.0;
-      --  Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
+      --  Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
+      --  [u sqrt(s)].
       density : double := 0.0;
       --  Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
       interval_s : double := 0.0;
@@ -924,7 +931,8 @@ package Sins is
       pitch_rad : double := 0.0;
       --  Heading, clockwise from true north, 0 to 2 pi [rad].
       heading_rad : double := 0.0;
-      --  Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
+      --  Attitude quaternion, scalar first: rotates from body axes to east-north-up; from sensor axes while navigating on
+      --  increments.
       quaternion_nb : sins_double_4 := (others => 0.0);
       --  Flags of enum sins_navigation_flags, or'ed.
       flags : Integer_32 := 0;
@@ -945,8 +953,8 @@ package Sins is
       height_m : double := 0.0;
       --  Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
-      --  Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
-      --  to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
+      --  Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
+      --  east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
       misalignment_enu_rad : sins_double_3 := (others => 0.0);
       --  Error of roll, wrapped to -pi to pi [rad].
       roll_rad : double := 0.0;
@@ -1003,7 +1011,8 @@ package Sins is
       pitch_rad : double := 0.0;
       --  Heading, clockwise from true north, 0 to 2 pi [rad].
       heading_rad : double := 0.0;
-      --  Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
+      --  Attitude quaternion, scalar first: rotates from body axes to east-north-up; from sensor axes while navigating on
+      --  increments.
       quaternion_nb : sins_double_4 := (others => 0.0);
       --  Flags of enum sins_navigation_flags, or'ed.
       flags : Integer_32 := 0;
@@ -1059,8 +1068,8 @@ package Sins is
       height_m : double := 0.0;
       --  Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
       velocity_enu_m_s : sins_double_3 := (others => 0.0);
-      --  Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from sensor axes
-      --  to east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
+      --  Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
+      --  east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
       misalignment_enu_rad : sins_double_3 := (others => 0.0);
       --  Error of roll, wrapped to -pi to pi [rad].
       roll_rad : double := 0.0;
@@ -1121,7 +1130,7 @@ package Sins is
       inconsistency_max_m : double := 0.0;
       --  Number of samples flagged SINS_NAVIGATION_INCONSISTENT.
       inconsistent_samples : Unsigned_64 := 0;
-      --  Number of intervals flown since the start or the last reposition: one less than the number of samples.
+      --  Number of intervals flown since the start or the last reposition.
       intervals : Unsigned_64 := 0;
       --  Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times closed_loop_time_s after the
       --  start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
@@ -1134,8 +1143,9 @@ package Sins is
    --  Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
    --  and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
    --  sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
-   --  contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Rates, accelerations and
-   --  forces are means from one sample to the next. Each ..._at_s is the time stamp of the sample at which the value was found.
+   --  contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are means
+   --  from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
+   --  samples. Each ..._at_s is the time stamp of the sample at which the value was found.
    type sins_truth_summary is record
       --  sizeof(sins_truth_summary)
       struct_size : Unsigned_32 := SINS_SIZEOF_TRUTH_SUMMARY;
@@ -1260,8 +1270,8 @@ package Sins is
       count : Integer_32 := 0;
       --  Must be 0.
       reserved2 : Unsigned_32 := 0;
-      --  Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of the first part, x, y,
-      --  z of the second part, and so on [rad].
+      --  Integral of the angular rate against inertial space over each part: x, y, z of the first part, x, y, z of the second
+      --  part, and so on [rad]. The rotation in each part, and in the interval, must be less than half a turn.
       angle_rad : sins_double_5_3 := (others => (others => 0.0));
       --  Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
       velocity_m_s : sins_double_5_3 := (others => (others => 0.0));
@@ -1393,7 +1403,8 @@ package Sins is
       sinusoid_count : Integer_32 := 0;
       --  Duration, 1e-3 to 1e8 [s].
       duration_s : double := 0.0;
-      --  Time in which the manoeuvre builds up, and time in which it dies out; each at most half of the duration. 0: 5 s [s].
+      --  Time in which the manoeuvre builds up, and time in which it dies out, 1e-3 to 1e8; 0: 5 s [s]. If it is longer than
+      --  half of the duration, half of the duration is used.
       ramp_s : double := 0.0;
       --  Change of speed; the speed must stay between 0 and 10 km/s [m/s].
       speed_change_m_s : double := 0.0;
@@ -1460,8 +1471,8 @@ package Sins is
       reserved2 : Unsigned_32 := 0;
       --  Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
       duration_s : double := 0.0;
-      --  Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s), and if duration_s is longer than
-      --  the flight.
+      --  Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s). 0 also if duration_s is longer
+      --  than the flight: sins_scene_write() rejects such a scene.
       flown_s : double := 0.0;
       --  Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz].
       rate_hz : double := 0.0;
@@ -1492,9 +1503,10 @@ package Sins is
       kind : Integer_32 := 0;
       --  Must be 0.
       reserved2 : Unsigned_32 := 0;
-      --  Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
+      --  Bias step, spikes: size, up to 100 rad/s for a gyro, 1e4 m/s2 for an accelerometer, 1e5 m for the altimeter [u].
       size : double := 0.0;
-      --  Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
+      --  Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
+      --  [u sqrt(s)].
       density : double := 0.0;
       --  Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
       interval_s : double := 0.0;
@@ -1671,11 +1683,11 @@ package Sins is
       --  The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
       --  out. Empty in the first row.
       field : sins_char_48 := (others => nul);
-      --  Length of the contribution to the position error, the largest in the flight [m].
+      --  Length of the contribution to the position error, the largest at up to 1000 instants of the flight [m].
       position_m : double := 0.0;
-      --  Length of the contribution to the velocity error, the largest in the flight [m/s].
+      --  Length of the contribution to the velocity error, the largest at these instants [m/s].
       velocity_m_s : double := 0.0;
-      --  Length of the contribution to the misalignment, the largest in the flight [rad].
+      --  Length of the contribution to the misalignment, the largest at these instants [rad].
       attitude_rad : double := 0.0;
       --  Length of the contribution to the position error at the end of the flight [m].
       end_position_m : double := 0.0;
@@ -1845,7 +1857,8 @@ package Sins is
    --  SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
    --  SINS_ERROR_BAD_STATE: navigating on increments.
    --
-   --  If no INS can start there (a pole, in geographic axes), the reads and the next step return the error.
+   --  If no INS can start there (too close to a pole, in geographic axes or for gyrocompassing), the reads and the next step
+   --  return the error.
    function sins_reposition (sim : sins_sim; sample : sins_flight_sample) return sins_status
      with Import, Convention => C, External_Name => "sins_reposition";
 
@@ -1957,7 +1970,7 @@ package Sins is
 
    --  Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
    --  reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
-   --  disturbance does not affect a navigator on increments, because these contain their own gravity.
+   --  disturbance does not affect a navigator on increments, because the host's increments already contain its effect.
    --
    --  SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
    --  SINS_ERROR_BAD_STATE: steps have been made.
@@ -1977,7 +1990,7 @@ package Sins is
    --  of records, also on an error.
    --
    --  SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
-   --  sins_get_truth_summary() counts them.
+   --  if sins_options.truth_summary is on, sins_truth_summary.gaps is their number.
    --  SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
    --  SINS_ERROR_BAD_STATE: navigating on increments.
    --
@@ -2128,7 +2141,7 @@ package Sins is
    --  statistics can be merged. The library starts no thread.
    --
    --  What all runs share is computed once a step, and runs are flown side by side: a run takes a fraction of the time of a
-   --  simulator, and about 2 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
+   --  simulator, and 1.7 to 2.6 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
    --
    --  After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
    --
@@ -2153,13 +2166,13 @@ package Sins is
 
    --  Flies one sample interval with all runs that have not diverged. No allocation, no system call.
    --
-   --  A run has diverged if sins_step() would return SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR for it. A diverged run keeps the
-   --  solution before that step, and is not flown any further. sins_ensemble_get_diverged() reports it, and
-   --  sins_ensemble_get_statistics() counts it. The other runs and the truth continue, even if all runs have diverged.
-   --  sins_ensemble_reposition() and sins_ensemble_reset() start all runs again.
+   --  A run has diverged if its solution leaves its limits (SINS_ERROR_DIVERGED of sins_step()), or comes too close to a pole in
+   --  geographic axes (SINS_ERROR_SINGULAR). A diverged run is not flown any further, and its reads return SINS_ERROR_DIVERGED.
+   --  sins_ensemble_get_diverged() reports it, and sins_ensemble_get_statistics() counts it. The other runs and the truth
+   --  continue, even if all runs have diverged. sins_ensemble_reposition() and sins_ensemble_reset() start all runs again.
    --
    --  SINS_NEED_SAMPLE: no complete interval is waiting. SINS_ERROR_SINGULAR: the truth is too close to a pole, in geographic
-   --  axes or for an alignment by gyrocompass; the step is not made.
+   --  axes or for an alignment by gyrocompassing; the step is made for no run.
    function sins_ensemble_step (ensemble : sins_ensemble) return sins_status
      with Import, Convention => C, External_Name => "sins_ensemble_step";
 
@@ -2234,8 +2247,8 @@ package Sins is
      with Import, Convention => C, External_Name => "sins_ensemble_get_diverged";
 
    --  Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. sins_statistics_merge()
-   --  adds those of other runs at the same moment. Within 20 km of the Earth's axis (SINS_NAVIGATION_NEAR_POLE of the truth)
-   --  velocity and misalignment have no meaning. No allocation, no system call.
+   --  adds those of other runs at the same moment. Within 20 km of the Earth's axis (SINS_NAVIGATION_NEAR_POLE of the truth) the up
+   --  misalignment and the east and north components of the velocity error have no meaning. No allocation, no system call.
    --
    --  SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
    --  the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.
@@ -2297,9 +2310,9 @@ package Sins is
    --  smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the distance
    --  between the manoeuvres.
    --
-   --  Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece is up
-   --  to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch
-   --  and heading need no pieces.
+   --  Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece is up to
+   --  600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch and
+   --  heading need no pieces.
    --
    --  On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
    --
@@ -2590,8 +2603,9 @@ package Sins is
    --  Sets up to 4096 values of the scene, all or none. values is a terminated text in UTF-8. Each line is path = value, with a
    --  path as in sins_scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written as in the text of
    --  a scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default, and sets a single element
-   --  to 0. If a value is set twice, the last one counts. gyro.preset replaces all errors of the gyros, and accelerometer.preset
-   --  those of the accelerometers. flight.file and flight.builtin replace the flight.
+   --  to 0. If a value is set twice, the last one counts. gyro.preset replaces all errors of the gyros, accelerometer.preset those
+   --  of the accelerometers, before the other lines are applied, wherever it stands. flight.file and flight.builtin replace the
+   --  flight.
    --
    --  The scene is then checked as sins_scene_parse() checks a text. Set values that depend on each other in one call, such as the
    --  kind of a manoeuvre and its quantities.

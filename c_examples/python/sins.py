@@ -41,8 +41,8 @@ VERSION_MAJOR = 0
 VERSION_MINOR = 1
 # Patch number of this release.
 VERSION_PATCH = 0
-# A buffer of this size holds every snapshot that this release saves. For a library newer than this header ask
-# sins.snapshot_size().
+# A buffer of this size holds every snapshot of a simulator that this release saves. For a library newer than this header
+# ask sins.snapshot_size(); for an ensemble ask sins.ensemble_snapshot_size().
 SNAPSHOT_MAX_SIZE = 20480
 DEG = 0.017453292519943295  # degree [rad]
 ARCMIN = 0.0002908882086657216  # minute of arc [rad]
@@ -150,7 +150,7 @@ class status_code(enum.IntEnum):
     """Values of a sins.status: 0 is success, a negative status is an error, a positive status is neither.
 
     OK: The call did what it says.
-    NEED_SAMPLE: There is no complete interval yet: push the next sample.
+    NEED_SAMPLE: There is no sample yet, or no complete interval: push the next sample.
     REQUIREMENT_NOT_MET: No options meet the requirement; the outputs hold the best options there are.
     SCENE_HAS_FAULTS: The text of a scene has faults. The handle was made, but only sins.scene_get_fault() and
         sins.scene_destroy() accept it.
@@ -168,8 +168,10 @@ class status_code(enum.IntEnum):
     ERROR_DISCONTINUITY: The truth jumped: a gap of more than max_gap_s, a jump of position, velocity or attitude,
         or a turn of 170 degrees or more between two samples. See sins.move_truth().
     ERROR_QUEUE_FULL: The queue of samples is full: step first.
-    ERROR_DIVERGED: The solution diverged: it left its limits. The last good solution stays readable.
-    ERROR_SINGULAR: The mechanization in geographic axes came too close to a pole.
+    ERROR_DIVERGED: The solution diverged: it left its limits. The last good solution of a simulator stays
+        readable; that of a run of an ensemble does not.
+    ERROR_SINGULAR: Too close to a pole: the mechanization in geographic axes, or within 64 km an alignment by
+        gyrocompassing.
     ERROR_BUFFER_TOO_SMALL: A buffer is too small for the result.
     ERROR_OUT_OF_MEMORY: No memory, or no free handle; on Windows too few TLS indexes (see Unloading).
     ERROR_SNAPSHOT: The bytes are not a snapshot, or are one that is damaged or of a newer release.
@@ -373,15 +375,15 @@ class failure_kind(enum.IntEnum):
     FAILURE_STUCK: The output stays at its mean over the interval before the failure, as sins.imu reported it;
         without such an interval, at its first value. It is not flagged, because it looks like valid data.
     FAILURE_DEAD: No signal. A gyro or an accelerometer gives 0, and is flagged sins.IMU_..._INVALID, as by a
-        built-in test. Without the altimeter nothing stabilizes the vertical channel, which is flagged
-        sins.NAVIGATION_VERTICAL_UNAIDED.
+        built-in test. Without the altimeter nothing stabilizes the vertical channel of sins.VERTICAL_DAMPED; this is
+        flagged sins.NAVIGATION_VERTICAL_UNAIDED.
     FAILURE_BIAS_STEP: An additional bias, of the field size. Not flagged.
     FAILURE_SPIKES: Rectangular pulses of height size and length duration_s, one every interval_s, the first
         immediately. A sample of the altimeter shows their mean over its interval. Flagged only where they saturate
         the output.
     FAILURE_NOISE: Additional white noise of the field density; for the altimeter, its mean over the interval. Not
         flagged.
-    FAILURE_DROP_OUTS: Sample intervals are lost: the output is 0 there, and flagged as with sins.FAILURE_DEAD.
+    FAILURE_DROP_OUTS: Sample intervals are lost: in each of them the output acts as with sins.FAILURE_DEAD.
         Either each interval is lost independently with the field probability, or one interval is lost every
         interval_s, the first immediately.
     """
@@ -403,8 +405,8 @@ class alignment(enum.IntEnum):
     ALIGNMENT_LEVEL_AND_GYROCOMPASS: The INS starts with the attitude that levelling and gyrocompassing at rest
         find with the sensor errors of the start, turned by the given and the drawn misalignment. Levelling comes
         first: it finds the tilt at which the accelerometers sense no horizontal force. Gyrocompassing then finds the
-        heading at which the levelled rate of the gyros points north. sins.NAVIGATION_NORTH_UNKNOWN is set if north
-        could not be found.
+        heading at which the levelled rate of the gyros points north. sins.NAVIGATION_NORTH_UNKNOWN is set if the
+        sensor errors hide north. Within 64 km of a pole the start returns sins.ERROR_SINGULAR.
     """
 
     ALIGNMENT_GIVEN = 0
@@ -691,12 +693,12 @@ class options(_Struct):
     error_model: Error differential equations, of enum sins.error_model.
     earth: Ellipsoid, of enum sins.earth.
     gravity: Normal gravity, of enum sins.gravity.
-    axes: Axes of gyros, accelerometers, quaternions and optional sample fields, of enum sins.axes.
+    axes: Directions of the body axes and of the sensor axes, of enum sins.axes.
     signal: Ideal signals, of enum sins.signal.
     seed: Seed of all random streams.
     run: Number of the run in an ensemble: the same seed with another run gives other random numbers.
     closed_loop_time_s: Time constant of sins.SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0:
-        30 s. Must be 0 with another signal.
+        30 s, for which max_gap_s must be at most 7.5 s. Must be 0 with another signal.
     sample_period_s: Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a
         stated period, each sample is at an exact multiple of the period from the first. The time stamps then serve
         only to order and to check the samples: each must be within 0.4 of a period of its multiple.
@@ -736,8 +738,10 @@ class options(_Struct):
 
 class flight_sample(_Struct):
     """True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from
-    velocity and attitude; position enters only through gravity and curvature. Vibration above a tenth of the sample
-    rate cannot be recovered from samples; give angular rate and specific force if you have them.
+    velocity and attitude, and from angular rate and specific force if the sample carries them. Position enters only
+    through gravity and curvature, unless the samples have no velocity: then the velocity is derived from the
+    positions. Vibration above a tenth of the sample rate cannot be recovered from samples; give angular rate and
+    specific force if you have them.
 
     flags: Flags of enum sins.sample_flags, or'ed.
     time_s: Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins.options.max_gap_s. Large
@@ -752,10 +756,10 @@ class flight_sample(_Struct):
         the turn that the angular rates predict, or, without rates, that the previous interval predicts. Additional
         whole turns between two samples cannot be detected.
     heading_rad: Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
-    angular_rate_rad_s[3]: With sins.SAMPLE_ANGULAR_RATE: rate against inertial space in sensor axes at this
-        instant, each up to 1000 rad/s [rad/s].
-    specific_force_m_s2[3]: With sins.SAMPLE_SPECIFIC_FORCE: specific force in sensor axes at this instant, each
-        up to 1e5 m/s2 [m/s2].
+    angular_rate_rad_s[3]: With sins.SAMPLE_ANGULAR_RATE: angular rate of the vehicle against inertial space along
+        the body axes at this instant, each up to 1000 rad/s [rad/s].
+    specific_force_m_s2[3]: With sins.SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body
+        axes at this instant, each up to 1e5 m/s2 [m/s2].
     temperature_c: With sins.SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant,
         -273.15 to 1000 [deg C]; linear from one sample to the next. Needed while temperature coefficients are set:
         the push of a sample without it then returns sins.ERROR_INVALID_ARGUMENT, because a forgotten flag would
@@ -820,12 +824,12 @@ class gyro_params(_Struct):
     factor, misalignment, asymmetry, nonlinearity), on the true specific force (g-sensitivity, g2-sensitivity) and on
     temperature; then biases and noise; then dead zone, range, quantization.
 
-    Asymmetry, nonlinearity, dead zone and range, and the accelerometers' vibration rectification, act on the mean
-    signal of a subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the
-    effect of a vibration of frequency f. With x = pi f dt, nonlinearity and rectification are too small by the
-    fraction 1 - (sin x / x)^2. Asymmetry is too small by up to the fraction 1 - cos x, if the vibration changes the
-    sign of the signal. If f is a tenth of the sample rate, these fractions are 0.8 % and 1.2 % with two subsamples
-    per interval, 3.2 % and 4.9 % with one.
+    Asymmetry, nonlinearity, dead zone and range, g2-sensitivity of the gyros, and vibration rectification of the
+    accelerometers act on the mean signal of a subsample, whose length is dt = interval / (updates_per_sample *
+    subsamples). The mean reduces the effect of a vibration of frequency f. With x = pi f dt, nonlinearity and
+    rectification are too small by the fraction 1 - (sin x / x)^2. Asymmetry is too small by up to the fraction 1 -
+    cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample rate, these fractions are
+    0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with one.
 
     bias_rad_s[3]: Constant bias, measured less true [rad/s], -100 to 100.
     bias_sigma_rad_s[3]: Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100.
@@ -1034,8 +1038,10 @@ class failure(_Struct):
     u is rad/s for a gyro, m/s2 for an accelerometer, m for the altimeter.
 
     kind: Kind of the failure, of enum sins.failure_kind.
-    size: Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
-    density: Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
+    size: Bias step, spikes: size, up to 100 rad/s for a gyro, 1e4 m/s2 for an accelerometer, 1e5 m for the
+        altimeter [u].
+    density: Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the
+        altimeter [u sqrt(s)].
     interval_s: Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
     duration_s: Spikes: length of one spike, 1e-9 s to interval_s [s].
     probability: Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
@@ -1181,7 +1187,8 @@ class record_solution(_Struct):
     roll_rad: Roll, right wing down positive, -pi to pi [rad].
     pitch_rad: Pitch, nose up positive, -pi/2 to pi/2 [rad].
     heading_rad: Heading, clockwise from true north, 0 to 2 pi [rad].
-    quaternion_nb[4]: Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
+    quaternion_nb[4]: Attitude quaternion, scalar first: rotates from body axes to east-north-up; from sensor axes
+        while navigating on increments.
     flags: Flags of enum sins.navigation_flags, or'ed.
     """
 
@@ -1211,8 +1218,8 @@ class record_errors(_Struct):
     velocity_enu_m_s[3]: Velocity error [m/s]: difference of the components, each in the east-north-up axes of its
         own position.
     misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C
-        turns vectors from sensor axes to east-north-up. In the error model it is of first order: computed C = (I -
-        [phi x]) true C.
+        turns vectors from body axes to east-north-up. In the error model it is of first order: computed C = (I - [phi
+        x]) true C.
     roll_rad: Error of roll, wrapped to -pi to pi [rad].
     pitch_rad: Error of pitch [rad].
     heading_rad: Error of heading, wrapped to -pi to pi [rad].
@@ -1269,7 +1276,8 @@ class navigation(_Struct):
     roll_rad: Roll, right wing down positive, -pi to pi [rad].
     pitch_rad: Pitch, nose up positive, -pi/2 to pi/2 [rad].
     heading_rad: Heading, clockwise from true north, 0 to 2 pi [rad].
-    quaternion_nb[4]: Attitude quaternion, scalar first: rotates from sensor axes to east-north-up.
+    quaternion_nb[4]: Attitude quaternion, scalar first: rotates from body axes to east-north-up; from sensor axes
+        while navigating on increments.
     flags: Flags of enum sins.navigation_flags, or'ed.
     """
 
@@ -1339,8 +1347,8 @@ class errors(_Struct):
     velocity_enu_m_s[3]: Velocity error [m/s]: difference of the components, each in the east-north-up axes of its
         own position.
     misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C
-        turns vectors from sensor axes to east-north-up. In the error model it is of first order: computed C = (I -
-        [phi x]) true C.
+        turns vectors from body axes to east-north-up. In the error model it is of first order: computed C = (I - [phi
+        x]) true C.
     roll_rad: Error of roll, wrapped to -pi to pi [rad].
     pitch_rad: Error of pitch [rad].
     heading_rad: Error of heading, wrapped to -pi to pi [rad].
@@ -1396,8 +1404,7 @@ class accuracy(_Struct):
     inconsistency_max_m: Largest difference, in one interval, between the displacement by the host's velocities
         and the one by its positions [m].
     inconsistent_samples: Number of samples flagged sins.NAVIGATION_INCONSISTENT.
-    intervals: Number of intervals flown since the start or the last reposition: one less than the number of
-        samples.
+    intervals: Number of intervals flown since the start or the last reposition.
     trim_rate_max_rad_s: Largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times
         closed_loop_time_s after the start [rad/s]. It shows the error of the signal generator and the mechanization
         themselves. 0 with physical signals.
@@ -1435,8 +1442,9 @@ class truth_summary(_Struct):
     units and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and
     give arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions.
     Knots instead of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too
-    large. Rates, accelerations and forces are means from one sample to the next. Each ..._at_s is the time stamp of
-    the sample at which the value was found.
+    large. Accelerations are means from one sample to the next. So are rates and forces, unless the samples carry
+    them; then they are the values at the samples. Each ..._at_s is the time stamp of the sample at which the value
+    was found.
 
     intervals: Number of intervals flown.
     gaps: Number of intervals that are gaps (see sins.GAP).
@@ -1562,8 +1570,9 @@ class imu_increment(_Struct):
 
     interval_s: Length of the whole interval, 5e-5 to 10 [s].
     count: Number of parts, 1 to 5.
-    angle_rad[15]: Integral of the angular rate against inertial space over each part, up to 1e3 rad: x, y, z of
-        the first part, x, y, z of the second part, and so on [rad].
+    angle_rad[15]: Integral of the angular rate against inertial space over each part: x, y, z of the first part,
+        x, y, z of the second part, and so on [rad]. The rotation in each part, and in the interval, must be less than
+        half a turn.
     velocity_m_s[15]: Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s].
     """
 
@@ -1713,8 +1722,8 @@ class manoeuvre(_Struct):
     kind: Kind of the manoeuvre, of enum sins.manoeuvre_kind.
     sinusoid_count: Number of sinusoids, 1 to 6.
     duration_s: Duration, 1e-3 to 1e8 [s].
-    ramp_s: Time in which the manoeuvre builds up, and time in which it dies out; each at most half of the
-        duration. 0: 5 s [s].
+    ramp_s: Time in which the manoeuvre builds up, and time in which it dies out, 1e-3 to 1e8; 0: 5 s [s]. If it
+        is longer than half of the duration, half of the duration is used.
     speed_change_m_s: Change of speed; the speed must stay between 0 and 10 km/s [m/s].
     height_change_m: Change of height; the climb angle must stay below 64 degrees [m].
     heading_change_rad: Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad
@@ -1790,8 +1799,8 @@ class scene_setup(_Struct):
     has_temperature: 1: samples get the temperature below; 0: samples get no temperature.
     quiet: 1: a program shows neither progress nor summary; 0: it does.
     duration_s: Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
-    flown_s: Duration that will be flown; read only [s]. 0 for a log (see sins.log_info.duration_s), and if
-        duration_s is longer than the flight.
+    flown_s: Duration that will be flown; read only [s]. 0 for a log (see sins.log_info.duration_s). 0 also if
+        duration_s is longer than the flight: sins.scene_write() rejects such a scene.
     rate_hz: Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz].
     temperature_c: Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if has_temperature is
         0 [deg C].
@@ -1824,8 +1833,10 @@ class planned_failure(_Struct):
     from_s: Start of the failure, 0 to 1e9 since the start of the flight [s].
     until_s: End of the failure, likewise; 0: the end of the flight [s].
     kind: Kind of the failure, of enum sins.failure_kind.
-    size: Bias step, spikes: size, up to 100 rad/s, 1e4 m/s2, 1e5 m [u].
-    density: Noise: density, in the unit of the sensor's random walk N, up to 100, 1e4, 1e5 [u sqrt(s)].
+    size: Bias step, spikes: size, up to 100 rad/s for a gyro, 1e4 m/s2 for an accelerometer, 1e5 m for the
+        altimeter [u].
+    density: Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the
+        altimeter [u sqrt(s)].
     interval_s: Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
     duration_s: Spikes: length of one spike, 1e-9 s to interval_s [s].
     probability: Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
@@ -2032,9 +2043,10 @@ class budget_row(_Struct):
     effect[32]: Name of the effect, such as "gyro turn-on bias", terminated; in the first row "mechanization".
     field[48]: The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there
         leaves the effect out. Empty in the first row.
-    position_m: Length of the contribution to the position error, the largest in the flight [m].
-    velocity_m_s: Length of the contribution to the velocity error, the largest in the flight [m/s].
-    attitude_rad: Length of the contribution to the misalignment, the largest in the flight [rad].
+    position_m: Length of the contribution to the position error, the largest at up to 1000 instants of the flight
+        [m].
+    velocity_m_s: Length of the contribution to the velocity error, the largest at these instants [m/s].
+    attitude_rad: Length of the contribution to the misalignment, the largest at these instants [rad].
     end_position_m: Length of the contribution to the position error at the end of the flight [m].
     end_velocity_m_s: Length of the contribution to the velocity error at the end of the flight [m/s].
     end_attitude_rad: Length of the contribution to the misalignment at the end of the flight [rad].
@@ -2342,7 +2354,8 @@ def reposition(sim, sample):
     sins.ERROR_INVALID_ARGUMENT: as sins.push_sample().
     sins.ERROR_BAD_STATE: navigating on increments.
 
-    If no INS can start there (a pole, in geographic axes), the reads and the next step return the error.
+    If no INS can start there (too close to a pole, in geographic axes or for gyrocompassing), the reads and the next
+    step return the error.
     """
 
 
@@ -2481,7 +2494,8 @@ def get_mounting(sim, mounting):
 def set_gravity_disturbance(sim, params):
     """Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
     reposition. A reset brings the same field back; after a reposition the field continues from its current values.
-    The disturbance does not affect a navigator on increments, because these contain their own gravity.
+    The disturbance does not affect a navigator on increments, because the host's increments already contain its
+    effect.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     sins.ERROR_BAD_STATE: steps have been made.
@@ -2506,7 +2520,7 @@ def run(sim, samples, every, records, written):
     the number of records, also on an error.
 
     sins.GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
-    sins.get_truth_summary() counts them.
+    if sins.options.truth_summary is on, sins.truth_summary.gaps is their number.
     sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
     sins.ERROR_BAD_STATE: navigating on increments.
 
@@ -2686,7 +2700,7 @@ def ensemble_create(configured, first_run, runs, ensemble):
     and their statistics can be merged. The library starts no thread.
 
     What all runs share is computed once a step, and runs are flown side by side: a run takes a fraction of the time
-    of a simulator, and about 2 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it
+    of a simulator, and 1.7 to 2.6 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it
     allocates.
 
     After an error *ensemble is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason.
@@ -2717,13 +2731,14 @@ def ensemble_push_sample(ensemble, sample):
 def ensemble_step(ensemble):
     """Flies one sample interval with all runs that have not diverged. No allocation, no system call.
 
-    A run has diverged if sins.step() would return sins.ERROR_DIVERGED or sins.ERROR_SINGULAR for it. A diverged run
-    keeps the solution before that step, and is not flown any further. sins.ensemble_get_diverged() reports it, and
-    sins.ensemble_get_statistics() counts it. The other runs and the truth continue, even if all runs have diverged.
-    sins.ensemble_reposition() and sins.ensemble_reset() start all runs again.
+    A run has diverged if its solution leaves its limits (sins.ERROR_DIVERGED of sins.step()), or comes too close to a
+    pole in geographic axes (sins.ERROR_SINGULAR). A diverged run is not flown any further, and its reads return
+    sins.ERROR_DIVERGED. sins.ensemble_get_diverged() reports it, and sins.ensemble_get_statistics() counts it. The
+    other runs and the truth continue, even if all runs have diverged. sins.ensemble_reposition() and
+    sins.ensemble_reset() start all runs again.
 
     sins.NEED_SAMPLE: no complete interval is waiting. sins.ERROR_SINGULAR: the truth is too close to a pole, in
-    geographic axes or for an alignment by gyrocompass; the step is not made.
+    geographic axes or for an alignment by gyrocompassing; the step is made for no run.
     """
 
 
@@ -2821,7 +2836,8 @@ def ensemble_get_diverged(ensemble, index, run):
 def ensemble_get_statistics(ensemble, source, statistics):
     """Reads the statistics of the errors of all runs at this moment; source is of enum sins.errors_source.
     sins.statistics_merge() adds those of other runs at the same moment. Within 20 km of the Earth's axis
-    (sins.NAVIGATION_NEAR_POLE of the truth) velocity and misalignment have no meaning. No allocation, no system call.
+    (sins.NAVIGATION_NEAR_POLE of the truth) the up misalignment and the east and north components of the velocity
+    error have no meaning. No allocation, no system call.
 
     sins.NEED_SAMPLE: no sample yet. sins.ERROR_INVALID_ARGUMENT: no such source. sins.ERROR_BAD_STATE:
     sins.ERRORS_MODEL while the error model is off. sins.ERROR_SINGULAR: before the first step, no run can start at
@@ -2898,7 +2914,7 @@ def flight_create(start, manoeuvres, flight):
     forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
     manoeuvres[0].struct_size is the distance between the manoeuvres.
 
-    Not for a real-time frame: it allocates, and integrates the path in pieces, about 20 us and 0.5 KB each. A piece
+    Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece
     is up to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of
     roll, pitch and heading need no pieces.
 
@@ -3259,8 +3275,8 @@ def scene_set_values(scene, values):
     with a path as in sins.scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written
     as in the text of a scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the
     default, and sets a single element to 0. If a value is set twice, the last one counts. gyro.preset replaces all
-    errors of the gyros, and accelerometer.preset those of the accelerometers. flight.file and flight.builtin replace
-    the flight.
+    errors of the gyros, accelerometer.preset those of the accelerometers, before the other lines are applied,
+    wherever it stands. flight.file and flight.builtin replace the flight.
 
     The scene is then checked as sins.scene_parse() checks a text. Set values that depend on each other in one call,
     such as the kind of a manoeuvre and its quantities.

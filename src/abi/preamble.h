@@ -40,8 +40,8 @@
  *   return SINS_ERROR_INTERNAL. The other errors of a function are listed at the function, or under Threads and Unloading. A
  *   positive status is not an error. With SINS_NEED_SAMPLE the output is unchanged, with SINS_REQUIREMENT_NOT_MET it is
  *   written, with SINS_SCENE_HAS_FAULTS there is a handle, and with SINS_GAP everything was done. Test for errors by
- *   status < 0. sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a struct,
- *   sins_status_string() the name of the status.
+ *   status < 0. sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a
+ *   struct, sins_status_string() the name of the status.
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
  *   do. A call takes less than 48 KB of stack, so a thread with a stack of 64 KB is enough.
  *   Nested calls: if a thread is inside a call on a handle, and calls another function with the same handle, the second call

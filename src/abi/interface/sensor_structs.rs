@@ -15,11 +15,11 @@ Effects act in this order, along the path of the signal: bandwidth; then errors 
 misalignment, asymmetry, nonlinearity), on the true specific force (g-sensitivity, g2-sensitivity) and on temperature; then
 biases and noise; then dead zone, range, quantization.
 
-Asymmetry, nonlinearity, dead zone and range, g2-sensitivity of the gyros, and vibration rectification of the accelerometers act
-on the mean signal of a subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the effect
-of a vibration of frequency f. With x = pi f dt, nonlinearity and rectification are too small by the fraction 1 - (sin x / x)^2. Asymmetry is
-too small by up to the fraction 1 - cos x, if the vibration changes the sign of the signal. If f is a tenth of the sample rate,
-these fractions are 0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with one.";
+Asymmetry, nonlinearity, dead zone and range, g2-sensitivity of the gyros, and vibration rectification of the accelerometers
+act on the mean signal of a subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the
+effect of a vibration of frequency f. With x = pi f dt, nonlinearity and rectification are too small by the fraction 1 - (sin
+x / x)^2. Asymmetry is too small by up to the fraction 1 - cos x, if the vibration changes the sign of the signal. If f is a
+tenth of the sample rate, these fractions are 0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with one.";
 
 const ACCEL_DOC: &str = "\
 Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
