@@ -1,4 +1,4 @@
-//! Texts that no one writes, through the C functions: an answer to each, in bounded time.
+//! Unusual and faulty texts, through the C functions. Each has an answer in bounded time.
 
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
@@ -9,10 +9,10 @@ use sins::scene::{MAX_FAULTS, MAX_TEXT};
 
 use crate::support::init;
 
-/// Any text is answered within this, on a slow machine too: 100 MB are read once.
+/// Limit of the time for any text, also on a slow machine. The longest case reads 100 MB once.
 const LONGEST: Duration = Duration::from_secs(30);
 
-/// Processor time of this thread, because other tests run beside it; where the system does not state it, the time of day.
+/// Processor time of this thread, because other tests run in parallel. If the system does not report it, the time of day.
 fn time_of_thread() -> Duration {
     let statistics = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     match statistics.split(' ').next().and_then(|ran_ns| ran_ns.parse().ok()) {
@@ -26,7 +26,7 @@ fn sentence(fault: &sins_fault) -> String {
     unsafe { CStr::from_ptr(fault.sentence.as_ptr()) }.to_str().unwrap().to_owned()
 }
 
-/// The faults of a scene: line, column, sentence; none is a scene, which is written and read back.
+/// The faults of a scene: line, column, sentence. A text without faults is a scene and can be written.
 fn faults(name: &str, text: &[u8]) -> Vec<(u64, u64, String)> {
     let begin = time_of_thread();
     let (mut scene, mut fault, mut faults) = (null_mut(), init::<sins_fault>(), Vec::new());
@@ -48,7 +48,7 @@ fn faults(name: &str, text: &[u8]) -> Vec<(u64, u64, String)> {
     faults
 }
 
-/// The fault of a log; `None`: it is one.
+/// The fault of a log: line, column, sentence. `None` if the text is a log.
 fn log_fault(name: &str, text: &[u8]) -> Option<(u64, u64, String)> {
     let begin = time_of_thread();
     let (mut log, mut fault) = (null_mut(), init::<sins_fault>());
@@ -66,7 +66,7 @@ fn log_fault(name: &str, text: &[u8]) -> Option<(u64, u64, String)> {
     Some((fault.line, fault.column, sentence(&fault)))
 }
 
-/// `unit` as often as a scene has room for.
+/// `begin`, and then `unit` as often as a scene's text has room for.
 fn full(begin: &str, unit: &str) -> Vec<u8> {
     let mut text = begin.to_owned();
     while text.len() + unit.len() <= MAX_TEXT {
@@ -200,7 +200,7 @@ fn a_full_text_has_an_answer() {
     }
     let begin = "[flight]\ntitle = \"";
     let title = [&full(begin, "x")[..MAX_TEXT - 40], b"\"\nbuiltin = \"rest\"\n"].concat();
-    // It is a scene, but with its comments its text is longer than a text may be.
+    // It is a scene, but the text that is written has comments too, which make it longer than `MAX_TEXT`.
     let mut scene = null_mut();
     // SAFETY: a text with its size, a place for the handle, a living one.
     unsafe {
@@ -215,7 +215,7 @@ fn a_full_text_has_an_answer() {
     let keys = (0..1_000_000).map(|k| format!("k{k} = 1\n")).collect::<String>();
     assert!(faults("a million keys", keys.as_bytes())[0].2.contains("at most"));
     assert!(faults("100 MB", &vec![b'#'; 100 << 20])[0].2.contains("at most"));
-    // SAFETY: no text is read behind null.
+    // SAFETY: the function does not read through a null pointer.
     assert_eq!(unsafe { sins_scene_parse(null(), usize::MAX, &mut null_mut()) }, SINS_ERROR_NULL_POINTER);
 }
 

@@ -1,4 +1,4 @@
-//! Scenes as texts: what is read, what is written, and what is wrong with a text.
+//! Scenes as texts: reading, writing, and the faults of a text.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::Path;
 use sins::math::{SPLIT_MIX_STEP, mix};
 use sins::scene::{BUILTIN_SCENES, Fault, FlightSource, MAX_FAULTS, MAX_TEXT, Scene, keys};
 
-/// The scenes of the examples.
+/// The text of an example scene.
 fn example(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("c_examples/scenes");
     fs::read_to_string(folder.join(name).with_extension("toml")).unwrap()
@@ -41,7 +41,7 @@ fn a_scene_that_is_written_reads_back_to_the_bit() {
     }
 }
 
-/// A number generator of its own (Vigna's SplitMix64), so that each round is the same.
+/// A separate number generator (Vigna's SplitMix64), so that each run of the test draws the same numbers.
 struct Draws(u64);
 
 impl Draws {
@@ -59,7 +59,7 @@ impl Draws {
     }
 }
 
-/// What stands before and behind the line of a key, for a scene in which that key has its place.
+/// The text before and after the line of a key, such that the key is valid.
 fn around(section: &str, name: &str) -> (String, String) {
     const REST: &str = "[[manoeuvre]]\nkind = \"rest\"\nduration_s = 10\n";
     let flying = |manoeuvre: &str| format!("[flight]\nspeed_m_s = 200\n[[manoeuvre]]\nkind = {manoeuvre}\n");
@@ -118,8 +118,8 @@ fn around(section: &str, name: &str) -> (String, String) {
     (before, behind.to_owned())
 }
 
-/// Each key of a number, in its unit and in SI, with 50 values of all digits: what is accepted is written and read again to
-/// the same scene, and at least ten are accepted of each, so that the test has seen them all.
+/// Each key of a number, in its unit and in SI, with up to 50 accepted values of all digits. An accepted value is written
+/// and read again to the same scene. At least ten values of each key must be accepted, so that the test covers every key.
 #[test]
 fn every_key_is_read_written_and_read_again_to_the_same_value() {
     let mut draws = Draws(1);
@@ -129,7 +129,7 @@ fn every_key_is_read_written_and_read_again_to_the_same_value() {
             let mut accepted = 0;
             for round in 0..400 {
                 let mut value = draws.number().abs();
-                // A roll ends as it begins.
+                // A roll needs whole turns: it ends with the roll angle of its begin.
                 if key.takes == "a whole number" || key.name == "turns" {
                     value = 1.0 + (round % 5) as f64;
                 }
@@ -267,8 +267,8 @@ fn any_bytes_have_an_answer() {
     assert_eq!(read(marked).flight, FlightSource::Builtin("rest".to_owned()));
 }
 
-/// Each text of the examples with a byte altered, removed or doubled, 8000 in all: an answer, and a scene that is read is
-/// written and read again.
+/// Each example text with one byte altered, removed or doubled, 8000 texts in all. Each text has an answer, and an
+/// accepted scene is written and read again.
 #[test]
 fn altered_texts_have_an_answer() {
     let mut draws = Draws(2);
