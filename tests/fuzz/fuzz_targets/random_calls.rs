@@ -2,9 +2,10 @@
 //!
 //!     random_calls [--calls N] [--seconds S] [--first SEED] [--folder FOLDER] [FILE...]
 //!
-//! Sequence after sequence, from SEED (0) on: seed k makes the same calls every time, so that two processes can share a
-//! range. Each kind of failure is told once, with its seed and the fewest calls that show it, and kept in FOLDER (.), where
-//! random_calls.seed has the seed at work, should the process die. FILE: the calls of a kept sequence are told.
+//! Runs one sequence for each seed from SEED (default 0). Seed k always makes the same calls, so that processes can share a
+//! range. Each kind of failure is reported once, with its seed and the fewest calls that show it, and saved in FOLDER
+//! (default .). If the process dies, random_calls-SEED.seed in FOLDER has the current seed. FILE: prints the calls of a
+//! saved sequence.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -15,10 +16,10 @@ use std::{fs, io};
 use sins_fuzz::minimal::{catch_failures, failure, kind, minimal};
 use sins_fuzz::{Random, Record, records, trace};
 
-/// Records of a sequence at the most.
+/// Largest number of records of a sequence.
 const LONGEST: u64 = 1024;
 
-/// Between two lines that tell how far it is.
+/// Time between two lines of progress.
 const REPORT: Duration = Duration::from_secs(30);
 
 fn sequence(seed: u64) -> Vec<Record> {
@@ -53,7 +54,7 @@ fn arguments() -> Result<Arguments, String> {
     Ok(arguments)
 }
 
-/// Tells the calls of a sequence, and how it fails.
+/// Prints the calls of a sequence and its failure.
 fn tell(sequence: &[Record]) -> Option<String> {
     trace::tell(true);
     let failure = failure(sequence);
