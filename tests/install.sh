@@ -109,7 +109,7 @@ echo "== find_package"
 cmake_hosts "$hosts/installed" -DCMAKE_PREFIX_PATH="$moved"
 grep -F "sins_DIR:PATH=$moved/" "$hosts/installed/CMakeCache.txt" || fail "find_package found another sins"
 
-echo "== add_subdirectory" # with the cargo build of above
+echo "== add_subdirectory" # with the libraries that cargo built above
 cmake_hosts "$hosts/together" -DSINS_SOURCE="$PWD" -DSINS_CARGO_TARGET_DIR="$out/build/cargo"
 
 echo "== Windows by a cross compiler: configured"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The programs of tests/c with the library under AddressSanitizer, ThreadSanitizer and valgrind. Each tool must first find a
-# planted mistake. The first two need nightly Rust. Tests that could not run, or take too long to build, are reported at the end.
+# The programs of tests/c with the library under AddressSanitizer, ThreadSanitizer and valgrind. Each tool must first find a planted
+# mistake. The first two need nightly Rust. Tests that could not run, or take too long to build, are reported at the end.
 # SINS_LIB_DIR: a folder with a libsins.so, used for valgrind instead of building one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
