@@ -71,7 +71,7 @@ int main() {
             std::printf("line %d: %s\n", static_cast<int>(fault.line), fault.sentence);
 
         sins::Scene scene{std::string(text)};
-        auto altimeter = scene.altimeter(); /* what the text leaves out is ideal: change it, and write the scene out */
+        auto altimeter = scene.altimeter(); /* the text sets no altimeter, so it is ideal: change it and write the scene */
         altimeter.bias_m = 10.0;
         scene.set_altimeter(altimeter);
         std::printf("%d bytes of TOML\n", static_cast<int>(scene.write().size()));

@@ -39,7 +39,7 @@ static void fail(const char *what, const char *why)
     exit(1);
 }
 
-/* PATH.NUMBER and the ending. The text is valid until the next call. */
+/* The file name PATH.NUMBER with the ending. The text is valid until the next call. */
 static const char *numbered(const char *path, int number, const char *ending)
 {
     static char name[4096];
@@ -50,7 +50,7 @@ static const char *numbered(const char *path, int number, const char *ending)
     return name;
 }
 
-/* The bytes of a file. NULL: there is no such file. */
+/* The bytes of a file, or NULL if the file does not exist. */
 static char *read_file(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");

@@ -115,7 +115,7 @@ SINS_LOADER_INLINE int sins_loader_unload(sins_loader_library library)
 
 #endif
 
-/* Writes the address of a function to a function pointer. C has no cast from one to the other that all compilers take. */
+/* Writes the address of a function to a function pointer. C has no cast between these types that all compilers accept. */
 SINS_LOADER_INLINE int sins_loader_find(sins_loader_library library, const char *name, void *pointer)
 {
     sins_loader_address address = sins_loader_look_up(library, name);
