@@ -177,8 +177,7 @@ static int get_sample(struct host *host, size_t k, sins_flight_sample *sample)
                                             sample));
 }
 
-/* Prints the navigation and its errors: navigation minus truth, and the errors of the error equations if the scene turns them on.
- * */
+/* Prints the navigation and its errors: navigation minus truth, and by the error equations if the scene turns them on. */
 static void print_row(const sins_record *record)
 {
     const double *errors = record->navigation_errors.position_enu_m, *model = record->model_errors.position_enu_m;

@@ -131,8 +131,7 @@ static int fly_with(const char *path)
 
 #if defined(_WIN32)
 
-/* The arguments of main() are in a code page, which lacks most letters. Compilers of mingw need -municode for this main function.
- * */
+/* The arguments of main() are in a code page, which lacks most letters. Compilers of mingw need -municode for this function. */
 #if defined(__cplusplus)
 extern "C"
 #endif

@@ -151,7 +151,7 @@ SINS_LOADER_INLINE int sins_loader_close(sins_loader *loader)
 
 /*
  * Loads the library of this path, UTF-8 on Windows too, and finds its functions. The system searches for a path without a
- * folder: LoadLibrary() beside the program first, dlopen() only in LD_LIBRARY_PATH and among the system's libraries.
+ * folder: LoadLibrary() in the program's folder first, dlopen() only in LD_LIBRARY_PATH and among the system's libraries.
  *
  * Returns 1 if the library is loaded. Returns 0 if the file is missing, is not a library, is for programs of another word size, is
  * not sins, has another version of the interface than sins.h, or is older than sins.h and lacks a function. Then message has the

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes packages for machines without Rust in target/dist, with SHA256SUMS. docs/packages.md lists the content of each package.
 #
-#     release/package.sh [linux-x86_64] [linux-arm64] [windows-x64] [windows-x86] [fmu]       none: all five
+#     release/package.sh [linux-x86_64] [linux-arm64] [windows-x64] [windows-x86] [fmu]       default: all five
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh

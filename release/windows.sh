@@ -25,8 +25,7 @@ need llvm llvm-dlltool
 has_nightly
 
 linker=CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER
-# All builds use the unit's linker: with another linker, cargo would build everything again, including the standard
-# library.
+# All builds use the unit's linker: with another linker, cargo would build everything again, including the standard library.
 export RELATIVE_LINKER=$mingw-gcc UNIT_LINKER=$PWD/release/relative_linker.sh "$linker=$PWD/release/fmu_linker.sh"
 built=target/$target/release
 work=target/release-windows/$arch
@@ -90,8 +89,7 @@ cp "$built/sins.dll" "$out"
 
 { printf 'LIBRARY sins.dll\nEXPORTS\n'; functions | sed 's/^/    /'; } >"$out/sins.def"
 llvm-dlltool -m "$machine" -d "$out/sins.def" -l "$out/sins.lib"
-# Each tool makes the import library of its own linker. The archive contains the names of this tool's temporary and output
-# files.
+# Each tool makes the import library of its own linker. The archive contains the names of this tool's temporary and output files.
 (cd "$work" && "$mingw-dlltool" --deterministic-libraries --temp-prefix sins -d "$out/sins.def" -l libsins.dll.a)
 mv "$work/libsins.dll.a" "$out"
 

@@ -101,8 +101,7 @@ pictures() {
     [ -f "$folder/$1${2:-}_manoeuvre.png" ] || fail "not all pages were shown"
 }
 
-# check ARCH BITS OTHER: runs all tests, or the part that the usage above states. OTHER: word size of the DLL that must be
-# rejected.
+# check ARCH BITS OTHER: runs all tests, or the part that the usage above states. OTHER: word size of the DLL that must be rejected.
 check() {
     folder=$PWD/target/emulator/$2
     rm -rf "$folder"

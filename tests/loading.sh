@@ -4,8 +4,7 @@
 #
 #     tests/loading.sh COMPILER LIBRARY [RUNNER...]
 #
-# COMPILER: a compiler with its options, for the library's system and word size. RUNNER: runs its programs if this machine
-# cannot.
+# COMPILER: a compiler with its options, for the library's system and word size. RUNNER: runs its programs if this machine cannot.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh

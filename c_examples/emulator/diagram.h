@@ -104,7 +104,7 @@ private:
         }
     };
 
-    /* The largest unit of which a range has at least two. */
+    /* The largest unit that fits into a range at least twice. */
     static Unit unit_for(Quantity quantity, Range range) {
         const std::vector<Unit> &units = UNITS[quantity];
         double size = max(std::fabs(range.low), std::fabs(range.high));

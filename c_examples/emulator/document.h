@@ -144,8 +144,7 @@ private:
     std::string saved_ = scene.write(); /* text of the scene when it was opened or saved */
 };
 
-/* A page of the main window. The value of a field is set in the scene when the user leaves the
- * field. */
+/* A page of the main window. The value of a field is set in the scene when the user leaves the field. */
 class Page : public Form {
 public:
     explicit Page(Document &document) : Form(document.scene), document_(document) {}

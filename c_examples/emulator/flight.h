@@ -117,8 +117,7 @@ public:
         set_pace(pace_);
     }
 
-    /* Writes the records so far in the format of `sins fly`, or the measured increments of each
-     * interval. */
+    /* Writes the records so far in the format of `sins fly`, or the measured increments of each interval. */
     void write(const fs::path &path, bool increments) {
         auto held = hold();
         (increments ? *increments_ : records_).copy(path);

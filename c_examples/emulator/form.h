@@ -35,7 +35,7 @@ protected:
         }
     }
 
-    void enable_fields(const std::string &begin, bool enabled) const { /* the fields whose paths begin so */
+    void enable_fields(const std::string &begin, bool enabled) const { /* the fields whose paths begin with `begin` */
         for (const Field &field : fields_)
             if (field.path.starts_with(begin))
                 EnableWindow(field.control, enabled);

@@ -72,8 +72,7 @@ private:
         return row < effects_.size() ? effects_[row] : NULL;
     }
 
-    /* Sets a value and drops the input in the fields of the effect. Input in other fields stays, also with faults.
-     * */
+    /* Sets a value and drops the input in the fields of the effect. Input in other fields stays, also with faults. */
     void change(const std::string &path, const std::string &value) {
         Changes all = changes();
         std::erase_if(all, [this](auto &other) { return other.first.starts_with(bound_->path(is_in_si_)); });

@@ -18,8 +18,7 @@
 #define IDC_TABS 890
 #define IDC_STATUS 891
 
-/* Several controls have these numbers: headings, which are bold, and fields that a label binds to a
- * key. */
+/* Several controls have these numbers: headings, which are bold, and fields that a label binds to a key. */
 #define IDC_HEADING 900
 #define IDC_FIELD 901
 

@@ -111,8 +111,7 @@ inline bool is_about(const sins_fault &fault, const std::string &path) {
 /* Values by their paths, without the quotes of words and texts. "" stands for the default. */
 typedef std::map<std::string, std::string> Changes;
 
-/* A scene that can be copied and whose values the user changes. A change with faults does not change the scene.
- * */
+/* A scene that can be copied and whose values the user changes. A change with faults does not change the scene. */
 class Scene : public sins::Scene {
 public:
     Scene(sins::Scene &&own = {}) : sins::Scene(std::move(own)) {}

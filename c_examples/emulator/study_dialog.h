@@ -11,8 +11,7 @@ struct Result {
 
 typedef std::vector<sins_flight_sample> Piece;
 
-/* One kind of study: its texts, the largest number of samples, and its call. `last` is a duration or a number of
- * runs. */
+/* One kind of study: its texts, the largest number of samples, and its call. `last` is a duration or a number of runs. */
 struct Kind {
     const char *title, *last, *last_tip, *columns;
     size_t most;

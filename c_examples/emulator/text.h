@@ -82,8 +82,7 @@ inline std::wstring label(const std::string &name, const std::string &otherwise)
     return found == all_texts().end() ? wide(otherwise) : found->second;
 }
 
-/* A text of the resources by its name, with values for %1, %2, ... Without such a text: the name itself.
- * */
+/* A text of the resources by its name, with values for %1, %2, ... Without such a text: the name itself. */
 inline std::wstring text(const std::string &name, const Texts &values = {}) {
     std::wstring result = label(name, name);
     for (size_t k = values.size(); k-- > 0;) {

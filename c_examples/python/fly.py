@@ -57,7 +57,7 @@ def fly(scene, setup):
 
 
 def draw(records, title, path):
-    """Draws the errors: navigation minus truth, and over them those of the error differential equations, if these were on."""
+    """Draws the errors: navigation minus truth, and over them the errors of the error differential equations, if these were on."""
     hours, model = records["time_s"] / 3600, records["model_errors"]
     rows = [("position_enu_m", 1e3, "position [km]"), ("velocity_enu_m_s", 1, "velocity [m/s]"),
             ("misalignment_enu_rad", sins.ARCSEC, "misalignment [arcsec]")]

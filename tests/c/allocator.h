@@ -32,8 +32,7 @@ static inline int allocator_refuses(void)
     return allocator_good == 0;
 }
 
-/* Size of a block [bytes]. 0 with AddressSanitizer: its malloc_usable_size() knows only the blocks of its own
- * allocator. */
+/* Size of a block [bytes]. 0 with AddressSanitizer: its malloc_usable_size() knows only the blocks of its own allocator. */
 static inline long allocator_size(void *memory)
 {
 #ifdef __SANITIZE_ADDRESS__

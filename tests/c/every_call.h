@@ -29,8 +29,7 @@ static inline void every_read(sins_sim *sim, every_call_answer *answer, void *co
     EVERY_CALL(sins_get_covariance(sim, &covariance));
 }
 
-/* All functions of a simulator except for sins_destroy() and sins_last_error(), which return another
- * status. */
+/* All functions of a simulator except for sins_destroy() and sins_last_error(), which return another status. */
 static inline void every_call(sins_sim *sim, every_call_answer *answer, void *context)
 {
     sins_gyro_params gyro = scene_gyro();

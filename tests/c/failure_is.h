@@ -87,8 +87,7 @@ static inline void plant(sins_sim *sim)
     CHECK(sim == NULL || sins_set_failure(sim, 4711, 0, &failure) == SINS_ERROR_INVALID_ARGUMENT);
 }
 
-/* Asserts that a call that returned `status` left its own failure either on the thread or on the
- * simulator. */
+/* Asserts that a call that returned `status` left its own failure either on the thread or on the simulator. */
 static inline void left(sins_sim *sim, const char *call, sins_status status)
 {
     int on_thread = strstr(sentence_of(NULL), "4711") == NULL;

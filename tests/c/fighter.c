@@ -1,5 +1,4 @@
-/* Flies a scene with its log by the library alone, in few lines. Prints the errors at the end, like c_examples/harness.c.
- * */
+/* Flies a scene with its log by the library alone, in few lines. Prints the errors at the end, like c_examples/harness.c. */
 
 #include <stdio.h>
 

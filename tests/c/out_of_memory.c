@@ -18,8 +18,7 @@ static sins_status create(void)
     return status;
 }
 
-/* Prints the heap memory of a simulator after its creation. Of the later calls on it, only loading a snapshot allocates.
- * */
+/* Prints the heap memory of a simulator after its creation. Of the later calls on it, only loading a snapshot allocates. */
 static void print_size(const char *name, int32_t error_model, int32_t covariance)
 {
     sins_options options = {.struct_size = sizeof options};
@@ -97,8 +96,7 @@ static sins_status load_ensemble(void)
     return status;
 }
 
-/* Functions of scenes and the parser of logs allocate their memory first. Without memory they report it and change
- * nothing. */
+/* Functions of scenes and the parser of logs allocate their memory first. Without memory they report it and change nothing. */
 static void starve_scenes(void)
 {
     sins_scene *scene = scene_of_text(), *made = NULL;

@@ -308,8 +308,7 @@ int main(void)
             navigators[navigator_count++] = navigator;
         }
     }
-    /* The table of handles has 4096 places, which are used in turn: a handle of the busy thread gets the place of the stale
-     * one. */
+    /* The table of handles has 4096 places, which are used in turn: a handle of the busy thread gets the place of the stale one. */
     for (i = 0; i < 4096; i++) {
         sins_sim *sim = NULL;
         CHECK(sins_create(NULL, &sim) == SINS_OK && sins_destroy(sim) == SINS_OK);

@@ -90,8 +90,7 @@ static void answers(void)
     CHECK(sins_recommend(sim, piece, COUNT, &requirement, &again, &other) == SINS_OK);
     CHECK(other.share == cost.share && other.tried == cost.tried);
 
-    /* Away from the reference point there is more to integrate. The call also works in flight and does not change the flight.
-     * */
+    /* Away from the reference point there is more to integrate. The call also works in flight and does not change the flight. */
     CHECK(sins_set_mounting(sim, &mounting) == SINS_OK);
     for (k = 0; k < 3; k++) {
         CHECK(sins_push_sample(sim, &sized[k]) == SINS_OK);

@@ -1,5 +1,4 @@
-/* sins_run gives the same bits and the same records as pushing and stepping, with any split of the flight into calls.
- * */
+/* sins_run gives the same bits and the same records as pushing and stepping, with any split of the flight into calls. */
 
 #include <string.h>
 

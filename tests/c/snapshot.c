@@ -20,8 +20,7 @@ static sins_sim *make(void)
     return make_simulator(&options, SINS_GRADE_TACTICAL);
 }
 
-/* Flies the samples from `first` on. Compares the records with the expected ones if `check`, otherwise stores them as
- * expected. */
+/* Flies the samples from `first` on. Compares the records with the expected ones if `check`, otherwise stores them as expected. */
 static void fly(sins_sim *sim, int first, int check)
 {
     int k;

@@ -143,7 +143,7 @@ static void fly(const sins_options *options)
         MEASURE(sins_push_sample(sim, &samples[k]));
         if (k == 0) {
             read_all(sim);
-            TRY(sins_push_sample(sim, &samples[k])); /* refused */
+            TRY(sins_push_sample(sim, &samples[k])); /* rejected */
             MEASURE(sins_last_error(sim, text, sizeof text, NULL));
             MEASURE(sins_last_error_info(sim, &info));
         }
@@ -200,7 +200,7 @@ static void fly_ensemble(const sins_options *options)
     MEASURE(sins_ensemble_get_navigation(ensemble, 3, &navigation));
     MEASURE(sins_ensemble_get_errors(ensemble, 4, SINS_ERRORS_NAVIGATION, &errors));
     MEASURE(sins_ensemble_get_imu(ensemble, 4, &imu));
-    TRY(sins_ensemble_get_diverged(ensemble, 0, &run)); /* none */
+    TRY(sins_ensemble_get_diverged(ensemble, 0, &run)); /* no run has diverged */
     MEASURE(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics));
     MEASURE(sins_statistics_merge(&sum, &statistics));
     MEASURE(sins_statistics_figures(&sum, &figures));

@@ -1,5 +1,4 @@
-/* A program that includes the headers, for compilers with the warnings of strict projects. Compiled, not run.
- * */
+/* A program that includes the headers, for compilers with the warnings of strict projects. Compiled, not run. */
 
 #if defined(__cplusplus) && __cplusplus >= 201103L
 #include "sins.hpp"

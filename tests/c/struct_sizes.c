@@ -18,8 +18,7 @@ static void *stating(size_t size, int filling)
     return bytes;
 }
 
-/* A struct shorter than in the first release is an error. A longer one than this release knows is valid if the tail is zero.
- * */
+/* A struct shorter than in the first release is an error. A longer one than this release knows is valid if the tail is zero. */
 #define INPUT_SIZES_SINCE(first, type, call)                                                 \
     do {                                                                                     \
         uint32_t garbage = 0xffffffffu;                                                      \

@@ -1,6 +1,5 @@
 /* Windows: in a process without a free TLS index, a call returns SINS_ERROR_OUT_OF_MEMORY and does not abort. A library that
- * was loaded while indexes were free works, and its threads end. Arguments: the library, and a copy of it to load at run
- * time. */
+ * was loaded while indexes were free works, and its threads end. Arguments: the library, and a copy of it to load at run time. */
 
 #include <string.h>
 
@@ -24,8 +23,7 @@ static void give_back_all(void)
     }
 }
 
-/* Runs in a new thread: the library creates its data of a thread in the first call and frees them at the end of the thread.
- * */
+/* Runs in a new thread: the library creates its data of a thread in the first call and frees them at the end of the thread. */
 static DWORD WINAPI fly(LPVOID unused)
 {
     static sins_flight_sample samples[SCENE_COUNT];

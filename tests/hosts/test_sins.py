@@ -89,8 +89,8 @@ class Header(unittest.TestCase):
 
     def test_fields(self):
         for name, fields in self.structs.items():
-            told = [(field, of_module(kind)) for field, kind in getattr(sins, plain(name))._fields_]
-            self.assertEqual(told, [(field.name, of_header(field.type)) for field in fields], name)
+            reported = [(field, of_module(kind)) for field, kind in getattr(sins, plain(name))._fields_]
+            self.assertEqual(reported, [(field.name, of_header(field.type)) for field in fields], name)
 
     def test_functions(self):
         for name, declaration in self.functions.items():
@@ -98,8 +98,8 @@ class Header(unittest.TestCase):
             self.assertTrue(documented.__doc__, name)
             self.assertEqual(of_module(foreign.restype), of_header(declaration.type), name)
             arguments = [of_header(one.type) for one in declaration.args.params]
-            told = [of_module(kind) for kind in foreign.argtypes] or ["char"]  # (void)
-            self.assertEqual(told, arguments, name)
+            reported = [of_module(kind) for kind in foreign.argtypes] or ["char"]  # (void)
+            self.assertEqual(reported, arguments, name)
 
 
 class Calls(unittest.TestCase):

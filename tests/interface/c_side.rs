@@ -8,8 +8,7 @@ use crate::support::c_programs::{
 };
 use crate::support::project_file;
 
-/// Size and offsets of the structs of sensor parameters, for `layout.c`. The numbers follow each other without gaps from offset
-/// 8.
+/// Size and offsets of the structs of sensor parameters, for `layout.c`. The numbers follow each other without gaps from offset 8.
 fn sensor_layout() -> String {
     let of = |name: &str, sensor: Sensor, size: usize| {
         let stated = name.replacen("sins_", "sins_sizeof_", 1).to_uppercase();

@@ -63,8 +63,7 @@ fn the_host_that_loads_the_library_flies_or_says_why_it_cannot() {
     }
 }
 
-/// Errors of position, velocity and misalignment at the end with all their digits: against the truth, and by the error
-/// equations.
+/// Errors of position, velocity and misalignment at the end with all their digits: against the truth, and by the error equations.
 type EndErrors = Vec<[String; 2]>;
 
 fn printed_end(output: &Output) -> EndErrors {

@@ -223,22 +223,22 @@ const HEADER: &str = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_
 
 #[test]
 fn a_log_of_any_bytes_has_an_answer() {
-    let told = |name: &str, text: &[u8]| log_fault(name, text).unwrap_or_else(|| panic!("{name}: a log"));
+    let reported = |name: &str, text: &[u8]| log_fault(name, text).unwrap_or_else(|| panic!("{name}: a log"));
     let long = 100 << 20;
-    assert!(told("one line of 100 MB", &vec![b'1'; long]).2.contains("at most"));
-    assert!(told("one line of 100 MB of commas", &vec![b','; long]).2.contains("at most"));
-    assert!(told("100 MB of ends of lines", &vec![b'\n'; long]).2.contains("no header"));
-    assert!(told("100 MB of comments", &b"# x\n".repeat(long / 4)).2.contains("no header"));
-    assert!(told("100 MB of quotes", &b"\"\n".repeat(long / 2)).0 >= 1);
-    assert!(told("100 MB of zero bytes", &vec![0; long]).2.contains("zero byte"));
-    assert!(told("many columns", &[b"x,".repeat(30_000), b"\n".to_vec()].concat()).2.contains("columns"));
+    assert!(reported("one line of 100 MB", &vec![b'1'; long]).2.contains("at most"));
+    assert!(reported("one line of 100 MB of commas", &vec![b','; long]).2.contains("at most"));
+    assert!(reported("100 MB of ends of lines", &vec![b'\n'; long]).2.contains("no header"));
+    assert!(reported("100 MB of comments", &b"# x\n".repeat(long / 4)).2.contains("no header"));
+    assert!(reported("100 MB of quotes", &b"\"\n".repeat(long / 2)).0 >= 1);
+    assert!(reported("100 MB of zero bytes", &vec![0; long]).2.contains("zero byte"));
+    assert!(reported("many columns", &[b"x,".repeat(30_000), b"\n".to_vec()].concat()).2.contains("columns"));
     let row = |time: &str| format!("{HEADER}0,1,2,3,4,5,6\n{time},1,2,3,4,5,6\n").into_bytes();
     for time in ["1e999", "nan", "inf", "", "0", "-1", "0x1", "1,5", "\u{661}"] {
-        assert!(told(time, &row(time)).0 == 3, "{time}");
+        assert!(reported(time, &row(time)).0 == 3, "{time}");
     }
     assert_eq!(log_fault("a long number", &row(&"9".repeat(300))), None);
-    assert_eq!(told("invalid UTF-8", &[HEADER.as_bytes(), b"0,1,2,\xff,4,5,6\n"].concat()).0, 2);
-    assert_eq!(told("a zero byte", &[HEADER.as_bytes(), b"0,1,2,\0,4,5,6\n"].concat()).0, 2);
+    assert_eq!(reported("invalid UTF-8", &[HEADER.as_bytes(), b"0,1,2,\xff,4,5,6\n"].concat()).0, 2);
+    assert_eq!(reported("a zero byte", &[HEADER.as_bytes(), b"0,1,2,\0,4,5,6\n"].concat()).0, 2);
     let crlf =
         [b"\xef\xbb\xbf", String::from_utf8(row("1")).unwrap().replace('\n', "\r\n").as_bytes()].concat();
     assert_eq!(log_fault("a mark and CRLF", &crlf), None);

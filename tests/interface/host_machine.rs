@@ -1,5 +1,4 @@
-//! Effects of a host and its machine on the library: programs in C, built and run. `tests/README.md` has the
-//! table.
+//! Effects of a host and its machine on the library: programs in C, built and run. `tests/README.md` has the table.
 
 use crate::support::c_programs::{library_folder, run_test_program, succeed, test_program};
 use crate::support::project_file;

@@ -14,8 +14,8 @@ subsamples = 9
 ";
 
 fn set(text: &str, settings: &[(&str, &str)]) -> Result<Scene, Vec<String>> {
-    let told = |faults: Vec<sins::scene::Fault>| faults.iter().map(ToString::to_string).collect();
-    Scene::parse_with(text.as_bytes(), settings).map_err(told)
+    let reported = |faults: Vec<sins::scene::Fault>| faults.iter().map(ToString::to_string).collect();
+    Scene::parse_with(text.as_bytes(), settings).map_err(reported)
 }
 
 /// A setting has the same effect as the value in the text. It may have any kind, be in SI, be in a section that the text lacks, or

@@ -56,7 +56,7 @@ fn path_of(key: &KeyLine) -> String {
 }
 
 /// Paths and sentences of faults.
-fn told(faults: Vec<Fault>) -> Vec<(String, String)> {
+fn reported(faults: Vec<Fault>) -> Vec<(String, String)> {
     faults.into_iter().map(|fault| (fault.about.path, fault.sentence)).collect()
 }
 
@@ -137,7 +137,7 @@ fn what_belongs_together_is_set_together() {
         ("manoeuvre[1].duration_s", "60"),
         ("manoeuvre[1].height_change_m", "500"),
     ];
-    let faults = told(scene.set(&climb).unwrap_err());
+    let faults = reported(scene.set(&climb).unwrap_err());
     assert_eq!(
         faults,
         [
@@ -153,7 +153,7 @@ fn what_belongs_together_is_set_together() {
     scene.set(&[&climb[..], &without].concat()).unwrap();
     assert_eq!(scene.value("manoeuvre[1].height_change_m").as_deref(), Some("500"));
     let both = [("gyro.markov_sigma_deg_h[2]", "1"), ("gyro.markov_time_s", "100")];
-    let faults = told(scene.set(&both[..1]).unwrap_err());
+    let faults = reported(scene.set(&both[..1]).unwrap_err());
     assert_eq!(faults[0].0, "gyro.markov_time_s[2]", "{faults:?}");
     scene.set(&both).unwrap();
     assert_eq!(scene.value("gyro.markov_sigma_deg_h").as_deref(), Some("[0, 0, 1]"));
@@ -226,8 +226,7 @@ fn items_are_added_moved_and_removed_by_their_texts() {
     }
 }
 
-/// A value at the stated limits of a key is accepted, unless another key is at fault. A value beyond the limits is
-/// rejected.
+/// A value at the stated limits of a key is accepted, unless another key is at fault. A value beyond the limits is rejected.
 #[test]
 fn the_limits_of_the_keys_are_those_of_the_scene() {
     let mut scene = scene();

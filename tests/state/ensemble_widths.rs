@@ -164,17 +164,17 @@ fn compare(setting: &Setting, samples: &[FlightSample], who: &str) -> usize {
         }
         for (width, ensemble) in WIDTHS.iter().zip(&ensembles) {
             for (run, (single, has_diverged)) in (FIRST_RUN..).zip(&singles) {
-                let told = ensemble.navigation(run);
+                let reported = ensemble.navigation(run);
                 if *has_diverged {
                     assert_eq!(
-                        told.unwrap_err().kind,
+                        reported.unwrap_err().kind,
                         ErrorKind::Diverged,
                         "{who}, width {width}, run {run}"
                     );
                     continue;
                 }
                 let of_ensemble = (
-                    told.unwrap(),
+                    reported.unwrap(),
                     ensemble.errors(run, ErrorSource::Navigation),
                     ensemble.errors(run, ErrorSource::Model),
                     ensemble.imu(run).unwrap(),

@@ -54,8 +54,7 @@ fn stamps_that_ran_on_are_a_reposition() {
     assert_eq!(simulator.navigation().unwrap().unwrap().time_s, at(2, 0.0).time_s);
 }
 
-/// Largest position error [m] in each third of a flight. Samples are 0.02 s apart; only those that `is_sampled` selects are
-/// pushed.
+/// Largest position error [m] in each third of a flight. Samples are 0.02 s apart; only those that `is_sampled` selects are pushed.
 fn largest_errors_m(sample: &dyn Fn(i32) -> FlightSample, is_sampled: &dyn Fn(i32) -> bool) -> [f64; 3] {
     let mut simulator = Simulator::new(&options_at(50.0)).unwrap();
     let mut largest = [0.0_f64; 3];

@@ -68,8 +68,7 @@ impl Settings {
             failure.fields.kind = kind;
             failure
         };
-        // Words 2 to 6 are size, density, interval, duration and probability. The pulse must be shorter than the
-        // interval.
+        // Words 2 to 6 are size, density, interval, duration and probability. The pulse must be shorter than the interval.
         let mut spikes = failure(SINS_FAILURE_SPIKES, &[2, 4, 5]);
         spikes.fields.interval_s = 0.5;
         let failures = vec![

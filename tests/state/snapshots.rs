@@ -10,7 +10,8 @@ fn play(simulator: &mut Simulator, calls: &[Call]) -> Vec<String> {
     calls.iter().map(|call| call.make(simulator) + &reads(simulator)).collect()
 }
 
-/// Each snapshot of each run is loaded into a new simulator with other options, and some into the one that has flown to the end.
+/// Each snapshot of each run is loaded into a new simulator with other options, and some into the simulator that has flown to
+/// the end.
 #[test]
 fn the_rest_of_a_run_is_the_same_to_the_bit() {
     for Run { name, options, calls, every } in runs() {

@@ -7,8 +7,7 @@ unset CARGO_TARGET_DIR
 # nightly may have other flags, and packages have the same bytes only with the same compiler.
 nightly=nightly-2026-05-20
 
-# has_nightly: installs this nightly Rust with the sources of its standard library, if it is missing. Fails if that is
-# impossible.
+# has_nightly: installs this nightly Rust with the sources of its standard library, if it is missing. Fails if that is impossible.
 has_nightly() {
     rustup component list --installed --toolchain "$nightly" 2>/dev/null | grep -qx rust-src ||
         rustup toolchain install "$nightly" --profile minimal --component rust-src

@@ -13,8 +13,7 @@ pub struct Circle {
     /// Distance from the Earth's centre [m].
     pub radius_m: f64,
     pub speed_m_s: f64,
-    /// Distance of the circle's plane from the Earth's centre [m]. The circle misses the point by this distance,
-    /// sideways.
+    /// Distance of the circle's plane from the Earth's centre [m]. The circle misses the point by this distance, sideways.
     pub offset_m: f64,
     /// Rotation of the circle. Without rotation, the circle passes the north pole at time 0 along longitude 0.
     pub place: UnitQuaternion<f64>,
@@ -23,8 +22,7 @@ pub struct Circle {
 }
 
 impl Circle {
-    /// A circle past the point to which `place` turns the north pole, 10 km above it, at 250 m/s, banked, pitched and
-    /// crabbing.
+    /// A circle past the point to which `place` turns the north pole, 10 km above it, at 250 m/s, banked, pitched and crabbing.
     pub fn past(place: UnitQuaternion<f64>, offset_m: f64) -> Self {
         let tilt = UnitQuaternion::new(Vector3::new(0.03, 0.2, -0.1));
         Self { radius_m: 6_366_752.0, speed_m_s: 250.0, offset_m, place, tilt }

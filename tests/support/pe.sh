@@ -1,5 +1,4 @@
-# To be sourced by the scripts of this project after release/build.sh: checks of a DLL or program as the loader of Windows sees
-# it.
+# To be sourced by the scripts of this project after release/build.sh: checks of a DLL or program as the loader of Windows sees it.
 
 # check_pe FILE PROCESSOR SYSTEM_DLL...: FILE imports from exactly these DLLs, no section is writable and executable, FILE can
 # be loaded at any address, and its data is not executable. A DLL exports exactly the functions of the header, undecorated.

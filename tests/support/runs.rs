@@ -27,7 +27,7 @@ pub struct Run {
     pub every: usize,
 }
 
-/// Options of which each differs from its default.
+/// Options that all differ from their defaults.
 pub fn unusual_options() -> Options {
     Options {
         frame: Frame::Geographic,
@@ -230,8 +230,7 @@ pub fn everything_at_once() -> Run {
     Run { name: "everything at once", options: unusual_options(), calls, every: 1 }
 }
 
-/// An IMU block away from the reference point in disturbed gravity, with a changing temperature, and failures that begin and
-/// end.
+/// An IMU block away from the reference point in disturbed gravity, with a changing temperature, and failures that begin and end.
 fn troubled_block() -> Vec<Call> {
     let (triad, first) = troubles(TriadParameters::default());
     let mut calls = flown(warming(samples(70, 0.01)));

@@ -13,8 +13,7 @@ fuzz_target!(|bytes: &[u8]| {
     run(&sequence);
 });
 
-// Whole calls are inserted, removed, duplicated and moved. libFuzzer mutates the bytes within a
-// call.
+// Whole calls are inserted, removed, duplicated and moved. libFuzzer mutates the bytes within a call.
 fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
     let mut random = Random(u64::from(seed));
     let mut sequence = records(&data[..size]);

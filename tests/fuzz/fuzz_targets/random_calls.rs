@@ -67,7 +67,7 @@ fn run(arguments: &Arguments) -> io::Result<bool> {
     fs::create_dir_all(&arguments.folder)?;
     let at_work = arguments.folder.join(format!("random_calls-{}.seed", arguments.first));
     let start = Instant::now();
-    let (mut calls, mut seed, mut told) = (0, arguments.first, start);
+    let (mut calls, mut seed, mut reported) = (0, arguments.first, start);
     let mut kinds = BTreeMap::<String, u64>::new();
     let mut is_last = false;
     while !is_last {
@@ -88,8 +88,8 @@ fn run(arguments: &Arguments) -> io::Result<bool> {
         (calls, seed) = (calls + sequence.len() as u64, seed + 1);
         let elapsed = start.elapsed();
         is_last = calls >= arguments.calls || elapsed.as_secs_f64() >= arguments.seconds;
-        if is_last || told.elapsed() > REPORT {
-            told = Instant::now();
+        if is_last || reported.elapsed() > REPORT {
+            reported = Instant::now();
             println!(
                 "{calls} calls ({} of functions) of seeds {} to {} in {:.0} s, {:.0} a second; failures: {kinds:?}",
                 trace::calls(),

@@ -34,8 +34,7 @@ fuzz_target!(|bytes: &[u8]| {
     }
 });
 
-// A word is altered or copied from another place. The other words keep their values, even if the size of this word
-// changes.
+// A word is altered or copied from another place. The other words keep their values, even if the size of this word changes.
 fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
     let mut random = Random(u64::from(seed));
     let mut words = words_of(&data[..size]);

@@ -172,8 +172,7 @@ impl Host {
         assert!(good || !merged, "statistics without figures were taken");
     }
 
-    /// A snapshot loads into any other ensemble, which then equals the saved one. A snapshot with one altered byte is
-    /// rejected.
+    /// A snapshot loads into any other ensemble, which then equals the saved one. A snapshot with one altered byte is rejected.
     fn freeze(&mut self, ensemble: *mut sins_ensemble, template: *mut sins_sim) {
         let mut other = null_mut();
         assert_eq!(call!(sins_ensemble_create(template, 4, 1, &mut other)), SINS_OK);
@@ -189,7 +188,7 @@ impl Host {
         assert_eq!(call!(sins_ensemble_destroy(other)), SINS_OK);
     }
 
-    /// Handles that are none.
+    /// Calls with invalid handles.
     fn misuse_ensemble(&mut self, dead: *mut sins_ensemble) {
         assert_eq!(call!(sins_ensemble_step(dead)), SINS_ERROR_BAD_HANDLE);
         let made_up = without_provenance_mut(self.input.word() as usize);

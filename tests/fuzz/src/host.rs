@@ -31,8 +31,7 @@ pub struct Host {
     pub flights: [*mut sins_flight; HANDLES],
     pub scene: *mut sins_scene,
     pub follower: Follower,
-    /// Number of recommendations and budgets that this sequence may still call: each takes the time of thousands of
-    /// steps.
+    /// Number of recommendations and budgets that this sequence may still call: each takes the time of thousands of steps.
     pub dear_calls: usize,
 }
 

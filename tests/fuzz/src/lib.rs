@@ -6,8 +6,7 @@
 //! - if it fails, it changes nothing that a snapshot stores, and writes no output;
 //! - after a step with SINS_OK, the solution is within the limits of the header, and its quaternion has norm 1;
 //! - a snapshot loads, and the simulator continues to the same answers, records and bits; altered bytes are rejected;
-//! - a text is a scene or a log, or it has faults with their places; a scene that is written or set reads back to the same
-//! text;
+//! - a text is a scene or a log, or it has faults with their places; a scene that is written or set reads back to the same text;
 //! - a run of an ensemble equals the single simulator of its number to the bit;
 //! - forged words are rejected, or they make a simulator that passes all these checks;
 //! - under a sanitizer: no access to memory of others.

@@ -9,8 +9,7 @@ thread_local! {
     static MESSAGE: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// Stores the message of a panic instead of printing it. Must be called before any other function of the
-/// library.
+/// Stores the message of a panic instead of printing it. Must be called before any other function of the library.
 pub fn catch_failures() {
     set_hook(Box::new(|info| {
         let place =

@@ -14,8 +14,7 @@ use crate::texts::{
     check_faults, check_log, parse_scene, set_values, some_log, some_scene, some_values, text_of, written,
 };
 
-/// Longest flight that is created [s]. A longer one takes long to create; a host reads the duration
-/// before.
+/// Longest flight that is created [s]. A longer one takes long to create; a host reads the duration before.
 const LONG_S: f64 = 1e4;
 
 impl Host {

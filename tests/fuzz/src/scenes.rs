@@ -151,8 +151,7 @@ impl Host {
         }
     }
 
-    /// Mostly goes back before the first step, where settings of the start are allowed. Returns the
-    /// place.
+    /// Mostly goes back before the first step, where settings of the start are allowed. Returns the place.
     pub fn start_again(&mut self) -> usize {
         let place = self.place();
         match self.input.byte() {

@@ -114,8 +114,7 @@ fn a_flight_at_the_ends_of_time_is_saved_and_loaded() {
     }
 }
 
-/// A gap is reported when the sample after it is pushed. The library's rule compares the interval with the two intervals before
-/// it.
+/// A gap is reported when the sample after it is pushed. The library's rule compares the interval with the two intervals before it.
 #[test]
 fn a_gap_is_told_by_its_push() {
     let mut simulator = Simulator::new(&Options::default()).unwrap();
