@@ -1,4 +1,5 @@
-/* A C++ host: reads a scene from a text, reports the faults of another, changes a setting, flies half an hour, catches an exception. */
+/* A C++ host: reads a scene from a text, reports the faults of another, changes a setting, flies half an hour and catches an
+ * exception. */
 
 #include <cstdio>
 #include <exception>

@@ -1,8 +1,9 @@
 /*
  * Checks what the controls of SINS_Emulator offer to a user besides their values:
  *
- *     controls reach M     every field of every page and dialog has a tool tip with its range, the tab key goes down or to the right, the
- *                          letter of a label leads to the field after it, and no letter of a page hides a letter of the menu, M
+ *     controls reach M     every field of every page and dialog has a tool tip with its range, the tab key goes down or to the
+ *                          right, the letter of a label leads to the field after it, and no letter of a page hides one of
+ *                          the menu, M
  *     controls language    the language changes in flight, and the flight continues to its end
  *     controls adopt       the recommended options are put into the scene, which is saved
  *     controls wheel DIR   the wheel and a double-click zoom the diagram: DIR\whole.png, DIR\near.png, DIR\far.png

@@ -10,8 +10,8 @@
  *     driver studies       cancels a study, starts another at once, closes its dialog and the window while one computes
  *     driver edit          composes manoeuvres, takes a preset, types a value in SI and for one axis, pauses, stops and resets a
  *                          flight, saves the scene
- *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line; asks for
- *                          a study beyond a limit of its struct, and prints the dialog's line
+ *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line; asks
+ *                          for a study beyond a limit of its struct, and prints the dialog's line
  */
 #include "window.h"
 
