@@ -11,7 +11,7 @@ use super::closed_form::AtRest;
 use super::{DEG, resting_sample};
 
 pub const HOUR_S: u64 = 3600;
-/// Latitude of [`resting_sample`] [rad].
+/// Latitude of `resting_sample` [rad].
 pub const LATITUDE: f64 = 39.9 * DEG;
 
 pub fn at_rest(seconds: u64, rate_hz: f64) -> Vec<FlightSample> {

@@ -218,9 +218,10 @@ pub struct Worst {
     pub misalignment_rad: f64,
 }
 
-/// Bound of the rounding errors with perfect sensors at rest within `duration_s`. The rounded attitude tilts gravity: at worst by 2
-/// g eps/ω in each half of a Schuler swing, with a random sign in each half. The sensed rate equals Earth rate to two ulps, 2.7e-20
-/// rad/s, and this error turns the vertical. Earth-fixed coordinates are rounded three times, a quaternion four times.
+/// Bound of the rounding errors with perfect sensors at rest within `duration_s`. The rounded attitude tilts gravity. At worst the
+/// tilt has one direction during half a Schuler swing, which gives a velocity of 2 g eps/ω, and a random direction in the next
+/// half. The sensed rate equals Earth rate to two ulps, 2.7e-20 rad/s, and this error turns the vertical. Earth-fixed coordinates
+/// are rounded three times, a quaternion four times.
 pub fn rounding_at_rest(duration_s: f64) -> Worst {
     let (radius_m, schuler, rate) = (6.4e6, 1.24e-3, 2.7e-20);
     let half_swings = 1.0 + duration_s * schuler / std::f64::consts::PI;
