@@ -52,7 +52,7 @@ static sins_status configure(sins_sim **sim)
     sins_gravity_params gravity;
     sins_status status;
 
-    SINS_INIT(options); /* as the host flies: here the recommended simulator, at 50 Hz */
+    SINS_INIT(options); /* a host uses its own options; here: the defaults, at 50 Hz */
     options.sample_period_s = 1.0 / RATE_HZ;
     SINS_INIT(gyro);
     SINS_INIT(accel);
@@ -95,7 +95,7 @@ static sins_status ask(const sins_flight_sample *samples)
     request.position_m = 10.0;
     SINS_INIT(budget);
     SINS_INIT(rows[0]); /* struct_size of the first row is the distance between rows */
-    if (status == SINS_OK) { /* a host gives the simulator that it flies, at any moment */
+    if (status == SINS_OK) { /* a host passes the simulator that it flies, at any time */
         status = checked(sins_error_budget(sim, samples, COUNT, &request, rows, sizeof rows / sizeof rows[0], &count, &budget),
                          NULL);
     }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the library and the C and C++ examples into target/c_examples.
-# SINS_LIB_DIR: a folder with a libsins.so to take instead of building one.
+# SINS_LIB_DIR: a folder with a libsins.so, used instead of building one.
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -19,7 +19,7 @@ cd c_examples
 
 mkdir -p "$out"
 
-# build PROGRAM COMPILER AND ITS FLAGS SOURCE...
+# build PROGRAM COMPILER FLAGS... SOURCE...
 build() {
     program=$1
     shift
@@ -31,6 +31,6 @@ build harness ${CC:-cc} -std=c99 harness.c
 build recommend ${CC:-cc} -std=c99 recommend.c
 build budget ${CC:-cc} -std=c99 budget.c
 build cpp_host ${CXX:-c++} -std=c++11 cpp_host.cpp
-# It loads the library while it runs.
+# loadlibrary loads the library at run time.
 ${CC:-cc} -std=c99 $warnings -I../include -o "$out/loadlibrary" loadlibrary.c -ldl
 echo "built in target/c_examples: minimal harness recommend budget cpp_host loadlibrary"

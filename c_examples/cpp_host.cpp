@@ -1,4 +1,5 @@
-/* A C++ host: reads a scene from a text, reports the faults of another, changes a setting, flies half an hour, catches an exception. */
+/* A C++ host: reads a scene from a text, reports the faults of another, changes a setting, flies half an hour and catches an
+ * exception. */
 
 #include <cstdio>
 #include <exception>
@@ -71,7 +72,7 @@ int main() {
             std::printf("line %d: %s\n", static_cast<int>(fault.line), fault.sentence);
 
         sins::Scene scene{std::string(text)};
-        auto altimeter = scene.altimeter(); /* what the text leaves out is ideal: change it, and write the scene out */
+        auto altimeter = scene.altimeter(); /* the text sets no altimeter, so it is ideal: change it and write the scene */
         altimeter.bias_m = 10.0;
         scene.set_altimeter(altimeter);
         std::printf("%d bytes of TOML\n", static_cast<int>(scene.write().size()));

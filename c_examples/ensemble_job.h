@@ -1,6 +1,6 @@
 /*
- * Flies the runs of a scene in blocks, and writes the table of their statistics: the part of a program that does not depend on how
- * it spreads an ensemble over threads, processes or machines. It opens no file but the table. ensemble_mpi.c is such a program.
+ * Flies the runs of a scene in blocks, and writes the table of their statistics. This part of a program does not depend on how the
+ * program spreads an ensemble over threads, processes or machines. It opens no files. ensemble_mpi.c is such a program.
  *
  * The program that includes this file defines fail(), which prints an error and ends the program.
  */
@@ -49,7 +49,7 @@ static void check(sins_status status, const char *call)
 
 static char *room(size_t size)
 {
-    char *memory = (char *)calloc(size, 1); /* C++ wants the cast */
+    char *memory = (char *)calloc(size, 1); /* C++ needs the cast */
 
     if (memory == NULL) {
         fail("memory", "there is not enough");

@@ -4,14 +4,14 @@
  *
  *     mpirun -n 4 ensemble_mpi SCENE.toml RUNS OUT.csv [LOG.csv]          a log replaces the scene's flight, and is flown whole
  *
- * Runs are flown in blocks of 64. Rank r flies the r-th of the blocks that are missing, the (r + ranks)-th and so on. All blocks take
- * the same time, so no rank needs anything from another rank before the end. Statistics are exact sums: the bytes of OUT.csv depend
- * neither on the number of ranks nor on interruptions.
+ * Runs are flown in blocks of 64. Rank r flies the r-th of the blocks that are missing, the (r + ranks)-th and so on. All blocks
+ * take the same time, so no rank needs anything from another rank before the end. Statistics are exact sums: the bytes of OUT.csv
+ * depend neither on the number of ranks nor on interruptions.
  *
  * After a block, but at most every 10 s, a rank writes all that it has flown into its file OUT.csv.N. If a rank dies, MPI ends the
  * job: the blocks of the last 10 s and those that were not complete are lost. The next start, with any number of ranks, takes the
- * blocks of all these files, flies the others into files with new numbers, and removes the files when OUT.csv is written. The blocks
- * of a damaged file are flown again.
+ * blocks of all these files, flies the others into files with new numbers, and removes the files when OUT.csv is written. The
+ * blocks of a damaged file are flown again.
  */
 
 #include <errno.h>
@@ -23,8 +23,8 @@
 
 static int rank, ranks;
 
-/* The results of a rank. In memory and in its file they are the key of the job, the statistics, a byte for each block, and a hash of
- * all these. */
+/* The results of a rank. In memory and in its file they are the key of the job, the statistics, a byte for each block, and a hash
+ * of all these. */
 struct flown {
     size_t size;
     char *bytes;
@@ -39,7 +39,7 @@ static void fail(const char *what, const char *why)
     exit(1);
 }
 
-/* PATH.NUMBER and the ending. The text is valid until the next call. */
+/* The file name PATH.NUMBER with the ending. The text is valid until the next call. */
 static const char *numbered(const char *path, int number, const char *ending)
 {
     static char name[4096];
@@ -50,7 +50,7 @@ static const char *numbered(const char *path, int number, const char *ending)
     return name;
 }
 
-/* The bytes of a file. NULL: there is no such file. */
+/* The bytes of a file, or NULL if the file does not exist. */
 static char *read_file(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");
@@ -183,7 +183,8 @@ static void fly(const char *path)
     char *bytes, part[4096];
     FILE *file;
 
-    /* Rank 0 makes the files of all ranks now, numbered after those of earlier starts. So the numbers have no gap, whichever rank dies. */
+    /* Rank 0 makes the files of all ranks now, numbered after those of earlier starts. So the numbers have no gap, whichever rank
+     * dies. */
     for (; rank == 0 && (bytes = read_file(numbered(path, files, ""), &size)) != NULL; files++) {
         free(bytes);
     }

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Builds ensemble_mpi, an ensemble on many machines, into a folder (target/c_examples): ensemble_mpi.sh [FOLDER]. Needs the
+# Builds ensemble_mpi, an ensemble on many machines, into a folder (default target/c_examples): ensemble_mpi.sh [FOLDER]. Needs the
 # compiler of an MPI: Debian's libmpich-dev or libopenmpi-dev.
-# MPICC: that compiler, mpicc unless stated. SINS_LIB_DIR: a folder with a libsins.so to take instead of building one.
+# MPICC: this compiler, default mpicc.
+# SINS_LIB_DIR: a folder with a libsins.so, used instead of building one.
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)

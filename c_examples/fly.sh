@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The main job: builds the library, the program sins and the C and C++ examples; flies one scene by the C host; flies the paper's
-# two simulations and two logs of a flight simulator by the program; draws one page of all, with the errors of simulation 2 as a
-# picture of its own. Needs Rust and a C and C++ compiler.
-# FLY_HOURS: duration of the simulations, 48 unless stated. Output: target/flights.
+# The main job: builds the library, the program sins and the C and C++ examples; flies one scene with the C host; flies the paper's
+# two simulations and two logs of a flight simulator with the program; draws one page with all flights, and the errors of simulation
+# 2 as a separate picture. Needs Rust and a C and C++ compiler.
+# FLY_HOURS: duration of the simulations [h], default 48. Output: target/flights.
 set -eu
 
 cd "$(dirname "$0")/.."
@@ -13,9 +13,9 @@ sins=$target/release/sins
 
 echo "building (some minutes, once)"
 c_examples/build.sh
-# In a folder of its own: a build of the library for the program and one as a shared library alone, as build.sh makes it, replace
-# each other in a folder of cargo, and both would be built again each time.
-# The program is not optimised across crates, which would take as long again.
+# The program is built in a separate folder. In the same folder of cargo, the library that is built for the program and the
+# shared library of build.sh would replace each other, and both would be built again each time. The program is not optimised
+# across crates, which would take as long again.
 cargo build --release --quiet -p sins-cli --target-dir "$target/program" --config profile.release.lto=false
 ln -f "$target/program/release/sins" "$sins"
 
@@ -33,13 +33,13 @@ fly() {
     "$sins" fly "$@" --out "$out"
 }
 rest="--set flight.builtin=rest"
-# An eight of the patrol takes 560 s: enough records to show it round.
+# A figure-eight of the patrol takes 560 s: these are enough records to draw it round.
 eights="--set output.every_s=10"
 for simulation in simulation1 simulation2; do
     fly $simulation --set flight.hours="$hours" $rest --name ${simulation}_rest
     fly $simulation --set flight.hours="$hours" $eights --name ${simulation}_patrol
 done
-# As in the simulations: height and vertical velocity are those of the truth, and the errors come twice.
+# As in the simulations: height and vertical velocity follow the truth, and the errors come from both error data.
 paper="--set options.vertical=follow --set options.error_model=rk4"
 fly c_examples/flights/airliner_cruise.csv $paper
 fly c_examples/flights/fighter_aerobatics.csv $paper

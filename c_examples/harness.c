@@ -4,8 +4,8 @@
  *     harness SCENE.toml [LOG.csv]     a file, as in c_examples/scenes; LOG.csv replaces the log that the scene names
  *     harness NAME                     a built-in scene: patrol, aerobatics, commuter, ...
  *
- * The calls stand in the order of every host: read the scene, open its flight, create its simulator; prepare, push, step
- * and read for each sample; destroy what was created. A flight simulator has samples of its own in place of get_sample().
+ * The calls have the order of every host: read the scene, open its flight, create its simulator; prepare, push, step and read for
+ * each sample; destroy the handles. A flight simulator uses its own samples instead of get_sample().
  */
 
 #include <errno.h>
@@ -47,7 +47,7 @@ static int done(const sins_sim *sim, sins_status status, const char *call)
     return status >= 0;
 }
 
-/* Destroys what was created, in any order. A handle that is NULL is harmless: the library returns an error. */
+/* Destroys all handles, in any order. A NULL handle is harmless: the library returns an error. */
 static void close_all(struct host *host)
 {
     sins_destroy(host->sim);
@@ -56,7 +56,8 @@ static void close_all(struct host *host)
     sins_scene_destroy(host->scene);
 }
 
-/* The library opens no file: the host gives it bytes. The caller frees them. NULL: the file cannot be read, which was reported. */
+/* The library opens no file: the host gives it bytes. The caller frees them. Returns NULL, after a message, if the file cannot be
+ * read. */
 static char *read_file(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");
@@ -81,7 +82,7 @@ static void print_fault(const char *path, const sins_fault *fault)
             fault->sentence);
 }
 
-/* A scene with faults has a handle too, which gives the faults. */
+/* A scene with faults has a handle too, from which the faults can be read. */
 static int read_scene(struct host *host, const char *name)
 {
     sins_fault fault;
@@ -98,14 +99,14 @@ static int read_scene(struct host *host, const char *name)
     }
     status = sins_scene_parse(text, size, &host->scene);
     free(text);
-    SINS_INIT(fault); /* struct_size says which release of the struct this program knows */
+    SINS_INIT(fault); /* struct_size states which release of the struct this program knows */
     for (k = 0; status == SINS_SCENE_HAS_FAULTS && sins_scene_get_fault(host->scene, k, &fault) == SINS_OK; k++) {
         print_fault(name, &fault);
     }
     return done(NULL, status, "sins_scene_parse") && status == SINS_OK;
 }
 
-/* Path of the log that the scene names, as seen from the folder of the scene's file. */
+/* Path of the log that the scene names. A relative path starts from the folder of the scene's file. */
 static int log_path(const struct host *host, const char *scene_path, char *path, size_t capacity)
 {
     char log[4097]; /* no text of a scene is longer */
@@ -176,7 +177,7 @@ static int get_sample(struct host *host, size_t k, sins_flight_sample *sample)
                                             sample));
 }
 
-/* The navigation and its errors: navigation minus truth, and, if the scene turns them on, by the error equations. */
+/* Prints the navigation and its errors: navigation minus truth, and by the error equations if the scene turns them on. */
 static void print_row(const sins_record *record)
 {
     const double *errors = record->navigation_errors.position_enu_m, *model = record->model_errors.position_enu_m;
@@ -232,7 +233,7 @@ static int fly(struct host *host)
     return 1;
 }
 
-/* The errors at the end with all their digits, and the figures that the library collects during the flight. */
+/* Prints the errors at the end with all their digits, and the figures that the library collects during the flight. */
 static int print_figures(const struct host *host)
 {
     static const char *const axes[] = {"east", "north", "up"};

@@ -1,6 +1,5 @@
 /*
- * A host without an import library: it loads libsins.so or sins.dll while it runs. If it cannot use the file, it prints the
- * reason.
+ * A host without an import library: it loads libsins.so or sins.dll at run time. If it cannot use the file, it prints the reason.
  *
  *     loadlibrary [PATH]
  *
@@ -132,7 +131,7 @@ static int fly_with(const char *path)
 
 #if defined(_WIN32)
 
-/* The arguments of main() are in a code page, which lacks most letters. Compilers of mingw want -municode for this main function. */
+/* The arguments of main() are in a code page, which lacks most letters. Compilers of mingw need -municode for this function. */
 #if defined(__cplusplus)
 extern "C"
 #endif

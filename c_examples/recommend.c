@@ -24,7 +24,7 @@ static sins_status checked(sins_status status, const sins_sim *sim)
     return status;
 }
 
-/* Weaving, shaken at 2 Hz. */
+/* A weaving flight with vibration at 2 Hz. */
 static sins_status make_flight(sins_flight **flight)
 {
     sins_flight_start start;
@@ -52,7 +52,7 @@ static sins_status make_flight(sins_flight **flight)
     return checked(sins_flight_create(&start, &weave, 1, flight), NULL);
 }
 
-/* A simulator as the host flies it: its options, and its sensor block in the nose. */
+/* The simulator that the host flies, with these options and its sensor block in the nose. */
 static sins_status configure(const sins_options *options, sins_sim **sim)
 {
     sins_mounting mounting;
@@ -65,7 +65,7 @@ static sins_status configure(const sins_options *options, sins_sim **sim)
 }
 
 /* The distance from the truth after the whole flight with ideal sensors. Its causes are the options, and the sample rate, which is
- * low for a shake of 2 Hz. */
+ * low for a vibration of 2 Hz. */
 static sins_status fly(const sins_options *options, sins_flight *flight, double *distance_m)
 {
     sins_sim *sim = NULL;
@@ -113,7 +113,7 @@ static sins_status ask_and_fly(sins_flight *flight, sins_flight_sample *piece)
     SINS_INIT(requirement);
     requirement.position_m = 1.0;
     requirement.duration_s = FLIGHT_S;
-    SINS_INIT(options); /* as the host flies: here the recommended simulator, at 50 Hz */
+    SINS_INIT(options); /* a host uses its own options; here: the defaults, at 50 Hz */
     options.sample_period_s = 1.0 / RATE_HZ;
     SINS_INIT(cost);
     if (status == SINS_OK) {

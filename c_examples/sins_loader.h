@@ -115,7 +115,7 @@ SINS_LOADER_INLINE int sins_loader_unload(sins_loader_library library)
 
 #endif
 
-/* Writes the address of a function to a function pointer. C has no cast from one to the other that all compilers take. */
+/* Writes the address of a function to a function pointer. C has no cast between these types that all compilers accept. */
 SINS_LOADER_INLINE int sins_loader_find(sins_loader_library library, const char *name, void *pointer)
 {
     sins_loader_address address = sins_loader_look_up(library, name);
@@ -151,7 +151,7 @@ SINS_LOADER_INLINE int sins_loader_close(sins_loader *loader)
 
 /*
  * Loads the library of this path, UTF-8 on Windows too, and finds its functions. The system searches for a path without a
- * folder: LoadLibrary() beside the program first, dlopen() only in LD_LIBRARY_PATH and among the system's libraries.
+ * folder: LoadLibrary() in the program's folder first, dlopen() only in LD_LIBRARY_PATH and among the system's libraries.
  *
  * Returns 1 if the library is loaded. Returns 0 if the file is missing, is not a library, is for programs of another word size, is
  * not sins, has another version of the interface than sins.h, or is older than sins.h and lacks a function. Then message has the

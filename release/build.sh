@@ -1,11 +1,12 @@
-# For the scripts of this folder, to be sourced at the top of the project: version and time of what is built, and how one commit
-# gives the same bytes in every folder.
+# To be sourced by the scripts of this folder, at the top of the project: version and time of a build, and flags with which one
+# commit gives the same bytes in every folder.
 
 version=$(sed -n '/^version = /{s/.*"\(.*\)"/\1/p;q}' Cargo.toml)
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
 
-# flags TOOLCHAIN FLAG...: flags of every crate, and no path of this machine in what is built. Encoded, as a path may have blanks.
+# flags TOOLCHAIN FLAG...: prints the flags of every crate, which also keep paths of this machine out of the build. They are
+# encoded, because a path may have blanks.
 flags() {
     local list="--remap-path-prefix=$PWD=/sins" flag
     list+=$'\x1f'"--remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=/cargo"
@@ -15,7 +16,7 @@ flags() {
     printf %s "$list"
 }
 
-# The functions of the header, sorted.
+# Prints the functions of the header, sorted.
 functions() {
     sed -nE 's/^ *X\([^,]*, (sins_[a-z0-9_]+), .*/\1/p' include/sins_functions.h | LC_ALL=C sort
 }

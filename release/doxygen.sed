@@ -1,4 +1,4 @@
-# Comments as doxygen looks for them. The preamble keeps its lines.
+# Changes comments into the form that doxygen reads. The preamble keeps its lines.
 1s|.*|/** @file\n@verbatim|
 1,/^ \*\//s|^ \*/$|@endverbatim */|
 1,/^@endverbatim/s|^ \* ?||

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The Functional Mock-up Unit OUT/sins.fmu for the platforms that are named, or for all: Linux with glibc 2.17 and later, Windows 7
+# Builds the Functional Mock-up Unit OUT/sins.fmu for the named platforms, or for all: Linux with glibc 2.17 and later, Windows 7
 # and later. The binaries stay in OUT/PLATFORM.
 #
 #     release/fmu.sh OUT [linux64] [win64] [win32] [aarch64-linux]
 #
-# FMI 2.0 names no folder for Linux on ARM: "aarch64-linux" is that of FMI 3.0.
+# FMI 2.0 names no folder for Linux on ARM: "aarch64-linux" is the name of FMI 3.0.
 set -euo pipefail
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
@@ -35,7 +35,7 @@ linux() {
 # windows PLATFORM PROCESSOR
 windows() {
     release/windows.sh "$2" "$out/$1" unit
-    # The C library's start-up code, and winpthreads.
+    # The licence of the C library's start-up code and of winpthreads.
     files+=("binaries/$1/sins_fmu.dll=$out/$1/sins_fmu.dll"
         "documentation/licenses/mingw-w64.txt=/usr/share/doc/mingw-w64-common/copyright")
 }

@@ -1,6 +1,6 @@
 #!/bin/sh
-# UNIT_LINKER for the binaries of the Functional Mock-up Unit, which export its functions alone. rustc lists those of the library
-# too: in a version script for ELF, in a .def file for Windows.
+# Runs UNIT_LINKER for the binaries of the Functional Mock-up Unit, which export only its own functions. rustc also lists the
+# functions of the library: in a version script for ELF, in a .def file for Windows.
 for argument; do
     case $argument in
         -Wl,--version-script=*) list=${argument#*script=} ;;

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Licences of all crates that are in packages of this workspace, as a text: for one target, or for "all". Without a package those
-of the library and the program.
+"""Prints the licences of all crates in packages of this workspace, for one target or for "all".
+Without PACKAGE: the licences of the library and the program.
 
     release/licences.py TARGET|all [PACKAGE...] >LICENCES.txt
 
-A script and not cargo-about: that takes longer to compile than everything else here.
+cargo-about is not used, because it takes longer to compile than everything else here.
 """
 
 import json
@@ -16,7 +16,7 @@ NAMES = ("licen", "copying", "unlicense", "notice", "copyright")
 
 
 def crates(target, own):
-    """Crates that are linked: neither build scripts' nor tests', nor macros and what they alone need."""
+    """Crates that are linked: without those of build scripts and tests, and without macros and the crates that only they need."""
     command = ["cargo", "metadata", "--locked", "--format-version", "1"]
     if target != "all":
         command += ["--filter-platform", target]
@@ -39,7 +39,7 @@ def texts(package):
     folder = pathlib.Path(package["manifest_path"]).parent
     files = sorted(file for file in folder.iterdir() if file.name.lower().startswith(NAMES) and file.is_file())
     if not files and "Apache-2.0" in package["license"]:
-        files = [pathlib.Path("LICENSE-APACHE")]  # a choice that the crate gives, whose text names no owner
+        files = [pathlib.Path("LICENSE-APACHE")]  # one of the crate's licences; its text names no owner
     if not files:
         sys.exit(f"release/licences.py: {package['name']} has no licence text")
     return [file.read_text(encoding="utf-8").replace("\r\n", "\n").strip() for file in files]

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Library and program for Linux with glibc 2.17 and later, installed by CMake into OUT; their debug symbols into OUT-debug.
+# Builds library and program for Linux with glibc 2.17 and later, and installs them with CMake into OUT. The debug symbols
+# go to OUT-debug.
 #
 #     release/linux.sh x86_64|aarch64 OUT
 set -euo pipefail
@@ -25,7 +26,7 @@ zig_cc "$1" "$work/cc"
 
 CARGO_ENCODED_RUSTFLAGS=$(flags "$(rustup show active-toolchain | cut -d' ' -f1)")
 export CARGO_ENCODED_RUSTFLAGS
-export CARGO_PROFILE_RELEASE_DEBUG=line-tables-only # lines for the debugger
+export CARGO_PROFILE_RELEASE_DEBUG=line-tables-only # line numbers for the debugger
 cmake -S . -B "$work/build" -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR="$1" -DCMAKE_C_COMPILER="$work/cc" \
     -DCMAKE_INSTALL_LIBDIR=lib
 cmake --build "$work/build"
@@ -35,7 +36,7 @@ env "CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER=$work/cc" \
         --target-dir "$work/build/cargo"
 command install -D "$work/build/cargo/$target/release/sins" "$out/bin/sins"
 
-# split FILE: its debug symbols into a file apart, which debuggers find beside it.
+# split FILE: moves its debug symbols into a separate file, which debuggers find by a link.
 split() {
     mkdir -p "$(dirname "$out-debug/$1")"
     llvm-objcopy --only-keep-debug "$out/$1" "$out-debug/$1.debug"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The header as HTML pages, the first with the data flow of the library: release/manual.sh OUT. What has no comment in the header
-# is an error.
+# Makes HTML pages of the header; the first one shows the data flow of the library: release/manual.sh OUT. An item of the header
+# without a comment is an error.
 set -euo pipefail
 mkdir -p "$1"
 SINS_OUT=$(cd "$1" && pwd)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Packages for machines without Rust, into target/dist, and SHA256SUMS beside them; docs/packages.md has what is in each.
+# Makes packages for machines without Rust in target/dist, with SHA256SUMS. docs/packages.md lists the content of each package.
 #
-#     release/package.sh [linux-x86_64] [linux-arm64] [windows-x64] [windows-x86] [fmu]       none: all five
+#     release/package.sh [linux-x86_64] [linux-arm64] [windows-x64] [windows-x86] [fmu]       default: all five
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -23,7 +23,8 @@ umask 022
 dist=$PWD/target/dist
 mkdir -p "$dist"
 
-# texts FOLDER TARGET TOOLCHAIN: what all packages have: documents with their pictures, examples with scenes and flights, licences.
+# texts FOLDER TARGET TOOLCHAIN: copies the files of all packages: documents with their pictures, examples with scenes and flights,
+# licences.
 texts() {
     local file
     git ls-files README.md CHANGELOG.md docs 'benches/*.svg' c_examples | grep -v '\.sh$' | while read -r file; do
@@ -36,7 +37,7 @@ texts() {
     command install -m644 "$(rustc "+$3" --print sysroot)/share/doc/rust/COPYRIGHT-library.html" "$1/licences/rust-library.html"
 }
 
-# archive FOLDER SUFFIX: the folder, sorted, with the time of the commit, owned by nobody of this machine.
+# archive FOLDER SUFFIX: packs the folder, sorted, with the time of the commit and without a user of this machine as owner.
 archive() {
     local name=${1##*/}
     chmod -R u=rwX,go=rX "$1"
@@ -70,14 +71,14 @@ windows() {
     mkdir -p "$lib" "$folder/include"
     mv "$bin"/{sins.def,sins.lib,libsins.dll.a} "$lib"
     cp include/*.h include/*.hpp "$folder/include"
-    # The CMake package, as an installation has it; nothing is built.
+    # Installs only the CMake package; nothing is built.
     need cmake cmake
     rustup target add "$2-pc-windows-gnu" 2>/dev/null
     cmake -S . -B "$staging/cmake-$2" -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_SYSTEM_PROCESSOR="$2" -DCMAKE_C_COMPILER="$gcc" \
         -DSINS_CARGO_TARGET="$2-pc-windows-gnu"
     cmake --install "$staging/cmake-$2" --component cmake --prefix "$folder"
     texts "$folder" "$2-win7-windows-gnu" "$nightly"
-    # The C library's start-up code, and winpthreads.
+    # The licence of the C library's start-up code and of winpthreads.
     command install -m644 /usr/share/doc/mingw-w64-common/copyright "$folder/licences/mingw-w64.txt"
     "$gcc" -std=c99 -O2 -municode -static -s -Wl,--no-insert-timestamp -I include -o "$bin/loadlibrary.exe" \
         c_examples/loadlibrary.c
@@ -106,6 +107,6 @@ for package in "${packages[@]}"; do
     esac
 done
 cd "$dist"
-shopt -s nullglob # not all kinds need be there
+shopt -s nullglob # some kinds of packages may be missing
 sha256sum sins-"$version"{-*.tar.gz,-*.zip,*.fmu} >SHA256SUMS
 ls -l

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The library for Windows 7 and later: sins.dll, sins.def, and the import libraries sins.lib (for MSVC) and libsins.dll.a (for
-# mingw), into OUT. With a third argument, "program", sins.exe too; with "unit" the
-# binary of the Functional Mock-up Unit (release/fmu.sh) alone.
+# Builds the library for Windows 7 and later into OUT: sins.dll, sins.def, and the import libraries sins.lib (for MSVC) and
+# libsins.dll.a (for mingw). With a third argument "program", also sins.exe; with "unit", only the binary of the Functional
+# Mock-up Unit (release/fmu.sh).
 #
 #     release/windows.sh x86_64|i686 OUT [program|unit]
 #
-# Nightly Rust, as only its -Zbuild-std makes the standard library for Windows 7; that of *-pc-windows-gnu imports
-# bcryptprimitives.dll and functions of Windows 10.
+# Uses nightly Rust, because only its -Zbuild-std builds the standard library for Windows 7. The standard library of
+# *-pc-windows-gnu imports bcryptprimitives.dll and functions of Windows 10.
 set -euo pipefail
 mkdir -p "$2"
 out=$(cd "$2" && pwd)
@@ -25,14 +25,14 @@ need llvm llvm-dlltool
 has_nightly
 
 linker=CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER
-# That of the unit for all: cargo builds everything again, the standard library too, for another linker.
+# All builds use the unit's linker: with another linker, cargo would build everything again, including the standard library.
 export RELATIVE_LINKER=$mingw-gcc UNIT_LINKER=$PWD/release/relative_linker.sh "$linker=$PWD/release/fmu_linker.sh"
 built=target/$target/release
 work=target/release-windows/$arch
 mkdir -p "$work"
 
-# resource FILE KIND DESCRIPTION: what Explorer shows, as an object to link. In this script and not in build.rs: a build on
-# Windows would need windres.
+# resource FILE KIND DESCRIPTION: makes an object to link with the version information that Explorer shows. This is not in
+# build.rs, because a build on Windows would then need windres.
 resource() {
     local numbers
     numbers=$(echo "$version" | cut -d- -f1 | tr . ,),0
@@ -89,7 +89,7 @@ cp "$built/sins.dll" "$out"
 
 { printf 'LIBRARY sins.dll\nEXPORTS\n'; functions | sed 's/^/    /'; } >"$out/sins.def"
 llvm-dlltool -m "$machine" -d "$out/sins.def" -l "$out/sins.lib"
-# Each tool for its own linker. The names of this one's temporary and output files are in the archive.
+# Each tool makes the import library of its own linker. The archive contains the names of this tool's temporary and output files.
 (cd "$work" && "$mingw-dlltool" --deterministic-libraries --temp-prefix sins -d "$out/sins.def" -l libsins.dll.a)
 mv "$work/libsins.dll.a" "$out"
 

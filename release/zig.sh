@@ -1,7 +1,7 @@
-# For the scripts of this folder, to be sourced after need.sh: the C compiler and linker of Linux for an old glibc. Zig has the
-# symbols of every glibc: another linker binds to the newest versions of the glibc that it finds.
+# To be sourced by the scripts of this folder after need.sh: the C compiler and linker of Linux for an old glibc. Zig has the
+# symbols of every glibc. Other linkers bind to the newest versions of the installed glibc.
 
-glibc=2.17 # the oldest that Rust's standard library takes
+glibc=2.17 # the oldest version that Rust's standard library supports
 need python3-venv /usr/share/doc/python3-venv
 need llvm llvm-readelf
 tools=$PWD/target/release-tools
@@ -10,10 +10,10 @@ if ! [ -x "$tools/bin/cargo-zigbuild" ]; then
     "$tools/bin/pip" install --quiet --disable-pip-version-check cargo-zigbuild==0.24.0 ziglang==0.17.1
 fi
 
-# zig_cc PROCESSOR FILE: writes the compiler's command. cargo-zigbuild gives Zig's the options of gcc's that rustc writes. Zig compiles
-# its own parts of the C library when a program first needs them: their debug symbols name folders of this machine, and their archives
-# have the order in which its threads were ready. Where a link has made such parts, a second one takes them without symbols, sorted.
-# One link at a time, as all share the parts.
+# zig_cc PROCESSOR FILE: writes the compiler's command to FILE. cargo-zigbuild translates rustc's gcc options into options of Zig.
+# Zig compiles its own parts of the C library when a program first needs them: their debug symbols name folders of this machine, and
+# their archives have the order in which its threads were ready. After a link that made such parts, the parts are stripped and
+# sorted, and the program is linked again. Only one link runs at a time, because all links share the parts.
 zig_cc() {
     rm -rf "$2-parts"
     touch -d @0 "$2-sorted"
@@ -42,7 +42,7 @@ CC
     chmod +x "$2"
 }
 
-# check_glibc FILE: as a linker may bind to a newer glibc after all.
+# check_glibc FILE: checks that FILE needs no newer glibc, because a linker may still bind to one.
 check_glibc() {
     local newest
     newest=$(llvm-readelf -V "$1" | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n1)

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# SINS_Emulator under wine and Xvfb, 64 and 32 bits: what it flies equals `sins fly` on the scene that it saved; it says in one
-# sentence what it cannot use; its fields take any text. Pictures of its pages in both languages lie in target/emulator.
+# SINS_Emulator under wine and Xvfb, 64 and 32 bits: its flights equal `sins fly` with the scene that it saved, it reports each
+# unusable file in one sentence, and its fields accept any text. Pictures of its pages in both languages are in target/emulator.
 #
 #     tests/emulator.sh          both word sizes
-#     tests/emulator.sh 64       64 bits; in the other word size it starts, rejects files and exports
+#     tests/emulator.sh 64       64 bits; with the other word size only start, rejected files and export
 #
-# SINS_DLL_DIR: a folder with 64/sins.dll and 32/sins.dll to take instead of building them; a SINS_Emulator.exe beside a sins.dll is
-# taken too. SINS_LIB_DIR: a folder with a program sins to take.
+# SINS_DLL_DIR: a folder with 64/sins.dll and 32/sins.dll, used instead of building them. A SINS_Emulator.exe in the same folder as
+# a sins.dll is used too. SINS_LIB_DIR: a folder with a program sins to use.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -21,7 +21,7 @@ need fonts-wqy-microhei "$font"
 build_program
 sins=$built/sins
 
-# screen SIZE: all that follows is on a screen of this size.
+# screen SIZE: starts a screen of this size, which all later programs use.
 display_file=$(mktemp)
 screen=
 screen() {
@@ -34,7 +34,7 @@ screen() {
 }
 trap 'kill $screen; rm -f "$display_file"' EXIT
 
-# path FILE: as wine sees it.
+# path FILE: the path of FILE in wine.
 path() {
     echo "Z:$(realpath -m "$1" | tr / '\\')"
 }
@@ -49,7 +49,7 @@ emulator() {
     timeout 300 "$wine" "$folder/SINS_Emulator.exe" "$@"
 }
 
-# refuses WHAT SENTENCE OPTION...: it ends with 1 and a sentence.
+# refuses WHAT SENTENCE OPTION...: the program ends with status 1 and SENTENCE.
 refuses() {
     local status=0
     emulator "${@:3}" /quit 2>"$folder/sentence" || status=$?
@@ -58,7 +58,7 @@ refuses() {
     echo "$1: $(head -c 200 "$folder/sentence" | tr -d '\r' | head -1)"
 }
 
-# drive DRIVER COMMAND [FOLDER] -- OPTION...: the program with these options, driven through its dialogs.
+# drive DRIVER COMMAND [FOLDER] -- OPTION...: starts the program with these options; DRIVER operates its dialogs.
 drive() {
     local command=() program
     while [ "$1" != -- ]; do command+=("$1"); shift; done
@@ -70,7 +70,7 @@ drive() {
     wait "$program"
 }
 
-# fonts: wine has none of its own for dialogs.
+# fonts: sets a font for dialogs, because wine has none.
 fonts() {
     local name
     for name in "MS Shell Dlg" "MS Shell Dlg 2" Tahoma; do
@@ -78,7 +78,7 @@ fonts() {
     done
 }
 
-# watch NAME DRIVER COMMAND -- OPTION...: a picture of each page that the driver shows.
+# watch NAME DRIVER COMMAND -- OPTION...: makes a picture of each page that the driver shows.
 watch() {
     local line program watched
     emulator "${@:5}" &
@@ -95,18 +95,18 @@ watch() {
     wait "$program"
 }
 
-# pictures LANGUAGE [NAME]: each page and dialog.
+# pictures LANGUAGE [NAME]: makes pictures of each page and dialog.
 pictures() {
     watch "$1${2:-}" driver pages -- /language "$1" /scene "$(path "$folder/flown/trainer.toml")" /run
     [ -f "$folder/$1${2:-}_manoeuvre.png" ] || fail "not all pages were shown"
 }
 
-# check ARCH BITS OTHER: everything, or what the usage says; with the DLL of the other word size to be refused.
+# check ARCH BITS OTHER: runs all tests, or the part that the usage above states. OTHER: word size of the DLL that must be rejected.
 check() {
     folder=$PWD/target/emulator/$2
     rm -rf "$folder"
     mkdir -p "$folder/flown"
-    # A server that other tests left has a desktop without a screen.
+    # A wine server of earlier tests may have a desktop without a screen.
     "$WINESERVER" -k 2>/dev/null || true
     screen 1000x740
     if [ -e "${SINS_DLL_DIR:-}/$2/SINS_Emulator.exe" ]; then
@@ -136,7 +136,7 @@ check() {
     refuses "a binary file as scene" "binary.toml:" /scene "$(path "$folder/binary.toml")"
     refuses "a binary file as log" "binary.csv:" /scene "$(path "$folder/log.toml")" /run
 
-    # By the command line, with the measured increments of each interval, standard deviations, and a title of 200,000 letters.
+    # With the command line: the measured increments of each interval, standard deviations, and a title of 200,000 letters.
     "$sins" scene write simulation2 --set flight.hours=0.1 --set options.covariance=on >"$folder/flown/increments.toml"
     { printf 'title = "'; head -c 200000 /dev/zero | tr '\0' x; printf '"\n'; } >"$folder/title"
     sed -i -e '/^title = /d' -e "/^\[flight\]/r $folder/title" "$folder/flown/increments.toml"
@@ -151,7 +151,7 @@ check() {
         return
     fi
 
-    # Through the dialogs: an hour of the paper's simulation 2.
+    # With the dialogs: one hour of the paper's simulation 2.
     "$sins" scene write simulation2 >"$folder/flown/simulation2.toml"
     sed -i 's/^hours = 48/hours = 2/' "$folder/flown/simulation2.toml"
     drive driver fly 1 -- /language en /scene "$(path "$folder/flown/simulation2.toml")" /export "$(path "$folder/flown/records")"
@@ -160,14 +160,15 @@ check() {
     "$sins" fly "$folder/flown/simulation2.toml" --out "$folder/flown/expected" --quiet
     cmp "$folder/flown/expected/simulation2.csv" "$folder/flown/records/simulation2.csv"
 
-    # A failure that is set in flight is in the scene that is saved, which flies to the same bits.
+    # A failure that is set in flight is in the saved scene, and this scene flies to the same bits.
     cp "$folder/flown/simulation2.toml" "$folder/flown/exercise.toml"
     drive driver exercise -- /language en /scene "$(path "$folder/flown/exercise.toml")" /export "$(path "$folder/flown/records")"
     grep -q '^\[\[failure\]\]' "$folder/flown/exercise.toml" || fail "the failure is not in the scene"
     "$sins" fly "$folder/flown/exercise.toml" --out "$folder/flown/expected" --quiet
     cmp "$folder/flown/expected/exercise.csv" "$folder/flown/records/exercise.csv"
 
-    # Composed in the dialogs: a manoeuvre with a sinusoid before the rest, a preset, a value in SI and another for one axis.
+    # A scene made in the dialogs: a manoeuvre with a sinusoid before the rest, a preset, a value in SI, and another value for one
+    # axis.
     "$sins" scene write rest >"$folder/flown/edit.toml"
     drive driver edit -- /language en /scene "$(path "$folder/flown/edit.toml")"
     "$sins" scene check "$folder/flown/edit.toml"
@@ -190,7 +191,8 @@ check() {
     drive driver sentence -- /language zh
     [ "$(grep -c '须' "$folder/said")" -eq 2 ] || fail "a sentence is not in Chinese: of a text, of a struct"
 
-    # Tool tips, the tab key, letters; the language in flight; recommended options; the wheel; the library in use, two windows.
+    # Tool tips, the tab key, letters; a change of the language in flight; recommended options; the wheel; the library in use, two
+    # windows.
     for language in en zh; do
         letters=$(sed -n 's/^    POPUP ".*&\(.\).*/\1/p' "c_examples/emulator/menu_$language.rc" | tr -d '\n' | tr a-z A-Z)
         [ -n "$letters" ] || fail "no letters in the menu"
@@ -210,7 +212,7 @@ check() {
     cmp "$folder/flown/whole.png" "$folder/flown/far.png"
     drive controls dll -- /language en
 
-    # Two at once, by the command line: failures, temperature, a log.
+    # Two programs at once, with the command line: failures, temperature, a log.
     for scene in trainer fighter; do
         emulator /scene "$(path "$folder/flown/$scene.toml")" /run /export "$(path "$folder/flown/records")" \
             /picture "$(path "$folder/$scene.png")" /quit &
@@ -229,14 +231,15 @@ check() {
     echo "$2 bits: flown as sins flies, to the byte; pictures in $folder"
 }
 
-# dots: a small screen, and screens of 144 and 192 dots an inch, each with a registry of its own. In one word size.
+# dots: makes pictures on a small screen and on screens of 144 and 192 dots per inch, each with its own registry. With one word
+# size only.
 dots_seen=
 dots() {
     local dots before=$WINEPREFIX
     dots_seen=1
     "$WINESERVER" -k || true
     screen 800x600
-    # The first program on a new screen may be told the size of the one before.
+    # The first program on a new screen may get the size of the previous screen.
     emulator /scene "$(path "$folder/flown/increments.toml")" /run /quit
     pictures en _small
     for dots in 144 192; do
@@ -244,7 +247,7 @@ dots() {
         export WINEPREFIX=$before.$dots
         screen $((10 * dots + 40))x$((7 * dots + 60))
         mkdir -p "$WINEPREFIX"
-        fonts 2>/dev/null # it sets up its folder
+        fonts 2>/dev/null # wine creates its folder and prints messages
         "$wine" reg add 'HKCU\Control Panel\Desktop' /v LogPixels /t REG_DWORD /d "$dots" /f >/dev/null
         "$WINESERVER" -k || true
         pictures zh "_$dots"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The Functional Mock-up Unit: by FMPy, from PyPI, its validator and the schema of the standard, flights compared with the program
-# to the bit, states, many instances, bad inputs; by a master in C (fmu/host.c) on every platform that the unit has a binary for;
-# by Ecos, from PyPI, coupled with another unit. What cannot be had is told at the end.
+# Tests of the Functional Mock-up Unit. With FMPy from PyPI: its validator and the schema of the standard, flights compared with
+# the program to the bit, states, many instances, bad inputs. With a master in C (fmu/host.c): every platform that the unit has a
+# binary for. With Ecos from PyPI: coupled with another unit. Tests that could not run are reported at the end.
 #
-#     tests/fmu.sh                                        with a unit of this machine's binary
-#     release/fmu.sh OUT && FMU=OUT/sins.fmu tests/fmu.sh with that of the release
+#     tests/fmu.sh                                        with a unit that has this machine's binary
+#     release/fmu.sh OUT && FMU=OUT/sins.fmu tests/fmu.sh with the unit of the release
 #
-# SINS_LIB_DIR: a folder with a program sins to take instead of building it.
+# SINS_LIB_DIR: a folder with a program sins, used instead of building it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -30,7 +30,7 @@ if [ -z "${FMU:-}" ]; then
     cmp "$FMU" "$folder/again.fmu"
 fi
 
-# from_pypi VENV PACKAGE...: an environment of Python with these packages.
+# from_pypi VENV PACKAGE...: makes a Python environment with these packages.
 from_pypi() {
     [ -x "$folder/$1/bin/python" ] || python3 -m venv "$folder/$1"
     "$folder/$1/bin/pip" install --quiet --disable-pip-version-check "${@:2}"
@@ -39,7 +39,7 @@ from_pypi() {
 echo "== FMPy"
 if from_pypi venv fmpy==0.3.32 numpy; then
     "$folder/venv/bin/python" tests/fmu/fly.py "$FMU" "$folder" "$built/sins"
-    # The program of docs/fmu.md, in a folder with what it names.
+    # The program of docs/fmu.md runs in a folder with the files that it names.
     sed -n '/^```python$/,/^```$/{/^```/d;p}' docs/fmu.md >"$folder/ten_lines.py"
     ln -sfn "$PWD/c_examples" "$folder/c_examples"
     [ "$FMU" -ef "$folder/sins.fmu" ] || cp "$FMU" "$folder/sins.fmu"
@@ -58,7 +58,7 @@ else
     could_not "the Functional Mock-up Unit by Ecos" "no Ecos to be had"
 fi
 
-# A folder whose name is not all ASCII: the unit gets it as a URI.
+# The name of the folder has non-ASCII letters; the unit gets it as a URI.
 unit="$folder/Übungsflüge 100 %"
 rm -rf "$unit"
 unzip -q "$FMU" -d "$unit"
@@ -66,7 +66,7 @@ uri=$(python3 -c 'import pathlib, sys; print(pathlib.Path(sys.argv[1], "resource
 cp "$unit/modelDescription.xml" "$folder"
 digest=
 
-# host PLATFORM "COMPILER OPTION" URI RUNNER...: a digest that is the first one's.
+# host PLATFORM "COMPILER OPTION" URI RUNNER...: the digest must equal that of the first platform.
 host() {
     local found
     rm -f "$folder"/sins_fmu.*

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Hosts in other languages than C: each is built with its compiler's warnings as errors, flies built-in scenes to the bits of the C
-# host, gets from calls with arrays, matrices, texts and bytes what C gets, and has every struct, field and constant of the header
-# in its place and of its value.
+# Hosts in languages other than C. Each is built with its compiler's warnings as errors and flies built-in scenes to the bits of the
+# C host. Its calls with arrays, matrices, texts and bytes give the same results as in C. Its structs and fields have the offsets,
+# and its constants have the values, of the header.
 #
 #     tests/hosts.sh             all hosts
 #     tests/hosts.sh fortran     one of them
 #
-# SINS_LIB_DIR: a folder with a libsins.so to take instead of building one.
+# SINS_LIB_DIR: a folder with a libsins.so, used instead of building one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -17,7 +17,7 @@ scenes="aerobatics commuter"
 out=$PWD/target/hosts
 link=("-L$built" -lsins "-Wl,-rpath,$built")
 
-# The C host and the C compiler say what is right.
+# The C host and the C compiler give the expected results.
 c() {
     need g++ c++
     c_examples/build.sh >"$out/build_c" 2>&1 || { cat "$out/build_c"; return 1; }
@@ -51,7 +51,7 @@ fortran_programs() {
     done
 }
 
-# With the DLLs and the wine of tests/windows.sh.
+# Uses the DLLs and the wine of tests/windows.sh.
 fortran_windows() {
     fortran_under_wine 64 x86_64 "$PWD/target/wine" /usr/lib/wine/wine64 /usr/lib/wine/wineserver64
     fortran_under_wine 32 i686 "$PWD/target/wine32/prefix" "$PWD/target/wine32/usr/lib/wine/"{wine,wineserver32}
@@ -86,7 +86,7 @@ ada() {
     same_as_c ada
 }
 
-# Debian's own Python, for which its packages are.
+# Uses Debian's own Python, because Debian's packages are for it.
 python() {
     local packages=/usr/lib/python3/dist-packages
     need python3 /usr/bin/python3
@@ -123,12 +123,12 @@ octave() {
     echo "octave: flies a log to the bits of C"
 }
 
-# numbers HOST: what its programs `layout` and `calls` print, a name and a number a line.
+# numbers HOST: stores the output of its programs `layout` and `calls`, a name and a number in each line.
 numbers() {
     { "$out/$1/layout" | LC_ALL=C sort; "$out/$1/calls"; } >"$out/numbers.$1"
 }
 
-# same_as_c HOST: its program `fly` flies and reports an error, `layout` and `calls` print what those of C print.
+# same_as_c HOST: its program `fly` flies and reports an error, and `layout` and `calls` print the same as in C.
 same_as_c() {
     for scene in $scenes; do
         "$out/$1/fly" "$scene" >"$out/$scene.$1"
@@ -146,7 +146,7 @@ same_as_c() {
     echo "$1: flies to the bits of C; sizes, offsets, constants and what calls give are those of C"
 }
 
-# same_figures SCENE HOST: the figures that the host printed of the scene are those of the C host.
+# same_figures SCENE HOST: the figures that the host printed for the scene equal those of the C host.
 same_figures() {
     paste <(figures 1 "$out/$1.c") <(figures 3 "$out/$1.$2") |
         awk -v host="$2 $1" '
@@ -154,8 +154,8 @@ same_figures() {
             END { if (NR != 9 || bad) { print host ": not the figures of the C host"; exit 1 } }'
 }
 
-# figures COUNT FILE: the errors at the end in the output of a host, one a line: COUNT of them in a line, behind the title. Those of
-# the C host stand before the column of the error equations.
+# figures COUNT FILE: prints the errors at the end of a host's output, one in each line. FILE has COUNT of them in each line, after
+# the title. In the output of the C host, the last column belongs to the error equations and is left out.
 figures() {
     awk -v count="$1" '
         /errors at the end/ { end = 1; next }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs the library into an empty prefix, moves it, and builds and runs two examples against it as C and C++ programs do: by
-# pkg-config and by CMake, shared and static; then with the source tree as a part of a CMake project. What cannot be had is told
-# at the end. SINS_LIB_DIR: as in c_examples/build.sh.
+# Installs the library into an empty prefix, moves it, and builds and runs two examples with it, in C and C++: with pkg-config
+# and with CMake, shared and static. Then uses the source tree as a part of a CMake project. Tests that could not run are
+# reported at the end. SINS_LIB_DIR: as in c_examples/build.sh.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -25,18 +25,18 @@ fail() {
     exit 1
 }
 
-# same PROGRAM EXAMPLE: the program prints what the example prints that c_examples/build.sh built.
+# same PROGRAM EXAMPLE: the program prints the same as the example that c_examples/build.sh built.
 same() {
     diff <("$1") "$out/$2.txt" || fail "$1 prints something else"
     echo "$1: as $2"
 }
 
-# needs PROGRAM: the libraries of the project that it is linked with.
+# needs PROGRAM: prints the libraries of the project that it is linked with.
 needs() {
     readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libsins.*\)\]/\1/p'
 }
 
-# named EXPECTED FOUND WHAT
+# equal EXPECTED FOUND WHAT
 equal() {
     [ "$1" = "$2" ] || fail "$3 is \"$2\", not \"$1\""
 }
@@ -91,7 +91,7 @@ flags="-DSINS_STATIC $(pkg-config --cflags sins) $moved/lib/libsins.a -lpthread 
 built minimal_archive minimal c_examples/minimal.c cc -std=c99
 equal "" "$(needs "$hosts/minimal_archive")" "what minimal with libsins.a needs"
 
-# cmake_hosts FOLDER ARGUMENTS...: the four programs of tests/install.
+# cmake_hosts FOLDER ARGUMENTS...: builds and checks the four programs of tests/install.
 cmake_hosts() {
     local folder=$1
     shift
@@ -109,7 +109,7 @@ echo "== find_package"
 cmake_hosts "$hosts/installed" -DCMAKE_PREFIX_PATH="$moved"
 grep -F "sins_DIR:PATH=$moved/" "$hosts/installed/CMakeCache.txt" || fail "find_package found another sins"
 
-echo "== add_subdirectory" # with what cargo built above
+echo "== add_subdirectory" # with the libraries that cargo built above
 cmake_hosts "$hosts/together" -DSINS_SOURCE="$PWD" -DSINS_CARGO_TARGET_DIR="$out/build/cargo"
 
 echo "== Windows by a cross compiler: configured"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A live flight simulator as host: builds c_examples/jsbsim, flies its script, and checks what the INS makes of it.
+# A live flight simulator as host: builds c_examples/jsbsim, flies its script, and checks the results of the INS.
 # SINS_LIB_DIR: as in c_examples/jsbsim/build.sh.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -18,7 +18,7 @@ out=target/jsbsim/out
 mkdir -p "$out"
 perfect="ins/grade=0 ins/pauses=0 ins/slews=0 ins/replays=0 ins/gyro-failure=0"
 
-# fly NAME [PROPERTY=VALUE]...: the files NAME.csv and NAME_truth.csv, and what the host says, with no sample refused.
+# fly NAME [PROPERTY=VALUE]...: writes NAME.csv, NAME_truth.csv and the host's messages. No sample may be rejected.
 fly() {
     local name=$1
     shift
@@ -31,12 +31,12 @@ fail() {
     exit 1
 }
 
-# closed NAME: perfect sensors close on the truth, within the sum of
-# - the step between JSBSim's velocities and positions: these are third-order Adams-Bashforth sums of those, which errs by
-#   3/8 h d2 at either end, d2 the largest second difference of the velocities;
-# - the norm of JSBSim's quaternions, 1 to 1e-10, of whose fourth power the velocities are: 4e-10 of the path;
-# - what a misalignment phi makes of gravity, g phi t^2 / 2: the INS's own. phi itself stays below a thousandth of what the best
-#   grade of gyros drifts, 0.001 deg/h.
+# closed NAME: with perfect sensors, the INS agrees with the truth within the sum of
+# - the difference of JSBSim's velocities and positions: the positions are third-order Adams-Bashforth sums of the velocities. The
+#   sum has an error of 3/8 h d2 at each end, where d2 is the largest second difference of the velocities;
+# - the norm of JSBSim's quaternions, which is 1 to 1e-10. Velocities depend on its fourth power: 4e-10 of the path;
+# - the effect of a misalignment phi on gravity, g phi t^2 / 2, which is the error of the INS itself. phi must stay below a
+#   thousandth of the drift of the best grade of gyros, 0.001 deg/h.
 closed() {
     awk -F, -v name="$1" '
         function length3(a, b, c) { return sqrt(a * a + b * b + c * c) }
@@ -62,9 +62,9 @@ closed() {
         }' "$out/$1_truth.csv" "$out/$1.csv" || fail "$1 does not close"
 }
 
-# force NAME J2: JSBSim's specific force is that of perfect accelerometers, less the difference of two gravities: the J2 that JSBSim
-# was made to forget, at 29.44 degrees of geocentric latitude, and J4, which it lacks: 5 J4 g (a/r)^4 = 1.2e-4 m/s2 at the most, at a
-# pole. A wrong axis, sign or unit would be meters per second squared.
+# force NAME J2: JSBSim's specific force equals that of perfect accelerometers, except for the difference of two gravity models.
+# This difference is the J2 that the flight switches off in JSBSim, at 29.44 degrees of geocentric latitude, and J4, which JSBSim
+# lacks: at most 5 J4 g (a/r)^4 = 1.2e-4 m/s2, at a pole. A wrong axis, sign or unit would give errors of metres per second squared.
 force() {
     awk -v name="$1" -v j2="$2" '/^JSBSim.s force m\/s2 / {
         latitude = 29.44 * 3.14159265 / 180
@@ -77,7 +77,7 @@ force() {
     } END { exit !good }' "$out/$1.txt" || fail "$1: JSBSim's force is not that of the INS"
 }
 
-# Fuel that burns moves the centre of gravity, and on the wheels JSBSim moves its position by that, without a velocity.
+# Burning fuel moves the centre of gravity. On the ground JSBSim moves its position by this amount without a velocity.
 echo "== perfect sensors close on the truth, from the air, from the ground, and in a gravity without J2"
 fly air $perfect ins/start-s=60
 closed air
@@ -103,7 +103,7 @@ cmp "$out/all.csv" "$out/fast.csv" || fail "the pace changed the flight"
 echo "615 s in $milliseconds ms, at pace 60"
 [ "$milliseconds" -ge $((615000 / 60)) ] || fail "the flight is faster than its pace"
 
-# A flight without a slew is a flight log: flown by the C host of the other examples, it ends with the same bits.
+# The truth of a flight without a slew is a flight log. The C host of the other examples flies it to the same bits.
 fly log ins/slews=0 ins/gyro-failure=0
 cat >"$out/log.toml" <<'SCENE'
 [flight]
@@ -121,8 +121,8 @@ cmp <(target/jsbsim/harness "$out/log.toml" | awk '/^(position m|velocity m.s|mi
     <(tail -n 1 "$out/log.csv" | cut -d, -f 5-13 | tr , '\n') || fail "the log of the flight has other bits"
 echo "the log of the flight: the same bits"
 
-# The truth moves 5 km in a frame, and the error is that before. In the other 99 frames of this second it goes on by its velocity,
-# that of the height also by the altimeter.
+# The truth moves by 5 km in one frame, and the error stays the same. In the other 99 frames of this second the error of position
+# grows by the error of velocity. The altimeter also changes the error of height, which is not checked.
 awk -F, '
     function size(x) { return x < 0 ? -x : x }
     $1 > 199 && $1 < 200 { longitude = $3; for (i = 5; i < 11; i++) before[i] = $i }
@@ -139,8 +139,8 @@ awk -F, '
         exit !(moved > 4000 && !bad)
     }' "$out/all.csv" || fail "the slew changed the error"
 
-# A step b of the yaw gyro for T turns the INS by b cos(roll) cos(pitch) T about the vertical, but for its square and for what the
-# Earth's turn makes of it.
+# A step b of the yaw gyro for T turns the INS by b cos(roll) cos(pitch) T about the vertical, except for its square and for the
+# effect of the Earth's rotation.
 fly sound ins/gyro-failure=0
 cmp <(awk -F, '$1 < 400' "$out/all.csv") <(awk -F, '$1 < 400' "$out/sound.csv") || fail "the failure begins too early"
 awk -F, '

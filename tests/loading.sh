@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# c_examples/loadlibrary.c: flies with a library, also one without scenes and one in a folder of any letters, and has one sentence
-# for each file that it cannot use.
+# c_examples/loadlibrary.c flies with a library, also with one without scenes and with one in a folder with non-ASCII letters. It
+# prints one sentence for each file that it cannot use.
 #
 #     tests/loading.sh COMPILER LIBRARY [RUNNER...]
 #
-# COMPILER with its options, of the library's system and word size; RUNNER runs its programs where the machine does not.
+# COMPILER: a compiler with its options, for the library's system and word size. RUNNER: runs its programs if this machine cannot.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -16,18 +16,18 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 export LC_ALL=C.UTF-8 # the names of files, for wine
 
-# host NAME OPTION...: the host, as C of the compiler and its options.
+# host NAME OPTION...: builds the host with the compiler and these options.
 host() {
     $compiler -O2 -Wall -Wextra -Wpedantic -Werror -I include -o "$folder/$1" "${@:2}" c_examples/loadlibrary.c $system
 }
 
-# shared NAME COMPILER TEXT: a library of a C source.
+# shared NAME COMPILER TEXT: builds a library from a C source.
 shared() {
     echo "$3" >"$folder/source.c"
     $2 -shared -fPIC -o "$folder/$1$dll" "$folder/source.c"
 }
 
-# without NAME SED_COMMAND: the library under other names of its functions, which are not found any more.
+# without NAME SED_COMMAND: copies the library and renames functions in it, so that they are not found.
 without() {
     sed "$2" "$library" >"$folder/$1$dll"
 }
@@ -36,12 +36,12 @@ answer() {
     (cd "$folder" && LD_LIBRARY_PATH=. "${runner[@]}" "./$program" "$@" 2>&1 | tr -d '\r')
 }
 
-# flies SCENES ARGUMENT...: the digest of docs/hosts.md.
+# flies SCENES ARGUMENT...: the host must print the digest of docs/hosts.md.
 flies() {
     expect 0 "sins $version, $1 scenes, in a program of $bits bits"$'\n'"$digest" "${@:2}"
 }
 
-# says SENTENCE FILE: this sentence alone.
+# says SENTENCE FILE: the host must print only this sentence.
 says() {
     expect 1 "loadlibrary: $2: $1" "$2"
 }
@@ -72,7 +72,7 @@ case $machine in
         ;;
     *)
         system=-ldl end="" dll=.so name=libsins.so.1
-        # The byte of an ELF file that tells its word size: 1 or 2.
+        # Changes the byte of an ELF file that gives its word size: 1 or 2.
         sed "1s/^\(.ELF\)[\x01\x02]/\1\x$((bits == 64 ? 1 : 2))/" "$library" >"$folder/other_size$dll"
         missing="cannot open shared object file: No such file or directory"
         text="invalid ELF header"
@@ -111,7 +111,7 @@ says "sins 9.8.7 has version 7 of the interface, this program needs version 1" .
 says "sins $version is older than this program: it has no function sins_step" ./old_engine$dll
 says "sins $version is older than this program: it has no function sins_scene_prepare" ./old_scenes$dll
 
-# Hosts of 1998: x87 arithmetic in 24 bits, as Direct3D leaves it, in 53, as Windows does, and in 64.
+# Old hosts: x87 arithmetic with 24 bits, as Direct3D sets it, with 53, as Windows sets it, and with 64.
 if [ "$bits" -eq 32 ]; then
     for word in 0x07f 0x27f 0x37f; do
         program=host_$word$end

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# An ensemble over the ranks of MPI (c_examples/ensemble_mpi.c), with MPICH and with Open MPI. By 1, 2, 3 and 4 ranks, and killed in the
-# middle and started again with another number of them, it writes the bytes of `sins ensemble`; so it does with a log. A damaged
-# checkpoint is flown again, a foreign one is refused.
+# An ensemble over the ranks of MPI (c_examples/ensemble_mpi.c), with MPICH and with Open MPI. With 1, 2, 3 and 4 ranks, and when
+# killed in the middle and started again with another number of ranks, it writes the bytes of `sins ensemble`. The same holds with a
+# log. A damaged checkpoint is flown again; a checkpoint of another ensemble is rejected.
 #
 #     tests/mpi.sh [mpich] [openmpi]
 #
-# SINS_LIB_DIR: a folder with libsins.so and the program sins to take instead of building them.
+# SINS_LIB_DIR: a folder with libsins.so and the program sins, used instead of building them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -18,12 +18,12 @@ build_library
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
-# Open MPI: as root, and with more ranks than cores. Both: on one machine, with no look for another.
+# Open MPI: allows root, and more ranks than cores.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 runs=420
 machine=$(c++ -dumpmachine)
 
-# A scene with both error data and a sensor that fails on the way; and in the place of its flight a log.
+# A scene with both error data and a sensor that fails in flight; and the same scene with a log as its flight.
 "$built/sins" scene write simulation2 -o "$out/scene.toml" --preset navigation --set flight.hours=0.25 --set flight.rate_hz=20 \
     --set options.error_model=rk4 --set options.run=5
 cat >>"$out/scene.toml" <<'END'
@@ -50,12 +50,12 @@ fly() { # RANKS OUT.csv
 
 same() { # OUT.csv WHAT
     cmp "$out/expected.csv" "$1"
-    # Nothing but the table and what was said.
+    # Only the table and the messages are left.
     [ "$(ls "$out/$mpi" | grep -c "^$(basename "$1")\.[0-9]")" -eq 0 ]
     echo "$mpi: $2: the bytes of sins ensemble"
 }
 
-# Processes below one, however deep.
+# Prints all descendants of a process.
 below() {
     local child
     for child in $(pgrep -P "$1"); do
@@ -64,13 +64,13 @@ below() {
     done
 }
 
-# The checkpoints that have blocks.
+# Prints the checkpoints that have blocks.
 filled() { # OUT.csv
     find "$out/$mpi" -name "$(basename "$1").[0-9]*" -not -name '*.part' -size +1k
 }
 
-# Starts with so many ranks and kills one of them when the first block is in a new file. However fast they are, they are not done by
-# then: rank 0 opens the table as a pipe that nobody reads, and waits.
+# Starts a job with RANKS ranks and kills one of them when the first block is in a new file. The job cannot end before: rank 0 opens
+# the table as a pipe without a reader, and waits.
 kill_a_rank() { # RANKS OUT.csv
     local before
     before=$(filled "$2" | wc -l)

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Builds packages (release/package.sh; arguments as there) and tries each as its user does: unpacked into an empty folder, examples
-# built against it, run. What cannot be had is told at the end.
+# Builds packages (release/package.sh, with the same arguments) and uses each like a user: unpacks it into an empty folder, builds
+# examples with it and runs them. Tests that could not run are reported at the end.
 #
-#     REBUILD=1 tests/packages.sh ...     then builds them in another folder from the same commit: the same bytes
+#     REBUILD=1 tests/packages.sh ...     also builds them in another folder from the same commit: must give the same bytes
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -22,14 +22,14 @@ need pkgconf pkg-config
 rm -rf "$out"
 mkdir -p "$out"
 
-# flies RUNNER...: a program of tests/c that prints the digests of tests/README.md.
+# flies RUNNER...: runs a program of tests/c, which must print the digests of tests/README.md.
 flies() {
     local found
     found=$("$@" | tr -d '\r' | sed -n 's/^digests: \([0-9a-f]*\) .*/\1/p' | uniq | paste -sd' ')
     [ -n "$digests" ] && [ "$found" = "$digests" ] || fail "$*: digests $found, not $digests"
 }
 
-# files FOLDER NAME...: what every package has, and these.
+# files FOLDER NAME...: checks that the files of every package and these files exist.
 files() {
     local folder=$1 name page
     shift
@@ -62,7 +62,7 @@ linux() {
     diff <(functions) <("$readelf" --dyn-syms -W "$folder/lib/libsins.so" | awk '$5 == "GLOBAL" && $7 != "UND" { print $8 }' | LC_ALL=C sort) ||
         fail "$folder: exports are not the functions of the header"
 
-    # A link, as the debugger looks for it; the section of lines is in it.
+    # The link that debuggers follow to the debug file, which must have the line numbers.
     file=$("$readelf" -p .gnu_debuglink "$folder/lib/libsins.so" | grep -o 'libsins[^ ]*debug')
     "$readelf" -SW "$folder-debug/lib/$file" | grep debug_line >/dev/null || fail "$file: no debug symbols"
 
@@ -110,7 +110,7 @@ windows() {
     cp "$out/cmake-$2"/*_sins.exe "$folder/bin"
     "$wine" "$folder/bin/minimal_sins.exe" | diff "$out/sins.lib.txt" - || fail "$folder: find_package gives another flight"
     "$wine" "$folder/bin/cpp_host_sins.exe" >/dev/null
-    # As MSVC's linker takes it, without the C library that MSVC has.
+    # As with MSVC's linker, but without MSVC's C library.
     cat >"$out/host.c" <<'END'
 __declspec(dllimport) unsigned __cdecl sins_abi_version(void);
 int start(void) { return 40 + (int)sins_abi_version(); }

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# The same bits on other processors and word sizes, and what a host does to the library there: Rust's pinned digests, the runs of
-# ensembles against single simulators, and the programs of tests/c. ARM by emulation; 32-bit x86 by the machine itself where its
-# kernel can, as the emulator raises no floating-point exceptions. On this machine as released, also on an emulated processor without
-# AVX, and without optimisation. What cannot be had is told at the end.
-# SINS_LIB_DIR: a folder with a libsins.so to take for this machine.
+# The same bits on other processors and word sizes, and the effects of a host on the library there: Rust's pinned digests, the runs
+# of ensembles compared with single simulators, and the programs of tests/c. ARM is emulated. 32-bit x86 runs on the machine itself
+# if its kernel allows it, because the emulator raises no floating-point exceptions. This machine runs the library as released, also
+# on an emulated processor without AVX, and without optimisation. Tests that could not run are reported at the end.
+# SINS_LIB_DIR: a folder with a libsins.so to use for this machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -13,7 +13,7 @@ programs="digests float_environment misuse run ensemble threads"
 folder=$PWD/target/platforms
 mkdir -p "$folder"
 
-# fly COMPILER LIBRARY RUNNER...: the programs, with a library.
+# fly COMPILER LIBRARY RUNNER...: builds and runs the programs with a library.
 fly() {
     local compiler=$1 library=$2
     shift 2
@@ -25,7 +25,7 @@ fly() {
     done
 }
 
-# other PROCESSOR DEBIANS_NAME RUNNER...: another processor, Linux.
+# other PROCESSOR DEBIANS_NAME RUNNER...: tests another processor with Linux.
 other() {
     local processor=$1 target=$1-unknown-linux-gnu compiler=$1-linux-gnu-gcc variable
     need "gcc-$processor-linux-gnu" "$compiler"
@@ -45,7 +45,7 @@ need qemu-user qemu-aarch64
 need libc6-i386-cross /usr/i686-linux-gnu/lib/ld-linux.so.2
 loader=/usr/i686-linux-gnu/lib/ld-linux.so.2
 if "$loader" --version >/dev/null 2>&1; then
-    other i686 i386 "$loader" --library-path /usr/i686-linux-gnu/lib:. # tests/loading.sh has its library here
+    other i686 i386 "$loader" --library-path /usr/i686-linux-gnu/lib:. # tests/loading.sh has its library in the current folder
 else
     could_not "unmasked floating-point exceptions and x87 on 32-bit x86" "the kernel runs no 32-bit programs; emulated"
     other i686 i386 qemu-i386 -L /usr/i686-linux-gnu

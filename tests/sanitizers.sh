@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The programs of tests/c with the library under AddressSanitizer, ThreadSanitizer and valgrind. Each tool first has to find a
-# mistake that is planted. The first two need nightly Rust; what cannot be had, or takes too long to build, is told at the end.
-# SINS_LIB_DIR: a folder with a libsins.so to take for valgrind instead of building one.
+# The programs of tests/c with the library under AddressSanitizer, ThreadSanitizer and valgrind. Each tool must first find a planted
+# mistake. The first two need nightly Rust. Tests that could not run, or take too long to build, are reported at the end.
+# SINS_LIB_DIR: a folder with a libsins.so, used for valgrind instead of building one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -12,7 +12,7 @@ folder=$PWD/target/sanitizers/programs
 sanitized=target/sanitizers/$target/debug
 longest_build_s=900
 addressed="misuse struct_sizes sentences run snapshot ensemble recommend budget threads destroyed"
-# Those that fly little: valgrind takes minutes for the others.
+# Programs with short flights: valgrind takes minutes for the others.
 checked="misuse sentences run snapshot ensemble"
 mkdir -p "$folder"
 need g++ c++
@@ -25,13 +25,13 @@ compile() {
     gcc -std=c99 -g -O1 -I include "tests/c/$name.c" -o "$folder/$name" "$@" -lpthread -ldl -lm
 }
 
-# clean COMMAND...: succeeds and complains of nothing.
+# clean COMMAND...: must succeed and print no complaint.
 clean() {
     echo "$*"
     "$@" 2>"$folder/complaints" && [ ! -s "$folder/complaints" ] || { cat "$folder/complaints"; exit 1; }
 }
 
-# finds PATTERN COMMAND...: the tool stops the program and names the mistake.
+# finds PATTERN COMMAND...: the tool must stop the program and name the mistake.
 finds() {
     local pattern=$1
     shift
@@ -43,7 +43,8 @@ finds() {
     fi
 }
 
-# library SANITIZER CRATE_TYPE OPTIONS...: the library, instrumented, with the panic to be injected; false if that takes too long.
+# library SANITIZER CRATE_TYPE OPTIONS...: builds the instrumented library with the function that injects a panic. Fails if the
+# build takes too long.
 library() {
     local status=0
     RUSTFLAGS="-Zsanitizer=$1" timeout "$longest_build_s" cargo "+$nightly" rustc --quiet --lib --crate-type "$2" \
@@ -70,8 +71,8 @@ address_sanitizer() {
     clean "$folder/panic" "$folder/second.so"
 }
 
-# The standard library has to be instrumented too, else its locks are not seen. Without address randomisation: the shadow
-# memory of ThreadSanitizer has a fixed place.
+# The standard library must be instrumented too, because its locks are not seen otherwise. Programs run without address
+# randomisation: the shadow memory of ThreadSanitizer has a fixed place.
 thread_sanitizer() {
     library thread staticlib -Zbuild-std || return 0
     local runtime

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The DLLs that are shipped (release/windows.sh) under wine, 64 and 32 bits, and the programs of tests/c with them. What cannot
-# be had is told at the end.
+# The released DLLs (release/windows.sh) under wine, 64 and 32 bits, and the programs of tests/c with them. Tests that could not
+# run are reported at the end.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -11,7 +11,7 @@ cd "$(dirname "$0")/.."
 programs="digests float_environment misuse sentences run ensemble threads destroyed tls_indexes unload terminated"
 need g++ c++
 
-# dll PROCESSOR FOLDER: the DLL that is shipped, what it is for the loader, and the programs.
+# dll PROCESSOR FOLDER: builds the released DLL, checks it for the loader, and builds the programs.
 dll() {
     local compiler=$1-w64-mingw32-gcc
     release/windows.sh "$1" "$2"
@@ -23,11 +23,11 @@ dll() {
     done
 }
 
-# run_in FOLDER PROCESSOR: the programs, each with two copies of the DLL to load, and the hosts that load it; one server stays for
-# them. Wine makes or renews its own folder with the first that it runs; what it says then of fonts and windows, which they do not
-# have, is told where one of them fails.
+# run_in FOLDER PROCESSOR: runs the programs, each with two copies of the DLL to load, and the hosts that load it. One wine server
+# runs for all of them. The first program makes wine create or update its own folder. Wine then prints messages about fonts and
+# windows, which are shown only if a program fails.
 run_in() {
-    "$WINESERVER" -p60 >/dev/null 2>&1 || true # or one is there already
+    "$WINESERVER" -p60 >/dev/null 2>&1 || true # fails if a server already runs
     "$wine" "$1/sentences.exe" >"$WINEPREFIX/log" 2>&1 || true
     for name in $programs; do
         "$wine" "$1/$name.exe" "$1/sins.dll" "$1/second.dll" || { cat "$WINEPREFIX/log"; exit 1; }

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# The program sins on Windows, by wine: its unit tests, and those of its flights, inputs and outputs.
-# What cannot be had is told at the end.
+# The program sins on Windows, with wine: its unit tests, and the tests of its flights, inputs and outputs. Tests that could not run
+# are reported at the end.
 #
-#     tests/windows_program.sh                       built for 64 bits, little optimised
-#     tests/windows_program.sh i686|x86_64 SINS.EXE  this program, without the unit tests
+#     tests/windows_program.sh                       builds it for 64 bits with little optimisation
+#     tests/windows_program.sh i686|x86_64 SINS.EXE  tests this program, without the unit tests
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -12,17 +12,17 @@ cd "$(dirname "$0")/.."
 # The other tests do not depend on the system.
 tests="fly:: inputs:: outputs::"
 
-# given PROCESSOR SINS.EXE: this machine's build of the tests starts the program by wine. Tests that need Unix are left out, and so is
-# the test of a redirected log: started in this way, the program did not recognize the log as its own output. Without arguments this script
-# includes that test.
+# given PROCESSOR SINS.EXE: the tests are built for this machine and start the program with wine. Tests that need Unix are left out,
+# and so is the test of a redirected log: started in this way, the program did not recognize the log as its own output. Without
+# arguments this script includes that test.
 given() {
     local work=$PWD/target/windows/program
     mkdir -p "$work"
     [ "$1" = x86_64 ] || fetch_screen32 # without fonts wine prints warnings
     printf '#!/bin/sh\nexec "%s" "%s" "$@"\n' "$wine" "$(realpath "$2")" >"$work/sins"
     chmod +x "$work/sins"
-    export LC_ALL=C.UTF-8 # the command line, for wine
-    "$WINESERVER" -p60 >/dev/null 2>&1 || true # one stays for all; or is there already
+    export LC_ALL=C.UTF-8 # for the command line in wine
+    "$WINESERVER" -p60 >/dev/null 2>&1 || true # one server for all programs; fails if a server already runs
     "$work/sins" --version
     SINS_PROGRAM=$work/sins cargo test --workspace --test program -- $tests --include-ignored \
         --skip a_closed_pipe --skip nodes_and_links --skip pipes_and_standard_input --skip a_log_that_is_redirected
@@ -30,11 +30,11 @@ given() {
 
 built() {
     local target=x86_64-pc-windows-gnu
-    # What the program does with files and orders does not depend on its speed, and most of the time goes into its build.
+    # The speed of the program does not matter here, and the build takes most of the time.
     export CARGO_PROFILE_DEV_OPT_LEVEL=1
     need gcc-mingw-w64-x86-64 x86_64-w64-mingw32-gcc
     rustup target add "$target"
-    # What this wine lacks; the folder is searched for it.
+    # A DLL that this wine lacks; WINEPATH makes wine search this folder.
     mkdir -p target/windows/program
     x86_64-w64-mingw32-gcc -shared -Wl,--kill-at -o target/windows/program/bcryptprimitives.dll tests/c/bcryptprimitives.c
     WINEPATH=$("$wine" winepath -w "$PWD/target/windows/program")

@@ -1,4 +1,4 @@
---  Flies a built-in scene and prints what the INS of the scene makes of it: fly patrol
+--  Flies a built-in scene and prints the navigation of its INS: fly patrol
 
 with Ada.Command_Line;     use Ada.Command_Line;
 with Ada.Text_IO;          use Ada.Text_IO;
@@ -13,8 +13,8 @@ procedure Fly is
 
    Failed : exception;
 
-   --  Raises Failed if a call failed: errors are negative. The sentence of a simulator's function is kept with the simulator, that
-   --  of any other with the thread, which is null.
+   --  Raises Failed if a call failed: errors are negative. The library keeps the sentence of a simulator's function with the
+   --  simulator. The sentences of other functions belong to the thread: Of_Sim is null.
    procedure Check (Call : String; Of_Sim : sins_sim; Status : sins_status) is
       Capacity : constant := 1024;
       Sentence : char_array (0 .. Capacity - 1) := (others => nul);
@@ -29,7 +29,7 @@ procedure Fly is
       end if;
    end Check;
 
-   --  The axes of a vector with all their digits.
+   --  Prints the components of a vector with all their digits.
    procedure Put_Vector (Name : String; Vector : sins_double_3) is
    begin
       Put (Name);
@@ -79,7 +79,7 @@ procedure Fly is
                 sins_flight_sample_at (Flight, double'Min (double (K) / Setup.rate_hz, Setup.flown_s), Sample));
          Check ("sins_scene_prepare", null, sins_scene_prepare (Scene, Sim, 0.0, Sample));
          Check ("sins_push_sample", Sim, sins_push_sample (Sim, Sample));
-         Check ("sins_step", Sim, sins_step (Sim)); --  the first answers SINS_NEED_SAMPLE, which is no error
+         Check ("sins_step", Sim, sins_step (Sim)); --  the first step returns SINS_NEED_SAMPLE, which is not an error
          if K mod Every = 0 then
             Check ("sins_get_record", Sim, sins_get_record (Sim, Row));
             Put_Row (Row);

@@ -7,14 +7,14 @@
 
 #include <shellapi.h>
 
-/* Of the command line, and their values. */
+/* Options of the command line and their values. */
 typedef std::map<std::wstring, std::wstring> Options;
 
 class App : public Dialog, public Document {
 public:
     explicit App(const Options &options) : options_(options) {}
 
-    /* True: the language changed, and the window is to be built again. */
+    /* Runs the window. True: the language has changed, and the window must be created again. */
     bool run() {
         HACCEL keys = LoadAcceleratorsW(NULL, MAKEINTRESOURCEW(IDR_KEYS));
         MSG message;
@@ -169,7 +169,7 @@ private:
             for (size_t k = 0; k < words.size(); k++)
                 AppendMenuW(popup, MF_STRING, id + k, label("builtin." + narrow(words[k]), narrow(words[k])).c_str());
             if (!words.empty())
-                DeleteMenu(popup, 0, MF_BYPOSITION); /* what stands for none */
+                DeleteMenu(popup, 0, MF_BYPOSITION); /* the entry for an empty list */
         };
         fill(4, ID_RECENT, recent_);
         fill(5, ID_BUILTIN, builtins_);
@@ -215,7 +215,7 @@ private:
         DestroyWindow(window_);
     }
 
-    /* What was typed counts, though the field has the focus still. */
+    /* Takes a typed value although the field still has the focus. */
     void leave_field() {
         HWND focus = GetFocus();
         WPARAM left = MAKEWPARAM(GetDlgCtrlID(focus), EN_KILLFOCUS);
@@ -288,8 +288,8 @@ private:
     Options options_;
     const Texts builtins_ = builtins();
     std::unique_ptr<Page> pages_[4];
-    DisplayPage *display_ = NULL; /* the last of them */
-    RECT place_ = {};             /* of the window, and its page, when it is built again */
+    DisplayPage *display_ = NULL; /* the last page */
+    RECT place_ = {};             /* place and page of the window when it is created again */
     int page_ = 0;
     bool changes_language_ = false;
 };

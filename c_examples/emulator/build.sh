@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds SINS_Emulator.exe: build.sh ARCH OUT, ARCH x86_64 or i686. Needs no Rust: sins.dll is loaded when the program starts,
-# from the program's own folder. For Windows 7 and later; nothing of the compiler has to be installed there.
+# Builds SINS_Emulator.exe: build.sh ARCH OUT, where ARCH is x86_64 or i686. Needs no Rust: the program loads sins.dll from its own
+# folder when it starts. For Windows 7 and later, without additional files of the compiler.
 set -euo pipefail
 [ $# -eq 2 ] || { echo "usage: $0 x86_64|i686 OUT" >&2; exit 2; }
 arch=$1
@@ -12,7 +12,8 @@ need "g++-mingw-w64-$(echo "$arch" | tr _ -)-posix" "$arch-w64-mingw32-g++-posix
 
 parts=$(mktemp -d)
 trap 'rm -rf "$parts"' EXIT
-# A field that an initializer leaves out is zero: no warning. -mfpmath=sse: the figures are those of the library to the bit in 32 bits too.
+# No warning about fields that an initializer leaves out: they are zero. -mfpmath=sse: figures equal those of the library to the
+# bit, also with 32 bits.
 flags="-std=c++20 -O2 -Wall -Wextra -Wpedantic -Wno-missing-field-initializers -Werror -msse2 -mfpmath=sse -D_WIN32_WINNT=0x0601 -DNOMINMAX -DUNICODE -D_UNICODE -I../../include"
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' ../../Cargo.toml | head -1)
 printf '#define VERSION_TEXT "%s"\n#define VERSION_NUMBERS %s, 0\n' "$version" "$(echo "${version%%-*}" | sed 's/\./, /g')" >"$parts/version.h"

@@ -1,9 +1,10 @@
-/* Curves of any length in memory of one size: each cell has the extremes of what it stands for. */
+/* Curves of any length in memory of a fixed size: each cell has the extremes of its points. */
 #pragma once
 #include <algorithm>
 #include <vector>
 
-/* What is drawn over time. Three components each; of two triples the second is drawn above the first. */
+/* Quantities that are drawn over time, with three components each. If there are two triples, the second
+ * is drawn over the first. */
 enum Channel {
     ATTITUDE_ERROR = 0,  /* roll, pitch, heading [rad]: error data 1, then error data 2 */
     VELOCITY_ERROR = 6,  /* east, north, up [m/s] */
@@ -33,13 +34,13 @@ class Curves {
 public:
     Cells cells[CHANNELS];
 
-    /* Values of a channel, now. */
+    /* Adds values of a channel to the current point. */
     void put(int channel, const double *values, int count = 3) {
         for (int k = 0; k < count; k++)
             now_[channel + k].join(Cell(values[k]));
     }
 
-    /* A point ends: what was put since the point before. */
+    /* Ends a point, which has all values since the previous point. */
     void end_point(double time_s) {
         put(TIME, &time_s, 1);
         bool is_new = points_ == stride_;

@@ -3,13 +3,13 @@
 #include "curves.h"
 #include "dialog.h"
 
-/* A unit and how much of the SI unit it is. */
+/* A unit and its size in the SI unit. */
 struct Unit {
     const wchar_t *name;
     double si;
 };
 
-/* What an axis shows. */
+/* Quantity of an axis. */
 enum Quantity { LENGTH, SPEED, ANGLE, ANGULAR_RATE, ACCELERATION, DEGREES, DURATION };
 static const double DEG = 3.14159265358979323846 / 180;
 static const std::vector<Unit> UNITS[] = {
@@ -25,14 +25,14 @@ static const std::vector<Unit> UNITS[] = {
 struct Trace {
     std::wstring name;
     COLORREF color;
-    bool is_wide; /* seen below another */
+    bool is_wide; /* visible below another curve */
     Cells cells;
 };
 
 struct Panel {
     std::wstring title;
     Quantity quantity;
-    Cells x; /* of which the last value counts */
+    Cells x; /* x of a point: the last value of the cell */
     std::vector<Trace> traces;
 };
 
@@ -48,7 +48,7 @@ public:
     std::vector<Panel> panels;
     Quantity x_quantity = DURATION; /* DEGREES: a map, on which x and y have the same scale */
     bool is_logarithmic = false;
-    Range zoomed = {0, 0}; /* of x; equal: all */
+    Range zoomed = {0, 0}; /* range of x; equal ends: the whole range */
 
     Range whole_x() const {
         Cell all;
@@ -63,7 +63,7 @@ public:
 
     Range seen_x() const { return zoomed.high > zoomed.low ? zoomed : whole_x(); }
 
-    /* Draws it into an area; cursor: a pixel of x, -1 without one. */
+    /* Draws the diagram into an area; cursor: a pixel of x, or -1 for none. */
     void draw(HDC dc, RECT area, int cursor) const {
         static HFONT font = CreateFontW(-scaled(11), 0, 0, 0, FW_NORMAL, 0, 0, 0, DEFAULT_CHARSET, 0, 0,
                                         CLEARTYPE_QUALITY, 0, L"MS Shell Dlg 2");
@@ -82,7 +82,7 @@ public:
         SelectObject(dc, before);
     }
 
-    /* What a pixel stands for. */
+    /* The value of x at a pixel. */
     double x_at(int pixel, RECT area) const {
         Scale first = scale(0, area);
         return first.x.at(first.share(pixel));
@@ -90,7 +90,7 @@ public:
 
 private:
     static const COLORREF FRAME = RGB(150, 150, 150), GRID = RGB(228, 228, 228), INK = RGB(60, 60, 60);
-    static constexpr double DECADES = 8; /* of a logarithmic axis at the most */
+    static constexpr double DECADES = 8; /* largest number of decades of a logarithmic axis */
 
     struct Scale { /* from values to pixels of one panel; y of a logarithmic axis is the logarithm in the unit */
         RECT box;
@@ -100,11 +100,11 @@ private:
         int y_of(double value) const { return pixel(box.bottom, box.top, y.share_of(value)); }
         double share(int pixel) const { return (double)(pixel - box.left) / max(1L, box.right - box.left); }
         static int pixel(double from, double to, double share) {
-            return (int)std::clamp(from + share * (to - from), -30000.0, 30000.0); /* which GDI can draw */
+            return (int)std::clamp(from + share * (to - from), -30000.0, 30000.0); /* the range that GDI can draw */
         }
     };
 
-    /* The largest unit that a range fills. */
+    /* The largest unit that fits into a range at least twice. */
     static Unit unit_for(Quantity quantity, Range range) {
         const std::vector<Unit> &units = UNITS[quantity];
         double size = max(std::fabs(range.low), std::fabs(range.high));
@@ -134,7 +134,7 @@ private:
                               : Range{all.low - margin, all.high + margin};
     }
 
-    /* The places of axes and curves; the map has one scale for both directions. */
+    /* Places of axes and curves. A map has one scale for both directions. */
     Scale scale(size_t index, RECT area) const {
         static const Panel NONE = {L"", LENGTH, {}, {}};
         const Panel &panel = index < panels.size() ? panels[index] : NONE;
@@ -144,7 +144,7 @@ private:
         Scale scale = {{area.left + scaled(58), top + line + 2, area.right - scaled(10), top + height - line / 2},
                        seen_x(), {}, {}, {}};
         scale.x_unit = unit_for(x_quantity, scale.x);
-        scale.y_unit = UNITS[panel.quantity][is_logarithmic && !is_angle]; /* one, whatever the size */
+        scale.y_unit = UNITS[panel.quantity][is_logarithmic && !is_angle]; /* the same unit for any size */
         scale.y = range_y(panel, scale.x, scale.y_unit);
         if (x_quantity == DEGREES) {
             double middle = (scale.y.low + scale.y.high) / 2, center = (scale.x.low + scale.x.high) / 2;
@@ -159,7 +159,7 @@ private:
         return scale;
     }
 
-    /* Where an axis has ticks: at multiples of 1, 2 or 5 times a power of ten, about so many. */
+    /* The ticks of an axis: about `count` multiples of 1, 2 or 5 times a power of ten. */
     static std::vector<double> ticks(Range range, int count, double least = 0) {
         double raw = (range.high - range.low) / max(1, count), power = std::pow(10, std::floor(std::log10(raw)));
         double step = max(least, power * (raw > 5 * power ? 10 : raw > 2 * power ? 5 : raw > power ? 2 : 1));
@@ -176,7 +176,7 @@ private:
         LineTo(dc, x1, y1);
     }
 
-    /* The width of what is written. */
+    /* Writes a text and returns its width. */
     static int write(HDC dc, int x, int y, UINT align, COLORREF color, const std::wstring &text) {
         SIZE size;
         SetTextAlign(dc, align);
@@ -214,7 +214,7 @@ private:
         draw_legend(dc, scale, panel, cursor);
     }
 
-    /* The title with the unit, and each curve's name; with the cursor its value there. */
+    /* Draws the title with the unit, and the name of each curve, with its value at the cursor. */
     void draw_legend(HDC dc, const Scale &scale, const Panel &panel, int cursor) const {
         const RECT &box = scale.box;
         int left = box.left, top = box.top - scaled(14);
@@ -241,7 +241,7 @@ private:
             const Cell &cell = trace.cells[k];
             for (double value : {cell.low, cell.high, cell.last}) {
                 double y = is_logarithmic ? level(value, scale.y_unit) : value;
-                if (x_quantity == DURATION || value == cell.last) /* a map has one point a cell */
+                if (x_quantity == DURATION || value == cell.last) /* a map has one point for each cell */
                     points.push_back({scale.x_of(panel.x[k].last), scale.y_of(y)});
             }
         }

@@ -1,6 +1,7 @@
-/* A dialog of the resources, as CDialog: one class derives from it for each. The text of a control in a layout has up
- * to four pieces between "|": its text; the scene keys of the fields behind it; what of the window's growth moves it
- * (x, y) and stretches it (w, h), in capitals by half, for the controls without text behind it too; a list's columns. */
+/* A dialog of the resources, like CDialog: each dialog has a derived class. The text of a control in a layout has up to
+ * four pieces between "|": its text; the scene keys of the fields after it; letters for the growth of the window, which
+ * moves the control (x, y) and stretches it (w, h), by half with capital letters; the columns of a list. Controls
+ * without text use the letters of the control before them. */
 #pragma once
 #include <commctrl.h>
 
@@ -11,7 +12,7 @@
 
 std::wstring told(const std::exception &error); /* in the user's language */
 
-/* A row of a list; a bar in its second column is this much of the column. */
+/* A row of a list. bar: length of a bar in its second column, as a share of the column. */
 struct Row {
     Texts cells;
     bool is_grey = false;
@@ -20,7 +21,7 @@ struct Row {
 };
 typedef std::vector<Row> Rows;
 
-/* A row for each part of a text, with its value. */
+/* Makes a row for each part of a text, with its value. */
 inline Rows rows_of(const std::string &names, const Texts &values) {
     Rows rows;
     for (const std::wstring &name : parts(names))
@@ -32,11 +33,11 @@ class Dialog {
 public:
     virtual ~Dialog() { DestroyWindow(window_); }
 
-    void create(HWND parent, UINT id) { /* a page: lives until the object is destroyed */
+    void create(HWND parent, UINT id) { /* a page: exists until the object is destroyed */
         CreateDialogIndirectParamW(NULL, template_of(id), parent, procedure, (LPARAM)this);
     }
 
-    INT_PTR modal(HWND parent, UINT id) { /* returns what finish() got */
+    INT_PTR modal(HWND parent, UINT id) { /* returns the result of finish() */
         return DialogBoxIndirectParamW(NULL, template_of(id), parent, procedure, (LPARAM)this);
     }
 
@@ -44,12 +45,12 @@ public:
     bool has_marks() const { return !marked_.empty(); }
 
 protected:
-    virtual void on_control(HWND, const std::string &) {} /* with its second piece */
+    virtual void on_control(HWND, const std::string &) {} /* a control and the second piece of its text */
     virtual void on_init() {}
-    virtual void on_command(int, int) {} /* control or menu, code of its notification: of lists and tabs too */
+    virtual void on_command(int, int) {} /* control or menu, and code of its notification, also of lists and tabs */
     virtual bool is_change(HWND, int) const { return false; }
     virtual void on_change(int id, int code) { on_command(id, code); } /* a field has a new value */
-    virtual bool on_message(UINT, WPARAM, LPARAM) { return false; } /* of another kind; true: it is done */
+    virtual bool on_message(UINT, WPARAM, LPARAM) { return false; } /* any other message; true: it is handled */
     virtual void on_refusal(const std::wstring &sentence) { say(window_, sentence); }
     void finish(INT_PTR result) { EndDialog(window_, result); }
 
@@ -86,7 +87,7 @@ protected:
             InvalidateRect(control, NULL, TRUE);
     }
 
-    /* The columns of a list, each a title and a width, of which 0 takes what the others leave. */
+    /* Adds the columns of a list, each with a title and a width. A column of width 0 gets the remaining width. */
     void add_columns(HWND list, const std::string &titles) {
         ListView_SetExtendedListViewStyle(list, LVS_EX_FULLROWSELECT | LVS_EX_DOUBLEBUFFER | LVS_EX_LABELTIP);
         for (const std::wstring &title : parts(titles)) {
@@ -114,7 +115,7 @@ protected:
     }
 
     HWND window_ = NULL;
-    std::set<HWND> marked_; /* fields that are wrong */
+    std::set<HWND> marked_; /* fields with faults */
 
 private:
     struct Growth {
@@ -165,7 +166,7 @@ private:
         return on_message(message, wparam, lparam);
     }
 
-    /* Translates the controls. */
+    /* Translates and binds the controls. */
     void init() {
         RECT client;
         std::string ways;
@@ -241,7 +242,7 @@ private:
         }
     }
 
-    /* What is off is grey; the second column may be a bar. */
+    /* Effects that are off are grey; the second column may show a bar. */
     static LRESULT draw_row(NMLVCUSTOMDRAW *draw, const Rows &rows) {
         if (draw->nmcd.dwDrawStage == CDDS_PREPAINT)
             return CDRF_NOTIFYITEMDRAW;
@@ -278,9 +279,9 @@ private:
     }
 
     HWND tips_ = NULL;
-    std::map<HWND, std::wstring> tip_texts_; /* the tool tip does not copy them */
+    std::map<HWND, std::wstring> tip_texts_; /* the tool tip does not copy its text */
     std::map<HWND, Growth> growth_;
-    std::map<HWND, std::vector<int>> widths_; /* of the columns of lists [pixels] */
+    std::map<HWND, std::vector<int>> widths_; /* widths of the columns of lists [pixels] */
     std::map<int, Rows> rows_;
     SIZE size_ = {};
 };

@@ -10,7 +10,7 @@ public:
     double pace() const { return PACES[chosen(IDC_PACE)]; }
     const Plot &plot() const { return plot_; }
 
-    /* Draws what was flown. */
+    /* Shows the flight so far. */
     void update() {
         Flight *flight = document_.flight.get();
         bool has_model = false;
@@ -46,13 +46,13 @@ protected:
     }
 
 private:
-    static constexpr double PACES[] = {1, 10, 100, 1000, 0}; /* as the text "paces"; 0: as fast as it goes */
+    static constexpr double PACES[] = {1, 10, 100, 1000, 0}; /* in the order of the text "paces"; 0: as fast as possible */
 
-    /* What the diagram shows, in the order of the text "quantities". */
+    /* The quantities of the diagram, in the order of the text "quantities". */
     struct View {
         Channel channel;
         Quantity quantity;
-        const char *axes, *data; /* names of two: error data 2 and 1, or navigation and truth */
+        const char *axes, *data; /* data: names of two curves: error data 2 and 1, or navigation and truth */
     };
     static constexpr View VIEWS[] = {
         {POSITION_ERROR, LENGTH, "axes_enu", "data"}, {VELOCITY_ERROR, SPEED, "axes_enu", "data"},

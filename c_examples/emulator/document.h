@@ -1,10 +1,10 @@
-/* What the pages and dialogs work on: the scene, its file and its flight. */
+/* The document of the pages and dialogs: the scene, its file and its flight. */
 #pragma once
 #include "flight.h"
 #include "form.h"
 #include "plot.h"
 
-/* What the program keeps from run to run: "Language", "Recent". */
+/* Settings that the program keeps between runs: "Language", "Recent". */
 inline const wchar_t REGISTRY[] = L"Software\\SINS_Emulator";
 
 inline std::wstring registry_text(const wchar_t *name) {
@@ -21,9 +21,9 @@ inline void set_registry_text(const wchar_t *name, const std::wstring &value) {
 
 class Document {
 public:
-    virtual void edited(const std::wstring &fault) = 0; /* the scene was: the sentence of a fault, or "" */
-    virtual void named(bool is_other) = 0;              /* the scene has a file now; is_other: it is another scene */
-    virtual bool may_discard() = 0;                     /* what is not saved */
+    virtual void edited(const std::wstring &fault) = 0; /* the scene was edited; fault: sentence, or "" */
+    virtual void named(bool is_other) = 0;              /* the scene has a file; is_other: it is another scene */
+    virtual bool may_discard() = 0;                     /* whether unsaved changes may be lost */
     virtual void say_line(const std::wstring &sentence) = 0; /* in the status line */
     virtual void command(int id) = 0;
 
@@ -60,14 +60,14 @@ public:
         replace(std::move(read), file);
     }
 
-    /* A log is seen from the scene's folder if it lies there or below. */
+    /* The path of a log is relative to the scene's folder if the log is in or below this folder. */
     void fly_log(const fs::path &log) {
         fs::path seen = log.lexically_relative(folder());
         bool is_below = !seen.empty() && *seen.begin() != L"..";
         edited(told(scene.set({{"flight.file", in_quotes(narrow(is_below ? seen : log))}})));
     }
 
-    /* Into a file, or into one that the user names. */
+    /* Saves into a file. Without a name, the user names the file. */
     bool save(fs::path file) {
         std::wstring log = wide(scene.text(SINS_SCENE_TEXT_LOG));
         if (file.empty())
@@ -76,7 +76,7 @@ public:
             return false;
         if (same_file(file, folder() / log))
             throw Refusal(text("is_input", {file}));
-        if (!log.empty() && file.parent_path() != folder()) /* a log is seen from the scene's folder */
+        if (!log.empty() && file.parent_path() != folder()) /* the path of a log is relative to the scene's folder */
             scene.set({{"flight.file", in_quotes(narrow(folder() / log))}});
         write_file(file, [this](const fs::path &to) {
             std::ofstream stream(to, std::ios::binary);
@@ -87,13 +87,14 @@ public:
         return true;
     }
 
-    /* No output replaces the scene or the log that it came from. */
+    /* An output must not replace the scene or the log of its flight. */
     void refuse_input(const fs::path &file) {
         if (same_file(file, path) || same_file(file, flight->log_path()))
             throw Refusal(text("is_input", {file}));
     }
 
-    /* The records, and beside them the measured increments if the scene names a file for them. */
+    /* Writes the records, and into the same folder the measured increments if the scene names a
+     * file for them. */
     void export_records(const fs::path &file) {
         fs::path name = flight->increments_name(), increments = file.parent_path() / name;
         if (file.empty())
@@ -115,7 +116,7 @@ public:
 protected:
     ~Document() = default;
 
-    Texts recent_ = split(registry_text(L"Recent"), L'|'); /* files that were open last */
+    Texts recent_ = split(registry_text(L"Recent"), L'|'); /* recently opened files */
 
 private:
     void replace(sins::Scene &&other, const fs::path &file) {
@@ -125,7 +126,7 @@ private:
         named(true);
     }
 
-    /* The scene is in this file as it is. */
+    /* Notes that this file has the current scene. */
     void remember(const fs::path &file) {
         path = file;
         saved_ = scene.write();
@@ -140,14 +141,14 @@ private:
         set_registry_text(L"Recent", all);
     }
 
-    std::string saved_ = scene.write(); /* as it was opened or saved */
+    std::string saved_ = scene.write(); /* text of the scene when it was opened or saved */
 };
 
-/* A page of the main window: its fields go into the scene as soon as they are left. */
+/* A page of the main window. The value of a field is set in the scene when the user leaves the field. */
 class Page : public Form {
 public:
     explicit Page(Document &document) : Form(document.scene), document_(document) {}
-    /* Shows the scene; all_is_new: what was typed wrong goes too. */
+    /* Shows the scene; all_is_new: rejected input is replaced too. */
     virtual void refresh(bool all_is_new) { load(all_is_new); }
 
 protected:

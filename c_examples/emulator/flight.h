@@ -13,13 +13,13 @@ public:
     enum State { FLYING, PAUSED, FINISHED, STOPPED, FAILED };
     struct Status {
         State state;
-        double time_s, duration_s, snapshot_s; /* since the start; snapshot_s: -1 without one */
+        double time_s, duration_s, snapshot_s; /* times since the start; snapshot_s: -1 without a snapshot */
         sins_record record;
         sins_accuracy accuracy;
-        std::wstring sentence; /* why it failed */
+        std::wstring sentence; /* the reason of a failure */
     };
 
-    /* Begins with the first sample; pace: times real time, 0 as fast as it goes. */
+    /* Begins with the first sample. pace: speed as a multiple of real time; 0: as fast as possible. */
     Flight(const Scene &scene, const fs::path &folder, double pace)
         : scene_(scene), samples_(scene, folder), sim_(scene.create_simulator()),
           has_covariance_(sim_.options().covariance != 0), records_(sins::Simulator::record_head(has_covariance_)) {
@@ -32,13 +32,13 @@ public:
 
     ~Flight() { stop(); }
 
-    /* While it is held, the flight stands still. */
+    /* Holds the flight: the worker does not step while the lock exists. */
     std::unique_lock<std::recursive_mutex> hold() const {
-        std::lock_guard<std::mutex> door(door_); /* the worker comes after the window */
+        std::lock_guard<std::mutex> door(door_); /* the window takes precedence over the worker */
         return std::unique_lock<std::recursive_mutex>(mutex_);
     }
 
-    /* From now on at this pace. */
+    /* Sets the pace from now on. */
     void set_pace(double pace) {
         auto held = hold();
         pace_ = pace;
@@ -52,7 +52,7 @@ public:
         set_pace(pace_);
     }
 
-    /* The worker ends; what was flown stays. */
+    /* Ends the worker. The flight so far stays. */
     void stop() {
         if (worker_.joinable()) {
             ends_ = true;
@@ -81,7 +81,7 @@ public:
         return now_.curves;
     }
 
-    /* The failures of the scene as they are now: they take effect with the next interval. */
+    /* Takes over the current failures of the scene, which act from the next interval on. */
     void plan(const Scene &scene) {
         auto held = hold();
         const std::vector<sins_planned_failure> planned = scene.failures();
@@ -89,7 +89,7 @@ public:
             bool stays = std::any_of(planned.begin(), planned.end(), [&own](const sins_planned_failure &other) {
                 return other.sensor == own.sensor && other.axis == own.axis;
             });
-            if (!stays) /* prepare() leaves alone what has none planned */
+            if (!stays) /* prepare() does not clear an output without planned failures */
                 sim_.set_failure(own.sensor, own.axis, sins::make<sins_failure>());
         }
         scene_ = Scene(scene);
@@ -117,29 +117,29 @@ public:
         set_pace(pace_);
     }
 
-    /* The records so far, as `sins fly` writes them; or what the sensors measured in each interval. */
+    /* Writes the records so far in the format of `sins fly`, or the measured increments of each interval. */
     void write(const fs::path &path, bool increments) {
         auto held = hold();
         (increments ? *increments_ : records_).copy(path);
     }
 
-    /* The file that the scene names for the increments; "": none. */
+    /* The file that the scene names for the increments, or "". */
     fs::path increments_name() const { return wide(scene_.text(SINS_SCENE_TEXT_IMU)); }
     const fs::path &log_path() const { return samples_.log_path; }
 
 private:
-    static constexpr double LEAST_POINTS = 100000; /* of the curves */
-    static constexpr int STEPS = 256;              /* between two looks at the window */
+    static constexpr double LEAST_POINTS = 100000; /* least number of points of the curves */
+    static constexpr int STEPS = 256;              /* steps before the window may take the lock */
 
-    struct Moment {                                 /* what goes on from sample to sample */
-        size_t next = 0;                            /* sample */
-        double sums[6] = {}, time_s = 0;            /* since the last record: errors of gyros, accelerometers */
-        std::streamoff records = 0, increments = 0; /* bytes */
+    struct Moment {                                 /* state from sample to sample */
+        size_t next = 0;                            /* number of the next sample */
+        double sums[6] = {}, time_s = 0;            /* sums since the last record: errors of gyros, accelerometers */
+        std::streamoff records = 0, increments = 0; /* sizes [bytes] */
         Curves curves;
     };
 
     void fly() {
-        SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL); /* the window answers first */
+        SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL); /* the window takes precedence */
         while (!ends_) {
             { std::lock_guard<std::mutex> door(door_); }
             std::unique_lock<std::recursive_mutex> held(mutex_);
@@ -186,7 +186,7 @@ private:
         }
     }
 
-    /* What the sensors gave over an interval. */
+    /* Stores the output of the sensors over an interval. */
     void keep_interval(const sins_imu &imu) {
         for (int k = 0; k < 3; k++) {
             now_.sums[k] += imu.measured_angle_rad[k] - imu.ideal_angle_rad[k];
@@ -233,7 +233,7 @@ private:
     Samples samples_;
     sins::Simulator sim_;
     bool has_covariance_;
-    size_t points_every_; /* samples */
+    size_t points_every_; /* interval of points [samples] */
     Moment now_, saved_;
     double saved_s_ = -1;
     std::vector<unsigned char> snapshot_;

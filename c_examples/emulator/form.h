@@ -1,5 +1,5 @@
-/* A dialog whose fields are values of a scene. A label names the keys of the fields behind it, "L&atitude [deg]|
- * flight.latitude_deg"; load() and save() exchange them, as UpdateData() and DoDataExchange() of MFC. */
+/* A dialog whose fields are values of a scene. A label names the keys of the fields after it, "L&atitude [deg]|
+ * flight.latitude_deg". load() and save() exchange the values, like UpdateData() and DoDataExchange() of MFC. */
 #pragma once
 #include "dialog.h"
 #include "scene.h"
@@ -8,18 +8,18 @@ class Form : public Dialog {
 protected:
     struct Field {
         HWND control, label;
-        std::string path; /* as the label has it, with the element of several numbers behind it */
+        std::string path; /* path in the label, with the number of the element if there are several */
         const Key *key;
-        bool is_in_si;      /* for now */
-        bool is_hidden;     /* by the layout: it is seen while it is used, for several may have one place */
-        std::string loaded; /* the whole value, of which the control shows 15 digits */
+        bool is_in_si;      /* whether the field currently uses SI */
+        bool is_hidden;     /* hidden in the layout: shown only while used, because fields may share a place */
+        std::string loaded; /* the exact value; the control shows 15 digits */
         std::wstring shown;
         std::string owner() const { return path.substr(0, path.rfind('.') + 1); }
         bool is_nested() const { return path.starts_with("manoeuvre.sinusoid"); }
-        bool has_none() const { return is_nested() && key->is_choice(); } /* without a channel there is no sinusoid */
+        bool has_none() const { return is_nested() && key->is_choice(); } /* no channel: no sinusoid */
     };
 
-    /* item: of which list item the keys are, "manoeuvre[3]"; "": of none. */
+    /* item: the list item of the keys, "manoeuvre[3]", or "". */
     explicit Form(Scene &scene, const std::string &item = "") : scene_(scene), item_(item) {}
 
     void on_control(HWND control, const std::string &paths) override {
@@ -35,13 +35,13 @@ protected:
         }
     }
 
-    void enable_fields(const std::string &begin, bool enabled) const { /* whose paths begin so */
+    void enable_fields(const std::string &begin, bool enabled) const { /* the fields whose paths begin with `begin` */
         for (const Field &field : fields_)
             if (field.path.starts_with(begin))
                 EnableWindow(field.control, enabled);
     }
 
-    /* The fields that the words of other fields exclude are empty and off. */
+    /* Empties and disables the fields that the words of other fields exclude. */
     void enable_used() const {
         for (const Field &field : fields_) {
             bool is_used = applies(field);
@@ -54,7 +54,7 @@ protected:
         }
     }
 
-    /* From the scene to the controls. What a user typed wrong stays while it is marked, unless all is new. */
+    /* Copies values from the scene to the controls. Marked input with a fault stays, unless all is new. */
     void load(bool all_is_new) {
         for (Field &field : fields_) {
             if (marked_.count(field.control) != 0 && !all_is_new)
@@ -72,7 +72,7 @@ protected:
         }
     }
 
-    /* What the user changed since the load. */
+    /* Changes of the user since load(). */
     Changes changes() const {
         Changes changes;
         for (const Field &field : fields_)
@@ -81,10 +81,10 @@ protected:
         return changes;
     }
 
-    /* From the controls to the scene. */
+    /* Copies changes from the controls to the scene. */
     std::wstring save() { return mark_faults(scene_.set_valid(changes())); }
 
-    /* All fields as an item of a list, as it stands in the text of a scene. */
+    /* All fields as a list item in the text format of a scene. */
     std::string item_text() const {
         std::string text, owner;
         for (const Field &field : fields_) {
@@ -102,7 +102,7 @@ protected:
         return text;
     }
 
-    /* Marks the fields at fault, each with its sentence as tool tip; the first sentence, "" if there is none. */
+    /* Marks the faulty fields, each with its sentence as tool tip. Returns the first sentence, or "". */
     std::wstring mark_faults(const Faults &faults) {
         for (const Field &field : fields_) {
             std::wstring sentence;
@@ -114,7 +114,7 @@ protected:
         return told(faults);
     }
 
-    /* Whether this notification says that a field has a new value. */
+    /* Whether this notification reports a new value of a field. */
     bool is_change(HWND control, int code) const override {
         return std::any_of(fields_.begin(), fields_.end(), [control, code](const Field &field) {
             int change = field.key->is_choice() ? (int)CBN_SELCHANGE : (int)EN_KILLFOCUS;
@@ -122,7 +122,7 @@ protected:
         });
     }
 
-    /* To another path than before; "": none, the control is hidden. */
+    /* Binds a control to another path. "": no path, the control is hidden. */
     void bind_again(HWND control, const std::string &path, bool is_in_si) {
         std::erase_if(fields_, [control](const Field &field) { return field.control == control; });
         mark(control, false);
@@ -135,7 +135,8 @@ protected:
     std::string item_;
 
 private:
-    /* Fills a combo box with the words, gives the tool tip, and shows grey what an empty field stands for. */
+    /* Binds a control to a path: fills a combo box with the words, sets the tool tip, and shows the default
+     * value of an empty field in grey. */
     void bind(HWND control, const std::string &path, bool is_in_si = false) {
         bool is_hidden = (GetWindowLongW(control, GWL_STYLE) & WS_VISIBLE) == 0;
         fields_.push_back({control, label_, path, key_of(path), is_in_si, is_hidden, "", L""});
@@ -155,7 +156,7 @@ private:
         return in_si ? path.replace(path.rfind('.') + 1, strlen(field.key->name), field.key->si_name) : path;
     }
 
-    /* What a control shows: its text or the word. */
+    /* Sets the text or the word of a control. */
     void put(const Field &field, const std::string &value) const {
         std::vector<std::string> words = field.key->choices();
         size_t index = std::find(words.begin(), words.end(), value) - words.begin();
@@ -177,7 +178,7 @@ private:
         return own == fields_.end() ? "" : now(*own);
     }
 
-    /* Whether the item can have a key. */
+    /* Whether the item can have the key of a field. */
     bool applies(const Field &field) const {
         bool is_sinusoid = field.key->is_choice() || !now(field.owner() + "channel").empty();
         return (!field.is_nested() || (is_sinusoid && now("manoeuvre.kind") == "sinusoids")) &&
@@ -185,6 +186,6 @@ private:
     }
 
     std::vector<Field> fields_;
-    std::vector<std::string> next_; /* paths of the label before, not bound yet */
-    HWND label_ = NULL;             /* that label */
+    std::vector<std::string> next_; /* paths of the last label that are not bound yet */
+    HWND label_ = NULL;             /* the last label */
 };

@@ -51,7 +51,7 @@ protected:
         }
     }
 
-    /* One number for all axes: the field speaks for all. */
+    /* With one number for all axes, a field sets all axes. */
     void on_change(int id, int code) override {
         if (id >= IDC_VALUE && id < IDC_VALUE + 9 && checked(IDC_SAME) && !changes().empty())
             change(bound_->path(is_in_si_), narrow(get(id)));
@@ -72,7 +72,7 @@ private:
         return row < effects_.size() ? effects_[row] : NULL;
     }
 
-    /* In place of what the fields of the effect say. What other fields say, rightly or not, stays. */
+    /* Sets a value and drops the input in the fields of the effect. Input in other fields stays, also with faults. */
     void change(const std::string &path, const std::string &value) {
         Changes all = changes();
         std::erase_if(all, [this](auto &other) { return other.first.starts_with(bound_->path(is_in_si_)); });
@@ -80,7 +80,7 @@ private:
         document_.edited(mark_faults(scene_.set_valid(all)));
     }
 
-    /* A value as the list shows it: a word, a text, or numbers. */
+    /* A value in the form of the list: a word, a text, or numbers. */
     static std::wstring seen(const Key &key, const std::string &value) {
         if (key.is_choice() || key.kind == SINS_SCENE_KEY_TEXT)
             return key.word_label(unquoted(value));
@@ -91,7 +91,7 @@ private:
         return list;
     }
 
-    /* The fields of the effect that is chosen in the list: one, three or nine, or a word. */
+    /* Shows the fields of the effect that is selected in the list: one, three or nine numbers, or a word. */
     void show_effect(bool all_is_new) {
         const Key *key = effect();
         if (key != NULL && (key != bound_ || all_is_new))
@@ -120,5 +120,5 @@ private:
     const std::vector<std::string> grades_ = key_of("gyro.preset")->choices();
     std::vector<const Key *> effects_;
     const Key *bound_ = &keys()[0]; /* the effect in the fields */
-    bool is_in_si_ = false;         /* they are */
+    bool is_in_si_ = false;         /* whether its fields use SI */
 };

@@ -2,7 +2,7 @@
 #pragma once
 #include "document.h"
 
-/* A row for each: its number, its words, as "gyro x stuck", and its values. */
+/* A row for each item: its number, its words such as "gyro x stuck", and its values. */
 inline Rows rows_of(const Scene &scene, const std::string &list) {
     Rows rows;
     const size_t count = scene.items(list).size();
@@ -34,7 +34,7 @@ protected:
             enable_used();
     }
 
-    /* The fields become this item, or one more. */
+    /* Sets item `index` from the fields, or adds an item. */
     Faults take(size_t index) {
         std::vector<std::string> all = scene_.items(list_);
         all.resize(max(all.size(), index + 1));
@@ -69,8 +69,8 @@ private:
     size_t index_;
 };
 
-/* The failures that the scene plans. In flight they begin and end with the next interval, not earlier: the scene then
- * flies to the same bits again. */
+/* The failures that the scene plans. In flight, failures begin and end with the next interval, not earlier. Therefore
+ * the scene flies to the same bits again. */
 class FailureDialog : public ItemDialog {
 public:
     explicit FailureDialog(Document &document) : ItemDialog(document.scene, "failure"), document_(document) {}
@@ -109,13 +109,13 @@ protected:
     }
 
 private:
-    /* The time of the flight at hand, rounded up to milliseconds; "": none flies. */
+    /* The time of the current flight, rounded up to milliseconds, or "". */
     std::wstring now() const {
         Flight *flight = document_.flight.get();
         return flight == NULL ? L"" : wide(shortest(std::ceil(flight->status().time_s * 1000) / 1000));
     }
 
-    /* After a change: for the flight at hand too. */
+    /* Shows the list after a change. The current flight gets the change too. */
     void show_list(const Faults &faults) {
         if (faults.empty() && document_.flight != NULL)
             document_.flight->plan(scene_);

@@ -5,8 +5,8 @@
 inline sins_loader lib;
 
 namespace sins {
-/* Within the namespace these hide the functions that sins.h declares, which this program is not linked with.
- */
+/* Within the namespace, these pointers hide the functions that sins.h declares, because this program is not
+ linked with the library. */
 #define BY_LOADER(result, name, arguments) inline result(SINS_CALL *&name) arguments = lib.name;
 SINS_FUNCTIONS(BY_LOADER)
 #undef BY_LOADER

@@ -1,4 +1,4 @@
-/* Lines of text in a temporary file: they may be more than fit into memory. */
+/* Lines of text in a temporary file, because they may not fit into memory. */
 #pragma once
 #include "text.h"
 

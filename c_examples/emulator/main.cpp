@@ -1,7 +1,7 @@
-/* The program: the library is loaded, and the window shown. */
+/* The program: loads the library and shows the window. */
 #include "app.h"
 
-/* The library lies beside the program: from nowhere else is it loaded. */
+/* Loads the library, only from the folder of the program. */
 static bool load_library() {
     WCHAR program[32768];
     char message[2048];

@@ -10,7 +10,7 @@ class Plot {
 public:
     ~Plot() { RemoveWindowSubclass(window_, procedure, 0); }
 
-    void attach(HWND control) { /* a static control that notifies: it gets the mouse */
+    void attach(HWND control) { /* a static control with SS_NOTIFY, which gets mouse messages */
         window_ = control;
         SetWindowSubclass(control, procedure, 0, (DWORD_PTR)this);
     }
@@ -39,7 +39,7 @@ public:
         HBITMAP bitmap = picture(scaled(1000), scaled(700), -1);
         bool done = OpenClipboard(window_) && EmptyClipboard() && SetClipboardData(CF_BITMAP, bitmap) != NULL;
         CloseClipboard();
-        if (!done) /* else it is the clipboard's */
+        if (!done) /* otherwise the clipboard owns it */
             DeleteObject(bitmap);
         return done;
     }
@@ -113,7 +113,7 @@ private:
         EndPaint(window_, &paint);
     }
 
-    /* No closer than 1e-6 of all, and no farther than all. */
+    /* Zooms to at least 1e-6 of the whole range and at most the whole range. */
     void zoom(Range x) {
         Range all = diagram_.whole_x();
         x = {max(x.low, all.low), min(x.high, all.high)};
@@ -121,7 +121,7 @@ private:
             diagram_.zoomed = x.low > all.low || x.high < all.high ? x : Range{0, 0};
     }
 
-    /* The diagram at a size of its own. The caller deletes it. */
+    /* A picture of the diagram at a given size. The caller deletes it. */
     HBITMAP picture(int width, int height, int cursor) const {
         HDC screen = GetDC(NULL), memory = CreateCompatibleDC(screen);
         HBITMAP bitmap = CreateCompatibleBitmap(screen, max(1, width), max(1, height));

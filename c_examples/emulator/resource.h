@@ -18,7 +18,7 @@
 #define IDC_TABS 890
 #define IDC_STATUS 891
 
-/* Any number of controls has these: headings, drawn bold, and fields that a label binds to a key. */
+/* Several controls have these numbers: headings, which are bold, and fields that a label binds to a key. */
 #define IDC_HEADING 900
 #define IDC_FIELD 901
 
@@ -85,7 +85,7 @@
 #define ID_ENGLISH 2006
 #define ID_CHINESE 2007
 #define ID_ABOUT 2008
-#define ID_EXPORT 2010 /* from here on of the display; to ID_STOP of what was flown */
+#define ID_EXPORT 2010 /* from here on: buttons of the display; to ID_STOP: need a flight */
 #define ID_PICTURE 2011
 #define ID_COPY 2012
 #define ID_SNAPSHOT 2013

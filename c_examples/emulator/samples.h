@@ -6,7 +6,7 @@
 
 class Samples {
 public:
-    /* folder: that of the scene's file, from which a log is seen. */
+    /* folder: the folder of the scene's file, to which the path of a log is relative. */
     Samples(const Scene &scene, const fs::path &folder) : rate_hz_(scene.setup().rate_hz) {
         if (scene.setup().flight != SINS_SCENE_FLIGHT_LOG) {
             flight_ = scene.create_flight();
@@ -26,7 +26,7 @@ public:
         return log_ ? log_->sample(index) : flight_->sample_at((double)index / rate_hz_);
     }
 
-    /* Where a sample stands, for a sentence about it: the time, or the line of the log. */
+    /* The place of a sample for a sentence about it: its time, or its line in the log. */
     std::wstring place(size_t index) const {
         uint64_t line = 0;
         if (!log_)
@@ -36,7 +36,7 @@ public:
     }
 
     sins_scene_samples all;
-    fs::path log_path; /* "": no log */
+    fs::path log_path; /* "" without a log */
 
 private:
     std::optional<sins::Flight> flight_;

@@ -1,4 +1,4 @@
-/* Scenes: their keys, and their values by paths, "gyro.bias_deg_h[1]", "manoeuvre[3].bank_deg". */
+/* Scenes: their keys, and their values by paths such as "gyro.bias_deg_h[1]" and "manoeuvre[3].bank_deg". */
 #pragma once
 #include "library.h"
 #include "text.h"
@@ -13,10 +13,10 @@ struct Key : sins_scene_key {
     std::wstring meaning() const { return label(path(), sins_scene_key::meaning); }
     std::wstring word_label(const std::string &word) const { return label(path() + "." + word, word); }
 
-    /* Of one number. */
+    /* Default value of one number. */
     std::string default_number() const { return elements > 1 ? "0" : default_value; }
 
-    /* Whether an item with such words can have it: "kind=turn|s_turn sensor=gyro". */
+    /* Whether an item with these words can have the key. A condition is "kind=turn|s_turn sensor=gyro". */
     bool applies(const std::function<std::string(const std::string &name)> &word_of) const {
         std::vector<std::string> terms = split(std::string(condition), ' ');
         return std::all_of(terms.begin(), terms.end(), [&](const std::string &term) {
@@ -26,7 +26,7 @@ struct Key : sins_scene_key {
         });
     }
 
-    /* What it means, its unit and its range. */
+    /* Meaning, unit and range. */
     std::wstring tip() const {
         std::wstring tip = meaning() + (*unit ? L" [" + wide(unit) + L"]" : L"");
         bool or_zero = (flags & SINS_SCENE_KEY_ZERO_IS_OFF) != 0;
@@ -42,7 +42,7 @@ inline const std::vector<Key> &keys() {
     return all;
 }
 
-/* The key of a path, without and with places in lists; NULL: none. */
+/* The key of a path, which may have places in lists, or NULL. */
 inline const Key *key_of(const std::string &path) {
     static const std::regex PLACE("\\[\\d+\\]");
     std::string plain = std::regex_replace(path, PLACE, "");
@@ -52,7 +52,7 @@ inline const Key *key_of(const std::string &path) {
 
 inline std::string place(const std::string &list, size_t index) { return list + "[" + std::to_string(index) + "]"; }
 
-/* The paths of the numbers of a value, or of all that it is. */
+/* The paths of the numbers of a value, or the path itself. */
 inline std::vector<std::string> elements_of(const std::string &path) {
     const Key *key = key_of(path);
     std::vector<std::string> paths;
@@ -61,7 +61,7 @@ inline std::vector<std::string> elements_of(const std::string &path) {
     return paths;
 }
 
-/* A text as it stands in a scene, and back. */
+/* Puts a text into the quotes of a scene; unquoted() removes them. */
 inline std::string in_quotes(const std::string &text) {
     return "\"" + std::regex_replace(text, std::regex("[\"\\\\]"), "\\$&") + "\"";
 }
@@ -71,8 +71,9 @@ inline std::string unquoted(const std::string &value) {
     return is_quoted ? std::regex_replace(value.substr(1, value.size() - 2), std::regex("\\\\(.)"), "$1") : value;
 }
 
-/* A sentence of the library in the user's language: about what, its value and limits; else by the rules of the
- * language, each a kind of sentence behind "gyro.bias_deg_h[1] = -3: ". */
+/* A sentence of the library in the user's language. With limits, it is made of the name, the value and the
+ * limits. Otherwise a rule of the language translates it; each rule has one kind of sentence after
+ * "gyro.bias_deg_h[1] = -3: ". */
 template <class Info> std::wstring told(const std::string &sentence, const std::string &what, const Info &info) {
     const uint32_t LIMITS = SINS_ERROR_INFO_MINIMUM | SINS_ERROR_INFO_MAXIMUM;
     const std::wstring whole = wide(sentence), end = whole.substr(min(whole.find(L": ") + 2, whole.size()));
@@ -107,10 +108,10 @@ inline bool is_about(const sins_fault &fault, const std::string &path) {
     return path == fault.path || path.starts_with(std::string(fault.path) + "[");
 }
 
-/* Values by their paths, without the quotes of words and texts; "": the default. */
+/* Values by their paths, without the quotes of words and texts. "" stands for the default. */
 typedef std::map<std::string, std::string> Changes;
 
-/* A scene that can be copied, and whose values are set as the user changes them. Faults: it stays what it was. */
+/* A scene that can be copied and whose values the user changes. A change with faults does not change the scene. */
 class Scene : public sins::Scene {
 public:
     Scene(sins::Scene &&own = {}) : sins::Scene(std::move(own)) {}
@@ -118,7 +119,7 @@ public:
     Scene(Scene &&) = default;
     Scene &operator=(Scene &&) = default;
 
-    /* "": there is none. */
+    /* The value at a path, or "". */
     std::string get(const std::string &path) const {
         try {
             return value(path);
@@ -127,7 +128,7 @@ public:
         }
     }
 
-    /* All at once. */
+    /* Sets all values at once. */
     Faults set(const Changes &changes) {
         std::string lines;
         for (const auto &[path, value] : changes)
@@ -136,7 +137,7 @@ public:
         return faults();
     }
 
-    /* All changes that the library takes; the faults are of the others. */
+    /* Sets all changes that the library accepts, and returns the faults of the others. */
     Faults set_valid(Changes changes) {
         Faults faults = set(changes);
         size_t before = changes.size();
@@ -147,7 +148,7 @@ public:
         return faults;
     }
 
-    /* The items of a list, "manoeuvre" or "failure", as they stand in the text. */
+    /* The items of a list, "manoeuvre" or "failure", in the text format of a scene. */
     std::vector<std::string> items(const std::string &list) const {
         std::vector<std::string> items;
         for (std::string item; !(item = get(place(list, items.size()))).empty();)

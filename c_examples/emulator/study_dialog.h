@@ -2,7 +2,7 @@
 #pragma once
 #include "document.h"
 
-/* What a study finds. */
+/* Result of a study. */
 struct Result {
     Rows rows;
     std::wstring sentence;
@@ -11,14 +11,14 @@ struct Result {
 
 typedef std::vector<sins_flight_sample> Piece;
 
-/* One kind of study: its texts, the samples that the library takes, and its call; `last` is a duration, or runs. */
+/* One kind of study: its texts, the largest number of samples, and its call. `last` is a duration or a number of runs. */
 struct Kind {
     const char *title, *last, *last_tip, *columns;
     size_t most;
     Result (*call)(const sins::Simulator &sim, const Piece &piece, sins_requirement limits, double last);
 };
 
-/* The options that meet the limits. */
+/* Finds the options that meet the limits. */
 inline Result find_options(const sins::Simulator &sim, const Piece &piece, sins_requirement limits, double duration_s) {
     sins_cost cost = sins::make<sins_cost>();
     sins_options options = sins::make<sins_options>();
@@ -47,7 +47,7 @@ inline std::wstring name_of(const sins_budget_row &row) {
     return name + ((row.flags & SINS_BUDGET_CAN_BE_LEFT_OUT) != 0 ? L" *" : L"");
 }
 
-/* The share of each error; a bar is of the largest in position. */
+/* Finds the share of each error. A bar shows its position error relative to the largest one. */
 inline Result find_shares(const sins::Simulator &sim, const Piece &piece, sins_requirement limits, double runs) {
     sins_budget_request request = sins::make<sins_budget_request>();
     std::vector<sins_budget_row> shares;
@@ -74,7 +74,7 @@ inline const Kind RECOMMEND = {
     "Recommended options", "For the &duration [s]", "tip_duration", "columns_recommend", 360000, find_options};
 inline const Kind BUDGET = {"Error budget", "&Runs", "tip_runs", "columns_budget", 2000000, find_shares};
 
-/* A computation: what it needs and what it finds, shared by its thread and the dialog. */
+/* A computation with its input and result, shared by its thread and the dialog. */
 struct Study {
     const Kind &kind;
     Scene scene;
@@ -82,11 +82,11 @@ struct Study {
     double from_s, to_s, last;
     sins_requirement limits;
     Result result;
-    std::atomic<const char *> state{"waiting"}; /* the name of its text; NULL: done */
+    std::atomic<const char *> state{"waiting"}; /* name of the text of the state; NULL: done */
     std::atomic<bool> is_cancelled{false};
 
-    /* One at a time. A call of the library cannot be interrupted: after a cancel, and when the dialog is closed, it
-     * ends by itself; the next study waits for that, so that no more than one takes memory and time. */
+    /* Runs one study at a time. A call of the library cannot be interrupted: after a cancel, or when the dialog is
+     * closed, it runs to its end. The next study waits for this, so that only one study uses memory and time. */
     void run() {
         static std::mutex one;
         std::lock_guard<std::mutex> guard(one);
@@ -99,7 +99,7 @@ struct Study {
         state = NULL;
     }
 
-    /* The samples of the piece, then the call. */
+    /* Makes the samples of the piece, then calls the library. */
     void compute() {
         Samples flight(scene, folder);
         sins::Simulator sim = scene.create_simulator();
@@ -111,7 +111,7 @@ struct Study {
             throw Refusal(text("too_long", {std::to_wstring(kind.most)}));
         Piece piece;
         for (size_t k = first; k <= end && !is_cancelled; k++) {
-            piece.push_back(flight.get(k)); /* and its temperature: no failures here */
+            piece.push_back(flight.get(k)); /* prepare() sets its temperature; failures have no effect here */
             scene.prepare(sim, flight.all.start_s, piece.back());
         }
         if (!is_cancelled)
@@ -171,7 +171,7 @@ protected:
     }
 
 private:
-    /* A number of a field, 0 where it is empty. What is none is marked. */
+    /* The number in a field; 0 for an empty field. A field without a valid number is marked. */
     double number(int id) {
         double value = 0;
         std::string typed = narrow(get(id));
@@ -194,7 +194,7 @@ private:
         std::thread([study] { study->run(); }).detach();
     }
 
-    /* It is no longer waited for. */
+    /* Cancels the study; the dialog no longer waits for it. */
     void cancel() {
         if (study_ != NULL)
             study_->is_cancelled = true;
@@ -202,7 +202,7 @@ private:
         set(IDC_COMPUTE, text("&Compute"));
     }
 
-    /* The recommended options for the scene. The simulator's sample period is that of the flight, and stays out. */
+    /* Sets the recommended options in the scene. The sample period is not set, because it belongs to the flight. */
     void adopt() {
         Changes changes = {{"options.scheme", key_of("options.scheme")->choices()[options_->scheme]},
                            {"options.subsamples", std::to_string(options_->subsamples)},
@@ -212,6 +212,6 @@ private:
 
     Document &document_;
     const Kind &kind_;
-    std::shared_ptr<Study> study_; /* the one that is waited for */
+    std::shared_ptr<Study> study_; /* the study that the dialog waits for */
     std::optional<sins_options> options_;
 };

@@ -1,8 +1,8 @@
-/* What the system has for all windows: sizes, texts of windows, message boxes, file dialogs. */
+/* Functions of the system for all windows: sizes, texts of windows, message boxes, file dialogs. */
 #pragma once
 #include "text.h"
 
-/* Pixels of so many at 96 dots an inch. */
+/* Converts pixels at 96 dots per inch to pixels of the screen. */
 inline int scaled(int pixels) {
     HDC screen = GetDC(NULL);
     int dots = GetDeviceCaps(screen, LOGPIXELSY);
@@ -22,7 +22,8 @@ inline bool is_of_class(HWND window, const wchar_t *name) {
     return lstrcmpiW(own, name) == 0;
 }
 
-/* Says a sentence in a box; while the program runs by itself (/quit) on the error output, and it fails. */
+/* Shows a sentence in a message box. If the program runs unattended (/quit), it prints the sentence to the
+ * error output and fails. */
 inline bool is_unattended = false, has_failed = false;
 
 inline void say(HWND owner, const std::wstring &sentence, UINT icon = MB_ICONWARNING) {
@@ -36,7 +37,7 @@ inline void say(HWND owner, const std::wstring &sentence, UINT icon = MB_ICONWAR
     has_failed = true;
 }
 
-/* A file that the user names; "": none. */
+/* Asks the user for a file; "" if the user cancels. */
 inline std::wstring ask_file(HWND owner, bool save, const std::string &filter, const wchar_t *ending,
                              const std::wstring &proposal = L"") {
     WCHAR path[32768] = L"";

@@ -36,12 +36,12 @@ inline std::string narrow(const std::wstring &text) {
     return utf8;
 }
 
-/* Thrown: why something is not done, for the user. */
+/* Exception with the reason for the user why an action is not done. */
 struct Refusal : std::runtime_error {
     explicit Refusal(const std::wstring &sentence) : std::runtime_error(narrow(sentence)) {}
 };
 
-/* The pieces of a text; behind the last separator there is none. */
+/* The pieces of a text. There is no empty piece after the last separator. */
 template <class Text> std::vector<Text> split(const Text &text, typename Text::value_type separator) {
     std::vector<Text> pieces;
     std::basic_istringstream<typename Text::value_type> stream(text);
@@ -70,19 +70,19 @@ inline std::map<std::string, std::wstring> read_texts(int of) {
     return texts;
 }
 
-/* Read once: threads look them up. */
+/* All texts. They are read only once, because threads use them. */
 inline const std::map<std::string, std::wstring> &all_texts() {
     static const std::map<std::string, std::wstring> languages[] = {read_texts(0), read_texts(1)};
     return languages[language];
 }
 
-/* What the library names, in the user's language: scene keys, their words, effects. */
+/* A name of the library in the user's language: scene keys, their words, effects. */
 inline std::wstring label(const std::string &name, const std::string &otherwise) {
     auto found = all_texts().find(name);
     return found == all_texts().end() ? wide(otherwise) : found->second;
 }
 
-/* A text of the resources by its name, its %1, %2, ... replaced; without such a text the name itself. */
+/* A text of the resources by its name, with values for %1, %2, ... Without such a text: the name itself. */
 inline std::wstring text(const std::string &name, const Texts &values = {}) {
     std::wstring result = label(name, name);
     for (size_t k = values.size(); k-- > 0;) {
@@ -95,7 +95,7 @@ inline std::wstring text(const std::string &name, const Texts &values = {}) {
 
 inline Texts parts(const std::string &name) { return split(text(name), L';'); }
 
-/* The shortest text that reads back to the bit, as the program `sins` writes it. */
+/* The shortest text that reads back to the bit, like the program `sins` writes it. */
 inline std::string shortest(double value) {
     char digits[400];
     double size = std::fabs(value);
@@ -106,21 +106,21 @@ inline std::string shortest(double value) {
     return exponent == 0 ? text : text.substr(0, exponent) + std::to_string(atoi(&text[exponent]));
 }
 
-/* Significant digits. */
+/* A number with `digits` significant digits. */
 inline std::wstring shown(double value, int digits) {
     char text[64];
     auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
     return wide(std::string(text, end.ptr));
 }
 
-/* Reads a whole text as a number, in any locale; false: it is none, or not finite. */
+/* Reads a whole text as a number, with any locale. False: it is not a number, or not finite. */
 inline bool number_of(const std::string &text, double &value) {
     const char *first = text.c_str() + (text[0] == '+' ? 1 : 0), *last = text.c_str() + text.size();
     std::from_chars_result read = std::from_chars(first, last, value);
     return first != last && read.ec == std::errc() && read.ptr == last && std::isfinite(value);
 }
 
-/* A file that cannot be read or written, with the system's sentence. */
+/* The error of a file that cannot be read or written, with the system's sentence. */
 inline Refusal refusal(const char *name, const fs::path &path) {
     WCHAR sentence[256] = L"";
     DWORD flags = FORMAT_MESSAGE_FROM_SYSTEM | FORMAT_MESSAGE_IGNORE_INSERTS | FORMAT_MESSAGE_MAX_WIDTH_MASK;
@@ -136,7 +136,8 @@ inline std::string read_file(const fs::path &path) {
     return bytes;
 }
 
-/* Writes a file beside its place and renames it at the end: it is whole, or not there. */
+/* Writes a temporary file in the same folder and renames it at the end: the file is complete, or it is
+ * not changed. */
 inline void write_file(const fs::path &path, const std::function<bool(const fs::path &beside)> &write) {
     fs::path beside = path.wstring() + L".new";
     if (!write(beside) || !MoveFileExW(beside.c_str(), path.c_str(), MOVEFILE_REPLACE_EXISTING)) {
@@ -146,7 +147,7 @@ inline void write_file(const fs::path &path, const std::function<bool(const fs::
     }
 }
 
-/* Whether two names lead to one file. */
+/* Whether two paths name the same file. */
 inline bool same_file(const fs::path &one, const fs::path &other) {
     std::error_code none;
     return fs::equivalent(one, other, none);

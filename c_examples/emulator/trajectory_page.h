@@ -50,10 +50,10 @@ protected:
     }
 
 private:
-    /* Where a flight comes from, in the order of the text "sources": as the paper, built-in flights first. */
+    /* Sources of a flight, in the order of the text "sources": built-in flights first, like in the paper. */
     static constexpr int SOURCES[] = {SINS_SCENE_FLIGHT_BUILTIN, SINS_SCENE_FLIGHT_MANOEUVRES, SINS_SCENE_FLIGHT_LOG};
 
-    /* The ground track and the height of the flight, from 3000 samples of it. */
+    /* Draws the ground track and the height of the flight from at most 3000 samples. */
     void preview() {
         const COLORREF BLUE = RGB(0, 90, 180);
         Panel track = {text("track"), DEGREES, {}, {{L"", BLUE, false, {}}}};
@@ -77,7 +77,7 @@ private:
 
     void set_source(int source) {
         if (source == SINS_SCENE_FLIGHT_BUILTIN) {
-            /* The paper's simulations are scenes with the flight of another. */
+            /* The paper's simulations are scenes that use the flight of another scene. */
             std::string name = narrow(get(IDC_BUILTIN));
             std::string other = sins::Scene::builtin(name).text(SINS_SCENE_TEXT_BUILTIN);
             document_.edited(told(scene_.set({{"flight.builtin", other.empty() ? name : other}})));
@@ -92,7 +92,7 @@ private:
         }
     }
 
-    /* A built-in flight becomes manoeuvres that can be edited; a log the default flight. */
+    /* Changes a built-in flight into manoeuvres that can be edited, and a log into the default flight. */
     void make_manoeuvres() {
         sins_flight_start start = sins::make<sins_flight_start>();
         size_t repeat = 1;

@@ -1,4 +1,4 @@
-! Flies a built-in scene and prints what the INS of the scene makes of it: fly patrol
+! Flies a built-in scene and prints the navigation of its INS: fly patrol
 program fly
   use, intrinsic :: iso_fortran_env, only: error_unit
   use sins
@@ -36,7 +36,7 @@ program fly
     call check("sins_flight_sample_at", c_null_ptr, sins_flight_sample_at(flight, time_s, sample))
     call check("sins_scene_prepare", c_null_ptr, sins_scene_prepare(scene, sim, 0.0_c_double, sample))
     call check("sins_push_sample", sim, sins_push_sample(sim, sample))
-    call check("sins_step", sim, sins_step(sim)) ! the first answers SINS_NEED_SAMPLE, which is no error
+    call check("sins_step", sim, sins_step(sim)) ! the first step returns SINS_NEED_SAMPLE, which is not an error
     if (mod(k, every) == 0) then
       call check("sins_get_record", sim, sins_get_record(sim, record))
       print "(f10.2, 2f12.6, 3f12.3)", record%time_s, record%navigation%latitude_rad / SINS_DEG, &
@@ -56,8 +56,8 @@ program fly
 
 contains
 
-  ! Ends the program if a call failed: errors are negative. The sentence of a simulator's function is kept with the simulator,
-  ! that of any other with the thread, which is c_null_ptr.
+  ! Ends the program if a call failed: errors are negative. The library keeps the sentence of a simulator's function with the
+  ! simulator. The sentences of other functions belong to the thread: argument of is c_null_ptr.
   subroutine check(call, of, status)
     character(len=*), intent(in) :: call
     type(c_ptr), intent(in) :: of

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Builds libJSBSim and the host into target/jsbsim. JSBSim comes from its source distribution on PyPI, which carries aircraft and
-# engines too; nothing of it is kept in the project. Takes some minutes, once.
-# SINS_LIB_DIR: a folder with a libsins.so to take instead of building one.
-# Exit status 2: the source cannot be had.
+# Builds libJSBSim and the host into target/jsbsim. JSBSim comes from its source distribution on PyPI, which includes aircraft and
+# engines. The project contains no part of it. The first build takes some minutes.
+# SINS_LIB_DIR: a folder with a libsins.so, used instead of building one.
+# Exit status 2: the source is not available.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . tests/support/need.sh
@@ -23,13 +23,13 @@ if ! [ -e "$archive" ]; then
     rm -rf "$out/source" "$out/build"
     mkdir "$out/source"
     tar -xzf "$out/fetched/jsbsim-$version.tar.gz" --strip-components 1 -C "$out/source"
-    mv "$out/fetched/jsbsim-$version.tar.gz" "$archive" # last: what is here is whole
+    mv "$out/fetched/jsbsim-$version.tar.gz" "$archive" # last, so that an existing archive is complete
 fi
 
-# It leaves a macro "min" behind, to the files that are compiled with it as one.
+# This file defines a macro "min", which would affect the files that are compiled together with it.
 output=$out/source/src/input_output/FGOutputFG.cpp
 grep -qx '#undef min' "$output" || echo '#undef min' >>"$output"
-# SKBUILD: as the Python package is built, without what the source distribution leaves out. Files of a folder as one: half the time.
+# SKBUILD: builds like the Python package, without the parts that the source distribution lacks. A unity build takes half the time.
 cmake -S "$out/source" -B "$out/build" -DSKBUILD=ON -DBUILD_DOCS=OFF -DBUILD_PYTHON_MODULE=OFF -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_UNITY_BUILD=ON >"$out/log"
 cmake --build "$out/build" --target libJSBSim --parallel "$(nproc)" >>"$out/log" 2>&1 || { tail "$out/log"; exit 1; }

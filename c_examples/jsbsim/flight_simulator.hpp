@@ -25,12 +25,12 @@ public:
         fdm.SetAircraftPath(SGPath("aircraft"));
         fdm.SetEnginePath(SGPath("engine"));
         fdm.SetSystemsPath(SGPath("systems"));
-        if (!fdm.LoadScript(SGPath(std::filesystem::absolute(script).string()))) { /* else it is sought in the folder */
+        if (!fdm.LoadScript(SGPath(std::filesystem::absolute(script).string()))) { /* relative paths start in its folder */
             throw std::runtime_error(script + ": no script of JSBSim's");
         }
     }
 
-    /* PROPERTY=VALUE of the command line. */
+    /* Sets a property from PROPERTY=VALUE of the command line. */
     void set(const std::string &assignment)
     {
         const std::size_t equals = assignment.find('=');
@@ -49,7 +49,7 @@ public:
         }
     }
 
-    /* A frame, in its time. False: the script has ended. */
+    /* Runs a frame at its time. False: the script has ended. */
     bool run()
     {
         const double pace = get("ins/pace");
@@ -64,7 +64,7 @@ public:
     void set(const std::string &name, double value) { fdm.SetPropertyValue(name, value); }
     double get(const std::string &name) { return fdm.GetPropertyValue(name); }
 
-    /* Value of a property that stands for an order; it is 0 again then. */
+    /* Returns the value of a property that is a command, and sets the property to 0. */
     double take(const std::string &name)
     {
         const double value = get(name);
@@ -72,8 +72,8 @@ public:
         return value;
     }
 
-    /* JSBSim's place is that of the centre of gravity, its local frame that of the WGS-84 ellipsoid, its body axes
-     * forward-right-down. */
+    /* JSBSim's position is that of the centre of gravity, its local frame belongs to the WGS-84 ellipsoid, and its
+     * body axes are forward-right-down. */
     sins_flight_sample sample(double time_s, int signals)
     {
         auto sample = sins::make<sins_flight_sample>();

@@ -1,10 +1,10 @@
-/* A live flight simulator as host: JSBSim flies a script, and an INS navigates on each of its frames. What happens to the INS
- * (pause, slew, replay, failure) is said by properties ins/... of the script: see flight.xml.
+/* A live flight simulator as host: JSBSim flies a script, and an INS navigates on each of its frames. The properties ins/... of the
+ * script define the events of the INS (pause, slew, replay, failure): see flight.xml.
  *
  *   host JSBSIM_FOLDER SCRIPT OUT [PROPERTY=VALUE]...
  *
- * OUT.csv gets truth and errors of the navigation once a second, OUT_truth.csv each frame as a flight log, which "sins fly" takes
- * if the flight has no slew. */
+ * OUT.csv gets the truth and the errors of the navigation once a second. OUT_truth.csv gets each frame as a flight log, which "sins
+ * fly" accepts if the flight has no slew. */
 
 #include <cstdio>
 #include <exception>
@@ -35,11 +35,11 @@ sins_options options_for(FlightSimulator &simulator)
 {
     auto options = sins::make<sins_options>();
     options.axes = SINS_AXES_FORWARD_RIGHT_DOWN;
-    options.sample_period_s = simulator.get("simulation/dt"); /* JSBSim adds its steps up, and rounds each time */
+    options.sample_period_s = simulator.get("simulation/dt"); /* JSBSim sums its steps, with a rounding each time */
     return options;
 }
 
-/* The INS, and what the instructor does to it. */
+/* The INS and the actions of the instructor. */
 class Ins {
 public:
     Ins(FlightSimulator &simulator, const std::string &out)
@@ -88,7 +88,7 @@ public:
         write(flight_s, sample);
     }
 
-    /* The last record, and where navigation and truth part. */
+    /* Writes the last record and prints the differences of navigation and truth. */
     void finish()
     {
         record();
@@ -114,7 +114,7 @@ public:
     }
 
 private:
-    /* A refused sample changes nothing, and the next ends a gap. */
+    /* A rejected sample changes nothing, and the next sample ends a gap. */
     void fly(const sins_flight_sample &sample, double flight_s)
     {
         try {
@@ -132,7 +132,8 @@ private:
         flown_.push_back(sample);
     }
 
-    /* JSBSim's specific force less that of perfect accelerometers: the difference of two gravities, if axes and units are right. */
+    /* JSBSim's specific force minus that of perfect accelerometers: the difference of two gravity models, if axes and units are
+     * right. */
     void compare_force()
     {
         auto imu = sins::make<sins_imu>();
@@ -158,8 +159,8 @@ private:
         failure_rad_s_ = step_rad_s;
     }
 
-    /* Back to the saved moment, and to now by the samples that came since: the same bits, if they are all that came. A pause, a
-     * slew or a failure on the way would have to be kept and called again as well. */
+    /* Goes back to the saved moment and flies the samples since then again. This gives the same bits if there were only samples: a
+     * pause, a slew or a failure since then would have to be stored and called again too. */
     void replay(double flight_s)
     {
         const std::vector<unsigned char> now = sim_.snapshot_save();
@@ -169,7 +170,7 @@ private:
                     sim_.snapshot_save() == now ? "to the same bits" : "to OTHER bits");
     }
 
-    /* JSBSim's clock stands still, the host's runs on: the samples to come are stamped later. */
+    /* JSBSim's clock stops and the host's clock continues: later samples have later stamps. */
     void pause(double flight_s, double pause_s)
     {
         const double step_s = simulator_.get("simulation/dt");
@@ -226,9 +227,9 @@ private:
     unsigned long records_written_ = 0;
     unsigned long refused_ = 0;
     JSBSim::FGColumnVector3 force_before_;
-    JSBSim::FGColumnVector3 force_surplus_; /* summed up, north-east-down */
+    JSBSim::FGColumnVector3 force_surplus_; /* sum over all intervals, north-east-down */
     std::vector<unsigned char> saved_;
-    std::vector<sins_flight_sample> flown_; /* since then */
+    std::vector<sins_flight_sample> flown_; /* since the snapshot */
 };
 
 } // namespace

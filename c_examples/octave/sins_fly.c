@@ -4,9 +4,10 @@
  *     table = sins_fly(samples, scene)
  *
  * samples has a row for each instant: time s; latitude, longitude rad; height m; velocity east, north, up m/s; roll, pitch,
- * heading rad. scene, a text in TOML, sets options, sensors and failures; without it all is recommended and ideal. table has a
- * row for each row of samples: time; then the navigation in the same columns; then its errors: position m, velocity m/s,
- * misalignment rad, each east, north, up. A failure is an error with the identifier "sins:" and the name of the status.
+ * heading rad. scene, a text in TOML, sets options, sensors and failures; without it the options are the defaults and the sensors
+ * are ideal. table has a row for each row of samples: time; then the navigation in the same columns; then its errors: position m,
+ * velocity m/s, misalignment rad, each east, north, up. If a call fails, the error has the identifier "sins:" with the name of
+ * the status.
  */
 
 #include <stdio.h>
@@ -15,8 +16,8 @@
 #include "sins.h"
 
 /*
- * Destroys the handles and leaves the MEX file with the library's sentence, or with the first fault of the scene. row: the one at
- * fault, from 1, or 0.
+ * Destroys the handles and ends the MEX file with the library's sentence, or with the first fault of the scene. row: the faulty
+ * row, from 1, or 0.
  */
 static void fail(sins_sim *sim, sins_scene *scene, sins_status status, size_t row)
 {
@@ -31,7 +32,7 @@ static void fail(sins_sim *sim, sins_scene *scene, sins_status status, size_t ro
         sins_last_error(sim, sentence + length, sizeof sentence - (size_t)length, NULL);
     }
     sprintf(identifier, "sins:%s", sins_status_string(status));
-    sins_destroy(sim); /* NULL is answered, not followed */
+    sins_destroy(sim); /* a NULL handle is harmless: the library returns an error */
     sins_scene_destroy(scene);
     mexErrMsgIdAndTxt(identifier, "%s", sentence);
 }
@@ -44,7 +45,7 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
     sins_record record;
     const sins_record_solution *navigation = &record.navigation;
     const sins_record_errors *errors = &record.navigation_errors;
-    /* Where the columns go to and come from. */
+    /* Targets of the input columns, and sources of the output columns. */
     double *const fields[] = {&sample.time_s, &sample.latitude_rad, &sample.longitude_rad, &sample.height_m,
                               &sample.velocity_enu_m_s[0], &sample.velocity_enu_m_s[1], &sample.velocity_enu_m_s[2],
                               &sample.roll_rad, &sample.pitch_rad, &sample.heading_rad};
@@ -85,9 +86,9 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
         for (column = 0; column < inputs_of_row; column++) {
             *fields[column] = samples[k + column * rows];
         }
-        status = sins_scene_prepare(scene, sim, samples[0], &sample); /* its temperature and failures */
+        status = sins_scene_prepare(scene, sim, samples[0], &sample); /* sets the scene's temperature and failures */
         if (status < 0) {
-            fail(NULL, scene, status, k + 1); /* a sentence of scenes is the thread's */
+            fail(NULL, scene, status, k + 1); /* the thread has the sentences of scenes */
         }
         if ((status = sins_push_sample(sim, &sample)) < 0 || (status = sins_step(sim)) < 0
             || (status = sins_get_record(sim, &record)) < 0) {

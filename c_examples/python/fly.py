@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Flies a scene and draws the errors of its navigation: fly.py c_examples/scenes/patrol.toml -o patrol.png
 
-Its flight is built-in or of manoeuvres. It is flown by sins_run(), ten minutes in a call; the samples of all 48 hours of the
-patrol would take 2.5 GB.
+The flight is built-in or made of manoeuvres. sins_run() flies it, ten minutes in each call: the
+samples of all 48 hours of the patrol would need 2.5 GB.
 """
 
 import argparse
@@ -14,12 +14,12 @@ import numpy
 import sins
 from matplotlib import pyplot
 
-matplotlib.use("Agg")  # into a file, no window
+matplotlib.use("Agg")  # draws into a file, without a window
 CALL_S = 600.0
 
 
 def open_scene(name, hours):
-    """The scene of a file, or a built-in one; hours replaces the duration that it states."""
+    """The scene of a file, or a built-in one. `hours` replaces its duration."""
     scene, fault, setup = sins.scene(), sins.fault(), sins.scene_setup()
     if name.endswith(".toml"):
         with open(name, "rb") as file:
@@ -42,7 +42,7 @@ def open_scene(name, hours):
 
 
 def fly(scene, setup):
-    """The records of the whole flight, in arrays of numpy."""
+    """Flies the whole flight and returns the records as a numpy array, and the last record."""
     count = int(setup.flown_s * setup.rate_hz + 1e-6) + 1  # 1e-6: rounding
     every = max(1, round((setup.every_s or setup.flown_s / 1000) * setup.rate_hz))
     times_s = numpy.minimum(numpy.arange(count) / setup.rate_hz, setup.flown_s)
@@ -57,7 +57,7 @@ def fly(scene, setup):
 
 
 def draw(records, title, path):
-    """The errors by both ways: navigation less truth, and on top of it the error differential equations, if they were on."""
+    """Draws the errors: navigation minus truth, and over them the errors of the error differential equations, if these were on."""
     hours, model = records["time_s"] / 3600, records["model_errors"]
     rows = [("position_enu_m", 1e3, "position [km]"), ("velocity_enu_m_s", 1, "velocity [m/s]"),
             ("misalignment_enu_rad", sins.ARCSEC, "misalignment [arcsec]")]
@@ -88,7 +88,7 @@ def main():
             draw(records, title, arguments.output)
     except sins.Error as error:
         sys.exit(f"fly.py: {error} ({sins.status_string(error.status)})")
-    except (OSError, ValueError) as error:  # ValueError: no format of that name
+    except (OSError, ValueError) as error:  # ValueError: unknown picture format
         sys.exit(f"fly.py: {error}")
     errors = last.navigation_errors
     print("errors at the end, navigation - truth, east-north-up")

@@ -1,4 +1,4 @@
-/* The program's allocator, which the library uses too: counts, and fails when told so. For glibc. */
+/* The program's allocator, which the library uses too. It counts, and it fails on demand. For glibc. */
 
 #ifndef ALLOCATOR_H
 #define ALLOCATOR_H
@@ -13,13 +13,13 @@ void *__libc_realloc(void *memory, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
 void __libc_free(void *memory);
 
-/* Blocks that live, of all threads. */
+/* Number of allocated blocks, of all threads. */
 static long allocator_living;
 /* Bytes of these blocks. */
 static long allocator_bytes;
-/* Calls of this thread, frees among them. */
+/* Calls of this thread, including free(). */
 static __thread long allocator_calls;
-/* Allocations of this thread that still succeed; negative: all. */
+/* Number of allocations of this thread that still succeed; negative: all. */
 static __thread long allocator_good = -1;
 
 static inline int allocator_refuses(void)
@@ -32,7 +32,7 @@ static inline int allocator_refuses(void)
     return allocator_good == 0;
 }
 
-/* In bytes; 0 with AddressSanitizer, whose malloc_usable_size() knows the blocks of its own allocator only. */
+/* Size of a block [bytes]. 0 with AddressSanitizer: its malloc_usable_size() knows only the blocks of its own allocator. */
 static inline long allocator_size(void *memory)
 {
 #ifdef __SANITIZE_ADDRESS__

@@ -1,5 +1,5 @@
-/* Stands in for a DLL that wine 8 lacks: Rust's standard library for *-pc-windows-gnu imports one function of it, which the tests
- * of the program need. What is shipped does without (release/windows.sh). */
+/* Replaces a DLL that wine 8 lacks. Rust's standard library for *-pc-windows-gnu imports one function of it, which the tests of
+ * the program need. The released files do not need it (release/windows.sh). */
 
 #include <stddef.h>
 

@@ -1,5 +1,5 @@
-/* sins_error_budget through the interface: what has a row, how many rows are asked for, and that a refused call has written
- * nothing. */
+/* sins_error_budget through the interface: which effects have a row, how many rows are needed, and that a rejected call
+ * writes nothing. */
 
 #include <math.h>
 #include <string.h>
@@ -28,15 +28,15 @@ static void make_scene(void)
         piece[k].latitude_rad = 0.7;
     }
     gyro.bias_rad_s[0] = 1.0 * SINS_DEG_PER_HOUR;
-    gyro.markov_time_s[0] = 100.0; /* of no process: no row */
+    gyro.markov_time_s[0] = 100.0; /* without a process: no row */
     accel.velocity_random_walk_m_s_sqrt_s[1] = 1e-3;
     altimeter.noise_m = 1.0;
     initial.position_enu_m[1] = 7.0;
-    mounting.lever_arm_m[0] = 3.0; /* true: no row */
+    mounting.lever_arm_m[0] = 3.0; /* the true lever arm, not an error: no row */
     mounting.boresight_rad[2] = 1.0;
     mounting.boresight_error_rad[2] = 1.0 * SINS_ARCMIN;
     gravity.deflection_north_rad = 10.0 * SINS_ARCSEC;
-    gravity.anomaly_distance_m = 1e4; /* of no field: no row */
+    gravity.anomaly_distance_m = 1e4; /* without a field: no row */
     CHECK(sins_create(NULL, &sim) == SINS_OK);
     CHECK(sins_set_gyro(sim, &gyro) == SINS_OK && sins_set_accel(sim, &accel) == SINS_OK);
     CHECK(sins_set_altimeter(sim, &altimeter) == SINS_OK && sins_set_initial_errors(sim, &initial) == SINS_OK);
@@ -81,7 +81,7 @@ static void answers(void)
     CHECK(row->flags & SINS_BUDGET_CAN_BE_LEFT_OUT);
     row = row_of(rows, "altimeter.noise_m");
     CHECK(row->flags & SINS_BUDGET_RANDOM && row->position_m > 0.0);
-    row = row_of(rows, "mounting.boresight_error_rad"); /* a wrong heading, and nothing else */
+    row = row_of(rows, "mounting.boresight_error_rad"); /* only a wrong heading */
     CHECK(fabs(row->attitude_rad / mounting.boresight_error_rad[2] - 1.0) < 1e-3);
     CHECK(strcmp(row->effect, "boresight error") == 0 && !(row->flags & SINS_BUDGET_RANDOM));
     row = row_of(rows, "gravity.deflection_north_rad"); /* g xi t^2/2 */
@@ -92,7 +92,7 @@ static void answers(void)
     CHECK(budget.left_out_position_m > 0.0 && budget.left_out_position_m <= 1.0);
     CHECK(budget.sigma_low < 1.0 && budget.sigma_high > 1.0);
 
-    /* The same samples, the same answer; written and rows of another size are the host's. */
+    /* The same samples give the same answer, also with NULL for `written`. */
     CHECK(ask(&request, rows, ROWS, NULL, &again) == SINS_OK);
     again.ns_per_step = budget.ns_per_step;
     CHECK(memcmp(&budget, &again, sizeof budget) == 0);
@@ -156,7 +156,7 @@ static void refusals(void)
     piece[9].time_s = 0.9;
 }
 
-/* The same answer in flight, with a failure, which is no effect. */
+/* The answer is the same in flight and with a failure, because a failure is not an effect. */
 static void fly(void)
 {
     sins_failure dead = {.struct_size = sizeof dead, .kind = SINS_FAILURE_DEAD};

@@ -1,4 +1,5 @@
-/* Linked to a host: its x87 works with CONTROL_WORD from the start, and has it still at the end. */
+/* Linked to a host: sets the x87 control word to CONTROL_WORD at the start and checks at the end
+ * that it has not changed. */
 
 #include <stdio.h>
 #include <stdlib.h>

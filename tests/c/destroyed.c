@@ -1,5 +1,5 @@
-/* Handles destroyed under their users: every function is being called on a handle while another thread destroys it. Until then
- * each call does what it should, from then on each says that there is no such handle. */
+/* Handles destroyed during use: threads call every function on a handle while another thread destroys the handle. Before, each
+ * call works normally; afterwards, each call returns SINS_ERROR_BAD_HANDLE. */
 
 #define _XOPEN_SOURCE 600
 #include <pthread.h>
@@ -14,14 +14,14 @@ static sins_flight *flight;
 static sins_ensemble *ensemble;
 static pthread_barrier_t barrier;
 
-/* What is left of the handle, as its user sees it. */
+/* The state of a handle as its user sees it. */
 typedef struct {
     int gone;
     long calls;
 } view;
 
-/* Other users' calls come in between, so that a call may also find that it is too early, too late, or one too many. No run has
- * diverged, so that there is none to be asked for. */
+/* Other users' calls come between, so a call may also be too early, too late, or one too many. No run has diverged, so
+ * sins_ensemble_get_diverged() has no valid index. */
 static void allowed(const char *call, sins_status status, void *context)
 {
     view *seen = context;

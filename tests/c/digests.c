@@ -1,5 +1,5 @@
-/* The same bits on every operating system, processor and word size, in debug and release builds: digests of all that is recorded
- * of five flights. They may change with the algorithms, then by a commit that says so; never with the machine. */
+/* The same bits on every operating system, processor and word size, in debug and release builds: digests of all records of five
+ * flights. A change of the algorithms may change them, and its commit says so. The machine must not change them. */
 
 #include <inttypes.h>
 #include <string.h>
@@ -11,7 +11,7 @@ enum { MOST = 128 * 60 + 1, EVERY = 8 };
 static sins_flight_sample samples[MOST];
 static sins_record records[MOST];
 
-/* Fowler, Noll and Vo's 64-bit hash; numbers are 8 bytes, little-endian, on every machine that there is a library for. */
+/* Fowler, Noll and Vo's 64-bit hash; numbers are 8 bytes, little-endian, on every supported machine. */
 static uint64_t digest(uint64_t hash, const void *bytes, size_t count)
 {
     const unsigned char *byte = bytes;
@@ -32,7 +32,8 @@ static uint64_t run(uint64_t hash, sins_sim *sim, int first, int count)
     return digest(hash, records, written * sizeof records[0]);
 }
 
-/* Likewise, and the figures at the end. The times are exact in binary: a host's compiler may round otherwise. */
+/* Runs the samples and also digests the figures at the end; destroys the simulator. The times are exact in binary, because a
+ * host's compiler may round differently. */
 static uint64_t fly_on(uint64_t hash, sins_sim *sim, int first, int count)
 {
     sins_accuracy accuracy = {.struct_size = sizeof accuracy};
@@ -60,7 +61,7 @@ static void take_samples(sins_flight *flight, int count, double (*time_s)(int k)
     CHECK(sins_flight_destroy(flight) == SINS_OK);
 }
 
-/* A minute of the paper's simulation 2: patrol, its sensors, both error data. */
+/* One minute of the paper's simulation 2: its patrol, its sensors, both error data. */
 static sins_sim *simulation2_simulator(void)
 {
     static const double amplitudes[6] = {2.404825557695773, 0.02, 5.0, 0.004, 0.002, 0.002};
@@ -100,7 +101,7 @@ static uint64_t simulation2(uint64_t hash)
     return fly(hash, simulation2_simulator(), MOST);
 }
 
-/* The same, frozen half way and thawed in a handle of other options: so the digest is the same too. */
+/* Simulation 2, saved half way and loaded into a handle with other options. The digest is the same. */
 static uint64_t snapshot_replay(uint64_t hash)
 {
     enum { HALF = (MOST - 1) / 2 };
@@ -136,7 +137,7 @@ static uint64_t aerobatics(uint64_t hash)
     return hash;
 }
 
-/* Through the pole, after 5 of 16 s. */
+/* A flight of 16 s that passes the pole after 5 s. */
 static uint64_t pole(uint64_t hash)
 {
     sins_flight_start start = {.struct_size = sizeof start};
@@ -150,12 +151,12 @@ static uint64_t pole(uint64_t hash)
     straight.duration_s = 16.0;
     CHECK(sins_flight_create(&start, &straight, 1, &flight) == SINS_OK);
     take_samples(flight, 2049, scene_time);
-    /* On the other side it is half a turn farther: 0.5 and 0.5 - pi. */
+    /* Beyond the pole the longitude differs by half a turn: 0.5 and 0.5 - pi. */
     CHECK(samples[0].longitude_rad == 0.5 && samples[2048].longitude_rad < -2.6);
     return fly(hash, scene_simulator(NULL, 3), 2049);
 }
 
-/* 10 ms and up to 6 ms more or less. */
+/* Intervals of 10 ms with a jitter of up to 6 ms. */
 static double jittered_time(int k)
 {
     static uint32_t state;

@@ -1,5 +1,5 @@
-/* Each run of an ensemble is the simulator of its number to the bit; statistics do not depend on how the runs were split; an
- * ensemble goes on to the same bits from any snapshot; what is refused has its sentence. */
+/* Each run of an ensemble equals the simulator of its number to the bit. Statistics do not depend on how the runs were
+ * split. An ensemble continues to the same bits from any snapshot. Each rejected call has its sentence. */
 
 #include <string.h>
 
@@ -9,7 +9,7 @@
 enum { COUNT = 257, RUNS = 6, FIRST_RUN = 40 };
 
 static sins_flight_sample samples[SCENE_COUNT];
-static int32_t model = SINS_ERROR_MODEL_RK4; /* or without it */
+static int32_t model = SINS_ERROR_MODEL_RK4; /* or SINS_ERROR_MODEL_OFF */
 
 static sins_sim *simulator(uint64_t run)
 {
@@ -29,7 +29,7 @@ static sins_ensemble *ensemble_of(uint64_t first_run, size_t runs)
     return ensemble;
 }
 
-/* All that can be read of run FIRST_RUN + k, against the simulator. */
+/* Compares all reads of run FIRST_RUN + k with those of the simulator. */
 static void compare(sins_ensemble *ensemble, sins_sim *sim, int k)
 {
     static const int32_t sources[] = {SINS_ERRORS_NAVIGATION, SINS_ERRORS_MODEL};
@@ -52,7 +52,7 @@ static void compare(sins_ensemble *ensemble, sins_sim *sim, int k)
     }
 }
 
-/* Sample by sample, in runs of samples, repositioned and reset, with a failure on the way. */
+/* Sample by sample and with sins_ensemble_run(), with a reposition, a reset, and a failure in flight. */
 static void runs_are_simulators(void)
 {
     sins_ensemble *ensemble = ensemble_of(FIRST_RUN, RUNS);
@@ -80,7 +80,7 @@ static void runs_are_simulators(void)
             CHECK(sins_reposition(sims[i], &samples[500]) == SINS_OK);
         }
         CHECK(sins_ensemble_reposition(ensemble, &samples[500]) == SINS_OK);
-        /* 1 s is lost at once behind the first intervals. */
+        /* A gap of 0.75 s, soon after the first intervals. */
         CHECK(sins_ensemble_run(ensemble, &samples[501], 4) == SINS_OK);
         CHECK(sins_ensemble_run(ensemble, &samples[600], 10) == SINS_GAP);
         for (i = 0; i < RUNS; i++) {
@@ -196,7 +196,7 @@ static void refusals(void)
     failure_is(NULL, SINS_ERROR_INVALID_ARGUMENT);
     CHECK(sins_push_sample(sim, &samples[0]) == SINS_OK);
     CHECK(sins_ensemble_create(sim, 0, 1, &none) == SINS_ERROR_BAD_STATE && none == NULL);
-    /* The sample at fault is named, those before it were flown. */
+    /* The sentence names the faulty sample, and the samples before it were flown. */
     memcpy(wrong, samples, sizeof wrong);
     wrong[2].height_m = 1e9;
     CHECK(sins_ensemble_run(ensemble, wrong, 3) == SINS_ERROR_INVALID_ARGUMENT);

@@ -1,4 +1,4 @@
-/* Every function that takes a handle, called once with arguments that are good; `answer` hears what it says. */
+/* Calls every function that takes a handle once with valid arguments; `answer` gets each status. */
 
 #ifndef EVERY_CALL_H
 #define EVERY_CALL_H
@@ -29,7 +29,7 @@ static inline void every_read(sins_sim *sim, every_call_answer *answer, void *co
     EVERY_CALL(sins_get_covariance(sim, &covariance));
 }
 
-/* All but sins_destroy() and sins_last_error(), which answer otherwise. */
+/* All functions of a simulator except for sins_destroy() and sins_last_error(), which return another status. */
 static inline void every_call(sins_sim *sim, every_call_answer *answer, void *context)
 {
     sins_gyro_params gyro = scene_gyro();
@@ -80,7 +80,7 @@ static inline void every_call(sins_sim *sim, every_call_answer *answer, void *co
     EVERY_CALL(sins_reset(sim));
 }
 
-/* Likewise of a flight, all but sins_flight_destroy(). */
+/* All functions of a flight except for sins_flight_destroy(). */
 static inline void every_flight_call(sins_flight *flight, every_call_answer *answer, void *context)
 {
     sins_flight_sample sample = {.struct_size = sizeof sample};
@@ -89,7 +89,7 @@ static inline void every_flight_call(sins_flight *flight, every_call_answer *ans
     EVERY_CALL(sins_flight_sample_at(flight, 0.0, &sample));
 }
 
-/* Likewise of an ensemble, all but sins_ensemble_destroy(). */
+/* All functions of an ensemble except for sins_ensemble_destroy(). */
 static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answer *answer, void *context)
 {
     unsigned char snapshot[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE];
@@ -121,7 +121,7 @@ static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answe
     EVERY_CALL(sins_ensemble_reset(ensemble));
 }
 
-/* Likewise of a scene, all but sins_scene_destroy(), with the sim that sins_scene_prepare() takes. */
+/* All functions of a scene except for sins_scene_destroy(). sins_scene_prepare() takes `sim`. */
 static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call_answer *answer, void *context)
 {
     sins_options options = {.struct_size = sizeof options};
@@ -185,14 +185,14 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     CHECK(flight == NULL || sins_flight_destroy(flight) == SINS_OK);
 }
 
-/* Of a scene whose text has faults. */
+/* The function for a scene whose text has faults. */
 static inline void every_fault_call(sins_scene *scene, every_call_answer *answer, void *context)
 {
     sins_fault fault = {.struct_size = sizeof fault};
     EVERY_CALL(sins_scene_get_fault(scene, 0, &fault));
 }
 
-/* Of a log, all but sins_log_destroy(). */
+/* All functions of a log except for sins_log_destroy(). */
 static inline void every_log_call(sins_log *log, every_call_answer *answer, void *context)
 {
     sins_log_info info = {.struct_size = sizeof info};
@@ -202,7 +202,7 @@ static inline void every_log_call(sins_log *log, every_call_answer *answer, void
     EVERY_CALL(sins_log_get_sample(log, 1, &sample, &line));
 }
 
-/* An answer that must be the status at `context`. */
+/* Asserts that the answer is the status at `context`. */
 static inline void every_answer_is(const char *call, sins_status status, void *context)
 {
     if (status != *(const sins_status *)context) {

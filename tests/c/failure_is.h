@@ -1,4 +1,4 @@
-/* That a failed call left its own failure, and that sentence and struct say the same of it. */
+/* Checks that a failed call left its own failure, and that its sentence and its struct agree. */
 
 #ifndef FAILURE_IS_H
 #define FAILURE_IS_H
@@ -9,7 +9,7 @@
 #include "check.h"
 #include "sins.h"
 
-/* The sentence of a simulator, or with NULL of this thread. */
+/* The last sentence of a simulator, or with NULL that of this thread. */
 static inline const char *sentence_of(const sins_sim *sim)
 {
     static char text[2][512];
@@ -35,14 +35,14 @@ static inline int has_number(const char *text, double expected)
     return 0;
 }
 
-/* Takes `expected` off the front of the text. */
+/* The text after `expected`, with which it must begin. */
 static inline const char *behind(const char *text, const char *expected)
 {
     CHECK(strncmp(text, expected, strlen(expected)) == 0);
     return text + strlen(expected);
 }
 
-/* The last failure had this status, and its struct is what its sentence says. */
+/* Asserts that the last failure had this status and that its struct agrees with its sentence. */
 static inline void failure_is(const sins_sim *sim, sins_status status)
 {
     sins_error_info info = {.struct_size = sizeof info};
@@ -77,7 +77,7 @@ static inline void failure_is(const sins_sim *sim, sins_status status)
     }
 }
 
-/* Leaves failures that no other call leaves: on this thread, and unless it is NULL on a simulator. */
+/* Leaves recognisable failures: one on this thread, and one on `sim` unless it is NULL. */
 static inline void plant(sins_sim *sim)
 {
     sins_options options = {.struct_size = sizeof options, .reserved = 4711};
@@ -87,7 +87,7 @@ static inline void plant(sins_sim *sim)
     CHECK(sim == NULL || sins_set_failure(sim, 4711, 0, &failure) == SINS_ERROR_INVALID_ARGUMENT);
 }
 
-/* A call that returned `status` left its own failure in one of the two places. */
+/* Asserts that a call that returned `status` left its own failure either on the thread or on the simulator. */
 static inline void left(sins_sim *sim, const char *call, sins_status status)
 {
     int on_thread = strstr(sentence_of(NULL), "4711") == NULL;

@@ -1,4 +1,4 @@
-/* A scene with its log through the library alone, in the fewest lines: the errors at the end, as c_examples/harness.c. */
+/* Flies a scene with its log by the library alone, in few lines. Prints the errors at the end, like c_examples/harness.c. */
 
 #include <stdio.h>
 

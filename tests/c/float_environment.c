@@ -1,9 +1,9 @@
-/* The host's floating-point state: whatever it is on entry, the results are the same bits and all of the state is back on exit.
- * Every exception unmasked (one that strikes ends this program), every rounding, denormals flushed, x87 at 24 bits, its registers
- * in use. */
+/* The host's floating-point state: with any state on entry, the results have the same bits, and the whole state is restored on
+ * exit. The states have every exception unmasked (a raised one ends this program), every rounding, denormals flushed, x87 at 24
+ * bits, and its registers in use. */
 
 #if defined(__i386__)
-/* The host's own numbers stay out of x87, which is full. */
+/* The host's own numbers must not use x87, whose registers are full. */
 #pragma GCC target("sse2,fpmath=sse")
 #endif
 
@@ -16,11 +16,11 @@
 
 enum { NO_REGISTERS, MMX_REGISTERS, X87_REGISTERS };
 
-/* MXCSR, and control, status and tag word of x87, with its registers, which MMX has as well. */
+/* MXCSR, and the control, status and tag words of x87 with its registers, which MMX shares. */
 typedef struct {
     uint32_t mxcsr;
     uint16_t x87[3];
-    uint16_t in_use; /* to be set: some of the above */
+    uint16_t in_use; /* the registers to fill: one of the values above */
     unsigned char registers[80];
 } float_state;
 
@@ -33,13 +33,13 @@ static float_state get_state(void)
     } x87;
     int k;
     memset(&state, 0, sizeof state);
-    /* fnsave empties all; frstor puts it back. */
+    /* fnsave resets x87; frstor restores it. */
     __asm__ volatile("fnsave %0\n\tfrstor %0" : "=m"(x87));
     __asm__ volatile("stmxcsr %0" : "=m"(state.mxcsr));
     state.x87[0] = (uint16_t)x87.environment[0];
     state.x87[1] = (uint16_t)x87.environment[1];
     state.x87[2] = (uint16_t)x87.environment[2];
-    /* What stands in an empty register is nobody's. They lie from the top of the stack on, their tags do not. */
+    /* The content of an empty register is undefined. Registers are stored from the top of the stack, tags are not. */
     for (k = 0; k < 8; k++) {
         int tag = state.x87[2] >> 2 * ((k + (state.x87[1] >> 11)) % 8) & 3;
         if (tag != 3) {
@@ -65,9 +65,9 @@ static void set_state(float_state state)
 
 enum { STATES = 64 };
 
-/* MXCSR in all combinations of rounding, masks and flushing, and with all exceptions noted before; with each an x87 control word,
- * which in turn take all combinations of precision (24, 53, 64 bits), rounding and masks; and x87 registers empty, all in use as
- * MMX leaves them without EMMS, or three in use. */
+/* MXCSR takes all combinations of rounding, masks and flushing, without and with all exception flags set. Each has an x87 control
+ * word; these take all combinations of precision (24, 53, 64 bits), rounding and masks. The x87 registers are empty, all in use
+ * (as MMX leaves them without EMMS), or three in use. */
 static float_state state_of(int i)
 {
     static const uint32_t precisions[3] = {0x000, 0x200, 0x300};
@@ -112,7 +112,7 @@ static float_state state_of(int i)
 
 enum { COUNT = 129 };
 
-/* All that a host can read of a flight. */
+/* Everything that a host can read of a flight. */
 typedef struct {
     sins_record record;
     sins_navigation truth, navigation, alone;
@@ -150,7 +150,7 @@ static void ignore(const char *call, sins_status status, void *context)
     (void)context;
 }
 
-/* A scene and a log, read, flown and written. */
+/* Reads, flies and writes a scene and a log. */
 static void fly_scene(results *found)
 {
     sins_scene *scene = scene_of_text(), *other = NULL;
@@ -189,7 +189,7 @@ static void fly_scene(results *found)
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
 }
 
-/* The statistics of a second of an ensemble. */
+/* The statistics of an ensemble after one second. */
 static void fly_ensemble(results *found)
 {
     sins_ensemble *ensemble = scene_ensemble();
@@ -206,7 +206,7 @@ static void fly_ensemble(results *found)
     CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
 }
 
-/* One second of a flight with every effect; every function is called under the state. */
+/* Flies one second with every effect. Every function is called with this floating-point state. */
 static void fly(const float_state *state, results *found)
 {
     sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1e-7};
@@ -249,7 +249,7 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_flight_duration(flight, &found->duration_s) == SINS_OK);
     for (k = 0; k < COUNT; k++) {
         found->piece[k].struct_size = sizeof found->piece[k];
-        /* Exact in binary: the host's own arithmetic raises nothing and rounds nothing. */
+        /* The times are exact in binary, so the host's own arithmetic raises no exception and rounds nothing. */
         CHECK(sins_flight_sample_at(flight, scene_time(k), &found->piece[k]) == SINS_OK);
         CHECK(sins_push_sample(sim, &found->piece[k]) == SINS_OK);
         CHECK(sins_step(sim) == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
@@ -269,7 +269,7 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_get_covariance(sim, &found->covariance) == SINS_OK);
     CHECK(sins_get_options(sim, &found->options) == SINS_OK);
     CHECK(sins_recommend(sim, found->piece, COUNT, &requirement, &found->recommended, &found->cost) == SINS_OK);
-    /* Of few samples: it times each effect in many rounds. */
+    /* Only a few samples: the budget measures the time of each effect in many rounds. */
     CHECK(scene_budget(found->piece, 5, found->rows, &found->budget) == SINS_OK);
     found->cost.ns_per_step = found->budget.ns_per_step = 0.0; /* times */
     for (k = 0; k < SCENE_BUDGET_ROWS; k++) {
@@ -286,7 +286,7 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_destroy(sim) == SINS_OK && sins_destroy(other) == SINS_OK);
     after = get_state();
     set_state(normal);
-    /* Control bits, noted exceptions and registers alike. */
+    /* Control bits, exception flags and registers. */
     CHECK(memcmp(&before, &after, sizeof before) == 0);
 }
 

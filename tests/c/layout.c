@@ -9,7 +9,7 @@
 #define CHECK(condition) extern const char checked[(condition) ? 1 : -1]
 #endif
 
-/* And the size that the header states for other languages. */
+/* Checks also the size that the header states for other languages. */
 #define SIZE(type, stated, size) CHECK(sizeof(struct type) == (size) && (stated) == (size))
 #define AT(type, field, offset) CHECK(offsetof(struct type, field) == (offset))
 
@@ -32,7 +32,8 @@ AT(sins_error_info, index, 112);
 AT(sins_error_info, value, 128);
 AT(sins_error_info, maximum, 144);
 
-/* sins_gyro_params and sins_accel_params, as the library has them: written by the test from the table of sensor parameters. */
+/* Layout of sins_gyro_params and sins_accel_params in the library. The test writes this file from the table of sensor
+ * parameters. */
 #include "sensor_layout.h"
 
 AT(sins_gyro_params, struct_size, 0);

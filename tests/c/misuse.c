@@ -1,5 +1,5 @@
-/* Null pointers, and stale, made-up and wrong-kind handles, through every function: every answer is the right status, and
- * nothing is changed, and the call has left its own failure. */
+/* Null pointers, and stale, made-up and wrong-kind handles, through every function: every call returns the right status,
+ * changes nothing, and leaves its own failure. */
 
 #include <stdint.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "every_call.h"
 #include "failure_is.h"
 
-/* A handle for every way to be wrong. */
+/* The kinds of invalid handles. */
 enum { NULL_HANDLE, STALE, MADE_UP, OTHER_KIND, WRONG_HANDLES };
 
 static sins_sim *wrong_sims[WRONG_HANDLES];
@@ -55,7 +55,7 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
     CHECK(sins_log_destroy(wrong_logs[STALE]) == SINS_OK);
 }
 
-/* The two that read failures leave none. */
+/* The call leaves its own failure. The two functions that read failures leave none and are not checked here. */
 #define NULL_POINTER(call)                              \
     do {                                                \
         plant(sim);                                     \
@@ -63,7 +63,7 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
         left(sim, #call, SINS_ERROR_NULL_POINTER);      \
     } while (0)
 
-/* An answer that must be that of a bad handle. */
+/* Asserts that the answer is SINS_ERROR_BAD_HANDLE. */
 static void is_refused(const char *call, sins_status status, void *unused)
 {
     (void)unused;
@@ -75,7 +75,7 @@ static void is_refused(const char *call, sins_status status, void *unused)
     plant(NULL);
 }
 
-/* Of all functions these two alone take NULL for a simulator. */
+/* sins_recommend() and sins_error_budget() are the only functions that accept NULL for a simulator. */
 static sins_status wrong_configured(const sins_sim *sim)
 {
     sins_flight_sample piece[2] = {{.struct_size = sizeof piece[0]}, {.time_s = 0.01}};
@@ -93,7 +93,7 @@ static sins_status wrong_configured(const sins_sim *sim)
     return status;
 }
 
-/* No ensemble is made of a handle that is none. */
+/* An invalid handle makes no ensemble. */
 static void wrong_template(const sins_sim *sim)
 {
     sins_ensemble *made = NULL;

@@ -1,5 +1,5 @@
-/* Memory that runs out at every allocation in turn: the status says so, nothing has changed, and other handles fly on to the
- * same bits. */
+/* Memory runs out at every allocation in turn: the call returns SINS_ERROR_OUT_OF_MEMORY and changes nothing, and other
+ * handles continue to the same bits. */
 
 #include <string.h>
 
@@ -18,7 +18,7 @@ static sins_status create(void)
     return status;
 }
 
-/* Heap that a simulator takes when it is created. Of the later calls on it only loading a snapshot allocates. */
+/* Prints the heap memory of a simulator after its creation. Of the later calls on it, only loading a snapshot allocates. */
 static void print_size(const char *name, int32_t error_model, int32_t covariance)
 {
     sins_options options = {.struct_size = sizeof options};
@@ -68,7 +68,7 @@ static sins_status budget(void)
     return status;
 }
 
-static sins_ensemble *pair; /* whose snapshot is loaded */
+static sins_ensemble *pair; /* the ensemble whose snapshot is loaded */
 
 static sins_status create_ensemble(void)
 {
@@ -96,7 +96,7 @@ static sins_status load_ensemble(void)
     return status;
 }
 
-/* Functions of scenes, and the parser of logs, ask for their memory first: without any they say so and change nothing. */
+/* Functions of scenes and the parser of logs allocate their memory first. Without memory they report it and change nothing. */
 static void starve_scenes(void)
 {
     sins_scene *scene = scene_of_text(), *made = NULL;
@@ -133,7 +133,7 @@ static void starve_scenes(void)
     CHECK(sins_scene_destroy(scene) == SINS_OK);
 }
 
-/* The number of allocations of `call`; each of them fails once, with all that follow. */
+/* Lets each allocation of `call` fail in turn, with all later ones. Returns the number of allocations. */
 static int starve(sins_status (*call)(void))
 {
     char text[100];
@@ -151,7 +151,7 @@ static int starve(sins_status (*call)(void))
             return good;
         }
         allocator_good = -1;
-        if (status == SINS_OK) { /* asked for just so many */
+        if (status == SINS_OK) { /* exactly `good` allocations were needed */
             return good;
         }
         CHECK(status == SINS_ERROR_OUT_OF_MEMORY);
@@ -174,7 +174,7 @@ int main(void)
     CHECK(sins_reset(sim) == SINS_OK);
 
     for (k = 0; k < SCENE_COUNT; k++) {
-        allocator_good = 0; /* none is needed, though there is none */
+        allocator_good = 0; /* no memory is available, and none is needed */
         CHECK(sins_push_sample(sim, &samples[k]) == SINS_OK);
         CHECK(sins_step(sim) == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
         if (k > 0) {

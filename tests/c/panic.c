@@ -1,5 +1,5 @@
-/* A panic injected into a call: the handle answers SINS_ERROR_INTERNAL from then on, others fly to the same bits, nothing is
- * printed, nothing leaks, and the library can still be unloaded. Argument: a second copy of the library. */
+/* A panic is injected into a call: the handle returns SINS_ERROR_INTERNAL from then on, other handles fly to the same bits,
+ * nothing is printed, nothing leaks, and the library can still be unloaded. Argument: a second copy of the library. */
 
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -9,7 +9,7 @@
 #include "allocator.h"
 #include "every_call.h"
 
-/* Of a library that is built with the feature fault-injection. */
+/* A function of a library that was built with the feature fault-injection. */
 sins_status sins_inject_panic(sins_sim *sim);
 
 enum { THREADS = 8 };
@@ -46,7 +46,7 @@ static void *break_many(void *unused)
     return NULL;
 }
 
-/* A copy of its own that panics and goes. */
+/* A separate copy of the library panics and is unloaded. */
 static void unload_after_a_panic(const char *path)
 {
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);

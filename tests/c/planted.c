@@ -1,4 +1,5 @@
-/* Mistakes of a host that the tools must find, to show that they see into the library. Argument: overrun, uninitialized or race. */
+/* Deliberate mistakes of a host that the tools must find. They show that the tools look into the library. Argument: overrun,
+ * uninitialized or race. */
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -21,7 +22,7 @@ int main(int count, char **arguments)
     const char *mistake = count == 2 ? arguments[1] : "";
     sim = scene_simulator(NULL, 0);
     if (strcmp(mistake, "overrun") == 0) {
-        /* The stated size, less a byte. */
+        /* One byte less than the stated size. */
         sins_gyro_params gyro = scene_gyro(), *shorter = malloc(sizeof gyro - 1);
         memcpy(shorter, &gyro, sizeof gyro - 1);
         sins_set_gyro(sim, shorter);

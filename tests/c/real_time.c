@@ -1,5 +1,5 @@
-/* Push, step, run, reads, setters, reset, reposition and saving in a real-time frame: no allocation, and no system call of any
- * kind, thus no wait for anyone. The kernel kills the program at the first one, while other threads fly, create and destroy. */
+/* Push, step, run, reads, setters, reset, reposition and saving in a real-time frame make no allocation and no system call, so
+ * they never wait. The kernel kills the program at the first system call, while other threads fly, create and destroy. */
 
 #define _GNU_SOURCE
 #include <linux/filter.h>
@@ -15,7 +15,7 @@
 #include "allocator.h"
 #include "scene.h"
 
-/* A copy of stderr under a number of its own: the one place that the frame may write to, when a check fails. */
+/* A copy of stderr with its own number. The frame may write only there, when a check fails. */
 enum { COMPLAINTS = 200 };
 
 #define FRAME_CHECK(condition)                                                      \
@@ -30,7 +30,7 @@ enum { COMPLAINTS = 200 };
 static sins_flight_sample samples[SCENE_COUNT];
 static volatile int over;
 
-/* Others: one in a long call all the time, one whose handles go through all slots of the table. */
+/* Other threads: one is always in a long call, and the handles of another go through all slots of the table. */
 static void *fly_all_the_time(void *handle)
 {
     static sins_record records[SCENE_COUNT - 1];
@@ -70,7 +70,7 @@ static void forbid_system_calls(void)
     CHECK(prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0);
 }
 
-/* Nothing is to be read, or not all, until an interval was flown. */
+/* Some reads have no value before the first interval. */
 static int is_answer(sins_status status, int flown)
 {
     return status == SINS_OK || (!flown && status == SINS_NEED_SAMPLE);
@@ -126,7 +126,7 @@ static void read_everything(sins_sim *sim, int flown)
     FRAME_CHECK(sins_last_error_info(sim, &info) == SINS_OK);
 }
 
-/* What may be set and saved in flight. */
+/* Calls that are allowed in flight: settings and snapshots. */
 static void set_and_save(sins_sim *sim)
 {
     static unsigned char snapshot[SINS_SNAPSHOT_MAX_SIZE];
@@ -143,7 +143,7 @@ static void set_and_save(sins_sim *sim)
     FRAME_CHECK(sins_snapshot_save(sim, snapshot, sizeof snapshot, &written) == SINS_OK && written == size);
 }
 
-/* What may be set before a flight. */
+/* Settings that are allowed before a flight. */
 static void start_again(sins_sim *sim)
 {
     sins_initial_errors initial = scene_initial_errors();
@@ -158,7 +158,7 @@ static void start_again(sins_sim *sim)
     FRAME_CHECK(sins_set_gravity_disturbance(sim, &gravity) == SINS_OK);
 }
 
-/* What a frame does, and what it does wrong. */
+/* Correct and wrong calls of a frame. */
 static void fly_frames(sins_sim *sim, const sins_sim *stale)
 {
     sins_navigation navigation = {.struct_size = sizeof navigation};
@@ -227,7 +227,7 @@ static void fly_scene_frames(sins_scene *scene, sins_sim *sim, sins_flight *flig
     }
 }
 
-/* An ensemble with every effect: all but what makes and loads one. */
+/* An ensemble with every effect: all calls except for those that create or load one. */
 static void fly_ensemble_frames(sins_ensemble *ensemble, sins_scene *scene)
 {
     static unsigned char snapshot[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE];
@@ -299,7 +299,7 @@ int main(void)
         options.covariance = i % 2 ? SINS_COVARIANCE_ON : SINS_COVARIANCE_OFF;
         sims[i] = scene_simulator(&options, 0);
         if (i < FRAMES * SCHEMES) {
-            sins_gyro_params gyro = scene_gyro(); /* and accelerometers without a limit to their range */
+            sins_gyro_params gyro = scene_gyro(); /* the accelerometers have no limit of their range */
             sins_sim *navigator = NULL;
             CHECK(sins_create(&options, &navigator) == SINS_OK);
             CHECK(sins_set_gyro(navigator, &gyro) == SINS_OK);
@@ -308,7 +308,7 @@ int main(void)
             navigators[navigator_count++] = navigator;
         }
     }
-    /* The table of handles has 4096 places, taken in turn: the busy one has that of the stale one. */
+    /* The table of handles has 4096 places, which are used in turn: a handle of the busy thread gets the place of the stale one. */
     for (i = 0; i < 4096; i++) {
         sins_sim *sim = NULL;
         CHECK(sins_create(NULL, &sim) == SINS_OK && sins_destroy(sim) == SINS_OK);
@@ -317,7 +317,7 @@ int main(void)
     CHECK(pthread_create(&others[0], NULL, fly_all_the_time, scene_simulator(NULL, 9)) == 0);
     CHECK(pthread_create(&others[1], NULL, create_and_destroy_all_the_time, NULL) == 0);
 
-    /* Written before, as it cannot be after. */
+    /* Printed now, because printing is forbidden later. */
     printf("real_time: %d simulators and %d navigators under a ban on system calls\n", ALL, navigator_count);
     fflush(stdout);
     forbid_system_calls();

@@ -1,5 +1,5 @@
-/* sins_recommend through the interface: what comes of the configured simulator and what is replaced, that nothing happens to it,
- * the same answer twice, and that a refused call has written nothing. */
+/* sins_recommend through the interface: which options come from the configured simulator and which are replaced, that the
+ * simulator does not change, that the answer is the same twice, and that a rejected call writes nothing. */
 
 #include <math.h>
 #include <string.h>
@@ -54,7 +54,8 @@ static void answers(void)
     size_t size = 0;
     int k;
 
-    /* The options of the simulator come back; what the three were does not matter, nor what the struct held. */
+    /* The options of the simulator are returned. The old values of the three recommended options do not matter, and neither
+     * does the old content of the struct. */
     options.vertical = SINS_VERTICAL_FOLLOW_TRUTH;
     options.axes = SINS_AXES_FORWARD_RIGHT_DOWN;
     options.seed = 77;
@@ -84,12 +85,12 @@ static void answers(void)
     other.ns_per_step = cost.ns_per_step;
     CHECK(memcmp(&cost, &other, sizeof cost) == 0);
 
-    /* The margin of 0 is 2. */
+    /* A margin of 0 means 2. */
     requirement.margin = 2.0;
     CHECK(sins_recommend(sim, piece, COUNT, &requirement, &again, &other) == SINS_OK);
     CHECK(other.share == cost.share && other.tried == cost.tried);
 
-    /* Off the reference point there is more to integrate. In flight too it is the answer, and nothing happens to the flight. */
+    /* Away from the reference point there is more to integrate. The call also works in flight and does not change the flight. */
     CHECK(sins_set_mounting(sim, &mounting) == SINS_OK);
     for (k = 0; k < 3; k++) {
         CHECK(sins_push_sample(sim, &sized[k]) == SINS_OK);
@@ -100,14 +101,14 @@ static void answers(void)
     CHECK(other.tried > cost.tried);
     same_simulator(sim, before, size);
 
-    /* None meets it: no error, the best is written, and nothing cheaper was as good. */
+    /* No algorithm meets the requirement: this is no error, and the best one is written; no cheaper one was as good. */
     requirement.position_m = 1e-12;
     CHECK(sins_recommend(sim, piece, COUNT, &requirement, &again, &other) == SINS_REQUIREMENT_NOT_MET);
     CHECK(other.share > 1.0 && other.tried > cost.tried);
     same_simulator(sim, before, size);
     CHECK(sins_destroy(sim) == SINS_OK && sins_destroy(twin) == SINS_OK);
 
-    /* No simulator: the recommended one. */
+    /* Without a simulator, the answer is that for the default options. */
     requirement.position_m = 1e-4;
     CHECK(sins_create(NULL, &sim) == SINS_OK);
     CHECK(sins_recommend(sim, piece, COUNT, &requirement, &options, &cost) == SINS_OK);

@@ -1,6 +1,6 @@
-/* A handle that its own thread is inside, or that no thread will ever leave: calls are answered SINS_ERROR_BAD_STATE instead of
- * waiting for ever. Signal handlers that use the handle they interrupt, siglongjmp() out of a call, fork() while another thread
- * is in one. */
+/* A handle that is in a call of the same thread, or in a call that will never end: further calls return SINS_ERROR_BAD_STATE
+ * instead of waiting forever. Cases: signal handlers that use the handle they interrupt, siglongjmp() out of a call, fork()
+ * while another thread is in a call. */
 
 #define _GNU_SOURCE
 #include <pthread.h>
@@ -23,7 +23,7 @@ static sins_ensemble *used_ensemble;
 static volatile sig_atomic_t interruptions, ensemble_interruptions;
 static sigjmp_buf *volatile way_out;
 
-/* Ends a program that waits for ever. */
+/* Ends the program if it waits forever. */
 static void *watch(void *unused)
 {
     static const char text[] = "waits for ever\n";
@@ -32,7 +32,7 @@ static void *watch(void *unused)
     return unused;
 }
 
-/* Whether the handle is answered so, then by all functions. */
+/* Whether calls on the handle return SINS_ERROR_BAD_STATE; then all functions must return it. */
 static int is_held(sins_sim *sim)
 {
     static const sins_status bad_state = SINS_ERROR_BAD_STATE;
@@ -50,7 +50,7 @@ static int is_held(sins_sim *sim)
     return 1;
 }
 
-/* Likewise of an ensemble. */
+/* Whether calls on the ensemble return SINS_ERROR_BAD_STATE; then all functions must return it. */
 static int is_ensemble_held(sins_ensemble *ensemble)
 {
     static const sins_status bad_state = SINS_ERROR_BAD_STATE;
@@ -68,7 +68,7 @@ static int is_ensemble_held(sins_ensemble *ensemble)
     return 1;
 }
 
-/* Another handle is used as ever. */
+/* A signal handler that uses the interrupted handles. Another handle works as usual. */
 static void interrupt(int signal)
 {
     int held = is_held(used), ensemble_held = is_ensemble_held(used_ensemble);
@@ -114,7 +114,7 @@ static void fly_and_compare_ensemble(sins_ensemble *ensemble)
 
 static volatile int over;
 
-/* SIG_BLOCK or SIG_UNBLOCK, for this thread and those that it makes. */
+/* Blocks or unblocks SIGALRM for this thread and for those that it creates; `how` is SIG_BLOCK or SIG_UNBLOCK. */
 static void alarms(int how)
 {
     sigset_t set;
@@ -123,7 +123,7 @@ static void alarms(int how)
     CHECK(pthread_sigmask(how, &set, NULL) == 0);
 }
 
-/* So that the interrupted thread waits for another now and then. */
+/* Reads continuously, so that the interrupted thread sometimes waits for another thread. */
 static void *read_all_the_time(void *unused)
 {
     alarms(SIG_BLOCK);
@@ -148,7 +148,7 @@ static void signal_handlers(void)
     CHECK(pthread_join(reader, NULL) == 0);
 }
 
-/* The handle is lost; its memory too. */
+/* Jumps out of a call. The handle and its memory are lost. */
 static void long_jump(int out_of_ensemble)
 {
     sigjmp_buf buffer;
@@ -184,7 +184,8 @@ static void *fly_all_the_time(void *unused)
     return unused;
 }
 
-/* What another thread of the parent had in use; all else is there. Counts how often that was a simulator, and an ensemble. */
+/* In a child, a handle that another thread of the parent was using is not available; all other handles are. Counts the forks
+ * with a simulator in use and those with an ensemble in use. */
 static void forks(int held[2])
 {
     pthread_t flier;

@@ -1,4 +1,4 @@
-/* sins_run gives the same bits and the same records as pushing and stepping, by any split of the flight into calls. */
+/* sins_run gives the same bits and the same records as pushing and stepping, with any split of the flight into calls. */
 
 #include <string.h>
 
@@ -17,7 +17,7 @@ static sins_sim *make(void)
     return make_simulator(&options, SINS_GRADE_PAPER_SIMULATION2);
 }
 
-/* Sample by sample; the records put together from the reads. */
+/* Flies sample by sample and builds the records from the reads. */
 static void by_steps(void)
 {
     sins_sim *sim = make();
@@ -83,25 +83,25 @@ static void refusals(void)
     CHECK(sins_get_navigation(sim, &navigation) == SINS_NEED_SAMPLE); /* nothing was flown */
     CHECK(written == 0);
 
-    /* A count that wraps with what waits. */
+    /* A count that overflows when the samples in the queue are added. */
     CHECK(sins_push_sample(sim, &samples[0]) == SINS_OK && sins_push_sample(sim, &samples[1]) == SINS_OK);
     CHECK(sins_run(sim, &samples[2], (size_t)-1, 1, NULL, 0, &written) == SINS_ERROR_BUFFER_TOO_SMALL);
     CHECK(sins_reset(sim) == SINS_OK);
 
-    /* An error stops the run where it is, and says where. */
+    /* An error stops the run at its sample and names the sample. */
     samples[500].height_m = 1e9;
     CHECK(sins_run(sim, samples, COUNT, EVERY, found, RECORDS, &written) == SINS_ERROR_INVALID_ARGUMENT);
     samples[500].height_m = good;
     CHECK(written == 499 / EVERY && memcmp(expected, found, written * sizeof found[0]) == 0);
     CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
     CHECK(strstr(text, "sample.height_m = 1e9") == text && strstr(text, "(samples[500])") != NULL);
-    /* And the rest goes on from there to the same records. */
-    memset(&found[written], 0xa5, (RECORDS - written) * sizeof found[0]); /* an array fresh from malloc */
+    /* The rest of the samples then gives the same records. */
+    memset(&found[written], 0xa5, (RECORDS - written) * sizeof found[0]); /* as from malloc */
     found[written].struct_size = sizeof found[0];
     CHECK(sins_run(sim, &samples[500], COUNT - 500, EVERY, &found[written], RECORDS - written, NULL) == SINS_OK);
     CHECK(memcmp(expected, found, sizeof expected) == 0);
 
-    /* There is nothing to run while navigating on increments. */
+    /* sins_run() is not allowed while navigating from increments. */
     CHECK(sins_get_navigation(sim, &navigation) == SINS_OK && sins_reset(sim) == SINS_OK);
     CHECK(sins_start_navigation(sim, &navigation) == SINS_OK);
     CHECK(sins_run(sim, NULL, 0, 0, NULL, 0, NULL) == SINS_ERROR_BAD_STATE);

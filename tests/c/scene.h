@@ -1,4 +1,4 @@
-/* A flight in which much happens and a simulator with every effect on, for tests that do not care what is flown. */
+/* A flight with many manoeuvres and a simulator with every effect on, for tests that need any flight. */
 
 #ifndef SCENE_H
 #define SCENE_H
@@ -128,7 +128,7 @@ static inline sins_initial_errors scene_initial_errors(void)
     return initial;
 }
 
-/* `options` may be NULL: both error data, draws keyed by `seed`. */
+/* `options` may be NULL: then both error data, and draws with `seed`. */
 static inline sins_sim *scene_simulator(const sins_options *options, unsigned seed)
 {
     sins_options own = {.struct_size = sizeof own};
@@ -149,7 +149,7 @@ static inline sins_sim *scene_simulator(const sins_options *options, unsigned se
     return sim;
 }
 
-/* Three runs of it, from number 7. */
+/* Three runs of the simulator, from number 7. */
 enum { SCENE_FIRST_RUN = 7, SCENE_RUNS = 3 };
 
 static inline sins_ensemble *scene_ensemble(void)
@@ -198,7 +198,7 @@ static inline sins_log *scene_log(void)
 
 enum { SCENE_BUDGET_ROWS = 3 };
 
-/* What a bias, and a noise, which is drawn, contribute to a flight of these samples. */
+/* The budget of a bias and of a random noise in a flight of these samples. */
 static inline sins_status scene_budget(const sins_flight_sample *samples, size_t count,
                                        sins_budget_row rows[SCENE_BUDGET_ROWS], sins_budget *budget)
 {

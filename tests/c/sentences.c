@@ -1,4 +1,4 @@
-/* Every refusal names field, value and limit, in a buffer of any size. */
+/* Every rejection names field, value and limit, in a buffer of any size. */
 
 #include <stddef.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "check.h"
 #include "sins.h"
 
-/* Parameters of which element `index` of the field at `offset` is `value`. */
+/* Parameters that are 0 except for element `index` of the field at `offset`, which is `value`. */
 static const sins_gyro_params *gyro_with(size_t offset, int index, double value)
 {
     static sins_gyro_params gyro;
@@ -26,7 +26,7 @@ static const sins_accel_params *accel_with(size_t offset, int index, double valu
     return &accel;
 }
 
-/* The call was refused as out of range, in these words. */
+/* Asserts that the call was rejected with SINS_ERROR_INVALID_ARGUMENT and this sentence. */
 static void refused(sins_sim *sim, sins_status status, const char *sentence)
 {
     char text[200];
@@ -44,7 +44,7 @@ static void out_of_range(sins_sim *sim, const sins_gyro_params *gyro, const sins
     refused(sim, gyro ? sins_set_gyro(sim, gyro) : sins_set_accel(sim, accel), sentence);
 }
 
-/* A failure that is refused leaves the sensor sound. */
+/* Asserts that a failure is rejected with this sentence. The sensor must stay without a failure. */
 static void bad_failure(sins_sim *sim, int32_t sensor, int32_t axis, const sins_failure *failure, const char *sentence)
 {
     refused(sim, sins_set_failure(sim, sensor, axis, failure), sentence);
@@ -88,7 +88,7 @@ static void failures(void)
     failure.kind = SINS_FAILURE_NOISE;
     bad_failure(sim, SINS_SENSOR_ALTIMETER, 0, &failure, "failure.density = -1: must be from 0 to 100000");
 
-    /* None of those has been set; now all outputs are dead, and one sound again. */
+    /* None of these failures is set. Now all outputs are made dead, and one is restored. */
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
     sample.time_s = 0.01;
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
@@ -112,7 +112,7 @@ static void failures(void)
     CHECK(sins_destroy(sim) == SINS_OK);
 }
 
-/* A sample whose flag is forgotten while a sensor needs the temperature. */
+/* A sample without the temperature flag, although a sensor needs the temperature. */
 static void temperatures(void)
 {
     sins_sim *sim = NULL;
@@ -131,12 +131,13 @@ static void temperatures(void)
     sample.time_s = 1.0;
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
     CHECK(sins_step(sim) == SINS_OK && sins_get_imu(sim, &imu) == SINS_OK);
-    /* Level at rest, y north: nothing but the bias, 8 K of 0.125 m/s2 each, and gravity's north component at height 0, 0. */
+    /* Level and at rest, y is north: it senses only the bias, 8 K times 0.125 m/s2 per K, and gravity's north component at
+     * latitude 0 and height 0. */
     CHECK(imu.measured_force_m_s2[1] - imu.ideal_force_m_s2[1] > 0.999 && imu.measured_force_m_s2[1] < 1.001);
     CHECK(sins_destroy(sim) == SINS_OK);
 }
 
-/* What can be set before the first step alone, on a simulator that has made one and on a fresh one. */
+/* Settings that are allowed only before the first step, on a simulator that has made a step and on a new one. */
 static void before_the_first_step(void)
 {
     sins_sim *stepped = NULL;
@@ -195,7 +196,7 @@ static void sentences(sins_sim *sim)
     memset(small, 'x', sizeof small);
     CHECK(sins_last_error(sim, small, 10, &needed) == SINS_ERROR_BUFFER_TOO_SMALL);
     CHECK(strcmp(small, "gyro.mark") == 0 && small[10] == 'x');
-    /* Every capacity in a buffer of just that, on the heap. */
+    /* Every capacity, in a heap buffer of exactly this size. */
     {
         size_t capacity;
         for (capacity = 1; capacity <= needed + 1; capacity++) {
@@ -208,7 +209,7 @@ static void sentences(sins_sim *sim)
         }
     }
 
-    /* Every field of the sensors has a range; a bandwidth of 0 is none, one of less than it can be is refused. */
+    /* Every field of the sensors has a range. A bandwidth of 0 means no limit; a smaller one than the least is rejected. */
     out_of_range(sim, gyro_with(offsetof(sins_gyro_params, rate_random_walk_rad_s_sqrt_s), 1, -1.0), NULL,
                  "gyro.rate_random_walk_rad_s_sqrt_s[1] = -1: must be from 0 to 100");
     out_of_range(sim, gyro_with(offsetof(sins_gyro_params, rate_ramp_rad_s2), 0, 101.0), NULL,
@@ -262,7 +263,7 @@ static void sentences(sins_sim *sim)
     out_of_range(sim, NULL, accel_with(offsetof(sins_accel_params, vibration_rectification_s2_m), 2, 0.0 / zero),
                  "accel.vibration_rectification_s2_m[2] = NaN: must be a finite number");
 
-    /* Every grade is one that can be set; there are no others. */
+    /* Every grade can be set, and there are no other grades. */
     {
         int32_t grade;
         for (grade = -1; grade <= 7; grade++) {

@@ -1,4 +1,4 @@
-/* Runs a test on a thread with 64 KB of stack, the thread's own needs included. An overflow ends the program. */
+/* Runs a test on a thread with 64 KB of stack, including the thread's own needs. An overflow ends the program. */
 
 #ifndef SMALL_STACK_H
 #define SMALL_STACK_H

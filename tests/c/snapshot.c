@@ -1,5 +1,5 @@
-/* A simulator saved at every moment of a flight goes on to the same bits in another handle and in its own; what is no whole
- * snapshot is refused and changes nothing. */
+/* A simulator that is saved at every moment of a flight continues to the same bits in another handle and in its own. Bytes
+ * that are not a complete snapshot are rejected and change nothing. */
 
 #include <string.h>
 
@@ -20,7 +20,7 @@ static sins_sim *make(void)
     return make_simulator(&options, SINS_GRADE_TACTICAL);
 }
 
-/* Flies the samples from `first` on and checks the records against the expected ones, or makes them. */
+/* Flies the samples from `first` on. Compares the records with the expected ones if `check`, otherwise stores them as expected. */
 static void fly(sins_sim *sim, int first, int check)
 {
     int k;

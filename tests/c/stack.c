@@ -1,5 +1,5 @@
-/* The stack that each function takes: at most 48 KB, so that a thread of 64 KB can call it. The stack below a call is painted;
- * the lowest byte that has changed after the call tells how deep it went. */
+/* Each function needs at most 48 KB of stack, so that a thread with 64 KB can call it. The stack below a call is filled with a
+ * pattern; the lowest byte that has changed after the call gives the depth. */
 
 #define _GNU_SOURCE
 #include <pthread.h>
@@ -33,7 +33,7 @@ static void find_bottom(void)
     bottom = lowest;
 }
 
-/* All that is free below this frame, but for what the loop itself may use. */
+/* Fills the free stack below this frame, except for the part that the loop itself may use. */
 static __attribute__((noinline)) void paint(void)
 {
     volatile char *end = (char *)__builtin_frame_address(0) - 512, *place;
@@ -60,7 +60,7 @@ static __attribute__((noinline)) sins_status measured(const char *call, sins_sta
     return status;
 }
 
-/* A call that succeeds, or one of which the answer does not matter. */
+/* MEASURE: a call that must succeed. TRY: a call with any answer. */
 #define TRY(call) (paint(), measured(#call, call))
 #define MEASURE(call) CHECK(TRY(call) == SINS_OK)
 /* A call that returns no status. */
@@ -84,7 +84,7 @@ static void read_all(sins_sim *sim)
     sins_truth_summary summary = {.struct_size = sizeof summary};
     sins_covariance covariance = {.struct_size = sizeof covariance};
     size_t size;
-    TRY(sins_get_truth_summary(sim, &summary)); /* of what was flown, where it is on */
+    TRY(sins_get_truth_summary(sim, &summary)); /* fails if it is off or nothing was flown */
     TRY(sins_get_covariance(sim, &covariance));
     MEASURE(sins_get_truth(sim, &navigation));
     MEASURE(sins_get_navigation(sim, &navigation));
@@ -127,7 +127,7 @@ static void set_all(sins_sim *sim)
     MEASURE(sins_set_failure(sim, SINS_SENSOR_ACCEL, 1, &stuck));
 }
 
-/* A flight with everything on, refused samples and steps, navigation on increments, all reads at each stage. */
+/* A flight with everything on, rejected samples and steps, navigation from increments, and all reads at each stage. */
 static void fly(const sins_options *options)
 {
     sins_navigation start = {.struct_size = sizeof start, .quaternion_nb = {1.0}};
@@ -143,7 +143,7 @@ static void fly(const sins_options *options)
         MEASURE(sins_push_sample(sim, &samples[k]));
         if (k == 0) {
             read_all(sim);
-            TRY(sins_push_sample(sim, &samples[k])); /* refused */
+            TRY(sins_push_sample(sim, &samples[k])); /* rejected */
             MEASURE(sins_last_error(sim, text, sizeof text, NULL));
             MEASURE(sins_last_error_info(sim, &info));
         }
@@ -200,7 +200,7 @@ static void fly_ensemble(const sins_options *options)
     MEASURE(sins_ensemble_get_navigation(ensemble, 3, &navigation));
     MEASURE(sins_ensemble_get_errors(ensemble, 4, SINS_ERRORS_NAVIGATION, &errors));
     MEASURE(sins_ensemble_get_imu(ensemble, 4, &imu));
-    TRY(sins_ensemble_get_diverged(ensemble, 0, &run)); /* none */
+    TRY(sins_ensemble_get_diverged(ensemble, 0, &run)); /* no run has diverged */
     MEASURE(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics));
     MEASURE(sins_statistics_merge(&sum, &statistics));
     MEASURE(sins_statistics_figures(&sum, &figures));
@@ -258,7 +258,7 @@ static void call_without_a_simulator(void)
     MEASURE(sins_flight_destroy(flight));
 }
 
-/* A text that opens what it never closes, as deep as it may. */
+/* A text of the largest size that opens brackets and never closes them. */
 static void parse_deep(const char *begin, const char *open)
 {
     static char deep[1 << 20];

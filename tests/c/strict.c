@@ -1,4 +1,4 @@
-/* The headers in a program whose compiler warns of all that strict projects want to know. Compiled, not run. */
+/* A program that includes the headers, for compilers with the warnings of strict projects. Compiled, not run. */
 
 #if defined(__cplusplus) && __cplusplus >= 201103L
 #include "sins.hpp"

@@ -1,5 +1,5 @@
-/* Struct sizes from 0 to twice, through every struct of the interface. Each struct has exactly the bytes that it states, on the
- * heap: AddressSanitizer sees what is touched beyond. */
+/* Every struct of the interface with sizes from 0 to twice its own. Each struct is on the heap and has exactly the bytes that
+ * it states, so that AddressSanitizer detects an access beyond them. */
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 
 #include "scene.h"
 
-/* `size` bytes of `filling` that state their size; to state one takes four. */
+/* A struct of `size` bytes of `filling` that states its size. The statement itself needs four bytes. */
 static void *stating(size_t size, int filling)
 {
     uint32_t stated = (uint32_t)size;
@@ -18,7 +18,7 @@ static void *stating(size_t size, int filling)
     return bytes;
 }
 
-/* Shorter than in the first release is an error; longer than this release knows is fine while the tail is zero. */
+/* A struct shorter than in the first release is an error. A longer one than this release knows is valid if the tail is zero. */
 #define INPUT_SIZES_SINCE(first, type, call)                                                 \
     do {                                                                                     \
         uint32_t garbage = 0xffffffffu;                                                      \
@@ -42,7 +42,7 @@ static void *stating(size_t size, int filling)
 
 #define INPUT_SIZES(type, call) INPUT_SIZES_SINCE(sizeof(struct type), type, call)
 
-/* What the host's struct has room for is written, struct_size stays, what this release does not know is not touched. */
+/* Fields that fit into the host's struct are written. struct_size and the bytes unknown to this release are not changed. */
 #define OUTPUT_SIZES_SINCE(first, type, call)                                                \
     do {                                                                                     \
         size_t size, i;                                                                      \
@@ -61,10 +61,10 @@ static void *stating(size_t size, int filling)
 
 #define OUTPUT_SIZES(type, call) OUTPUT_SIZES_SINCE(sizeof(struct type), type, call)
 
-/* Of structs that have grown: their sizes in the first release. */
+/* Sizes in the first release of structs that have grown. */
 enum { FIRST_FLIGHT_SAMPLE = 136 };
 
-/* The line of a record; what is NULL is good. */
+/* The line of a record; NULL stands for a valid argument. */
 static sins_status line_of(const sins_record *record, const sins_covariance *covariance)
 {
     sins_record good = {.struct_size = sizeof good};
@@ -84,7 +84,7 @@ static sins_status create_and_destroy(const sins_options *options)
     return status;
 }
 
-/* `piece` of two samples, 1 m required; what is NULL is a good one: a second at rest. */
+/* A recommendation for `piece`, which has two samples. NULL stands for a valid argument: one second at rest, 1 m required. */
 static sins_status recommend_for(const sins_flight_sample *piece, const sins_requirement *requirement,
                                  sins_options *options, sins_cost *cost)
 {
@@ -102,7 +102,7 @@ static sins_status recommend(const sins_requirement *requirement, sins_options *
     return recommend_for(NULL, requirement, options, cost);
 }
 
-/* The budget of that second; what is NULL is a good one, or none. */
+/* The budget of one second at rest. A NULL `row` stands for a valid one; a NULL request or budget is passed on. */
 static sins_status budget_of(const sins_budget_request *request, sins_budget_row *row, sins_budget *budget)
 {
     sins_flight_sample piece[2] = {{.struct_size = sizeof piece[0]}};
@@ -111,7 +111,7 @@ static sins_status budget_of(const sins_budget_request *request, sins_budget_row
     return sins_error_budget(NULL, piece, 2, request, row ? row : &good_row, 1, NULL, budget);
 }
 
-/* A flight of one manoeuvre; what is NULL is good. */
+/* A flight of one manoeuvre; NULL stands for a valid argument. */
 static sins_status create_flight(const sins_flight_start *start, const sins_manoeuvre *manoeuvre)
 {
     sins_flight_start good_start = {.struct_size = sizeof good_start};
@@ -144,7 +144,7 @@ static sins_status run_for_record(sins_sim *sim, sins_record *record)
     return sins_run(sim, rest, 2, 1, record, 1, NULL);
 }
 
-/* Arrays of every stride: samples in, records out, of which the last one's last byte is the last that may be touched. */
+/* Arrays of every stride: samples in and records out. The library must not access bytes after the last record. */
 static void strides(sins_sim *sim)
 {
     enum { COUNT = 3 };
@@ -184,7 +184,7 @@ static sins_status add_failure(sins_scene *scene, const sins_planned_failure *fa
     return sins_scene_add_failure(scene, failure);
 }
 
-/* A log that is none, whose fault is told; SINS_OK in place of the status that says so. */
+/* The fault of an invalid log. Returns SINS_OK instead of the status that reports the fault. */
 static sins_status fault_of_log(sins_fault *fault)
 {
     sins_log *log = NULL;
@@ -193,7 +193,7 @@ static sins_status fault_of_log(sins_fault *fault)
     return status == SINS_ERROR_INVALID_ARGUMENT ? SINS_OK : status;
 }
 
-/* The flight of the scene, whose single manoeuvre is a rest; what is NULL is good. */
+/* Sets a flight of one manoeuvre; NULL stands for a valid argument, a rest. */
 static sins_status set_manoeuvres(sins_scene *scene, const sins_flight_start *start, const sins_manoeuvre *manoeuvre)
 {
     sins_flight_start good_start = {.struct_size = sizeof good_start};
@@ -305,7 +305,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     CHECK(sins_destroy(fresh) == SINS_OK);
 }
 
-/* A second at rest of three runs; what is NULL is good. */
+/* Three runs, one second at rest. */
 static void fly_ensemble(sins_ensemble *ensemble, sins_statistics *statistics)
 {
     sins_flight_sample rest[2] = {{.struct_size = sizeof rest[0]}};
@@ -326,7 +326,7 @@ static sins_status run_first_of_ensemble(sins_ensemble *ensemble, const sins_fli
     return sins_ensemble_run(ensemble, sample, 1);
 }
 
-/* Statistics of no run are the sum; those in a struct of the host's size are added. */
+/* Adds the statistics `from` to statistics without a run. */
 static sins_status merge(const sins_statistics *from)
 {
     static sins_statistics into;
@@ -362,7 +362,7 @@ static void struct_sizes_of_ensembles(void)
     OUTPUT_SIZES(sins_statistics, sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, pointer));
     INPUT_SIZES(sins_statistics, merge(pointer));
     INPUT_SIZES(sins_statistics, figures_of(pointer));
-    /* What is all zero is a sum. */
+    /* Statistics of zeros are a valid sum. */
     INPUT_SIZES(sins_statistics, sins_statistics_merge(pointer, &statistics));
     CHECK(sins_ensemble_destroy(ensemble) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
 }

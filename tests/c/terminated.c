@@ -1,5 +1,5 @@
-/* Windows: a thread that was terminated in a call holds the handle for ever; others are answered SINS_ERROR_BAD_STATE, those that
- * wait already among them. */
+/* Windows: a thread that was terminated in a call holds the handle forever. Calls of other threads return SINS_ERROR_BAD_STATE,
+ * including those that already wait. */
 
 #include <windows.h>
 
@@ -7,7 +7,8 @@
 
 static sins_flight_sample samples[SCENE_COUNT];
 static sins_sim *sim;
-/* What a thread that begins holds of Windows itself is not the matter here: it is terminated when it has called. */
+/* Number of threads that have started. A thread is terminated only after its start, because a starting thread may hold locks of
+ * Windows. */
 static volatile LONG calling;
 
 static DWORD WINAPI fly_all_the_time(LPVOID unused)
@@ -57,7 +58,7 @@ int main(void)
             every_call(sim, every_answer_is, (void *)&bad_state);
             CHECK(sins_destroy(sim) == SINS_ERROR_BAD_STATE);
         } else {
-            CHECK(sins_destroy(sim) == SINS_OK); /* between two calls: the reader gets SINS_ERROR_BAD_HANDLE */
+            CHECK(sins_destroy(sim) == SINS_OK); /* terminated between two calls: the reader gets SINS_ERROR_BAD_HANDLE */
         }
         CHECK(WaitForSingleObject(reader, 60000) == WAIT_OBJECT_0 && GetExitCodeThread(reader, &answer));
         CHECK((sins_status)answer == SINS_ERROR_BAD_STATE || (sins_status)answer == SINS_ERROR_BAD_HANDLE);

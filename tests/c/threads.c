@@ -1,5 +1,5 @@
-/* Eight simulators and eight ensembles in parallel are bit-equal to serial; one of each driven by eight threads at once flies as by
- * one, and who reads it meanwhile reads whole instants of that flight, in order. */
+/* Eight simulators and eight ensembles in parallel give the same bits as in series. One simulator and one ensemble that eight
+ * threads drive at once fly as with one thread. Other threads read complete instants of this flight, in order. */
 
 #define _XOPEN_SOURCE 600
 #include <pthread.h>
@@ -12,10 +12,10 @@ enum { THREADS = 8, READERS = 2, STEPS = SCENE_COUNT - 1 };
 
 static sins_flight_sample samples[SCENE_COUNT];
 
-/* The serial flights, each with a seed of its own. */
+/* Records of the serial flights and of the parallel ones, each with its own seed. */
 static sins_record expected[THREADS][STEPS], found[THREADS][STEPS];
 
-/* The serial ensembles at the end: that of a thread has the runs from its number on. */
+/* Statistics at the end of the serial and of the parallel ensembles. The runs of thread i begin at number i. */
 static sins_statistics expected_end[THREADS], found_end[THREADS];
 
 static sins_ensemble *ensemble_from(int first_run)
@@ -59,10 +59,10 @@ static sins_status step(int of_ensemble)
     return of_ensemble ? sins_ensemble_step(shared_ensemble) : sins_step(shared);
 }
 
-/* Of the simulator and of the ensemble. */
+/* Counts of each thread, for the simulator and for the ensemble. */
 static long pushed[THREADS][2], stepped[THREADS][2];
 
-/* Pushes the samples that no other thread was quicker with, and steps. */
+/* Pushes each sample that no other thread has pushed before, and steps. */
 static void *drive_shared(void *number)
 {
     int i = *(int *)number, k[2] = {0, 0}, which;
@@ -93,7 +93,7 @@ static void *drive_shared(void *number)
     return NULL;
 }
 
-/* How many intervals were flown at a time that was read, which never runs back. */
+/* Number of intervals flown at a time that was read. It never decreases. */
 static size_t flown_at(double time_s, size_t last)
 {
     size_t flown = (size_t)(time_s * 128.0);
@@ -101,7 +101,7 @@ static size_t flown_at(double time_s, size_t last)
     return flown;
 }
 
-/* Each record is one of the serial flight's, and the errors of run 0 are those of such a record. */
+/* Each record equals one of the serial flight, and the errors of run 0 equal those of such a record. */
 static void *read_shared(void *reads)
 {
     size_t last = 0, last_of_run = 0;
@@ -173,7 +173,7 @@ int main(void)
     for (i = 0; i < READERS; i++) {
         CHECK(pthread_join(readers[i], NULL) == 0);
     }
-    /* Each sample went in once and each interval was flown once, whoever did it. */
+    /* Each sample was pushed once and each interval was flown once, by any of the threads. */
     for (which = 0; which < 2; which++) {
         CHECK(pushes[which] == SCENE_COUNT && steps[which] == STEPS);
     }

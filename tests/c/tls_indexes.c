@@ -1,5 +1,5 @@
-/* Windows: a process without a TLS index is answered SINS_ERROR_OUT_OF_MEMORY where it was aborted; a library that was loaded
- * while there were some works, and its threads end. Arguments: the library, and a copy of it to load at run time. */
+/* Windows: in a process without a free TLS index, a call returns SINS_ERROR_OUT_OF_MEMORY and does not abort. A library that
+ * was loaded while indexes were free works, and its threads end. Arguments: the library, and a copy of it to load at run time. */
 
 #include <string.h>
 
@@ -23,7 +23,7 @@ static void give_back_all(void)
     }
 }
 
-/* A thread of its own: what the library keeps for a thread is made in its first call, and goes at its end. */
+/* Runs in a new thread: the library creates its data of a thread in the first call and frees them at the end of the thread. */
 static DWORD WINAPI fly(LPVOID unused)
 {
     static sins_flight_sample samples[SCENE_COUNT];
@@ -39,7 +39,7 @@ static DWORD WINAPI fly(LPVOID unused)
     return 0;
 }
 
-/* Not by pthread_create(), which takes an index. */
+/* CreateThread() instead of pthread_create(), which takes a TLS index. */
 static void fly_in_a_thread(void)
 {
     HANDLE thread = CreateThread(NULL, 0, fly, NULL, 0, NULL);

@@ -1,4 +1,4 @@
-/* How many TLS indexes a Windows process has left. */
+/* The number of free TLS indexes of a Windows process. */
 
 #ifndef TLS_INDEXES_LEFT_H
 #define TLS_INDEXES_LEFT_H

@@ -1,6 +1,6 @@
-/* The library loaded at run time: two copies of it side by side, and rounds of load, work on two threads, unload. After each,
- * memory and mappings are those of before, and the host can fork; on Windows, where the library stays, the TLS indexes are those
- * of before. Arguments: two copies of the library. */
+/* The library is loaded at run time: two copies of it side by side, and rounds of load, work on two threads, unload. After each
+ * round, memory and mappings are the same as before, and the host can fork. On Windows, where the library stays, the number of
+ * TLS indexes is the same as before. Arguments: two copies of the library. */
 
 #define _GNU_SOURCE
 #include <fcntl.h>
@@ -72,7 +72,7 @@ static void work(sins_record records[SCENE_COUNT - 1])
     CHECK(sins_destroy(sim) == SINS_OK);
 }
 
-/* Two copies: each has its own handles, and the one stays when the other goes. */
+/* Two copies: each has its own handles, and one continues to work when the other is unloaded. */
 static void side_by_side(char *const paths[COPIES])
 {
     sins_loader copies[COPIES];
@@ -107,10 +107,10 @@ static void side_by_side(char *const paths[COPIES])
 
 #if defined(_WIN32)
 
-/* More rounds than there are TLS indexes, with work in some. */
+/* More rounds than TLS indexes exist, with work in some rounds. */
 enum { ROUNDS = 2000, IDLE_ROUNDS = 19 };
 
-static long allocator_calls; /* of no allocator */
+static long allocator_calls; /* not counted on Windows */
 
 static void leaves_nothing(int round)
 {
@@ -129,7 +129,7 @@ static void leaves_nothing(int round)
 
 enum { ROUNDS = 100, IDLE_ROUNDS = 0, MAPPINGS_SIZE = 1 << 16 };
 
-/* The mappings but heap and stacks, as text; read without the allocator. */
+/* The memory mappings except for heap and stack, as text. Reads them without the allocator. */
 static void mappings(char text[MAPPINGS_SIZE])
 {
     static char whole[MAPPINGS_SIZE];
@@ -151,7 +151,7 @@ static void mappings(char text[MAPPINGS_SIZE])
     }
 }
 
-/* A child starts: nothing of the library is to be called in it. */
+/* Whether a child process starts and ends. Nothing of the unloaded library may be called in it. */
 static int can_fork(void)
 {
     int status;
@@ -168,7 +168,7 @@ static void leaves_nothing(int round)
     static long living;
     mappings(after);
     CHECK(strstr(after, "libsins") == NULL);
-    /* The loader's lists and the visitor's arena are made in the first rounds. */
+    /* The loader's lists and the arena of the visiting thread are created in the first rounds. */
     if (round < 2) {
         memcpy(before, after, sizeof before);
         living = allocator_living;
@@ -183,7 +183,7 @@ static void leaves_nothing(int round)
 
 #endif
 
-/* A thread that outlives the library round by round. */
+/* A thread that outlives the library in every round. */
 static pthread_barrier_t barrier;
 static sins_sim *visited;
 
@@ -194,7 +194,7 @@ static void *visit(void *unused)
     for (round = 0; round < ROUNDS; round++) {
         long calls;
         pthread_barrier_wait(&barrier); /* loaded */
-        /* A thread's first calls on a simulator allocate no more than the later ones: not even the loader does. */
+        /* A thread's first calls on a simulator do not allocate, like the later ones; the loader does not allocate either. */
         calls = allocator_calls;
         CHECK(sins_push_sample(visited, &samples[0]) == SINS_OK && sins_step(visited) == SINS_NEED_SAMPLE);
         CHECK(sins_push_sample(visited, &samples[1]) == SINS_OK && sins_step(visited) == SINS_OK);
@@ -230,7 +230,7 @@ int main(int count, char **paths)
         CHECK(memcmp(found[0], expected, sizeof expected) == 0 && memcmp(found[1], expected, sizeof expected) == 0);
         CHECK(sins_destroy(visited) == SINS_OK);
 
-        /* The handle of a library that is gone is none in the next. */
+        /* A handle of an unloaded library is invalid in the next one. */
         CHECK(sins_destroy(earlier) == SINS_ERROR_BAD_HANDLE);
         CHECK(sins_create(NULL, &earlier) == SINS_OK);
         CHECK(sins_destroy(earlier) == SINS_OK);

@@ -1,12 +1,13 @@
 /*
- * What the controls of SINS_Emulator give to a user beside their values:
+ * Checks what the controls of SINS_Emulator offer to a user besides their values:
  *
- *     controls reach M     every field of every page and dialog has a tool tip with its range, the tab key goes down or to the right, the
- *                          letter of a label leads to the field behind it, and no letter of a page hides one of M, those of the menu
- *     controls language    the language changes in flight, which goes on to its end
+ *     controls reach M     every field of every page and dialog has a tool tip with its range, the tab key goes down or to the
+ *                          right, the letter of a label leads to the field after it, and no letter of a page hides one of
+ *                          the menu, M
+ *     controls language    the language changes in flight, and the flight continues to its end
  *     controls adopt       the recommended options are put into the scene, which is saved
  *     controls wheel DIR   the wheel and a double-click zoom the diagram: DIR\whole.png, DIR\near.png, DIR\far.png
- *     controls dll         the library that is in use cannot be deleted; a second window opens beside the first
+ *     controls dll         the library in use cannot be deleted; a second window opens in addition
  */
 #include <ctype.h>
 
@@ -14,7 +15,7 @@
 
 static int fields, labels, steps;
 
-/* The text of a control's tool tip, which lies in the memory of its process. */
+/* The text of a control's tool tip. The tool tip is in the memory of the other process. */
 static void tip_of(HWND page, HWND control, wchar_t *text, size_t size)
 {
     unsigned char bytes[sizeof(TOOLINFOW) + 2048] = {0};
@@ -61,7 +62,7 @@ static void expect_tips(HWND page)
     }
 }
 
-/* The next control by the tab key begins below the one before, or to its right. */
+/* Each control that the tab key reaches begins below the previous one, or to its right. */
 static void expect_tab_order(HWND page)
 {
     HWND first = GetNextDlgTabItem(page, NULL, FALSE), control = first, next;
@@ -94,7 +95,7 @@ static HWND focus(void)
     return info.hwndFocus;
 }
 
-/* A letter stands once, and not in the menu too; that of a label leads to the control behind it. */
+/* Each letter occurs once and not in the menu. The letter of a label leads to the control after it. */
 static void expect_letters(HWND page, const char *menu)
 {
     HWND owners[256] = {0}, control, next;
@@ -141,7 +142,7 @@ static void expect_all(HWND page, const char *menu)
 static void expect_dialog(HWND window, UINT id)
 {
     HWND dialog = open_box(window, id, 0);
-    expect_all(dialog, ""); /* it has no menu */
+    expect_all(dialog, ""); /* a dialog has no menu */
     ask(dialog, WM_COMMAND, IDCANCEL, 0);
     wait_for_no_box(dialog);
 }
@@ -173,7 +174,7 @@ static void reach(const char *menu)
     printf("%d fields have a tool tip; %d labels lead to their fields; %d steps of the tab key\n", fields, labels, steps);
 }
 
-/* The window is built again: it is another one. */
+/* A change of the language creates a new main window. */
 static void switch_language(int id, const wchar_t *title)
 {
     wchar_t text[256] = L"";

@@ -1,17 +1,17 @@
 /*
  * Drives SINS_Emulator through its dialogs, as a user does:
  *
- *     driver fly HOURS     sets the time, types nonsense into every field of every page and puts back what was there, saves the
+ *     driver fly HOURS     sets the time, types nonsense into every field of every page and restores its value, saves the
  *                          scene, flies it to its end, flies again and closes the window in flight
- *     driver exercise      flies, keeps a snapshot, lets a gyro fail in flight, goes back and flies to the end, saves the scene
+ *     driver exercise      flies, takes a snapshot, lets a gyro fail in flight, goes back and flies to the end, saves the scene
  *     driver pages         shows each page and dialog: prints "page NAME" and waits for a line; then closes the window
  *     driver files DIR     opens DIR\exercise.toml and saves it as DIR\again.toml by the file dialogs, flies it, exports, saves and
  *                          copies the picture, drops DIR\trainer.toml and a log, opens a recent scene
  *     driver studies       cancels a study, starts another at once, closes its dialog and the window while one computes
  *     driver edit          composes manoeuvres, takes a preset, types a value in SI and for one axis, pauses, stops and resets a
  *                          flight, saves the scene
- *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line; asks for
- *                          a study beyond a limit of its struct, and prints the dialog's line
+ *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line; asks
+ *                          for a study beyond a limit of its struct, and prints the dialog's line
  */
 #include "window.h"
 
@@ -55,7 +55,7 @@ static void fly(const char *hours)
 static void look(const char *name)
 {
     char line[64];
-    Sleep(2000); /* it is drawn */
+    Sleep(2000); /* until it is drawn */
     printf("page %s\n", name);
     fflush(stdout);
     if (fgets(line, sizeof line, stdin) == NULL) {
@@ -63,7 +63,7 @@ static void look(const char *name)
     }
 }
 
-/* A dialog that a message opens; a study is computed. */
+/* Opens a dialog by a message, shows it and closes it. In the dialog of a study, the study is computed first. */
 static void dialog(HWND window, UINT id, const char *name)
 {
     HWND dialog;
@@ -97,7 +97,7 @@ static void exercise(void)
     HWND display = page_of(IDC_PROGRESS), failures;
     int k;
     command(ID_PAGE + 3);
-    choose(display, IDC_PACE, 2);                      /* 100 times real time: it is in flight yet when it goes back */
+    choose(display, IDC_PACE, 2);                      /* 100 times real time: the flight still runs when it goes back */
     ask(GetDlgItem(display, ID_FLY), BM_CLICK, 0, 0); /* the button has the focus from now on */
     Sleep(500);
     command(ID_SNAPSHOT);
@@ -184,7 +184,7 @@ static void files(const wchar_t *folder)
     expect_title(L"again.toml - ");
     drop(IN_FOLDER(L"log.csv"));
     expect_title(L"again.toml* - ");
-    drop(IN_FOLDER(L"log.toml")); /* its log is no log: the scene is one, and changes are not lost unasked */
+    drop(IN_FOLDER(L"log.toml")); /* the scene is valid, its log is not; the program asks before it drops changes */
     answer(IDCANCEL);
     expect_title(L"again.toml* - ");
     PostMessageW(main_window, WM_CLOSE, 0, 0);
@@ -192,7 +192,7 @@ static void files(const wchar_t *folder)
     printf("files by dialogs, dropped and recent\n");
 }
 
-/* Begins to compute for this long a piece. */
+/* Starts a study of a piece that ends at `to_s` [s]. */
 static void compute(HWND dialog, const wchar_t *to_s)
 {
     ask(GetDlgItem(dialog, IDC_TO), WM_SETTEXT, 0, (LPARAM)to_s);

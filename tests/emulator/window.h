@@ -1,6 +1,6 @@
 /*
- * What a user does with a window of another process: looks for it, types, chooses, opens and closes dialogs, drops files.
- * A message has to be answered within a minute, or the driver ends with status 1.
+ * Actions of a user in a window of another process: finds it, types, chooses, opens and closes dialogs, drops files. If a
+ * message is not answered within a minute, the driver ends with status 1.
  */
 #ifndef WINDOW_H
 #define WINDOW_H
@@ -46,7 +46,7 @@ static HWND find_main_window(void)
     return window;
 }
 
-/* The page that has a control: at the start the pages come up behind the window. */
+/* The page that has a control. At the start the pages appear after the window. */
 static HWND page_of(int id)
 {
     HWND page = NULL;
@@ -73,7 +73,7 @@ static void command(int id)
     ask(main_window, WM_COMMAND, (WPARAM)id, 0);
 }
 
-/* Waits until the state of the flight, the first line of its progress, is another than at first. */
+/* Waits until the first line of the progress says that the flight has finished. */
 static void wait_for_end(HWND progress)
 {
     wchar_t text[256] = L"";
@@ -100,7 +100,7 @@ static void close_window(void)
     }
 }
 
-/* The dialog or message box above the main window; NULL: none. */
+/* The dialog or message box of the main window, or NULL. */
 static HWND box(void)
 {
     HWND window = NULL;
@@ -110,7 +110,7 @@ static HWND box(void)
     return window;
 }
 
-/* The dialog that a command opens; it has a control, or 0. */
+/* Opens a dialog by a command and returns it. Waits until it has `control`, unless that is 0. */
 static HWND open_box(HWND window, UINT command_id, int control)
 {
     HWND found = NULL;
@@ -170,7 +170,7 @@ static void expect_title(const wchar_t *begin)
     }
 }
 
-/* Closes the message box that came up, or is about to. */
+/* Waits for a message box and closes it. */
 static void answer(int button)
 {
     HWND message = NULL;
@@ -186,7 +186,7 @@ static void answer(int button)
     wait_for_no_box(message);
 }
 
-/* Drops a file on the window: its name lies in the memory of that process, as the system lays it there. */
+/* Drops a file on the window. Its name is written into the memory of the other process, like the system does. */
 static void drop(const wchar_t *path)
 {
     unsigned char bytes[sizeof(DROPFILES) + 2048] = {0};
@@ -214,10 +214,10 @@ static void print(const wchar_t *text)
     printf("%s\n", utf8);
 }
 
-/* path, the name of a file in folder. */
+/* The path of the file `name` in `folder`, in the variable `path`. */
 #define IN_FOLDER(name) (wcscpy(path, folder), wcscat(path, L"\\" name), path)
 
-/* The control number k, from 0, of those that a label binds to keys. */
+/* Control number k, from 0, of the fields that belong to keys. */
 static HWND field(HWND dialog, int k)
 {
     HWND control = NULL;

@@ -1,6 +1,6 @@
-"""The unit by Ecos, a co-simulation engine in C++, coupled with a unit of a table that PythonFMU makes:
-couple.py UNIT.fmu FOLDER SINS, with the program sins.
-Each step's outputs are the records of that program and table, to the bit."""
+"""The unit in Ecos, a co-simulation engine in C++, coupled with a unit of a table that PythonFMU makes:
+couple.py UNIT.fmu FOLDER SINS, where SINS is the program sins.
+The outputs of each step equal the records of the program for this table, to the bit."""
 
 import csv
 import subprocess
@@ -11,19 +11,19 @@ from ecospy import EcosSimulation, EcosSimulationStructure
 from pythonfmu.csvbuilder import CsvFmuBuilder
 
 FMU, FOLDER, SINS = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve(), sys.argv[3]
-RATE_HZ, FRAMES = 128, 128 * 60  # times that are exact in binary, as Ecos adds its steps up
+RATE_HZ, FRAMES = 128, 128 * 60  # times are exact in binary, because Ecos sums its steps
 INPUTS = ["latitude_rad", "longitude_rad", "height_m", "velocity_east_m_s", "velocity_north_m_s", "velocity_up_m_s", "roll_rad",
           "pitch_rad", "heading_rad"]
 
 
 def truth(frame):
-    """Along the equator with 2^-15 rad/s of longitude, rolling to and fro; as host.c."""
+    """Along the equator with 2^-15 rad/s of longitude, rolling to and fro, like host.c."""
     p = frame % 256 / 256
     roll = (p if frame % 512 < 256 else -p) * (1 - p)
     return [frame / RATE_HZ, 0.0, frame / RATE_HZ / 32768, 1000.0, 6379137 / 32768, 0.0, 0.0, roll, 0.0, 1.5]
 
 
-# The program reads the names without a type, PythonFMU too.
+# The program and PythonFMU both read names without a type.
 table = FOLDER / "table.csv"
 with open(table, "w", newline="") as file:
     rows = csv.writer(file)

@@ -1,4 +1,4 @@
-"""The picture of docs/fmu.md: draw.py ERRORS.csv OUT.svg, of the file that its program writes."""
+"""The picture of docs/fmu.md: draw.py ERRORS.csv OUT.svg. The program of docs/fmu.md writes ERRORS.csv."""
 
 import csv
 import sys

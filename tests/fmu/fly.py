@@ -1,4 +1,4 @@
-"""The unit by FMPy: fly.py UNIT.fmu FOLDER SINS, with the program sins. Ends with a line of what was checked."""
+"""The unit in FMPy: fly.py UNIT.fmu FOLDER SINS, where SINS is the program sins. The last line reports what was checked."""
 
 import csv
 import math
@@ -19,14 +19,14 @@ checks = 0
 
 
 def check(good, what):
-    """Stops with `what` if not `good`."""
+    """Stops with `what` unless `good`."""
     global checks
     checks += 1
     if not good:
         sys.exit(f"failed: {what}")
 
 
-description = fmpy.read_model_description(FMU, validate=True)  # by the schema of the standard
+description = fmpy.read_model_description(FMU, validate=True)  # with the schema of the standard
 problems = validate_fmu(FMU)
 check(not problems, f"the validator finds: {problems}")
 REFERENCE = {variable.name: variable.valueReference for variable in description.modelVariables}
@@ -45,7 +45,7 @@ CALLBACKS = fmi2CallbackFunctions(
 
 
 class Unit:
-    """An instance that has been made, with texts, integers and reals set."""
+    """An instance in its initialization, with its texts, integers and reals set."""
 
     def __init__(self, **parameters):
         self.slave = FMU2Slave(guid=description.guid, unzipDirectory=UNPACKED,
@@ -59,7 +59,7 @@ class Unit:
             put([REFERENCE[name]], [value])
 
     def start(self):
-        """Ends the initialization; the status."""
+        """Ends the initialization and returns the status."""
         return self.status(self.slave.exitInitializationMode)
 
     @classmethod
@@ -69,13 +69,13 @@ class Unit:
         return unit
 
     def step(self, sample, length_s=0.0):
-        """The sample of a row of a log, and the step from its time on; the status."""
+        """Sets the sample of a row of a log, makes the step from its time, and returns the status."""
         self.slave.setReal(INPUT_REFERENCES, sample[1:])
         return self.status(lambda: self.slave.doStep(currentCommunicationPoint=sample[0],
                                                      communicationStepSize=length_s))
 
     def status(self, call):
-        """The status of a call: 0, or that of the error."""
+        """The status of a call: 0, or the status of the error."""
         try:
             return call() or 0
         except fmpy.fmi1.FMICallException as error:
@@ -91,7 +91,7 @@ class Unit:
 INPUTS = [f"truth.{name}" for name in ("latitude_rad", "longitude_rad", "height_m", "velocity_east_m_s",
                                        "velocity_north_m_s", "velocity_up_m_s", "roll_rad", "pitch_rad", "heading_rad")]
 INPUT_REFERENCES = [REFERENCE[name] for name in INPUTS]
-# Of the program's records and of the unit.
+# Names in the program's records and in the unit.
 COLUMNS = {"time_s": "time_of_solution_s"}
 for angle in ("latitude_rad", "longitude_rad", "height_m", "velocity_east_m_s", "velocity_north_m_s", "velocity_up_m_s",
               "roll_rad", "pitch_rad", "heading_rad"):
@@ -118,7 +118,7 @@ def flown(name, scene, log_path, *settings):
 
 
 def same_flight(unit, truth, records):
-    """Flies `truth`; compares each record with the outputs of its time, to the bit."""
+    """Flies `truth` and compares each record with the outputs of its time, to the bit."""
     by_time = {record["time_s"]: record for record in records}
     compared = 0
     for sample in truth:
@@ -133,13 +133,13 @@ def same_flight(unit, truth, records):
     return compared
 
 
-# Both flights, as the program flies them, every record.
+# Both flights equal those of the program, in every record.
 AIRLINER, FIGHTER = "c_examples/flights/airliner_cruise.csv", "c_examples/flights/fighter_aerobatics.csv"
 truth = {path: samples(path) for path in (AIRLINER, FIGHTER)}
 fighter = Unit.flying(scene_file="fighter.toml")
 compared = same_flight(fighter, truth[FIGHTER],
                        flown("fighter", "c_examples/scenes/fighter.toml", FIGHTER, "--set", "output.every_s=0.01"))
-# Beside it another instance: parameters in the place of a scene.
+# Another instance at the same time, with parameters instead of a scene.
 airliner = Unit.flying(**{"gyro.preset": 3, "accelerometer.preset": 3, "options.error_model": 2, "gyro.bias_deg_h[2]": 0.02,
                    "options.seed": 7})
 Path(FOLDER / "airliner.toml").write_text('[flight]\nfile = "log.csv"\n')
@@ -152,7 +152,7 @@ print(f"{compared} records equal to the program's, to the bit")
 fighter.free()
 airliner.free()
 
-# States: back, through bytes, and into another instance.
+# States: set back, through bytes, and into another instance.
 flight = truth[FIGHTER]
 unit = Unit.flying(scene_file="fighter.toml")
 for sample in flight[:3000]:
@@ -200,7 +200,7 @@ check(unit.slave.getBoolean([REFERENCE["flags.gyro_invalid"]])[0] or
       unit.read(["imu.delta_angle_rad[3]"])[0] == 0.0, "a gyro that fails in flight shows")
 unit.free()
 
-# Bad inputs: a status, one sentence, and nothing has changed.
+# Bad inputs: each has a status and one sentence, and changes nothing.
 unit = Unit.flying()
 bad = len(MESSAGES)
 unit.slave.setReal(INPUT_REFERENCES[:2], flight[0][1:3])
@@ -237,7 +237,7 @@ for parameter, value in (("scene_file", "missing.toml"), ("scene_file", "../mode
           f"by one sentence that names it: {MESSAGES[bad:]}")
     unit.free()
 
-# Many instances, one after the other, leave nothing.
+# Many instances in sequence leave no memory.
 def many(count):
     for _ in range(count):
         unit = Unit.flying(scene_file="fighter.toml")

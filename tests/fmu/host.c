@@ -1,10 +1,10 @@
 /*
- * A master of its own, in C: declares the functions of FMI 2.0 itself and loads the unit while it runs.
+ * An independent master in C: declares the functions of FMI 2.0 itself and loads the unit at run time.
  *
  *     host LIBRARY MODEL_DESCRIPTION URI_OF_RESOURCES
  *
- * Two instances fly at once, one of them back to a state of its past, then the other to the same state. It prints a digest of
- * all outputs behind every step, which is the same on all systems, processors and word sizes.
+ * Two instances fly at once. One returns to an earlier state of its own, then the other takes the same state. Prints a digest
+ * of all outputs after every step, which is the same on all systems, processors and word sizes.
  */
 
 #include <stdint.h>
@@ -22,7 +22,7 @@ typedef void *function_address;
 #define SYMBOL(library, name) dlsym(library, name)
 #endif
 
-/* Of the standard. */
+/* Types of the standard. */
 typedef void *component;
 typedef void *state;
 typedef struct callbacks {
@@ -91,7 +91,8 @@ static void load(const char *path)
     FUNCTIONS(LOAD)
 }
 
-/* The model description: as it is written, an attribute a place and an element a line, not any XML. */
+/* The model description as pack-fmu writes it: attributes have fixed places, and each element has its own line. This is no
+ * reader of general XML. */
 
 static char *description;
 
@@ -172,7 +173,7 @@ static void truth(int frame, double *inputs)
     inputs[8] = 1.5;
 }
 
-/* Flies frames of an instance; a digest of all outputs on the way. */
+/* Flies frames of an instance and returns a digest of all outputs. */
 static uint64_t fly(component unit, int from, int to)
 {
     static unsigned input_references[INPUT_COUNT], reals[ROOM], booleans[ROOM];

@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
-# Every fuzz target for so many seconds (20), from its kept corpus. New inputs that reach more and inputs that fail are left in
-# target/fuzz; KEEP=1 brings the corpus to the fewest and smallest inputs that reach all. What cannot be had is told at the end.
+# Runs every fuzz target for SECONDS (default 20), from its stored corpus. New inputs with more coverage and inputs that fail are
+# left in target/fuzz. KEEP=1 reduces the corpus to the fewest and smallest inputs with the same coverage. Targets that could not
+# run are reported at the end.
 #
 #     tests/fuzz/run.sh [SECONDS [TARGET...]]
 #
-# A target is a program of fuzz_targets and its folder in corpus. random_calls is none of libFuzzer's: it needs stable Rust alone, and runs at full speed, from seed FIRST (0).
-# SANITIZER=none builds the Rust targets without one: twice as fast. SANITIZER=address builds random_calls with it, as the others.
+# A target is a program of fuzz_targets and its folder in corpus. random_calls does not use libFuzzer: it needs only stable Rust and
+# runs at full speed, from seed FIRST (default 0).
+# SANITIZER=none builds the libFuzzer targets without a sanitizer: twice as fast. SANITIZER=address also builds random_calls with
+# AddressSanitizer.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . tests/support/need.sh
@@ -41,7 +44,7 @@ build() {
     program=target/$3/$triple/release
 }
 
-# instrumented TARGET: as cargo fuzz builds it, without that tool.
+# instrumented TARGET: builds it like cargo fuzz does, without that tool.
 instrumented() {
     local coverage="-Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4
         -Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table

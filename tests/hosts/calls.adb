@@ -1,4 +1,4 @@
---  The calls of calls.c.
+--  The same calls as in calls.c.
 
 with Ada.Text_IO;          use Ada.Text_IO;
 with Interfaces;           use Interfaces;

@@ -1,4 +1,4 @@
-/* Calls with arrays, matrices, texts and bytes, as every host makes them. Prints what comes back: a name and a number a line. */
+/* Calls with arrays, matrices, texts and bytes, which every host makes. Prints the results: a name and a number in each line. */
 
 #include <stdio.h>
 #include <stdlib.h>

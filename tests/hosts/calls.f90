@@ -1,4 +1,4 @@
-! The calls of calls.c.
+! The same calls as in calls.c.
 program calls
   use sins
   implicit none

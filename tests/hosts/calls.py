@@ -1,4 +1,4 @@
-"""The calls of calls.c."""
+"""The same calls as in calls.c."""
 
 import ctypes
 

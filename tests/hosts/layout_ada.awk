@@ -1,4 +1,4 @@
-# From c_examples/ada/sins.ads a program that prints every size, offset and constant of it.
+# Makes a program from c_examples/ada/sins.ads that prints its sizes, offsets and constants.
 
 function show(label, value) {
     shown[++count] = "   Show (\"" label "\", " value ");"

@@ -1,4 +1,4 @@
-# From include/sins.h a C program that prints every size, offset and constant of it.
+# Makes a C program from include/sins.h that prints its sizes, offsets and constants.
 
 function show(label, value) {
     printf "    printf(\"%%s %%.17g\\n\", \"%s\", (double)(%s));\n", label, value

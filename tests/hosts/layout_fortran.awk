@@ -1,4 +1,4 @@
-# From c_examples/fortran/sins.f90 a program that prints every size, offset and constant of it.
+# Makes a program from c_examples/fortran/sins.f90 that prints its sizes, offsets and constants.
 
 function show(label, value) {
     shown[++count] = "  call show(\"" label "\", &\n    real(" value ", c_double))"

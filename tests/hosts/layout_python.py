@@ -1,4 +1,4 @@
-"""Every size, offset and constant of sins.py, as the program of layout_c.awk prints those of the header."""
+"""Prints every size, offset and constant of sins.py, like the program of layout_c.awk does for the header."""
 
 import ctypes
 

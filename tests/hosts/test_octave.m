@@ -1,4 +1,4 @@
-% What sins_fly does with good and with bad input.
+% Tests of sins_fly with good and with bad input.
 
 function refused(identifier, words, varargin)
     try
@@ -14,10 +14,10 @@ drift = "[flight]\nbuiltin = \"rest\"\n[gyro]\nbias_deg_h = 1\n";
 table = sins_fly(rest, drift);
 assert(size(table), [11 19]);
 assert(table(:, 1), rest(:, 1));
-drifted = 10 * pi / 180 / 3600; % in 10 s of 1 deg/h; the Earth's rotation turns the axes meanwhile
+drifted = 10 * pi / 180 / 3600; % 10 s with 1 deg/h; meanwhile the Earth's rotation turns the axes
 assert(all(abs(abs(table(end, 17:19)) - drifted) < 2 * 10 * 7.3e-5 * drifted));
 assert(isequal(table, sins_fly(rest, drift)));
-assert(max(max(abs(sins_fly(rest)(:, 17:19)))) < 100 * eps); % without a scene all is ideal
+assert(max(max(abs(sins_fly(rest)(:, 17:19)))) < 100 * eps); % without a scene, sensors are ideal
 assert(size(sins_fly(zeros(0, 10))), [0 19]);
 
 refused('sins:usage', 'columns', rest(:, 1:9));
@@ -31,7 +31,7 @@ south(3, 2) = -2;
 refused('sins:SINS_ERROR_INVALID_ARGUMENT', 'row 3: sample.latitude_rad', south);
 late = rest;
 late(5:end, 1) = late(5:end, 1) + 100;
-for k = 1:5000 % more handles than can live
+for k = 1:5000 % more handles than can exist at once
     refused('sins:SINS_ERROR_DISCONTINUITY', 'row 5: ', late, drift);
 end
 disp('sins_fly: good and bad input')

@@ -1,6 +1,6 @@
-"""sins.py beside the header: names and types as a C parser has them; and how it behaves.
+"""sins.py compared with the header (names and types from a C parser), and its behaviour.
 
-Wants SINS_LIBRARY, PYTHONPATH, pycparser and numpy: tests/hosts.sh.
+Needs SINS_LIBRARY, PYTHONPATH, pycparser and numpy: see tests/hosts.sh.
 """
 
 import ctypes
@@ -18,7 +18,7 @@ from pycparser import CParser, c_ast
 
 HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/sins.h"
 COMPILER = os.environ.get("CC", "cc")
-# Words of the system's headers, which pycparser does not know; sins.h has none.
+# Words of the system's headers that pycparser does not know; sins.h does not use them.
 GNU = ["__attribute__(x)", "__asm__(x)", "__extension__", "__restrict"]
 
 
@@ -35,7 +35,7 @@ NUMBERS = {"double": "f8", "int32_t": "i4", "uint32_t": "u4", "int64_t": "i8", "
 
 
 def of_header(kind):
-    """A type of the header in a word. void is bytes, as char is."""
+    """A type of the header as a word. void counts as bytes, like char."""
     if isinstance(kind, c_ast.PtrDecl):
         return of_header(kind.type) + "*"
     if isinstance(kind, c_ast.ArrayDecl):
@@ -45,7 +45,7 @@ def of_header(kind):
 
 
 def of_module(kind):
-    """A type of ctypes in the same word."""
+    """A type of ctypes as a word of the same form."""
     if isinstance(kind, sins._New):
         return of_module(kind.pointer)
     if issubclass(kind, ctypes.Array):
@@ -65,7 +65,7 @@ def of_module(kind):
 
 
 class Header(unittest.TestCase):
-    """What stands in the header, by a parser that does not know this project, is in the module."""
+    """The module has everything that an independent parser finds in the header."""
 
     @classmethod
     def setUpClass(cls):
@@ -89,8 +89,8 @@ class Header(unittest.TestCase):
 
     def test_fields(self):
         for name, fields in self.structs.items():
-            told = [(field, of_module(kind)) for field, kind in getattr(sins, plain(name))._fields_]
-            self.assertEqual(told, [(field.name, of_header(field.type)) for field in fields], name)
+            reported = [(field, of_module(kind)) for field, kind in getattr(sins, plain(name))._fields_]
+            self.assertEqual(reported, [(field.name, of_header(field.type)) for field in fields], name)
 
     def test_functions(self):
         for name, declaration in self.functions.items():
@@ -98,8 +98,8 @@ class Header(unittest.TestCase):
             self.assertTrue(documented.__doc__, name)
             self.assertEqual(of_module(foreign.restype), of_header(declaration.type), name)
             arguments = [of_header(one.type) for one in declaration.args.params]
-            told = [of_module(kind) for kind in foreign.argtypes] or ["char"]  # (void)
-            self.assertEqual(told, arguments, name)
+            reported = [of_module(kind) for kind in foreign.argtypes] or ["char"]  # (void)
+            self.assertEqual(reported, arguments, name)
 
 
 class Calls(unittest.TestCase):
@@ -154,7 +154,7 @@ class Calls(unittest.TestCase):
         error = caught.exception
         self.assertEqual(str(error), "gyro.bias_rad_s[1] = 1e9: must be from -100 to 100")
         self.assertEqual((error.status, error.info.index, error.info.maximum), (sins.ERROR_INVALID_ARGUMENT, 1, 100))
-        # That of a simulator, which another simulator does not have; and those of the thread.
+        # Errors of the thread, not of a simulator.
         with self.assertRaisesRegex(sins.Error, "options.frame = 7"):
             sins.create(sins.options(frame=7), sins.sim())
         with self.assertRaisesRegex(sins.Error, "sim: "):
@@ -171,7 +171,7 @@ class Calls(unittest.TestCase):
         with self.assertRaises(sins.Error) as caught:
             sins.reset(sins.sim(key))
         self.assertEqual(caught.exception.status, sins.ERROR_BAD_HANDLE)
-        for _ in range(5000):  # more than can live
+        for _ in range(5000):  # more than can exist at once
             sins.create(None, sins.sim())
 
     def test_texts(self):
@@ -200,7 +200,7 @@ class Calls(unittest.TestCase):
 
 
 class Loading(unittest.TestCase):
-    """What an import says of a library that will not do."""
+    """The messages of an import with an unusable library."""
 
     def imported(self, library, then=""):
         environment = {**os.environ, "SINS_LIBRARY": str(library)}

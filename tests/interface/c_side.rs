@@ -8,7 +8,7 @@ use crate::support::c_programs::{
 };
 use crate::support::project_file;
 
-/// Size and offsets of the structs of sensor parameters, for `layout.c`: numbers one behind the other, from the eighth byte on.
+/// Size and offsets of the structs of sensor parameters, for `layout.c`. The numbers follow each other without gaps from offset 8.
 fn sensor_layout() -> String {
     let of = |name: &str, sensor: Sensor, size: usize| {
         let stated = name.replacen("sins_", "sins_sizeof_", 1).to_uppercase();
@@ -56,7 +56,7 @@ fn the_table_of_functions_fits_their_declarations() {
     }
 }
 
-/// What a host includes is free of warnings that a host may have made errors.
+/// A host may treat warnings as errors, so the headers must have none.
 #[test]
 fn the_headers_are_clean_under_the_warnings_of_strict_projects() {
     let of_both =

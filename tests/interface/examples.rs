@@ -1,4 +1,5 @@
-//! The examples: clean and the same as C and as C++, and the harness beside a program that flies the same another way.
+//! The examples compile without warnings and print the same as C and as C++. The harness ends like another program
+//! that flies the same scene.
 
 use std::process::{Command, Output};
 
@@ -52,7 +53,7 @@ fn the_harness_flies_alike_as_c_and_as_cpp() {
     }
 }
 
-/// And by `tests/platforms.sh` and `tests/windows.sh`, with hosts of 32 bits and of x87 arithmetic.
+/// `tests/platforms.sh` and `tests/windows.sh` run the same check with hosts of 32 bits and of x87 arithmetic.
 #[test]
 fn the_host_that_loads_the_library_flies_or_says_why_it_cannot() {
     for standard in C_AND_CPP {
@@ -62,7 +63,7 @@ fn the_host_that_loads_the_library_flies_or_says_why_it_cannot() {
     }
 }
 
-/// Position, velocity and misalignment at the end with all their digits, against the truth and by the error equations.
+/// Errors of position, velocity and misalignment at the end with all their digits: against the truth, and by the error equations.
 type EndErrors = Vec<[String; 2]>;
 
 fn printed_end(output: &Output) -> EndErrors {
@@ -78,7 +79,7 @@ fn printed_end(output: &Output) -> EndErrors {
     .collect()
 }
 
-/// The same scene by the few lines that a host needs, with the log named by its own path.
+/// The same scene, flown with the few lines that a host needs. The log is named by its own path.
 #[test]
 fn a_program_of_forty_lines_ends_with_the_same_errors() {
     let folder = library_folder("fighter");

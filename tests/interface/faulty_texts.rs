@@ -1,4 +1,4 @@
-//! Texts that no one writes, through the C functions: an answer to each, in bounded time.
+//! Unusual and faulty texts, through the C functions. Each has an answer in bounded time.
 
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
@@ -9,10 +9,10 @@ use sins::scene::{MAX_FAULTS, MAX_TEXT};
 
 use crate::support::init;
 
-/// Any text is answered within this, on a slow machine too: 100 MB are read once.
+/// Limit of the time for any text, also on a slow machine. The longest case reads 100 MB once.
 const LONGEST: Duration = Duration::from_secs(30);
 
-/// Processor time of this thread, because other tests run beside it; where the system does not state it, the time of day.
+/// Processor time of this thread, because other tests run in parallel. If the system does not report it, the time of day.
 fn time_of_thread() -> Duration {
     let statistics = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     match statistics.split(' ').next().and_then(|ran_ns| ran_ns.parse().ok()) {
@@ -26,7 +26,7 @@ fn sentence(fault: &sins_fault) -> String {
     unsafe { CStr::from_ptr(fault.sentence.as_ptr()) }.to_str().unwrap().to_owned()
 }
 
-/// The faults of a scene: line, column, sentence; none is a scene, which is written and read back.
+/// The faults of a scene: line, column, sentence. A text without faults is a scene and can be written.
 fn faults(name: &str, text: &[u8]) -> Vec<(u64, u64, String)> {
     let begin = time_of_thread();
     let (mut scene, mut fault, mut faults) = (null_mut(), init::<sins_fault>(), Vec::new());
@@ -48,7 +48,7 @@ fn faults(name: &str, text: &[u8]) -> Vec<(u64, u64, String)> {
     faults
 }
 
-/// The fault of a log; `None`: it is one.
+/// The fault of a log: line, column, sentence. `None` if the text is a log.
 fn log_fault(name: &str, text: &[u8]) -> Option<(u64, u64, String)> {
     let begin = time_of_thread();
     let (mut log, mut fault) = (null_mut(), init::<sins_fault>());
@@ -66,7 +66,7 @@ fn log_fault(name: &str, text: &[u8]) -> Option<(u64, u64, String)> {
     Some((fault.line, fault.column, sentence(&fault)))
 }
 
-/// `unit` as often as a scene has room for.
+/// `begin`, and then `unit` as often as a scene's text has room for.
 fn full(begin: &str, unit: &str) -> Vec<u8> {
     let mut text = begin.to_owned();
     while text.len() + unit.len() <= MAX_TEXT {
@@ -200,7 +200,7 @@ fn a_full_text_has_an_answer() {
     }
     let begin = "[flight]\ntitle = \"";
     let title = [&full(begin, "x")[..MAX_TEXT - 40], b"\"\nbuiltin = \"rest\"\n"].concat();
-    // It is a scene, but with its comments its text is longer than a text may be.
+    // It is a scene, but the text that is written has comments too, which make it longer than `MAX_TEXT`.
     let mut scene = null_mut();
     // SAFETY: a text with its size, a place for the handle, a living one.
     unsafe {
@@ -215,7 +215,7 @@ fn a_full_text_has_an_answer() {
     let keys = (0..1_000_000).map(|k| format!("k{k} = 1\n")).collect::<String>();
     assert!(faults("a million keys", keys.as_bytes())[0].2.contains("at most"));
     assert!(faults("100 MB", &vec![b'#'; 100 << 20])[0].2.contains("at most"));
-    // SAFETY: no text is read behind null.
+    // SAFETY: the function does not read through a null pointer.
     assert_eq!(unsafe { sins_scene_parse(null(), usize::MAX, &mut null_mut()) }, SINS_ERROR_NULL_POINTER);
 }
 
@@ -223,22 +223,22 @@ const HEADER: &str = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_
 
 #[test]
 fn a_log_of_any_bytes_has_an_answer() {
-    let told = |name: &str, text: &[u8]| log_fault(name, text).unwrap_or_else(|| panic!("{name}: a log"));
+    let reported = |name: &str, text: &[u8]| log_fault(name, text).unwrap_or_else(|| panic!("{name}: a log"));
     let long = 100 << 20;
-    assert!(told("one line of 100 MB", &vec![b'1'; long]).2.contains("at most"));
-    assert!(told("one line of 100 MB of commas", &vec![b','; long]).2.contains("at most"));
-    assert!(told("100 MB of ends of lines", &vec![b'\n'; long]).2.contains("no header"));
-    assert!(told("100 MB of comments", &b"# x\n".repeat(long / 4)).2.contains("no header"));
-    assert!(told("100 MB of quotes", &b"\"\n".repeat(long / 2)).0 >= 1);
-    assert!(told("100 MB of zero bytes", &vec![0; long]).2.contains("zero byte"));
-    assert!(told("many columns", &[b"x,".repeat(30_000), b"\n".to_vec()].concat()).2.contains("columns"));
+    assert!(reported("one line of 100 MB", &vec![b'1'; long]).2.contains("at most"));
+    assert!(reported("one line of 100 MB of commas", &vec![b','; long]).2.contains("at most"));
+    assert!(reported("100 MB of ends of lines", &vec![b'\n'; long]).2.contains("no header"));
+    assert!(reported("100 MB of comments", &b"# x\n".repeat(long / 4)).2.contains("no header"));
+    assert!(reported("100 MB of quotes", &b"\"\n".repeat(long / 2)).0 >= 1);
+    assert!(reported("100 MB of zero bytes", &vec![0; long]).2.contains("zero byte"));
+    assert!(reported("many columns", &[b"x,".repeat(30_000), b"\n".to_vec()].concat()).2.contains("columns"));
     let row = |time: &str| format!("{HEADER}0,1,2,3,4,5,6\n{time},1,2,3,4,5,6\n").into_bytes();
     for time in ["1e999", "nan", "inf", "", "0", "-1", "0x1", "1,5", "\u{661}"] {
-        assert!(told(time, &row(time)).0 == 3, "{time}");
+        assert!(reported(time, &row(time)).0 == 3, "{time}");
     }
     assert_eq!(log_fault("a long number", &row(&"9".repeat(300))), None);
-    assert_eq!(told("invalid UTF-8", &[HEADER.as_bytes(), b"0,1,2,\xff,4,5,6\n"].concat()).0, 2);
-    assert_eq!(told("a zero byte", &[HEADER.as_bytes(), b"0,1,2,\0,4,5,6\n"].concat()).0, 2);
+    assert_eq!(reported("invalid UTF-8", &[HEADER.as_bytes(), b"0,1,2,\xff,4,5,6\n"].concat()).0, 2);
+    assert_eq!(reported("a zero byte", &[HEADER.as_bytes(), b"0,1,2,\0,4,5,6\n"].concat()).0, 2);
     let crlf =
         [b"\xef\xbb\xbf", String::from_utf8(row("1")).unwrap().replace('\n', "\r\n").as_bytes()].concat();
     assert_eq!(log_fault("a mark and CRLF", &crlf), None);

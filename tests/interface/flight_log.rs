@@ -1,4 +1,4 @@
-//! Flight logs: what is read, and what is wrong with a text.
+//! Flight logs: the values that are read, and the faults of a text.
 
 use nalgebra::Vector3;
 use sins::log::{FlightLog, LogError};
@@ -72,12 +72,12 @@ fn a_fault_has_its_line_its_column_and_a_sentence() {
     for number in ["north", "", "nan", "inf", "1e999", "0x10", "1_000"] {
         is(&format!("{HEADER}\n{row}1,{number},0,0,0,0,0\n"), 3, 2, "expected a finite number");
     }
-    // Decimal commas: every value is cut in two, and each half would be a number.
+    // A decimal comma cuts a value in two, and each half is a valid number.
     is(&format!("{HEADER}\n0,45,0,5,0,0,0,1,0\n"), 2, 8, "9 fields, and the header names 7 columns");
     is(&format!("{HEADER}\n{row}1,45,0,0,0,0,0,\n"), 3, 8, "8 fields");
     let (line, _, sentence) = fault(format!("{HEADER}\n{row}1,4\x005,0,0,0,0,0\n").as_bytes());
     assert_eq!((line, sentence.as_str()), (3, "a zero byte: not a text"));
-    // Rows that share a line could not be told apart by its number.
+    // Rows that share a line could not be distinguished by the line number.
     for ends in ["\r", "\r\r\n", "\n1,45,0,0,0,\"\r\",0\n"] {
         let (line, column, sentence) = fault(format!("{HEADER}\r\n{}{ends}", row.trim_end()).as_bytes());
         assert_eq!((line, column), (if ends.starts_with('\n') { 3 } else { 2 }, 1), "{ends:?}");
@@ -88,7 +88,7 @@ fn a_fault_has_its_line_its_column_and_a_sentence() {
     assert_eq!(fault(&bytes).2, "not UTF-8");
 }
 
-/// Each byte of a small log altered in turn to each of 30 others: an answer.
+/// Each byte of a small log is replaced in turn with each of 30 others. Each text has an answer.
 #[test]
 fn altered_texts_have_an_answer() {
     let text = format!("# t\n{HEADER}\n0,45,0.1,100,0,0,90\n1,45,0.2,100,0,0,90\n");

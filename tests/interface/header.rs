@@ -1,4 +1,5 @@
-//! The committed header, and its kind in other languages, are what the sources generate, and the shared library exports what it declares, no more.
+//! The committed header and its equivalents in other languages equal what the sources generate. The shared library exports exactly
+//! what the header declares.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -50,7 +51,7 @@ fn words() -> BTreeSet<String> {
     code.split(|c| !is_of_word(c)).filter(|word| !word.is_empty()).map(str::to_owned).collect()
 }
 
-/// Ada, Fortran and Pascal do not tell A from a.
+/// Ada, Fortran and Pascal do not distinguish upper from lower case.
 #[test]
 fn no_two_names_differ_in_case_alone() {
     let mut spellings = BTreeMap::<String, BTreeSet<String>>::new();
@@ -62,7 +63,7 @@ fn no_two_names_differ_in_case_alone() {
     assert!(spellings.is_empty(), "{spellings:?}");
 }
 
-/// Ada's and Fortran's numbers of floating point have a point.
+/// In Ada and Fortran a floating-point literal has a decimal point.
 #[test]
 fn a_number_with_an_exponent_has_a_point() {
     let is_number = |word: &&String| word.starts_with(|c: char| c.is_ascii_digit());
@@ -75,7 +76,7 @@ fn a_number_with_an_exponent_has_a_point() {
     assert!(pointless.is_empty(), "{pointless:?}");
 }
 
-/// Each constant of whole numbers but those that a host asks for in `#if` or sizes an array with.
+/// Integer constants are in enumerations, except for those that a host uses in `#if` or as the size of an array.
 #[test]
 fn constants_are_in_enumerations_and_something_names_each() {
     let header = std::fs::read_to_string(project_file("include/sins.h")).unwrap();
@@ -99,7 +100,7 @@ fn constants_are_in_enumerations_and_something_names_each() {
     assert!(enumerations.len() >= 20 && silent.is_empty(), "{silent:?}");
 }
 
-/// That each is told as it is declared is checked in `functions.c`.
+/// The table has each declared function. `functions.c` checks the signatures.
 #[test]
 fn the_table_of_functions_has_each() {
     let table = std::fs::read_to_string(project_file("include/sins_functions.h")).unwrap();
@@ -108,7 +109,7 @@ fn the_table_of_functions_has_each() {
     assert_eq!(names, declared());
 }
 
-/// That they are true is checked where the library is compiled and in `layout.c`.
+/// The compilation of the library and `layout.c` check that the sizes are right.
 #[test]
 fn the_size_of_each_struct_is_stated() {
     let [header, layout] = ["include/sins.h", "tests/c/layout.c"]
@@ -119,7 +120,7 @@ fn the_size_of_each_struct_is_stated() {
     for name in structs {
         let constant = name.replacen("sins_", "sins_sizeof_", 1).to_uppercase();
         assert!(header.contains(&format!("    {constant} = ")), "{name}");
-        // Those of the sensors come from their table: c_side.rs.
+        // c_side.rs makes the lines of the sensors from their table.
         let is_of_table = ["sins_gyro_params", "sins_accel_params"].contains(&name);
         assert!(is_of_table || layout.contains(&format!("SIZE({name}, {constant}, ")), "{name}");
     }
@@ -149,8 +150,8 @@ fn the_version_macros_are_the_packages_version() {
     assert_eq!(version, env!("CARGO_PKG_VERSION"));
 }
 
-/// The same bits in every build and on every machine: whatever features the dependencies have, no crate of them calls the
-/// platform's logarithm.
+/// Results have the same bits in every build and on every machine. Therefore no dependency may call the platform's mathematical
+/// functions, with any of its features.
 #[test]
 fn the_library_needs_no_mathematics_of_the_platform() {
     let output = Command::new("readelf").arg("-d").arg(shared_library()).output().unwrap();

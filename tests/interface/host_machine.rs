@@ -1,4 +1,4 @@
-//! What a host and its machine do to the library: programs in C, built and run. `tests/README.md` has the table.
+//! Effects of a host and its machine on the library: programs in C, built and run. `tests/README.md` has the table.
 
 use crate::support::c_programs::{library_folder, run_test_program, succeed, test_program};
 use crate::support::project_file;
@@ -18,11 +18,12 @@ fn sentences_name_field_value_and_limit() {
     run_test_program("sentences");
 }
 
-/// How the header writes an argument that is a handle.
+/// The arguments of the header that are handles.
 const HANDLES: [&str; 5] =
     ["sins_sim *sim", "sins_flight *flight", "sins_scene *scene", "sins_log *log", "sins_ensemble *ensemble"];
 
-/// What a later function or struct must not forget.
+/// Each function and struct of the header is in the test programs. A new one fails this test until it is
+/// added there.
 #[test]
 fn every_function_and_struct_is_in_the_programs() {
     let [header, wrapper, calls, nulls, sizes, states, scene, stack] = [
@@ -53,7 +54,7 @@ fn every_function_and_struct_is_in_the_programs() {
         if ![&states, &scene, &calls].iter().any(|program| program.contains(&format!("{name}("))) {
             missing.push(format!("{name} in float_environment.c"));
         }
-        // Called, or handed on.
+        // The wrapper calls the function or passes it on.
         if !['(', ')', ','].iter().any(|behind| wrapper.contains(&format!("{name}{behind}"))) {
             missing.push(format!("{name} in sins.hpp"));
         }
@@ -71,7 +72,7 @@ fn every_function_and_struct_is_in_the_programs() {
             "sins_scene_get_samples" => &["*log"],
             "sins_scene_get_manoeuvres" => &["*start", "*repeat"],
             "sins_log_parse" => &["*fault"],
-            // Null is no handle.
+            // A null handle is answered with another status than SINS_ERROR_NULL_POINTER.
             "sins_ensemble_create" => &["*configured"],
             "sins_ensemble_get_runs" => &["*first_run", "*runs"],
             "sins_log_get_sample" => &["*line"],
@@ -116,7 +117,7 @@ fn a_handle_that_its_own_thread_is_inside_is_answered() {
     run_test_program("reentry");
 }
 
-/// And by `tests/platforms.sh` and `tests/windows.sh` on other machines.
+/// `tests/platforms.sh` and `tests/windows.sh` check the digests on other machines.
 #[test]
 fn digests_of_five_flights_are_the_pinned_ones() {
     run_test_program("digests");

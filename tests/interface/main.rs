@@ -1,4 +1,5 @@
-//! What a host calls and writes: the C functions, the header, the examples, scenes and flight logs.
+//! Everything that a host calls and writes: the C functions, the header, the examples, scenes and
+//! flight logs.
 
 #[path = "../support/mod.rs"]
 mod support;

@@ -28,7 +28,7 @@ fn text_of(write: impl Fn(*mut c_char, usize, *mut usize) -> sins_status) -> Str
     CStr::from_bytes_with_nul(&buffer).unwrap().to_str().unwrap().to_owned()
 }
 
-/// Flies `count` samples of a scene and gives the last record, as bits.
+/// Flies `count` samples of a scene and returns the bits of the last record.
 fn flown(
     scene: *mut sins_scene,
     count: usize,
@@ -107,7 +107,7 @@ fn a_log_flies_with_its_scene() {
         let record = flown(scene, 3_001, |k, sample| {
             assert_eq!(sins_log_get_sample(log, k, sample, &mut line), SINS_OK);
         });
-        // The time of the record is behind its size; the sensors of the scene err.
+        // Word 1 of the record, after its size, is its time.
         assert_eq!((f64::from_bits(record[1]), line), (30.0, 3_004));
         assert_eq!(sins_log_get_sample(log, 30_001, &mut init(), &mut line), SINS_ERROR_INVALID_ARGUMENT);
         assert_eq!(sins_log_destroy(log), SINS_OK);
@@ -254,7 +254,7 @@ fn a_message_names_the_field_that_the_caller_set() {
             sins_scene_set_manoeuvres(scene, &start, &rest, 1, 4097),
             "repeat = 4097: must be from 1 to 4096",
         );
-        // The second time, the speed would be less than none.
+        // At the second repetition, the speed would become negative.
         let mut brake = init::<sins_manoeuvre>();
         (brake.kind, brake.duration_s, brake.speed_change_m_s) = (SINS_MANOEUVRE_ACCELERATE, 60.0, -60.0);
         let fast = sins_flight_start { speed_m_s: 100.0, ..start };
@@ -284,7 +284,7 @@ fn a_message_names_the_field_that_the_caller_set() {
     }
 }
 
-/// As the program `sins` rejects them.
+/// The program `sins` rejects them too.
 #[test]
 fn records_closer_than_the_samples_of_a_log_are_rejected() {
     let (mut scene, mut log, mut samples) = (null_mut(), null_mut(), init::<sins_scene_samples>());
@@ -321,7 +321,7 @@ fn the_fault_of_a_log_is_the_last_error_until_another_call_fails() {
     assert_eq!(parse(null_mut()), SINS_ERROR_NULL_POINTER);
     assert_eq!(last_error(), "log: must not be null");
     assert_eq!(parse(&mut log), SINS_ERROR_INVALID_ARGUMENT);
-    // SAFETY: a handle that is none is rejected.
+    // SAFETY: the function rejects an invalid handle.
     assert_eq!(unsafe { sins_log_destroy(null_mut()) }, SINS_ERROR_BAD_HANDLE);
     assert_eq!(last_error(), "log: is null, made up, destroyed, or of another kind");
 }

@@ -7,7 +7,8 @@ use sins::scene::{Scene, builtin};
 
 use crate::support::{init, text};
 
-/// As the program `sins` and every host count: rounding takes no sample away, and a log ends with the scene.
+/// The program `sins` and every host count the same samples. Rounding does not remove a sample, and a log
+/// ends with the duration of the scene.
 #[test]
 fn the_samples_of_a_flight_and_of_a_log_are_counted() {
     let rate = |rate_hz: &str| {
@@ -39,7 +40,7 @@ fn the_samples_of_a_flight_and_of_a_log_are_counted() {
     assert_eq!(sentence, "flight.duration_s = 0.5: the log has no second sample within this time");
 }
 
-/// A line has the names of its head, and its numbers read back to the bit.
+/// A line has one value for each name of the head line, and each value reads back to the bit.
 #[test]
 fn a_record_is_a_line_of_a_file() {
     let line = |record: *const sins_record, sensors: &[f64], covariance: *const sins_covariance| {

@@ -1,4 +1,4 @@
-//! Keys that are set beside the text of a scene, and what is read of one.
+//! Keys that are set in addition to the text of a scene, and values that are read from a scene.
 
 use sins::scene::{Scene, keys};
 
@@ -14,12 +14,12 @@ subsamples = 9
 ";
 
 fn set(text: &str, settings: &[(&str, &str)]) -> Result<Scene, Vec<String>> {
-    let told = |faults: Vec<sins::scene::Fault>| faults.iter().map(ToString::to_string).collect();
-    Scene::parse_with(text.as_bytes(), settings).map_err(told)
+    let reported = |faults: Vec<sins::scene::Fault>| faults.iter().map(ToString::to_string).collect();
+    Scene::parse_with(text.as_bytes(), settings).map_err(reported)
 }
 
-/// As if the text had the value: of any kind, in SI too, in a section that the text does not have, and in the place of one that is
-/// refused.
+/// A setting has the same effect as the value in the text. It may have any kind, be in SI, be in a section that the text lacks, or
+/// replace an invalid value.
 #[test]
 fn a_setting_is_as_the_text_with_it() {
     let settings = [
@@ -52,14 +52,15 @@ bias_m = 12
 quiet = true
 ";
     assert_eq!(set(TEXT, &settings), set(written, &[]));
-    // A preset comes first, wherever it stands: what the text sets beside it stays.
+    // A preset is applied first, wherever it is written. The other values of the text stay.
     let consumer = set(TEXT, &[("gyro.preset", "consumer"), ("options.subsamples", "2")]).unwrap();
     let bias = [1.0, 2.0, 3.0].map(|bias: f64| bias * (core::f64::consts::PI / 648_000.0));
     assert_eq!(consumer.errors.gyro.bias.as_slice(), bias);
     assert_eq!(consumer.errors.gyro.random_walk, sins::sensors::Grade::Consumer.parameters().0.random_walk);
 }
 
-/// Faults of settings have their number, beside those of the text with its lines; the words are those of a text.
+/// The fault of a setting has line 0 and the number of the setting as its column. A fault of the text has its line. The sentences
+/// are the same.
 #[test]
 fn faults_have_the_number_of_their_setting() {
     let settings = [
@@ -92,7 +93,7 @@ fn faults_have_the_number_of_their_setting() {
     assert_eq!(faults.len(), 10, "{faults:?}");
 }
 
-/// Every key of a section in single brackets can be set, and read back: by its own value nothing changes.
+/// Every key of a section in single brackets can be read and set. Setting the value that was read changes nothing.
 #[test]
 fn every_key_can_be_set_and_read() {
     let scene = set(TEXT, &[("options.subsamples", "2")]).unwrap();
@@ -101,7 +102,7 @@ fn every_key_can_be_set_and_read() {
     for key in keys().iter().filter(|key| !key.is_list && key.section != "flight" && key.name != "preset") {
         let path = format!("{}.{}", key.section, key.name);
         let value = scene.value(&path).unwrap_or_else(|| panic!("{path}"));
-        // What has no default cannot be written, and what acts with others alone is refused without them.
+        // A key without a value is not written. A key that needs other keys is rejected without them.
         if value.is_empty() || key.section == "altimeter" || key.name == "closed_loop_time_s" {
             continue;
         }

@@ -1,4 +1,4 @@
-//! Scenes as texts: what is read, what is written, and what is wrong with a text.
+//! Scenes as texts: reading, writing, and the faults of a text.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::Path;
 use sins::math::{SPLIT_MIX_STEP, mix};
 use sins::scene::{BUILTIN_SCENES, Fault, FlightSource, MAX_FAULTS, MAX_TEXT, Scene, keys};
 
-/// The scenes of the examples.
+/// The text of an example scene.
 fn example(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("c_examples/scenes");
     fs::read_to_string(folder.join(name).with_extension("toml")).unwrap()
@@ -26,7 +26,7 @@ fn faults(text: &str) -> Vec<Fault> {
 }
 
 /// The sentences with their lines.
-fn told(text: &str) -> Vec<(usize, String)> {
+fn reported(text: &str) -> Vec<(usize, String)> {
     faults(text).into_iter().map(|fault| (fault.line, fault.sentence)).collect()
 }
 
@@ -41,7 +41,7 @@ fn a_scene_that_is_written_reads_back_to_the_bit() {
     }
 }
 
-/// A number generator of its own (Vigna's SplitMix64), so that each round is the same.
+/// A separate number generator (Vigna's SplitMix64), so that each run of the test draws the same numbers.
 struct Draws(u64);
 
 impl Draws {
@@ -59,7 +59,7 @@ impl Draws {
     }
 }
 
-/// What stands before and behind the line of a key, for a scene in which that key has its place.
+/// The text before and after the line of a key, such that the key is valid.
 fn around(section: &str, name: &str) -> (String, String) {
     const REST: &str = "[[manoeuvre]]\nkind = \"rest\"\nduration_s = 10\n";
     let flying = |manoeuvre: &str| format!("[flight]\nspeed_m_s = 200\n[[manoeuvre]]\nkind = {manoeuvre}\n");
@@ -118,8 +118,8 @@ fn around(section: &str, name: &str) -> (String, String) {
     (before, behind.to_owned())
 }
 
-/// Each key of a number, in its unit and in SI, with 50 values of all digits: what is accepted is written and read again to
-/// the same scene, and at least ten are accepted of each, so that the test has seen them all.
+/// Each key of a number, in its unit and in SI, with up to 50 accepted values of all digits. An accepted value is written
+/// and read again to the same scene. At least ten values of each key must be accepted, so that the test covers every key.
 #[test]
 fn every_key_is_read_written_and_read_again_to_the_same_value() {
     let mut draws = Draws(1);
@@ -129,7 +129,7 @@ fn every_key_is_read_written_and_read_again_to_the_same_value() {
             let mut accepted = 0;
             for round in 0..400 {
                 let mut value = draws.number().abs();
-                // A roll ends as it begins.
+                // A roll needs whole turns: it ends with the roll angle of its begin.
                 if key.takes == "a whole number" || key.name == "turns" {
                     value = 1.0 + (round % 5) as f64;
                 }
@@ -153,7 +153,7 @@ fn every_key_is_read_written_and_read_again_to_the_same_value() {
                 accepted >= 10,
                 "{}.{name}: {accepted}; {:?}",
                 key.section,
-                told(&format!("{before}{name} = 1\n{behind}"))
+                reported(&format!("{before}{name} = 1\n{behind}"))
             );
         }
     }
@@ -180,7 +180,7 @@ fn a_file_with_several_faults_gets_them_all_with_their_lines() {
     let text = "[flight]\nbuiltin = \"rest\"\n\n[gyro]\nbias_deg_hour = 3\nrange_deg_s = -1\nmarkov_sigma_deg_h = [1, 2]\n\
                 bias_deg_h = [0, 1e9, 0]\n[options]\nscheme = \"fast\"\nsubsamples = 9\n[altimter]\nbias_m = 2\n";
     assert_eq!(
-        told(text),
+        reported(text),
         [
             (5, "no such key: bias_deg_hour; did you mean bias_deg_h?".to_owned()),
             (6, "gyro.range_deg_s[0] = -1: must be 0 for none, or from 5.72958e-8 to 5.72958e7".to_owned()),
@@ -200,7 +200,7 @@ fn a_file_with_several_faults_gets_them_all_with_their_lines() {
 #[test]
 fn what_does_not_go_together_is_told() {
     let one = |text: &str, line: usize, words: &str| {
-        let faults = told(text);
+        let faults = reported(text);
         assert!(
             faults.len() == 1 && faults[0].0 == line && faults[0].1.contains(words),
             "{text}: {faults:?}, expected {words}"
@@ -249,26 +249,26 @@ fn what_does_not_go_together_is_told() {
 
 #[test]
 fn any_bytes_have_an_answer() {
-    let told = |bytes: &[u8]| Scene::parse(bytes).unwrap_err();
-    assert_eq!(told(b"[flight]\n\xff\n")[0].line, 2);
-    assert!(told(&vec![b'#'; MAX_TEXT + 1])[0].sentence.contains("at most"));
+    let reported = |bytes: &[u8]| Scene::parse(bytes).unwrap_err();
+    assert_eq!(reported(b"[flight]\n\xff\n")[0].line, 2);
+    assert!(reported(&vec![b'#'; MAX_TEXT + 1])[0].sentence.contains("at most"));
     let deep = format!("[gyro]\nbias_deg_h = {}1{}\n", "[".repeat(100_000), "]".repeat(100_000));
-    assert!(!told(deep.as_bytes()).is_empty());
+    assert!(!reported(deep.as_bytes()).is_empty());
     let tables = format!("[{}a]\n", "a.".repeat(50_000));
-    assert!(!told(tables.as_bytes()).is_empty());
+    assert!(!reported(tables.as_bytes()).is_empty());
     let many = "x = 1\n".repeat(1000).replace('x', "[[failure]]\nx");
-    assert!(told(many.as_bytes()).len() <= MAX_FAULTS);
+    assert!(reported(many.as_bytes()).len() <= MAX_FAULTS);
     for number in ["1e999", "-1e999", "inf", "nan", "99999999999999999999999999", "0x7fffffffffffffffffff"] {
         let text = format!("[flight]\nbuiltin = \"rest\"\n[gyro]\nbias_rad_s = {number}\n");
-        assert!(!told(text.as_bytes()).is_empty(), "{number}");
+        assert!(!reported(text.as_bytes()).is_empty(), "{number}");
     }
-    assert!(!told(b"[flight]\nbuiltin = \"rest\x00\"\n").is_empty());
+    assert!(!reported(b"[flight]\nbuiltin = \"rest\x00\"\n").is_empty());
     let marked = "\u{feff}[flight]\r\nbuiltin = \"rest\"\r\n";
     assert_eq!(read(marked).flight, FlightSource::Builtin("rest".to_owned()));
 }
 
-/// Each text of the examples with a byte altered, removed or doubled, 8000 in all: an answer, and a scene that is read is
-/// written and read again.
+/// Each example text with one byte altered, removed or doubled, 8000 texts in all. Each text has an answer, and an
+/// accepted scene is written and read again.
 #[test]
 fn altered_texts_have_an_answer() {
     let mut draws = Draws(2);

@@ -56,7 +56,7 @@ fn path_of(key: &KeyLine) -> String {
 }
 
 /// Paths and sentences of faults.
-fn told(faults: Vec<Fault>) -> Vec<(String, String)> {
+fn reported(faults: Vec<Fault>) -> Vec<(String, String)> {
     faults.into_iter().map(|fault| (fault.about.path, fault.sentence)).collect()
 }
 
@@ -97,7 +97,7 @@ fn values_are_read_by_their_paths() {
     }
 }
 
-/// Each key of each scene: by its own value, in its unit and in SI, the scene stays what it is.
+/// Each key of each scene is set to the value that was read, in its unit and in SI. The scene does not change.
 #[test]
 fn every_value_that_is_read_can_be_set() {
     let mut scenes: Vec<Scene> = BUILTIN_SCENES.iter().map(|(name, _)| builtin(name).unwrap()).collect();
@@ -110,7 +110,7 @@ fn every_value_that_is_read_can_be_set() {
                 let Some(value) = scene.value(&path).filter(|_| key.name != "preset") else { continue };
                 let mut again = scene.clone();
                 if let Err(faults) = again.set(&[(&path, &value)]) {
-                    // What acts with others alone is refused without them.
+                    // A key that needs other keys is rejected without them.
                     let sentence = &faults[0].sentence;
                     let needs = ["only with", "does not use it", "not for this", "only together"];
                     assert!(
@@ -131,13 +131,13 @@ fn every_value_that_is_read_can_be_set() {
 #[test]
 fn what_belongs_together_is_set_together() {
     let mut scene = scene();
-    // A climb has no bank, and a turn no height.
+    // A climb does not use the bank, and a turn does not use the height.
     let climb = [
         ("manoeuvre[1].kind", "climb"),
         ("manoeuvre[1].duration_s", "60"),
         ("manoeuvre[1].height_change_m", "500"),
     ];
-    let faults = told(scene.set(&climb).unwrap_err());
+    let faults = reported(scene.set(&climb).unwrap_err());
     assert_eq!(
         faults,
         [
@@ -153,11 +153,11 @@ fn what_belongs_together_is_set_together() {
     scene.set(&[&climb[..], &without].concat()).unwrap();
     assert_eq!(scene.value("manoeuvre[1].height_change_m").as_deref(), Some("500"));
     let both = [("gyro.markov_sigma_deg_h[2]", "1"), ("gyro.markov_time_s", "100")];
-    let faults = told(scene.set(&both[..1]).unwrap_err());
+    let faults = reported(scene.set(&both[..1]).unwrap_err());
     assert_eq!(faults[0].0, "gyro.markov_time_s[2]", "{faults:?}");
     scene.set(&both).unwrap();
     assert_eq!(scene.value("gyro.markov_sigma_deg_h").as_deref(), Some("[0, 0, 1]"));
-    // The fault of an element is told at its line, though the scene has the key.
+    // The fault of an element is reported with the number of its setting, although the scene already has the key.
     let faults = scene.set(&[("options.seed", "1"), ("gyro.markov_sigma_deg_h[1]", "-1")]).unwrap_err();
     assert_eq!(
         (faults[0].line, faults[0].column, faults[0].about.path.as_str()),
@@ -166,7 +166,7 @@ fn what_belongs_together_is_set_together() {
     assert!(scene.set(&[("options.seed", "1"); 4097]).is_err());
     let faults = scene.set(&[("gyro.scale_factor", "1e305")]).unwrap_err();
     assert_eq!((faults[0].about.value, faults[0].about.maximum), (None, Some(1e6)), "{faults:?}");
-    // One element after the other; no value is 0.
+    // Elements can be set one by one. An empty value sets 0.
     scene.set(&[("gyro.markov_sigma_deg_h[0]", "0.25"), ("gyro.markov_sigma_deg_h[2]", "")]).unwrap();
     assert_eq!(scene.value("gyro.markov_sigma_deg_h").as_deref(), Some("[0.25, 0, 0]"));
 }
@@ -226,7 +226,7 @@ fn items_are_added_moved_and_removed_by_their_texts() {
     }
 }
 
-/// At the limits that a key states a value is taken, beyond them it is not; unless the fault is one of another key.
+/// A value at the stated limits of a key is accepted, unless another key is at fault. A value beyond the limits is rejected.
 #[test]
 fn the_limits_of_the_keys_are_those_of_the_scene() {
     let mut scene = scene();
@@ -238,7 +238,7 @@ fn the_limits_of_the_keys_are_those_of_the_scene() {
             continue;
         };
         let path = path_of(&key);
-        // A matrix whose diagonal must be 0 begins there.
+        // The first element of a matrix with a zero diagonal must be 0; the second element is free.
         let element = if key.spread == 0b011_101_110 {
             "[1]"
         } else if key.kind == KeyKind::Numbers(1) || key.kind == KeyKind::Whole {
@@ -265,7 +265,7 @@ fn the_limits_of_the_keys_are_those_of_the_scene() {
                 about.path == format!("{path}{element}") && about.minimum.is_some() && about.maximum.is_some()
             };
             if is_within {
-                // How often depends on how many manoeuvres there are.
+                // The limit of `repeat` depends on the number of manoeuvres.
                 assert!(
                     key.name == "repeat" || !faults.iter().any(is_beyond),
                     "{path}{element} = {value}: {faults:?}"
@@ -297,7 +297,7 @@ fn conditions_name_the_items_that_use_a_key() {
     assert_eq!(of("gyro", "bias_deg_h"), "");
 }
 
-/// A host sees every key, and no text is cut.
+/// The C interface gives every key, and no text is truncated.
 #[test]
 fn the_keys_of_the_c_interface_are_all_of_them() {
     let mut key = init::<sins_scene_key>();

@@ -1,4 +1,5 @@
-//! Same inputs, same bits: on every platform (pinned digests), by any call pattern, again after a reset, from a snapshot.
+//! The same inputs give the same bits: on every platform (pinned digests), with any call pattern, after a reset, and from a
+//! snapshot.
 
 use nalgebra::Vector3;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
@@ -97,8 +98,8 @@ fn digest(simulator: &mut Simulator, samples: &[FlightSample]) -> u64 {
 const PINNED: [&str; 5] =
     ["a8c55475a3a212ff", "0e4477f84d5e8ffe", "fad34391c5b42475", "48e88aa7261f308f", "68ebe36745a7964e"];
 
-/// The digests of a minute of patrol with every effect on. They may change with the algorithms, then by a commit that says
-/// so; never with the machine.
+/// The digests of one minute of patrol with every effect on. A change of the algorithms may change them, and its commit says so.
+/// The machine must not change them.
 #[test]
 fn digests_are_the_pinned_ones() {
     let samples = samples();
@@ -115,8 +116,9 @@ fn digests_are_the_pinned_ones() {
 
 const PINNED_REPLAY: &str = "a303c90c1d2613f1";
 
-/// A snapshot that was saved in mid-flight, on whatever machine, with samples waiting: here it has the same bytes, and the rest of
-/// the run the same digest as if there had been none. `SINS_WRITE_SNAPSHOT=1 cargo test --test state determinism::` writes it anew.
+/// A snapshot was saved in mid-flight on another machine, with samples in the queue. This machine saves the same bytes, and the
+/// rest of the run has the same digest with and without a load. `SINS_WRITE_SNAPSHOT=1 cargo test --test state determinism::`
+/// renews the file.
 #[test]
 fn a_snapshot_of_another_machine_replays_to_the_pinned_digest() {
     let samples = samples();
@@ -143,7 +145,7 @@ fn a_snapshot_of_another_machine_replays_to_the_pinned_digest() {
     assert_eq!(format!("{:016x}", digest(&mut straight, rest)), PINNED_REPLAY);
 }
 
-/// Reads in between, a queue filled and emptied, one sample at a time: the same bits.
+/// Reads between the calls, and a queue that is filled and then emptied, give the same bits as one sample at a time.
 #[test]
 fn the_call_pattern_does_not_matter() {
     let samples = samples();
@@ -194,7 +196,7 @@ fn another_run_or_seed_draws_otherwise() {
     assert_eq!(found.len(), 3);
 }
 
-/// A reposition starts the INS again where the truth is now; the noise goes on, it does not come again.
+/// A reposition starts the INS again at the current truth. The noise continues; it does not repeat.
 #[test]
 fn a_reposition_starts_again_and_the_noise_goes_on() {
     let samples = samples();
@@ -218,11 +220,11 @@ fn a_reposition_starts_again_and_the_noise_goes_on() {
     assert_eq!(time_s, samples[3000].time_s);
     assert!(errors.position_n.norm() < 1e-8 && errors.velocity_n.norm() < 1e-12, "{errors:?}");
     let after = fly(&mut simulator, &samples[3001..3101]);
-    // No spike: the largest increment error is one of noise.
+    // No spike: the largest increment error is noise.
     let largest = |errors: &[Vector3<f64>]| errors.iter().map(|e| e.amax()).fold(0.0, f64::max);
     assert!(largest(&after) < 1.5 * largest(&before));
     assert!(before.iter().zip(&after).all(|(a, b)| a != b));
-    // And as if there had been no reposition, the draws are those of intervals 100 to 199.
+    // The draws are those of intervals 100 to 199, as without a reposition.
     let mut straight = Simulator::new(&options(Frame::EarthFixed, Scheme::Exact)).unwrap();
     straight.set_gyro(&noise).unwrap();
     let through = fly(&mut straight, &samples[..200]);

@@ -1,7 +1,8 @@
-//! Runs of an ensemble are the single simulators with the instructions of each width: 60 random choices of all effects, every frame,
-//! gravity, scheme, vertical channel and number of subsamples, with and without the error model, a mounting, a gravity disturbance,
-//! a closed loop, and failures that come and go; irregular intervals, rotations beyond the short series, a start without velocity,
-//! a run that diverges among good ones, and numbers of runs that are no multiple of a block.
+//! The runs of an ensemble equal single simulators, with the instructions of each width. The settings are 60 random choices of all
+//! effects, every frame, gravity, scheme, vertical channel and number of subsamples, with and without the error model, a mounting,
+//! a gravity disturbance, a closed loop, and failures that begin and end. The cases include irregular intervals, rotations beyond
+//! the short series, a start without velocity, a run that diverges among good ones, and numbers of runs that are not a multiple of
+//! a block.
 
 use nalgebra::Vector3;
 use sins::earth::GravityModel;
@@ -20,15 +21,16 @@ use crate::support::any_use::Draws;
 use crate::support::moments::{altimeter, every_effect, initial};
 
 const FIRST_RUN: u64 = 40;
-/// More than one block, and not all of the second.
+/// More than one block; the second block is not full.
 const RUNS: u64 = 21;
 const STEPS: usize = 60;
-/// Numbers at a time; as many as the processor has, if it has fewer. Other machines than x86-64 have one instruction set.
+/// Numbers per instruction. A width beyond that of the processor is reduced to it. Machines other than x86-64 have one instruction
+/// set.
 const WIDTHS: &[usize] = if cfg!(target_arch = "x86_64") { &[2, 4, 8] } else { &[2] };
-/// Random choices of all that can be set. Other machines may be emulated, 30 times as slow.
+/// Number of random settings. Machines other than x86-64 may be emulated, which is 30 times slower.
 const SETTINGS: u64 = if cfg!(target_arch = "x86_64") { 60 } else { 20 };
 
-/// What the host sets of a simulator.
+/// Everything that the host sets in a simulator.
 #[derive(Clone)]
 struct Setting {
     options: Options,
@@ -37,7 +39,7 @@ struct Setting {
     with_initial_errors: bool,
     mounting: Option<MountingParameters>,
     gravity: Option<GravityDisturbanceParameters>,
-    /// With the number of the sample before which it is set.
+    /// Each failure has the number of the sample before which it is set.
     failures: Vec<(usize, SensorOutput, Option<Failure>)>,
 }
 
@@ -77,7 +79,7 @@ fn gravity() -> GravityDisturbanceParameters {
     GravityDisturbanceParameters { deflection_north: field, deflection_east: field, anomaly: field }
 }
 
-/// Each effect or none.
+/// A random selection of the effects in `all`.
 fn some_effects(draw: &mut Draws, all: &TriadParameters) -> TriadParameters {
     let mut some = TriadParameters { markov_time_s: all.markov_time_s, ..TriadParameters::default() };
     macro_rules! choose {
@@ -116,7 +118,7 @@ fn some_effects(draw: &mut Draws, all: &TriadParameters) -> TriadParameters {
     some
 }
 
-/// Samples a little off even times, with gaps.
+/// Samples at slightly irregular times, with gaps.
 fn samples(draw: &mut Draws, count: usize) -> Vec<FlightSample> {
     let flight = support::patrol(2000.0);
     let mut time_s = 700.0;
@@ -133,7 +135,7 @@ fn samples(draw: &mut Draws, count: usize) -> Vec<FlightSample> {
         .collect()
 }
 
-/// Flies the setting in every width beside the single simulators; how many runs have diverged.
+/// Flies the setting in every width and in single simulators and compares them. Returns the number of runs that diverged.
 fn compare(setting: &Setting, samples: &[FlightSample], who: &str) -> usize {
     let template = setting.simulator(0);
     let of_width = |width: &usize| Ensemble::of_width(&template, FIRST_RUN, RUNS as usize, *width).unwrap();
@@ -162,17 +164,17 @@ fn compare(setting: &Setting, samples: &[FlightSample], who: &str) -> usize {
         }
         for (width, ensemble) in WIDTHS.iter().zip(&ensembles) {
             for (run, (single, has_diverged)) in (FIRST_RUN..).zip(&singles) {
-                let told = ensemble.navigation(run);
+                let reported = ensemble.navigation(run);
                 if *has_diverged {
                     assert_eq!(
-                        told.unwrap_err().kind,
+                        reported.unwrap_err().kind,
                         ErrorKind::Diverged,
                         "{who}, width {width}, run {run}"
                     );
                     continue;
                 }
                 let of_ensemble = (
-                    told.unwrap(),
+                    reported.unwrap(),
                     ensemble.errors(run, ErrorSource::Navigation),
                     ensemble.errors(run, ErrorSource::Model),
                     ensemble.imu(run).unwrap(),
@@ -249,7 +251,7 @@ fn runs_are_the_single_simulators_in_every_width() {
     }
 }
 
-/// Gyros so wild that some runs turn by more than the short series holds for, now and then.
+/// The gyro noise is so large that some runs sometimes turn by more than the range of the short series.
 #[test]
 fn so_they_are_where_a_branch_is_rare() {
     let mut draw = Draws::new(1);
@@ -277,7 +279,7 @@ fn so_they_are_where_a_branch_is_rare() {
 fn a_run_that_diverges_leaves_the_others_alone() {
     let mut draw = Draws::new(2);
     let samples = samples(&mut draw, 600);
-    // 100 km/s in about seven seconds, in some runs and in some not.
+    // Some runs reach 100 km/s in about seven seconds, others do not.
     let accel = TriadParameters { bias_sigma: Vector3::repeat(1e4), ..every_effect().1 };
     for (with_altimeter, error_model) in [(false, false), (true, true)] {
         let options = Options { vertical: VerticalMode::Damped, error_model, ..Options::default() };
@@ -297,7 +299,8 @@ fn a_run_that_diverges_leaves_the_others_alone() {
     }
 }
 
-/// Runs that are flown in several parts, over more samples than a part flies at once, by [`Ensemble::run`] and step by step.
+/// An ensemble that flies in several parts equals smaller ensembles, with [`Ensemble::run`] and step by step. The flight has more
+/// samples than a part flies at once.
 #[test]
 fn parts_of_an_ensemble_are_ensembles() {
     const RUNS: usize = 1100;
@@ -326,7 +329,7 @@ fn parts_of_an_ensemble_are_ensembles() {
         }
     }
 
-    // What is wrong with a sample is reported once, and all parts have flown the samples before it.
+    // A fault of a sample is reported once, and all parts have flown the samples before it.
     let mut late = samples.clone();
     late.iter_mut().for_each(|sample| sample.time_s += 100.0);
     late[40].time_s = late[39].time_s;

@@ -1,4 +1,4 @@
-//! What the host's own time does: pauses, stamps that ran on meanwhile, samples ten times as far apart. The time of a run is that
+//! Effects of the host's own clock: pauses, stamps that continued during a pause, intervals ten times as long. A run has the time
 //! of its stamps.
 
 use sins::truth::FlightSample;
@@ -6,8 +6,8 @@ use sins::{ErrorKind, ErrorSource, Options, Simulator, Step};
 
 use crate::support::{fly_through, options_at, patrol, resting_sample};
 
-/// Whatever a host does while it is paused: steps without samples, the last sample again, a stamp of an hour later. Then the
-/// flight goes on as if there had been no pause.
+/// During a pause a host steps without samples, pushes the last sample again, and pushes a stamp one hour later. Then the flight
+/// continues as without a pause.
 #[test]
 fn an_hour_of_pause_is_nothing() {
     let flight = patrol(1200.0);
@@ -36,7 +36,8 @@ fn an_hour_of_pause_is_nothing() {
     assert_eq!(paused.imu(), straight.imu());
 }
 
-/// A host may take a clock that ran on as a reposition: time goes on from there, the errors start again (`moved.rs` keeps them).
+/// After a jump of the clock a host may reposition: time continues from the new stamp and the errors start again (a moved time
+/// keeps them, see `moved`).
 #[test]
 fn stamps_that_ran_on_are_a_reposition() {
     let mut simulator = Simulator::new(&Options::default()).unwrap();
@@ -47,14 +48,13 @@ fn stamps_that_ran_on_are_a_reposition() {
     let navigation = simulator.navigation().unwrap().unwrap();
     assert_eq!(navigation.time_s, at(5, 3600.0).time_s);
     assert_eq!(simulator.intervals(), 2);
-    // And back: a flight that is loaded again begins at an earlier time.
+    // Time may also go back: a flight that is loaded again begins at an earlier time.
     simulator.reposition(&at(1, 0.0)).unwrap();
     fly_through(&mut simulator, [at(2, 0.0)]);
     assert_eq!(simulator.navigation().unwrap().unwrap().time_s, at(2, 0.0).time_s);
 }
 
-/// Largest position errors [m] over three thirds of a flight of samples 0.02 s apart, of which those are pushed that `is_sampled`
-/// says.
+/// Largest position error [m] in each third of a flight. Samples are 0.02 s apart; only those that `is_sampled` selects are pushed.
 fn largest_errors_m(sample: &dyn Fn(i32) -> FlightSample, is_sampled: &dyn Fn(i32) -> bool) -> [f64; 3] {
     let mut simulator = Simulator::new(&options_at(50.0)).unwrap();
     let mut largest = [0.0_f64; 3];
@@ -69,8 +69,9 @@ fn largest_errors_m(sample: &dyn Fn(i32) -> FlightSample, is_sampled: &dyn Fn(i3
     largest
 }
 
-/// Ten and a hundred times the pace in the middle third of a quarter of an hour, in flight and at rest. What it leaves is no more
-/// than what a whole flight at that pace leaves, there and after it: each interval adds its own error, the slower ones more.
+/// The middle third of 15 minutes runs at ten or a hundred times the pace, in flight and at rest. In and after it, the error is
+/// at most that of a whole flight at that pace plus that of one at full rate: each interval adds its own error, and longer
+/// intervals add more.
 #[test]
 fn a_faster_pace_costs_what_the_slower_rate_costs() {
     let flight = patrol(1500.0);

@@ -1,4 +1,4 @@
-//! A run goes on to the same bits: by any calls, from any snapshot, after a pause or a slew, and in an ensemble.
+//! A run continues to the same bits with any calls, from any snapshot, after a pause or a slew, and in an ensemble.
 
 #[path = "../support/mod.rs"]
 mod support;

@@ -1,11 +1,11 @@
-//! What every setter takes, its getter gives back to the bit: before a flight, in flight, and from a loaded snapshot.
+//! Each getter returns the bits that its setter took: before a flight, in flight, and from a loaded snapshot.
 
 use core::ptr::{null, null_mut};
 use std::mem::MaybeUninit;
 
 use sins::abi::*;
 
-/// A struct of the interface with numbers in `fields` (places in 8 bytes), all different.
+/// A struct of the interface with different numbers in `fields` (indexes of 8-byte words).
 fn filled<T: Copy>(fields: impl Iterator<Item = usize>) -> T {
     let mut bytes = MaybeUninit::<T>::zeroed();
     let words = bytes.as_mut_ptr().cast::<f64>();
@@ -30,7 +30,7 @@ fn words<T: Copy>(value: &T) -> Vec<u64> {
 
 type Get<T> = unsafe extern "C" fn(*mut sins_sim, *mut T) -> sins_status;
 
-/// Whether the getter gives `set`.
+/// Asserts that the getter returns `set`.
 fn gives_back<T: Copy>(sim: *mut sins_sim, get: Get<T>, set: &T) {
     let mut got: T = filled(core::iter::empty());
     // SAFETY: a handle and a struct of the interface.
@@ -51,7 +51,7 @@ struct Settings {
 impl Settings {
     fn new() -> Self {
         let all = |size: usize| 1..size / 8;
-        // The diagonals of the misalignment and of its scatter are 0, row by row.
+        // The diagonals of the misalignment and of its scatter must be 0. Matrices are stored by rows.
         let mut gyro: sins_gyro_params = filled(all(size_of::<sins_gyro_params>()));
         let mut accel: sins_accel_params = filled(all(size_of::<sins_accel_params>()));
         for place in [0, 4, 8] {
@@ -68,7 +68,7 @@ impl Settings {
             failure.fields.kind = kind;
             failure
         };
-        // Places of size, density, interval, duration, probability: 2 to 6. The pulse is shorter than the interval.
+        // Words 2 to 6 are size, density, interval, duration and probability. The pulse must be shorter than the interval.
         let mut spikes = failure(SINS_FAILURE_SPIKES, &[2, 4, 5]);
         spikes.fields.interval_s = 0.5;
         let failures = vec![
@@ -150,7 +150,7 @@ fn before_a_flight_in_flight_and_from_a_loaded_snapshot() {
         assert_eq!(sins_snapshot_load(other, snapshot.as_ptr().cast(), size), SINS_OK);
     }
     settings.are_given_back(other);
-    // What was read can be set again: a host changes one field.
+    // A host can read the parameters, change one field and set them again.
     let mut params: sins_gyro_params = filled(core::iter::empty());
     // SAFETY: handles and structs of the interface.
     unsafe {

@@ -1,16 +1,17 @@
-//! A run that is saved at any moment and loaded anywhere goes on to the same bits.
+//! A run that is saved at any moment and loaded into any simulator continues to the same bits.
 
 use sins::{Options, Simulator};
 
 use crate::support::moments::{Call, reads, snapshot};
 use crate::support::runs::{Run, everything_at_once, largest, runs};
 
-/// What a host hears after each call.
+/// The answer and all reads after each call.
 fn play(simulator: &mut Simulator, calls: &[Call]) -> Vec<String> {
     calls.iter().map(|call| call.make(simulator) + &reads(simulator)).collect()
 }
 
-/// Each moment of each run: into a fresh simulator of other options, and into the one that has flown to the end.
+/// Each snapshot of each run is loaded into a new simulator with other options, and some into the simulator that has flown to
+/// the end.
 #[test]
 fn the_rest_of_a_run_is_the_same_to_the_bit() {
     for Run { name, options, calls, every } in runs() {
@@ -43,7 +44,7 @@ fn the_rest_of_a_run_is_the_same_to_the_bit() {
     }
 }
 
-/// A reset after a load is one of the run that was saved.
+/// A reset after a load restarts the saved run.
 #[test]
 fn a_reset_after_a_load_is_the_start_of_that_run() {
     let Run { options, calls, .. } = largest();
@@ -55,7 +56,7 @@ fn a_reset_after_a_load_is_the_start_of_that_run() {
     assert_eq!(play(&mut loaded, &calls), expected);
 }
 
-/// Bytes of a run's snapshot while its last samples wait.
+/// Bytes of a run's snapshot with its last `waiting` samples in the queue.
 fn size_of(run: &Run, waiting: usize) -> usize {
     let mut simulator = Simulator::new(&run.options).unwrap();
     let flown = run.calls.len() - 2 * waiting;
@@ -66,7 +67,7 @@ fn size_of(run: &Run, waiting: usize) -> usize {
     simulator.snapshot_size()
 }
 
-/// Whatever is set, with a full queue.
+/// The buffer holds every setting at once, with an empty and with a full queue.
 #[test]
 fn the_buffer_of_the_interface_holds_everything_at_once() {
     let run = everything_at_once();
@@ -79,12 +80,12 @@ fn the_buffer_of_the_interface_holds_everything_at_once() {
     }
 }
 
-/// Bytes of a covariance: its columns, and a hundred numbers of the motion.
+/// Upper bound of the bytes of a covariance: its columns, and a hundred numbers of the motion.
 const COVARIANCE: usize = ((76 + 11) * 11 + 100) * 9;
 
-/// 4.5 KiB hold a run with every parameter of gyros, accelerometers and altimeter and a truth summary while each sample is flown as
-/// it comes; what waits is extra, and so are mounting, gravity, temperature and failures together, and a covariance: of eleven
-/// errors with at most 76 processes and with each other.
+/// 4.5 KiB hold a run with every parameter of gyros, accelerometers and altimeter and a truth summary, if no sample is in the
+/// queue. Samples in the queue need more. So do mounting, gravity, temperature and failures together, and a covariance: eleven
+/// errors, with at most 76 processes and with each other.
 #[test]
 fn a_snapshot_is_small() {
     for run in runs() {
@@ -97,7 +98,7 @@ fn a_snapshot_is_small() {
     for waiting in [4, 16] {
         let size = size_of(&largest, waiting);
         println!("largest, {waiting} samples wait: {size} bytes");
-        // Seventeen numbers and the sizes of their words a sample.
+        // Each sample has seventeen numbers and the sizes of their words.
         assert!(size <= 4608 + COVARIANCE + waiting * 17 * 9 && size <= sins::abi::SINS_SNAPSHOT_MAX_SIZE);
     }
 }

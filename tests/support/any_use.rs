@@ -1,5 +1,5 @@
-//! Random hosts that keep the rules: options, sensors of the laboratory and absurd ones, gaps, waiting samples, failures, jumps,
-//! increments, all to the ends of their ranges. The same seed gives the same host.
+//! Random hosts that keep the rules: options, realistic and absurd sensors, gaps, samples in the queue, failures, jumps and
+//! increments, up to the ends of their ranges. The same seed gives the same host.
 
 use nalgebra::{Matrix3, Vector3};
 use sins::Options;
@@ -17,7 +17,7 @@ use sins::truth::{FlightSample, IntakeLimits};
 
 use super::moments::Call;
 
-/// Uniform numbers.
+/// Uniform random numbers.
 pub struct Draws(u64);
 
 impl Draws {
@@ -42,7 +42,7 @@ impl Draws {
         low + (high - low) * self.below(1 << 30) as f64 / f64::from(1 << 30)
     }
 
-    /// Sometimes nothing, mostly `usual`, sometimes the end of the range.
+    /// 0 in four of eight cases, `usual` in three, and up to `end` in one.
     fn size(&mut self, usual: f64, end: f64) -> f64 {
         match self.below(8) {
             0..4 => 0.0,
@@ -64,11 +64,11 @@ impl Draws {
     }
 }
 
-/// A host, its simulator's options, and where its vehicle is.
+/// A host, the options of its simulator, and the motion of its vehicle.
 pub struct Host {
     draws: Draws,
     pub options: Options,
-    /// Whether its sensors are absurd.
+    /// Whether the sensor errors go up to the ends of their ranges.
     absurd: bool,
     with_velocity: bool,
     with_rates: bool,
@@ -208,11 +208,11 @@ impl Host {
         }
     }
 
-    /// To the next sample: mostly the period, sometimes a gap up to the end of what is allowed.
+    /// Moves to the next sample: mostly by the period, sometimes by a gap up to the longest allowed one.
     fn move_on(&mut self) {
         let most = self.options.intake.max_gap_s;
         let gap = match self.draws.below(20) {
-            // With what stamps round by, which is accepted.
+            // The rounding of stamps is added, which the library accepts.
             0 => most + 2.0 * f64::EPSILON * self.time_s.abs(),
             1 => self.draws.within(0.0, most),
             2 => 1.0,
@@ -237,7 +237,7 @@ impl Host {
 
     fn sample(&mut self) -> FlightSample {
         let (amplitude, frequency) = self.roll;
-        // A double of the time stamp alone would jump by a degree of roll near the ends of the range.
+        // Near the ends of the range, the rounding of the time stamp alone makes the roll jump by a degree.
         let phase = frequency * self.time_s;
         let roll = amplitude * phase.sin();
         let roll_rate = amplitude * frequency * phase.cos();

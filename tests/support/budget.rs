@@ -1,4 +1,4 @@
-//! Budgets, and what the closed forms of an INS at rest say of them.
+//! Budgets, and the errors of an INS at rest in closed form to compare them with.
 
 use nalgebra::{ComplexField, Vector3};
 use sins::Options;
@@ -11,7 +11,7 @@ use super::closed_form::AtRest;
 use super::{DEG, resting_sample};
 
 pub const HOUR_S: u64 = 3600;
-/// Of a resting sample.
+/// Latitude of `resting_sample` [rad].
 pub const LATITUDE: f64 = 39.9 * DEG;
 
 pub fn at_rest(seconds: u64, rate_hz: f64) -> Vec<FlightSample> {
@@ -32,7 +32,7 @@ pub fn row<'a>(budget: &'a Budget, field: &str) -> &'a BudgetRow {
     budget.rows.iter().find(|row| row.effect.field == field).unwrap()
 }
 
-/// The sphere of the mean radius of curvature, and the gravity there.
+/// Sensor errors on the sphere of the mean radius of curvature, with the gravity at that place.
 pub fn sphere(eps: Vector3<f64>, nabla: Vector3<f64>) -> AtRest {
     let earth = Earth::default();
     let radii = earth.radii(LATITUDE.sin());
@@ -41,7 +41,7 @@ pub fn sphere(eps: Vector3<f64>, nabla: Vector3<f64>) -> AtRest {
     AtRest { latitude_rad: LATITUDE, r, g, eps, nabla }
 }
 
-/// The lengths of the closed form's errors after `t` [s].
+/// Lengths of the closed form's errors after `t` [s].
 pub fn sizes(alone: &AtRest, t: f64) -> SolutionError {
     let closed = alone.after(t);
     SolutionError {
@@ -51,7 +51,7 @@ pub fn sizes(alone: &AtRest, t: f64) -> SolutionError {
     }
 }
 
-/// The largest of them in an hour.
+/// Largest lengths of the closed form's errors within an hour.
 pub fn worst(alone: &AtRest) -> SolutionError {
     let sizes = (0..=HOUR_S).map(|t| sizes(alone, t as f64));
     sizes.fold(SolutionError::default(), |worst, error| SolutionError {
@@ -61,8 +61,8 @@ pub fn worst(alone: &AtRest) -> SolutionError {
     })
 }
 
-/// 0.5 %: the ellipsoid's radii differ by 0.2 % from the sphere's either way, the Schuler frequencies by 0.1 %, and an hour
-/// is 4.5 rad of them.
+/// Asserts equality to 0.5 %: the ellipsoid's radii differ from the sphere's by 0.2 % in both directions, the Schuler
+/// frequencies differ by 0.1 %, and an hour is 4.5 rad of the Schuler oscillation.
 pub fn assert_like(found: &SolutionError, expected: &SolutionError) {
     for (found, expected) in [
         (found.position_m, expected.position_m),

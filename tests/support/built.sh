@@ -1,9 +1,9 @@
-# For the scripts of this project, to be sourced after need.sh: the shared library and the program sins, in the folder $built.
-# SINS_LIB_DIR: a folder with both to take instead of building them. Cargo has one place for the library of either build, so each
-# build discards the other's.
+# To be sourced by the scripts of this project after need.sh: the shared library and the program sins, in the folder $built.
+# SINS_LIB_DIR: a folder that has both, used instead of building them. Both builds of Cargo write the library to the same place,
+# so each build overwrites the other's library.
 built=$(realpath -m "${SINS_LIB_DIR:-target/release}")
 
-# As c_examples/build.sh.
+# Like c_examples/build.sh.
 build_library() {
     [ -n "${SINS_LIB_DIR:-}" ] || cargo rustc --release --quiet --lib --crate-type cdylib
 }

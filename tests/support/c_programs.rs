@@ -8,7 +8,7 @@ use super::project_file;
 /// Warnings are errors, in both languages.
 pub const STRICT: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
-/// The shared library that was built with this test: it lies beside the test's own program.
+/// The shared library that was built with this test, in the folder of the test's own program.
 pub fn shared_library() -> PathBuf {
     let program = std::env::current_exe().unwrap();
     let library = program.with_file_name("libsins.so");
@@ -16,7 +16,7 @@ pub fn shared_library() -> PathBuf {
     library
 }
 
-/// A folder of this test's own with the library.
+/// A folder for one test, with a copy of the library.
 pub fn library_folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::create_dir_all(&folder).unwrap();
@@ -59,13 +59,14 @@ pub fn link(
         compiler.arg(project_file(source));
     }
     compiler.arg("-o").arg(&path).arg("-L").arg(folder).args(["-lsins", "-lm", "-lpthread", "-ldl"]);
-    // An RPATH comes before LD_LIBRARY_PATH, in which cargo has target/debug, with what `cargo build` left there some day.
+    // An RPATH takes precedence over LD_LIBRARY_PATH. Cargo puts target/debug there, which may have an old library of
+    // `cargo build`.
     compiler.arg(format!("-Wl,--disable-new-dtags,-rpath,{}", folder.display()));
     succeed(&mut compiler);
     path
 }
 
-/// Standards that C sources are clean of warnings in.
+/// The standards for which C sources compile without warnings.
 pub const C_AND_CPP: [&str; 3] = ["c99", "c++11", "c++17"];
 
 /// The compiler for a standard, and the language for its option -x.
@@ -83,7 +84,7 @@ pub fn built_to(standard: &str, sources: &[&str], folder: &Path, program: &str) 
     link(compiler, &["-x", language, &standard], sources, folder, program)
 }
 
-/// What a program prints, the same built to each standard.
+/// The output of a program, which must be the same for each standard.
 pub fn prints_alike(name: &str, sources: &[&str], standards: &[&str], arguments: &[&str]) -> String {
     let folder = library_folder(name);
     let mut texts = standards.iter().map(|standard| {

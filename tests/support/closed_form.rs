@@ -5,12 +5,12 @@ use nalgebra::{Complex, Vector3};
 /// Earth rate [rad/s].
 pub const W: f64 = super::EARTH_RATE;
 
-/// Constant sensor errors, east-north-up, on a sphere of radius `r` [m] with gravity `g` [m/s²] at a latitude.
+/// Constant sensor errors, east-north-up, at a latitude on a sphere of radius `r` [m] with gravity `g` [m/s²].
 pub struct AtRest {
     pub latitude_rad: f64,
     pub r: f64,
     pub g: f64,
-    /// Gyro errors [rad/s] and accelerometer errors (level ones) [m/s²].
+    /// Gyro errors [rad/s] and accelerometer errors [m/s²], of which only the level ones count.
     pub eps: Vector3<f64>,
     pub nabla: Vector3<f64>,
 }
@@ -23,7 +23,7 @@ pub struct Solution {
 }
 
 impl AtRest {
-    /// The errors after `t` [s] from a start without any.
+    /// The errors at `t` [s] after a start without errors.
     ///
     /// u = psiE + i (s psiN - c psiU) = U e^{-iWt} + i eu/W and p = c psiN + s psiU = -ep t drive
     /// z'' + 2iWs z' + ws² z = K0 + K1 t + A- e^{-iWt} + A+ e^{iWt} for z = east + i north.

@@ -1,4 +1,4 @@
-//! What several tests share: reference signals, flights, samples. Each program of tests includes all of it.
+//! Reference signals, flights and samples that several tests share. Each test program includes the whole module.
 #![allow(dead_code)] // each program uses a part of it
 
 use std::borrow::Borrow;
@@ -26,13 +26,13 @@ pub const DEG: f64 = std::f64::consts::PI / 180.0;
 pub const DEG_PER_HOUR: f64 = DEG / 3600.0;
 pub const G: f64 = 9.80665;
 pub const ARCSEC: f64 = DEG / 3600.0;
-/// [m/s²].
+/// One milligal [m/s²].
 pub const MILLIGAL: f64 = 1e-5;
-/// [rad/s].
+/// Earth rate [rad/s].
 pub const EARTH_RATE: f64 = 7.292_115e-5;
 
-/// One data-sheet unit times `scale`, and 1, -0.7 and 0.4 along x, y and z, of each sensor parameter but those of temperature: what a test sets
-/// of a parameter that it does not name.
+/// Each sensor parameter except for those of temperature: one data-sheet unit times `scale`, times 1, -0.7 and 0.4 along x, y and
+/// z. Tests use them for the parameters that they do not name.
 pub fn one_unit_of_each(sensor: Sensor, scale: f64) -> TriadParameters {
     let mut triad = TriadParameters::default();
     for (parameter, numbers) in PARAMETERS.iter().zip(triad.numbers_mut()) {
@@ -59,7 +59,7 @@ pub fn project_file(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
-/// Columns of numbers by name.
+/// A table of named columns of numbers.
 pub struct Table {
     names: Vec<String>,
     columns: Vec<Vec<f64>>,
@@ -182,7 +182,7 @@ impl Reference {
     }
 }
 
-/// Beijing's latitude, as in the closed form's fixture: 39.9° N, at rest, level, heading north.
+/// A sample at rest, level, heading north, at Beijing's latitude 39.9° N as in the closed form's fixture.
 pub fn resting_sample(time_s: f64) -> FlightSample {
     let place = Geodetic { latitude_rad: 39.9 * DEG, longitude_rad: 116.4 * DEG, height_m: 0.0 };
     FlightSample::at_rest(time_s, place, Euler::default())
@@ -210,7 +210,7 @@ pub fn options_at(rate_hz: f64) -> sins::Options {
     }
 }
 
-/// Largest norms of the errors on the way.
+/// Largest norms of the errors during a flight.
 #[derive(Debug, Default)]
 pub struct Worst {
     pub position_m: f64,
@@ -218,9 +218,10 @@ pub struct Worst {
     pub misalignment_rad: f64,
 }
 
-/// What rounding leaves of perfect sensors at rest within `duration_s`. Attitude is rounded, and gravity leans by that: at worst one
-/// way in each half of a Schuler swing, 2 g eps/ω, and by chance the other way in the next. The sensed rate is that of the Earth to
-/// two ulps, 2.7e-20 rad/s, and turns the vertical. Earth-fixed coordinates are rounded three times, a quaternion four.
+/// Bound of the rounding errors with perfect sensors at rest within `duration_s`. The rounded attitude tilts gravity. At worst the
+/// tilt has one direction during half a Schuler swing, which gives a velocity of 2 g eps/ω, and a random direction in the next
+/// half. The sensed rate equals Earth rate to two ulps, 2.7e-20 rad/s, and this error turns the vertical. Earth-fixed coordinates
+/// are rounded three times, a quaternion four times.
 pub fn rounding_at_rest(duration_s: f64) -> Worst {
     let (radius_m, schuler, rate) = (6.4e6, 1.24e-3, 2.7e-20);
     let half_swings = 1.0 + duration_s * schuler / std::f64::consts::PI;
@@ -259,7 +260,7 @@ pub fn state_of(earth: &Earth, sample: &FlightSample) -> EarthFixedState {
     intake.front().unwrap().navigation(earth, BodyAxes::default()).earth_fixed(earth)
 }
 
-/// A struct of the C interface: zeros, and its size.
+/// A struct of the C interface with its size set and all other fields 0.
 pub fn init<T: Copy>() -> T {
     // SAFETY: the structs of the interface are numbers, and the size comes first.
     unsafe {
@@ -269,7 +270,7 @@ pub fn init<T: Copy>() -> T {
     }
 }
 
-/// Flies `samples`, looking at the errors every `every` intervals.
+/// Flies `samples` and returns the largest errors, read at every `every`-th sample.
 pub fn fly(
     simulator: &mut sins::Simulator,
     samples: impl Iterator<Item = FlightSample>,
@@ -288,7 +289,7 @@ pub fn fly(
     worst
 }
 
-/// Flies `samples` and gives the signals of each interval.
+/// Flies `samples` and returns the signals of each interval.
 pub fn sensed(
     simulator: &mut sins::Simulator,
     samples: impl IntoIterator<Item = FlightSample>,
@@ -303,7 +304,7 @@ pub fn sensed(
     intervals
 }
 
-/// The bits of the solution, and of both errors where there are two.
+/// The bits of the solution and of the errors of each available source.
 pub fn bits(simulator: &sins::Simulator) -> Vec<u64> {
     let navigation = simulator.navigation().unwrap().unwrap().navigation;
     let place = &navigation.place;

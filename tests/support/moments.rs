@@ -1,4 +1,4 @@
-//! The calls of a host as a list, and all that it can read after each.
+//! The calls of a host as a list, and everything that it can read after each call.
 
 use nalgebra::{Matrix3, Vector3};
 use sins::mounting::MountingParameters;
@@ -34,7 +34,7 @@ pub enum Call {
 }
 
 impl Call {
-    /// Makes the call; what it answers.
+    /// Makes the call and returns its answer as text.
     pub fn make(&self, simulator: &mut Simulator) -> String {
         match self {
             Self::Push(sample) => format!("{:?}", simulator.push_sample(sample)),
@@ -61,7 +61,7 @@ impl Call {
     }
 }
 
-/// All that can be read, as text: of a finite number it has every bit.
+/// Everything that can be read, as text that shows every bit of a finite number.
 pub fn reads(simulator: &Simulator) -> String {
     format!(
         "{:?}",
@@ -82,7 +82,7 @@ pub fn snapshot(simulator: &Simulator) -> Vec<u8> {
     bytes
 }
 
-/// Gyros and accelerometers with every parameter that there is, none of them 0 but those of temperature.
+/// Gyros and accelerometers with every parameter different from 0, except for those of temperature.
 pub fn every_effect() -> (TriadParameters, TriadParameters) {
     let three = |scale: f64| Vector3::new(1.0, -0.7, 0.4) * scale;
     let sizes = |scale: f64| three(scale).abs();
@@ -143,13 +143,13 @@ pub fn initial() -> InitialErrorParameters {
     }
 }
 
-/// What sets every effect.
+/// The calls that set every effect.
 pub fn setting() -> Vec<Call> {
     let (gyro, accel) = every_effect();
     vec![Call::Gyro(gyro), Call::Accel(accel), Call::Altimeter(altimeter()), Call::Initial(initial())]
 }
 
-/// Each sample pushed and flown.
+/// The calls that push and fly each sample.
 pub fn flown(samples: impl IntoIterator<Item = FlightSample>) -> Vec<Call> {
     samples.into_iter().flat_map(|sample| [Call::Push(sample), Call::Step]).collect()
 }

@@ -1,20 +1,20 @@
-# For the scripts of this project, to be sourced: what they need is installed, and what cannot be had is told at the end.
+# To be sourced by the scripts of this project: installs what they need, and reports at the end what could not be installed.
 
-# What is built lies in target, wherever the caller builds his own.
+# Builds go to target, also if the caller has set another folder.
 unset CARGO_TARGET_DIR
 
-# The nightly Rust of all scripts, for sanitizers, fuzzing and the standard library for Windows 7. By its date: another one may have
-# other flags, and packages have the same bytes only if it is the same.
+# The nightly Rust of all scripts, for sanitizers, fuzzing and the standard library for Windows 7. The date is fixed: another
+# nightly may have other flags, and packages have the same bytes only with the same compiler.
 nightly=nightly-2026-05-20
 
-# has_nightly: whether there is that nightly Rust, with the sources of its standard library.
+# has_nightly: installs this nightly Rust with the sources of its standard library, if it is missing. Fails if that is impossible.
 has_nightly() {
     rustup component list --installed --toolchain "$nightly" 2>/dev/null | grep -qx rust-src ||
         rustup toolchain install "$nightly" --profile minimal --component rust-src
 }
 
-# need PACKAGE PROGRAM: installs the Debian package if the program, or the file where a path is given, is not there. Recommended
-# packages do not come along: g++ brings the headers of the C library, gcc alone does not.
+# need PACKAGE PROGRAM: installs the Debian package if the program, or the file if a path is given, is missing. Recommended
+# packages are not installed: g++ depends on the headers of the C library, gcc does not.
 need() {
     case $2 in
         */*) [ -e "$2" ] || install "$1" ;;
@@ -22,7 +22,7 @@ need() {
     esac
 }
 
-# One at a time, when scripts run side by side. The lists of packages are fetched where they are missing or old.
+# Only one installation runs at a time if scripts run in parallel. The package lists are updated if they are missing or old.
 install() {
     apt_install "$@" 2>/dev/null || {
         as_root flock /var/lib/apt apt-get update -qq
@@ -46,7 +46,7 @@ could_not() {
     echo "not run: $1: $2"
 }
 
-# Says again, at the end, what was not run.
+# Repeats at the end what was not run.
 report_not_run() {
     if [ "${#not_run[@]}" -gt 0 ]; then
         printf '\n%s:\n' "${0##*/} could not run"

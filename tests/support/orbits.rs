@@ -1,4 +1,5 @@
-//! Flights in closed form in Earth-fixed axes: circles about the Earth's centre, which no pole or date line knows of.
+//! Flights in closed form in Earth-fixed axes: circles about the Earth's centre. Poles and the date line are not special
+//! in these axes.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use sins::earth::{Earth, navigation_axes};
@@ -12,16 +13,16 @@ pub struct Circle {
     /// Distance from the Earth's centre [m].
     pub radius_m: f64,
     pub speed_m_s: f64,
-    /// Distance of the circle's plane from the Earth's centre [m]: by so much it misses the point abeam.
+    /// Distance of the circle's plane from the Earth's centre [m]. The circle misses the point by this distance, sideways.
     pub offset_m: f64,
-    /// Turns the circle: as it stands, it passes the north pole at the time 0, along longitude 0.
+    /// Rotation of the circle. Without rotation, the circle passes the north pole at time 0 along longitude 0.
     pub place: UnitQuaternion<f64>,
-    /// Body axes against right, forward, up along the path.
+    /// Attitude of the body axes relative to right, forward, up along the path.
     pub tilt: UnitQuaternion<f64>,
 }
 
 impl Circle {
-    /// Past the point to which `place` turns the north pole, 10 km above it at 250 m/s, banked, pitched and crabbing.
+    /// A circle past the point to which `place` turns the north pole, 10 km above it, at 250 m/s, banked, pitched and crabbing.
     pub fn past(place: UnitQuaternion<f64>, offset_m: f64) -> Self {
         let tilt = UnitQuaternion::new(Vector3::new(0.03, 0.2, -0.1));
         Self { radius_m: 6_366_752.0, speed_m_s: 250.0, offset_m, place, tilt }
@@ -32,7 +33,7 @@ impl Circle {
         let own = (self.radius_m * self.radius_m - self.offset_m * self.offset_m).sqrt();
         let angle = self.speed_m_s / own * time_s;
         let (sin, cos) = angle.sin_cos();
-        // Right, forward and up are -y, x and z at the time 0.
+        // Right, forward and up are -y, x and z at time 0.
         let start = about(Vector3::z(), -std::f64::consts::FRAC_PI_2);
         let q_eb: Quaternion<f64> =
             (self.place * about(Vector3::y(), angle) * start * self.tilt).into_inner();
@@ -49,18 +50,19 @@ impl Circle {
     }
 }
 
-/// A turn by `angle` [rad] about `axis`.
+/// Rotation by `angle` [rad] about `axis`.
 pub fn about(axis: Vector3<f64>, angle: f64) -> UnitQuaternion<f64> {
     UnitQuaternion::from_axis_angle(&nalgebra::Unit::new_normalize(axis), angle)
 }
 
-/// What a host tells of `state`.
+/// The sample of a host at `state`.
 pub fn sample_of(time_s: f64, state: &EarthFixedState) -> FlightSample {
     let place = Earth::default().to_geodetic(&state.r_e);
     sample_at(time_s, state, place.latitude_rad, place.longitude_rad)
 }
 
-/// The same of a host whose angles refer to a place of its own choice: beside a pole any longitude is as good.
+/// The sample of a host at `state` whose angles refer to the given latitude and longitude: next to a pole, any longitude
+/// is valid.
 pub fn sample_at(
     time_s: f64,
     state: &EarthFixedState,
@@ -76,7 +78,7 @@ pub fn sample_at(
     }
 }
 
-/// Differences in Earth-fixed axes, which mean the same everywhere.
+/// Differences in Earth-fixed axes, which have the same meaning at every place.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Apart {
     pub position_m: f64,
@@ -85,7 +87,7 @@ pub struct Apart {
 }
 
 impl Apart {
-    /// How far `found` is from `expected`.
+    /// The differences of `found` and `expected`.
     pub fn new(found: &EarthFixedState, expected: &EarthFixedState) -> Self {
         Self {
             position_m: (found.r_e - expected.r_e).norm(),
@@ -94,7 +96,7 @@ impl Apart {
         }
     }
 
-    /// The larger of each.
+    /// The larger one of each difference.
     pub fn worst(self, other: Self) -> Self {
         Self {
             position_m: self.position_m.max(other.position_m),
@@ -110,13 +112,13 @@ impl std::fmt::Display for Apart {
     }
 }
 
-/// The Earth-fixed view of what `simulator` navigated.
+/// The navigated state of `simulator` in Earth-fixed axes.
 pub fn navigated(simulator: &sins::Simulator) -> EarthFixedState {
     simulator.navigation().unwrap().unwrap().navigation.earth_fixed(&Earth::default())
 }
 
-/// Flies the motion `state` of time from `start_s` over `count` intervals at `rate_hz`, as `sample` tells it: how far the
-/// navigated state is apart from it on the way.
+/// Flies the motion `state`, a function of time, from `start_s` over `count` intervals at `rate_hz`, with the samples
+/// that `sample` makes. Returns the largest differences of the navigated state from the motion.
 pub fn apart_on_the_way(
     simulator: &mut sins::Simulator,
     (start_s, count, rate_hz): (f64, u32, f64),

@@ -1,4 +1,4 @@
-//! The patrol of the paper's simulations, rocked.
+//! The patrol of the paper's simulations, with added angular oscillations.
 
 use sins::Error;
 use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
@@ -13,7 +13,7 @@ pub fn patrol_from(start: &FlightStart, duration_s: f64) -> Result<Flight, Error
         phase_rad: 0.0,
     };
     let terms = [
-        // The zero of J0: the swings of the course close to figure-eights.
+        // The first zero of the Bessel function J0: the oscillation of the course closes to figure-eights.
         term(Channel::Course, 2.404_825_557_695_773, 560.0),
         term(Channel::Climb, 0.02, 217.0),
         term(Channel::Speed, 5.0, 143.0),

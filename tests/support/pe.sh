@@ -1,8 +1,7 @@
-# For the scripts of this project, to be sourced after release/build.sh: what a DLL or program of the release is for the loader
-# of Windows.
+# To be sourced by the scripts of this project after release/build.sh: checks of a DLL or program as the loader of Windows sees it.
 
-# check_pe FILE PROCESSOR SYSTEM_DLL...: it imports of these alone, no section is both written and run, and it can be loaded
-# anywhere with its data not run. A DLL exports the functions of the header, undecorated, and nothing else.
+# check_pe FILE PROCESSOR SYSTEM_DLL...: FILE imports from exactly these DLLs, no section is writable and executable, FILE can
+# be loaded at any address, and its data is not executable. A DLL exports exactly the functions of the header, undecorated.
 check_pe() {
     local file=$1 objdump=$2-w64-mingw32-objdump flags="DYNAMIC_BASE NX_COMPAT" flag facts sections imports exports
     [ "$2" = i686 ] || flags+=" HIGH_ENTROPY_VA"

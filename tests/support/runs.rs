@@ -1,4 +1,5 @@
-//! Runs as lists of calls, to be cut anywhere: each uses a simulator in another way, together they use every option and effect.
+//! Runs as lists of calls, which a test may split at any call. Each uses a simulator in another way; together they use every
+//! option and effect.
 
 use nalgebra::Vector3;
 use sins::Options;
@@ -22,11 +23,11 @@ pub struct Run {
     pub name: &'static str,
     pub options: Options,
     pub calls: Vec<Call>,
-    /// A snapshot is taken after each so many calls.
+    /// A snapshot is taken after every `every` calls.
     pub every: usize,
 }
 
-/// Options with all that can be chosen chosen otherwise.
+/// Options that all differ from their defaults.
 pub fn unusual_options() -> Options {
     Options {
         frame: Frame::Geographic,
@@ -46,7 +47,7 @@ pub fn unusual_options() -> Options {
     }
 }
 
-/// The largest of all: every option and effect on, the host's own signals.
+/// The run with every option and effect and with signals of the host.
 pub fn largest() -> Run {
     let mut calls = setting();
     calls.extend(flown(loops(30, true)));
@@ -71,12 +72,12 @@ pub fn runs() -> Vec<Run> {
         largest(),
     ];
 
-    // Half a second a sample past the window of the radial error rate; every effect in the recommended simulator.
+    // Intervals of 0.5 s, until after the window of the radial error rate, with every effect and the default options.
     let mut calls = setting();
     calls.extend(flown(samples(700, 0.5)));
     runs.push(Run { name: "every effect for minutes", options: model, calls, every: 101 });
 
-    // Samples lost soon after the start, and soon after one another: gaps are told from the intervals before.
+    // Samples are lost soon after the start, and soon after each other: a gap is recognised from the intervals before it.
     let lost = [2..5, 20..30, 33..36, 37..60];
     let kept = (0..70).zip(samples(70, 0.01)).filter(|(k, _)| !lost.iter().any(|range| range.contains(k)));
     let mut calls = setting();
@@ -91,7 +92,8 @@ pub fn runs() -> Vec<Run> {
     let options = Options { scheme: Scheme::Paper, vertical: VerticalMode::Free, ..model };
     runs.push(Run { name: "positions alone", options, calls: flown(uneven), every: 1 });
 
-    // The first sensor error comes in flight: the closed loop's shadow parts from the navigator; effects go and come again.
+    // The first sensor error is set in flight, and the closed loop's own navigator separates from the INS. Effects are
+    // removed and set again.
     let (gyro, accel) = every_effect();
     let mut calls = flown(samples(50, 0.01));
     calls.insert(70, Call::Gyro(TriadParameters::default()));
@@ -102,7 +104,7 @@ pub fn runs() -> Vec<Run> {
     let options = Options { closed_loop_time_s: Some(30.0), ..model };
     runs.push(Run { name: "sensors that change", options, calls, every: 1 });
 
-    // Samples in bursts, with a queue that is full and one sample too many.
+    // Samples in bursts: the queue is full, and one sample is too many.
     let mut calls = setting();
     for burst in samples(51, 0.01).collect::<Vec<_>>().chunks(17) {
         calls.extend(burst.iter().map(|sample| Call::Push(*sample)));
@@ -115,7 +117,7 @@ pub fn runs() -> Vec<Run> {
         every: 1,
     });
 
-    // Repositioned, reset, refused; samples left in the queue at both.
+    // A reposition, a rejected call and a reset, with samples in the queue.
     let mut calls = setting();
     calls.extend(flown(samples(15, 0.01)));
     let elsewhere: Vec<FlightSample> = loops(20, true).collect();
@@ -127,7 +129,7 @@ pub fn runs() -> Vec<Run> {
     calls.extend(flown(samples(15, 0.01)));
     runs.push(Run { name: "slewed and reset", options: model, calls, every: 1 });
 
-    // Slewed and paused in flight, errors kept: with samples in the queue at both, twice at once, without velocities.
+    // Slews and pauses in flight, which keep the errors: with samples in the queue, twice in a row, and without velocities.
     for (name, options) in [
         ("moved", Options { truth_summary: true, ..model }),
         ("moved, periods stated", Options { closed_loop_time_s: Some(20.0), ..unusual_options() }),
@@ -161,7 +163,7 @@ pub fn runs() -> Vec<Run> {
         });
     }
 
-    // A navigator alone.
+    // Navigation from increments, without a truth.
     let (gyro, accel) = every_effect();
     let place = samples(1, 0.01).next().unwrap();
     let navigation = Navigation::new(
@@ -182,7 +184,7 @@ pub fn runs() -> Vec<Run> {
     runs
 }
 
-/// Coefficients of the temperature, a block off the reference point and disturbed gravity.
+/// Temperature coefficients, an IMU block away from the reference point, and disturbed gravity.
 fn troubles(triad: TriadParameters) -> (TriadParameters, Vec<Call>) {
     let three = |scale: f64| Vector3::new(1.0, -0.7, 0.4) * scale;
     let triad = TriadParameters {
@@ -206,14 +208,14 @@ fn troubles(triad: TriadParameters) -> (TriadParameters, Vec<Call>) {
     (triad, vec![Call::Mounting(mounting), Call::Gravity(gravity)])
 }
 
-/// At each sample it gets warmer.
+/// The samples with a temperature that rises at each sample.
 fn warming(samples: impl Iterator<Item = FlightSample>) -> impl Iterator<Item = FlightSample> {
     samples
         .enumerate()
         .map(|(k, sample)| FlightSample { temperature_c: Some(15.0 + 0.1 * k as f64), ..sample })
 }
 
-/// All that can be set at once, each output failing at random, in the options that take most.
+/// Everything that can be set at once, with a random failure of each output and the options of the largest snapshot.
 pub fn everything_at_once() -> Run {
     let mut calls = setting();
     let (gyro, accel) = every_effect();
@@ -228,7 +230,7 @@ pub fn everything_at_once() -> Run {
     Run { name: "everything at once", options: unusual_options(), calls, every: 1 }
 }
 
-/// A block off the reference point in disturbed gravity, its temperature on the way, and failures that come and go.
+/// An IMU block away from the reference point in disturbed gravity, with a changing temperature, and failures that begin and end.
 fn troubled_block() -> Vec<Call> {
     let (triad, first) = troubles(TriadParameters::default());
     let mut calls = flown(warming(samples(70, 0.01)));

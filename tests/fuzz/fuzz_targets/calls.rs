@@ -4,7 +4,7 @@
 use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
 use sins_fuzz::{RECORD, Random, records, run};
 
-/// Calls of a sequence at the most.
+/// Largest number of calls of a sequence.
 const CALLS: usize = 256;
 
 fuzz_target!(|bytes: &[u8]| {
@@ -13,7 +13,7 @@ fuzz_target!(|bytes: &[u8]| {
     run(&sequence);
 });
 
-// Whole calls are inserted, taken away, doubled and moved; within one the bytes are libFuzzer's.
+// Whole calls are inserted, removed, duplicated and moved. libFuzzer mutates the bytes within a call.
 fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
     let mut random = Random(u64::from(seed));
     let mut sequence = records(&data[..size]);

@@ -1,4 +1,4 @@
-//! The flight log of any bytes, through the C interface, by libFuzzer. See `src/texts.rs`.
+//! Any bytes as a flight log, through the C interface, by libFuzzer. See `src/texts.rs`.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

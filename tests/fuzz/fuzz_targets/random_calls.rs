@@ -2,9 +2,10 @@
 //!
 //!     random_calls [--calls N] [--seconds S] [--first SEED] [--folder FOLDER] [FILE...]
 //!
-//! Sequence after sequence, from SEED (0) on: seed k makes the same calls every time, so that two processes can share a
-//! range. Each kind of failure is told once, with its seed and the fewest calls that show it, and kept in FOLDER (.), where
-//! random_calls.seed has the seed at work, should the process die. FILE: the calls of a kept sequence are told.
+//! Runs one sequence for each seed from SEED (default 0). Seed k always makes the same calls, so that processes can share a
+//! range. Each kind of failure is reported once, with its seed and the fewest calls that show it, and saved in FOLDER
+//! (default .). If the process dies, random_calls-SEED.seed in FOLDER has the current seed. FILE: prints the calls of a
+//! saved sequence.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -15,10 +16,10 @@ use std::{fs, io};
 use sins_fuzz::minimal::{catch_failures, failure, kind, minimal};
 use sins_fuzz::{Random, Record, records, trace};
 
-/// Records of a sequence at the most.
+/// Largest number of records of a sequence.
 const LONGEST: u64 = 1024;
 
-/// Between two lines that tell how far it is.
+/// Time between two lines of progress.
 const REPORT: Duration = Duration::from_secs(30);
 
 fn sequence(seed: u64) -> Vec<Record> {
@@ -53,7 +54,7 @@ fn arguments() -> Result<Arguments, String> {
     Ok(arguments)
 }
 
-/// Tells the calls of a sequence, and how it fails.
+/// Prints the calls of a sequence and its failure.
 fn tell(sequence: &[Record]) -> Option<String> {
     trace::tell(true);
     let failure = failure(sequence);
@@ -66,7 +67,7 @@ fn run(arguments: &Arguments) -> io::Result<bool> {
     fs::create_dir_all(&arguments.folder)?;
     let at_work = arguments.folder.join(format!("random_calls-{}.seed", arguments.first));
     let start = Instant::now();
-    let (mut calls, mut seed, mut told) = (0, arguments.first, start);
+    let (mut calls, mut seed, mut reported) = (0, arguments.first, start);
     let mut kinds = BTreeMap::<String, u64>::new();
     let mut is_last = false;
     while !is_last {
@@ -87,8 +88,8 @@ fn run(arguments: &Arguments) -> io::Result<bool> {
         (calls, seed) = (calls + sequence.len() as u64, seed + 1);
         let elapsed = start.elapsed();
         is_last = calls >= arguments.calls || elapsed.as_secs_f64() >= arguments.seconds;
-        if is_last || told.elapsed() > REPORT {
-            told = Instant::now();
+        if is_last || reported.elapsed() > REPORT {
+            reported = Instant::now();
             println!(
                 "{calls} calls ({} of functions) of seeds {} to {} in {:.0} s, {:.0} a second; failures: {kinds:?}",
                 trace::calls(),

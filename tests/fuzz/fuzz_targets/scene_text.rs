@@ -1,4 +1,4 @@
-//! The scene of any bytes, through the C interface, by libFuzzer. See `src/texts.rs`.
+//! Any bytes as the text of a scene, through the C interface, by libFuzzer. See `src/texts.rs`.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

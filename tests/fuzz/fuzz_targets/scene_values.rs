@@ -1,4 +1,4 @@
-//! Values of any bytes for a scene, through the C interface, by libFuzzer. See `src/texts.rs`.
+//! Any bytes as values for a scene, through the C interface, by libFuzzer. See `src/texts.rs`.
 #![no_main]
 
 use std::ffi::CString;

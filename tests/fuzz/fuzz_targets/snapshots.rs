@@ -1,4 +1,5 @@
-//! Snapshots of any words behind a good header and checksum: refused, or a simulator that works and freezes to itself.
+//! Snapshots of any words after a valid header and checksum: each is rejected, or it makes a simulator that works and
+//! can be saved and loaded again.
 
 #![no_main]
 
@@ -7,7 +8,7 @@ use sins::{Options, Simulator};
 use sins_fuzz::Random;
 use sins_fuzz::words::{snapshot_of, words_of};
 
-/// All that can be read, as text, which has every bit of a finite number.
+/// Everything that can be read, as text that shows every bit of a finite number.
 fn reads(simulator: &Simulator) -> String {
     let text =
         format!("{:?}", (simulator.truth(), simulator.navigation(), simulator.imu(), simulator.accuracy()));
@@ -33,7 +34,7 @@ fuzz_target!(|bytes: &[u8]| {
     }
 });
 
-// A word is altered, or copied from another place: whatever its size, the others stay what they are.
+// A word is altered or copied from another place. The other words keep their values, even if the size of this word changes.
 fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
     let mut random = Random(u64::from(seed));
     let mut words = words_of(&data[..size]);

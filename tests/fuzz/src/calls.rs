@@ -1,4 +1,4 @@
-//! Which call a record is.
+//! The call that a record stands for.
 
 use std::ffi::{CStr, c_char};
 use std::ptr::null_mut;
@@ -78,14 +78,14 @@ impl Host {
                 if self.input.byte() < 128 { self.recommend() } else { self.budget() }
             }
             216 => self.misuse(),
-            // A text costs as much as a hundred steps.
+            // A text takes the time of about a hundred steps.
             217..219 if self.input.one_in(8) => self.make_scene(),
             219..221 if self.input.one_in(8) => self.change_scene(),
             221 if self.input.one_in(8) => self.fly_scene(),
             222 if self.input.one_in(8) => self.log(),
             223 if self.input.one_in(8) => self.misuse_scene(),
             224 if self.input.one_in(4) => self.fly_ensemble(),
-            // Most of a run is flight.
+            // Most calls fly.
             _ => self.fly(),
         }
         self.watch_follower();
@@ -98,11 +98,11 @@ impl Host {
         let expected = if sim.is_null() { SINS_ERROR_BAD_HANDLE } else { SINS_OK };
         assert_eq!(call!(sins_destroy(sim)), expected);
         assert_eq!(call!(sins_step(sim)), SINS_ERROR_BAD_HANDLE);
-        // There is always one to fly with.
+        // Each place always has a simulator to fly with.
         self.make(place, &mut crate::input::Argument::of(&crate::host::init::<sins_options>()));
     }
 
-    /// Handles that are none.
+    /// Calls with invalid handles.
     fn misuse(&mut self) {
         let sim = std::ptr::without_provenance_mut(self.input.word() as usize);
         let flight = self.flight();
@@ -127,7 +127,7 @@ impl Host {
     }
 }
 
-/// The calls that need nothing.
+/// Calls that need no handle.
 fn names(status: sins_status) {
     assert_eq!(sins_abi_version(), SINS_HEADER_ABI);
     for text in [sins_version_string(), sins_status_string(status)] {

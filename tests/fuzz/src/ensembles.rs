@@ -1,5 +1,5 @@
-//! Ensembles: a flight of a few runs beside the single simulator that one of them has to be; statistics and snapshots of it,
-//! altered ones too.
+//! Ensembles: a flight of a few runs, and the single simulator that one of the runs must equal; statistics and snapshots of
+//! the ensemble, also altered ones.
 
 use std::ptr::{null, null_mut, without_provenance_mut};
 
@@ -13,7 +13,7 @@ use crate::settings::{some_accel, some_altimeter, some_gyro, some_initial_errors
 
 const SAMPLES: usize = 12;
 
-/// Two simulators set up alike but for the run, if these options make one.
+/// Two simulators that differ only in the run; `None` if the options are rejected.
 fn two_alike(input: &mut Input, run: u64) -> Option<[*mut sins_sim; 2]> {
     let options = some_options(input);
     let (gyro, accel) = (some_gyro(input), some_accel(input));
@@ -69,7 +69,7 @@ impl Host {
         self.misuse_ensemble(ensemble);
     }
 
-    /// The same calls on both; what can be read of the run is what can be read of the simulator.
+    /// Makes the same calls on both. All reads of the run must equal those of the simulator.
     fn fly_beside(&mut self, ensemble: *mut sins_ensemble, single: *mut sins_sim, run: u64) {
         let mut options = init();
         call!(sins_get_options(single, &mut options));
@@ -139,7 +139,7 @@ impl Host {
         check::<sins_navigation>(|truth| call!(sins_ensemble_get_truth(ensemble, truth)));
     }
 
-    /// Figures of what there is, and of what altered statistics pretend: numbers, or none.
+    /// Figures of the statistics and of altered statistics: each call gives finite numbers or fails.
     fn look_at_statistics(&mut self, ensemble: *mut sins_ensemble) {
         let (mut statistics, mut runs) = (init::<sins_statistics>(), 0);
         call!(sins_ensemble_get_runs(ensemble, null_mut(), &mut runs));
@@ -172,7 +172,7 @@ impl Host {
         assert!(good || !merged, "statistics without figures were taken");
     }
 
-    /// What is saved loads into any other ensemble, and is the same then; one altered byte is refused.
+    /// A snapshot loads into any other ensemble, which then equals the saved one. A snapshot with one altered byte is rejected.
     fn freeze(&mut self, ensemble: *mut sins_ensemble, template: *mut sins_sim) {
         let mut other = null_mut();
         assert_eq!(call!(sins_ensemble_create(template, 4, 1, &mut other)), SINS_OK);
@@ -188,7 +188,7 @@ impl Host {
         assert_eq!(call!(sins_ensemble_destroy(other)), SINS_OK);
     }
 
-    /// Handles that are none.
+    /// Calls with invalid handles.
     fn misuse_ensemble(&mut self, dead: *mut sins_ensemble) {
         assert_eq!(call!(sins_ensemble_step(dead)), SINS_ERROR_BAD_HANDLE);
         let made_up = without_provenance_mut(self.input.word() as usize);

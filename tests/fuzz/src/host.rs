@@ -1,4 +1,4 @@
-//! The host: its handles, what it can see of a simulator, and what it holds every call to.
+//! The host: its handles, its reads of a simulator, and its checks of every call.
 
 use std::ptr::{null, null_mut, without_provenance_mut};
 
@@ -13,15 +13,15 @@ use crate::trace;
 
 const HANDLES: usize = 3;
 
-/// A simulator and the vehicle that it is in.
+/// A simulator and its vehicle.
 pub struct Sim {
     pub handle: *mut sins_sim,
     pub motion: Motion,
-    /// The flight whose samples it gets instead, and the time in it.
+    /// The flight that replaces the motion as the source of samples, and the time in this flight [s].
     pub aboard: Option<(usize, f64)>,
-    /// Navigating on increments.
+    /// Whether the simulator navigates from increments.
     pub is_navigating: bool,
-    /// The INS may be off the reference point, which then moves as fast as the block turns.
+    /// Whether a mounting may be set. The reference point may then exceed the speed limit when the IMU block turns.
     pub is_mounted: bool,
 }
 
@@ -31,11 +31,11 @@ pub struct Host {
     pub flights: [*mut sins_flight; HANDLES],
     pub scene: *mut sins_scene,
     pub follower: Follower,
-    /// Recommendations and budgets that this sequence may still ask for: each costs as much as thousands of steps.
+    /// Number of recommendations and budgets that this sequence may still call: each takes the time of thousands of steps.
     pub dear_calls: usize,
 }
 
-/// A struct of zeros that states its size, as SINS_INIT makes it.
+/// A struct with its size set and all other fields 0, like SINS_INIT.
 pub fn init<T: Copy>() -> T {
     // SAFETY: the structs of the interface are numbers.
     let mut value: T = unsafe { std::mem::zeroed() };
@@ -44,7 +44,7 @@ pub fn init<T: Copy>() -> T {
     value
 }
 
-/// Makes the calls of a sequence, and holds the library to what the header promises.
+/// Makes the calls of a sequence and checks what the header promises.
 pub fn run(records: &[Record]) {
     trace::begin();
     let mut host = Host::new();
@@ -55,7 +55,7 @@ pub fn run(records: &[Record]) {
     host.finish();
 }
 
-/// Reads what is there: numbers, or an output as it was.
+/// Makes a read: it gives finite numbers, or it fails and leaves the output unchanged.
 pub fn check<T: Copy>(get: impl FnOnce(*mut T) -> sins_status) -> Option<T> {
     let mut output = Argument::of(&init::<T>());
     let status = get(output.pointer());
@@ -67,7 +67,7 @@ pub fn check<T: Copy>(get: impl FnOnce(*mut T) -> sins_status) -> Option<T> {
     None
 }
 
-/// Reads one of what there is of a simulator.
+/// Makes the read number `what` of a simulator.
 pub fn look(sim: *mut sins_sim, what: usize) {
     match what {
         0 => drop(check::<sins_navigation>(|truth| call!(sins_get_truth(sim, truth)))),
@@ -83,7 +83,7 @@ pub fn look(sim: *mut sins_sim, what: usize) {
                 assert!(line.is_some_and(|line| line.split(|&byte| byte == b',').count() == 51), "a line");
             }
         }
-        // The seed is any word.
+        // No check for finite numbers: the seed may have any bits.
         6 => {
             call!(sins_get_options(sim, &mut init()));
         }
@@ -102,7 +102,7 @@ pub fn look(sim: *mut sins_sim, what: usize) {
     }
 }
 
-/// Reads all there is.
+/// Makes every read.
 pub fn look_at_all(sim: *mut sins_sim) {
     (0..16).for_each(|what| look(sim, what));
 }
@@ -130,7 +130,7 @@ impl Host {
         host
     }
 
-    /// A simulator at a place, with options.
+    /// Creates a simulator at a place, with options.
     pub fn make(&mut self, place: usize, options: &mut Argument) {
         let mut handle = null_mut();
         if call!(sins_create(options.pointer(), &mut handle)) != SINS_OK {
@@ -146,7 +146,7 @@ impl Host {
         (self.sims[place].is_navigating, self.sims[place].is_mounted) = (false, false);
     }
 
-    /// Another motion for the simulator at a place.
+    /// Gives the simulator at a place another motion.
     pub fn set_out(&mut self, place: usize) {
         let mut options = init();
         if call!(sins_get_options(self.sims[place].handle, &mut options)) == SINS_OK {
@@ -155,7 +155,7 @@ impl Host {
         self.sims[place].aboard = None;
     }
 
-    /// A place for a handle: mostly the first.
+    /// The index of a simulator, mostly 0.
     pub fn place(&mut self) -> usize {
         let place = self.input.byte().saturating_sub(207) as usize % HANDLES;
         trace::note(|| format!("sim {place}"));
@@ -169,8 +169,8 @@ impl Host {
         }
     }
 
-    /// A call that may change the simulator at a place: when it does not do what it says, it does not. Where it may well
-    /// fail, and else now and then, the simulator before is kept to be compared.
+    /// Makes a call that may change the simulator at a place. A call that fails must change nothing: the state before it
+    /// is saved and compared, always if `may_fail`, otherwise sometimes.
     pub fn changing(
         &mut self,
         place: usize,
@@ -193,7 +193,7 @@ impl Host {
         status
     }
 
-    /// [`Self::changing`] with a struct, which is sometimes altered.
+    /// [`Self::changing`] with a struct as the argument, which is sometimes altered.
     pub fn giving<T: Copy + std::fmt::Debug>(
         &mut self,
         value: T,
@@ -214,7 +214,7 @@ impl Host {
         self.changing(place, argument.is_altered, |sim| call(sim, pointer))
     }
 
-    /// What the header promises of a solution that a call gave SINS_OK for.
+    /// Checks the limits that the header promises for a solution after SINS_OK.
     pub fn hold_to_limits(&self, place: usize) {
         let Sim { handle, is_mounted, .. } = self.sims[place];
         let navigation =
@@ -228,7 +228,7 @@ impl Host {
         assert!(is_mounted || speed <= 100e3 * (1.0 + 1e-9), "speed beyond its limit [{speed}]");
     }
 
-    /// The last looks, and every handle destroyed, so that a leak is the library's.
+    /// The last reads and comparisons.
     fn finish(&mut self) {
         self.follower.calls_left = 0;
         self.watch_follower();
@@ -245,7 +245,7 @@ impl Host {
 impl Drop for Host {
     fn drop(&mut self) {
         let sims = self.sims.iter().map(|sim| sim.handle);
-        // SAFETY: keys, or none.
+        // SAFETY: the functions check their handles.
         unsafe {
             for sim in sims.chain([self.follower.handle]) {
                 sins_destroy(sim);

@@ -1,14 +1,14 @@
-//! A call as a record of bytes, and the arguments that are made of it.
+//! A call as a record of bytes, and the arguments that are made from it.
 
 use crate::trace;
 
 /// Bytes of a record.
 pub const RECORD: usize = 32;
 
-/// One call, arguments included. Zeros are the plainest call.
+/// One call with its arguments. A record of zeros is the simplest call.
 pub type Record = [u8; RECORD];
 
-/// The records of a file or of a fuzzer's input; the last one is filled up with zeros.
+/// The records of a file or of a fuzzer's input. The last one is padded with zeros.
 pub fn records(bytes: &[u8]) -> Vec<Record> {
     let record = |chunk: &[u8]| std::array::from_fn(|at| chunk.get(at).copied().unwrap_or(0));
     bytes.chunks(RECORD).map(record).collect()
@@ -32,7 +32,7 @@ impl Random {
     }
 }
 
-/// Numbers at which something may change, that no range has as its end.
+/// Special numbers that are not the ends of ranges.
 const NUMBERS: [f64; 16] = [
     0.0,
     -0.0,
@@ -52,7 +52,7 @@ const NUMBERS: [f64; 16] = [
     f64::NAN,
 ];
 
-/// What is left of a record; behind its end a stream that all of it seeds.
+/// The unread bytes of a record, followed by a random stream whose seed is the whole record.
 pub struct Input {
     record: Record,
     at: usize,
@@ -74,12 +74,12 @@ impl Input {
         }
     }
 
-    /// Below `count`, which is at most 256.
+    /// A number below `count`, which is at most 256.
     pub fn below(&mut self, count: usize) -> usize {
         usize::from(self.byte()) % count
     }
 
-    /// In one of `cases` cases.
+    /// True in one of `cases` cases.
     pub fn one_in(&mut self, cases: usize) -> bool {
         self.below(cases) == cases - 1
     }
@@ -92,7 +92,7 @@ impl Input {
         choices[self.below(choices.len())]
     }
 
-    /// Any number.
+    /// Any number, also a special or invalid one.
     pub fn number(&mut self) -> f64 {
         match self.byte() {
             kind @ 0..64 => NUMBERS[usize::from(kind) % NUMBERS.len()],
@@ -101,7 +101,7 @@ impl Input {
         }
     }
 
-    /// A number of a range: its ends, a decade below the higher, or anything between.
+    /// A number of a range: an end, a number some decades below the higher end, or any number between.
     pub fn within(&mut self, (low, high): (f64, f64)) -> f64 {
         let kind = self.byte();
         let size = match kind % 4 {
@@ -113,7 +113,8 @@ impl Input {
         if low < 0.0 && kind >= 128 { (-size).max(low) } else { size.max(low) }
     }
 
-    /// `value` as a host's struct, now and then altered into anything, of just as many bytes as its struct_size says.
+    /// `value` as a host's struct, sometimes with altered words. It has exactly the number of bytes that its
+    /// struct_size states.
     pub fn argument<T: Copy + std::fmt::Debug>(&mut self, value: T) -> Argument {
         let alterations = match self.byte() {
             0..224 => 0,
@@ -122,7 +123,7 @@ impl Input {
         self.altered(value, alterations)
     }
 
-    /// `value` as a host's struct with so many of its words altered.
+    /// `value` as a host's struct with `alterations` altered words.
     pub fn altered<T: Copy + std::fmt::Debug>(&mut self, value: T, alterations: usize) -> Argument {
         let mut argument = Argument::of(&value);
         for _ in 0..alterations {
@@ -153,11 +154,11 @@ impl Input {
     }
 }
 
-/// A struct as the bytes that a host has of it.
+/// A struct as bytes.
 pub struct Argument {
     pub bytes: Vec<u8>,
     is_null: bool,
-    /// Whether a call with it may well fail.
+    /// Whether a call with this struct may fail.
     pub is_altered: bool,
 }
 
@@ -169,7 +170,8 @@ impl Argument {
         Self { bytes: bytes.to_vec(), is_null: false, is_altered: false }
     }
 
-    /// As long as its struct_size says, so that the sanitizer sees a touch beyond; garbage is refused before it is.
+    /// Makes the bytes exactly as long as struct_size states, so that the sanitizer detects an access beyond them.
+    /// The library rejects a much larger size before it reads further.
     fn resize(&mut self) {
         let stated =
             u32::from_le_bytes([self.bytes[0], self.bytes[1], self.bytes[2], self.bytes[3]]) as usize;
@@ -196,7 +198,7 @@ impl Argument {
         });
     }
 
-    /// Whether no number is infinite or none; integers below 2^52 and pairs of small ones look like small numbers.
+    /// Whether all numbers are finite. Integers below 2^52 and pairs of small integers look like small numbers.
     pub fn is_finite(&self) -> bool {
         let (words, _) = self.bytes.as_chunks();
         words.iter().all(|&word| f64::from_le_bytes(word).is_finite())

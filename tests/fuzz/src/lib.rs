@@ -1,15 +1,15 @@
 //! Sequences of calls of the C interface with arbitrary arguments, for two drivers: libFuzzer (`calls`), which looks for
 //! new paths, and a plain one at full speed (`random_calls`), which does everything often.
 //!
-//! A sequence is a list of records of 32 bytes, each of which is a call. What every call is held to:
-//! - it answers a status of the header, never SINS_ERROR_INTERNAL, and no number that can be read is infinite or none;
-//! - when it fails, it changes nothing that a snapshot has, and writes no output;
-//! - SINS_OK of a step leaves the solution within the limits of the header, its quaternion of norm 1;
-//! - what can be saved loads, and goes on to the same answers, records and bits; altered bytes are refused;
-//! - a text is a scene or a log, or has faults with their places; a scene that is written or set reads back to the same text;
-//! - a run of an ensemble is the single simulator of its number to the bit;
-//! - forged words are refused, or make a simulator that all of this holds for;
-//! - under a sanitizer: no touch of memory that is not its own.
+//! A sequence is a list of records of 32 bytes; each record is a call. Each call is checked:
+//! - it returns a status of the header, never SINS_ERROR_INTERNAL, and all numbers that can be read are finite;
+//! - if it fails, it changes nothing that a snapshot stores, and writes no output;
+//! - after a step with SINS_OK, the solution is within the limits of the header, and its quaternion has norm 1;
+//! - a snapshot loads, and the simulator continues to the same answers, records and bits; altered bytes are rejected;
+//! - a text is a scene or a log, or it has faults with their places; a scene that is written or set reads back to the same text;
+//! - a run of an ensemble equals the single simulator of its number to the bit;
+//! - forged words are rejected, or they make a simulator that passes all these checks;
+//! - under a sanitizer: no access to memory of others.
 
 mod calls;
 mod ensembles;

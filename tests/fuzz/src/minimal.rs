@@ -9,7 +9,7 @@ thread_local! {
     static MESSAGE: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// Keeps the words of a panic instead of printing them; to be called before any other function of the library.
+/// Stores the message of a panic instead of printing it. Must be called before any other function of the library.
 pub fn catch_failures() {
     set_hook(Box::new(|info| {
         let place =
@@ -19,12 +19,12 @@ pub fn catch_failures() {
     }));
 }
 
-/// In what way a sequence fails, if it does.
+/// The message of the failure of a sequence, if it fails.
 pub fn failure(records: &[Record]) -> Option<String> {
     catch_unwind(AssertUnwindSafe(|| run(records))).is_err().then(|| MESSAGE.take())
 }
 
-/// What two failures of a kind have in common: their words without the numbers in square brackets.
+/// The kind of a failure: its message without the text in square brackets.
 pub fn kind(failure: &str) -> String {
     let mut depth = 0;
     failure
@@ -37,7 +37,7 @@ pub fn kind(failure: &str) -> String {
         .collect()
 }
 
-/// Takes records away, then bytes, as long as the failure stays of its kind.
+/// Removes records and then sets bytes to 0, if the sequence still fails with the same kind.
 pub fn minimal(mut records: Vec<Record>, wanted: &str) -> Vec<Record> {
     let fails = |records: &[Record]| failure(records).is_some_and(|failure| kind(&failure) == wanted);
     let mut size = records.len().div_ceil(2);

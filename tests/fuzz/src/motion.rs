@@ -1,4 +1,4 @@
-//! Where a vehicle is that a simulator flies: along a parallel, rolling and turning.
+//! The motion of a simulator's vehicle: along a parallel, rolling and turning.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -6,11 +6,11 @@ use sins::abi::*;
 
 use crate::input::Input;
 
-/// Where the next plausible sample is.
+/// A motion, which gives the next plausible sample.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
     pub time_s: f64,
-    /// Since the motion began.
+    /// Time since the motion began [s].
     elapsed_s: f64,
     interval_s: f64,
     longest_s: f64,
@@ -25,12 +25,12 @@ pub struct Motion {
     rate_rad_s: f64,
     heading_rad_s: f64,
     is_forward_right_down: bool,
-    /// What a sample has and has not.
+    /// Flags of each sample.
     pub flags: u32,
 }
 
 impl Motion {
-    /// A motion that a simulator of `options` can follow, mostly.
+    /// A motion that a simulator with `options` can usually follow.
     pub fn new(input: &mut Input, options: &sins_options) -> Self {
         let is_periodic = options.sample_period_s > 0.0;
         let interval_s = match is_periodic {
@@ -46,7 +46,7 @@ impl Motion {
         };
         let height_m = input.pick(&[1000.0, 1000.0, 0.0, -20e3, 2000e3, 100e3]);
         let speed_m_s: f64 = input.pick(&[100.0, 100.0, 0.0, 250.0, -8e3, 20e3, 1e-3]);
-        // Not many turns of longitude in a second.
+        // Limits the rate of the longitude to one radian per second.
         let radius_m = 6.4e6 * latitude_rad.cos();
         Self {
             time_s: input.pick(&[0.0, 0.0, 0.0, 1.7e9, -1e10, 1e10 - 1000.0, 1e3, 0.3]),
@@ -70,7 +70,7 @@ impl Motion {
         }
     }
 
-    /// The motion at the next sample: mostly an interval later, sometimes behind a gap.
+    /// The motion at the next sample: mostly one interval later, sometimes after a gap.
     pub fn next(mut self, input: &mut Input) -> Self {
         let intervals: f64 = match input.byte() {
             0..216 => 1.0,
@@ -80,7 +80,7 @@ impl Motion {
             236..242 => 100.0,
             242..246 => self.longest_s / self.interval_s,
             246 => 1.5 * self.longest_s / self.interval_s,
-            // Between periods, where there are none.
+            // Not a whole number of intervals, if the motion is not periodic.
             247..254 => 0.5 + f64::from(input.byte()) / 128.0,
             _ => 4.0,
         };
@@ -135,12 +135,12 @@ impl Motion {
         })
     }
 
-    /// A sample with the fields that this motion gives.
+    /// The sample with the flags of this motion.
     pub fn flagged(&self, sample: sins_flight_sample) -> sins_flight_sample {
         sins_flight_sample { flags: self.flags, ..sample }
     }
 
-    /// Along the sensor axes.
+    /// A vector along forward, right, down in sensor axes.
     fn axes(&self, [forward, right, down]: [f64; 3]) -> [f64; 3] {
         if self.is_forward_right_down { [forward, right, down] } else { [right, forward, -down] }
     }

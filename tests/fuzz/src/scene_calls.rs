@@ -14,11 +14,11 @@ use crate::texts::{
     check_faults, check_log, parse_scene, set_values, some_log, some_scene, some_values, text_of, written,
 };
 
-/// A flight of more takes long to lay out: a host knows that by its duration.
+/// Longest flight that is created [s]. A longer one takes long to create; a host reads the duration before.
 const LONG_S: f64 = 1e4;
 
 impl Host {
-    /// Another scene: of a text, built in, or the default.
+    /// Makes another scene: from a text, built in, or the default.
     pub fn make_scene(&mut self) {
         let mut scene = null_mut();
         match self.input.below(8) {
@@ -41,7 +41,8 @@ impl Host {
         check_log(&some_log(&mut self.input));
     }
 
-    /// A change that fails changes nothing; any scene that can be written can be read.
+    /// Changes the scene. A change that fails changes nothing, and a scene that can be written
+    /// reads back to the same text.
     fn changing_scene(&mut self, change: impl FnOnce(*mut sins_scene) -> sins_status) {
         let scene = self.scene;
         let before = text_of(scene);
@@ -161,7 +162,7 @@ impl Host {
         }
     }
 
-    /// The items of a list in another order, some of them twice, some gone, some others.
+    /// Sets the items of a list in another order: some items twice, some removed, some new.
     fn change_items(&mut self) {
         let list = self.input.pick(&["manoeuvre", "failure", "gyro"]);
         let mut items = String::new();
@@ -208,7 +209,7 @@ impl Host {
         let status =
             call!(sins_scene_get_manoeuvres(scene, &mut start, places, count, &mut count, &mut again));
         assert_eq!(status, SINS_OK);
-        // What is read is taken, and the same flight.
+        // Manoeuvres that were read are accepted and give the same flight.
         let before = text_of(scene);
         let status = call!(sins_scene_set_manoeuvres(scene, &start, places, count, again));
         assert_eq!(status, SINS_OK, "manoeuvres that were read are refused");
@@ -279,7 +280,7 @@ impl Host {
         assert_eq!(call!(sins_destroy(sim)), SINS_OK);
     }
 
-    /// Handles that are none, and what needs none.
+    /// Calls with invalid handles, and calls that need no handle.
     pub fn misuse_scene(&mut self) {
         let scene = without_provenance_mut(self.input.word() as usize);
         assert_eq!(call!(sins_scene_clear_failures(scene)), SINS_ERROR_BAD_HANDLE);

@@ -10,7 +10,8 @@ use crate::host::{Host, init, look};
 use crate::input::Argument;
 use crate::settings::*;
 
-/// Flights of months take seconds to lay out, as the header says: their fields are made refused ones.
+/// Flights of months take seconds to create, as the header states. Their fields are replaced with
+/// invalid numbers.
 fn shorten(manoeuvre: &mut Argument) {
     let fields = [
         offset_of!(sins_manoeuvre, duration_s),
@@ -49,7 +50,8 @@ impl Array {
 }
 
 impl Host {
-    /// The next sample of the simulator at a place, with the step that it takes there when it is taken.
+    /// The next sample of the simulator at a place, and the motion at it. The motion is stored when the
+    /// sample is accepted.
     fn next_sample(&mut self, place: usize) -> (sins_flight_sample, crate::motion::Motion) {
         let sim = &mut self.sims[place];
         let motion = sim.motion.next(&mut self.input);
@@ -69,7 +71,7 @@ impl Host {
         let status = self.giving_to(place, sample, |sim, sample| call!(sins_push_sample(sim, sample)));
         match status {
             SINS_OK | SINS_GAP => self.advance(place, motion),
-            // The host may know how to go on.
+            // Some hosts continue with a reposition.
             SINS_ERROR_DISCONTINUITY | SINS_ERROR_TIME_ORDER | SINS_ERROR_INVALID_ARGUMENT
                 if self.input.byte() < 128 =>
             {
@@ -110,7 +112,7 @@ impl Host {
         self.step(place);
     }
 
-    /// The start of a flight, elsewhere as it may be.
+    /// Repositions the simulator, sometimes to another place.
     pub fn reposition(&mut self, place: usize) {
         if self.input.byte() < 64 {
             self.set_out(place);
@@ -122,7 +124,7 @@ impl Host {
         }
     }
 
-    /// A slew: mostly to elsewhere.
+    /// A slew, mostly to another place.
     pub fn move_truth(&mut self, place: usize) {
         if self.input.byte() < 192 {
             self.set_out(place);
@@ -149,7 +151,7 @@ impl Host {
         }
     }
 
-    /// Before the first step, mostly, where the start is set.
+    /// Mostly goes back before the first step, where settings of the start are allowed. Returns the place.
     pub fn start_again(&mut self) -> usize {
         let place = self.place();
         match self.input.byte() {
@@ -160,7 +162,7 @@ impl Host {
         place
     }
 
-    /// Back to the start, and with `navigates` on increments from there.
+    /// Mostly resets the simulator, and with `navigates` starts navigation from increments.
     pub fn start_navigating_or_not(&mut self, place: usize, navigates: bool) {
         if self.input.byte() < 192 {
             self.reset(place);
@@ -213,7 +215,7 @@ impl Host {
         }
     }
 
-    /// Next samples of the simulator at a place, and the motion behind them.
+    /// The next samples of the simulator at a place, and the motion after them.
     fn samples(&mut self, place: usize, count: usize) -> (Array, crate::motion::Motion) {
         let start = (self.sims[place].motion, self.sims[place].aboard);
         let mut samples = Array::default();
@@ -234,7 +236,7 @@ impl Host {
         let records = Argument::of(&init::<sins_record>());
         let (every, capacity) = (self.input.below(4), self.input.below(16));
         let stride = records.bytes.len();
-        // What was flown before an error stays: nothing to compare.
+        // The intervals before an error stay flown, so the state before the call is not compared.
         let sim = self.sims[place].handle;
         let make = |sim| {
             let mut bytes = records.bytes.clone();
@@ -307,7 +309,7 @@ impl Host {
         self.board_flight(flight);
     }
 
-    /// A simulator gets the samples of a flight from now on.
+    /// Gives a simulator the samples of a flight from now on.
     fn board_flight(&mut self, flight: usize) {
         let place = self.place();
         self.sims[place].aboard = Some((flight, 0.0));
@@ -378,7 +380,7 @@ impl Host {
             &mut written,
             budget.pointer(),
         ));
-        // How many there are, where they have no room.
+        // If the buffer is too small, `written` is the number of rows that are needed.
         assert!(written <= capacity || status == SINS_ERROR_BUFFER_TOO_SMALL);
         if status >= 0 {
             assert!(budget.is_finite(), "a budget");

@@ -1,4 +1,4 @@
-//! Calls that set errors, of any sizes within the ranges of the header, ends included.
+//! Calls that set errors of any size within the ranges of the header, including their ends.
 
 use std::mem::offset_of;
 use std::sync::LazyLock;
@@ -10,7 +10,7 @@ use crate::call;
 use crate::host::{Host, init};
 use crate::input::Input;
 
-/// Numbers of a struct: where, how many, and between which limits.
+/// Numbers of a struct: offset [bytes], count, and limits.
 type Range = (usize, usize, (f64, f64));
 
 macro_rules! ranges {
@@ -19,8 +19,8 @@ macro_rules! ranges {
     };
 }
 
-/// The numbers of the struct of sensor parameters, one parameter behind the other: not the correlation times, of which
-/// [`markov_times`] has a choice, nor diagonals that have to be 0.
+/// The numbers of the struct of sensor parameters, in their order. Correlation times are not included
+/// ([`markov_times`] chooses them), and neither are diagonals that must be 0.
 fn triad_ranges(sensor: Sensor) -> Vec<Range> {
     let mut offset = 8;
     let mut ranges = Vec::new();
@@ -79,7 +79,7 @@ ranges!(GRAVITY, sins_gravity_params,
 
 const SINUSOIDS: usize = 6;
 
-/// A struct with some of its numbers set, all others 0. Most structs keep to a thousandth of their ranges.
+/// A struct with some of its numbers set and all others 0. Most structs use a thousandth of their ranges.
 fn filled<T: Copy>(input: &mut Input, ranges: &[Range]) -> T {
     let mut value = init::<T>();
     let place = std::ptr::from_mut(&mut value);
@@ -168,7 +168,7 @@ pub fn some_options(input: &mut Input) -> sins_options {
     }
 }
 
-/// A failure that is taken, of one of the kinds.
+/// A plausible failure of a random kind.
 pub fn some_failure(input: &mut Input, sensor: i32) -> sins_failure {
     let largest = match sensor {
         SINS_SENSOR_GYRO => 100.0,
@@ -195,7 +195,7 @@ pub fn some_failure(input: &mut Input, sensor: i32) -> sins_failure {
     failure
 }
 
-/// A manoeuvre of a kind, with what that uses.
+/// A manoeuvre of a random kind, with the fields that this kind uses.
 pub fn some_manoeuvre(input: &mut Input) -> sins_manoeuvre {
     let kind = input.below(9) as i32;
     let mut manoeuvre: sins_manoeuvre = init();

@@ -1,4 +1,5 @@
-//! Snapshots: of any moment, altered, forged; and a simulator that goes on from one beside the one that was saved.
+//! Snapshots of any moment, also altered and forged, and a simulator that continues from a snapshot in parallel with the
+//! saved one.
 
 use std::ptr::null_mut;
 
@@ -9,7 +10,7 @@ use crate::host::{Host, Sim, look_at_all};
 use crate::trace;
 use crate::words::{snapshot_of, words_of};
 
-/// The whole simulator; nothing without one.
+/// The snapshot of a simulator; empty without a simulator.
 pub fn frozen(sim: *mut sins_sim) -> Vec<u8> {
     let mut bytes = vec![0; SINS_SNAPSHOT_MAX_SIZE];
     let mut written = 0;
@@ -22,11 +23,12 @@ fn load(sim: *mut sins_sim, snapshot: &[u8]) -> sins_status {
     call!(sins_snapshot_load(sim, snapshot.as_ptr().cast(), snapshot.len()))
 }
 
-/// A simulator that was loaded from a snapshot of another and gets the same calls: it answers as that one and stays the same.
+/// A simulator that was loaded from the snapshot of another, the leader, and gets the same calls. Its answers and its state
+/// must equal the leader's.
 pub struct Follower {
     pub handle: *mut sins_sim,
     leader: Option<usize>,
-    /// Until the two are compared.
+    /// Number of calls until both are compared.
     pub calls_left: usize,
 }
 
@@ -37,7 +39,7 @@ impl Default for Follower {
 }
 
 impl Follower {
-    /// What can be saved loads, and is the same simulator then.
+    /// Asserts that a snapshot of `sim` loads and gives the same simulator.
     pub fn compare(&mut self, sim: *mut sins_sim) {
         if self.handle.is_null() {
             // SAFETY: no options, and room for a handle.
@@ -63,7 +65,7 @@ impl Follower {
         (self.leader, self.calls_left) = (Some(place), calls);
     }
 
-    /// The same call as of the leader.
+    /// Makes the leader's call on the follower too.
     pub fn follow(&mut self, place: usize, status: sins_status, call: impl Fn(*mut sins_sim) -> sins_status) {
         if self.leader == Some(place) {
             assert!(call(self.handle) == status, "another answer from the simulator that was loaded");
@@ -71,7 +73,7 @@ impl Follower {
         }
     }
 
-    /// The end of following the simulator at `place`, whose handle is `sim`.
+    /// Ends the following of the simulator at `place`, whose handle is `sim`, and compares both.
     pub fn part(&mut self, place: usize, sim: *mut sins_sim) {
         if self.leader == Some(place) {
             self.leader = None;
@@ -83,7 +85,7 @@ impl Follower {
 /// The words of the last failed call, without its numbers.
 fn sentence(sim: *mut sins_sim) -> String {
     let mut text = [0_u8; 256];
-    // SAFETY: as many bytes as it says.
+    // SAFETY: the buffer has the stated size.
     unsafe { sins_last_error(sim, text.as_mut_ptr().cast(), text.len(), null_mut()) };
     let text =
         String::from_utf8_lossy(&text[..text.iter().position(|&byte| byte == 0).unwrap_or(0)]).into_owned();
@@ -94,7 +96,7 @@ fn sentence(sim: *mut sins_sim) -> String {
 }
 
 impl Host {
-    /// Ends the follower's way when it is time.
+    /// Ends the following when no calls are left.
     pub fn watch_follower(&mut self) {
         if let Some(place) = self.follower.leader
             && self.follower.calls_left == 0
@@ -103,7 +105,7 @@ impl Host {
         }
     }
 
-    /// A simulator that follows another from here.
+    /// Starts to follow a simulator.
     pub fn follow(&mut self) {
         let place = self.place();
         let (sim, calls) = (self.sims[place].handle, self.input.below(32));
@@ -113,13 +115,13 @@ impl Host {
         self.follower.begin(place, sim, calls);
     }
 
-    /// What it is to be another simulator: the one that was saved.
+    /// The simulator `to` was loaded from `from`, so it also gets its motion.
     fn become_like(&mut self, from: usize, to: usize) {
         let Sim { motion, aboard, is_navigating, is_mounted, .. } = self.sims[from];
         self.sims[to] = Sim { handle: self.sims[to].handle, motion, aboard, is_navigating, is_mounted };
     }
 
-    /// The moment of one simulator into another, or into itself.
+    /// Loads the snapshot of a simulator into another one or into itself.
     pub fn thaw(&mut self) {
         let (from, to) = (self.place(), self.place());
         let saved = frozen(self.sims[from].handle);
@@ -133,7 +135,7 @@ impl Host {
         self.become_like(from, to);
     }
 
-    /// A snapshot that was altered or cut is refused.
+    /// A snapshot that was altered or truncated is rejected.
     pub fn tamper(&mut self) {
         let (from, to) = (self.place(), self.place());
         let mut snapshot = frozen(self.sims[from].handle);
@@ -153,7 +155,7 @@ impl Host {
         });
     }
 
-    /// A snapshot with altered words and a right checksum is refused, or makes a simulator that works.
+    /// A snapshot with altered words and a valid checksum is rejected, or it makes a simulator that works.
     pub fn forge(&mut self) {
         let (from, to) = (self.place(), self.place());
         let snapshot = frozen(self.sims[from].handle);

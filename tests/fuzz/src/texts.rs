@@ -1,4 +1,4 @@
-//! Scenes and flight logs through their C functions: what every text, and every change of a scene, is held to.
+//! Scenes and flight logs through their C functions: the checks of every text and of every change of a scene.
 
 use std::ffi::{CStr, CString, c_char};
 use std::ptr::null_mut;
@@ -10,7 +10,7 @@ use crate::call;
 use crate::host::init;
 use crate::input::{Argument, Input};
 
-/// The text that a function writes, which it writes into no smaller buffer.
+/// The text that a function writes. A smaller buffer must be rejected.
 pub fn written(write: impl Fn(*mut c_char, usize, *mut usize) -> sins_status) -> Option<Vec<u8>> {
     let mut needed = 0;
     match write(null_mut(), 0, &mut needed) {
@@ -33,7 +33,7 @@ pub fn text_of(scene: *const sins_scene) -> Option<Vec<u8>> {
     written(|buffer, capacity, needed| call!(sins_scene_write(scene, buffer, capacity, needed)))
 }
 
-/// What is said of a fault.
+/// Checks the fields of a fault.
 fn check_fault(fault: &sins_fault) {
     let sentence = fault.sentence.map(|letter| letter as u8);
     let end = sentence.iter().position(|&letter| letter == 0).expect("a sentence without an end");
@@ -54,7 +54,7 @@ pub fn check_faults(scene: *const sins_scene) {
     }
 }
 
-/// Sets values: faults, or a scene of which every value that was set can be read, and set again to the same scene.
+/// Sets values. They have faults, or every value that was set can be read, and setting it again gives the same scene.
 pub fn set_values(scene: *mut sins_scene, values: &CStr) -> sins_status {
     let status = call!(sins_scene_set_values(scene, values.as_ptr()));
     check_faults(scene);
@@ -77,7 +77,7 @@ pub fn set_values(scene: *mut sins_scene, values: &CStr) -> sins_status {
         let status = call!(sins_scene_set_values(scene, again.as_ptr()));
         let is_same = text_of(scene).as_deref() == Some(&before[..]);
         assert!(is_same, "a value that was read is another [{}]", again.to_string_lossy());
-        // Of several, a later one may have put the default back, which is not for every item.
+        // With several values, a later one may restore a default, and not every item accepts the key of a default.
         let is_only = values.to_bytes().iter().filter(|&&byte| byte == b'=').count() == 1;
         let has_value = line.split_once('=').is_some_and(|(_, value)| !value.trim().is_empty());
         assert!(status == SINS_OK || !is_only || !has_value, "a value that was read is refused");
@@ -85,9 +85,10 @@ pub fn set_values(scene: *mut sins_scene, values: &CStr) -> sins_status {
     SINS_OK
 }
 
-/// The scene of a text, which is written and read back to the same text; or faults, each with a place and a sentence.
+/// Reads a text: it is a scene, which is written and read back to the same text, or it has faults, each with a place
+/// and a sentence.
 pub fn parse_scene(text: &[u8]) -> *mut sins_scene {
-    // As long as it is, so that the sanitizer sees a touch beyond.
+    // The buffer has exactly the size of the text, so that the sanitizer detects an access beyond it.
     let text = text.to_vec().into_boxed_slice();
     let mut scene = null_mut();
     match call!(sins_scene_parse(text.as_ptr().cast(), text.len(), &mut scene)) {
@@ -118,7 +119,7 @@ pub fn parse_scene(text: &[u8]) -> *mut sins_scene {
     scene
 }
 
-/// The log of a text, all samples of which are read; or a fault.
+/// Reads a text: it is a log, and all its samples can be read, or it has a fault.
 pub fn check_log(text: &[u8]) {
     let text = text.to_vec().into_boxed_slice();
     let (mut log, mut fault) = (null_mut(), init::<sins_fault>());
@@ -175,7 +176,7 @@ fn some_value(input: &mut Input, takes: &str) -> String {
     }
 }
 
-/// Values for a scene: of keys that there are, mostly of the kind that they take.
+/// Values for a scene: existing keys, mostly with values of the kind that they take.
 pub fn some_values(input: &mut Input) -> CString {
     let keys = keys();
     let mut text = String::new();
@@ -196,7 +197,8 @@ pub fn some_values(input: &mut Input) -> CString {
         .unwrap_or_default()
 }
 
-/// A scene of keys, or of the library's own scenes with some lines more; now and then with some bytes altered.
+/// The text of a scene with some random keys, which are added to a built-in scene or to a short one. Sometimes some
+/// bytes are altered.
 pub fn some_scene(input: &mut Input) -> Vec<u8> {
     let keys = keys();
     let mut text = String::new();

@@ -1,4 +1,4 @@
-//! The calls in words, while a sequence is told.
+//! Prints the calls of a sequence.
 
 use std::cell::{Cell, RefCell};
 
@@ -23,29 +23,29 @@ pub fn begin() {
     NOTES.take();
 }
 
-/// A forged snapshot was taken.
+/// A forged snapshot was accepted.
 pub fn forge() {
     FORGED.set(true);
 }
 
-/// Functions of the interface that this thread has called.
+/// Number of calls of interface functions on this thread.
 pub fn calls() -> u64 {
     CALLS.get()
 }
 
-/// What is to be known of a failure.
+/// Additional information about a failure.
 pub fn circumstances() -> &'static str {
     if FORGED.get() { ", after a forged snapshot" } else { "" }
 }
 
-/// An argument of the next call.
+/// Adds an argument of the next call.
 pub fn note(text: impl FnOnce() -> String) {
     if TELLING.get() {
         NOTES.with_borrow_mut(|notes| notes.push(text()));
     }
 }
 
-/// A call that was made.
+/// Counts a call, and prints it if calls are printed.
 pub fn called(function: &str, status: sins_status) {
     CALLS.set(CALLS.get() + 1);
     if TELLING.get() {
@@ -53,7 +53,7 @@ pub fn called(function: &str, status: sins_status) {
     }
 }
 
-/// A struct in words without the fields that are 0.
+/// A struct as text without the fields that are 0.
 pub fn without_zeros(debug: &str) -> String {
     let (name, fields) = debug.split_once(" { ").unwrap_or((debug, ""));
     let mut kept = Vec::new();
@@ -73,7 +73,7 @@ pub fn without_zeros(debug: &str) -> String {
     format!("{name} {{ {} }}", kept.join(", "))
 }
 
-/// Calls a function of the interface, which answers a status that the interface knows and that no defect is behind.
+/// Calls a function of the interface and asserts that its status is one of the header and not SINS_ERROR_INTERNAL.
 #[macro_export]
 macro_rules! call {
     ($function:ident($($argument:expr),* $(,)?)) => {{

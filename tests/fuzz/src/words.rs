@@ -1,4 +1,5 @@
-//! The words of a snapshot: after the header, groups of eight, each behind 16 bits that tell the size of its words.
+//! The words of a snapshot: after the header, groups of eight words. 16 bits before each group give the sizes of
+//! its words.
 
 use std::iter::repeat_n;
 
@@ -21,7 +22,7 @@ pub fn words_of(snapshot: &[u8]) -> Vec<u64> {
     words
 }
 
-/// A snapshot of these words, sealed.
+/// A snapshot of these words with a valid header and checksum.
 pub fn snapshot_of(words: &[u64]) -> Vec<u8> {
     let mut snapshot: Vec<u8> = repeat_n(0, HEADER_BYTES).collect();
     for group in words.chunks(8) {

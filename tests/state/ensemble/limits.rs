@@ -1,4 +1,4 @@
-//! What cannot be made or asked for is rejected, and runs that diverge are left out and named.
+//! Impossible ensembles and runs outside of the ensemble are rejected. Runs that diverge are left out and listed.
 
 use sins::earth::Geodetic;
 use sins::ensemble::Ensemble;
@@ -24,7 +24,8 @@ fn what_cannot_be_made_is_refused_by_name() {
     assert!(kind == ErrorKind::InvalidArgument && text.starts_with("first_run = 18446744073709551615: "));
     assert_eq!(Ensemble::new(&template, u64::MAX, 1).unwrap().first_run(), u64::MAX);
 
-    // One that waits, that flies, that starts again at a place, that navigates; and after a reset it is one again.
+    // A simulator with a sample in the queue, in flight, or after a reposition is no template. After a reset it is
+    // a template again.
     template.push_sample(&resting_sample(0.0)).unwrap();
     assert_eq!(refused(&template, 0, 1).0, ErrorKind::BadState);
     template.push_sample(&resting_sample(0.1)).unwrap();
@@ -73,7 +74,7 @@ fn before_the_first_samples_there_is_nothing_and_gaps_are_told() {
     assert_eq!(ensemble.push_sample(&resting_sample(3.3)).unwrap_err().kind, ErrorKind::QueueFull);
 }
 
-/// The truth and all others go on, to the same bits as without it; a restart brings it back.
+/// The truth and all other runs continue as without the diverged run; a restart brings it back.
 #[test]
 fn a_run_that_diverges_is_left_out_and_named() {
     let mut ensemble = doomed(100, 20);
@@ -95,7 +96,7 @@ fn a_run_that_diverges_is_left_out_and_named() {
     assert_eq!(counts[89], 20, "all of them at last");
     assert_eq!((ensemble.truth().unwrap().time_s, ensemble.intervals()), (89.0, 89));
 
-    // Split in two, whose halves lose the same runs.
+    // Two halves of the ensemble lose the same runs.
     let mut halves = [100, 110].map(|first_run| doomed(first_run, 10));
     for (k, &count) in counts.iter().enumerate() {
         let both = halves.iter_mut().map(|half| {
@@ -113,7 +114,7 @@ fn a_run_that_diverges_is_left_out_and_named() {
     assert_eq!(ensemble.truth(), None);
 }
 
-/// What no run could follow is an error of the call: nothing has changed.
+/// A truth that no run can follow is an error of the call, which changes nothing.
 #[test]
 fn a_truth_that_no_run_can_follow_is_refused() {
     let at = |k: u32, latitude_rad: f64| {

@@ -1,6 +1,7 @@
-//! Run k of an ensemble is the single simulator of that number: to the bit, whatever a host does that keeps the rules.
+//! Run k of an ensemble equals the single simulator of run k to the bit, with any calls of a host that keeps the rules.
 //!
-//! 300 hosts of 120 calls here; 5000 with `cargo test --release --features long-tests --test state ensemble:: -- --nocapture`.
+//! 300 hosts make 120 calls each by default; 5000 hosts with
+//! `cargo test --release --features long-tests --test state ensemble:: -- --nocapture`.
 
 mod limits;
 mod saved;
@@ -20,7 +21,7 @@ use crate::support::runs::{Run, everything_at_once, runs};
 const HOSTS: u64 = if cfg!(feature = "long-tests") { 5000 } else { 300 };
 const CALLS: usize = 120;
 
-/// An ensemble beside the single simulators that its runs have to be.
+/// An ensemble and the single simulators that its runs must equal.
 struct Pair {
     ensemble: Ensemble,
     singles: Vec<Simulator>,
@@ -41,7 +42,7 @@ impl Pair {
         Self { singles: singles.collect(), ensemble, diverged: vec![false; count] }
     }
 
-    /// Makes a call on both and compares the answers; `false`: a call that an ensemble does not have.
+    /// Makes a call on both and compares the answers. `false`: an ensemble does not have this call.
     fn call(&mut self, call: &Call, who: &str) -> bool {
         let ensemble = &mut self.ensemble;
         let answer = match call {
@@ -62,7 +63,7 @@ impl Pair {
                 continue;
             }
             let alone = call.make(single);
-            // Of a first step two things may be wrong.
+            // A first step may have two faults, and each side reports one of them.
             let both_failed = answer.contains("sample.latitude_rad") && alone.starts_with("Err");
             if answer == "Ok(Done)" && alone.starts_with("Err") {
                 assert!(alone.contains("Diverged") || alone.contains("Singular"), "{who}: {alone}");
@@ -74,7 +75,7 @@ impl Pair {
         true
     }
 
-    /// Whatever can be read of each run.
+    /// Compares everything that can be read of each run.
     fn compare(&self, who: &str) {
         let ensemble = &self.ensemble;
         let mut diverged = ensemble.diverged();
@@ -102,7 +103,7 @@ impl Pair {
     }
 }
 
-/// Makes the settings of `calls` that come before the first sample, then an ensemble, then the rest.
+/// Makes the calls before the first sample on a template, creates an ensemble from it, then makes the other calls on both.
 fn fly(options: &Options, calls: &[Call], every: usize, count: usize, who: &str) -> Pair {
     let mut template = Simulator::new(options).unwrap();
     let is_sample =
@@ -157,8 +158,8 @@ fn half(triad: TriadParameters, draws: &mut Draws) -> TriadParameters {
     halved
 }
 
-/// Every frame, scheme, vertical channel and signal, with and without the error model, each with another half of the effects, and
-/// every other one with failures. More runs than any block or vector has.
+/// Every frame, scheme, vertical channel and signal, with and without the error model. Each has another half of the effects, and
+/// about half of them have failures. There are more runs than in any block or vector.
 #[test]
 fn in_every_scheme_frame_channel_and_signal_with_half_of_all_effects() {
     let mut modes = Vec::new();
@@ -222,7 +223,7 @@ fn template_with(error_model: bool) -> Simulator {
     template
 }
 
-/// Free vertical channels with errors so large that some runs are thrown out of the limits soon, at last all of them.
+/// Free vertical channels with errors so large that some runs diverge soon, and finally all of them.
 fn doomed(first_run: u64, runs: usize) -> Ensemble {
     let options = Options { vertical: VerticalMode::Free, ..Options::default() };
     let mut template = Simulator::new(&options).unwrap();

@@ -1,4 +1,4 @@
-//! A saved ensemble goes on to the same bits; a damaged one is rejected.
+//! A saved ensemble continues to the same bits; a damaged snapshot is rejected.
 
 use nalgebra::Vector3;
 use sins::ensemble::Ensemble;
@@ -25,7 +25,8 @@ fn with_every_effect() -> Vec<Call> {
     calls
 }
 
-/// At every moment: into an ensemble of another kind, which then goes on to the same bits.
+/// At every moment, a snapshot is loaded into an ensemble of another kind, which then continues to
+/// the same bits.
 #[test]
 fn a_saved_ensemble_goes_on_to_the_same_bits() {
     for (options, calls) in [
@@ -48,7 +49,7 @@ fn a_saved_ensemble_goes_on_to_the_same_bits() {
         assert!(pair.ensemble.intervals() > 10);
     }
 
-    // With runs that have diverged, some or all.
+    // Snapshots with some or all runs diverged.
     let mut ensemble = doomed(100, 6);
     let mut loaded = doomed(100, 1);
     for k in 0..90 {
@@ -69,7 +70,7 @@ fn a_saved_ensemble_goes_on_to_the_same_bits() {
     assert_eq!(saved(&loaded), saved(&ensemble));
 }
 
-/// Runs that cannot start, as they are beyond the limits at once.
+/// Runs that cannot start, because their initial errors are beyond the limits.
 #[test]
 fn runs_that_could_not_start_are_saved_too() {
     let mut template = Simulator::new(&Options::default()).unwrap();
@@ -117,7 +118,7 @@ fn damage(error_model: bool) {
         assert_eq!(saved(&other), before, "{what}");
         error.to_string()
     };
-    // Every byte of the header, each seventh of the rest.
+    // Every byte of the header, and every seventh byte of the rest.
     for at in (0..24).chain((24..good.len()).step_by(7)) {
         let mut altered = good.clone();
         altered[at] ^= 0x10;
@@ -134,7 +135,8 @@ fn damage(error_model: bool) {
     let error = template().load_snapshot(&good).unwrap_err();
     assert!(error.to_string().ends_with("it is one of an ensemble, not of a simulator"));
 
-    // Forged, with the right checksum: refused, or an ensemble that can be flown and read.
+    // A forged snapshot with the right checksum is rejected, or it is an ensemble that can be flown
+    // and read.
     let mut taken = 0;
     for at in (24..good.len()).step_by(5) {
         let mut forged = good.clone();

@@ -1,5 +1,5 @@
-//! The host's time or its truth jumps and the INS keeps its errors: a pause, a slew. Those read right after are those before, and
-//! from there the flight goes on.
+//! The host's time or truth jumps (a pause or a slew), and the INS keeps its errors. The errors right after the jump equal those
+//! before it, and the flight continues from there.
 
 mod pause;
 mod slew;
@@ -16,7 +16,7 @@ use sins::{ErrorKind, Options, Simulator};
 use crate::support::moments::{altimeter, every_effect, initial, reads, snapshot};
 use crate::support::{fly_through, resting_sample};
 
-/// With every error that there is, but initial ones that need no alignment.
+/// A simulator with every error. The initial errors need no alignment.
 fn troubled(options: &Options) -> Simulator {
     let mut simulator = Simulator::new(options).unwrap();
     let (gyro, accel) = every_effect();
@@ -29,7 +29,7 @@ fn troubled(options: &Options) -> Simulator {
     simulator
 }
 
-/// A sample elsewhere.
+/// A sample at another place, speed and attitude.
 fn elsewhere(time_s: f64, latitude_deg: f64, height_m: f64, speed_m_s: f64) -> FlightSample {
     let place = Geodetic { latitude_rad: latitude_deg.to_radians(), longitude_rad: -2.5, height_m };
     let euler = Euler { roll: -0.4, pitch: 0.2, heading: 5.0 };
@@ -37,7 +37,7 @@ fn elsewhere(time_s: f64, latitude_deg: f64, height_m: f64, speed_m_s: f64) -> F
     FlightSample { v_n, ..FlightSample::at_rest(time_s, place, euler) }
 }
 
-/// What cannot be moved is refused, and nothing has changed.
+/// An impossible move is rejected and changes nothing.
 #[test]
 fn a_move_that_makes_no_sense_is_refused() {
     let refused = |simulator: &mut Simulator,

@@ -1,4 +1,4 @@
-//! The clock jumps: a pause that is moved leaves no bit behind, at any time that there is.
+//! The clock jumps. After `move_time` a flight continues to the same bits, at any valid time.
 
 use sins::mechanization::{Frame, VerticalMode};
 use sins::truth::{FlightSample, IntakeLimits, Pushed};
@@ -8,7 +8,7 @@ use super::troubled;
 use crate::support::moments::{reads, snapshot};
 use crate::support::{errors, fly_through, patrol, resting_sample};
 
-/// What is read but times.
+/// Everything that is read except for times.
 fn without_times(simulator: &Simulator) -> String {
     let solution =
         |solution: sins::Solution| (solution.navigation, solution.near_pole, solution.vertical_unaided);
@@ -24,8 +24,9 @@ fn without_times(simulator: &Simulator) -> String {
     )
 }
 
-/// The clock ran on by hours, or was set to 1970 and back, with samples waiting: each further read is that of the flight whose
-/// stamps never jumped, to the bit. Stamps at 128 Hz are exact up to 2^46 s; with a stated period no difference is needed.
+/// The clock advances by hours, or jumps by decades and back, with samples in the queue. Each later read equals, to the bit, that
+/// of a flight whose stamps never jumped. Stamps at 128 Hz are exact up to 2^46 s; with a stated period, intervals are not
+/// differences of stamps.
 #[test]
 fn a_pause_that_is_moved_leaves_no_bit_behind() {
     let flight = patrol(1200.0);
@@ -36,7 +37,7 @@ fn a_pause_that_is_moved_leaves_no_bit_behind() {
         (model, 1.0 / 128.0, 0.0, true),
         (closed, 1.0 / 128.0, 0.0, true),
         (Options { vertical: VerticalMode::Free, ..model }, 1.0 / 128.0, 0.0, false),
-        // With a period, stamps that are off it by up to 0.15 of it.
+        // With a stated period, stamps deviate from it by up to 0.15 of the period.
         (Options { intake: stated, ..model }, 0.01, 0.15, true),
     ];
     for (options, period_s, jitter, with_velocity) in cases {
@@ -55,13 +56,13 @@ fn a_pause_that_is_moved_leaves_no_bit_behind() {
             if [100, 200, 201, 300].contains(&k) {
                 shift_s = [3600.0, 1_700_000_000.0, -5000.0, 0.0][k % 4];
                 paused.move_time(sample.time_s + shift_s).unwrap();
-                // A snapshot of that moment is the same simulator.
+                // A snapshot of this moment restores the same simulator.
                 let mut loaded = Simulator::new(&Options::default()).unwrap();
                 loaded.load_snapshot(&snapshot(&paused)).unwrap();
                 assert_eq!((reads(&loaded), snapshot(&loaded)), (reads(&paused), snapshot(&paused)));
                 paused = loaded;
             }
-            // Three samples wait.
+            // Three samples are in the queue.
             if k > 3 {
                 assert_eq!((straight.step(), paused.step()), (Ok(Step::Done), Ok(Step::Done)));
                 assert_eq!(without_times(&paused), without_times(&straight), "sample {k}");
@@ -69,13 +70,13 @@ fn a_pause_that_is_moved_leaves_no_bit_behind() {
         }
         let accuracy = |simulator: &Simulator| simulator.accuracy().unwrap().unwrap().1;
         let (a, b) = (accuracy(&paused), accuracy(&straight));
-        // Moved to 1.7e9 s, where a stamp is rounded to 2.4e-7 s, and back.
+        // Time moved to 1.7e9 s and back; a stamp there is rounded to 2.4e-7 s.
         assert!((a.duration_s - b.duration_s).abs() < 1e-6 && a.velocity_rms_n == b.velocity_rms_n);
         assert!(paused.truth().unwrap().unwrap().time_s.abs() < 1e4);
     }
 }
 
-/// A trainer that is paused for an hour: reposition loses the drift, a moved time keeps it to the bit.
+/// A trainer pauses for an hour. A reposition loses the drift; a moved time keeps it to the bit.
 #[test]
 fn a_paused_trainer_keeps_its_drift() {
     let mut trainer = troubled(&Options::default());
@@ -91,7 +92,7 @@ fn a_paused_trainer_keeps_its_drift() {
     assert_ne!(errors(&trainer, ErrorSource::Navigation).position_n, drift);
 }
 
-/// At either end of the time that there is: stamps before and behind their place in the stated period are still read back.
+/// At both ends of the valid time, a snapshot restores stamps that are earlier or later than the stated period requires.
 #[test]
 fn a_flight_at_the_ends_of_time_is_saved_and_loaded() {
     let options = Options {
@@ -113,7 +114,7 @@ fn a_flight_at_the_ends_of_time_is_saved_and_loaded() {
     }
 }
 
-/// A gap is reported when its sample is pushed: by the library's own rule, of the two intervals before.
+/// A gap is reported when the sample after it is pushed. The library's rule compares the interval with the two intervals before it.
 #[test]
 fn a_gap_is_told_by_its_push() {
     let mut simulator = Simulator::new(&Options::default()).unwrap();
@@ -131,13 +132,13 @@ fn a_gap_is_told_by_its_push() {
         (before, last) = ([interval, before[0]], time_s);
     }
     assert_eq!(gaps, [1.57]);
-    // A second that the clock ran on, at 100 Hz.
+    // The clock advances by one second at 100 Hz.
     let mut simulator = Simulator::new(&Options::default()).unwrap();
     fly_through(&mut simulator, (0..10).map(|k| resting_sample(f64::from(k) * 0.01)));
     assert_eq!(simulator.push_sample(&resting_sample(1.1)), Ok(Pushed::BehindGap));
 }
 
-/// A first stamp of -0 with a stated period is the same in a snapshot that was loaded.
+/// A first stamp of -0 with a stated period survives a snapshot.
 #[test]
 fn a_first_stamp_of_minus_zero_is_zero() {
     let options =

@@ -1,4 +1,4 @@
-//! The truth jumps: a slew keeps the errors, by way of the pole too, and from there they go their way.
+//! The truth jumps. A slew keeps the errors, also by way of the pole, and after it they evolve as usual.
 
 use nalgebra::Vector3;
 use sins::errors::NavigationErrors;
@@ -13,7 +13,7 @@ use super::{elsewhere, troubled};
 use crate::support::moments::initial;
 use crate::support::{errors, fly_through, options_at, patrol, resting_sample};
 
-/// How the errors of both sources have changed: positions [m], velocities [m/s], misalignments [rad].
+/// Size of the difference of two sets of errors: position [m], velocity [m/s], misalignment [rad].
 fn change(a: &NavigationErrors, b: &NavigationErrors) -> [f64; 3] {
     [
         (a.position_n - b.position_n).norm(),
@@ -22,14 +22,14 @@ fn change(a: &NavigationErrors, b: &NavigationErrors) -> [f64; 3] {
     ]
 }
 
-/// Positions are rounded where they are read: eight units in the last place of 8e6 m. Velocities and attitudes have errors of 3e2
-/// m/s and 1, and what positions are wrong by over the distance to the Earth's axis.
+/// Whether a change is rounding. Positions are rounded when they are read: eight units in the last place of 8e6 m. Velocities of
+/// 3e2 m/s and attitudes of 1 are rounded too, and they have the position's rounding divided by the distance to the Earth's axis.
 fn is_rounding(change: [f64; 3]) -> bool {
     change[0] < 8.0 * 8e6 * f64::EPSILON && change[1] < 1e-11 && change[2] < 1e-14
 }
 
-/// From anywhere to anywhere: both frames, both hemispheres, high and low, other speeds and attitudes, errors of metres and of a
-/// hundred kilometres; near a pole, there and back. Both error data are what they were.
+/// Slews between any places: both frames, both hemispheres, high and low, other speeds and attitudes, errors of metres and of a
+/// hundred kilometres, to near a pole and back. The errors of both sources stay the same.
 #[test]
 fn a_slew_keeps_the_errors() {
     let mut largest = [0.0_f64; 3];
@@ -72,8 +72,8 @@ fn a_slew_keeps_the_errors() {
     println!("largest changes of errors by a slew: {largest:?} m, m/s, rad");
 }
 
-/// By way of the pole, where components of the solution's own axes have no meaning: there and back they are what they were, and an
-/// INS that is slewed to where it is stays what it is.
+/// By way of the pole, where components along the local axes have no meaning: after a slew there and back the errors are the same.
+/// A slew to the current truth changes nothing.
 #[test]
 fn a_slew_by_way_of_the_pole_keeps_the_errors() {
     let options = Options { error_model: true, ..Options::default() };
@@ -88,7 +88,7 @@ fn a_slew_by_way_of_the_pole_keeps_the_errors() {
         let again = simulator.navigation().unwrap().unwrap().navigation.earth_fixed(&options.earth());
         assert!((there.r_e - again.r_e).norm() < 1e-7 && (there.v_e - again.v_e).norm() < 1e-10);
         assert!((there.q_eb - again.q_eb).norm() < 1e-13);
-        // Velocity and misalignment have their lengths in any axes.
+        // The lengths of velocity and misalignment errors do not depend on the axes.
         let position = errors(&simulator, ErrorSource::Navigation).position_n;
         assert!((position - before[0].position_n).norm() < 1e-7, "{latitude_deg}: {position:?}");
     }
@@ -99,8 +99,8 @@ fn a_slew_by_way_of_the_pole_keeps_the_errors() {
     }
 }
 
-/// The flight goes on from the slew like one that has been there with such errors: an error-free INS stays free of errors, and one
-/// with errors goes the way of data 1, which are kept alike and know of no jump.
+/// After the slew the flight continues like one that has been there with the same errors. An error-free INS stays free of errors.
+/// An INS with errors follows data 1 (the error equations), which also keep their values through the slew.
 #[test]
 fn after_a_slew_the_errors_go_their_way() {
     let flight = patrol(1200.0);
@@ -133,7 +133,8 @@ fn after_a_slew_the_errors_go_their_way() {
             (errors(&simulator, ErrorSource::Navigation), errors(&simulator, ErrorSource::Model));
         let (apart, size) = ((navigated.position_n - model.position_n).norm(), navigated.position_n.norm());
         println!("{frame:?}, velocity {with_velocity}: error {size} m, data 1 and 2 {apart} m apart");
-        // Second order in misalignments of 3e-4 rad; without velocities the start is not known better than 1 mm, as at any start.
+        // The rest is of second order in misalignments of 3e-4 rad. Without velocities the start has an error of about 1 mm, like
+        // any start.
         let own = if with_velocity { 1e-6 } else { 1e-2 };
         assert!(apart < own + 1e-3 * size, "{apart} of {size}");
         assert_eq!(size > 50.0, errs);
@@ -141,8 +142,8 @@ fn after_a_slew_the_errors_go_their_way() {
     }
 }
 
-/// The block of a mounting keeps its errors; that of the closed loop's own navigator stays as small, and no draw moves: the noise
-/// behind the slew is that of a flight without one.
+/// An IMU with a mounting keeps its errors in a slew, and the closed loop's own navigator keeps its small error. No draw moves:
+/// the noise after the slew is that of a flight without one.
 #[test]
 fn a_slew_of_a_block_in_a_closed_loop_moves_no_draw() {
     let options = Options { closed_loop_time_s: Some(10.0), error_model: true, ..options_at(100.0) };
@@ -166,7 +167,7 @@ fn a_slew_of_a_block_in_a_closed_loop_moves_no_draw() {
         sample
     };
     slewed.move_truth(&turned(3.0)).unwrap();
-    // The same attitude, to which the arm lies as before.
+    // The attitude is the same, so the lever arm has the same direction in local axes.
     let change = change(&errors(&slewed, ErrorSource::Navigation), &before);
     assert!(is_rounding(change.map(|change| change / 4.0)), "{change:?}");
     for k in 301..2000 {
@@ -176,7 +177,7 @@ fn a_slew_of_a_block_in_a_closed_loop_moves_no_draw() {
             let imu = simulator.imu().unwrap();
             imu.measured.angle - imu.ideal.angle
         };
-        // Filters settle at the jump, and positions round: 40 Hz have forgotten after a tenth of a second.
+        // Filters settle after the jump, and positions are rounded. A filter of 40 Hz has settled after a tenth of a second.
         if k > 330 {
             let apart = (noise(&slewed) - noise(&stayed)).norm();
             assert!(apart < 1e-9, "{k}: {apart}");
