@@ -130,7 +130,7 @@ mod tests {
         }
     }
 
-    /// Clocks are noisy: what a step takes less without an effect may come out negative.
+    /// Clocks are noisy: the measured cost of an effect may be negative.
     #[test]
     fn a_cost_that_the_clock_cannot_tell_is_below_noise() {
         let mut survey = made();
