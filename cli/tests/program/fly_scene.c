@@ -1,5 +1,5 @@
 /*
- * A host of scenes in C: flies the text of a scene, its log beside it, and prints the columns of sins fly.
+ * A host of scenes in C: flies the text of a scene, with its log if it has one, and prints the columns of sins fly.
  *
  *     fly_scene SCENE.toml SAMPLES INTERVALS_A_RECORD [LOG.csv]
  */
