@@ -25,7 +25,7 @@ catalogue="size_effect bandwidth linear asymmetry quadratic g_sensitivity temper
     rate_random_walk ramp dead_zone range quantization altimeter"
 limit=0.5
 
-# counts SCENE...: of the library that was built last.
+# counts SCENE...: instructions of a step in each scene, with the library that was built last.
 counts() {
     local scene count
     for scene in "$@"; do

@@ -65,7 +65,7 @@ static void print_errors(const sins_record_errors *errors)
     printf(",%.17g,%.17g,%.17g,%d", errors->roll_rad, errors->pitch_rad, errors->heading_rad, (int)errors->flags);
 }
 
-/* Errors of the sensors since the last record: integrals, and over which time. */
+/* Errors of the sensors since the last record: integrals [rad], [m/s], and the time of integration [s]. */
 static double angle_rad[3], velocity_m_s[3], sum_s;
 
 static void add_sensors(sins_sim *sim)
