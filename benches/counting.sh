@@ -6,12 +6,12 @@ need valgrind valgrind
 
 # instructions COMMAND...: prints the number of instructions of the command, which has to succeed.
 instructions() {
-    local told
-    told=$(valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" 2>&1) || {
-        printf '%s\n%s: failed\n' "$told" "$*" >&2
+    local reported
+    reported=$(valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" 2>&1) || {
+        printf '%s\n%s: failed\n' "$reported" "$*" >&2
         return 1
     }
-    sed -n 's/.*Collected : //p' <<<"$told"
+    sed -n 's/.*Collected : //p' <<<"$reported"
 }
 
 # per_step SHORT LONG COMMAND...: instructions of a step, from two runs of a command whose last argument is the number of steps.

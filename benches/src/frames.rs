@@ -2,9 +2,9 @@
 //! geographic axes, in one run on the same exact increments, two subsamples, exact body part.
 //!
 //! Wander-azimuth axes with equally good Earth terms are as accurate where truncation dominates (coning). Where rounding dominates,
-//! their error is larger: 4.0e-7 m instead of 3.4e-9 m in the loop. Earth-fixed axes take less time. Gravity is `Earth::gravity`
-//! for all. It is timed with its default, the closed form, which takes and returns Cartesian vectors. Somigliana's formula takes
-//! latitude and height; written out for wander axes, it would make these the faster ones.
+//! their error is larger: 4.0e-7 m instead of 3.4e-9 m in the loop. Earth-fixed axes take less time.
+//! Gravity is `Earth::gravity` for all. It is timed with its default, the closed form, which takes and returns Cartesian vectors.
+//! Somigliana's formula takes latitude and height; written out for wander axes, it would make these the faster ones.
 //!
 //! `cargo run --release --manifest-path benches/Cargo.toml --bin frames`
 

@@ -1,5 +1,5 @@
-//! Flies a number of steps, for an instruction counter: the cost of a step is the difference of the counts of two runs, divided by the
-//! difference of their numbers of steps.
+//! Flies a number of steps, for an instruction counter: the cost of a step is the difference of the counts of two runs, divided
+//! by the difference of their numbers of steps.
 //!
 //! `steps WHAT COUNT`, where WHAT is one of:
 //! - `simulation2`, `ideal`, `free`: through `sins_run`;
