@@ -1,4 +1,4 @@
-//! Each stage and the whole chain, by time: `cargo bench --manifest-path benches/Cargo.toml`.
+//! Times of each stage and of the whole chain: `cargo bench --manifest-path benches/Cargo.toml`.
 //!
 //! Compare figures only within one run: the speed of the machine differs between runs.
 

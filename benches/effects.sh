@@ -46,7 +46,7 @@ check() {
         catalogue) effects=$catalogue ;;
         *) effects=${build//,/ } ;;
         esac
-        # Simulation 2 has effects of its own.
+        # Simulation 2 has the effects of the paper, so a library without one of them flies only the scenes with ideal sensors.
         scenes="ideal free"
         grep -Eq "(^| )(${paper// /|})( |$)" <<<"$effects" || scenes="simulation2 reads $scenes"
         SINS_WITHOUT=$effects cargo build --release --quiet --bin steps

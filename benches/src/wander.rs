@@ -1,5 +1,5 @@
 //! The exact scheme in wander-azimuth axes, the other singularity-free mechanization: position as quaternion
-//! and height, axes with z up that do not turn about it against the Earth (rho_z = 0).
+//! and height, axes with z up that do not turn about z against the Earth (rho_z = 0).
 //!
 //! Notation as in the crate: `q_ew` rotates wander axes w to Earth-fixed axes e, `v_w` is resolved in w. Body
 //! part, gravity, compensated sums and order of the Earth terms are as in the crate's Earth-fixed axes.

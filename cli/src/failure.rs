@@ -1,4 +1,4 @@
-//! Why the program stopped: one sentence that names file, line, column and what was expected.
+//! Reasons why the program stopped: a sentence that names file, line, column and what was expected.
 
 use std::fmt;
 use std::path::Path;

@@ -122,7 +122,7 @@ impl Outputs {
 }
 
 impl Rules {
-    /// Whether `path` may be written.
+    /// Checks that `path` may be written.
     fn check(&self, path: &Path, mark: &str) -> Result<(), Failure> {
         let metadata = match std::fs::symlink_metadata(path) {
             Ok(metadata) => metadata,

@@ -40,7 +40,7 @@ pub struct Motion {
     pub latitude_rad: f64,
     pub longitude_rad: f64,
     pub height_m: f64,
-    /// East, north, up [m/s].
+    /// Velocity east, north, up [m/s].
     pub velocity: Vector3<f64>,
     /// Roll, pitch, heading [rad].
     pub attitude: Vector3<f64>,
@@ -49,13 +49,13 @@ pub struct Motion {
 /// Errors of a solution, east, north, up.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Errors {
-    /// [m]
+    /// Position error [m].
     pub position: Vector3<f64>,
-    /// [m/s]
+    /// Velocity error [m/s].
     pub velocity: Vector3<f64>,
-    /// [rad]
+    /// Misalignment [rad].
     pub misalignment: Vector3<f64>,
-    /// Roll, pitch, heading [rad].
+    /// Errors of roll, pitch, heading [rad].
     pub attitude: Vector3<f64>,
     pub flags: u32,
 }

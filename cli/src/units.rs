@@ -49,13 +49,13 @@ pub const ANGLE: &Family = &Family {
     usual: &[unit("nrad", 1e-9), unit("arcsec", ARCSEC), unit("deg", DEG)],
 };
 
-/// Degree an hour [rad/s].
+/// Degree per hour [rad/s].
 pub const DEG_PER_HOUR: Unit = unit("deg/h", sins::units::DEG_PER_HOUR);
 
 /// Millionth of g [m/s²].
 pub const MICRO_G: Unit = unit("µg", sins::units::MICRO_G);
 
-/// Nautical mile an hour [m/s].
+/// Nautical mile per hour [m/s].
 pub const NMI_PER_HOUR: Unit = unit("nmi/h", sins::units::NMI_PER_HOUR);
 
 /// The family of an SI unit.
@@ -163,7 +163,7 @@ fn superscript(number: i32) -> String {
     number.to_string().chars().map(raised).collect()
 }
 
-/// A length of time as text, "84.4 min".
+/// A duration as text, "84.4 min".
 pub fn time_text(seconds: f64) -> String {
     let (value, name) = match seconds {
         s if s < 120.0 => (s, "s"),

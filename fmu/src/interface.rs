@@ -135,7 +135,7 @@ pub unsafe extern "C" fn fmi2Instantiate(
     _visible: c_int,
     logging_on: c_int,
 ) -> *mut Component {
-    // SAFETY: the pointers are what the standard says.
+    // SAFETY: the pointers are as the standard requires.
     let Some(functions) = (unsafe { functions.as_ref() }) else { return ptr::null_mut() };
     let name = match instance_name.is_null() {
         true => c"sins".to_owned(),

@@ -40,7 +40,7 @@ pub fn legend() -> Legend {
     ]
 }
 
-/// The drawing.
+/// The drawing of one column.
 pub fn drawing(analysis: &Analysis) -> Drawing {
     let unit = sheet::deviation(analysis.sensor);
     let measured = curve(analysis, |estimate| estimate.deviation);
@@ -78,7 +78,7 @@ fn places((left, right): (f64, f64)) -> impl Iterator<Item = f64> {
     (0..=SMOOTH).map(move |k| left + (right - left) * k as f64 / SMOOTH as f64)
 }
 
-/// The line of one term, where it matters and above `bottom`.
+/// The line of one term, where the term matters and the line is above `bottom`.
 fn asymptote(analysis: &Analysis, coefficient: &Coefficient, ends: (f64, f64), bottom: f64) -> Points {
     let unit = sheet::deviation(analysis.sensor);
     let at = |place: f64| {

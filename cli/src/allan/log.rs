@@ -124,7 +124,7 @@ pub mod tests {
         Order { log, output, points: None, rate_hz, columns: Vec::new(), force: false }
     }
 
-    /// A log with the rows `time(k)`, k.
+    /// Reads a log with the rows `time(k)`, k.
     fn read(header: &str, rate_hz: Option<f64>, time: impl Fn(u32) -> String) -> Result<Log, String> {
         let rows: Vec<String> = (0..60).map(|k| format!("{},{k}\n", time(k))).collect();
         let text = format!("{header}\n{}", rows.concat());

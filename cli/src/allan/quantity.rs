@@ -1,4 +1,4 @@
-//! What a column holds, by the end of its name.
+//! Quantity of a column, from the end of its name.
 
 use sins::units::{ARCSEC, DEG, DEG_PER_HOUR, MICRO_G, STANDARD_GRAVITY};
 
@@ -19,7 +19,7 @@ pub struct Quantity {
     pub sensor: Sensor,
     /// Angle or velocity over an interval, not their rate.
     pub is_increment: bool,
-    /// The unit in rad/s, m/s², rad or m/s.
+    /// Size of the unit in rad/s, m/s², rad or m/s.
     pub si: f64,
 }
 

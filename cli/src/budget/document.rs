@@ -24,7 +24,7 @@ fn title(survey: &Survey) -> String {
     format!("{}: {}", survey.name, survey.title)
 }
 
-/// The page.
+/// The page with the charts and tables of all scenes.
 pub fn page(surveys: &[Survey]) -> String {
     let body = html! {
         header {

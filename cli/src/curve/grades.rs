@@ -70,7 +70,7 @@ mod tests {
     use super::*;
     use crate::curve::embedded;
 
-    /// Two minutes at rest: an accelerometer bias of 1e-5 g over one of 1e-3 g.
+    /// Two minutes at rest: an accelerometer bias of 1e-5 g is compared with a bias of 1e-3 g.
     #[test]
     fn better_sensors_err_less() {
         let scene = embedded::ALL[0].scene(120.0).unwrap();

@@ -14,7 +14,7 @@ use crate::failure::Failure;
 /// Floor of the reported errors, as a multiple of the uncertainty of the reference. A smaller error is reported as the floor.
 const MARGIN: f64 = 100.0;
 
-/// Longest step of the quadrature that checks a flight [s]: at 4 Hz half a radian, which five nodes integrate to 1e-16.
+/// Longest step of the quadrature that checks a flight [s]: at 4 Hz it is half a radian, which five nodes integrate to 1e-16.
 const STEP_S: f64 = 0.02;
 
 /// 2π over Schuler's period [rad/s]: ratio of the velocity error to the position error that causes it.

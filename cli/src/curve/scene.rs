@@ -5,7 +5,7 @@ use sins::truth::{FlightSample, IntakeLimits};
 
 use super::reference::Judge;
 
-/// Instants at which a solution is judged, the last at the end of the scene.
+/// Largest number of instants at which a solution is judged; the last instant is at the end of the scene.
 const INSTANTS: usize = 60;
 
 /// Smallest number of samples in a period of a vibration from which the signal generator can recover the vibration.

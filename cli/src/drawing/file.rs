@@ -48,7 +48,7 @@ pub fn legend_row(legend: &Legend, top: f64) -> Markup {
     }
 }
 
-/// `inside` in a box of its own.
+/// `inside` in a separate box.
 pub fn placed(left: f64, top: f64, width: f64, height: f64, inside: &Markup) -> Markup {
     html! {
         svg x=(left * FINE) y=(top * FINE) width=(width * FINE) height=(height * FINE) { (inside) }

@@ -48,7 +48,7 @@ pens! {
     Late "late",
     /// Points of a scheme, and the line that joins them.
     PaperScheme "paper-scheme" dot, ExactScheme "exact-scheme" dot, PolynomialScheme "polynomial-scheme" dot,
-    /// The three schemes where samples are too few.
+    /// Points of the three schemes with too few samples.
     PaperHollow "paper-hollow" dot, ExactHollow "exact-hollow" dot, PolynomialHollow "polynomial-hollow" dot,
     /// Text in a dot.
     Digit "digit",
@@ -66,7 +66,7 @@ pens! {
     OuterBand "outer-band",
     /// Deviation of one term alone.
     Asymptote "asymptote",
-    /// Bars: of a random effect, of a deterministic one, of the mechanization, of all together.
+    /// Bars of a random effect, of a deterministic effect, of the mechanization, and of all effects together.
     Random "random", Deterministic "deterministic", Own "own", Together "together",
     /// Limit within which effects may be left out.
     Limit "limit",

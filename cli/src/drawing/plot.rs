@@ -53,7 +53,7 @@ pub struct Mark {
 pub struct Dot {
     pub at: (f64, f64),
     pub pen: Pen,
-    /// [drawing units]
+    /// Radius [drawing units].
     pub radius: f64,
 }
 
@@ -67,7 +67,7 @@ pub struct Note {
 
 /// One pair of axes.
 pub struct Panel {
-    /// What the y axis shows, with its unit.
+    /// Quantity of the y axis, with its unit.
     pub caption: String,
     pub y: Axis,
     pub traces: Vec<Trace>,
@@ -80,7 +80,7 @@ pub struct Panel {
 
 /// Panels from top to bottom.
 pub struct Drawing {
-    /// [drawing units]
+    /// Width [drawing units].
     pub width: f64,
     pub x: Axis,
     pub x_label: String,

@@ -186,7 +186,7 @@ fn put_statistics(to: &mut Vec<u8>, statistics: &Statistics) {
     });
 }
 
-/// A number of statistics.
+/// A number in statistics, of 32 or 64 bits.
 enum Number<'a> {
     Short(&'a mut u32),
     Long(&'a mut u64),

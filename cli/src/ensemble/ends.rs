@@ -1,4 +1,4 @@
-//! Where the runs end: scatter of the positions with the ellipses of 50 and 95 %, histogram of the radial error.
+//! Errors at the end of the runs: scatter of the positions with the ellipses of 50 and 95 %, histogram of the radial error.
 
 use sins::ErrorSource;
 
@@ -16,7 +16,7 @@ use crate::units::{LENGTH, fitting};
 /// Largest number of dots; the first runs have dots.
 const MOST_DOTS: usize = 2000;
 
-/// Corners of an ellipse.
+/// Number of corners of a drawn ellipse.
 const CORNERS: usize = 120;
 
 /// Smallest and largest number of bars of the histogram. Between these, it is the square root of the number of runs.

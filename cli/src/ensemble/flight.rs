@@ -28,7 +28,7 @@ pub struct Flown {
     pub seconds: f64,
 }
 
-/// What all threads share.
+/// Data that all threads share.
 struct Work<'a> {
     given: &'a Given,
     plan: &'a Plan,

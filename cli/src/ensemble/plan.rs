@@ -1,4 +1,4 @@
-//! What is flown: which runs in which blocks, and at which samples statistics are taken.
+//! Plan of the flights: the blocks of runs, and the samples at which statistics are taken.
 
 use std::ops::Range;
 

@@ -85,7 +85,7 @@ pub fn fly(
     result
 }
 
-/// A flight under way.
+/// A flight in progress.
 struct InFlight<'a> {
     simulator: &'a mut Simulator,
     given: &'a Given,

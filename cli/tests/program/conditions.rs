@@ -1,4 +1,4 @@
-//! Scenes from a file: mounting, gravity, temperature and failures act on a flight as their closed forms.
+//! Scenes from a file: mounting, gravity, temperature and failures act on a flight as computed in closed form.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -45,7 +45,7 @@ fn a_turned_block_and_disturbed_gravity_are_measured() {
     }
     let heavy = fly(&folder, &format!("{REST}[gravity]\nanomaly_mgal = 100\n"));
     for error in more(&undisturbed, &heavy, "velocity_increment_z_m_s") {
-        // 100 mGal are 1e-3 m/s2; the difference of two numbers below 10.
+        // 100 mGal are 1e-3 m/s2. The error is a difference of two numbers below 10.
         assert!((error - 1e-3).abs() < 4.0 * f64::EPSILON * 10.0, "{error:e}");
     }
 }

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use crate::support::{done, folder, names, numbers, read, rejected, result, run, sins};
 
-/// Three minutes of sensors of navigation grade, with both error data: three blocks of 64 runs, the last one short.
+/// Three minutes with sensors of navigation grade and both error data. With the 150 runs of `order`, these are three blocks of 64
+/// runs, of which the last is not full.
 const SCENE: [&str; 9] = [
     "simulation2",
     "--preset",
