@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Scaling of an ensemble (docs/ensembles.md): measures the time of a step of a run on one core, and prints how many runs an hour 1,
-# 64 and 1024 such cores fly. SINS: program sins to use instead of building it. NS: time of a step [ns] to use instead of measuring
-# it.
+# Scaling of an ensemble (docs/ensembles.md): measures the time of a step of a run on one core, and prints how many runs an hour
+# 1, 64 and 1024 such cores fly. SINS: program sins to use instead of building it. NS: time of a step [ns] to use instead of a
+# measurement.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 measured() {

@@ -17,7 +17,7 @@ const SAMPLES: usize = 40_001;
 const ROUND: usize = 2000;
 /// Smallest number of samples in a round, which an ensemble flies at once.
 const FEWEST_STEPS: usize = 32;
-/// Numbers that a vector has: SSE2 or NEON, AVX2, AVX-512.
+/// Number of values in a vector of SSE2 or NEON, AVX2, AVX-512.
 const WIDTHS: [usize; 3] = [2, 4, 8];
 
 fn main() {

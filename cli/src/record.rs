@@ -1,5 +1,5 @@
-//! A record: truth, navigation, both error data and the errors of the sensors at one instant. `sins fly` writes records, and `sins
-//! report` reads them.
+//! A record: truth, navigation, both error data and the errors of the sensors at one instant. `sins fly` writes records, and
+//! `sins report` reads them.
 
 use nalgebra::Vector3;
 use sins::errors::NavigationErrors;

@@ -56,8 +56,8 @@ struct Expected {
     text: String,
 }
 
-/// Amplitudes of the record (`time_s`, `values`) by decreasing period: straight line removed, Hann window, A(f) = 2 |Σ w v exp(-i
-/// 2π f t)| / Σ w.
+/// Amplitudes of the record (`time_s`, `values`) by decreasing period: straight line removed, Hann window,
+/// A(f) = 2 |Σ w v exp(-i 2π f t)| / Σ w.
 pub fn spectrum(time_s: &[f64], values: &[f64]) -> Result<Vec<Line>, Failure> {
     let (level, slope) = straight_line(time_s, values);
     let (values, step) = uniform(time_s, values);
