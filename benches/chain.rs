@@ -1,6 +1,6 @@
-//! Each stage and the whole chain, by time: `cargo bench --manifest-path benches/Cargo.toml`.
+//! Times of each stage and of the whole chain: `cargo bench --manifest-path benches/Cargo.toml`.
 //!
-//! Figures compare within one run; another run meets another machine's mood.
+//! Compare figures only within one run: the speed of the machine differs between runs.
 
 #[path = "src/c_scene.rs"]
 mod c_scene;
@@ -151,7 +151,7 @@ fn stages(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// The whole chain through the C interface: simulation 2's errors, both error data, and what each of them adds.
+/// The whole chain through the C interface with simulation 2's errors and both error data, and the cost of each of these.
 fn chain(criterion: &mut Criterion) {
     let samples = c_scene::c_samples(&scene::patrol(STEPS + 1));
     let full = c_scene::c_options();
@@ -170,19 +170,19 @@ fn chain(criterion: &mut Criterion) {
     ] {
         let sim = c_scene::simulator(&options, noisy);
         group.bench_function(name, |bencher| {
-            // SAFETY: a living handle.
+            // SAFETY: a valid handle.
             bencher.iter(|| unsafe {
                 assert_eq!(sins_reset(sim), SINS_OK);
                 c_scene::run(sim, &samples);
             });
         });
-        // SAFETY: a living handle.
+        // SAFETY: a valid handle.
         unsafe { sins_destroy(sim) };
     }
 
     let sim = c_scene::simulator(&full, true);
     group.bench_function("push, step, read navigation and both errors", |bencher| {
-        // SAFETY: a living handle at the start of a flight.
+        // SAFETY: a valid handle at the start of a flight.
         bencher.iter(|| unsafe {
             assert_eq!(sins_reset(sim), SINS_OK);
             c_scene::push_step_read(sim, &samples);
@@ -190,12 +190,12 @@ fn chain(criterion: &mut Criterion) {
     });
     group.finish();
 
-    // What a call costs beyond its work: a step with no sample to fly.
+    // Cost of a call without its work: a step without a sample to fly.
     criterion.bench_function("call", |bencher| {
-        // SAFETY: a living handle.
+        // SAFETY: a valid handle.
         bencher.iter(|| unsafe { sins_step(black_box(sim)) });
     });
-    // SAFETY: a living handle.
+    // SAFETY: a valid handle.
     unsafe { sins_destroy(sim) };
 }
 

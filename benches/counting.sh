@@ -1,20 +1,20 @@
-# Instructions a step, counted by callgrind; to be sourced.
+# Counts the instructions of a step by callgrind; to be sourced.
 
 . ../tests/support/need.sh
 need g++ c++
 need valgrind valgrind
 
-# instructions COMMAND...: of a run that succeeds.
+# instructions COMMAND...: prints the number of instructions of the command, which has to succeed.
 instructions() {
-    local told
-    told=$(valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" 2>&1) || {
-        printf '%s\n%s: failed\n' "$told" "$*" >&2
+    local reported
+    reported=$(valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" 2>&1) || {
+        printf '%s\n%s: failed\n' "$reported" "$*" >&2
         return 1
     }
-    sed -n 's/.*Collected : //p' <<<"$told"
+    sed -n 's/.*Collected : //p' <<<"$reported"
 }
 
-# per_step SHORT LONG COMMAND...: the difference of two runs of a command that takes the number of steps last.
+# per_step SHORT LONG COMMAND...: instructions of a step, from two runs of a command whose last argument is the number of steps.
 per_step() {
     local short=$1 long=$2 first second
     shift 2

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# What the effects of the sensors cost, in instructions by callgrind, which do not depend on the machine's mood.
-#   effects.sh            the table: what each effect adds to a step, with times; as Markdown
-#   effects.sh --check    that an effect that is off costs nothing: a step takes as many instructions as one of a library
-#                         that is built without the effect, within 0.5 %, in each scene that does not have it; each effect
+# Cost of the effects of the sensors, in instructions by callgrind, which do not depend on the speed of the machine.
+#   effects.sh            prints the table: the cost that each effect adds to a step, with times; as Markdown
+#   effects.sh --check    checks that an effect that is off costs nothing: in each scene without the effect, a step takes as
+#                         many instructions as with a library that is built without the effect, within 0.5 %; each effect
 #                         alone, and all at once (twenty minutes)
-#   effects.sh --check A,B C   without A and B, and without C ("all", "catalogue": all that simulation 2 does not have)
+#   effects.sh --check A,B C   checks with a library without A and B, and with one without C ("all": all effects; "catalogue":
+#                              all effects that simulation 2 does not have)
 set -euo pipefail
 cd "$(dirname "$0")"
 source counting.sh
@@ -25,7 +26,7 @@ catalogue="size_effect bandwidth linear asymmetry quadratic g_sensitivity temper
     rate_random_walk ramp dead_zone range quantization altimeter"
 limit=0.5
 
-# counts SCENE...: of the library that was built last.
+# counts SCENE...: instructions of a step in each scene, with the library that was built last.
 counts() {
     local scene count
     for scene in "$@"; do
@@ -45,7 +46,7 @@ check() {
         catalogue) effects=$catalogue ;;
         *) effects=${build//,/ } ;;
         esac
-        # Simulation 2 has effects of its own.
+        # Simulation 2 has the effects of the paper, so a library without one of them flies only the scenes with ideal sensors.
         scenes="ideal free"
         grep -Eq "(^| )(${paper// /|})( |$)" <<<"$effects" || scenes="simulation2 reads $scenes"
         SINS_WITHOUT=$effects cargo build --release --quiet --bin steps

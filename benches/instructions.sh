@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Instructions a step, by callgrind: they do not depend on the machine's mood. Without an argument of the whole chain through
-# sins_run; with `matrix` of push and step for each scheme, number of subsamples and axes, as CSV for
+# Instructions of a step by callgrind; they do not depend on the speed of the machine. Without an argument: of the whole chain
+# through sins_run. With `matrix`: of push and step for each scheme, number of subsamples and axes, as CSV for
 # `sins curve --instructions`.
 set -euo pipefail
 cd "$(dirname "$0")"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# How an ensemble scales (docs/ensembles.md): measures the time of a step of a run on one core, and prints how many runs an hour 1, 64
-# and 1024 such cores fly. SINS: a program sins to take instead of building it. NS: that time, in place of measuring it [ns].
+# Scaling of an ensemble (docs/ensembles.md): measures the time of a step of a run on one core, and prints how many runs an hour
+# 1, 64 and 1024 such cores fly. SINS: program sins to use instead of building it. NS: time of a step [ns] to use instead of a
+# measurement.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 measured() {
@@ -10,7 +11,7 @@ measured() {
         SINS=${CARGO_TARGET_DIR:-target}/release/sins
     fi
     out=$(mktemp -d)
-    # Simulation 2's errors with error data 2, a quarter of an hour, by the processor's time: others may be busy.
+    # Simulation 2's errors with error data 2, a quarter of an hour. Processor time is measured, because other programs may be busy.
     TIMEFORMAT=%U
     user_s=$({ time "$SINS" ensemble simulation2 --set options.error_model=off --set flight.hours=0.25 --runs 256 --threads 1 \
         --quiet --out "$out"; } 2>&1)

@@ -1,4 +1,4 @@
-//! The scene as the C interface has it, and how it is flown there.
+//! The scene and its flight through the C interface.
 
 use std::ptr::null_mut;
 
@@ -7,14 +7,14 @@ use sins::truth::FlightSample;
 
 use crate::scene::PERIOD_S;
 
-/// Samples as the C interface has them.
+/// Samples in the type of the C interface.
 pub fn c_samples(samples: &[FlightSample]) -> Vec<sins_flight_sample> {
     samples.iter().map(sins_flight_sample::from).collect()
 }
 
 /// Options of the C interface with the error model and the stated period.
 pub fn c_options() -> sins_options {
-    // SAFETY: integers and floating-point numbers alone; zero is the recommended simulator.
+    // SAFETY: the struct has only integers and floating-point numbers; zero is the recommended simulator.
     let mut options: sins_options = unsafe { core::mem::zeroed() };
     options.struct_size = size_of::<sins_options>() as u32;
     options.error_model = SINS_ERROR_MODEL_RK4;
@@ -22,7 +22,7 @@ pub fn c_options() -> sins_options {
     options
 }
 
-/// A simulator, with the errors of simulation 2 where wanted.
+/// A simulator, with the errors of simulation 2 if `noisy`.
 pub fn simulator(options: &sins_options, noisy: bool) -> *mut sins_sim {
     let mut sim = null_mut();
     // SAFETY: structs of their own size.
@@ -45,17 +45,17 @@ pub fn simulator(options: &sins_options, noisy: bool) -> *mut sins_sim {
 /// Flies the samples in one call.
 ///
 /// # Safety
-/// `sim` is a living handle.
+/// `sim` is a valid handle.
 pub unsafe fn run(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
-    // SAFETY: as many samples as are stated.
+    // SAFETY: the length is the number of samples.
     let status = unsafe { sins_run(sim, samples.as_ptr(), samples.len(), 0, null_mut(), 0, null_mut()) };
     assert_eq!(status, SINS_OK);
 }
 
-/// Flies the samples with push and step, each a call, and `read` behind each.
+/// Flies the samples with push and step, each in a call of its own, and calls `read` after each step.
 ///
 /// # Safety
-/// `sim` is a living handle at the start of a flight.
+/// `sim` is a valid handle at the start of a flight.
 pub unsafe fn push_step(sim: *mut sins_sim, samples: &[sins_flight_sample], mut read: impl FnMut()) {
     for (k, sample) in samples.iter().enumerate() {
         // SAFETY: structs of their own size.
@@ -67,7 +67,7 @@ pub unsafe fn push_step(sim: *mut sins_sim, samples: &[sins_flight_sample], mut 
     }
 }
 
-/// The same, and reads navigation and both errors, each a call.
+/// Flies the samples as [`push_step`], and reads navigation and both errors after each step, each in a call of its own.
 ///
 /// # Safety
 /// As [`push_step`].

@@ -1,6 +1,6 @@
-//! What each effect of the sensors costs. For `effects.sh`:
-//! `effects names` lists the effects; `effects fly NAME COUNT` flies that number of steps with this effect alone, for an
-//! instruction counter; `effects table FILE` makes of lines `NAME;INSTRUCTIONS` the table, with times measured in turns.
+//! Cost of each effect of the sensors. For `effects.sh`: `effects names` lists the effects; `effects fly NAME COUNT` flies COUNT
+//! steps with this effect alone, for an instruction counter; `effects table FILE` makes the table from lines `NAME;INSTRUCTIONS`,
+//! with times that are measured in turns.
 
 mod scene;
 
@@ -15,12 +15,12 @@ use sins::{Options, Simulator};
 
 const SAMPLES: usize = 2_001;
 
-/// Each configuration is timed so often, each time right after a flight without errors: the median of the ratios counts,
-/// which a neighbour on the machine disturbs least.
+/// Number of timings of each configuration, each right after a flight without errors. The table uses the median of the ratios,
+/// which other programs on the machine disturb least.
 const TURNS: usize = 200;
 const TIMED_STEPS: usize = 500;
 
-/// What is set of a triad, for a size of the laboratory.
+/// Sets one effect of a triad, in a size as in a laboratory.
 type Setting = fn(&mut TriadParameters);
 
 const TRIAD_EFFECTS: [(&str, Setting); 16] = [
@@ -52,7 +52,7 @@ const ALTIMETER_EFFECTS: [(&str, AltimeterParameters); 4] = [
     ("altimeter: noise", AltimeterParameters { noise_m: 1.0, ..NO_ERRORS }),
 ];
 
-/// Of the x gyro.
+/// Failures of the x gyro.
 const FAILURES: [(&str, Failure); 3] = [
     ("failure: bias step", Failure::BiasStep { size: 1e-6 }),
     ("failure: noise", Failure::Noise { density: 1e-6 }),
@@ -79,7 +79,7 @@ fn each(value: f64) -> Vector3<f64> {
 struct Scene {
     name: String,
     simulator: Simulator,
-    /// Set anew after each reset, which clears it.
+    /// Failure that is set again after each reset, which clears it.
     failure: Option<Failure>,
 }
 
@@ -117,7 +117,7 @@ fn scenes() -> Vec<Scene> {
         .collect()
 }
 
-/// Flies `samples` from the start, and the time of that.
+/// Flies `samples` from the start; returns the time.
 fn fly(Scene { simulator, failure, .. }: &mut Scene, samples: &[FlightSample]) -> Option<Duration> {
     simulator.reset();
     simulator.set_failure(SensorOutput::Gyro(Axis::X), *failure).ok()?;

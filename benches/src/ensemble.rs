@@ -1,6 +1,6 @@
-//! What a run of an ensemble takes in a step, against the single chain through `sins_run`: the errors of simulation 2, error data 2
-//! alone and with error data 1.
-//! `ensemble [RUNS...]`: ratios of times that are measured in turn, undisturbed ones of many rounds.
+//! Time of a step of a run in an ensemble, compared with the single chain through `sins_run`: the errors of simulation 2, error
+//! data 2 alone and with error data 1. `ensemble [RUNS...]`: ratios of times that are measured in turns, from the undisturbed
+//! rounds of many.
 
 #[expect(dead_code, reason = "another program reads navigation and errors, too")]
 mod c_scene;
@@ -13,11 +13,11 @@ use sins::{Error, Options, Simulator};
 
 /// Samples of the flight, which is flown once.
 const SAMPLES: usize = 40_001;
-/// A round takes so many steps of all runs together.
+/// Number of steps of all runs together in a round.
 const ROUND: usize = 2000;
-/// Or so many samples, which an ensemble flies at once.
+/// Smallest number of samples in a round, which an ensemble flies at once.
 const FEWEST_STEPS: usize = 32;
-/// Numbers at a time: SSE2 or NEON, AVX2, AVX-512.
+/// Number of values in a vector of SSE2 or NEON, AVX2, AVX-512.
 const WIDTHS: [usize; 3] = [2, 4, 8];
 
 fn main() {
@@ -40,25 +40,25 @@ fn compare(runs: usize, error_model: bool, samples: &[FlightSample]) {
     let template = template(error_model);
     let mut ensembles = WIDTHS.map(|width| Ensemble::of_width(&template, 0, runs, width).unwrap());
     let (mut single_ns, mut ensemble_ns) = (Vec::new(), WIDTHS.map(|_| Vec::new()));
-    // As many steps of the single chain as take about as long.
+    // A number of steps of the single chain that takes about the same time.
     let steps = (ROUND / runs).max(FEWEST_STEPS);
     let single_steps = (steps * runs / 4).clamp(4, ROUND);
     let rounds = (SAMPLES - 1) / single_steps.max(steps + 1);
     for round in 0..rounds.clamp(1, (300 * ROUND / (steps * runs)).clamp(20, 300)) {
         let of_single = &c_samples[round * single_steps..][..single_steps];
         let start_s = processor_s();
-        // SAFETY: a living handle.
+        // SAFETY: a valid handle.
         unsafe { c_scene::run(sim, of_single) };
         single_ns.push((processor_s() - start_s) * 1e9 / single_steps as f64);
         for (ensemble, ns) in ensembles.iter_mut().zip(&mut ensemble_ns) {
-            // The first step fetches the runs: a host flies one ensemble.
+            // The first step loads the runs into the cache and is not timed: a host flies only one ensemble.
             fly(ensemble, &samples[round * (steps + 1)..][..1]);
             let start_s = processor_s();
             fly(ensemble, &samples[round * (steps + 1) + 1..][..steps]);
             ns.push((processor_s() - start_s) * 1e9 / (steps * runs) as f64);
         }
     }
-    // SAFETY: a living handle.
+    // SAFETY: a valid handle.
     unsafe { sins_destroy(sim) };
     let single_ns = undisturbed(single_ns);
     let bytes = ensembles[0].bytes_of_run();
@@ -70,7 +70,7 @@ fn compare(runs: usize, error_model: bool, samples: &[FlightSample]) {
     println!();
 }
 
-/// Time of the processor for this thread [s]: others may be busy. Linux.
+/// Processor time of this thread [s], because other programs may be busy. For Linux.
 fn processor_s() -> f64 {
     #[repr(C)]
     struct Time {
@@ -91,7 +91,7 @@ fn fly(ensemble: &mut Ensemble, samples: &[FlightSample]) {
     ensemble.run(samples.len(), |index| Ok::<_, Error>(samples[index])).unwrap();
 }
 
-/// The time below which a tenth of the rounds lie; the first, in which the flight starts, is none of them.
+/// The time that a tenth of the rounds do not reach. The first round, in which the flight starts, does not count.
 fn undisturbed(mut ns: Vec<f64>) -> f64 {
     ns.remove(0);
     ns.sort_by(f64::total_cmp);

@@ -1,11 +1,10 @@
 //! Why the mechanization navigates in Earth-fixed axes: accuracy and time against wander-azimuth and
 //! geographic axes, in one run on the same exact increments, two subsamples, exact body part.
 //!
-//! Wander-azimuth axes with equally good Earth terms are as accurate where truncation rules (coning), and leave more where
-//! rounding does: 4.0e-7 m of 3.4e-9 m in the loop. Earth-fixed axes take less time.
-//! Gravity is `Earth::gravity` for all, timed with its default, the closed form, which takes and gives
-//! Cartesian vectors. Somigliana's formula takes latitude and height: written out for wander axes it would
-//! make them the faster.
+//! Wander-azimuth axes with equally good Earth terms are as accurate where truncation dominates (coning). Where rounding dominates,
+//! their error is larger: 4.0e-7 m instead of 3.4e-9 m in the loop. Earth-fixed axes take less time.
+//! Gravity is `Earth::gravity` for all. It is timed with its default, the closed form, which takes and returns Cartesian vectors.
+//! Somigliana's formula takes latitude and height; written out for wander axes, it would make these the faster ones.
 //!
 //! `cargo run --release --manifest-path benches/Cargo.toml --bin frames`
 
@@ -33,7 +32,7 @@ trait Navigator: Copy {
     /// Damps the vertical channel by a barometric height [m] over an interval `t` [s].
     fn damp_vertical(&mut self, barometer_m: f64, t: f64);
 
-    /// The solution; none where the axes are singular.
+    /// The solution; `None` if the axes are singular.
     fn state(&self, earth: &Earth) -> Option<EarthFixedState>;
 }
 
@@ -70,7 +69,7 @@ impl Navigator for Wander {
     }
 }
 
-/// The body part alone, which all of them share.
+/// The body part alone, which all mechanizations share.
 #[derive(Clone, Copy)]
 struct BodyPart;
 
@@ -107,7 +106,7 @@ impl Worst {
     }
 }
 
-/// Flies the whole reference; none if the axes become singular on the way.
+/// Flies the whole reference; `None` if the axes become singular on the way.
 fn fly(mut navigator: impl Navigator, earth: &Earth, reference: &Reference) -> Option<Worst> {
     let mut worst = Worst::default();
     for (pair, truth) in reference.increments.chunks_exact(2).zip(&reference.truth[1..]) {
@@ -118,7 +117,7 @@ fn fly(mut navigator: impl Navigator, earth: &Earth, reference: &Reference) -> O
 }
 
 fn accuracy() -> Result<(), Box<dyn Error>> {
-    // The field in which the references were made.
+    // The gravity field with which the references were made.
     let earth = Earth::new(Ellipsoid::Wgs84, GravityModel::Somigliana);
     println!("largest errors, free vertical channel: horizontal position r and velocity v, attitude psi\n");
     println!("{:12}{:>27}{:>27}{:>27}", "", "Earth-fixed", "wander azimuth", "geographic");
@@ -143,7 +142,7 @@ fn accuracy() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Time of an update [ns] over `increments`, in one batch; with `BAROMETER` that of its vertical loop in it.
+/// Time of an update [ns] over `increments`, in one batch; with `BAROMETER`, it includes the vertical loop.
 fn batch<const BAROMETER: bool>(mut navigator: impl Navigator, increments: &[Increment], t: f64) -> f64 {
     let begin = Instant::now();
     for pair in increments.chunks_exact(2) {
@@ -156,7 +155,7 @@ fn batch<const BAROMETER: bool>(mut navigator: impl Navigator, increments: &[Inc
     2e9 * begin.elapsed().as_secs_f64() / increments.len() as f64
 }
 
-/// One batch of each; they take turns, so that the machine's mood meets them all alike.
+/// One batch of each navigator. Batches take turns, so that changes of the machine's speed affect all alike.
 fn round<const BAROMETER: bool>(reference: &Reference, earth: Earth, start: &EarthFixedState) -> [f64; 4] {
     let (increments, t) = (&reference.increments[..2000], reference.period_s);
     let crates = |frame| Mechanization::new(earth, frame, Scheme::Exact, start);
@@ -168,7 +167,7 @@ fn round<const BAROMETER: bool>(reference: &Reference, earth: Earth, start: &Ear
     ]
 }
 
-/// The least of many batches.
+/// Prints the shortest times of many batches.
 fn time() -> Result<(), Box<dyn Error>> {
     const ROUNDS: usize = 2000;
     let earth = Earth::default();

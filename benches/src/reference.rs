@@ -14,7 +14,7 @@ use sins::state::{BodyAxes, EarthFixedState, Navigation};
 pub struct Reference {
     /// States at the sample times, and their places.
     pub truth: Vec<(EarthFixedState, Geodetic)>,
-    /// Two to an interval.
+    /// Increments, two in each interval.
     pub increments: Vec<Increment>,
     /// Interval between two samples [s].
     pub period_s: f64,
@@ -77,7 +77,7 @@ fn columns(name: &str) -> Result<Columns, Box<dyn Error>> {
     Ok(columns)
 }
 
-/// What is left to read of a packed file.
+/// The part of a packed file that is still to be read.
 struct Packed<'a> {
     rest: &'a [u8],
 }
@@ -93,7 +93,7 @@ impl<'a> Packed<'a> {
         Ok(self.bytes(1)?[0])
     }
 
-    /// 7 bits a byte, low ones first, zigzag.
+    /// Reads an integer in zigzag code, with 7 bits in a byte, low bits first.
     fn integer(&mut self) -> Result<i128, &'static str> {
         let (mut zigzag, mut shift) = (0_u128, 0);
         loop {

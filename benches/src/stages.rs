@@ -1,6 +1,6 @@
-//! The experiment of flying the stages over blocks of samples: intake, generator and sensors do not depend on the navigator, and a
-//! step of the chain is more instructions than the first-level cache holds. `stages`: ratios of the time of blocks to that of sample
-//! by sample, measured in turn, alone and beside a thread that flies as well.
+//! An experiment that flies the stages over blocks of samples. Intake, generator and sensors do not depend on the navigator, and
+//! the instructions of a step of the chain do not fit into the first-level cache. `stages` prints ratios of the time in blocks to
+//! the time sample by sample, measured in turns, alone and beside a thread that also flies.
 
 #[path = "scene.rs"]
 mod scene;
@@ -23,7 +23,7 @@ const BLOCKS: [usize; 4] = [1, 16, 32, 64];
 const LARGEST: usize = 64;
 const ROUNDS: usize = 41;
 
-/// What a block keeps of each sample.
+/// Data of each sample that a block keeps.
 struct Kept {
     ideal: [[Increment; 2]; LARGEST],
     measured: [[Increment; 2]; LARGEST],

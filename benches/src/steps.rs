@@ -1,7 +1,13 @@
-//! Flies a number of steps, for an instruction counter: the difference between two numbers of steps is the cost of a step.
-//! `steps WHAT COUNT`: WHAT = simulation2 | ideal | free through `sins_run`; calls: simulation 2 with push and step, each a call;
-//! reads, record: the same, and reads navigation and both errors, each a call, or truth, navigation and both errors in one; SCHEME,SUBSAMPLES,UPDATES,FRAME (exact,2,1,Earth-fixed) by push and step of the Rust
-//! simulator; or save | load: as many snapshots of simulation 2 in flight.
+//! Flies a number of steps, for an instruction counter: the cost of a step is the difference of the counts of two runs, divided
+//! by the difference of their numbers of steps.
+//!
+//! `steps WHAT COUNT`, where WHAT is one of:
+//! - `simulation2`, `ideal`, `free`: through `sins_run`;
+//! - `calls`: simulation 2 with push and step, each in a call of its own;
+//! - `reads`: as `calls`, and reads navigation and both errors, each in a call of its own;
+//! - `record`: as `calls`, and reads truth, navigation and both errors in one call;
+//! - `SCHEME,SUBSAMPLES,UPDATES,FRAME` (`exact,2,1,Earth-fixed`): by push and step of the Rust simulator;
+//! - `save`, `load`: COUNT snapshots of simulation 2 in flight.
 
 mod c_scene;
 mod scene;
@@ -13,7 +19,8 @@ use sins::mechanization::{Frame, Scheme};
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{Options, Simulator};
 
-/// Samples that are made whatever the count, as far as it goes: outside of what is counted.
+/// Number of samples that are made, independent of the number of steps, so that a difference of counts does not contain making
+/// them.
 const SAMPLES: usize = 20_001;
 const FEW_SAMPLES: usize = 2_001;
 
@@ -59,7 +66,7 @@ fn snapshots(load: bool, count: usize) {
     println!("{} bytes, {:.2} us each", bytes.len(), start.elapsed().as_secs_f64() * 1e6 / count as f64);
 }
 
-/// The options that `what` spells.
+/// The options that `what` describes.
 fn options(what: &str) -> Option<Options> {
     let mut words = what.split(',');
     let mut word = || words.next();
@@ -100,7 +107,7 @@ fn run(what: &str, count: usize) {
     }
     let samples = &samples[..=count];
     let sim = c_scene::simulator(&options, noisy);
-    // SAFETY: a living handle at the start of a flight.
+    // SAFETY: a valid handle at the start of a flight.
     unsafe {
         match what {
             "calls" => c_scene::push_step(sim, samples, || ()),
@@ -115,7 +122,7 @@ fn run(what: &str, count: usize) {
 /// Flies the samples with push and step, and reads truth, navigation and both errors in one call.
 ///
 /// # Safety
-/// `sim` is a living handle at the start of a flight.
+/// `sim` is a valid handle at the start of a flight.
 unsafe fn push_step_record(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
     // SAFETY: a struct of its own size.
     unsafe {

@@ -1,5 +1,5 @@
 //! The exact scheme in wander-azimuth axes, the other singularity-free mechanization: position as quaternion
-//! and height, axes with z up that do not turn about it against the Earth (rho_z = 0).
+//! and height, axes with z up that do not turn about z against the Earth (rho_z = 0).
 //!
 //! Notation as in the crate: `q_ew` rotates wander axes w to Earth-fixed axes e, `v_w` is resolved in w. Body
 //! part, gravity, compensated sums and order of the Earth terms are as in the crate's Earth-fixed axes.
@@ -17,21 +17,21 @@ use sins::state::EarthFixedState;
 #[derive(Debug, Clone, Copy)]
 pub struct Wander {
     earth: Earth,
-    /// Components i, j, k, w.
+    /// Rotation from wander axes to Earth-fixed axes, components i, j, k, w.
     q_ew: Compensated<4>,
-    /// Above the ellipsoid [m].
+    /// Height above the ellipsoid [m].
     height_m: Compensated<1>,
-    /// Against the Earth [m/s].
+    /// Velocity against the Earth, in w [m/s].
     v_w: Compensated<3>,
-    /// Components i, j, k, w.
+    /// Rotation from body axes to wander axes, components i, j, k, w.
     q_wb: Compensated<4>,
-    /// At the mean position of the last update.
+    /// Curvature at the mean position of the last update.
     curvature: Curvature,
     gravity_w: Vector3<f64>,
     vertical: VerticalLoop,
 }
 
-/// Curvature of the surface at the height of the vehicle, free of latitude and longitude.
+/// Curvature of the surface at the height of the vehicle, in a form without latitude and longitude.
 #[derive(Debug, Clone, Copy)]
 struct Curvature {
     /// 1/(RN + h) [1/m]
@@ -41,8 +41,8 @@ struct Curvature {
 }
 
 impl Curvature {
-    /// Transport rate for the velocity `v`, or turn of the axes for a displacement; `axis` is the Earth's,
-    /// whose horizontal part points north with the length cos L.
+    /// Transport rate for the velocity `v`, or turn of the axes for a displacement. `axis` is the Earth's axis; its horizontal part
+    /// points north and has the length cos L.
     #[inline]
     fn transport(&self, axis: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
         let north = self.meridian_excess * (axis.x * v.x + axis.y * v.y);
@@ -50,7 +50,7 @@ impl Curvature {
     }
 }
 
-/// Curvature and gravity [m/s², w] where the Earth's axis in wander axes is `axis`.
+/// Curvature and gravity [m/s², w] at the place where the Earth's axis in wander axes is `axis`.
 #[inline]
 fn surroundings(earth: &Earth, axis: &Vector3<f64>, height_m: f64) -> (Curvature, Vector3<f64>) {
     let (sin, cos) = (axis.z, hypot(axis.x, axis.y));
@@ -62,7 +62,7 @@ fn surroundings(earth: &Earth, axis: &Vector3<f64>, height_m: f64) -> (Curvature
     let inverse = 1.0 / (m * n);
     let curvature = Curvature { inverse_n: m * inverse, meridian_excess: flattening * e2 * inverse };
 
-    // Gravity in the meridian plane; away from the axis is (up - axis sin L) / cos L.
+    // Gravity in the meridian plane; the direction away from the axis is (up - axis sin L) / cos L.
     let g = earth.gravity(&Vector3::new(n * cos, 0.0, (n - transverse * e2) * sin));
     let away = if cos > 0.0 { g.x / cos } else { 0.0 };
     let mut gravity_w = axis * (g.z - away * sin);
@@ -70,7 +70,7 @@ fn surroundings(earth: &Earth, axis: &Vector3<f64>, height_m: f64) -> (Curvature
     (curvature, gravity_w)
 }
 
-/// `rotation_increment` for the turn of the axes in an update, n < 1e-3 rad: wrong by n⁴/480 of the angle.
+/// `rotation_increment` for the turn of the axes in an update, n < 1e-3 rad, with an error of n⁴/480 of the angle.
 #[inline]
 fn small_rotation_increment(phi: &Vector3<f64>) -> Quaternion<f64> {
     let n2 = phi.norm_squared();
@@ -102,9 +102,9 @@ impl Wander {
     /// Δv = C S1 - ζ×C(S1 - S2) + 1/6 ζ×(ζ×C S1) + T g - (2 T w_ie + K Δr)×Δr/T - T/12 (K Δv)×(Δv - C S1)
     /// q_wb ← q(-ζ) q_wb q(Φ), q_ew ← q_ew q(K Δr), h ← h + Δr_z;  ζ = T w_ie + K Δr
     /// ```
-    /// w_ie, gravity g and the curvature in w_en = K v are those of the mean position r̄. The last term of Δv
-    /// is what the change of K v within the update does to Coriolis and turn of the axes; without it two
-    /// minutes of figure-eights leave 2.5e-7 m instead of 9e-9 m.
+    /// w_ie, gravity g and the curvature in w_en = K v are taken at the mean position r̄. The last term of Δv is the effect of the
+    /// change of K v within the update on Coriolis and turn of the axes. Without the term, the error after two minutes of
+    /// figure-eights is 2.5e-7 m instead of 9e-9 m.
     pub fn update(&mut self, increments: &[Increment], t: f64) {
         let body = BodyMotion::exact(increments);
         let w = self.earth.rate_rad_s;

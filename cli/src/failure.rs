@@ -1,4 +1,4 @@
-//! Why the program stopped: one sentence that names file, line, column and what was expected.
+//! Reasons why the program stopped: a sentence that names file, line, column and what was expected.
 
 use std::fmt;
 use std::path::Path;
@@ -26,7 +26,7 @@ Exit codes:
   3    recommend: no options meet the requirement; the best options were printed
   130  interrupted by Ctrl-C, SIGTERM or SIGHUP: no temporary file is left, and all files are complete";
 
-/// The sentences, one a line.
+/// A failure: its kind and its sentences, one on each line.
 #[derive(Debug)]
 pub struct Failure {
     kind: Kind,
@@ -34,37 +34,37 @@ pub struct Failure {
 }
 
 impl Failure {
-    /// About an input.
+    /// Failure about an input.
     pub fn new(sentence: impl Into<String>) -> Self {
         Self { kind: Kind::Input, sentence: sentence.into() }
     }
 
-    /// About something else.
+    /// Failure of the given kind.
     pub fn of_kind(kind: Kind, sentence: impl Into<String>) -> Self {
         Self { kind, sentence: sentence.into() }
     }
 
-    /// About a whole input file.
+    /// Failure about a whole input file.
     pub fn of_file(path: &Path, what: &dyn fmt::Display) -> Self {
         Self::new(format!("{}: {what}", path.display()))
     }
 
-    /// About an input file that cannot be read.
+    /// Failure about an input file that cannot be read.
     pub fn of_input(path: &Path, error: &dyn fmt::Display) -> Self {
         Self::of_file(path, &format!("cannot be read: {error}"))
     }
 
-    /// About a line of an input file, counted from 1.
+    /// Failure about a line of an input file, counted from 1.
     pub fn of_line(path: &Path, line: u64, what: &dyn fmt::Display) -> Self {
         Self::new(format!("{}:{line}: {what}", path.display()))
     }
 
-    /// About an output that cannot be written.
+    /// Failure about an output that cannot be written.
     pub fn of_output(path: &Path, error: &dyn fmt::Display) -> Self {
         Self::of_kind(Kind::Failed, format!("{}: cannot be written: {error}", path.display()))
     }
 
-    /// All of several, as the first of them is.
+    /// One failure made of several: all sentences, and the kind of the first.
     pub fn all(failures: Vec<Self>) -> Self {
         let kind = failures.first().map_or(Kind::Input, |failure| failure.kind);
         let sentences: Vec<String> = failures.into_iter().map(|failure| failure.sentence).collect();

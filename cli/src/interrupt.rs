@@ -1,7 +1,7 @@
 //! Ctrl-C, SIGTERM and SIGHUP: no temporary file stays behind.
 //!
-//! A command that can end by itself with whole files ([`graceful`]) is asked to; a second signal, or any other command, ends the
-//! program at once.
+//! The first signal asks a [`graceful`] command to end with complete files. A second signal, or a signal to any other command, ends
+//! the program at once.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -9,7 +9,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::failure::{Failure, Kind};
 
-/// Temporary files of the moment. Who makes, renames or removes one holds the lock, so that a signal finds all of them.
+/// Current temporary files. Code that makes, renames or removes a file holds the lock, so that a signal finds all files.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 static IS_GRACEFUL: AtomicBool = AtomicBool::new(false);
@@ -30,11 +30,11 @@ fn on_signal() {
     for path in temporary.iter() {
         let _ = std::fs::remove_file(path);
     }
-    // The lock is held to the end: no other file is made.
+    // The lock is held to the end, so no other file is made.
     std::process::exit(130);
 }
 
-/// From now on the command ends by itself when it is asked to, or no longer.
+/// Sets whether the command ends with complete files when it is asked to end.
 pub fn graceful(is_graceful: bool) {
     IS_GRACEFUL.store(is_graceful, Ordering::SeqCst);
 }
@@ -44,7 +44,7 @@ pub fn is_asked() -> bool {
     IS_ASKED.load(Ordering::SeqCst)
 }
 
-/// The list of temporary files, while one is made, renamed or removed.
+/// Locked list of temporary files. The lock is held while a file is made, renamed or removed.
 pub struct Temporary(MutexGuard<'static, Vec<PathBuf>>);
 
 impl Temporary {

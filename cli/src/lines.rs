@@ -5,13 +5,13 @@ use std::io::{BufRead, BufReader, Read, Result};
 /// The bytes with which some editors begin a file in UTF-8.
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// Gives the data on and counts the lines.
+/// Passes the data on and counts the lines.
 pub struct Lines<R: Read> {
     input: BufReader<R>,
     line: Vec<u8>,
-    /// How much of the line was given on.
+    /// Number of bytes of the line that were passed on.
     given: usize,
-    /// Lines so far.
+    /// Number of lines that were read.
     count: u64,
     numbers: Vec<u64>,
 }
@@ -21,7 +21,7 @@ impl<R: Read> Lines<R> {
         Self { input: BufReader::new(input), line: Vec::new(), given: 0, count: 0, numbers: Vec::new() }
     }
 
-    /// Of each line that was given on, its number from 1.
+    /// Number of each line that was passed on, counted from 1.
     pub fn numbers(&self) -> &[u64] {
         &self.numbers
     }

@@ -1,8 +1,8 @@
 //! The files that the program writes: complete or not at all, never one of its inputs, and never a file of another program.
 //!
-//! Each file is written to a temporary file in the same folder, with an unpredictable name, and renamed at the end. So nobody sees
-//! half a file, and two runs of one name leave the file of one of them. An existing file is replaced if it begins as the
-//! program's own files do; any other file needs `--force`. A device, a FIFO or a link is never replaced.
+//! Each file is written to a temporary file in the same folder, with an unpredictable name, and renamed at the end. So a
+//! half-written file is never visible, and two runs of one name leave the file of one of them. An existing file is replaced if it
+//! has the mark of the program's own files; any other file needs `--force`. A device, a FIFO or a link is never replaced.
 
 use std::fs::{File, Metadata};
 use std::io::{BufWriter, ErrorKind, Read, Write};
@@ -14,25 +14,25 @@ use tempfile::{Builder, TempPath};
 use crate::failure::{Failure, Kind};
 use crate::interrupt::Temporary;
 
-/// A file of this program has its mark within this distance from its beginning [bytes].
+/// Length of the beginning of a file in which the mark of this program must be [bytes].
 const MARK_WITHIN: u64 = 4096;
 
-/// What may be written, and what was taken already.
+/// Outputs of a run of the program, with the rules for replacing files.
 #[derive(Debug, Default)]
 pub struct Outputs {
     rules: Rc<Rules>,
-    /// Outputs of this run.
+    /// Outputs that this run has opened.
     taken: Vec<PathBuf>,
 }
 
-/// What may be replaced.
+/// Rules for replacing existing files.
 #[derive(Debug, Default)]
 struct Rules {
     inputs: Vec<(PathBuf, Identity)>,
     force: bool,
 }
 
-/// Identity of a file, the same by whatever name or link it is found.
+/// Identity of a file, the same for all its names and links.
 #[derive(Debug, PartialEq)]
 struct Identity {
     device: u64,
@@ -43,7 +43,7 @@ impl Identity {
     #[cfg(unix)]
     fn of(path: &Path) -> Option<Self> {
         use std::os::unix::fs::MetadataExt;
-        // Standard input is a file as well, where it was redirected.
+        // Standard input is a file too if it was redirected.
         let path = if path == Path::new("-") { Path::new("/dev/stdin") } else { path };
         let metadata = std::fs::metadata(path).ok()?;
         Some(Self { device: metadata.dev(), index: metadata.ino() })
@@ -63,13 +63,13 @@ impl Identity {
 }
 
 impl Outputs {
-    /// `inputs` are never written; with `force` other people's files are.
+    /// `inputs` are never replaced; with `force`, files that this program did not write are replaced.
     pub fn new(inputs: &[PathBuf], force: bool) -> Self {
         let identified = inputs.iter().filter_map(|path| Some((path.clone(), Identity::of(path)?)));
         Self { rules: Rc::new(Rules { inputs: identified.collect(), force }), taken: Vec::new() }
     }
 
-    /// Makes the folder `path`, and those above it.
+    /// Makes the folder `path` and the folders above it.
     pub fn folder(&self, path: &Path) -> Result<(), Failure> {
         std::fs::create_dir_all(path).map_err(|error| {
             Failure::of_kind(Kind::Failed, format!("{}: the folder cannot be made: {error}", path.display()))
@@ -100,7 +100,7 @@ impl Outputs {
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
-            // As any file that is made: less what the user's mask takes off.
+            // The permissions of any new file: the user's mask is applied.
             builder.permissions(std::fs::Permissions::from_mode(0o666));
         }
         let file = builder.tempfile_in(&folder_itself).map_err(|error| Failure::of_output(path, &error))?;
@@ -115,14 +115,14 @@ impl Outputs {
         })
     }
 
-    /// A file, written at once.
+    /// Writes a whole file.
     pub fn write(&mut self, path: &Path, mark: &str, text: &str) -> Result<(), Failure> {
         self.file(path, mark)?.finish(text)
     }
 }
 
 impl Rules {
-    /// Whether `path` may be written.
+    /// Checks that `path` may be written.
     fn check(&self, path: &Path, mark: &str) -> Result<(), Failure> {
         let metadata = match std::fs::symlink_metadata(path) {
             Ok(metadata) => metadata,
@@ -146,7 +146,7 @@ impl Rules {
     }
 }
 
-/// Whether the paths are the same: on Windows case does not matter.
+/// Whether the paths are the same; on Windows without regard to case.
 fn is_same(one: &Path, other: &Path) -> bool {
     if cfg!(windows) {
         one.to_string_lossy().to_lowercase() == other.to_string_lossy().to_lowercase()
@@ -155,7 +155,7 @@ fn is_same(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// Why no file can have this name, if it cannot: on Windows some names are devices, whatever their ending, and a colon leads to
+/// Reason why no file can have this name, or `None`. On Windows some names are devices, whatever their ending, and a colon selects
 /// another stream of a file.
 fn unfit(name: &str) -> Option<&'static str> {
     if !cfg!(windows) {
@@ -169,7 +169,7 @@ fn unfit(name: &str) -> Option<&'static str> {
     }
 }
 
-/// Whether Windows takes a file of this name for a device.
+/// Whether Windows treats a file of this name as a device.
 pub fn is_device_of_windows(name: &str) -> bool {
     let stem = name.split(['.', ':']).next().unwrap_or_default().trim_end().to_uppercase();
     let numbered = ["COM", "LPT"].iter().find_map(|port| stem.strip_prefix(port));
@@ -189,14 +189,14 @@ fn kind_of(metadata: &Metadata) -> &'static str {
     }
 }
 
-/// Whether the file begins as one that the program wrote.
+/// Whether the file has `mark` near its beginning, as files that the program wrote.
 fn is_own(path: &Path, mark: &str) -> bool {
     let mut begin = Vec::new();
     let read = File::open(path).and_then(|file| file.take(MARK_WITHIN).read_to_end(&mut begin));
     read.is_ok() && !mark.is_empty() && begin.windows(mark.len()).any(|part| part == mark.as_bytes())
 }
 
-/// A file that is being written; without [`Self::commit`] nothing of it stays.
+/// A file that is being written; without [`Self::commit`] it is removed.
 #[derive(Debug)]
 pub struct OutputFile {
     path: PathBuf,
@@ -207,12 +207,12 @@ pub struct OutputFile {
 }
 
 impl OutputFile {
-    /// Where it will be.
+    /// Path of the finished file.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Writes out what is in memory: whether the disk takes it.
+    /// Writes buffered data to the disk, and reports an error of the disk.
     pub fn check(&mut self) -> Result<(), Failure> {
         self.flush().map_err(|error| Failure::of_output(&self.path, &error))
     }
@@ -220,7 +220,7 @@ impl OutputFile {
     /// Puts the file in place.
     pub fn commit(mut self) -> Result<(), Failure> {
         self.check()?;
-        // Somebody may have put another file there meanwhile.
+        // Another program may have put a file there in the meantime.
         self.rules.check(&self.path, &self.mark)?;
         let Some((writer, temporary)) = self.writer.take() else { return Ok(()) };
         drop(writer);

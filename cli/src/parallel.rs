@@ -2,12 +2,12 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Number of threads that this machine runs at once.
+/// Number of threads that this machine can run at the same time.
 pub fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// `work` done with each of `items` on all cores, in their order.
+/// Results of `work` for each of `items`, in their order, computed on all cores.
 pub fn in_parallel<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     on_threads(cores(), items, work)
 }

@@ -1,4 +1,4 @@
-//! For tests: the arguments of a command as its order.
+//! For tests: parses the arguments of a command.
 
 use clap::{Args, Parser};
 
@@ -8,7 +8,7 @@ struct Line<O: Args> {
     order: O,
 }
 
-/// The order, or what is wrong with the arguments.
+/// The parsed order, or the error of the arguments.
 pub fn parsed<O: Args>(arguments: &[&str]) -> Result<O, String> {
     let line = Line::try_parse_from([&["sins"], arguments].concat());
     line.map(|line| line.order).map_err(|error| error.to_string())

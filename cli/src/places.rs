@@ -1,12 +1,12 @@
-//! Where the outputs of a scene go: the command line's places, or else the scene's. Those stay below the folder of the moment,
-//! whoever wrote the scene.
+//! Places of the outputs of a scene: from the command line, otherwise from the scene. Places from a scene stay below the current
+//! folder, whoever wrote the scene.
 
 use std::path::{Component, Path, PathBuf};
 
 use crate::failure::Failure;
 use crate::given::Given;
 
-/// Folder of all outputs, where nothing else is said.
+/// Default folder of all outputs.
 pub const OUTPUT_FOLDER: &str = "sins_out";
 
 /// Where a command that flies one scene writes.
@@ -43,13 +43,13 @@ impl OutputArguments {
         Ok((folder, name))
     }
 
-    /// Whether neither progress nor summary is wanted of `given`.
+    /// Whether neither progress nor summary is shown for `given`.
     pub fn is_quiet(&self, given: &Given) -> bool {
         self.quiet || given.scene.output.quiet
     }
 }
 
-/// `file` below `folder`; refuses what leads out of it.
+/// `file` below `folder`; refuses a path that leads out of the folder.
 pub fn below(folder: &Path, file: &str, key: &str, option: &str) -> Result<PathBuf, Failure> {
     let path = Path::new(file);
     let is_plain = |part: Component<'_>| matches!(part, Component::Normal(_));
@@ -62,7 +62,7 @@ pub fn below(folder: &Path, file: &str, key: &str, option: &str) -> Result<PathB
     Ok(folder.join(path))
 }
 
-/// The file beside `path` that has its name and another ending.
+/// The file beside `path` with the same name and another ending.
 pub fn beside(path: &Path, ending: &str) -> PathBuf {
     path.with_file_name(format!("{}{ending}", path.file_stem().unwrap_or_default().to_string_lossy()))
 }

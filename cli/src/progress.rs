@@ -1,4 +1,4 @@
-//! Progress on a terminal: how far, how fast, how long still. Nothing of it goes into a file or a pipe.
+//! Progress on a terminal: completed part, speed and remaining time. Nothing of it goes into a file or a pipe.
 
 use std::fmt::Write;
 use std::io::Read;
@@ -11,10 +11,10 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use crate::failure::printable;
 use crate::units::time_text;
 
-/// What takes no longer shows no line; the line is renewed as often.
+/// Duration of the longest work that shows no line; also the interval at which the line is renewed.
 const QUIET: Duration = Duration::from_secs(1);
 
-/// A line at the bottom of a terminal, from the second second on until it is dropped.
+/// A line at the bottom of a terminal, shown after `QUIET` until it is dropped.
 pub struct Progress {
     bar: ProgressBar,
     /// Simulated time flown so far [µs].
@@ -32,7 +32,7 @@ impl Progress {
         Self::new(what, Some(parts as u64), false)
     }
 
-    /// Work whose end is not known.
+    /// Progress of work whose end is not known.
     pub fn working(what: impl Into<String>) -> Self {
         Self::new(what, None, false)
     }
@@ -61,12 +61,12 @@ impl Progress {
         self.bar.inc(steps as u64);
     }
 
-    /// One part more is done.
+    /// Adds one completed part.
     pub fn count(&self) {
         self.bar.inc(1);
     }
 
-    /// `input`, of which each byte is a part.
+    /// Reader of `input` that adds each byte as a completed part.
     pub fn reading<R: Read>(&self, input: R) -> impl Read + use<R> {
         self.bar.wrap_read(input)
     }
@@ -78,7 +78,7 @@ impl Drop for Progress {
     }
 }
 
-/// The line: nothing yet while the work may be a short one.
+/// Text of the line; empty while the work may still be short.
 fn line(what: &str, elapsed: Duration, done: Option<f64>, left: Duration, flown_s: f64) -> String {
     if elapsed < QUIET {
         return String::new();

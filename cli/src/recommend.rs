@@ -75,7 +75,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     Err(Failure::of_kind(Kind::NotMet, what))
 }
 
-/// The samples of the piece, and the number of the first.
+/// Index of the first sample of the piece, and the samples.
 fn piece(order: &Order, given: &Given) -> Result<(usize, Vec<FlightSample>), Failure> {
     let at = |seconds: f64| (seconds / given.period_s).round() as usize;
     let first = at(order.from.max(0.0));
@@ -91,7 +91,7 @@ fn piece(order: &Order, given: &Given) -> Result<(usize, Vec<FlightSample>), Fai
     Ok((first, samples))
 }
 
-/// The answer, as a scene has it, and what it leaves.
+/// Text of the answer: the options as in a scene, and their remaining errors.
 fn text(given: &Given, answer: &Recommendation, ns: f64) -> String {
     let scheme = scheme_name(answer.rung.scheme);
     format!(

@@ -1,4 +1,5 @@
-//! A record: truth, navigation, both error data and the errors of the sensors at one instant. Flying writes it, the report reads it.
+//! A record: truth, navigation, both error data and the errors of the sensors at one instant. `sins fly` writes records, and
+//! `sins report` reads them.
 
 use nalgebra::Vector3;
 use sins::errors::NavigationErrors;
@@ -9,12 +10,13 @@ use sins::{Error, ErrorSource, Simulator};
 /// Axes of all errors except those of the sensors, in the order of the columns.
 pub const EAST_NORTH_UP: [&str; 3] = ["east", "north", "up"];
 
-/// Flags of errors, or'ed, as in the C header: near a pole; error model outside its validity; not computed, all zero.
+/// Flags of errors, combined by bitwise or, as in the C header: near a pole; error model outside its validity; not computed, all
+/// zero.
 pub const NEAR_POLE: u32 = 1;
 pub const OUTSIDE_VALIDITY: u32 = 2;
 pub const NOT_COMPUTED: u32 = 4;
 
-/// One row.
+/// One row of the file of records.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Record {
     pub time_s: f64,
@@ -24,11 +26,11 @@ pub struct Record {
     pub navigation_error: Errors,
     /// Error data 1: the error differential equations.
     pub model_error: Errors,
-    /// Measured less ideal, mean since the record before [rad/s].
+    /// Error of the gyros, measured less ideal, mean since the previous record [rad/s].
     pub gyro_error: Vector3<f64>,
-    /// See `gyro_error` [m/s²].
+    /// Error of the accelerometers, measured less ideal, mean since the previous record [m/s²].
     pub accel_error: Vector3<f64>,
-    /// In the order of [`SIGMA_COLUMNS`], where the covariance is on.
+    /// Standard deviations in the order of [`SIGMA_COLUMNS`], if the covariance is on.
     pub sigma: Option<[f64; SIGMA_COLUMNS.len()]>,
 }
 
@@ -38,7 +40,7 @@ pub struct Motion {
     pub latitude_rad: f64,
     pub longitude_rad: f64,
     pub height_m: f64,
-    /// East, north, up [m/s].
+    /// Velocity east, north, up [m/s].
     pub velocity: Vector3<f64>,
     /// Roll, pitch, heading [rad].
     pub attitude: Vector3<f64>,
@@ -47,19 +49,19 @@ pub struct Motion {
 /// Errors of a solution, east, north, up.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Errors {
-    /// [m]
+    /// Position error [m].
     pub position: Vector3<f64>,
-    /// [m/s]
+    /// Velocity error [m/s].
     pub velocity: Vector3<f64>,
-    /// [rad]
+    /// Misalignment [rad].
     pub misalignment: Vector3<f64>,
-    /// Roll, pitch, heading [rad].
+    /// Errors of roll, pitch, heading [rad].
     pub attitude: Vector3<f64>,
     pub flags: u32,
 }
 
 impl Record {
-    /// What the simulator says at this moment, without the errors of the sensors; `None` before the first sample.
+    /// Record of the simulator's current state, without the errors of the sensors; `None` before the first sample.
     pub fn now(simulator: &mut Simulator) -> Result<Option<Self>, Error> {
         let covariance = match simulator.options().covariance {
             true => simulator.covariance()?,
@@ -90,7 +92,7 @@ impl Record {
         }))
     }
 
-    /// In the order of [`COLUMNS`].
+    /// Values of the record in the order of [`COLUMNS`].
     pub fn values(&self) -> [f64; COLUMNS.len()] {
         let mut values = [0.0; COLUMNS.len()];
         let mut record = *self;
@@ -115,7 +117,7 @@ impl Record {
         record
     }
 
-    /// Every number, in the order of [`COLUMNS`].
+    /// Visits every number, in the order of [`COLUMNS`].
     fn visit(&mut self, number: &mut dyn FnMut(&mut f64)) {
         number(&mut self.time_s);
         for motion in [&mut self.truth, &mut self.navigation] {

@@ -5,10 +5,10 @@ pub use sins::records::number;
 
 use crate::failure::{Failure, Kind};
 
-/// Every table in Markdown begins with this mark, by which the program recognizes its own tables.
+/// Mark at the beginning of every table in Markdown, by which the program recognizes its own tables.
 pub const TABLE_MARK: &str = "<!-- written by sins -->";
 
-/// `rows` under their header, quoted where they need it.
+/// `rows` under their header as CSV text, quoted where necessary.
 pub fn text<R: AsRef<[String]>>(
     header: &[&str],
     rows: impl IntoIterator<Item = R>,

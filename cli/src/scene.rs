@@ -53,7 +53,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
             }
             let text = read_scene(scene, settings)?.write();
             match output {
-                // People edit scenes: a scene that exists is replaced only with --force.
+                // Users edit scenes, so an existing scene is replaced only with --force.
                 Some(path) => Outputs::new(&[PathBuf::from(scene)], *force).write(path, "", &text),
                 None => print(&text),
             }
@@ -69,7 +69,7 @@ fn list() -> Result<(), Failure> {
     print(&BUILTIN_SCENES.iter().map(line).collect::<String>())
 }
 
-/// Every scene is checked, also behind one with faults.
+/// Checks every scene, also after a scene with faults.
 fn check(scenes: &[OsString], settings: &Settings) -> Result<(), Failure> {
     let (mut good, mut bad) = (String::new(), Vec::new());
     for name in scenes {
@@ -86,7 +86,7 @@ fn check(scenes: &[OsString], settings: &Settings) -> Result<(), Failure> {
     if bad.is_empty() { Ok(()) } else { Err(Failure::all(bad)) }
 }
 
-/// `sins keys`.
+/// Prints the output of `sins keys`.
 pub fn print_keys() -> Result<(), Failure> {
     let head = "\
 A scene is a text in TOML: sections, [section], with lines key = value; # begins a comment. The list has for each key its meaning,
@@ -113,7 +113,7 @@ const FIELDS: [&str; 12] = [
     "condition",
 ];
 
-/// `sins keys --fields`.
+/// Prints the output of `sins keys --fields`.
 pub fn print_key_fields() -> Result<(), Failure> {
     let row = |key: KeyLine| {
         let limit = |end: Option<f64>| end.map_or_else(String::new, number);

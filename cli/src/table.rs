@@ -8,13 +8,14 @@ use csv::{ReaderBuilder, StringRecord};
 use crate::failure::Failure;
 use crate::lines::Lines;
 
-/// Numbers beyond it would overflow on their way into a page; nothing that is measured or simulated comes near.
+/// Largest magnitude of a number. Larger numbers would overflow in the computation of a page; no measured or simulated value is
+/// near.
 const LARGEST: f64 = 1e30;
 
-/// Numbers below it are nothing: their squares and quotients would be none.
+/// Smallest magnitude of a number. Smaller numbers are read as zero, because their squares and quotients would be no numbers.
 const SMALLEST: f64 = 1e-60;
 
-/// The number of a text, if a page can hold it.
+/// The number of a text, if a page can show it.
 pub fn number(text: &str) -> Option<f64> {
     let value = text.trim().parse::<f64>().ok().filter(|value| value.abs() <= LARGEST)?;
     Some(if value.abs() < SMALLEST { 0.0 } else { value })
@@ -24,7 +25,7 @@ pub fn number(text: &str) -> Option<f64> {
 pub struct Table {
     path: PathBuf,
     columns: Vec<(String, Vec<f64>)>,
-    /// Of each row, its line in the file.
+    /// Line in the file of each row.
     lines: Vec<u64>,
 }
 
@@ -34,13 +35,13 @@ impl Table {
         Self::read_some(path, input, |names| Ok(names.to_vec()))
     }
 
-    /// Reads the columns that `choose` chooses of those in the header; what the others hold does not matter.
+    /// Reads the columns that `choose` selects from the header. The contents of other columns do not matter.
     pub fn read_some(
         path: &Path,
         input: impl Read,
         choose: impl FnOnce(&[String]) -> Result<Vec<String>, Failure>,
     ) -> Result<Self, Failure> {
-        // Flexible: a row of the wrong length shall be told in our words, with the expected number.
+        // Flexible, so that a row of the wrong length is reported by a sentence of this program with the expected number.
         let mut reader = ReaderBuilder::new().flexible(true).from_reader(Lines::new(input));
         let header = reader.headers().map_err(|error| Failure::of_file(path, &error))?;
         let names: Vec<String> =
@@ -93,7 +94,7 @@ impl Table {
         self.columns.iter().any(|(column, _)| column == name)
     }
 
-    /// Takes the column `name` out.
+    /// Takes the column `name` out of the table.
     pub fn take(&mut self, name: &str) -> Result<Vec<f64>, Failure> {
         match self.columns.iter_mut().find(|(column, _)| column == name) {
             Some((_, values)) => Ok(std::mem::take(values)),

@@ -1,10 +1,10 @@
-//! What the program says: results on standard output, everything else on standard error.
+//! Output of the program: results on standard output, everything else on standard error.
 
 use std::io::{ErrorKind, Write};
 
 use crate::failure::{Failure, Kind, printable};
 
-/// Writes a result on standard output. That its reader has gone (`sins keys | head`) is no failure.
+/// Writes a result on standard output. A reader that has closed the pipe (`sins keys | head`) is no failure.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut output = std::io::stdout().lock();
     match output.write_all(printable(text).as_bytes()).and_then(|()| output.flush()) {
@@ -15,7 +15,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Says on standard error what is being done; nobody reading it is no failure.
+/// Writes a message on standard error. A message that cannot be written is no failure.
 pub fn say(text: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{}", printable(text));
 }

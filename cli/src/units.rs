@@ -2,7 +2,7 @@
 
 use sins::units::{ARCSEC, DEG};
 
-/// A unit and how much of the SI unit it is.
+/// A unit: its name, and its size in the SI unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
     pub name: &'static str,
@@ -13,17 +13,17 @@ const fn unit(name: &'static str, si: f64) -> Unit {
     Unit { name, si }
 }
 
-/// The units of height.
+/// Metre.
 pub const METRE: Unit = unit("m", 1.0);
-/// See [`METRE`].
+/// Kilometre.
 pub const KILOMETRE: Unit = unit("km", 1e3);
 
-/// Units of one quantity, from small to large. No nm: beside positions it would be read as nautical miles.
+/// Units of one quantity, from small to large. There is no nm, because beside positions it would be read as nautical miles.
 #[derive(Debug, PartialEq)]
 pub struct Family {
-    /// For zero, and in texts for what is far below all others.
+    /// SI unit: for zero, and in texts for values far below all other units.
     pub si: Unit,
-    /// For axes of what rounding alone leaves.
+    /// Units of axes for values that are only rounding.
     pub tiny: &'static [Unit],
     pub usual: &'static [Unit],
 }
@@ -42,20 +42,20 @@ pub const SPEED: &Family = &Family {
     usual: &[unit("µm/s", 1e-6), unit("mm/s", 1e-3), unit("m/s", 1.0)],
 };
 
-/// Units of angle: those of attitude errors.
+/// Units of angle, for attitude errors.
 pub const ANGLE: &Family = &Family {
     si: unit("rad", 1.0),
     tiny: &[unit("10⁻¹⁵ rad", 1e-15), unit("10⁻¹² rad", 1e-12)],
     usual: &[unit("nrad", 1e-9), unit("arcsec", ARCSEC), unit("deg", DEG)],
 };
 
-/// Degree an hour [rad/s].
+/// Degree per hour [rad/s].
 pub const DEG_PER_HOUR: Unit = unit("deg/h", sins::units::DEG_PER_HOUR);
 
 /// Millionth of g [m/s²].
 pub const MICRO_G: Unit = unit("µg", sins::units::MICRO_G);
 
-/// Nautical mile an hour [m/s].
+/// Nautical mile per hour [m/s].
 pub const NMI_PER_HOUR: Unit = unit("nmi/h", sins::units::NMI_PER_HOUR);
 
 /// The family of an SI unit.
@@ -63,19 +63,19 @@ pub fn family(si_name: &str) -> Option<&'static Family> {
     [LENGTH, SPEED, ANGLE].into_iter().find(|family| family.si.name == si_name)
 }
 
-/// The largest unit of which `size` [SI] is at least one, or else the smallest; the SI unit itself for zero.
+/// The largest unit of which `size` [SI] is at least one, otherwise the smallest unit; the SI unit for zero.
 pub fn fitting(size: f64, family: &Family) -> Unit {
     let mut units = family.tiny.iter().chain(family.usual);
     let smallest = if size == 0.0 { None } else { units.clone().next() };
     units.rfind(|unit| size.abs() >= unit.si).or(smallest).copied().unwrap_or(family.si)
 }
 
-/// The unit of one axis of several: that of the `largest`, unless this axis is so small that its ticks would be fractions.
+/// The unit of one of several axes: the unit of the `largest` axis, unless this axis is so small that its ticks would be fractions.
 pub fn fitting_axis(size: f64, largest: f64, family: &Family) -> Unit {
     fitting(if size < 0.05 * largest { size } else { largest }, family)
 }
 
-/// `value` [SI] in the usual unit that fits it, "12.35 km"; in the SI unit with a power of ten where none does.
+/// `value` [SI] in the usual unit that fits it, "12.35 km"; in the SI unit with a power of ten if no usual unit fits.
 pub fn with_unit(value: f64, family: &Family) -> String {
     in_unit(value, usual(value, family))
 }
@@ -85,7 +85,7 @@ pub fn in_unit(value: f64, unit: Unit) -> String {
     format!("{} {}", significant(value / unit.si), unit.name)
 }
 
-/// The largest usual unit of which `value` [SI] is at least one; or the SI unit.
+/// The largest usual unit of which `value` [SI] is at least one; otherwise the SI unit.
 pub fn usual(value: f64, family: &Family) -> Unit {
     family.usual.iter().rfind(|unit| value.abs() >= unit.si).copied().unwrap_or(family.si)
 }
@@ -100,7 +100,7 @@ pub fn short(value: f64) -> String {
     if (1e-3..1e6).contains(&value.abs()) { two_digits(value) } else { digits(value, 1) }
 }
 
-/// The first digit and `digits` more.
+/// The first digit and `behind` more.
 fn digits(value: f64, behind: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
@@ -133,7 +133,7 @@ pub fn two_digits(value: f64) -> String {
     }
     let scale = 10f64.powi(1 - value.abs().log10().floor() as i32);
     let rounded = (value * scale).round() / scale;
-    // Again: 9.96 rounds to one digit more.
+    // The logarithm is taken again, because 9.96 rounds to a number with one more digit before the point.
     let decimals = (1 - rounded.abs().log10().floor() as i32).max(0) as usize;
     format!("{rounded:.decimals$}")
 }
@@ -143,7 +143,7 @@ pub fn six_digits(value: f64) -> f64 {
     rounded(value, 6)
 }
 
-/// `value` with so many significant `digits`.
+/// `value` rounded to `digits` significant digits.
 pub fn rounded(value: f64, digits: usize) -> f64 {
     format!("{value:.0$e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }
@@ -163,7 +163,7 @@ fn superscript(number: i32) -> String {
     number.to_string().chars().map(raised).collect()
 }
 
-/// A length of time as text, "84.4 min".
+/// A duration as text, "84.4 min".
 pub fn time_text(seconds: f64) -> String {
     let (value, name) = match seconds {
         s if s < 120.0 => (s, "s"),
@@ -209,7 +209,7 @@ mod tests {
         assert_eq!(with_unit(0.0, SPEED), "0 m/s");
     }
 
-    /// Readers navigate: nm is a nautical mile to them.
+    /// Readers from navigation read nm as a nautical mile.
     #[test]
     fn no_unit_looks_like_a_nautical_mile() {
         for family in [LENGTH, SPEED, ANGLE] {

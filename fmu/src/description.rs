@@ -17,13 +17,13 @@ type Xml = Writer<Vec<u8>>;
 
 type Variables = [(Variable, usize)];
 
-/// The whole file.
+/// Text of the whole file.
 pub fn xml() -> String {
     let table = table();
     xml_of(&table.variables, &table.guid).unwrap_or_default()
 }
 
-/// The unit's identity: a hash of all that the rest of the description states, so that another table is another unit.
+/// Identity of the unit: a hash of the rest of the description, so that another table gives another identity.
 pub(crate) fn guid(variables: &Variables) -> String {
     let text = xml_of(variables, "").unwrap_or_default();
     let half = |basis: u64| {
@@ -87,7 +87,7 @@ fn co_simulation(xml: &mut Xml) -> io::Result<()> {
     Ok(())
 }
 
-/// Units of all variables, each once.
+/// Writes the units of all variables, each once.
 fn units(xml: &mut Xml, all: &Variables) -> io::Result<()> {
     let with_unit = all.iter().filter(|(variable, _)| !variable.unit.is_empty());
     let units: BTreeMap<&str, f64> =
@@ -117,7 +117,7 @@ fn units(xml: &mut Xml, all: &Variables) -> io::Result<()> {
     Ok(())
 }
 
-/// Exponents of m, s, K, rad; `None`: not whole, or a unit in brackets.
+/// Exponents of m, s, K, rad; `None` if they are not whole, or for a unit in brackets.
 fn exponents(unit: &str) -> Option<[i32; 4]> {
     let mut sum = [0; 4];
     for (index, factor) in unit.split('/').enumerate() {
@@ -141,7 +141,7 @@ fn exponents(unit: &str) -> Option<[i32; 4]> {
     Some(sum)
 }
 
-/// Name of the type of an enumeration: the variable's without a number in brackets.
+/// Name of the type of an enumeration: the name of the variable without a number in brackets.
 fn type_name(variable: &Variable) -> String {
     match variable.name.split_once('[') {
         Some((before, rest)) => format!("{before}{}", rest.split_once(']').map_or("", |(_, behind)| behind)),
@@ -251,7 +251,7 @@ fn variable(xml: &mut Xml, variable: &Variable, reference: usize) -> io::Result<
     Ok(())
 }
 
-/// Outputs: of what they depend on nothing is said, so of all inputs.
+/// Writes the outputs. Their dependencies are not stated, so a master assumes that they depend on all inputs.
 fn structure(xml: &mut Xml, all: &Variables) -> io::Result<()> {
     let outputs = all.iter().enumerate().filter(|(_, (variable, _))| variable.role == Role::Output);
     let indexes: Vec<String> = outputs.map(|(index, _)| (index + 1).to_string()).collect();

@@ -11,10 +11,10 @@ use sins::units::TEMPERATURE_RANGE_C;
 use crate::values::Value;
 use crate::variables::{Role, Variable};
 
-/// Inputs that come together. They are the first reals of the table, in this order.
+/// Inputs that a master sets together. The inputs of all groups are the first reals of the table, in this order.
 struct Group {
     name: &'static str,
-    /// Whether there is no sample without it.
+    /// Whether a sample requires the group.
     is_needed: bool,
     inputs: &'static [Input],
 }
@@ -26,7 +26,7 @@ const fn of_size(largest: f64) -> (f64, f64) {
     (-largest, largest)
 }
 
-// The limits of a sample.
+// Limits of the values of a sample.
 const LATITUDE: (f64, f64) = of_size(FRAC_PI_2);
 const LONGITUDE: (f64, f64) = of_size(FlightSample::MAX_LONGITUDE_RAD);
 const HEIGHT: (f64, f64) = FlightSample::HEIGHT_RANGE_M;
@@ -88,7 +88,7 @@ pub fn variables() -> impl Iterator<Item = Variable> {
     })
 }
 
-/// The sample at `time_s` of the `values` of all inputs, of which `is_set` tells those that the master has set.
+/// The sample at `time_s` [s] with the `values` of all inputs; `is_set` marks the inputs that the master has set.
 pub fn sample(time_s: f64, values: &[f64], is_set: &[bool; COUNT]) -> Result<FlightSample, String> {
     let mut from = 0;
     let mut parts = [None; GROUPS.len()];

@@ -1,4 +1,4 @@
-//! One instance of the unit: its phase, its values, its simulator.
+//! An instance of the unit: its phase, its values, its simulator.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use crate::parameters;
 use crate::values::{Base, Value, Values};
 use crate::variables::{Role, Table, table};
 
-/// Where an instance is in its life.
+/// Phase in the life of an instance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
     Instantiated,
@@ -23,16 +23,16 @@ pub enum Phase {
     Terminated,
 }
 
-/// The status of a call that was refused. The instance is as before.
+/// Status of a refused call. The call does not change the instance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Refusal {
-    /// A sample or a value: with another one the simulation goes on.
+    /// A refused sample or value; with another one, the simulation can continue.
     Discard,
-    /// A call that has no place here.
+    /// A call that is not allowed here.
     Error,
 }
 
-/// A refused call, and why.
+/// A refused call: its status and the reason.
 #[derive(Debug)]
 pub struct Refused {
     pub refusal: Refusal,
@@ -49,26 +49,26 @@ impl Refused {
     }
 }
 
-/// What was made of the parameters, and how far it has flown.
+/// Scene and simulator made from the parameters, and the state of the flight.
 #[derive(Debug, Clone)]
 pub struct Flight {
     pub scene: Scene,
     pub simulator: Box<Simulator>,
     /// Time stamp of the first sample [s].
     pub first_s: Option<f64>,
-    /// Time stamp [s] and inputs of the sample that was taken last.
+    /// Time stamp [s] and inputs of the last sample that was taken.
     pub taken: Option<(f64, Vec<f64>)>,
 }
 
 impl Flight {
-    /// The flight that parameters call for, before its first sample.
+    /// The flight that the parameters define, before its first sample.
     pub fn new(values: &Values, resources: Option<&PathBuf>) -> Result<Self, String> {
         let scene = parameters::scene(values, resources.map(PathBuf::as_path))?;
         let [simulator] = *scene.simulator().map_err(|error| error.to_string())?;
         Ok(Self { scene, simulator: Box::new(simulator), first_s: None, taken: None })
     }
 
-    /// Takes the sensor errors and failures of another scene.
+    /// Replaces the sensor errors and failures by those of `scene`.
     fn retune(&mut self, scene: Scene) -> Result<(), Error> {
         let mut simulator = self.simulator.clone();
         if scene.errors.gyro != self.scene.errors.gyro {
@@ -82,7 +82,7 @@ impl Flight {
         }
         for output in SensorOutput::ALL {
             let plans = |scene: &Scene| scene.failures.iter().any(|planned| planned.output == output);
-            // While a failure is planned, the scene clears it itself.
+            // If the new scene still plans a failure of this output, the scene clears it.
             if plans(&self.scene) && !plans(&scene) {
                 simulator.set_failure(output, None)?;
             }
@@ -91,7 +91,7 @@ impl Flight {
         Ok(())
     }
 
-    /// The simulator behind the interval that ends at `time_s` [s] with this truth, and whether that closed a gap.
+    /// The simulator after the interval that ends at `time_s` [s] with these inputs, and whether the sample closed a gap.
     fn flown(
         &self,
         time_s: f64,
@@ -119,7 +119,7 @@ pub struct Instance {
     pub resources: Option<PathBuf>,
     pub phase: Phase,
     pub values: Values,
-    /// Which inputs the master has set.
+    /// Whether the master has set each input.
     pub is_set: [bool; inputs::COUNT],
     pub flight: Option<Flight>,
     /// End of the last step [s].
@@ -140,12 +140,12 @@ impl Instance {
         }
     }
 
-    /// As it was made.
+    /// Restores the state after instantiation.
     pub fn reset(&mut self) {
         *self = Self::new(self.resources.take());
     }
 
-    /// Goes from one phase to the next.
+    /// Changes the phase from `from` to `to`.
     pub fn go(&mut self, from: Phase, to: Phase) -> Result<(), Refused> {
         self.require(&[from])?;
         if to == Phase::Stepping {
@@ -155,7 +155,7 @@ impl Instance {
         Ok(())
     }
 
-    /// Refuses a call that has no place in this phase.
+    /// Refuses a call if the phase is none of `phases`.
     pub fn require(&self, phases: &[Phase]) -> Result<(), Refused> {
         match phases.contains(&self.phase) {
             true => Ok(()),
@@ -163,7 +163,7 @@ impl Instance {
         }
     }
 
-    /// Sets variables by their references: all of them or none.
+    /// Sets variables by their references: all or none.
     pub fn set(&mut self, values: impl Iterator<Item = (usize, Value)>) -> Result<(), Refused> {
         let mut next = self.values.clone();
         let mut is_set = self.is_set;
@@ -203,7 +203,7 @@ impl Instance {
         self.values.get(base, place).ok_or_else(unknown)
     }
 
-    /// A step from `time_s` over `length_s` [s]; whether it closed a gap in the truth.
+    /// Flies a step from `time_s` over `length_s` [s]; returns whether it closed a gap in the truth.
     pub fn step(&mut self, time_s: f64, length_s: f64) -> Result<bool, Refused> {
         self.require(&[Phase::Stepping])?;
         if !(length_s.is_finite() && length_s >= 0.0) {

@@ -2,8 +2,8 @@
 //!
 //! # Safety
 //!
-//! Of every function here: pointers are what the standard says; a component is one that [`fmi2Instantiate`] gave and
-//! [`fmi2FreeInstance`] has not taken back, and one thread at a time uses it.
+//! For every function of this module: pointers are as the standard requires; a component was returned by [`fmi2Instantiate`] and
+//! not yet freed by [`fmi2FreeInstance`], and only one thread at a time uses it.
 #![allow(
     non_snake_case,
     non_camel_case_types,
@@ -29,7 +29,7 @@ pub const fmi2Discard: fmi2Status = 2;
 pub const fmi2Error: fmi2Status = 3;
 pub const fmi2Fatal: fmi2Status = 4;
 
-/// The kind of a unit that this one is.
+/// The kind of this unit: co-simulation.
 const CO_SIMULATION: c_int = 1;
 
 #[repr(C)]
@@ -41,20 +41,20 @@ pub struct fmi2CallbackFunctions {
     pub componentEnvironment: *mut c_void,
 }
 
-/// What a component is.
+/// An instance with its logger, to which the master's handle points.
 pub struct Component {
     pub(crate) instance: Instance,
     pub(crate) logger: Logger,
-    /// Texts that were handed out; they live until the next call that hands some out.
+    /// Texts that were returned to the master; valid until the next call that returns texts.
     pub(crate) texts: Vec<CString>,
 }
 
 pub(crate) type Outcome = Result<fmi2Status, Refused>;
 
-/// Runs the inside of a function on a component, and says to the master what was refused.
+/// Runs the body of a function on a component, and reports a refusal to the master.
 ///
 /// # Safety
-/// `component` is null or one that is alive.
+/// `component` is null or a component that was not freed.
 pub(crate) unsafe fn on(
     component: *mut Component,
     function: &str,
@@ -76,7 +76,7 @@ pub(crate) unsafe fn on(
     })
 }
 
-/// The elements of an array; none where there are none.
+/// The elements of an array; an empty array may be null.
 ///
 /// # Safety
 /// `array` has `count` elements.
@@ -89,7 +89,7 @@ pub(crate) unsafe fn elements<'a, T>(array: *const T, count: usize) -> Result<&'
     }
 }
 
-/// The same, to be written.
+/// The elements of an array, for writing; an empty array may be null.
 ///
 /// # Safety
 /// `array` has `count` elements.
@@ -102,7 +102,7 @@ pub(crate) unsafe fn elements_mut<'a, T>(array: *mut T, count: usize) -> Result<
     }
 }
 
-/// A text of the master.
+/// A text that the master passes.
 ///
 /// # Safety
 /// `text` is null or a terminated string.
@@ -135,14 +135,14 @@ pub unsafe extern "C" fn fmi2Instantiate(
     _visible: c_int,
     logging_on: c_int,
 ) -> *mut Component {
-    // SAFETY: the pointers are what the standard says.
+    // SAFETY: the pointers are as the standard requires.
     let Some(functions) = (unsafe { functions.as_ref() }) else { return ptr::null_mut() };
     let name = match instance_name.is_null() {
         true => c"sins".to_owned(),
         // SAFETY: as above.
         false => unsafe { CStr::from_ptr(instance_name) }.to_owned(),
     };
-    // SAFETY: the master's logger takes the master's environment.
+    // SAFETY: the master's logger accepts the master's environment.
     let logger = unsafe { Logger::new(functions.logger, functions.componentEnvironment, name, true) };
     let made = sins::abi::shielded(|| {
         if kind != CO_SIMULATION {
@@ -180,7 +180,7 @@ pub unsafe extern "C" fn fmi2Instantiate(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2FreeInstance(component: *mut Component) {
     if !component.is_null() {
-        // SAFETY: it came from `fmi2Instantiate` and is given back once.
+        // SAFETY: the component came from `fmi2Instantiate` and is freed once.
         drop(unsafe { Box::from_raw(component) });
     }
 }
@@ -192,7 +192,7 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
     count: usize,
     categories: *const *const c_char,
 ) -> fmi2Status {
-    // SAFETY: as the module says; so everywhere below.
+    // SAFETY: the promise in the documentation of the module; also for all functions below.
     unsafe {
         on(component, "fmi2SetDebugLogging", |component| {
             let names = elements(categories, count)?;
@@ -221,7 +221,7 @@ pub unsafe extern "C" fn fmi2SetupExperiment(
     }
 }
 
-/// A change of the phase.
+/// Changes the phase of a component.
 unsafe fn go(component: *mut Component, function: &str, from: Phase, to: Phase) -> fmi2Status {
     unsafe { on(component, function, |component| component.instance.go(from, to).map(|()| fmi2OK)) }
 }

@@ -13,15 +13,15 @@
 //!  sins::Simulator  ->  outputs                                 `outputs`
 //! ```
 //!
-//! The variables of all of them are one table (`variables`), made from the keys of a scene, from which the model description
-//! (`description`) is written too.
+//! The variables of inputs, parameters and outputs are in one table (`variables`), which is made from the keys of a scene. The
+//! model description (`description`) is written from the same table.
 //!
 //! # Time
 //!
-//! The generator of the simulator needs a sample at both ends of an interval, and inputs of a co-simulation are those at the
-//! start of a step. So `doStep(t, h)` takes the inputs as the truth at `t` and flies the interval that ends there: the outputs
-//! behind it belong to `time_of_solution_s` = t. Steps may have any length that the simulator takes as a sample interval. A step
-//! from a time whose sample has been taken changes nothing, if the inputs are the same.
+//! The generator of the simulator needs a sample at both ends of an interval. In a co-simulation, the inputs are given for the
+//! start of a step. So `doStep(t, h)` takes the inputs as the truth at `t` and flies the interval that ends at `t`. The outputs
+//! after the step belong to `time_of_solution_s` = t. Steps may have any length that the simulator accepts as a sample interval. A
+//! step from a time whose sample has been taken changes nothing, if the inputs are the same.
 #![deny(missing_docs, unsafe_op_in_unsafe_fn)]
 
 pub mod description;

@@ -5,9 +5,9 @@ use std::ffi::{CString, c_char, c_int, c_void};
 /// Categories of messages, which the master can switch one by one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Category {
-    /// What was refused, and why.
+    /// Refused calls, with the reason.
     Error,
-    /// What a user may want to know: a gap in the truth.
+    /// Notes for the user: a gap in the truth.
     Warning,
 }
 
@@ -29,11 +29,11 @@ impl Category {
     }
 }
 
-/// The master's function.
+/// Type of the master's function for messages.
 pub type LoggerFunction =
     unsafe extern "C" fn(*mut c_void, *const c_char, c_int, *const c_char, *const c_char, ...);
 
-/// Where messages go.
+/// Sends messages to the master.
 pub struct Logger {
     function: Option<LoggerFunction>,
     environment: *mut c_void,
@@ -43,7 +43,7 @@ pub struct Logger {
 
 impl Logger {
     /// # Safety
-    /// `function` takes `environment`, as long as this logger lives.
+    /// `function` accepts `environment` during the life of this logger.
     pub unsafe fn new(
         function: Option<LoggerFunction>,
         environment: *mut c_void,
@@ -53,7 +53,7 @@ impl Logger {
         Self { function, environment, name, is_on: [is_on; Category::ALL.len()] }
     }
 
-    /// Switches categories; all of them if none is named. `Err`: the name is none of them.
+    /// Switches categories on or off; all categories if `names` is empty. `Err` if a name is unknown.
     pub fn switch(&mut self, names: &[&str], is_on: bool) -> Result<(), String> {
         let is_known = |name: &&&str| Category::ALL.iter().all(|known| known.name() != **name);
         if let Some(unknown) = names.iter().find(is_known) {
@@ -67,14 +67,14 @@ impl Logger {
         Ok(())
     }
 
-    /// Says `text` to the master, whose status it explains.
+    /// Sends `text` to the master; the text explains `status`.
     pub fn say(&self, category: Category, status: c_int, text: &str) {
         let Some(function) = self.function else { return };
         let index = Category::ALL.iter().position(|known| *known == category);
         if !index.is_some_and(|index| self.is_on[index]) {
             return;
         }
-        // Itself a format, of no argument: not every master has the arguments.
+        // The text is itself the format and has no arguments, because not every master handles arguments.
         let text = CString::new(text.replace('%', "%%").replace('\0', " "));
         let (Ok(text), Ok(category)) = (text, CString::new(category.name())) else { return };
         // SAFETY: by the promise of `new`.

@@ -1,4 +1,4 @@
-//! The outputs: what is read of the simulator behind a step.
+//! The outputs, which are read from the simulator after a step.
 
 use sins::state::Navigation;
 use sins::{Error, ErrorSource, Simulator};
@@ -22,7 +22,7 @@ const SOLUTION: [Number; 10] = [
     ("navigation.heading_rad", "rad", 1.0, "navigated heading"),
 ];
 
-/// Errors, of which there are those of the navigation, those of the error equations, and the first nine by the covariance.
+/// Errors: all are outputs of the navigation and of the error equations, and the first nine also of the covariance.
 const ERRORS: [Number; 12] = [
     ("position_east_m", "m", 100.0, "displacement east"),
     ("position_north_m", "m", 100.0, "displacement north"),
@@ -92,7 +92,7 @@ pub fn variables() -> impl Iterator<Item = Variable> {
     numbers.chain(flags)
 }
 
-/// Puts the outputs in place: the last reals and booleans of the table. On an error nothing has changed.
+/// Writes the outputs to their places, the last reals and booleans of the table. An error changes nothing.
 pub fn read(simulator: &mut Simulator, behind_gap: bool, into: &mut Values) -> Result<(), Error> {
     let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else {
         return Ok(());

@@ -1,8 +1,7 @@
-//! The parameters: a scene, the keys of a scene beside it, and failures.
+//! The parameters: a scene, single keys of a scene, and failures.
 //!
-//! A parameter at its start value leaves what the scene says, as many tools set every parameter to its start value. So all of a
-//! scene can be set here but a key that differs in the scene from its default and should be at its default again: that is done
-//! in the scene.
+//! A parameter at its start value keeps the value of the scene, because many tools set every parameter to its start value. So a
+//! parameter cannot reset a key of the scene to its default; such a key has to be changed in the scene.
 
 use std::path::{Component, Path};
 
@@ -11,11 +10,11 @@ use sins::scene::{KeyKind, KeyLine, MAX_TEXT, Scene, builtin, keys};
 use crate::values::{Value, Values};
 use crate::variables::{Role, Table, Variable, table};
 
-/// Sections that are parameters, and those whose parameters may change in flight.
+/// Sections that are parameters, and sections whose parameters may change in flight.
 const SECTIONS: [&str; 7] = ["options", "gyro", "accelerometer", "altimeter", "start", "mounting", "gravity"];
 const TUNABLE: [&str; 3] = ["gyro", "accelerometer", "altimeter"];
 
-/// The section of failures, and how many of them there are as parameters.
+/// The section of failures, and the number of failures that are parameters.
 const FAILURE: &str = "failure";
 pub const FAILURES: usize = 8;
 
@@ -23,7 +22,7 @@ const SCENE_FILE: &str = "scene_file";
 const SCENE_TEXT: &str = "scene_text";
 const SCENE_BUILTIN: &str = "scene_builtin";
 
-/// The flight of every scene here, as the name of a log.
+/// Name of a log that replaces the flight of every scene.
 const FLIGHT: &str = "inputs";
 
 /// The parameters as variables.
@@ -58,7 +57,7 @@ fn of_key(key: &KeyLine, path: &str, role: Role, numbers: &[f64], word: &str) ->
         KeyKind::Numbers(count) => (0..count)
             .map(|index| {
                 let name = format!("{path}{}", subscript(count, index));
-                // Of a key that has no default there is nothing to state.
+                // A key without a default has the start value 0.
                 let start = numbers.get(index).copied().filter(|number| number.is_finite()).unwrap_or(0.0);
                 let variable =
                     Variable::new(name, role, Value::Real(start), doc).in_unit(key.unit, key.unit_si);
@@ -78,14 +77,14 @@ fn of_key(key: &KeyLine, path: &str, role: Role, numbers: &[f64], word: &str) ->
     }
 }
 
-/// The limits that FMI can state: its start value is within them.
+/// Limits for the model description; `None` if the start value is not within them, which FMI does not allow.
 fn limits(key: &KeyLine, start: f64) -> Option<(f64, f64)> {
     let limits = key.limits?;
     let low = if limits.zero_is_off { limits.low.min(0.0) } else { limits.low };
     (low..=limits.high).contains(&start).then_some((low, limits.high))
 }
 
-/// Behind the name of an element: FMI counts from 1, matrices by row and column.
+/// Indices after the name of an element: FMI counts from 1, and matrices have row and column.
 fn subscript(count: usize, index: usize) -> String {
     match count {
         1 => String::new(),
@@ -94,7 +93,7 @@ fn subscript(count: usize, index: usize) -> String {
     }
 }
 
-/// The parameters that are not at their start value, as text of a scene.
+/// Parameters that are not at their start value, for the text of a scene.
 struct Changed<'v> {
     table: &'v Table,
     values: &'v Values,
@@ -107,7 +106,7 @@ impl<'v> Changed<'v> {
         Some((variable, self.values.get(variable.start.base(), place)?))
     }
 
-    /// The same, if it is not at its start.
+    /// The variable of this name and its value, if the value is not the start value.
     fn value(&self, name: &str) -> Option<(&'v Variable, Value)> {
         self.any(name).filter(|(variable, value)| *value != variable.start)
     }
@@ -119,7 +118,7 @@ impl<'v> Changed<'v> {
         }
     }
 
-    /// A key's value in TOML; elements that are at their start are those of `numbers`.
+    /// Value of a key in TOML. Elements at their start value are taken from `numbers`.
     fn of_key(&self, key: &KeyLine, path: &str, numbers: &[f64]) -> Option<String> {
         let KeyKind::Numbers(count) = key.kind else {
             return self.value(path).map(|(variable, value)| toml(variable, &value));
@@ -140,7 +139,7 @@ impl<'v> Changed<'v> {
         Some(if count == 1 { elements.concat() } else { format!("[{}]", elements.join(", ")) })
     }
 
-    /// A failure as a part of a scene; empty: there is none.
+    /// A failure as a part of a scene; empty if there is none.
     fn failure(&self, slot: usize) -> String {
         let path = |name: &str| format!("{FAILURE}[{slot}].{name}");
         if self.value(&path("kind")).is_none() {
@@ -165,7 +164,7 @@ impl<'v> Changed<'v> {
     }
 }
 
-/// A value in TOML. A number that no word of an enumeration has stays a number, which the scene refuses.
+/// A value in TOML. An integer without a word of its enumeration stays a number, which the scene refuses.
 fn toml(variable: &Variable, value: &Value) -> String {
     match value {
         Value::Real(number) => format!("{number:?}"),
@@ -179,7 +178,7 @@ fn toml(variable: &Variable, value: &Value) -> String {
     }
 }
 
-/// The scene that the parameters call for, with the unit's folder of resources.
+/// The scene that the parameters define; `resources` is the unit's folder of resources.
 pub fn scene(values: &Values, resources: Option<&Path>) -> Result<Scene, String> {
     let changed = Changed { table: &table(), values };
     let mut text = scene_text(&changed, resources)?;
@@ -197,12 +196,12 @@ pub fn scene(values: &Values, resources: Option<&Path>) -> Result<Scene, String>
         })
         .collect();
     let mut scene = parse(&text, &settings)?;
-    // Samples come at the master's pace.
+    // The master gives the samples, so the scene has no flight of its own.
     scene.flight = sins::scene::FlightSource::Log(FLIGHT.to_owned());
     Ok(scene)
 }
 
-/// The text of the scene, whichever way it is given.
+/// The text of the scene, from the parameter that gives it.
 fn scene_text(changed: &Changed<'_>, resources: Option<&Path>) -> Result<String, String> {
     let given = [SCENE_FILE, SCENE_TEXT, SCENE_BUILTIN].map(|name| changed.text(name));
     match given {
@@ -233,7 +232,7 @@ fn read(file: &str, resources: Option<&Path>) -> Result<String, String> {
     std::fs::read_to_string(&path).map_err(|error| refused(&error))
 }
 
-/// Parses a scene, which need not have a flight; on faults a sentence with the first of them and their number.
+/// Parses a scene, which need not have a flight. `Err` is a sentence with the first fault and the number of faults.
 fn parse(text: &str, settings: &[(String, String)]) -> Result<Scene, String> {
     let mut settings: Vec<(&str, &str)> =
         settings.iter().map(|(path, value)| (path.as_str(), value.as_str())).collect();

@@ -1,4 +1,4 @@
-//! The state of an instance as bytes: from one machine to another too.
+//! The state of an instance as bytes, which other machines can load too.
 
 use std::path::PathBuf;
 
@@ -7,7 +7,7 @@ use crate::instance::{Flight, Instance, Phase};
 use crate::values::Values;
 use crate::variables::{Role, table};
 
-/// What a state begins with.
+/// Mark at the beginning of a state.
 const MARK: &[u8; 8] = b"SINSFMU1";
 
 const PHASES: [Phase; 4] = [Phase::Instantiated, Phase::Initializing, Phase::Stepping, Phase::Terminated];
@@ -44,12 +44,12 @@ pub fn save(instance: &Instance) -> Result<Vec<u8>, String> {
     Ok(to)
 }
 
-/// The instance of a state; its scene is made anew where its parameters are not those of `now`.
+/// The instance of a state. Its scene is made anew if its parameters differ from the parameters of `now`.
 pub fn load(state: &[u8], now: &Instance) -> Result<Instance, String> {
     read(state, now.resources.clone(), now).ok_or("no state of this unit, or a damaged one")?
 }
 
-/// `None`: it ends too early, or is none.
+/// Reads an instance; `None` if `state` ends too early or is no state.
 fn read(state: &[u8], resources: Option<PathBuf>, now: &Instance) -> Option<Result<Instance, String>> {
     let mut from = Reader { rest: state.strip_prefix(MARK)? };
     let mut instance = Instance::new(resources);
@@ -117,7 +117,7 @@ fn have_same_parameters(one: &Values, other: &Values) -> bool {
     })
 }
 
-/// What is left to read.
+/// The bytes that are still to be read.
 struct Reader<'s> {
     rest: &'s [u8],
 }

@@ -8,13 +8,13 @@ use crate::instance::Refused;
 use crate::interface::{Component, Outcome, elements, elements_mut, fmi2OK, fmi2Status, on};
 use crate::saved;
 
-/// A state that was got: its bytes.
+/// A state that the master holds: its bytes.
 pub type State = Vec<u8>;
 
-/// Puts `bytes` in the place of an earlier state, or hands a state out.
+/// Replaces an earlier state by `bytes`, or returns a new state.
 ///
 /// # Safety
-/// `state` is null or a state.
+/// `state` is null or a state that was not freed.
 unsafe fn hand_out(state: &mut *mut State, bytes: State) -> Outcome {
     // SAFETY: the caller's promise.
     match unsafe { state.as_mut() } {

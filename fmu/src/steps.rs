@@ -1,4 +1,4 @@
-//! The function of FMI that flies a step, those that ask about it, and those that this unit has no use for.
+//! The function of FMI that flies a step, the functions that query its status, and the functions that this unit does not support.
 #![allow(non_snake_case, missing_docs, reason = "the names are the standard's, which has the documentation")]
 #![allow(clippy::missing_safety_doc, reason = "the rules of pointers stand once, in `interface`")]
 
@@ -30,7 +30,7 @@ pub unsafe extern "C" fn fmi2DoStep(
     }
 }
 
-/// A call that this unit has no use for.
+/// Refuses a call that this unit does not support.
 unsafe fn without(component: *mut Component, function: &str, why: &str) -> fmi2Status {
     unsafe { on(component, function, |_| Err(Refused::error(why))) }
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-/// The folder of a URI: "file:///home/a%20b", "file:/C:/resources", "file://server/share" of Windows. Other schemes: none.
+/// The folder of a URI: "file:///home/a%20b", "file:/C:/resources", "file://server/share" of Windows. `None` for other schemes.
 pub fn folder(uri: &str) -> Option<PathBuf> {
     let path = percent_encoding::percent_decode_str(uri.strip_prefix("file:")?).decode_utf8().ok()?;
     let path = match path.strip_prefix("//") {

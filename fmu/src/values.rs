@@ -1,4 +1,4 @@
-//! Values of variables, each base type of FMI in a row of its own; a value reference is a place in its row.
+//! Values of variables in one row for each base type of FMI. A value reference is a place in the row of its type.
 
 /// The four base types. Enumerations are integers, from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,7 +39,7 @@ pub struct Values {
 }
 
 impl Values {
-    /// Appends a value; gives its place in its row.
+    /// Appends a value; returns its place in its row.
     pub fn push(&mut self, value: Value) -> usize {
         fn push<T>(row: &mut Vec<T>, value: T) -> usize {
             row.push(value);
@@ -63,7 +63,7 @@ impl Values {
         }
     }
 
-    /// Puts a value at a place of its row; `None`: there is no such place.
+    /// Sets the value at a place of its row; `None` if there is no such place.
     pub fn set(&mut self, place: usize, value: Value) -> Option<()> {
         fn put<T>(row: &mut [T], place: usize, value: T) -> Option<()> {
             *row.get_mut(place)? = value;

@@ -6,14 +6,14 @@ use std::sync::{Arc, Mutex, PoisonError, Weak};
 use crate::values::{Base, Value, Values};
 use crate::{description, inputs, outputs, parameters};
 
-/// What a variable is for.
+/// Role of a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// Set by the master before each step.
     Input,
-    /// Set before the initialization ends.
+    /// A parameter that is set before the initialization ends.
     Fixed,
-    /// A parameter that may change in flight too.
+    /// A parameter that may also change in flight.
     Tunable,
     /// Read after each step.
     Output,
@@ -24,16 +24,16 @@ pub enum Role {
 pub struct Variable {
     pub name: String,
     pub role: Role,
-    /// Its value before it is set. Of outputs: before the first step.
+    /// Value before it is set; of an output, before the first step.
     pub start: Value,
     /// The words of an enumeration.
     pub words: Option<&'static [&'static str]>,
     pub unit: &'static str,
-    /// SI units in one of it.
+    /// Size of the unit in the SI unit.
     pub unit_si: f64,
-    /// A usual size; 1 where there is none.
+    /// Usual size; 1 if it has none.
     pub nominal: f64,
-    /// Least and largest number, in its unit.
+    /// Smallest and largest number, in the unit of the variable.
     pub limits: Option<(f64, f64)>,
     pub doc: String,
 }
@@ -65,13 +65,13 @@ impl Variable {
 pub struct Table {
     pub variables: Vec<(Variable, usize)>,
     pub start: Values,
-    /// The unit's identity.
+    /// Identity of the unit.
     pub guid: String,
     by_name: BTreeMap<String, usize>,
 }
 
-/// The table of this model. It lives as long as somebody holds it, an instance above all: a static one would be left behind
-/// each time that a master unloads the unit.
+/// The table of this model. It exists while it is in use, mainly by an instance. A static table would leak memory each time a
+/// master unloads the unit.
 pub fn table() -> Arc<Table> {
     static SHARED: Mutex<Weak<Table>> = Mutex::new(Weak::new());
     let mut shared = SHARED.lock().unwrap_or_else(PoisonError::into_inner);

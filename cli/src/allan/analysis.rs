@@ -11,8 +11,8 @@ use crate::progress::Progress;
 /// Confidence of all intervals.
 pub const CONFIDENCE: f64 = 0.95;
 
-/// The fit does not explain a deviation if chance alone would make the difference once in ten thousand times, and if the ratio of the
-/// two is large enough to be seen in the curve.
+/// The fit does not explain a deviation if both conditions hold: chance alone makes such a difference once in ten thousand cases,
+/// and the ratio of deviation and fit is large enough to be seen in the curve.
 const CERTAIN: f64 = 0.9999;
 const VISIBLE: f64 = 1.05;
 
@@ -37,13 +37,13 @@ pub struct Coefficient {
 }
 
 impl Coefficient {
-    /// Whether the record shows that it is not zero.
+    /// Whether the record shows that the coefficient is not zero.
     pub fn is_resolved(&self) -> bool {
         self.interval.low > 0.0 && !self.is_at_bound()
     }
 
-    /// Whether the estimate is the upper end of its own interval, and the lower end is far below it. It is then a remainder of the
-    /// constraint of the fit, not a finding. A short interval may end at the estimate too: that term is a finding.
+    /// Whether the estimate is the upper end of its own interval and the lower end is far below. Such an estimate results from the
+    /// constraint of the fit and is not a finding. An estimate at the upper end of a short interval is a finding.
     pub fn is_at_bound(&self) -> bool {
         let Interval { low, high } = self.interval;
         self.value > 0.0 && self.value >= high && low < 0.5 * self.value
@@ -87,7 +87,8 @@ impl Analysis {
         Ok(Self { name, sensor, estimates, coefficients, fit: found.fit })
     }
 
-    /// The deviation that the fit explains worst, if it does not explain it: the record has something else than the five terms.
+    /// Among the deviations that the fit does not explain, the one with the largest ratio to the fit. If there is one, the record
+    /// contains more than the five terms.
     pub fn unexplained(&self) -> Option<&Estimate> {
         let ratio = |estimate: &&Estimate| (estimate.deviation / estimate.fitted).ln().abs();
         let missed = self.estimates.iter().filter(|estimate| {
@@ -118,7 +119,8 @@ fn root(interval: Interval) -> Interval {
 pub mod tests {
     use super::*;
 
-    /// Noise enough for drawings: a sum of uniform numbers of a linear congruential generator, and a sinusoid.
+    /// A log of noise and a sinusoid. The noise is good enough for drawings: sums of uniform numbers of a linear congruential
+    /// generator.
     pub fn made(count: usize, sinusoid: f64) -> Log {
         let mut state = 1_u64;
         let mut uniform = move || {

@@ -40,7 +40,7 @@ pub struct Order {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
     pub name: String,
-    /// Its unit, if the name does not end with one.
+    /// Unit of the column, if the name does not end with one.
     pub unit: Option<String>,
 }
 

@@ -18,19 +18,18 @@ const HEIGHT: f64 = 300.0;
 const ROOM_BELOW: f64 = 0.2;
 const ROOM_ABOVE: f64 = 0.04;
 
-/// An asymptote is drawn where its term is more than this part of the fitted deviation.
+/// Smallest part of the fitted deviation that a term has where its asymptote is drawn.
 const SHARE: f64 = 0.3;
 
-/// Points of a smooth line.
+/// Number of intervals of a smooth line.
 const SMOOTH: usize = 100;
 
-/// From the middle of a label to the line that it stands below, the room it needs there, and the width of a letter [drawing
-/// units].
+/// Distance from the middle of a label up to its line, room below the line for the label, and width of a letter [drawing units].
 const BELOW: f64 = 13.0;
 const LABEL: f64 = 24.0;
 const LETTER: f64 = 8.0;
 
-/// What the lines are.
+/// Legend of the lines.
 pub fn legend() -> Legend {
     let entry = |pen, text: &str| (pen, text.to_owned());
     vec![
@@ -41,7 +40,7 @@ pub fn legend() -> Legend {
     ]
 }
 
-/// The drawing.
+/// The drawing of one column.
 pub fn drawing(analysis: &Analysis) -> Drawing {
     let unit = sheet::deviation(analysis.sensor);
     let measured = curve(analysis, |estimate| estimate.deviation);
@@ -79,7 +78,7 @@ fn places((left, right): (f64, f64)) -> impl Iterator<Item = f64> {
     (0..=SMOOTH).map(move |k| left + (right - left) * k as f64 / SMOOTH as f64)
 }
 
-/// The line of one term, where it matters and above `bottom`.
+/// The line of one term, where the term matters and the line is above `bottom`.
 fn asymptote(analysis: &Analysis, coefficient: &Coefficient, ends: (f64, f64), bottom: f64) -> Points {
     let unit = sheet::deviation(analysis.sensor);
     let at = |place: f64| {
@@ -91,7 +90,8 @@ fn asymptote(analysis: &Analysis, coefficient: &Coefficient, ends: (f64, f64), b
     places(ends).filter_map(at).collect()
 }
 
-/// The value, where the term makes most of the deviation or else at the low end of its line, on the empty side of that.
+/// Label with the value of a term, on the empty side of its line. Its place is where the term makes most of the deviation,
+/// otherwise the low end of the line.
 fn label(
     analysis: &Analysis,
     coefficient: &Coefficient,

@@ -11,7 +11,7 @@ use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
 use crate::drawing::plot::{FINE, WIDTH};
 use crate::failure::Failure;
 
-/// Curves side by side in a picture.
+/// Largest number of curves side by side in a picture.
 const ACROSS: usize = 3;
 
 /// Height of a line of text [drawing units].

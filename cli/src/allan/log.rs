@@ -13,7 +13,7 @@ use crate::given::open;
 use crate::progress::Progress;
 use crate::table::Table;
 
-/// A step between stamps may differ from the usual step by less than this part of it; a gap differs by a whole step or more.
+/// Limit of the difference between a step and the usual step, as a part of the usual step. A gap differs by a whole step or more.
 const JITTER: f64 = 0.5;
 
 /// A column.
@@ -106,7 +106,7 @@ fn interval(
     Ok(if rate_hz.is_some() { usual } else { mean })
 }
 
-/// The mean step without gaps. Not the median: stamps with few digits have steps of two lengths, and it is one of them.
+/// The mean step without gaps. Not the median: stamps with few digits have steps of two lengths, and the median is one of the two.
 fn usual(steps: &[f64]) -> f64 {
     let mut sorted = steps.to_vec();
     let middle = sorted.len() / 2;
@@ -124,7 +124,7 @@ pub mod tests {
         Order { log, output, points: None, rate_hz, columns: Vec::new(), force: false }
     }
 
-    /// A log with the rows `time(k)`, k.
+    /// Reads a log with the rows `time(k)`, k.
     fn read(header: &str, rate_hz: Option<f64>, time: impl Fn(u32) -> String) -> Result<Log, String> {
         let rows: Vec<String> = (0..60).map(|k| format!("{},{k}\n", time(k))).collect();
         let text = format!("{header}\n{}", rows.concat());

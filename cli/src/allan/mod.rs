@@ -1,7 +1,7 @@
 //! The Allan deviation of an IMU log, and the noises that explain it.
 //!
 //! The data flow is `command` → `quantity`, `log` → `analysis` → `diagram`, `document`, `table`, `records`. `sheet` has the units
-//! of data sheets. The estimator is that of the library, [`sins::allan`].
+//! of data sheets. The library has the estimator, [`sins::allan`].
 
 mod analysis;
 mod command;

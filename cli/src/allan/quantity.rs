@@ -1,11 +1,11 @@
-//! What a column holds, by the end of its name.
+//! Quantity of a column, from the end of its name.
 
 use sins::units::{ARCSEC, DEG, DEG_PER_HOUR, MICRO_G, STANDARD_GRAVITY};
 
 use super::command::Wanted;
 use crate::failure::Failure;
 
-/// Which sensor a column is of.
+/// Sensor of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sensor {
     Gyro,
@@ -19,7 +19,7 @@ pub struct Quantity {
     pub sensor: Sensor,
     /// Angle or velocity over an interval, not their rate.
     pub is_increment: bool,
-    /// The unit in rad/s, m/s², rad or m/s.
+    /// Size of the unit in rad/s, m/s², rad or m/s.
     pub si: f64,
 }
 
@@ -45,17 +45,17 @@ const QUANTITIES: [Quantity; 11] = [
     increment("m_s", Sensor::Accelerometer, 1.0),
 ];
 
-/// Words in the name of a column of increments: latitude_rad is none.
+/// Words that mark the name of a column of increments. Other columns, such as latitude_rad, have none of them.
 const INCREMENT_WORDS: [&str; 2] = ["increment", "delta"];
 
-/// Most columns that are analysed.
+/// Largest number of columns that are analysed.
 const MOST: usize = 6;
 
-/// Units of the stamps and their seconds.
+/// Names of the columns of time stamps, and their units [s].
 pub const TIMES: [(&str, f64); 4] =
     [("time_s", 1.0), ("time_ms", 1e-3), ("time_us", 1e-6), ("time_ns", 1e-9)];
 
-/// Of the unit that ends `name` behind an underline.
+/// Quantity with the unit at the end of `name`, after an underscore.
 fn by_name(name: &str) -> Option<Quantity> {
     QUANTITIES
         .into_iter()
@@ -63,7 +63,7 @@ fn by_name(name: &str) -> Option<Quantity> {
         .max_by_key(|quantity| quantity.unit.len())
 }
 
-/// The columns to analyse of those in the header `names`.
+/// Columns of the header `names` that are analysed.
 pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quantity)>, Failure> {
     let chosen = if wanted.is_empty() {
         let is_sensor = |name: &str, quantity: &Quantity| {

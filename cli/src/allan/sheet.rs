@@ -1,4 +1,4 @@
-//! The units of data sheets, and those of SI.
+//! Units of data sheets, and SI units.
 
 use sins::allan::Term;
 use sins::units::{ARCSEC, DEG_PER_HOUR, DEG_PER_SQRT_HOUR};
@@ -34,7 +34,7 @@ pub fn coefficient(sensor: Sensor, term: Term) -> Unit {
     }
 }
 
-/// The other unit of data sheets for random walks.
+/// Second unit of random walks in data sheets: a density.
 pub fn density(sensor: Sensor) -> Unit {
     match sensor {
         Sensor::Gyro => unit("°/h/√Hz", DEG_PER_HOUR),

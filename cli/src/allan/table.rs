@@ -7,7 +7,7 @@ use super::log::Log;
 use super::sheet;
 use crate::units::{Unit, in_unit, significant, time_text};
 
-/// Value and interval in `unit`, or its upper limit.
+/// Value and interval in `unit`; for a coefficient that is not resolved, the upper limit.
 pub fn value(coefficient: &Coefficient, unit: Unit) -> String {
     let [value, low, high] = [coefficient.value, coefficient.interval.low, coefficient.interval.high]
         .map(|value| significant(value / unit.si));
@@ -25,7 +25,7 @@ pub fn on_sheet(analysis: &Analysis, coefficient: &Coefficient) -> String {
     value(coefficient, sheet::coefficient(analysis.sensor, coefficient.term))
 }
 
-/// Random walk in its other unit.
+/// Density of a resolved random walk, the second unit of data sheets.
 pub fn density(analysis: &Analysis, coefficient: &Coefficient) -> Option<String> {
     let is_quoted = coefficient.term == Term::RandomWalk && coefficient.is_resolved();
     is_quoted.then(|| in_unit(coefficient.value, sheet::density(analysis.sensor)))
@@ -85,7 +85,7 @@ mod tests {
         assert!(text.contains("N angle random walk        0.034") && text.contains("°/h/√Hz"), "{text}");
     }
 
-    /// A fit under the constraint that nothing is negative leaves some coefficients on an end of their interval.
+    /// A fit that allows no negative coefficients leaves some coefficients on an end of their interval.
     #[test]
     fn an_estimate_on_its_own_bound_is_no_finding() {
         use sins::allan::Interval;

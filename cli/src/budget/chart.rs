@@ -11,8 +11,8 @@ use crate::drawing::plot::FINE;
 use crate::drawing::series::positive_range;
 use crate::units::{ANGLE, Family, LENGTH, SPEED, short};
 
-/// Room for the names, width of a panel and of the value behind its longest bar, height of a line and of its bar, of the
-/// panels' titles and of the ticks below [drawing units].
+/// Widths of the names, of a panel and of the value after its longest bar; heights of a line, of its bar, of the panels' titles and
+/// of the ticks below [drawing units].
 const NAMES: f64 = 222.0;
 const PANEL: f64 = 215.0;
 const VALUE: f64 = 95.0;
@@ -24,7 +24,7 @@ const TICKS: f64 = 26.0;
 /// Width of the chart.
 pub const WIDTH: f64 = NAMES + 3.0 * (PANEL + VALUE);
 
-/// Decades that a panel shows at the most.
+/// Largest number of decades that a panel shows.
 const DECADES: f64 = 9.0;
 
 /// Title, part of an error, units.
@@ -125,7 +125,7 @@ fn bar(line: &Line, width: f64, left: f64, k: usize) -> Markup {
 fn axis(values: impl Iterator<Item = f64>) -> Axis {
     let (low, high) = positive_range(values);
     let (low, high) = (low.log10(), high.log10());
-    // Half a decade for the smallest to have a bar at all.
+    // Half a decade is added so that the smallest value has a bar.
     Axis::decades((low - 0.5).max(high - DECADES), high.max(low + 1.0), 5)
 }
 

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::given::Settings;
 use crate::limits::LimitArguments;
 
-/// How a log is flown that comes without a scene: the recommended simulator with sensors of navigation grade.
+/// Scene of a log that has no scene: the recommended simulator with sensors of navigation grade.
 pub const FOR_LOGS: &str = "\
 [flight]
 file = \"log\"
@@ -50,7 +50,7 @@ pub struct Order {
 }
 
 impl Order {
-    /// What is asked of each scene.
+    /// Request for each scene.
     pub fn request(&self) -> Result<BudgetRequest, Failure> {
         if !(0.001..=1000.0).contains(&self.hours) {
             return Err(Failure::new(format!("--hours {}: expected 0.001 to 1000", self.hours)));

@@ -24,7 +24,7 @@ fn title(survey: &Survey) -> String {
     format!("{}: {}", survey.name, survey.title)
 }
 
-/// The page.
+/// The page with the charts and tables of all scenes.
 pub fn page(surveys: &[Survey]) -> String {
     let body = html! {
         header {
@@ -130,7 +130,7 @@ mod tests {
         }
     }
 
-    /// Clocks are noisy: what a step takes less without an effect may come out negative.
+    /// Clocks are noisy: the measured cost of an effect may be negative.
     #[test]
     fn a_cost_that_the_clock_cannot_tell_is_below_noise() {
         let mut survey = made();

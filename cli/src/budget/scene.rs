@@ -1,4 +1,4 @@
-//! What is flown, sample by sample: a scene without its failures, or the first part of it.
+//! Samples of a budget: a scene, or its first part, without its failures.
 
 use sins::truth::FlightSample;
 use sins::{Error, ErrorParameters, Options};
@@ -13,13 +13,13 @@ pub struct Scene {
     pub options: Options,
     pub parameters: ErrorParameters,
     pub count: usize,
-    /// Time between two samples, of a log on average [s].
+    /// Time between two samples; for a log, the mean [s].
     pub period_s: f64,
     given: Given,
 }
 
 impl Scene {
-    /// At the most `most_s` [s] of `given`.
+    /// The first `most_s` [s] of `given`, or all of `given` if it is shorter.
     pub fn new(given: Given, most_s: f64) -> Self {
         let most = (most_s / given.period_s).round() as usize + 1;
         let count = given.count.min(most.max(2));
@@ -52,7 +52,7 @@ impl Scene {
         Ok(sample)
     }
 
-    /// Where a refused sample stands.
+    /// Place of a refused sample; without an index, the origin of the scene.
     pub fn place(&self, index: Option<usize>) -> String {
         index.map_or_else(|| self.given.origin.clone(), |index| self.given.place(index))
     }

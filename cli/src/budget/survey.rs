@@ -9,10 +9,10 @@ use crate::parallel::in_parallel;
 use crate::progress::Progress;
 use crate::terminal::say;
 
-/// Steps between two looks at the progress.
+/// Number of steps between two updates of the progress.
 const PROGRESS_STEPS: usize = 1024;
 
-/// Flights of a budget, but for those that find effects which do not add up ([`error_budget`]).
+/// Number of flights of a budget, except for the flights that find effects which do not add up ([`error_budget`]).
 fn flights(scene: &Scene, request: &BudgetRequest) -> usize {
     let count =
         |is_random| Effect::set_in(&scene.parameters).filter(|effect| effect.is_random == is_random).count();
@@ -30,14 +30,14 @@ pub struct Survey {
     pub costs: Costs,
 }
 
-/// What a line of chart and table is of.
+/// Kind of a line of chart and table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     Deterministic,
     Random,
-    /// The mechanization's.
+    /// Error of the mechanization.
     Own,
-    /// Of all together, or what is left of them.
+    /// Error of all effects together, or the part of it that the sum of the effects does not explain.
     Together,
 }
 
@@ -48,15 +48,15 @@ pub struct Line {
     pub field: &'static str,
     pub kind: Kind,
     pub worst: SolutionError,
-    /// At the end of the scene, where it is known.
+    /// Error at the end of the scene, if it is known.
     pub end: Option<SolutionError>,
     pub can_be_left_out: bool,
-    /// What leaving it out saves, or a step takes with nothing set, or with all [ns].
+    /// Time that a step saves without the effect; for other lines, time of a step with no effect or with all effects [ns].
     pub cost_ns: Option<f64>,
 }
 
 impl Survey {
-    /// The budgets of all, on all cores; then the times of their steps, one after the other.
+    /// Computes the budgets of all scenes on all cores, then measures the times of their steps, one scene after the other.
     pub fn of_all(scenes: &[Scene], request: &BudgetRequest) -> Result<Vec<Self>, Failure> {
         scenes.iter().for_each(|scene| say(&format!("{}: {}", scene.name, scene.title)));
         let steps = scenes.iter().map(|scene| flights(scene, request) * scene.count).sum();
@@ -91,7 +91,7 @@ impl Survey {
         Ok(Self { name, title, request: *request, budget, costs })
     }
 
-    /// The effects, the largest first, the mechanization's own, what is left unexplained, and all together.
+    /// Lines of the effects (the largest first), of the mechanization, of the unexplained remainder, and of all effects together.
     pub fn lines(&self) -> Vec<Line> {
         let Budget { own, rows, total, remainder, .. } = &self.budget;
         let effects = rows.iter().zip(&self.costs.saved_ns).map(|(row, saved_ns)| Line {

@@ -3,7 +3,7 @@
 use super::survey::{Kind, Line, Survey};
 use crate::units::{ANGLE, Family, LENGTH, SPEED, Unit, brief_parts, short, time_text, usual};
 
-/// Costs are uncertain by so much of a step: less is noise, and may be negative.
+/// Uncertainty of a cost, as a part of the time of a step. A smaller cost is noise and may be negative.
 const NOISE: f64 = 0.01;
 
 /// A table for each scene.
@@ -27,7 +27,7 @@ fn table(survey: &Survey) -> String {
     text + "\n" + &remark(survey) + "\n"
 }
 
-/// One unit for each column, that of its largest value: rows are to be compared.
+/// One unit for each column, chosen for its largest value, so that rows can be compared.
 pub struct Columns {
     units: [Unit; 3],
     step_ns: f64,
@@ -71,7 +71,7 @@ impl Columns {
     }
 }
 
-/// What a line is.
+/// Kind of a line in words.
 pub fn kind(line: &Line) -> &'static str {
     match (line.kind, line.can_be_left_out) {
         (Kind::Random, false) => "1σ",

@@ -4,24 +4,24 @@ use sins::Options;
 use sins::mechanization::{Frame, Scheme};
 use sins::recommend::Rung;
 
-/// Subsamples of each scheme. More than two leave the paper's error as it is, or add 2 % to it.
+/// Numbers of subsamples of each scheme. With more than two, the error of the paper's scheme stays the same or grows by 2 %.
 const SCHEMES: [(Scheme, std::ops::RangeInclusive<usize>); 3] =
     [(Scheme::Paper, 1..=2), (Scheme::Exact, 1..=5), (Scheme::Polynomial, 1..=5)];
 
-/// Of all rungs with 2 or 4 updates in a sample those that reached a Pareto front, each on one scene.
+/// Rungs with several updates in a sample. Of all rungs with 2 or 4 updates, only these reached a Pareto front, each on one scene.
 const SEVERAL_UPDATES: [Rung; 2] = [
     Rung { scheme: Scheme::Exact, subsamples: 2, updates_per_sample: 2 },
     Rung { scheme: Scheme::Polynomial, subsamples: 4, updates_per_sample: 2 },
 ];
 
-/// How the mechanization is set.
+/// Configuration of the mechanization.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Configuration {
     pub rung: Rung,
     pub frame: Frame,
 }
 
-/// The word of a scheme, as scenes have it.
+/// Name of a scheme, as in the text of a scene.
 pub fn scheme_name(scheme: Scheme) -> &'static str {
     match scheme {
         Scheme::Paper => "paper",
@@ -31,19 +31,19 @@ pub fn scheme_name(scheme: Scheme) -> &'static str {
 }
 
 impl Configuration {
-    /// The paper's own.
+    /// Configuration of the paper.
     pub const PAPER: Self = Self {
         rung: Rung { scheme: Scheme::Paper, subsamples: 2, updates_per_sample: 1 },
         frame: Frame::Geographic,
     };
 
-    /// That of `options`.
+    /// Configuration of `options`.
     pub fn of(options: &Options) -> Self {
         let Options { scheme, subsamples, updates_per_sample, frame, .. } = *options;
         Self { rung: Rung { scheme, subsamples, updates_per_sample }, frame }
     }
 
-    /// Those of the matrix, by frame, scheme and subsamples; those with several updates last.
+    /// Configurations of the matrix, ordered by frame, scheme and subsamples. Configurations with several updates are last.
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         for frame in [Frame::EarthFixed, Frame::Geographic] {
@@ -57,12 +57,13 @@ impl Configuration {
         all
     }
 
-    /// Whether it is one of the family that a user chooses from: what the library itself is made of, where no pole disturbs.
+    /// Whether the configuration is of the family that a user chooses from: the library's own schemes, in axes that are not
+    /// singular at a pole.
     pub fn is_default_family(&self) -> bool {
         self.frame == Frame::EarthFixed && self.rung.scheme != Scheme::Paper
     }
 
-    /// `base` with this scheme and these axes.
+    /// `base` with the scheme and the axes of this configuration.
     pub fn options(&self, base: &Options) -> Options {
         self.rung.applied_to(&Options { frame: self.frame, ..*base })
     }
@@ -78,7 +79,7 @@ impl Configuration {
         }
     }
 
-    /// Scheme and subsamples; the axes where they are not the default, the updates where there are several.
+    /// Scheme and number of subsamples; also the axes if they are not the default, and the updates if there are several.
     pub fn name(&self) -> String {
         let mut name = format!("{} {}", self.scheme_name(), self.rung.subsamples);
         if self.rung.updates_per_sample > 1 {

@@ -1,5 +1,5 @@
-//! Work and precision of a scene: cost over accuracy, which grows to the right, so that right of the line of what sensors err
-//! accuracy is wasted.
+//! Work-precision diagram of a scene: cost over accuracy. Accuracy increases to the right. Right of the line of the sensor errors,
+//! more accuracy is of no use.
 
 use maud::{PreEscaped, html};
 use sins::Options;
@@ -22,7 +22,7 @@ use crate::units::time_text;
 const WIDTH: f64 = 860.0;
 const HEIGHT: f64 = 420.0;
 
-/// Nanoseconds to the unit of the axis.
+/// Factor from nanoseconds to the unit of the axis.
 const MICRO: f64 = 1e-3;
 
 /// Radii of dots in Earth-fixed and in geographic axes, with several updates, and of the rings [drawing units].
@@ -31,7 +31,7 @@ const SMALL: f64 = 2.6;
 const WIDE: f64 = 10.0;
 const RING: f64 = 8.5;
 
-/// Where the rates stand at the rings of the default and of the paper's [drawing units].
+/// Shifts of the texts of the rates from the rings of the default and of the paper's configuration [drawing units].
 const BELOW: (f64, f64) = (16.0, 9.0);
 const ABOVE: (f64, f64) = (-16.0, -9.0);
 
@@ -43,7 +43,7 @@ const HOW_TO_READ: [&str; 2] = [
     "Numbers in dots: subsamples, × updates in a sample. At rings: samples a second.",
 ];
 
-/// The file.
+/// SVG file of the diagram.
 pub fn diagram(survey: &Survey) -> Result<String, Failure> {
     let title = format!("{}: {}, {}", survey.name, survey.title, time_text(survey.duration_s));
     let drawing = drawing(survey);
@@ -114,7 +114,7 @@ fn drawing(survey: &Survey) -> Drawing {
     }
 }
 
-/// Powers of ten that fall to the right; positions are negative logarithms.
+/// Axis of powers of ten that decrease to the right; positions are negative logarithms.
 fn accuracy((low, high): (f64, f64)) -> Axis {
     let rising = Axis::decades(low.log10() - 0.4, high.log10() + 0.4, 20);
     let ticks = rising.ticks.into_iter().rev().map(|(at, text)| (-at, text)).collect();
@@ -125,7 +125,7 @@ fn place(measured: &Measured) -> (f64, f64) {
     (-measured.position_m().log10(), (measured.cost_ns * MICRO).log10())
 }
 
-/// Lines from rate to rate in Earth-fixed axes, and the front over them.
+/// Lines that join the rates of each configuration in Earth-fixed axes, and the front, drawn over the lines.
 fn traces(survey: &Survey) -> Vec<Trace> {
     let earth_fixed = Configuration::all().into_iter().filter(|which| which.frame == Frame::EarthFixed);
     let mut traces: Vec<Trace> = earth_fixed
@@ -138,7 +138,7 @@ fn traces(survey: &Survey) -> Vec<Trace> {
     traces
 }
 
-/// The front as stairs: for more accuracy than a point has, the next is to be paid.
+/// The front as stairs: more accuracy than a point has costs as much as the next point.
 fn steps(front: impl Iterator<Item = (f64, f64)>) -> Points {
     let mut steps: Points = Vec::new();
     for (x, y) in front {
@@ -184,7 +184,7 @@ fn dot(point: &Point, measured: &Measured) -> Dot {
     Dot { at: place(measured), pen: pen(point.configuration, !point.is_undersampled), radius }
 }
 
-/// The subsamples, in a dot that has room for them.
+/// Number of subsamples as a text in the dot, if the dot has room.
 fn digit(point: &Point, measured: &Measured) -> Option<Note> {
     let has_room = point.configuration.frame == Frame::EarthFixed && !point.is_undersampled;
     let rung = &point.configuration.rung;

@@ -1,4 +1,4 @@
-//! The embedded scenes: flights in closed form that ask different things of a mechanization.
+//! The embedded scenes: flights in closed form that test a mechanization in different ways.
 
 use sins::Options;
 use sins::earth::Earth;
@@ -14,12 +14,12 @@ const RATES_HZ: [u32; 6] = [400, 200, 100, 50, 20, 10];
 /// The airliner's speed, in the cruise and across the pole [m/s].
 const CRUISE_M_S: f64 = 240.0;
 
-/// A scene to be made.
+/// Plan of an embedded scene.
 #[derive(Debug)]
 pub struct Embedded {
     pub name: &'static str,
     pub title: &'static str,
-    /// Highest frequency of a vibration in it [Hz], 0 without one.
+    /// Highest frequency of a vibration in the scene [Hz]; 0 without vibration.
     pub highest_hz: f64,
     plan: fn(f64) -> (FlightStart, Vec<Manoeuvre>),
 }
@@ -53,7 +53,7 @@ impl Embedded {
     }
 }
 
-/// What is to be known of a flight in closed form.
+/// Description of a scene whose flight has a closed form.
 pub struct Sampled<'a> {
     pub name: &'a str,
     pub title: &'a str,
@@ -62,10 +62,10 @@ pub struct Sampled<'a> {
 }
 
 impl Sampled<'_> {
-    /// The scene of `flight`, `duration_s` [s] of it.
+    /// The scene of the first `duration_s` [s] of `flight`.
     pub fn scene(&self, flight: &Flight, duration_s: f64) -> Result<Scene, Failure> {
         let highest = RATES_HZ[0];
-        // The epsilon keeps the last sample where rounding puts it just behind the end.
+        // The epsilon keeps the last sample if rounding puts it just past the end.
         let count = (duration_s * f64::from(highest) + 1e-6).floor() as usize;
         let samples = (0..=count)
             .map(|k| flight.sample_at((k as f64 / f64::from(highest)).min(flight.duration_s())))
@@ -113,7 +113,7 @@ fn cruise(duration_s: f64) -> (FlightStart, Vec<Manoeuvre>) {
     (start, vec![Manoeuvre::Sinusoids { duration_s, ramp_s: 30.0, terms, count: 6 }])
 }
 
-/// Two minutes of it, again and again: rolls of up to 160 °/s, loops and turns of 4 to 5 g.
+/// Two minutes of manoeuvres, repeated: rolls of up to 160 °/s, loops and turns of 4 to 5 g.
 fn aerobatics(duration_s: f64) -> (FlightStart, Vec<Manoeuvre>) {
     let pass = [
         Manoeuvre::STurn { duration_s: 30.0, heading_amplitude_rad: 0.6, cycles: 2.0, ramp_s: 6.0 },
@@ -122,7 +122,7 @@ fn aerobatics(duration_s: f64) -> (FlightStart, Vec<Manoeuvre>) {
         Manoeuvre::Turn { heading_change_rad: 3.6, bank_rad: 1.35, ramp_s: 3.0 },
         Manoeuvre::Roll { duration_s: 10.0, turns: -2.0 },
     ];
-    // Turns take their time from the bank: the last straight is what is left.
+    // The bank sets the duration of a turn, so a last straight fills the remaining time.
     let mut manoeuvres = Vec::new();
     for _ in 0..(duration_s / 110.0).ceil() as usize {
         manoeuvres.extend(pass);
@@ -148,10 +148,10 @@ fn vibration(duration_s: f64) -> (FlightStart, Vec<Manoeuvre>) {
     (start(40.0, 3e3, 100.0), vec![sum])
 }
 
-/// Straight and level, the pole half way.
+/// Straight and level flight with the pole half way.
 fn pole(duration_s: f64) -> (FlightStart, Vec<Manoeuvre>) {
     let height_m = 10e3;
-    // The meridian near the pole is a circle of the polar radius of curvature: 400 m short in 4° of it.
+    // The meridian near the pole is taken as a circle with the polar radius of curvature, which is 400 m short in 4°.
     let to_pole_rad = 0.5 * duration_s * CRUISE_M_S / (Earth::default().radii(1.0).meridian_m + height_m);
     (start(90.0 - to_pole_rad.to_degrees(), height_m, CRUISE_M_S), vec![Manoeuvre::Straight { duration_s }])
 }

@@ -3,7 +3,7 @@
 use super::survey::{Measured, Point, Survey};
 use crate::units::two_digits;
 
-/// Marks the Pareto front: points of which no other is as cheap and as accurate.
+/// Marks the Pareto front: a point is on the front if no other point is both as cheap and as accurate.
 pub fn mark(points: &mut [Point]) {
     let mut order: Vec<(usize, Measured)> =
         points.iter().enumerate().filter_map(|(k, point)| Some((k, *point.eligible()?))).collect();
@@ -27,7 +27,7 @@ pub fn front(points: &[Point]) -> Vec<(&Point, &Measured)> {
     front
 }
 
-/// The cheapest point that leaves at most `position_m` [m].
+/// The cheapest point with a position error of at most `position_m` [m].
 pub fn cheapest(points: &[Point], position_m: f64) -> Option<(&Point, &Measured)> {
     front(points).into_iter().find(|(_, measured)| measured.position_m() <= position_m)
 }
@@ -48,7 +48,8 @@ pub fn beaten_by<'a>(points: &'a [Point], point: &Point, floor_m: f64) -> Option
         .map(|(other, other_m)| (other, own_m / other_m))
 }
 
-/// A line for each rung of the default family that is beaten on a scene: by which rung, at which rate the most, and at how many.
+/// A line for each rung of the default family that is beaten on a scene. The line has the better rung, the rate with the largest
+/// ratio of errors, and the number of rates.
 pub fn costlier_and_less_accurate(surveys: &[Survey]) -> Vec<String> {
     let mut lines = Vec::new();
     for survey in surveys {

@@ -1,4 +1,4 @@
-//! What the errors of real sensors make of a scene, whatever the mechanization.
+//! Position errors that real sensors cause on a scene, whatever the mechanization.
 
 use sins::recommend::{Refusal, Track};
 use sins::sensors::{self, StreamKey, TriadParameters};
@@ -8,7 +8,7 @@ use super::scene::{Rate, Scene};
 use crate::parallel::in_parallel;
 use crate::progress::Progress;
 
-/// At which rate the sensors are flown [Hz]: the one nearest to it.
+/// Rate at which sensors with errors are flown [Hz]; the nearest rate of the scene is used.
 const RATE_HZ: f64 = 100.0;
 
 /// A grade of sensors.
@@ -19,7 +19,7 @@ pub struct Grade {
     accel: TriadParameters,
 }
 
-/// Navigation and tactical grade, the library's presets: biases are drawn anew each run.
+/// Navigation and tactical grade, which are presets of the library. Each run draws its own biases.
 pub fn grades() -> [Grade; 2] {
     [("navigation", sensors::Grade::Navigation), ("tactical", sensors::Grade::Tactical)].map(
         |(name, grade)| {
@@ -29,8 +29,7 @@ pub fn grades() -> [Grade; 2] {
     )
 }
 
-/// Position error that each grade adds to the solution of ideal sensors, the worst on the way, root mean square over `runs`
-/// [m].
+/// Largest position error on the way that each grade adds to the solution of ideal sensors; root mean square over `runs` [m].
 pub fn effects(scene: &Scene, runs: u64) -> Result<[f64; 2], Refusal> {
     let Some(rate) = scene.rates.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else {
         return Ok([0.0; 2]);
@@ -71,12 +70,12 @@ mod tests {
     use super::*;
     use crate::curve::embedded;
 
-    /// Two minutes at rest: an accelerometer bias of 1e-5 g over one of 1e-3 g.
+    /// Two minutes at rest: an accelerometer bias of 1e-5 g is compared with a bias of 1e-3 g.
     #[test]
     fn better_sensors_err_less() {
         let scene = embedded::ALL[0].scene(120.0).unwrap();
         let [navigation, tactical] = effects(&scene, 4).unwrap();
-        // ½ a t² for a = 1e-5 g is 0.7 m, the other axis and the drawing of the bias make a factor of it.
+        // ½ a t² is 0.7 m for a = 1e-5 g. The second axis and the random bias change it by a factor.
         assert!(navigation > 0.1 && navigation < 7.0, "{navigation}");
         assert!(tactical > 20.0 * navigation && tactical < 1e3, "{tactical}");
     }

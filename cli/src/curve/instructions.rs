@@ -11,7 +11,7 @@ use crate::given::open;
 
 const HEADER: [&str; 5] = ["scheme", "subsamples", "updates_per_sample", "frame", "instructions_per_step"];
 
-/// The counts of some configurations.
+/// Instruction counts of some configurations.
 #[derive(Debug, Default, PartialEq)]
 pub struct Instructions {
     rows: Vec<([String; 4], f64)>,
@@ -40,7 +40,7 @@ impl Instructions {
         Ok(Self { rows })
     }
 
-    /// Of a step of `configuration`, if it was counted.
+    /// Instructions of a step of `configuration`, if they were counted.
     pub fn of(&self, configuration: &Configuration) -> Option<f64> {
         let rung = &configuration.rung;
         let (subsamples, updates) = (rung.subsamples.to_string(), rung.updates_per_sample.to_string());

@@ -9,7 +9,7 @@ use super::scene::{Rate, Scene};
 use crate::parallel::in_parallel;
 use crate::progress::Progress;
 
-/// What became of a flight: its errors, or why it was refused.
+/// Result of a flight: its errors, or the reason for its refusal.
 pub type Outcome = Result<Judgement, Refusal>;
 
 /// The outcome of each of `configurations` at each rate of `scene`, rate by rate.

@@ -1,8 +1,8 @@
-//! What accuracy costs: every configuration of the mechanization on scenes that ask different things, with the time it takes
-//! and the error it leaves, without sensor errors.
+//! Cost of accuracy: computing time and error of every configuration of the mechanization, on scenes that test it in different
+//! ways, without sensor errors.
 //!
-//! The data flow is `command` → `embedded`, `own` → `scene`, `reference` → `matrix` (errors), `timing` (costs), `grades` (what
-//! sensors would err) → `survey` → `front` → `records`, `table`, `diagram`.
+//! The data flow is `command` → `embedded`, `own` → `scene`, `reference` → `matrix` (errors), `timing` (costs), `grades` (errors
+//! that sensors would cause) → `survey` → `front` → `records`, `table`, `diagram`.
 
 mod command;
 mod configuration;

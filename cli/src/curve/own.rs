@@ -11,11 +11,11 @@ use super::scene::{Rate, Scene};
 use crate::failure::Failure;
 use crate::given::Given;
 
-/// The samples of a log are thinned down to no fewer than these.
+/// Lowest rate [Hz] and number of samples that must remain when the samples of a log are thinned.
 const LOWEST_HZ: f64 = 10.0;
 const FEWEST_SAMPLES: usize = 120;
 
-/// The scene of `given`, `most_s` [s] of it at the most unless it is a log.
+/// The scene of `given`: a whole log, or at most `most_s` [s] of a flight in closed form.
 pub fn scene(given: &Given, most_s: f64) -> Result<Scene, Failure> {
     let scene = &given.scene;
     let base =
@@ -34,13 +34,13 @@ pub fn scene(given: &Given, most_s: f64) -> Result<Scene, Failure> {
     }
 }
 
-/// At its own rate, with every second sample, every fourth and so on.
+/// The scene of a log at its own rate, with every second sample, every fourth sample and so on.
 fn of_log(given: &Given, base: Options) -> Result<Scene, Failure> {
     let samples: Vec<FlightSample> =
         (0..given.count).map(|index| given.sample(index)).collect::<Result<_, _>>()?;
     let own_hz = 1.0 / given.period_s;
     let thinned = |stride: &usize| {
-        // The epsilon keeps a rate that rounding puts just below.
+        // The epsilon keeps a rate that rounding puts just below the lowest rate.
         *stride == 1
             || (own_hz / *stride as f64 > LOWEST_HZ * (1.0 - 1e-6) && samples.len() / stride > FEWEST_SAMPLES)
     };
@@ -56,7 +56,7 @@ fn of_log(given: &Given, base: Options) -> Result<Scene, Failure> {
     Ok(Scene { name: given.name.clone(), title, highest_hz: 0.0, samples, rates, judge, base })
 }
 
-/// The highest frequency of the sinusoids of a flight [Hz], 0 without.
+/// Highest frequency of the sinusoids of a flight [Hz]; 0 without sinusoids.
 fn highest_hz(source: &FlightSource) -> f64 {
     let manoeuvres = match source {
         FlightSource::Path(path) => path.manoeuvres.clone(),

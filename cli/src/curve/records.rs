@@ -81,7 +81,7 @@ pub const SCENES: [&str; 9] = [
     "tactical_grade_m",
 ];
 
-/// A row for each scene: what its reference knows, and what sensors would err.
+/// A row for each scene: uncertainty of its reference, and errors that sensors would cause.
 pub fn scenes(surveys: &[Survey]) -> Result<String, Failure> {
     let row = |survey: &Survey| {
         let mut row = vec![

@@ -11,19 +11,19 @@ use sins::truth::FlightSample;
 
 use crate::failure::Failure;
 
-/// Errors smaller than the uncertainty of the reference times this are reported as this floor.
+/// Floor of the reported errors, as a multiple of the uncertainty of the reference. A smaller error is reported as the floor.
 const MARGIN: f64 = 100.0;
 
-/// Longest step of the quadrature that checks a flight [s]: at 4 Hz half a radian, which five nodes integrate to 1e-16.
+/// Longest step of the quadrature that checks a flight [s]: at 4 Hz it is half a radian, which five nodes integrate to 1e-16.
 const STEP_S: f64 = 0.02;
 
-/// 2π over Schuler's period [rad/s]: what a position error makes of velocity.
+/// 2π over Schuler's period [rad/s]: ratio of the velocity error to the position error that causes it.
 const SCHULER_RAD_S: f64 = 1.24e-3;
 
 /// A reference solution.
 pub struct Judge {
     track: Track,
-    /// Errors that the reference itself may have.
+    /// Possible errors of the reference itself.
     pub uncertainty: SolutionError,
     /// The kind of reference, and the source of its uncertainty.
     pub description: &'static str,
@@ -38,8 +38,8 @@ pub struct Judgement {
 }
 
 impl Judge {
-    /// The flight itself. Velocity and attitude are closed forms of time. The position is an integral: its uncertainty is its
-    /// difference from an independent quadrature of the velocity, plus the rounding of the coordinates.
+    /// The reference is the flight itself. Velocity and attitude are closed forms of time. The position is an integral: its
+    /// uncertainty is its difference from an independent quadrature of the velocity, plus the rounding of the coordinates.
     pub fn of_flight(
         earth: &Earth,
         flight: &Flight,
@@ -69,7 +69,7 @@ impl Judge {
         Ok(Self { track: Track { states }, uncertainty, description })
     }
 
-    /// The finest solution that the samples of a log allow. The motion between the samples is unknown.
+    /// The reference is the finest solution that the samples of a log allow. The motion between the samples is unknown.
     pub fn of_log(options: &Options, samples: &[FlightSample], instants: &[usize]) -> Result<Self, Failure> {
         let Reference { track, uncertainty } = Reference::new(&(*options).into(), samples, instants)?;
         let uncertainty = uncertainty.max(&of_inconsistency(0.0, options.earth().equatorial_radius_m, 0.0));
@@ -94,8 +94,8 @@ fn clamped(error: &SolutionError, floor: &SolutionError) -> Judgement {
     Judgement { error: error.max(floor), at_floor: [0, 1, 2].map(|part| parts[part] < floors[part]) }
 }
 
-/// With the rounding of coordinates of the size `radius` [m], of velocities of the size `speed` [m/s] and of attitudes: four
-/// units in the last place where sines and cosines multiply.
+/// Uncertainty from an inconsistency of the position and from rounding: of coordinates of the size `radius` [m], of velocities of
+/// the size `speed` [m/s] and of attitudes. Products of sines and cosines are rounded by four units in the last place.
 fn of_inconsistency(inconsistency_m: f64, radius: f64, speed: f64) -> SolutionError {
     let position_m = inconsistency_m + f64::EPSILON * radius;
     SolutionError {
@@ -131,7 +131,8 @@ mod tests {
         assert_eq!(at_floor, [true, false, true]);
     }
 
-    /// A loop's position is the integral of its velocity to some roundings; with samples of another flight it is not.
+    /// The position of a loop is the integral of its velocity except for rounding. The samples of another flight contradict the
+    /// integral.
     #[test]
     fn a_flight_that_contradicts_itself_is_found() {
         let start = FlightStart { speed_m_s: 150.0, height_m: 1e3, latitude_rad: 0.8, ..Default::default() };

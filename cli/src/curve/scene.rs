@@ -5,10 +5,10 @@ use sins::truth::{FlightSample, IntakeLimits};
 
 use super::reference::Judge;
 
-/// Instants at which a solution is judged, the last at the end of the scene.
+/// Largest number of instants at which a solution is judged; the last instant is at the end of the scene.
 const INSTANTS: usize = 60;
 
-/// Samples of a period of the fastest vibration that the signal generator can recover it from.
+/// Smallest number of samples in a period of a vibration from which the signal generator can recover the vibration.
 const SAMPLES_OF_A_PERIOD: f64 = 10.0;
 
 /// A sample rate.
@@ -22,12 +22,12 @@ pub struct Rate {
 }
 
 impl Rate {
-    /// With the exact period 1/`hz`.
+    /// Rate with the exact period 1/`hz`.
     pub fn stated(stride: usize, hz: f64) -> Self {
         Self { stride, hz, is_stated: true }
     }
 
-    /// By the samples' own time stamps; `hz` on average.
+    /// Rate from the samples' own time stamps; `hz` is the mean.
     pub fn of_stamps(stride: usize, hz: f64) -> Self {
         Self { stride, hz, is_stated: false }
     }
@@ -43,19 +43,19 @@ impl Rate {
 pub struct Scene {
     pub name: String,
     pub title: String,
-    /// Highest frequency of a vibration in it [Hz], 0 without one.
+    /// Highest frequency of a vibration in the scene [Hz]; 0 without vibration.
     pub highest_hz: f64,
-    /// At the highest rate.
+    /// Samples at the highest rate.
     pub samples: Vec<FlightSample>,
-    /// The highest first; the stride of the last is a multiple of the others.
+    /// Rates, the highest first. The stride of the last rate is a multiple of the other strides.
     pub rates: Vec<Rate>,
     pub judge: Judge,
-    /// Ellipsoid and gravity; all else is the recommended.
+    /// Recommended options, with ellipsoid and gravity of the scene.
     pub base: Options,
 }
 
 impl Scene {
-    /// Samples that all rates of `rates` have, counted at `stride`: equally spaced, without the first.
+    /// Indices of samples that all `rates` have, counted at `stride`: equally spaced, without the first sample.
     pub fn instants(samples: usize, rates: &[Rate], stride: usize) -> Vec<usize> {
         let coarsest = rates.last().map_or(1, |rate| rate.stride);
         let intervals = samples.saturating_sub(1) / coarsest;

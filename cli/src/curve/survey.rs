@@ -20,7 +20,7 @@ pub struct Point {
     pub is_undersampled: bool,
     /// Cost and errors, or the reason why there are none.
     pub measured: Result<Measured, String>,
-    /// Whether it is on the Pareto front.
+    /// Whether the point is on the Pareto front.
     pub is_on_front: bool,
 }
 
@@ -32,7 +32,7 @@ pub struct Measured {
     pub judgement: Judgement,
 }
 
-/// A scene surveyed.
+/// Results of a scene.
 pub struct Survey {
     pub name: String,
     pub title: String,
@@ -63,14 +63,14 @@ impl Measured {
 }
 
 impl Point {
-    /// Cost and errors, if the sample rate is high enough for them to be true.
+    /// Cost and errors, if the sample rate is high enough for the errors to be true.
     pub fn eligible(&self) -> Option<&Measured> {
         self.measured.as_ref().ok().filter(|_| !self.is_undersampled)
     }
 }
 
 impl Survey {
-    /// Flies all configurations on `scene`: gives their errors, and the course that is still to be timed.
+    /// Flies all configurations on `scene`. Returns their errors, and the course that is still to be timed.
     pub fn flown(scene: &Scene, effort: &Effort) -> Result<(Self, Course), Failure> {
         let outcomes = matrix::outcomes(scene, &Configuration::all());
         let candidates = outcomes.iter().filter(|(_, _, outcome)| outcome.is_ok());
@@ -97,7 +97,7 @@ impl Survey {
         Ok((survey, course))
     }
 
-    /// Enters the costs of its course.
+    /// Sets the costs, which are in the order of the course.
     pub fn set_costs(&mut self, costs: &[f64]) {
         let measured = self.points.iter_mut().filter_map(|point| point.measured.as_mut().ok());
         for (measured, cost_ns) in measured.zip(costs) {

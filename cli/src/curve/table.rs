@@ -1,13 +1,13 @@
-//! The table of the README: for an accuracy on a scene, the cheapest configuration.
+//! The table of the README: the cheapest configuration for each accuracy on each scene.
 
 use super::front::cheapest;
 use super::survey::Survey;
 use crate::units::{self, brief, time_text, two_digits};
 
-/// Accuracies asked for [m].
+/// Accuracies of the columns, with their names [m].
 const ACCURACIES_M: [(&str, f64); 4] = [("100 m", 100.0), ("1 m", 1.0), ("1 cm", 0.01), ("1 mm", 0.001)];
 
-/// As Markdown: a row for each scene; errors as they are after `span_s` [s].
+/// Table as Markdown: a row for each scene. Accuracies are errors after `span_s` [s].
 pub fn table(surveys: &[Survey], span_s: f64) -> String {
     let span = if span_s == 3600.0 { "an hour".to_owned() } else { time_text(span_s) };
     let mut text = String::from("| scene |");
@@ -26,7 +26,8 @@ pub fn table(surveys: &[Survey], span_s: f64) -> String {
     text
 }
 
-/// The cheapest configuration that leaves `position_m` [m] in `span_s` [s]. Errors of other lengths of time count in proportion.
+/// The cheapest configuration with an error of at most `position_m` [m] in `span_s` [s]. For a scene of another duration, the limit
+/// is scaled in proportion.
 fn cell(survey: &Survey, position_m: f64, span_s: f64) -> String {
     match cheapest(&survey.points, position_m * survey.duration_s / span_s) {
         Some((point, measured)) => format!(
@@ -39,7 +40,7 @@ fn cell(survey: &Survey, position_m: f64, span_s: f64) -> String {
     }
 }
 
-/// With one digit after the point, if it has one.
+/// `value` with at most one digit after the point.
 pub fn short(value: f64) -> String {
     ((10.0 * value).round() / 10.0).to_string()
 }

@@ -1,6 +1,6 @@
-//! What the whole chain costs: intake, signal generator, mechanization with its damped vertical channel.
+//! Cost of the whole chain: intake, signal generator, mechanization with its damped vertical channel.
 //!
-//! All configurations of all scenes take turns, round after round: a slow phase of the machine hits them alike.
+//! All configurations of all scenes are timed in turns, round after round, so that a slow phase of the machine affects all alike.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -12,14 +12,14 @@ use super::configuration::Configuration;
 use super::scene::{Rate, Scene};
 use crate::progress::Progress;
 
-/// Places of the scene that a round flies at, equally spaced: a step costs more where the aircraft turns.
+/// Number of places of the scene where a round flies, equally spaced. A step costs more where the aircraft turns.
 const PLACES: usize = 8;
 
-/// Samples at a place: until the chain runs as it does in the middle of a flight, and timed.
+/// Numbers of samples at a place: before the timing, until the chain runs as in the middle of a flight, and during the timing.
 const WARM_UP: usize = 8;
 const TIMED: usize = 64;
 
-/// What is to be timed of a scene: configurations and rates on stretches of its samples.
+/// Work that is to be timed on a scene: configurations and rates on stretches of its samples.
 pub struct Course {
     base: Options,
     stretches: Vec<(Rate, Vec<Vec<FlightSample>>)>,
@@ -63,7 +63,7 @@ fn stretches(samples: &[FlightSample]) -> Vec<Vec<FlightSample>> {
         .collect()
 }
 
-/// For a simulated second on `stretches` [ns].
+/// Time for a simulated second on `stretches` [ns].
 fn time<'a>(
     options: &Options,
     rate_hz: f64,

@@ -1,4 +1,4 @@
-//! Axes: a range and the places on it that get a tick.
+//! Axes: a range, and the places of its ticks.
 
 use crate::units;
 
@@ -10,7 +10,7 @@ pub struct Axis {
     pub ticks: Vec<(f64, String)>,
 }
 
-/// The axis of time and the unit it is in.
+/// Axis of time, and its unit.
 pub struct TimeAxis {
     pub axis: Axis,
     pub unit: &'static str,
@@ -19,9 +19,9 @@ pub struct TimeAxis {
 }
 
 impl Axis {
-    /// From `low` to `high` with at most `most` ticks at 1, 2, 2.5 or 5 times a power of ten.
+    /// Axis from `low` to `high` with at most `most` ticks, in steps of 1, 2, 2.5 or 5 times a power of ten.
     pub fn linear(low: f64, high: f64, most: usize) -> Self {
-        // A range that rounding makes is none: ticks closer than the numbers themselves have no end.
+        // A range that is only rounding is widened: ticks that are closer than neighbouring numbers have no end.
         let size = low.abs().max(high.abs());
         let margin = f64::max(1.0, 1e-6 * size);
         let (low, high) = if high - low > 1e-9 * size { (low, high) } else { (low - margin, high + margin) };
@@ -35,13 +35,13 @@ impl Axis {
         Self::with_step(low, high, step)
     }
 
-    /// The same with a margin beyond the data, and `least` wide at the least.
+    /// Linear axis with a margin beyond the data from `low` to `high`, for a range of at least `least`.
     pub fn around(low: f64, high: f64, least: f64, most: usize) -> Self {
         let (middle, half) = ((low + high) / 2.0, ((high - low).max(least)) / 2.0);
         Self::linear(middle - 1.08 * half, middle + 1.08 * half, most)
     }
 
-    /// Powers of ten; positions are logarithms.
+    /// Axis of powers of ten; positions are logarithms.
     pub fn decades(low: f64, high: f64, most: usize) -> Self {
         let every = ((high - low) / most.max(1) as f64).ceil().max(1.0) as i32;
         let ticks = (low.ceil() as i32..=high.floor() as i32)
@@ -51,7 +51,7 @@ impl Axis {
         Self { low, high, ticks }
     }
 
-    /// Periods in minutes and hours; positions are logarithms of seconds. `room` is the least distance of two ticks.
+    /// Axis of periods in minutes and hours; positions are logarithms of seconds. `room` is the smallest distance of two ticks.
     pub fn periods(low: f64, high: f64, room: f64) -> Self {
         const MINUTES: [f64; 15] = [
             1.0, 3.0, 10.0, 30.0, 60.0, 180.0, 360.0, 720.0, 1440.0, 2880.0, 5760.0, 11_520.0, 23_040.0,
@@ -73,7 +73,7 @@ impl Axis {
         Self { low, high, ticks }
     }
 
-    /// Time from 0 to `duration_s` in seconds, minutes or hours, with at most `most` ticks.
+    /// Axis of time from 0 to `duration_s`, in seconds, minutes or hours, with at most `most` ticks.
     pub fn time(duration_s: f64, most: usize) -> TimeAxis {
         const HOURS: &[f64] =
             &[0.25, 0.5, 1.0, 2.0, 3.0, 4.0, 6.0, 12.0, 24.0, 48.0, 96.0, 168.0, 336.0, 720.0];
@@ -108,7 +108,7 @@ impl Axis {
     }
 }
 
-/// k steps, with the digits that the step needs.
+/// Text of `k` steps, with the digits that the step needs.
 fn tick_text(k: i64, step: f64) -> String {
     let value = k as f64 * step;
     let digits = (0..5).find(|digits| {

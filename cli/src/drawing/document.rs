@@ -7,7 +7,7 @@ use super::pen::Pen;
 
 const STYLE: &str = concat!(include_str!("plot.css"), include_str!("page.css"));
 
-/// Every page has this near its beginning: the mark by which the program recognizes its own pages.
+/// Mark near the beginning of every page, by which the program recognizes its own pages.
 pub const PAGE_MARK: &str = "<meta name=\"generator\" content=\"sins\">";
 
 /// `body` as a page that needs nothing from outside.
@@ -45,7 +45,7 @@ pub fn figure(figure: &Figure) -> Markup {
     }
 }
 
-/// A table: heads of its columns, if it has any; for each row what it is about, and its cells.
+/// A table: heads of its columns, if it has any; for each row, its name and its cells.
 pub fn table(
     class: Option<&str>,
     heads: Vec<String>,
@@ -59,7 +59,7 @@ pub fn table(
     }
 }
 
-/// A piece of the line that `pen` draws.
+/// Sample of the line or dot that `pen` draws.
 pub fn swatch(pen: Pen) -> Markup {
     html! {
         svg.swatch aria-hidden="true" viewBox="0 0 340 140" {

@@ -1,4 +1,4 @@
-//! A figure: drawings, what their lines are, and what they say.
+//! A figure: drawings, the meaning of their lines, and the main numbers.
 
 use super::pen::Pen;
 use super::plot::Drawing;
@@ -11,7 +11,7 @@ pub type Legend = Vec<(Pen, String)>;
 pub struct Figure {
     pub title: String,
     pub legend: Legend,
-    /// As SVG elements.
+    /// Drawings as SVG elements.
     pub drawings: Vec<String>,
     /// Text below the drawings: the main numbers.
     pub note: String,

@@ -1,4 +1,4 @@
-//! Drawings as SVG files of their own, for pages that cannot hold a report.
+//! Drawings as separate SVG files, for pages that cannot contain a report.
 
 use maud::{Markup, PreEscaped, html};
 
@@ -6,7 +6,7 @@ use super::document::swatch;
 use super::figure::Legend;
 use super::plot::FINE;
 
-/// Every picture has this near its beginning: the mark by which the program recognizes its own pictures.
+/// Mark near the beginning of every picture, by which the program recognizes its own pictures.
 pub const PICTURE_MARK: &str = "data-generator=\"sins\"";
 
 const STYLE: &str = include_str!("plot.css");
@@ -16,11 +16,11 @@ pub const LEGEND: f64 = 34.0;
 pub const TITLE: f64 = 26.0;
 pub const MARGIN: f64 = 10.0;
 
-/// Width of an entry of the legend: its line and so much for each letter [drawing units].
+/// Widths in an entry of the legend: of its line, and of each letter [drawing units].
 const SWATCH: f64 = 34.0;
 const LETTER: f64 = 7.8;
 
-/// `content` as a file that stands alone, `width` by `height` [drawing units].
+/// `content` as a complete file, `width` by `height` [drawing units].
 pub fn file(width: f64, height: f64, content: &Markup) -> String {
     let view = format!("0 0 {} {}", width * FINE, height * FINE);
     let markup = html! {
@@ -48,7 +48,7 @@ pub fn legend_row(legend: &Legend, top: f64) -> Markup {
     }
 }
 
-/// `inside` in a box of its own.
+/// `inside` in a separate box.
 pub fn placed(left: f64, top: f64, width: f64, height: f64, inside: &Markup) -> Markup {
     html! {
         svg x=(left * FINE) y=(top * FINE) width=(width * FINE) height=(height * FINE) { (inside) }

@@ -1,12 +1,12 @@
-//! Pens are named by what their lines mean, not coloured: each is a CSS class of the drawings, so that the page's style
-//! sheet chooses colours for light, dark and print.
+//! Pens are named after the meaning of their lines and have no colours. Each pen is a CSS class of the drawings, so that the page's
+//! style sheet chooses the colours for light, dark and print.
 
 use plotters::style::RGBColor;
 
 /// The pens, each with its class in the style sheet, and whether it draws dots.
 macro_rules! pens {
     ($($(#[$doc:meta])* $pen:ident $class:literal $($dot:ident)?,)*) => {
-        /// What a line means; the style sheet says how it looks.
+        /// Meaning of a line; the style sheet defines its look.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum Pen {
             $($(#[$doc])* $pen),*
@@ -15,14 +15,14 @@ macro_rules! pens {
         impl Pen {
             pub const ALL: &[Self] = &[$(Self::$pen),*];
 
-            /// Its class in the style sheet.
+            /// Class of the pen in the style sheet.
             pub fn class(self) -> &'static str {
                 match self {
                     $(Self::$pen => $class),*
                 }
             }
 
-            /// Whether it draws dots, not lines.
+            /// Whether the pen draws dots, not lines.
             pub fn is_dot(self) -> bool {
                 match self {
                     $(Self::$pen => !stringify!($($dot)?).is_empty()),*
@@ -34,9 +34,9 @@ macro_rules! pens {
 
 pens! {
     Text "text", Grid "grid", Axis "axis",
-    /// What was computed: thin, dark, over `Reference`.
+    /// Computed values: thin, dark, over `Reference`.
     Computed "computed",
-    /// What it is compared with: broad, light.
+    /// Values that `Computed` is compared with: broad, light.
     Reference "reference",
     East "east", North "north", Up "up",
     /// One standard deviation, above and below.
@@ -44,38 +44,38 @@ pens! {
     /// Single records of a noisy signal.
     Record "record",
     Fit "fit", NauticalMile "nautical-mile", Schuler "schuler", Foucault "foucault", Day "day", Start "start" dot,
-    /// What was computed at the end of a long track.
+    /// Computed values at the end of a long track.
     Late "late",
     /// Points of a scheme, and the line that joins them.
     PaperScheme "paper-scheme" dot, ExactScheme "exact-scheme" dot, PolynomialScheme "polynomial-scheme" dot,
-    /// The three schemes where samples are too few.
+    /// Points of the three schemes with too few samples.
     PaperHollow "paper-hollow" dot, ExactHollow "exact-hollow" dot, PolynomialHollow "polynomial-hollow" dot,
-    /// In a dot.
+    /// Text in a dot.
     Digit "digit",
     /// The Pareto front.
     Front "front",
     /// Rings around the points of one configuration, and the text at them.
     DefaultRing "default-ring" dot, PaperRing "paper-ring" dot,
-    /// What sensors of a grade err.
+    /// Position error that sensors of a grade cause.
     Navigation "navigation", Tactical "tactical",
     /// The smallest error that a reference shows.
     Floor "floor",
     /// An area where the truth may be.
     Band "band",
-    /// A wider one around it.
+    /// A wider area around `Band`.
     OuterBand "outer-band",
-    /// What one term alone would make.
+    /// Deviation of one term alone.
     Asymptote "asymptote",
-    /// Bars: of a random effect, of a deterministic one, of the mechanization, of all together.
+    /// Bars of a random effect, of a deterministic effect, of the mechanization, and of all effects together.
     Random "random", Deterministic "deterministic", Own "own", Together "together",
-    /// What may be left out.
+    /// Limit within which effects may be left out.
     Limit "limit",
-    /// Where one run of an ensemble ends, and how many of them end so.
+    /// End of one run of an ensemble, and number of runs in a bar of the histogram.
     Run "run" dot, Count "count",
 }
 
 impl Pen {
-    /// Its number, from 1, as a colour, for `plotters`.
+    /// Number of the pen, counted from 1, as a colour for `plotters`.
     pub fn colour(self) -> RGBColor {
         RGBColor(0, 0, self as u8 + 1)
     }

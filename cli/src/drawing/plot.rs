@@ -1,7 +1,7 @@
 //! Panels above one another on one x axis, drawn as SVG.
 //!
-//! `plotters` knows colours alone and writes whole coordinates: a pen goes in as the colour that is its number and comes
-//! out as a CSS class, and a drawing unit is [`FINE`] of its pixels.
+//! `plotters` has colours only, and writes integer coordinates. A pen is passed in as the colour of its number and is written as a
+//! CSS class. A drawing unit is [`FINE`] pixels of `plotters`.
 
 use std::ops::Range;
 
@@ -49,15 +49,15 @@ pub struct Mark {
     pub text: String,
 }
 
-/// A filled or a hollow circle, as its pen has it.
+/// A circle, filled or hollow as its pen defines.
 pub struct Dot {
     pub at: (f64, f64),
     pub pen: Pen,
-    /// [drawing units]
+    /// Radius [drawing units].
     pub radius: f64,
 }
 
-/// Text with its middle at a point, or so much right of it and below [drawing units].
+/// Text with its middle at a point, shifted right and down by `shift` [drawing units].
 pub struct Note {
     pub at: (f64, f64),
     pub shift: (f64, f64),
@@ -67,7 +67,7 @@ pub struct Note {
 
 /// One pair of axes.
 pub struct Panel {
-    /// What the y axis shows, with its unit.
+    /// Quantity of the y axis, with its unit.
     pub caption: String,
     pub y: Axis,
     pub traces: Vec<Trace>,
@@ -80,7 +80,7 @@ pub struct Panel {
 
 /// Panels from top to bottom.
 pub struct Drawing {
-    /// [drawing units]
+    /// Width [drawing units].
     pub width: f64,
     pub x: Axis,
     pub x_label: String,
@@ -94,7 +94,7 @@ impl Trace {
 }
 
 impl Panel {
-    /// Lines alone.
+    /// Panel with lines only.
     pub fn new(caption: impl Into<String>, y: Axis, height: f64, traces: Vec<Trace>) -> Self {
         Self {
             caption: caption.into(),
@@ -113,7 +113,7 @@ impl Panel {
 }
 
 impl Drawing {
-    /// Height of all [drawing units].
+    /// Height of all panels with the x axis [drawing units].
     pub fn height(&self) -> f64 {
         self.panels.iter().map(|panel| panel.above() + panel.height + GAP).sum::<f64>() + X_AXIS
     }
@@ -226,7 +226,7 @@ fn size(units: f64) -> u32 {
     (units * FINE).round() as u32
 }
 
-/// Only the layout follows this size; the style sheet has the one that is seen.
+/// Style of texts. Its size is only for the layout; the style sheet has the visible size.
 fn text_style(horizontal: HPos) -> TextStyle<'static> {
     let mut style =
         TextStyle::from(("sans-serif", size(16.0)).into_font()).pos(Pos::new(horizontal, VPos::Top));
@@ -234,7 +234,7 @@ fn text_style(horizontal: HPos) -> TextStyle<'static> {
     style
 }
 
-/// Puts classes in the place of colours, and leaves the rest of the look to the style sheet.
+/// Replaces colours by classes, and leaves the rest of the look to the style sheet.
 fn with_classes(body: &str) -> String {
     let mut text = body.to_owned();
     for pen in Pen::ALL {

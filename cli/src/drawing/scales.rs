@@ -1,11 +1,11 @@
-//! Scales that drawings of different reports share: time along, zero in sight, east and north equal.
+//! Scales that drawings of different reports share: a time axis, y axes with zero, equal scales of east and north.
 
 use super::axis::{Axis, TimeAxis};
 use super::plot::{Drawing, PANEL_WIDTH, Panel, Trace, WIDTH};
 use super::series::{Points, bounds, thinned};
 use crate::units::Unit;
 
-/// Most ticks of a time axis.
+/// Largest number of ticks of a time axis.
 const TIME_TICKS: usize = 8;
 
 /// The time axis of a run that lasts `duration_s` [s].
@@ -36,7 +36,7 @@ pub fn panel(caption: String, height: f64, ticks: usize, traces: Vec<Trace>) -> 
 }
 
 /// Axes in `unit` with equal scales around `east` and `north`, each from low to high [m], and the height of the panel. An axis
-/// is for at least `least` [m].
+/// covers at least `least` [m].
 pub fn equal_axes(east: (f64, f64), north: (f64, f64), least: f64, unit: Unit) -> (Axis, Axis, f64) {
     let span = |(low, high): (f64, f64)| (high - low).max(least);
     let (width, height, scale) = equal_scale(span(east), span(north));

@@ -1,12 +1,12 @@
-//! Recorded series on their way to a plot: thinned out without losing an extremum, averaged, differenced, fitted.
+//! Recorded series, prepared for a plot: thinned without losing an extremum, averaged, differenced, fitted.
 
 /// Points of a plotted line.
 pub type Points = Vec<(f64, f64)>;
 
-/// Most points of a plotted line.
+/// Largest number of points of a plotted line.
 pub const MOST_POINTS: usize = 1000;
 
-/// Most corners of a plotted track; laps one over another need more than a line over time.
+/// Largest number of corners of a plotted track. Laps over one another need more than a line over time.
 pub const MOST_CORNERS: usize = 2000;
 
 /// At most about [`MOST_POINTS`] of the records (`x`, `y`): first, last, and the smallest and largest `y` of each
@@ -15,8 +15,8 @@ pub fn thinned(x: &[f64], y: &[f64]) -> Points {
     pick(&stretches(y.len(), MOST_POINTS / 2, |range| extrema(y, range)), x, y)
 }
 
-/// The corners of the curve (`x`, `y`) that keep it within `tolerance` (Douglas and Peucker 1973), doubled until they
-/// are at most [`MOST_CORNERS`].
+/// The corners that represent the curve (`x`, `y`) within `tolerance` (Douglas and Peucker 1973). The tolerance is doubled until
+/// there are at most [`MOST_CORNERS`] corners.
 pub fn outline(x: &[f64], y: &[f64], tolerance: f64) -> Points {
     let mut tolerance = tolerance;
     loop {
@@ -49,13 +49,13 @@ fn corners(x: &[f64], y: &[f64], tolerance: f64) -> Vec<usize> {
     kept
 }
 
-/// Means over `blocks` stretches of the records, each at its middle.
+/// Means over `blocks` stretches of the records, each at the mean `x` of its stretch.
 pub fn block_means(x: &[f64], y: &[f64], blocks: usize) -> Points {
     let size = y.len().div_ceil(blocks).max(1);
     x.chunks(size).zip(y.chunks(size)).map(|(x, y)| (mean(x), mean(y))).collect()
 }
 
-/// Mean, zero for none.
+/// Mean; zero without values.
 pub fn mean(values: &[f64]) -> f64 {
     if values.is_empty() { 0.0 } else { values.iter().sum::<f64>() / values.len() as f64 }
 }
@@ -70,7 +70,7 @@ pub fn magnitude(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, value| value.abs().max(most))
 }
 
-/// Smallest and largest value; none of nothing.
+/// Smallest and largest value; `None` without values.
 pub fn range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
     values.into_iter().fold(None, |range, value| match range {
         None => Some((value, value)),
@@ -88,7 +88,7 @@ pub fn bounds<'a>(lines: impl IntoIterator<Item = &'a Points>) -> (f64, f64) {
     range(lines.into_iter().flatten().map(|point| point.1)).unwrap_or_default()
 }
 
-/// Straight line of least squares y = a + b x as (a, b); level where `x` does not spread.
+/// Straight line of least squares y = a + b x as (a, b); b is zero if all `x` are equal.
 pub fn straight_line(x: &[f64], y: &[f64]) -> (f64, f64) {
     let (middle, level) = (mean(x), mean(y));
     let spread: f64 = x.iter().map(|x| (x - middle).powi(2)).sum();
@@ -104,7 +104,7 @@ fn extrema(y: &[f64], range: std::ops::Range<usize>) -> Vec<usize> {
     least.into_iter().chain(most).collect()
 }
 
-/// First and last place of `length`, and those that `keep` finds in each of `count` stretches, in order.
+/// First and last of `length` places, and the places that `keep` finds in each of `count` stretches, in order.
 fn stretches(length: usize, count: usize, keep: impl Fn(std::ops::Range<usize>) -> Vec<usize>) -> Vec<usize> {
     if length <= 2 * count {
         return (0..length).collect();
@@ -148,7 +148,7 @@ mod tests {
         let angle: Vec<f64> = (0..50_000).map(|k| f64::from(k) * 1e-3).collect();
         let (x, y): (Vec<f64>, Vec<f64>) = angle.iter().map(|a| (a.cos(), a.sin())).unzip();
         let points = outline(&x, &y, 1e-3);
-        // A chord of the unit circle that bulges by e spans 2 acos(1 - e); eight laps of 70 to 140 of them.
+        // A chord of the unit circle that bulges by e spans 2 acos(1 - e); eight laps have 70 to 140 chords each.
         assert!((500..1200).contains(&points.len()), "{}", points.len());
         for pair in points.windows(2) {
             let middle = ((pair[0].0 + pair[1].0) / 2.0).hypot((pair[0].1 + pair[1].1) / 2.0);

@@ -74,14 +74,14 @@ impl Lines {
         }
     }
 
-    /// The largest that is drawn.
+    /// Largest magnitude that is drawn.
     fn size(&self) -> f64 {
         let band = self.mean.iter().zip(&self.sigma).map(|(mean, sigma)| mean.abs() + 3.0 * sigma);
         let runs = self.runs.iter().flatten().map(|(_, value)| value.abs());
         band.chain(runs).fold(0.0, f64::max)
     }
 
-    /// The widest first: each is drawn over those before it.
+    /// Traces, the widest first, because each is drawn over the traces before it.
     fn traces(&self, time: &TimeAxis, unit: Unit) -> Vec<Trace> {
         let scaled = |points: Points| scaled(points, time, unit);
         let mut traces = vec![
@@ -94,7 +94,7 @@ impl Lines {
         traces
     }
 
-    /// Round the band: its upper edge, and its lower one back.
+    /// Outline of the band: its upper edge, then its lower edge backwards.
     fn band(&self, sigmas: f64) -> Points {
         let edge = |sign: f64| {
             let values =
@@ -105,7 +105,7 @@ impl Lines {
     }
 }
 
-/// Half, 95 % and all of the runs are nearer to the truth.
+/// Distances from the truth within which half, 95 % and all of the runs are.
 pub fn radial(study: &Study) -> Result<Figure, Failure> {
     let time = time_axis(study.given.duration_s);
     let rows = study.of(ErrorSource::Navigation);

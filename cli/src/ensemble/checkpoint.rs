@@ -1,7 +1,7 @@
-//! The checkpoint: what is flown so far, in one file, from which the same order goes on.
+//! The checkpoint: one file with the results so far, from which the same order continues.
 //!
-//! Lines of text, which say what was ordered, an empty line, the results as little-endian numbers, and a checksum of all that.
-//! The file is replaced as a whole. It is taken if every line is the one of this order and the checksum fits.
+//! The file has lines of text that describe the order, an empty line, the results as little-endian numbers, and a checksum of the
+//! whole content. It is replaced as a whole. It is accepted if every line agrees with the current order and the checksum is right.
 
 use std::fmt::Write;
 use std::io::ErrorKind;
@@ -17,20 +17,21 @@ use crate::failure::Failure;
 use crate::given::Given;
 use crate::output::Outputs;
 
-/// The first line. Its number is that of the layout.
+/// First line of the file. Its number is the version of the layout.
 const MARK: &str = "sins ensemble checkpoint 1";
 
-/// The file is written with the first block, and then each time this time has passed, or longer if writing takes long.
+/// Shortest time between two writes of the file, and as a multiple of the duration of a write. The first write is after the first
+/// piece of work.
 const RENEWED: Duration = Duration::from_secs(10);
 const WRITING: u32 = 20;
 
-/// Where it is and what has to stand in it.
+/// A checkpoint: its path, its head, and the rules for its output.
 pub struct Checkpoint {
     path: PathBuf,
     head: String,
     inputs: Vec<PathBuf>,
     force: bool,
-    /// When it is written next.
+    /// Time of the next write.
     next: Instant,
 }
 
@@ -46,11 +47,11 @@ impl Checkpoint {
 
     /// The results so far, if the file exists. Checks that the file can be written.
     pub fn read(&self, plan: &Plan) -> Result<Results, Failure> {
-        // The rules of outputs: a file that an input is, or of somebody else's making, is none.
+        // The rules of outputs: a file that is an input, or that this program did not write, is rejected.
         drop(Outputs::new(&self.inputs, self.force).file(&self.path, MARK)?);
         let bytes = match std::fs::read(&self.path) {
             Ok(bytes) if bytes.starts_with(MARK.as_bytes()) => bytes,
-            // Another's file, which --force replaces.
+            // A file that this program did not write, which --force replaces.
             Ok(_) => return Ok(Results::new(plan)),
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Results::new(plan)),
             Err(error) => return Err(Failure::of_input(&self.path, &error)),
@@ -81,7 +82,7 @@ impl Checkpoint {
         results.ok_or_else(damaged)
     }
 
-    /// Writes it if that is due.
+    /// Writes the checkpoint if the time of the next write has come.
     pub fn write_in_time(&mut self, plan: &Plan, results: &Results) -> Result<(), Failure> {
         if Instant::now() < self.next { Ok(()) } else { self.write(plan, results) }
     }
@@ -97,7 +98,7 @@ impl Checkpoint {
         Ok(())
     }
 
-    /// Takes it away: the results are written.
+    /// Removes the checkpoint, after the results are written.
     pub fn remove(&self) -> Result<(), Failure> {
         match std::fs::remove_file(&self.path) {
             Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::of_output(&self.path, &error)),
@@ -106,12 +107,12 @@ impl Checkpoint {
     }
 }
 
-/// What was ordered, line by line.
+/// Description of the order, line by line.
 fn head(given: &Given, plan: &Plan) -> Result<String, Failure> {
     let Plan { first_run, runs, every, .. } = plan;
     let scene = Scene { output: Output::default(), ..given.scene.clone() };
     let mut hash = Hash::default();
-    // Debug has every field, and of a number all digits.
+    // The format Debug has every field, and all digits of a number.
     let _ = write!(hash, "{scene:?} {}", given.count);
     if given.flight().is_none() {
         for index in 0..given.count {
@@ -158,7 +159,7 @@ fn checksum(bytes: &[u8]) -> u64 {
     hash.0
 }
 
-/// What the end of a run that has none is written as.
+/// Value that is written for a run without a state at the end.
 const NO_STATE: State = [f64::NAN; 9];
 
 fn put_results(to: &mut Vec<u8>, results: &Results) {
@@ -185,7 +186,7 @@ fn put_statistics(to: &mut Vec<u8>, statistics: &Statistics) {
     });
 }
 
-/// A number of statistics.
+/// A number in statistics, of 32 or 64 bits.
 enum Number<'a> {
     Short(&'a mut u32),
     Long(&'a mut u64),
@@ -218,7 +219,7 @@ fn put_count(to: &mut Vec<u8>, count: usize) {
     to.extend((count as u64).to_le_bytes());
 }
 
-/// The results, read back; `None` where the bytes do not hold them.
+/// Reads the results back; `None` if the bytes do not contain them.
 struct Reader<'a> {
     rest: &'a [u8],
 }
@@ -261,7 +262,7 @@ impl Reader<'_> {
         Some(state)
     }
 
-    /// Statistics that runs can have.
+    /// Statistics, if they pass the check of the library.
     fn statistics(&mut self) -> Option<Statistics> {
         let mut bytes = self.take(size_of::<Statistics>())?;
         let mut statistics = Statistics::EMPTY;
@@ -273,7 +274,7 @@ impl Reader<'_> {
     }
 }
 
-/// The next bytes; zeros where there are no more.
+/// The next bytes; zeros if there are no more.
 fn next<const N: usize>(bytes: &mut &[u8]) -> [u8; N] {
     let Some((first, rest)) = bytes.split_first_chunk() else { return [0; N] };
     *bytes = rest;

@@ -3,7 +3,7 @@
 use crate::given::SceneArguments;
 use crate::places::OutputArguments;
 
-/// How a log is flown that comes without a scene: the recommended simulator with sensors of navigation grade.
+/// Scene of a log that has no scene: the recommended simulator with sensors of navigation grade.
 pub const FOR_LOGS: &str = crate::budget::FOR_LOGS;
 
 /// Flies a scene many times, each run with its own random errors, and reports how large the errors get and how often

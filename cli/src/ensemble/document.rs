@@ -1,4 +1,4 @@
-//! The page.
+//! The HTML page of an ensemble.
 
 use maud::{Markup, html};
 use sins::ErrorSource;

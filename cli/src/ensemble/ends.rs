@@ -1,4 +1,4 @@
-//! Where the runs end: scatter of the positions with the ellipses of 50 and 95 %, histogram of the radial error.
+//! Errors at the end of the runs: scatter of the positions with the ellipses of 50 and 95 %, histogram of the radial error.
 
 use sins::ErrorSource;
 
@@ -13,16 +13,16 @@ use crate::drawing::series::{Points, range};
 use crate::failure::Failure;
 use crate::units::{LENGTH, fitting};
 
-/// Largest number of dots: those of the first runs.
+/// Largest number of dots; the first runs have dots.
 const MOST_DOTS: usize = 2000;
 
-/// Corners of an ellipse.
+/// Number of corners of a drawn ellipse.
 const CORNERS: usize = 120;
 
-/// Bars of the histogram: as many as the root of the runs, but not fewer or more than these.
+/// Smallest and largest number of bars of the histogram. Between these, it is the square root of the number of runs.
 const BARS: (f64, f64) = (8.0, 60.0);
 
-/// Mean and covariance of the horizontal position, as the triangle whose square the covariance is [m].
+/// Mean and covariance of the horizontal position; the covariance as its Cholesky factor [m].
 #[derive(Debug, Clone, Copy)]
 struct Normal {
     mean: [f64; 2],
@@ -47,7 +47,7 @@ impl Normal {
         along.hypot(across)
     }
 
-    /// The places at one distance.
+    /// Ellipse of the places at one distance.
     fn ellipse(&self, distance: f64) -> Points {
         let corner = |k: usize| {
             let (sine, cosine) = (k as f64 / CORNERS as f64 * std::f64::consts::TAU).sin_cos();
@@ -58,12 +58,12 @@ impl Normal {
     }
 }
 
-/// The distance within which a share of a normal distribution in the plane lies [sigma].
+/// Distance within which there is a share of a normal distribution in the plane [sigma].
 fn within(share: f64) -> f64 {
     (-2.0 * (1.0 - share).ln()).sqrt()
 }
 
-/// The scatter; none if every run diverged.
+/// The scatter; `None` if every run diverged.
 pub fn scatter(study: &Study) -> Result<Option<Figure>, Failure> {
     let places: Vec<[f64; 2]> = study.ends().map(|end| [end[0], end[1]]).collect();
     let Some(row) = study.end(ErrorSource::Navigation).filter(|_| !places.is_empty()) else {
@@ -82,7 +82,7 @@ pub fn scatter(study: &Study) -> Result<Option<Figure>, Failure> {
     let [east, north] = [east, north].map(|values| range(values).unwrap_or_default());
     let size = (east.1 - east.0).max(north.1 - north.0);
     let unit = fitting(size, LENGTH);
-    // Ellipses of no width, and runs all alike, still have axes.
+    // Ellipses without width, and equal runs, still have axes.
     let (x, y, height) = equal_axes(east, north, size.max(1e-9) * 1e-3, unit);
     let scaled = |(east, north): (f64, f64)| (east / unit.si, north / unit.si);
     let traces = ellipses.map(|(pen, points)| Trace::new(pen, points.into_iter().map(scaled).collect()));
@@ -114,7 +114,7 @@ pub fn scatter(study: &Study) -> Result<Option<Figure>, Failure> {
     Figure::new("Positions at the end", ", equal axes", legend, &drawing, note).map(Some)
 }
 
-/// The histogram; none if every run diverged.
+/// The histogram; `None` if every run diverged.
 pub fn histogram(study: &Study) -> Result<Option<Figure>, Failure> {
     let radii: Vec<f64> = study.ends().map(radial).collect();
     let largest = radii.iter().copied().fold(0.0, f64::max);
@@ -169,7 +169,7 @@ mod tests {
             assert!((form - 2.0 * 2f64.ln()).abs() < 1e-12, "{form}");
             assert!((normal.distance([east, north]).powi(2) - form).abs() < 1e-12);
         }
-        // Of no width, in one direction or in both.
+        // Ellipses without width, in one direction or in both.
         for sigma in [[0.0, 5.0], [2.0, 0.0], [0.0, 0.0]] {
             let flat = Normal::new([0.0, 0.0], sigma, 0.0);
             assert!(flat.ellipse(2.0).iter().all(|(east, north)| east.is_finite() && north.is_finite()));

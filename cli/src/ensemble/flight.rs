@@ -1,4 +1,4 @@
-//! The flights: pieces of work on threads, each into the results as a whole or not at all.
+//! The flights: threads fly pieces of work. The results of a piece are added as a whole or not at all.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -18,17 +18,17 @@ use crate::interrupt;
 use crate::parallel::on_threads;
 use crate::progress::Progress;
 
-/// Intervals between two looks at the signals and at what other threads do.
+/// Number of intervals between two checks of the signals and of the state of other threads.
 const CHUNK: usize = 64;
 
-/// What was flown in this session, for the speed.
+/// Steps and time of this execution of the program, for the speed.
 pub struct Flown {
     /// Steps of single runs.
     pub steps: u64,
     pub seconds: f64,
 }
 
-/// What all threads share.
+/// Data that all threads share.
 struct Work<'a> {
     given: &'a Given,
     plan: &'a Plan,
@@ -38,7 +38,8 @@ struct Work<'a> {
     is_over: AtomicBool,
 }
 
-/// Flies the blocks that `results` lacks on `threads`. When it is interrupted, or a piece fails, the checkpoint has what is done.
+/// Flies the blocks that `results` lacks on `threads` threads. After an interruption, or if a piece fails, the checkpoint has the
+/// blocks that are done.
 pub fn fly(
     given: &Given,
     plan: &Plan,
@@ -56,7 +57,7 @@ pub fn fly(
     let began = Instant::now();
     let ended = on_threads(threads, &pieces, |piece| work.piece(piece));
     let seconds = began.elapsed().as_secs_f64();
-    // A thread that failed has stopped the others, which say that they were interrupted.
+    // A thread that failed has stopped the others, which report that they were interrupted.
     let (interrupted, failed): (Vec<Failure>, Vec<Failure>) =
         ended.into_iter().filter_map(Result::err).partition(|failure| failure.kind() == Kind::Interrupted);
     match failed.into_iter().chain(interrupted).next() {
@@ -144,7 +145,7 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Errors of a run at this moment; none of one that statistics count as diverged.
+/// Current errors of a run; `None` if the statistics count the run as diverged.
 fn state(ensemble: &Ensemble, run: u64) -> Result<Option<State>, Error> {
     let of = |errors: &NavigationErrors| {
         let parts = [errors.position_n, errors.velocity_n, errors.misalignment_n];
@@ -157,7 +158,7 @@ fn state(ensemble: &Ensemble, run: u64) -> Result<Option<State>, Error> {
     }
 }
 
-/// Other threads hear of it by the flag; what the user reads is the first of all failures.
+/// Failure of a thread that was stopped. The flag stops the other threads; the user reads only the first of all failures.
 fn interrupted() -> Failure {
     Failure::of_kind(Kind::Interrupted, "")
 }

@@ -32,7 +32,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let plan = Plan::new(order, &given)?;
     let (folder, name) = order.output.places(&given)?;
     let mut outputs = Outputs::new(&given.inputs, order.output.force);
-    // Before anything is flown: what cannot be written is known at once.
+    // The outputs are opened before the flight, so that one that cannot be written is reported at once.
     outputs.folder(&folder)?;
     let file = |ending: &str| folder.join(format!("{name}_ensemble{ending}"));
     let mut checkpoint = Checkpoint::new(file(".checkpoint"), &given, &plan, order.output.force)?;

@@ -1,4 +1,4 @@
-//! What is flown: which runs in which blocks, and at which samples statistics are taken.
+//! Plan of the flights: the blocks of runs, and the samples at which statistics are taken.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use super::command::Order;
 use crate::failure::Failure;
 use crate::given::Given;
 
-/// Runs of a block, by which the checkpoint counts. The results are the same with any size: merging statistics is exact.
+/// Number of runs of a block, the unit of the checkpoint. The results are the same with any size: merging statistics is exact.
 pub const BLOCK: u64 = 64;
 
 /// Largest number of blocks that one thread flies at once. Their runs share the truth, but an interruption loses all of them.
@@ -17,27 +17,27 @@ const SIDE_BY_SIDE: usize = 4;
 /// Smallest number of pieces of work for each thread, so that all threads are busy to the end.
 const PIECES: usize = 4;
 
-/// Default and largest number of rows of statistics. Each thread has a row in memory.
+/// Default and largest number of rows of statistics. Each thread has all rows in memory.
 const ROWS: f64 = 200.0;
 const MOST_ROWS: usize = 2000;
 
 /// Largest number of runs: the error at the end of each is kept.
 pub const MOST_RUNS: u64 = 10_000_000;
 
-/// Runs that are drawn one by one: the first ones.
+/// Number of runs that are drawn one by one: the first runs.
 pub const DRAWN_RUNS: u64 = 8;
 
 /// Neighbouring blocks, which one thread flies at once.
 pub type Piece = Range<usize>;
 
-/// An ensemble.
+/// Plan of an ensemble.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     pub first_run: u64,
     pub runs: u64,
     /// The samples at which statistics are taken, in order: the first one, each `every` intervals, and the last one.
     pub instants: Vec<usize>,
-    /// Intervals between them.
+    /// Number of intervals between two instants.
     pub every: usize,
     pub sources: Vec<ErrorSource>,
 }

@@ -1,4 +1,4 @@
-//! What comes out of the runs: statistics over time, the errors of each run at the end, and the way of a few of them.
+//! Results of the runs: statistics over time, the errors of each run at the end, and the errors of a few runs over time.
 
 use sins::statistics::Statistics;
 
@@ -10,33 +10,33 @@ pub type State = [f64; 9];
 
 /// Results of the runs of a piece of work.
 pub struct Part {
-    /// Of each source at each instant, the sources of an instant side by side.
+    /// Statistics of each source at each instant; the sources of an instant are side by side.
     pub statistics: Vec<Statistics>,
-    /// Of each run, at the end; none of those that diverged.
+    /// Errors of each run at the end; `None` for a run that diverged.
     pub ends: Vec<Option<State>>,
-    /// Of the runs that are drawn, at each instant; a run that diverged has fewer.
+    /// Errors of the runs that are drawn, at each instant; a run that diverged has fewer instants.
     pub drawn: Vec<Vec<State>>,
-    /// Numbers of runs.
+    /// Numbers of the runs that diverged.
     pub diverged: Vec<u64>,
 }
 
 /// Results of all blocks that were flown so far.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Results {
-    /// Whether each block is in them.
+    /// Whether each block is in the results.
     pub done: Vec<bool>,
-    /// As [`Part`] has them.
+    /// Statistics in the order of [`Part`].
     pub statistics: Vec<Statistics>,
-    /// Of each run; none of those that diverged or were not flown yet.
+    /// Errors of each run at the end; `None` for a run that diverged or was not flown yet.
     pub ends: Vec<Option<State>>,
     pub drawn: Vec<Vec<State>>,
-    /// In order.
+    /// Numbers of the runs that diverged, in order.
     pub diverged: Vec<u64>,
 }
 
 impl Part {
     pub fn new(plan: &Plan, piece: &Piece) -> Self {
-        // The runs that are drawn are of the first block.
+        // The runs that are drawn are in the first block.
         let drawn = if piece.start == 0 { plan.drawn() } else { 0 };
         Self {
             statistics: Vec::with_capacity(plan.count()),
@@ -48,7 +48,7 @@ impl Part {
 }
 
 impl Results {
-    /// Nothing flown yet.
+    /// Results before any block was flown.
     pub fn new(plan: &Plan) -> Self {
         Self {
             done: vec![false; plan.blocks()],
@@ -59,7 +59,7 @@ impl Results {
         }
     }
 
-    /// The blocks that are not in them.
+    /// The blocks that are not in the results.
     pub fn missing(&self) -> Vec<usize> {
         (0..self.done.len()).filter(|block| !self.done[*block]).collect()
     }
@@ -70,7 +70,7 @@ impl Results {
         done.map(|block| plan.runs_of(&(block..block + 1)).1).sum()
     }
 
-    /// Takes in the results of `piece`. The order does not matter: sums of statistics are exact.
+    /// Adds the results of `piece`. The order does not matter: sums of statistics are exact.
     pub fn add(&mut self, piece: &Piece, part: Part) -> Result<(), Failure> {
         for (sum, more) in self.statistics.iter_mut().zip(&part.statistics) {
             sum.merge(more).map_err(|error| Failure::of_kind(Kind::Failed, error.to_string()))?;

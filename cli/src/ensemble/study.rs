@@ -1,4 +1,4 @@
-//! All that the page and the terminal show.
+//! Data that the page and the terminal show.
 
 use sins::ErrorSource;
 
@@ -7,7 +7,7 @@ use super::results::{Results, State};
 use super::table::Row;
 use crate::given::Given;
 
-/// The three errors, in the order of a [`State`].
+/// One of the three errors of a [`State`].
 pub struct Quantity {
     pub name: &'static str,
     pub family: &'static crate::units::Family,
@@ -33,7 +33,7 @@ pub struct Study<'a> {
 }
 
 impl<'a> Study<'a> {
-    /// The rows of one of the error data, one for each instant; none where it is off.
+    /// The rows of one of the error data, one for each instant; empty if these data are off.
     pub fn of(&self, source: ErrorSource) -> Vec<&Row> {
         self.rows.iter().filter(|row| row.source == source).collect()
     }
@@ -74,5 +74,5 @@ impl<'a> Study<'a> {
     }
 }
 
-/// Diverged runs that are listed one by one; the file of the runs lists all.
+/// Largest number of diverged runs that are listed one by one. The file of the runs lists all.
 const MOST_TOLD: usize = 20;

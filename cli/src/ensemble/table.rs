@@ -12,10 +12,10 @@ use crate::given::Given;
 use crate::record::EAST_NORTH_UP;
 use crate::rows::number;
 
-/// The three errors, with their units as columns have them.
+/// The three errors and their units, as in the names of columns.
 const QUANTITIES: [(&str, &str); 3] = [("position", "m"), ("velocity", "m_s"), ("misalignment", "rad")];
 
-/// How the statistics' file begins: by it the program knows its own.
+/// Beginnings of the file of statistics and of the file of the runs, by which the program recognizes its own files.
 pub const MARK: &str = "time_s,error_data,runs,diverged,out_of_range,";
 pub const RUNS_MARK: &str = "run,diverged,";
 
@@ -46,7 +46,7 @@ impl Row {
     }
 }
 
-/// The rows of `results`, in the order of time, the sources of an instant one below the other.
+/// The rows of `results` in the order of time. The rows of the sources of an instant follow one another.
 pub fn rows(given: &Given, plan: &Plan, results: &Results) -> Result<Vec<Row>, Failure> {
     let mut rows = Vec::with_capacity(plan.count());
     for (index, at) in plan.instants.iter().zip(results.statistics.chunks(plan.sources.len())) {
@@ -58,7 +58,7 @@ pub fn rows(given: &Given, plan: &Plan, results: &Results) -> Result<Vec<Row>, F
     Ok(rows)
 }
 
-/// The file of statistics. Numbers are as C's `%.9e` has them, so that a host in C writes the same bytes.
+/// The file of statistics. Numbers have the format `%.9e` of C, so that a host in C writes the same bytes.
 pub fn statistics(rows: &[Row]) -> String {
     let names = |what: &str| states(what).join(",");
     let mut text = format!(
@@ -86,7 +86,7 @@ pub fn statistics(rows: &[Row]) -> String {
     text
 }
 
-/// Writes the errors of each run at the end; none of a run that diverged.
+/// Writes the errors of each run at the end; a run that diverged has none.
 pub fn write_runs(plan: &Plan, results: &Results, to: &mut impl Write) -> std::io::Result<()> {
     writeln!(to, "{RUNS_MARK}{},radial_m", states("").join(","))?;
     for (run, end) in (plan.first_run..).zip(&results.ends) {
@@ -111,7 +111,7 @@ fn states(begin: &str) -> Vec<String> {
     QUANTITIES.into_iter().flat_map(of).collect()
 }
 
-/// As C's `%.9e`: at least two digits of the exponent, and its sign.
+/// Number in the format `%.9e` of C: the exponent has its sign and at least two digits.
 fn scientific(value: f64) -> String {
     let text = format!("{value:.9e}");
     match text.split_once('e') {

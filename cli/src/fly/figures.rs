@@ -1,4 +1,4 @@
-//! The figures of a flight: what was flown, and how well.
+//! Figures of a flight: what was flown, and its accuracy.
 
 use sins::errors::AccuracyFigures;
 use sins::scene::{PlannedFailure, Scene};
@@ -10,10 +10,10 @@ use crate::failure::{Failure, Kind};
 use crate::given::Given;
 use crate::units::six_digits;
 
-/// Samples that a rate of growth needs at the least: there is no slope through one.
+/// Smallest number of samples for a rate of growth: one sample defines no slope.
 const LEAST_SAMPLES: u64 = 2;
 
-/// Everything that summary and terminal say.
+/// All figures of the summary file and of the terminal.
 pub struct Figures<'a> {
     pub given: &'a Given,
     pub name: &'a str,
@@ -53,12 +53,12 @@ impl<'a> Figures<'a> {
         1e9 * self.flown.seconds / self.flown.steps.max(1) as f64
     }
 
-    /// Whether there are rates of growth: they count from a time on that a short flight does not reach.
+    /// Whether there are rates of growth. They are computed from a fixed time on, which a short flight does not reach.
     pub fn has_rates(&self) -> bool {
         self.accuracy.window_samples >= LEAST_SAMPLES
     }
 
-    /// Extremes of the true motion: key, value, unit, label and the time stamp of each; none unless the scene wants them.
+    /// Extremes of the true motion: key, value, unit, label and time stamp of each. Empty unless the scene requests them.
     pub fn truth(&self) -> Vec<(&'static str, f64, &'static str, &'static str, f64)> {
         let Some(truth) = &self.flown.truth else { return Vec::new() };
         [
@@ -77,7 +77,7 @@ impl<'a> Figures<'a> {
         .to_vec()
     }
 
-    /// What is set in a section of the scene, in words; "none" if nothing.
+    /// Keys that a section of the scene sets, in words; "none" if it sets none.
     pub fn set_in(&self, section: &str) -> String {
         let set = self.scene().changed_keys();
         let words: Vec<String> = set
@@ -90,19 +90,19 @@ impl<'a> Figures<'a> {
         if words.is_empty() { "none".to_owned() } else { words.join(", ") }
     }
 
-    /// Each failure with its time; "none" without.
+    /// Each failure with its time; "none" if there are no failures.
     pub fn failures(&self) -> String {
         let words: Vec<String> = self.scene().failures.iter().map(failure_text).collect();
         if words.is_empty() { "none".to_owned() } else { words.join(", ") }
     }
 }
 
-/// What a key sets, without what explains it.
+/// Name of what a key sets, without the explanation after the name.
 fn name(doc: &str) -> &str {
     doc.split([',', ':', ';', '(']).next().unwrap_or(doc).trim_end()
 }
 
-/// The numbers of a value with six digits: what a person set, without what its unit makes of the last bit.
+/// `value` with its numbers rounded to six digits: the numbers that a person set, without rounding errors of their units.
 fn rounded(value: &str) -> String {
     let number = |word: &str| match word.parse::<f64>() {
         Ok(number) if word.parse::<u64>().is_err() => crate::rows::number(six_digits(number)),

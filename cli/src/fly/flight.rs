@@ -17,7 +17,7 @@ use crate::output::OutputFile;
 use crate::progress::Progress;
 use crate::record::{NEAR_POLE, NOT_COMPUTED, Record};
 
-/// Samples between two looks at the clock, at the signals and at the disk.
+/// Number of samples between two checks of the clock, the signals and the disk.
 const CHUNK: usize = 4096;
 
 /// The files that grow with the flight.
@@ -26,7 +26,7 @@ pub struct Files {
     pub imu: Option<OutputFile>,
 }
 
-/// What came out of a flight, or of a part of it.
+/// Results of a flight, or of a part of it.
 #[derive(Debug, Default)]
 pub struct Flown {
     pub records: u64,
@@ -38,11 +38,11 @@ pub struct Flown {
     /// Largest |error data 1 - error data 2| of the records: position [m], velocity [m/s].
     pub largest_difference: [f64; 2],
     pub accuracy: Option<(AccuracyFigures, ClosureFigures, TrimFigures)>,
-    /// What the true motion was like, if the scene wants to know.
+    /// Summary of the true motion, if the scene requests it.
     pub truth: Option<TruthSummary>,
 }
 
-/// Errors of the sensors since the last record: integrals [rad], [m/s], and over which time [s].
+/// Errors of the sensors since the last record: integrals [rad], [m/s], and the time of integration [s].
 #[derive(Default)]
 struct SensorSum {
     angle: Vector3<f64>,
@@ -57,14 +57,15 @@ impl SensorSum {
         self.time_s += imu.interval_s;
     }
 
-    /// The means; the sum begins anew.
+    /// Returns the mean errors and resets the sum.
     fn take(&mut self) -> [Vector3<f64>; 2] {
         let Self { angle, velocity, time_s } = std::mem::take(self);
         [angle / time_s, velocity / time_s]
     }
 }
 
-/// Flies all of `given`, a record each `every` intervals. On an error, or when it is asked to stop, `flown` says how far it came.
+/// Flies all of `given`, with a record after every `every` intervals. After an error or a request to stop, `flown` has the results
+/// up to then.
 pub fn fly(
     given: &Given,
     every: u64,
@@ -84,7 +85,7 @@ pub fn fly(
     result
 }
 
-/// A flight under way.
+/// A flight in progress.
 struct InFlight<'a> {
     simulator: &'a mut Simulator,
     given: &'a Given,
@@ -109,7 +110,7 @@ impl InFlight<'_> {
         let progress = Progress::flying("flying", given.count - 1, quiet);
         for first in (1..given.count).step_by(CHUNK) {
             let last = (first + CHUNK).min(given.count);
-            // The flight is made outside of the time that counts: a host has its own.
+            // The flight is computed outside of the measured time: a host has its own flight.
             let samples =
                 (first..last).map(|index| given.sample(index)).collect::<Result<Vec<_>, Error>>()?;
             let began = Instant::now();
@@ -157,7 +158,7 @@ impl InFlight<'_> {
         Ok(())
     }
 
-    /// The record now, after the sample `index`.
+    /// Current record, after the sample `index`.
     fn record(&mut self, index: usize) -> Result<Option<Record>, Failure> {
         Record::now(self.simulator).map_err(|error| self.given.stopped_at(index, &error))
     }
@@ -177,7 +178,7 @@ fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(),
         raise(&mut flown.largest_difference[0], (model.position - errors.position).norm());
     }
     if errors.flags & NEAR_POLE != 0 {
-        // East, north and up misalignment mean nothing there.
+        // East, north and up misalignment have no meaning near a pole.
         return Ok(());
     }
     raise(&mut flown.largest[1], errors.velocity.norm());

@@ -6,7 +6,7 @@ use sins::ImuInterval;
 
 use crate::rows::number;
 
-/// Columns: the end of the interval, and what gyros and accelerometers gave over it.
+/// Columns: end of the interval, and output of gyros and accelerometers over the interval.
 pub const COLUMNS: [&str; 7] = [
     "time_s",
     "angle_increment_x_rad",

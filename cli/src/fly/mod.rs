@@ -19,7 +19,7 @@ use crate::terminal::print;
 use figures::Figures;
 use flight::{Files, Flown};
 
-/// How a log is flown that comes without a scene: by the recommended simulator with ideal sensors.
+/// Scene of a log that has no scene: the recommended simulator with ideal sensors.
 pub const FOR_LOGS: &str = "[flight]\nfile = \"log\"\n";
 
 /// Flies a scene, writes its records (DIR/NAME.csv) and figures (DIR/NAME_summary.csv), and prints a summary
@@ -43,7 +43,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let imu = imu.map(|file| below(&folder, file, "output.imu", "--imu")).transpose()?;
     let every = spacing::intervals(&given)?;
     let mut outputs = Outputs::new(&given.inputs, order.output.force);
-    // Before anything is flown: what cannot be written is known at once.
+    // The outputs are opened before the flight, so that one that cannot be written is reported at once.
     outputs.folder(&folder)?;
     let file = |ending: &str| folder.join(format!("{name}{ending}"));
     let summary_file = outputs.file(&file("_summary.csv"), summary::MARK)?;
@@ -73,11 +73,11 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         finish(&figures, files, summary_file)?;
         if quiet { Ok(()) } else { print(&print::text(&figures, &file(".csv"))) }
     });
-    // What went wrong in flight comes first.
+    // A failure of the flight has priority.
     ended.and(finished)
 }
 
-/// Puts all files in place: the records last, as the report looks for the summary beside them.
+/// Puts all files in place. The records are last, because the report looks for the summary beside the records.
 fn finish(figures: &Figures, files: Files, summary_file: OutputFile) -> Result<(), Failure> {
     let Files { records, imu } = files;
     let text = summary::text(figures)?;

@@ -8,12 +8,12 @@ use sins::units::{ARCMIN, NMI_PER_HOUR};
 use super::figures::Figures;
 use crate::units::{six_digits, time_text};
 
-/// The summary; the records are at `records`.
+/// Text of the summary; `records` is the path of the records.
 pub fn text(figures: &Figures, records: &Path) -> String {
     setting(figures, records) + &closure(figures) + &accuracy(figures)
 }
 
-/// Scientific where a fixed point would not show the digits.
+/// `value` as text, in scientific notation if fixed-point notation would not show its digits.
 fn number(value: f64) -> String {
     let size = value.abs();
     let text = match size {

@@ -1,4 +1,4 @@
-//! How far apart the records are.
+//! Spacing of the records.
 
 use crate::failure::Failure;
 use crate::given::Given;

@@ -9,10 +9,10 @@ use crate::record::EAST_NORTH_UP;
 use crate::rows;
 use crate::units::six_digits;
 
-/// How every summary begins.
+/// Beginning of every summary.
 pub const MARK: &str = "key,value,unit,label\nname,";
 
-/// The file. A figure that there is not has the value "none".
+/// Text of the file. A figure that does not exist has the value "none".
 pub fn text(figures: &Figures) -> Result<String, Failure> {
     let mut summary = Rows(Vec::new());
     settings(figures, &mut summary);

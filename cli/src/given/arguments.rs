@@ -20,7 +20,7 @@ pub struct SceneArguments {
 }
 
 impl SceneArguments {
-    /// The scene; a log without one is flown by the simulator of the scene in the text `for_logs`.
+    /// The scene; a log without a scene is flown by the simulator of the scene in the text `for_logs`.
     pub fn load(&self, for_logs: &str) -> Result<Given, Failure> {
         Given::load(self.scene.as_deref(), self.log.as_deref(), &self.settings, for_logs)
     }

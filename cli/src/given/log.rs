@@ -8,13 +8,13 @@ use sins::log::{FlightLog, LogError};
 
 use crate::failure::Failure;
 
-/// Opens an input that is no device.
+/// Opens an input; a device is rejected.
 pub fn open(path: &Path) -> Result<File, Failure> {
     reject_device(path)?;
     File::open(path).map_err(|error| Failure::of_input(path, &error))
 }
 
-/// A device has no end, or waits for a keyboard.
+/// Rejects a device: it has no end, or waits for a keyboard.
 fn reject_device(path: &Path) -> Result<(), Failure> {
     if is_device(path) {
         return Err(Failure::of_file(path, &"is a device: expected a file or a pipe"));
@@ -37,7 +37,7 @@ fn is_device(path: &Path) -> bool {
     }
 }
 
-/// The log at `path`; "-": of standard input.
+/// The log at `path`; "-" means standard input.
 pub fn read_log(path: &Path) -> Result<FlightLog, Failure> {
     reject_device(path)?;
     let read = if path == Path::new("-") {

@@ -28,9 +28,9 @@ use text::{Text, name_of};
 #[derive(Debug)]
 pub struct Given {
     pub scene: Scene,
-    /// Its name: that of its file without the ending, or of the built-in scene.
+    /// Name of the scene: its file name without the ending, or the name of the built-in scene.
     pub name: String,
-    /// The scene's file, or the built-in scene.
+    /// Origin of the scene: its file, or the built-in scene.
     pub origin: String,
     /// All files that were read.
     pub inputs: Vec<PathBuf>,
@@ -40,7 +40,7 @@ pub struct Given {
     pub count: usize,
     /// Time stamp of the first sample [s].
     pub start_s: f64,
-    /// Time between two samples, of a log on average [s].
+    /// Time between two samples; for a log, the mean [s].
     pub period_s: f64,
     /// Time from the first sample to the last [s].
     pub duration_s: f64,
@@ -54,7 +54,7 @@ enum Motion {
 }
 
 impl Given {
-    /// The scene called `name` (built in, a file, or a log), with `log` in the place of its flight. A log alone is flown by the
+    /// The scene called `name` (built in, a file, or a log); `log` replaces its flight. A log without a scene is flown by the
     /// simulator of the scene in the text `for_logs`.
     pub fn load(
         name: Option<&OsStr>,
@@ -133,7 +133,7 @@ impl Given {
     /// The sample `index`.
     pub fn sample(&self, index: usize) -> Result<FlightSample, Error> {
         match &self.motion {
-            // Rounding must not carry the last time over the end.
+            // Rounding must not move the last time past the end.
             Motion::Flight(flight) => {
                 flight.sample_at((index as f64 / self.scene.rate_hz).min(flight.duration_s()))
             }
@@ -141,7 +141,7 @@ impl Given {
         }
     }
 
-    /// The flight in closed form; none of a log.
+    /// Flight in closed form; `None` for a log.
     pub fn flight(&self) -> Option<&Flight> {
         match &self.motion {
             Motion::Flight(flight) => Some(flight),
@@ -149,7 +149,7 @@ impl Given {
         }
     }
 
-    /// Where the sample `index` stands: the line of a log, or the time.
+    /// Place of the sample `index`: the line of a log, or the time.
     pub fn place(&self, index: usize) -> String {
         match &self.motion {
             Motion::Flight(_) => {
@@ -161,7 +161,7 @@ impl Given {
         }
     }
 
-    /// Why a flight ends at the sample `index`: it is a bad one, or the truth or the solution left its range.
+    /// Failure that ends a flight at the sample `index`: the sample is invalid, or the truth or the solution left its range.
     pub fn stopped_at(&self, index: usize, error: &Error) -> Failure {
         let refusal = self.failure_at(index, error);
         match error.kind {
@@ -170,18 +170,18 @@ impl Given {
         }
     }
 
-    /// `error` about the sample `index`.
+    /// Failure about the sample `index`, with its place.
     pub fn failure_at(&self, index: usize, error: &dyn std::fmt::Display) -> Failure {
         Failure::new(format!("{}: {error}", self.place(index)))
     }
 }
 
-/// Reads the scene of the file `path`, or of that name, and nothing of its flight.
+/// Reads the scene called `name` (built in or a file), without its flight.
 pub fn read_scene(name: &OsStr, settings: &Settings) -> Result<Scene, Failure> {
     Text::find(name)?.parse(settings)
 }
 
-/// Title of the scene: its own, or else one made from its flight.
+/// Title of the scene: its own title, otherwise a title made from its flight.
 fn title(scene: &Scene, motion: &Motion) -> String {
     let own = scene.title.clone();
     match (motion, &scene.flight) {

@@ -1,4 +1,4 @@
-//! The text of a scene, and where it is from.
+//! Text of a scene, and its origin.
 
 use std::ffi::OsStr;
 use std::io::Read;
@@ -9,7 +9,7 @@ use sins::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, nearest};
 use super::settings::Settings;
 use crate::failure::Failure;
 
-/// A text.
+/// Text of a scene.
 pub struct Text {
     bytes: Vec<u8>,
     pub origin: String,
@@ -19,7 +19,7 @@ pub struct Text {
 }
 
 impl Text {
-    /// A built-in scene, or the file of that name.
+    /// Text of the built-in scene `name`, or of the file `name`.
     pub fn find(name: &OsStr) -> Result<Self, Failure> {
         let path = Path::new(name);
         let builtin = |known: &str| BUILTIN_SCENES.iter().find(|(name, _)| *name == known);
@@ -44,7 +44,7 @@ impl Text {
         Ok(Self { bytes, origin, path: Some(path.to_owned()), name: name_of(path) })
     }
 
-    /// The scene that flies a log.
+    /// Scene `text`, which flies the log at `path`.
     pub fn for_log(path: &Path, text: &str) -> Self {
         let bytes = text.as_bytes().to_vec();
         Self { bytes, origin: path.display().to_string(), path: None, name: name_of(path) }
@@ -69,7 +69,7 @@ impl Text {
         self.path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""))
     }
 
-    /// `failure`, with the line of the key that it is about.
+    /// `failure` with the line of `key`, if the line is found.
     pub fn at(&self, section: &str, key: &str, failure: Failure) -> Failure {
         let Some(path) = &self.path else { return failure };
         let text = String::from_utf8_lossy(&self.bytes);
@@ -80,7 +80,7 @@ impl Text {
     }
 }
 
-/// The line of `key` of `[section]`, if the text has it in that form.
+/// Line of `key` in `[section]`, if the text writes the key in this form.
 fn line_of(text: &str, section: &str, key: &str) -> Option<u64> {
     let head = format!("[{section}]");
     let mut is_inside = false;
@@ -95,12 +95,12 @@ fn line_of(text: &str, section: &str, key: &str) -> Option<u64> {
     None
 }
 
-/// Whether the name is one of a flight log.
+/// Whether `name` is the name of a flight log.
 pub fn is_log(name: &OsStr) -> bool {
     name == "-" || Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }
 
-/// What a file is called: without folder and ending.
+/// Name of a file without folder and ending.
 pub fn name_of(path: &Path) -> String {
     match path.file_stem() {
         Some(stem) if path != Path::new("-") => stem.to_string_lossy().into_owned(),

@@ -1,10 +1,10 @@
-//! What must not be lost is not.
+//! Tests that no file is lost that must not be lost.
 
 use super::*;
 
 const MARK: &str = "time_s,own";
 
-/// A folder with a log that is somebody's own.
+/// A folder with a log that this program did not write.
 fn folder() -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
     let log = folder.path().join("log.csv");
@@ -16,7 +16,7 @@ fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap()
 }
 
-/// Names of all that is in the folder.
+/// Names of all entries of the folder.
 fn names(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();
     let mut names: Vec<String> =
@@ -39,7 +39,7 @@ fn a_file_is_whole_or_not_there() {
     file.commit().unwrap();
     assert_eq!((read(&path).as_str(), names(folder.path()).len()), ("time_s,own\n1\n", 2));
 
-    // Given up: the old file stays, and nothing else.
+    // The file is dropped: the old file stays, and nothing else.
     let mut file = Outputs::new(&[], false).file(&path, MARK).unwrap();
     file.write_all(b"half").unwrap();
     drop(file);
@@ -73,7 +73,7 @@ fn files_of_others_need_force_and_own_ones_do_not() {
     Outputs::new(&[], true).write(&log, MARK, "time_s,own\n2\n").unwrap();
     Outputs::new(&[], false).write(&log, MARK, "time_s,own\n3\n").unwrap();
     assert_eq!(read(&log), "time_s,own\n3\n");
-    // Nothing is lost of an empty one.
+    // Replacing an empty file loses nothing.
     let empty = folder.path().join("empty");
     std::fs::write(&empty, "").unwrap();
     Outputs::new(&[], false).write(&empty, MARK, "time_s,own\n").unwrap();

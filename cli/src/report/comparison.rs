@@ -1,4 +1,4 @@
-//! Tables of whatever rows the summaries have.
+//! Tables of the rows of the summaries, whatever rows these have.
 
 use maud::{Markup, html};
 
@@ -6,7 +6,7 @@ use crate::drawing::document::table;
 use crate::report::run::Run;
 use crate::report::summary::Row;
 
-/// Every row in which the runs differ, a column for each run; then those that are the same in all.
+/// Rows in which the runs differ, with a column for each run; then the rows that are the same in all runs.
 pub fn comparison(runs: &[Run]) -> Markup {
     let mut rows: Vec<&Row> = Vec::new();
     for row in runs.iter().flat_map(|run| &run.summary.rows) {
@@ -26,7 +26,7 @@ pub fn comparison(runs: &[Run]) -> Markup {
             h2 { "All runs compared" }
             details {
                 summary { "Settings and figures of all runs" }
-                // Inside: a link to it opens the details.
+                // The table is inside the details, so that a link to the table opens them.
                 div.table id="comparison" tabindex="0" {
                     (table(Some("comparison"), heads, different.into_iter().map(compared)))
                 }

@@ -50,7 +50,7 @@ pub const POSITION: Quantity = Quantity {
     is_motion: true,
 };
 
-/// The figure, ready for the page.
+/// Figure of the error for the page.
 pub fn figure(run: &Run, quantity: &Quantity) -> Result<Figure, Failure> {
     let axes = axes(run, quantity);
     let note = note(run, quantity, axes);
@@ -92,7 +92,7 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
     over_time(time, panels)
 }
 
-/// What the lines are.
+/// Legend of the lines.
 pub fn legend(run: &Run, quantity: &Quantity) -> Legend {
     let mut legend = vec![(Pen::Computed, "data 2: navigation minus truth".to_owned())];
     if run.model.is_some() {
@@ -117,7 +117,7 @@ fn caption(what: &str, which: &str, unit: Unit) -> String {
     format!("{what} {which} [{}]", unit.name)
 }
 
-/// Error data 2 less error data 1; none without the model, and where data 1 is zero.
+/// Error data 2 less error data 1; `None` without the model, or if data 1 is zero.
 fn differences(run: &Run, quantity: &Quantity) -> Option<[Vec<f64>; 3]> {
     let (computed, model) = ((quantity.of)(&run.errors), (quantity.of)(run.model.as_ref()?));
     if model.iter().all(|values| magnitude(values) == 0.0) {

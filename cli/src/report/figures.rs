@@ -7,7 +7,7 @@ use crate::report::run::Run;
 use crate::report::{radial, sensors, spectrum, trajectory};
 use crate::units;
 
-/// All figures of `run`, in reading order; without the ones that would be empty.
+/// All figures of `run` in reading order, except for empty figures.
 pub fn figures(run: &Run) -> Result<Vec<Figure>, Failure> {
     let mut figures = vec![trajectory::figure(run)?];
     for quantity in [&ATTITUDE, &VELOCITY, &POSITION] {

@@ -1,4 +1,4 @@
-//! The table at the top of the page: the figures that matter, a row for each run.
+//! The table at the top of the page: the main figures, a row for each run.
 
 use maud::{Markup, html};
 
@@ -7,13 +7,13 @@ use crate::report::run::Run;
 use crate::report::spectrum::SCHULER_S;
 use crate::units::{self, time_text, with_unit};
 
-/// A figure of a run; none where it says nothing about it.
+/// A column of the table: its title, and its figure of a run, `None` if the run has none.
 struct Column {
     title: &'static str,
     value: fn(&Run) -> Option<String>,
 }
 
-/// The one column that holds a sentence.
+/// Title of the only column with a sentence.
 const SENSORS: &str = "Sensor errors";
 
 const COLUMNS: [Column; 9] = [
@@ -28,7 +28,7 @@ const COLUMNS: [Column; 9] = [
     Column { title: "Time per step", value: |run| text(run, "ns_per_step") },
 ];
 
-/// The table, with what its columns mean below.
+/// The table, with the meaning of its columns below.
 pub fn overview(runs: &[Run]) -> Markup {
     let heads = ["Run"].into_iter().chain(COLUMNS.iter().map(|column| column.title));
     let heads = heads.map(str::to_owned).collect();
@@ -64,7 +64,7 @@ fn text(run: &Run, key: &str) -> Option<String> {
     run.summary.row(key).map(crate::report::summary::Row::text)
 }
 
-/// What the sensors do wrong, "none" if nothing.
+/// Errors of the sensors in words; "none" if there are no errors.
 pub fn sensors(run: &Run) -> Option<String> {
     match (run.summary.value("gyro_text")?, run.summary.value("accel_text")?) {
         ("none", "none") => Some("none".to_owned()),
@@ -81,7 +81,7 @@ fn model_difference(run: &Run) -> Option<String> {
     text(run, "max_model_difference_position_m")
 }
 
-/// Horizontal closure less the part of the flight data, where nothing else errs.
+/// Horizontal closure less the part of the flight data; `None` if there are other errors.
 fn own_error(run: &Run) -> Option<String> {
     let is_none = |key: &str| run.summary.value(key) == Some("none");
     let may_lack = |key: &str| run.summary.value(key).is_none() || is_none(key);

@@ -67,7 +67,7 @@ fn scene(run: &Run) -> String {
     sentences.map(|text| text.trim_end_matches('.').to_owned() + ". ").collect()
 }
 
-/// What a reader of the figures has to know.
+/// Remarks that a reader of the figures needs.
 fn remarks(run: &Run) -> Vec<String> {
     let mut remarks = Vec::new();
     let span = |(from, to): (f64, f64)| format!("between {} and {}", time_text(from), time_text(to));
@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(html.matches("<figure>").count() + 1, drawings, "two in the trajectory's figure");
     }
 
-    /// Two figures in a row at the most, and no row that is half empty.
+    /// A row has at most two figures, and no row is half empty.
     #[test]
     fn the_last_of_an_odd_number_of_figures_has_its_row() {
         let html = page(&[made(3, |_, _| 0.0)]).unwrap();

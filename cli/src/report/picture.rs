@@ -1,4 +1,4 @@
-//! The velocity and the position errors of a run as an SVG file, for pages that cannot hold the report.
+//! The velocity and the position errors of a run as an SVG file, for pages that cannot contain the report.
 
 use maud::{Markup, PreEscaped, html};
 
@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::report::errors::{self, POSITION, Quantity, VELOCITY};
 use crate::report::run::Run;
 
-/// The file: velocity left, position right.
+/// The SVG file: velocity left, position right.
 pub fn picture(run: &Run) -> Result<String, Failure> {
     let [velocity, position] = [&VELOCITY, &POSITION].map(|quantity| half(run, quantity));
     let ((velocity, left_height), (position, right_height)) = (velocity?, position?);

@@ -9,10 +9,10 @@ use crate::failure::Failure;
 use crate::report::run::Run;
 use crate::units::{self, fitting, significant, time_text, with_unit};
 
-/// The radial error is fitted from here on [s], as the library's accuracy figures are.
+/// Time from which the radial error is fitted [s], the same as in the library's accuracy figures.
 const FIT_FROM_S: f64 = 300.0;
 
-/// The line of 1 nmi/h is drawn where the largest error is within this factor of it.
+/// The line of 1 nmi/h is drawn if the ratio of the largest error and the line is within this factor.
 const COMPARABLE: f64 = 30.0;
 
 /// The straight line through the radial error [m], [m/s].
@@ -22,8 +22,8 @@ struct Growth {
     slope: f64,
 }
 
-/// The line; none for flights that end before it would begin. The slope is that of the summary, which is computed from each second
-/// if the records are farther apart: so page and summary show the same number.
+/// The straight line; `None` for flights that end before its beginning. The slope is taken from the summary, so that page and
+/// summary show the same number. The summary's slope is computed from each second if the records are farther apart.
 fn growth(run: &Run, radius: &[f64]) -> Option<Growth> {
     let window = run.time_s.iter().position(|t| *t >= FIT_FROM_S)?;
     let (times, radius) = (&run.time_s[window..], &radius[window..]);
@@ -38,7 +38,7 @@ fn growth(run: &Run, radius: &[f64]) -> Option<Growth> {
     Some(Growth { from_s: times[0], level, slope })
 }
 
-/// Horizontal position error with its straight line and that of 1 nmi/h.
+/// Horizontal position error with its straight line and the line of 1 nmi/h.
 pub fn figure(run: &Run) -> Result<Figure, Failure> {
     let time = time_axis(run.duration_s());
     let [east, north, _] = &run.errors.position_m;

@@ -11,9 +11,9 @@ use crate::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Re
 use crate::report::summary::Summary;
 use crate::table::Table;
 
-/// Everything that was recorded. All columns have one entry a record.
+/// All recorded data of a run. All columns have one entry for each record.
 pub struct Run {
-    /// Name in the summary, or else of the file.
+    /// Name in the summary, otherwise the name of the file.
     pub name: String,
     /// Name of the file.
     pub file: String,
@@ -23,13 +23,13 @@ pub struct Run {
     pub navigation: Places,
     /// Error data 2: navigation minus truth.
     pub errors: Errors,
-    /// Error data 1: the error differential equations; none if they were off.
+    /// Error data 1: the error differential equations; `None` if they were off.
     pub model: Option<Errors>,
-    /// Standard deviations of the errors; none if the covariance was off.
+    /// Standard deviations of the errors; `None` if the covariance was off.
     pub sigma: Option<Errors>,
-    /// Measured less ideal, x, y, z [rad/s].
+    /// Error of the gyros, measured less ideal, x, y, z [rad/s].
     pub gyro_error_rad_s: [Vec<f64>; 3],
-    /// Measured less ideal, x, y, z [m/s²].
+    /// Error of the accelerometers, measured less ideal, x, y, z [m/s²].
     pub accel_error_m_s2: [Vec<f64>; 3],
     pub summary: Summary,
 }
@@ -54,7 +54,7 @@ impl Run {
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let summary_path = summary_path(path);
-        // First: a pipe in the place of the records has no summary, and would be waited for.
+        // The summary is opened first: a pipe in the place of the records has no summary, and opening the pipe would wait.
         let summary = File::open(&summary_path).map_err(|error| {
             let what = format!(
                 "the summary of {}, which must be in the same folder, cannot be read: {error}",
@@ -124,7 +124,7 @@ impl Run {
     }
 }
 
-/// Where the summary of the records at `path` has to be.
+/// Path of the summary of the records at `path`.
 pub fn summary_path(path: &Path) -> PathBuf {
     beside(path, "_summary.csv")
 }
@@ -153,7 +153,7 @@ impl Errors {
         }
     }
 
-    /// Standard deviations, by their own columns.
+    /// Standard deviations from their own columns.
     fn of_sigmas(table: &mut Table) -> Result<Self, Failure> {
         let mut columns = SIGMA_COLUMNS.iter().map(|name| table.take(name));
         let mut three = || -> Result<[Vec<f64>; 3], Failure> {
@@ -170,7 +170,7 @@ fn axes(records: &[Record], of: fn(&Record) -> &Vector3<f64>) -> [Vec<f64>; 3] {
     std::array::from_fn(|axis| records.iter().map(|record| of(record)[axis]).collect())
 }
 
-/// Times less the first; rejects fewer than two, and times that do not increase.
+/// Times less the first time; rejects fewer than two records, and times that do not increase.
 fn since_start(path: &Path, lines: &[u64], records: &[Record]) -> Result<Vec<f64>, Failure> {
     if let Some(row) = records.windows(2).position(|pair| pair[1].time_s <= pair[0].time_s) {
         let (before, found) = (records[row].time_s, records[row + 1].time_s);
@@ -192,7 +192,7 @@ pub mod tests {
         of_columns(&COLUMNS, records, value)
     }
 
-    /// The same with standard deviations.
+    /// A run as from `made`, with standard deviations.
     pub fn with_sigmas(records: u32, value: impl Fn(&str, f64) -> f64) -> Run {
         of_columns(&[&COLUMNS[..], &SIGMA_COLUMNS].concat(), records, value)
     }

@@ -12,16 +12,16 @@ use crate::units::{Unit, significant, time_text};
 /// Axes of a triad of sensors.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Means drawn over noisy sensor errors.
+/// Number of means that are drawn over noisy sensor errors.
 const MEANS: usize = 100;
 
-/// Errors of a triad of sensors, the records and their running mean; none where there are no errors.
+/// Errors of a triad of sensors: the records and their means over stretches; `None` if there are no errors.
 pub fn figure(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Result<Option<Figure>, Failure> {
     if values.iter().all(|values| magnitude(values) == 0.0) {
         return Ok(None);
     }
     let time = time_axis(run.duration_s());
-    // Each record has the mean since the one before, the first none.
+    // Each record has the mean since the previous record; the first record has none.
     let (time_s, values) = (&run.time_s[1..], values.each_ref().map(|values| &values[1..]));
     let panels: Vec<_> = AXES
         .iter()

@@ -19,25 +19,25 @@ pub const SCHULER_S: f64 = 84.4 * 60.0;
 /// One day [s].
 const DAY_S: f64 = 86_400.0;
 
-/// A spectrum is worth drawing for records longer than this many Schuler periods.
+/// A spectrum is drawn for runs longer than this number of Schuler periods.
 const LEAST_PERIODS: f64 = 3.0;
 
-/// And that have at least this many records.
+/// Smallest number of records for which a spectrum is drawn.
 const LEAST_RECORDS: usize = 64;
 
 /// The shortest period that is drawn [s], unless the records are farther apart.
 const SHORTEST_S: f64 = 300.0;
 
-/// Decades below the highest line.
+/// Number of decades that are drawn below the highest line.
 const DECADES: f64 = 5.0;
 
-/// Points of a drawn line: the highest amplitude of each stretch of the axis.
+/// Number of points of a drawn line. Each is the highest amplitude of a stretch of the axis.
 const STRETCHES: usize = 500;
 
-/// Padding with zeros, so that the peak of a line between two frequencies is found.
+/// Factor by which zeros lengthen the record, so that the peak of a line between two frequencies is found.
 const PADDING: usize = 4;
 
-/// Least distance of two ticks of the period [drawing units].
+/// Smallest distance of two ticks of the period [drawing units].
 const TICK_ROOM: f64 = 66.0;
 
 /// An oscillation.
@@ -48,7 +48,7 @@ pub struct Line {
     pub amplitude: f64,
 }
 
-/// Periods to look for, their mark in the drawing and their text in the legend.
+/// Expected periods, their mark in the drawing and their text in the legend.
 struct Expected {
     pen: Pen,
     periods_s: Vec<f64>,
@@ -56,7 +56,7 @@ struct Expected {
     text: String,
 }
 
-/// Amplitudes of the record (`time_s`, `values`) by falling period: straight line removed, Hann window,
+/// Amplitudes of the record (`time_s`, `values`) by decreasing period: straight line removed, Hann window,
 /// A(f) = 2 |Σ w v exp(-i 2π f t)| / Σ w.
 pub fn spectrum(time_s: &[f64], values: &[f64]) -> Result<Vec<Line>, Failure> {
     let (level, slope) = straight_line(time_s, values);
@@ -81,7 +81,7 @@ pub fn spectrum(time_s: &[f64], values: &[f64]) -> Result<Vec<Line>, Failure> {
     Ok(output.iter().enumerate().skip(1).map(line).collect())
 }
 
-/// As many records at equal distances, by straight lines between the recorded ones, and their distance [s].
+/// The same number of values at equal intervals, linearly interpolated between the records, and their interval [s].
 fn uniform(time_s: &[f64], values: &[f64]) -> (Vec<f64>, f64) {
     let count = values.len();
     let step = (time_s[count - 1] - time_s[0]) / (count - 1) as f64;
@@ -97,7 +97,7 @@ fn uniform(time_s: &[f64], values: &[f64]) -> (Vec<f64>, f64) {
     ((0..count).map(at).collect(), step)
 }
 
-/// The spectrum with the periods to look for; none for short records and for records without errors.
+/// The spectrum with the expected periods; `None` for short runs and for runs without errors.
 pub fn figure(run: &Run) -> Result<Option<Figure>, Failure> {
     let duration_s = run.duration_s();
     if duration_s <= LEAST_PERIODS * SCHULER_S || run.time_s.len() < LEAST_RECORDS {
@@ -153,7 +153,7 @@ fn strongest(lines: &[Line], low: f64, high: f64) -> Line {
     shown.fold(none, |most, line| if line.amplitude > most.amplitude { *line } else { most })
 }
 
-/// Periods that physics puts into the errors, for a vehicle at rest at the latitude.
+/// Periods of the errors that physics predicts for a vehicle at rest at the latitude.
 fn expected(duration_s: f64, latitude_rad: f64) -> Vec<Expected> {
     let schuler = "Schuler period, 84.4 min".to_owned();
     let mut all =
@@ -170,7 +170,7 @@ fn expected(duration_s: f64, latitude_rad: f64) -> Vec<Expected> {
     all
 }
 
-/// Foucault period 24 h / |sin L|, and the two periods into which it splits Schuler's [s]; none near the equator.
+/// Foucault period 24 h / |sin L|, and the two periods into which it splits Schuler's period [s]; `None` near the equator.
 fn foucault(latitude_rad: f64) -> Option<(f64, f64, f64)> {
     let sine = latitude_rad.sin().abs();
     if sine < 0.02 {
@@ -180,7 +180,7 @@ fn foucault(latitude_rad: f64) -> Option<(f64, f64, f64)> {
     Some((1.0 / frequency, 1.0 / (1.0 / SCHULER_S + frequency), 1.0 / (1.0 / SCHULER_S - frequency)))
 }
 
-/// Logarithms of period and amplitude between `low` and `high`, the highest of each stretch.
+/// Logarithms of period and amplitude for periods between `low` and `high`: the highest amplitude of each stretch.
 fn envelope(lines: &[Line], low: f64, high: f64, unit: f64) -> Points {
     let mut points: Vec<(usize, (f64, f64))> = Vec::new();
     for line in lines.iter().rev() {
@@ -201,7 +201,7 @@ fn envelope(lines: &[Line], low: f64, high: f64, unit: f64) -> Points {
     points.into_iter().map(|(_, point)| point).collect()
 }
 
-/// The parts of a line above `bottom`, each with its way down to it.
+/// The parts of a line above `bottom`, each with its ends at `bottom`.
 fn above(points: Points, bottom: f64) -> Vec<Points> {
     let mut parts: Vec<Points> = vec![Vec::new()];
     for (x, y) in points {
@@ -221,9 +221,9 @@ mod tests {
 
     use super::*;
 
-    /// A Schuler oscillation with bias and drift in 48 h: the highest line is at 84.4 min within a padded bin. A Hann
-    /// window seen d bins off its middle keeps sin(πd) / (πd (1 - d²)), d ≤ 1/8 with fourfold padding; what leaks from
-    /// the line at negative frequency, 68 bins away, falls with the cube of the distance, 1 / (π 68³) = 1e-6.
+    /// A Schuler oscillation with bias and drift in 48 h: the highest line is at 84.4 min within a padded bin. A Hann window at d
+    /// bins from its middle has the gain sin(πd) / (πd (1 - d²)), d ≤ 1/8 with fourfold padding. The leakage from the line at
+    /// negative frequency, 68 bins away, falls with the cube of the distance: 1 / (π 68³) = 1e-6.
     #[test]
     fn a_schuler_line_is_found() {
         let time_s: Vec<f64> = (0..=17_280).map(|k| f64::from(k) * 10.0).collect();

@@ -1,4 +1,4 @@
-//! The summary of a run: whatever rows the file has.
+//! The summary of a run, with whatever rows the file has.
 
 use std::io::Read;
 use std::path::Path;
@@ -81,12 +81,12 @@ impl Row {
         units::family(&self.unit).is_some() || self.unit == units::NMI_PER_HOUR.name
     }
 
-    /// The label, or else the key.
+    /// The label, or the key if there is no label.
     pub fn title(&self) -> &str {
         if self.label.is_empty() { &self.key } else { &self.label }
     }
 
-    /// The value with its unit: four digits, the unit chosen by size where it is one of length, speed or angle.
+    /// The value with its unit: four digits; a unit of length, speed or angle is chosen by size.
     pub fn text(&self) -> String {
         let with_unit = |value: String, unit: &str| format!("{value} {unit}").trim_end().to_owned();
         match self.value.parse::<f64>() {

@@ -14,18 +14,18 @@ use crate::failure::Failure;
 use crate::report::run::{Places, Run};
 use crate::units::{KILOMETRE, LENGTH, METRE, Unit, fitting, time_text, with_unit};
 
-/// Mean radius of the Earth [m], for the length of an arc over its chord.
+/// Mean radius of the Earth [m], for the length of an arc from its chord.
 const EARTH_RADIUS_M: f64 = 6.371e6;
 
-/// A track at rest is shown in a square of this side [m], a constant height in a strip of [`LEAST_HEIGHT_M`].
+/// Smallest extents of the axes [m]: of a track at rest, and of a constant height.
 const LEAST_TRACK_M: f64 = 1.0;
 const LEAST_HEIGHT_M: f64 = 10.0;
 
-/// A track keeps the details down to its extent over this number.
+/// Ratio of the extent of a track to the smallest detail that is drawn.
 const TRACK_RESOLUTION: f64 = 2000.0;
 
-/// A truth whose path is longer than its extent times this goes over the same ground again and again: what is drawn in
-/// full then is its first and last [`SHOWN`] extents of path.
+/// A path of the truth that is longer than its extent times this ratio covers the same ground repeatedly. Then only its first and
+/// last [`SHOWN`] extents of path are drawn.
 const REPEATS: f64 = 20.0;
 const SHOWN: f64 = 4.0;
 
@@ -54,7 +54,7 @@ pub fn figure(run: &Run) -> Result<Figure, Failure> {
     Ok(Figure { title: "Trajectory".to_owned(), legend, drawings: vec![track, height], note })
 }
 
-/// Length of the parts at both ends of the truth that are drawn, in whole minutes; none if all of it is drawn.
+/// Duration of the parts at both ends of the truth that are drawn, in whole minutes [s]; `None` if all of it is drawn.
 fn stretch_s(duration_s: f64, (east, north): &Track) -> Option<f64> {
     let path: f64 = (1..east.len()).map(|k| (east[k] - east[k - 1]).hypot(north[k] - north[k - 1])).sum();
     let [east, north] = [east, north].map(|values| extremes(values));
@@ -133,8 +133,8 @@ fn height(run: &Run, shown_s: f64) -> Result<(String, String), Failure> {
     Ok((drawing.svg(&format!("Height above the ellipsoid over time. {note}"))?, note))
 }
 
-/// East and north [m] of the first place of `origin`, by distance and bearing from there (azimuthal equidistant), so
-/// that tracks over a pole or over the date line stay whole.
+/// Distances east and north [m] from the first place of `origin`, in the azimuthal equidistant projection, so that tracks over a
+/// pole or over the date line stay connected.
 fn local(path: &Places, origin: &Places) -> Track {
     let earth = Earth::new(Ellipsoid::Wgs84, GravityModel::Normal);
     let height_m = origin.height_m[0];

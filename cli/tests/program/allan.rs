@@ -4,8 +4,8 @@ use std::path::Path;
 
 use crate::support::{done, folder, read, rejected};
 
-/// A turn at 10 °/s, measured in pulses of a thousandth of a degree while the turntable shakes; what it shakes is taken off
-/// again. Q is 0.001° / √12. Row `gap` and those after it are `late` steps late.
+/// A turn at 10 °/s, measured in pulses of a thousandth of a degree while the turntable shakes. The motion of the shaking is
+/// subtracted again. Q is 0.001° / √12. Row `gap` and the rows after it are `late` steps late.
 fn log(path: &Path, rows: u32, gap: u32, late: u32) {
     let mut text = "# a turntable\ntime_s,gyro_z_deg_s,mode\n".to_owned();
     let angle = |k: u32| {

@@ -16,24 +16,26 @@ fn the_patrol_and_a_log_have_their_budgets() {
     let of = |scene: &str| all.iter().filter(|row| row["scene"] == scene).collect::<Vec<&Row>>();
     let (patrol, airliner) = (of("simulation2"), of("airliner_cruise"));
     let names = |rows: &[&Row]| rows.iter().map(|row| row["effect"].clone()).collect::<Vec<String>>();
-    // The paper's two errors of two sensors; the five that a navigation grade states.
+    // Effects: the paper's two errors of two sensors, and the five errors that a navigation grade states. The three other rows are
+    // no effects.
     assert_eq!((patrol.len(), airliner.len()), (4 + 3, 5 + 3));
     for rows in [&patrol, &airliner] {
         let count = rows.len();
         assert_eq!(names(&rows[count - 3..]), ["mechanization", "not their sum", "all together"]);
         let sizes: Vec<f64> = rows[..count - 3].iter().map(|row| number(row, "position_m")).collect();
-        // The mechanization errs less than any sensor, and all together more than half of the largest.
+        // The error of the mechanization is smaller than the error of any sensor. All errors together are more than half of the
+        // largest.
         assert!(sizes.iter().all(|size| *size > 100.0 * number(rows[count - 3], "position_m")), "{sizes:?}");
         assert!(number(rows[count - 1], "position_m") > 0.5 * sizes[0]);
         assert!(number(rows[count - 2], "position_m") < 1e-3 * number(rows[count - 1], "position_m"));
     }
-    // Three minutes of 1e-5 g along three axes: no more than b t^2/2 of them all, and as the patrol has turned by less than
-    // 1.5 rad by then, no less than a tenth of two.
+    // Three minutes of a bias b of 1e-5 g along three axes: the error is at most b t^2/2 of three axes. The patrol has turned by
+    // less than 1.5 rad by then, so the error is at least a tenth of b t^2/2 of two axes.
     let bias = patrol.iter().find(|row| row["field"] == "accel.bias_m_s2").unwrap();
     let along_one = 0.5 * 9.80665e-5 * 180.0f64.powi(2);
     let axes = number(bias, "end_position_m") / along_one;
     assert!((0.1 * 2f64.sqrt()..3f64.sqrt()).contains(&axes) && bias["kind"] == "deterministic", "{axes}");
-    // What is no effect cannot be left out, nor the largest of them.
+    // A row that is no effect cannot be left out, and neither can the largest effect.
     assert!(patrol[4..].iter().chain(&airliner[5..]).all(|row| row["can_be_left_out"] == "0"));
     assert_eq!(patrol[0]["can_be_left_out"], "0");
     assert!(airliner.iter().any(|row| row["can_be_left_out"] == "1"));

@@ -1,4 +1,4 @@
-//! Complete files or none: after signals, with several runs of one name, on a full disk.
+//! Files are complete or absent: after signals, with several runs of one name, on a full disk.
 
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use crate::support::{done, folder, names, numbers, read, result, sins};
 
-/// Waits until a temporary file is there.
+/// Waits until a temporary file exists.
 fn wait_for_part(out: &Path) {
     let deadline = Instant::now() + Duration::from_secs(60);
     while !out.exists() || !names(out).iter().any(|name| name.ends_with(".part")) {
@@ -16,7 +16,7 @@ fn wait_for_part(out: &Path) {
 }
 
 fn signal(child: &Child, name: &str) {
-    // The shell's own kill: the program of that name is not on every machine.
+    // The built-in kill of the shell, because not every machine has the program kill.
     let order = format!("kill -{name} {}", child.id());
     assert!(Command::new("sh").args(["-c", &order]).status().unwrap().success());
 }
@@ -42,7 +42,7 @@ fn a_signal_leaves_whole_files_and_no_temporary_one() {
         assert!(rows.iter().all(|row| row.len() == columns.len()), "every row is whole");
         assert!(read(out.join("simulation2_summary.csv")).contains("interrupted,1,"));
     }
-    // A survey has nothing to show before its end.
+    // A survey has no results before its end.
     let folder = folder("signal_survey");
     let out = folder.join("out");
     let child = sins(&folder, &["budget", "simulation2", "--hours", "48", "-o", "out"])
@@ -72,7 +72,7 @@ fn two_runs_of_one_name_leave_whole_files() {
     assert!(rows.len() == 3601 && rows.iter().all(|row| row.len() == columns.len()));
 }
 
-/// A disk that is full, as a limit on the size of files has it.
+/// A limit on the size of files acts like a full disk.
 #[test]
 fn a_full_disk_leaves_the_old_file() {
     let folder = folder("full");
@@ -80,7 +80,7 @@ fn a_full_disk_leaves_the_old_file() {
     done(&folder, &[&order[..], &["--set", "flight.hours=0.01"]].concat());
     let before = read(folder.join("sins_out/rest.csv"));
     let program = env!("CARGO_BIN_EXE_sins");
-    // 512 KiB where a block is a KiB, half of that where it is not.
+    // 512 KiB if a block is 1 KiB, otherwise 256 KiB.
     let script = format!("trap '' XFSZ; ulimit -f 512; exec '{program}' {}", order.join(" "));
     let output = Command::new("sh").args(["-c", &script]).current_dir(&folder).output().unwrap();
     let (code, _, errors) = result(&output);

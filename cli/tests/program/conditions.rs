@@ -1,4 +1,4 @@
-//! Scenes from a file: mounting, gravity, temperature and failures act on a flight as their closed forms.
+//! Scenes from a file: mounting, gravity, temperature and failures act on a flight as computed in closed form.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -7,11 +7,11 @@ use crate::support::{done, folder, read, rejected};
 
 const DEG_PER_HOUR: f64 = std::f64::consts::PI / 180.0 / 3600.0;
 
-/// Two minutes at rest, a sample each second, nothing drawn; the increments are wanted.
+/// Two minutes at rest, a sample each second, without random errors; the increments are written.
 const REST: &str =
     "[output]\nimu = 'imu.csv'\n[flight]\nbuiltin = 'rest'\nhours = 0.03333333333333333\nrate_hz = 1\n";
 
-/// Flies a scene; the text of its increments.
+/// Flies a scene and returns the text of its increments.
 fn fly(folder: &Path, text: &str) -> String {
     std::fs::write(folder.join("scene.toml"), text).unwrap();
     done(folder, &["fly", "scene.toml", "--quiet"]);
@@ -25,7 +25,7 @@ fn column(table: &str, name: &str) -> Vec<f64> {
     lines.map(|line| line.split(',').nth(at).unwrap().parse().unwrap()).collect()
 }
 
-/// What the second flight measures more than the first, each second.
+/// Measurement of the second flight less the measurement of the first, each second.
 fn more(undisturbed: &str, other: &str, name: &str) -> Vec<f64> {
     let pairs = column(undisturbed, name).into_iter().zip(column(other, name));
     pairs.map(|(undisturbed, other)| other - undisturbed).collect()
@@ -36,16 +36,16 @@ fn a_turned_block_and_disturbed_gravity_are_measured() {
     let folder = folder("world");
     let undisturbed = fly(&folder, REST);
     let turned = fly(&folder, &format!("{REST}[mounting]\nboresight_deg = [0, 0, 90]\n"));
-    // At rest heading north: the block's x axis points south then, and feels the Earth turn the other way.
+    // At rest with heading north, the x axis of the turned block points south and senses the opposite component of the Earth rate.
     let north = column(&undisturbed, "angle_increment_y_rad");
     let south = column(&turned, "angle_increment_x_rad");
     for (north, south) in north.iter().zip(&south) {
-        // A rotation of an angle below 1e-4, by a sine and a cosine each a rounding off.
+        // A rotation of an angle below 1e-4, by a sine and a cosine that each have a rounding error.
         assert!(*north > 5e-5 && (north + south).abs() < 8.0 * f64::EPSILON * 1e-4, "{north:e} {south:e}");
     }
     let heavy = fly(&folder, &format!("{REST}[gravity]\nanomaly_mgal = 100\n"));
     for error in more(&undisturbed, &heavy, "velocity_increment_z_m_s") {
-        // 100 mGal are 1e-3 m/s2; the difference of two numbers below 10.
+        // 100 mGal are 1e-3 m/s2. The error is a difference of two numbers below 10.
         assert!((error - 1e-3).abs() < 4.0 * f64::EPSILON * 10.0, "{error:e}");
     }
 }
@@ -60,7 +60,7 @@ fn the_temperature_changes_steadily_and_a_log_gives_its_own() {
     let errors = more(&undisturbed, &warm, "angle_increment_x_rad");
     assert_eq!(errors.len(), 120);
     for (second, error) in errors.iter().enumerate() {
-        // 5 K at the begin and 1 K/s, in the middle of the second; the difference of two numbers below 1e-3.
+        // 5 K at the beginning and 1 K/s, in the middle of the second. The error is a difference of two numbers below 1e-3.
         let expected = (5.0 + second as f64 + 0.5) * DEG_PER_HOUR;
         assert!((error - expected).abs() < 4.0 * f64::EPSILON * 1e-3, "{second}: {error:e} {expected:e}");
     }
@@ -76,7 +76,7 @@ fn the_temperature_changes_steadily_and_a_log_gives_its_own() {
     let flight = "[output]\nimu = 'imu.csv'\n[options]\nsample_period_s = 1\n[flight]\nfile = 'log.csv'\n";
     let by_column = fly(&folder, &format!("{flight}{gyro}"));
 
-    // A log without the column takes the keys, from its own first time stamp on.
+    // A log without the column uses the keys, from its first time stamp on.
     let late = |line: &str| {
         let (time, rest) = line.split_once(',').unwrap();
         let (rest, _) = rest.rsplit_once(',').unwrap();
@@ -119,10 +119,10 @@ fn a_failure_acts_between_its_times() {
     let failure = |output: &str, body: &str| format!("[[failure]]\nsensor = {output}\nkind = {body}\n");
     let undisturbed = fly(&folder, REST);
 
-    // The later of the two of one output stands first; 70 s ends the one and begins the other.
+    // Of two failures of one output, the later one is written first. One ends and the other begins at 70 s.
     let steps = failure("'gyro'\naxis = 'x'", "'bias_step'\nsize_deg_h = -50\nfrom_s = 70\nuntil_s = 80")
         + &failure("'gyro'\naxis = 'x'", "'bias_step'\nsize_deg_h = 100\nfrom_s = 30\nuntil_s = 70")
-        // Between samples: from the first step behind it on, until the first behind its end.
+        // Times between samples: the failure acts from the first step after its begin until the first step after its end.
         + &failure("'accelerometer'\naxis = 'z'", "'dead'\nfrom_s = 40.5\nuntil_s = 43.2")
         + &failure("'gyro'\naxis = 'y'", "'none'\nfrom_s = 1")
         + &failure("'gyro'\naxis = 'z'", "'bias_step'\nsize_deg_h = 1\nfrom_s = 115");
@@ -133,7 +133,7 @@ fn a_failure_acts_between_its_times() {
             70..80 => -50.0,
             _ => 0.0,
         };
-        // The difference of two numbers below 1e-3; without a failure the very same.
+        // The difference of two numbers below 1e-3; without a failure the numbers are identical.
         let tolerance = if step == 0.0 { 0.0 } else { 4.0 * f64::EPSILON * 1e-3 };
         assert!((error - step * DEG_PER_HOUR).abs() <= tolerance, "{second}: {error:e}");
     }
@@ -143,10 +143,10 @@ fn a_failure_acts_between_its_times() {
     assert_eq!(column(&failed, "velocity_increment_z_m_s")[41..44], [0.0; 3]);
     assert_eq!(seconds(&undisturbed, &failed, "velocity_increment_x_m_s"), []);
     let summary = read(folder.join("sins_out/scene_summary.csv"));
-    let told = "accelerometer z dead 40.5 s to 43.2 s, gyro z bias step 115 s to the end";
-    assert!(summary.contains(told), "{summary}");
+    let reported = "accelerometer z dead 40.5 s to 43.2 s, gyro z bias step 115 s to the end";
+    assert!(summary.contains(reported), "{summary}");
 
-    // 49 times a 49th of a second is less than a second, by a rounding: still the step that begins at 1 s.
+    // 49 times a 49th of a second is less than a second by rounding. The step still begins at 1 s.
     let fast = REST.replace("rate_hz = 1\n", "rate_hz = 49\n").replace("0.03333333333333333", "0.001");
     let step = failure("'gyro'\naxis = 'x'", "'bias_step'\nsize_deg_h = 100\nfrom_s = 1\nuntil_s = 2");
     let (undisturbed, failed) = (fly(&folder, &fast), fly(&folder, &format!("{fast}{step}")));
@@ -154,7 +154,7 @@ fn a_failure_acts_between_its_times() {
     assert_eq!(seconds(&undisturbed, &failed, "angle_increment_x_rad"), steps);
 }
 
-/// The same flight from another time stamp on: times of failures count from its begin.
+/// A flight whose first time stamp is not 0: times of failures count from its first sample.
 #[test]
 fn failures_of_a_log_count_from_its_first_sample() {
     let folder = folder("late");
@@ -175,7 +175,7 @@ fn failures_of_a_log_count_from_its_first_sample() {
     let failed = fly(&folder, &format!("{flight}{gyro}"));
     assert_eq!(seconds(&undisturbed, &failed, "angle_increment_x_rad"), [30, 31, 32]);
 
-    // The first record is of the start, the 61st of 60 s; the loop draws the height upwards, as the altimeter says.
+    // The first record is at the start, the 61st at 60 s. The loop raises the height, following the altimeter.
     assert!(fly(&folder, &format!("{flight}{altimeter}")) == undisturbed);
     let apart: Vec<f64> =
         height().iter().zip(&undisturbed_height).map(|(failed, undisturbed)| failed - undisturbed).collect();

@@ -27,10 +27,10 @@ fn accuracy_and_its_cost_are_measured() {
     let of = |scene: &str| all.iter().filter(|row| row["scene"] == scene).cloned().collect::<Vec<Row>>();
     let (aerobatics, pole, airliner) = (of("aerobatics"), of("pole"), of("airliner_cruise"));
     assert_eq!((aerobatics.len(), pole.len()), (6 * 26, 6 * 26));
-    // 50, 25 and 12.5 Hz.
+    // The log is flown at 50, 25 and 12.5 Hz.
     assert_eq!(airliner.len(), 3 * 26);
 
-    // The paper's scheme errs by the first order of the rotation in a step, the default by the third.
+    // The error of the paper's scheme is of first order in the rotation of a step, the error of the default of third order.
     for rate in ["200", "400"] {
         let paper = number(find(&aerobatics, "paper", "geographic", rate), "position_m");
         let default = number(find(&aerobatics, "exact", "Earth-fixed", rate), "position_m");
@@ -46,7 +46,7 @@ fn accuracy_and_its_cost_are_measured() {
         let mut front: Vec<_> =
             measured.iter().filter(|row| row["on_front"] == "1").map(|row| place(row)).collect();
         front.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // The columns are rounded.
+        // The tolerances are for the rounding of the columns.
         assert!(front.windows(2).all(|pair| pair[1].1 <= pair[0].1), "{front:?}");
         for (cost, error) in measured.iter().map(|row| place(row)) {
             let is_covered = front.iter().any(|(c, e)| *c <= cost + 1.0 && *e <= error * 1.001);
@@ -56,11 +56,11 @@ fn accuracy_and_its_cost_are_measured() {
 
     let scenes = rows(&out.join("scenes.csv"));
     for scene in &scenes {
-        // Ten nanometres: the floor of what is told is then a micrometre.
+        // With an uncertainty of ten nanometres, the floor of the reported errors is a micrometre.
         let known = number(scene, "reference_position_m");
         assert!(known > 0.0 && known < 1e-8, "{scene:?}");
         let sensors = ["navigation_grade_m", "tactical_grade_m"].map(|column| number(scene, column));
-        // In rolls and 5 g the scatter of scale factors counts, which the source of the tactical grade does not state.
+        // In rolls and at 5 g the scatter of scale factors matters, which the source of the tactical grade does not state.
         assert!(sensors[0] > 0.01 && sensors[1] > sensors[0], "{scene:?}");
     }
     let table = read(out.join("table.md"));

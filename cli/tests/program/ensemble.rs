@@ -1,10 +1,12 @@
-//! `sins ensemble`: the same files by any number of threads and over any interruption; statistics against the runs themselves.
+//! `sins ensemble`: the files are the same for any number of threads and after any interruption; statistics are compared with the
+//! runs.
 
 use std::path::Path;
 
 use crate::support::{done, folder, names, numbers, read, rejected, result, run, sins};
 
-/// Three minutes of sensors of navigation grade, with both error data: three blocks of 64 runs, the last one short.
+/// Three minutes with sensors of navigation grade and both error data. With the 150 runs of `order`, these are three blocks of 64
+/// runs, of which the last is not full.
 const SCENE: [&str; 9] = [
     "simulation2",
     "--preset",
@@ -28,7 +30,7 @@ fn bytes(out: &Path) -> [Vec<u8>; 3] {
     FILES.map(|name| std::fs::read(out.join(name)).unwrap())
 }
 
-/// Rows of a file by the names of its columns; what is empty is none.
+/// Rows of a file by the names of its columns, without empty fields.
 fn table(path: &Path) -> Vec<std::collections::HashMap<String, f64>> {
     let mut reader = csv::Reader::from_path(path).unwrap();
     let names: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
@@ -50,18 +52,18 @@ fn any_number_of_threads_writes_the_same_files() {
         assert_eq!(names(&folder.join(threads)), FILES, "{threads}");
         assert!(bytes(&folder.join(threads)) == bytes(&folder.join("1")), "{threads}");
     }
-    // Other runs are other errors.
+    // Other runs have other errors.
     done(&folder, &order(&["-q", "--first-run", "1", "--out", "first"]));
     assert!(bytes(&folder.join("first"))[0] != bytes(&folder.join("1"))[0]);
 }
 
-/// Long enough to be interrupted.
+/// An order that runs long enough to be interrupted.
 #[cfg(unix)]
 fn long<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&order(&["--set", "flight.hours=0.1", "--set", "flight.rate_hz=100"])[..], more].concat()
 }
 
-/// Waits for the checkpoint, which comes with the first block.
+/// Sends `signal` after the checkpoint exists, which comes with the first block. Returns the exit code and the messages.
 #[cfg(unix)]
 fn interrupted(folder: &Path, out: &str, signal: &str) -> (i32, String) {
     use std::process::Stdio;
@@ -119,7 +121,7 @@ fn a_checkpoint_that_is_damaged_or_foreign_is_rejected() {
         assert!(errors.contains(words), "{more:?}: {errors}");
         assert!(std::fs::read(&path).unwrap() == good, "{more:?}");
     }
-    // Every part of the file: its text, the blocks, statistics, ends, the checksum; and cut.
+    // Damage in every part of the file: its text, the blocks, statistics, ends, the checksum. The file is also cut there.
     for at in [30, 200, 300, 5000, good.len() / 2, good.len() - 9, good.len() - 1] {
         let mut damaged = good.clone();
         damaged[at] ^= 0x10;
@@ -160,7 +162,8 @@ fn no_output_is_an_input() {
     }
 }
 
-/// Mean, sigma, root mean square and radii of the last row, from the errors of the runs; these, from the runs flown alone.
+/// Mean, sigma, root mean square and radii of the last row are compared with the errors of the runs, and these with runs flown
+/// alone.
 #[test]
 fn statistics_are_those_of_the_runs() {
     let folder = folder("statistics");
@@ -171,7 +174,7 @@ fn statistics_are_those_of_the_runs() {
     let end = rows.iter().rfind(|row| row["error_data"] == 2.0).unwrap();
     let count = runs.len() as f64;
     assert_eq!((end["runs"], end["diverged"], runs[0]["run"]), (count, 0.0, 40.0));
-    // The statistics count in these, so a sum is right to half of one for each run.
+    // The statistics count in units of 2^-`resolution`, so a sum is right to half a unit for each run.
     for (quantity, unit, resolution) in
         [("position", "m", 22), ("velocity", "m_s", 29), ("misalignment", "rad", 45)]
     {
@@ -185,7 +188,7 @@ fn statistics_are_those_of_the_runs() {
                 (values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (count - 1.0)).sqrt();
             for (what, expected) in [("mean", mean), ("sigma", sigma), ("rms", square.sqrt())] {
                 let found = end[&format!("{what}_{name}")];
-                // Ten digits are written.
+                // The file has ten digits.
                 assert!(
                     (found - expected).abs() <= step + 1e-9 * expected.abs(),
                     "{what}_{name}: {found} {expected}"
@@ -225,7 +228,8 @@ fn statistics_are_those_of_the_runs() {
     }
 }
 
-/// Accelerometers of 0.3 g and a free vertical channel: some runs fall out of the Earth within five minutes, others do not.
+/// Accelerometers with biases of 1 g (1 sigma) and a free vertical channel: within six minutes some runs leave the range of
+/// heights, others do not.
 #[test]
 fn diverged_runs_are_reported_by_number_and_left_out() {
     let folder = folder("diverged");
@@ -244,8 +248,8 @@ fn diverged_runs_are_reported_by_number_and_left_out() {
         runs.iter().filter(|run| run["diverged"] == 1.0).map(|run| run["run"] as u64).collect();
     assert!(diverged.len() > 2 && diverged.len() < 68, "{diverged:?}");
     assert!(runs.iter().all(|run| (run["diverged"] == 1.0) != run.contains_key("radial_m")));
-    let told: Vec<String> = diverged.iter().take(20).map(u64::to_string).collect();
-    assert!(said.contains(&format!("{} diverged: {}", diverged.len(), told.join(", "))), "{said}");
+    let reported: Vec<String> = diverged.iter().take(20).map(u64::to_string).collect();
+    assert!(said.contains(&format!("{} diverged: {}", diverged.len(), reported.join(", "))), "{said}");
     let rows = table(&out.join("rest_ensemble.csv"));
     let end = &rows[rows.len() - 1];
     assert_eq!((end["runs"], end["diverged"]), (70.0, diverged.len() as f64));

@@ -1,4 +1,4 @@
-//! `sins fly`, `sins scene`, `sins keys`, `sins recommend`: what a newcomer does first.
+//! `sins fly`, `sins scene`, `sins keys`, `sins recommend`: the first commands of a new user.
 
 use crate::support::{done, folder, names, numbers, project_file, read, rejected, run};
 
@@ -21,17 +21,17 @@ fn a_first_flight_and_its_page() {
     assert_eq!(said.replace('\\', "/"), "sins_out/report.html\n");
     let page = read(folder.join("sins_out/report.html"));
     assert!(page.contains("simulation2") && page.contains("Gyro errors"));
-    // One figure, one number.
+    // Page and summary show the same slope.
     let slope: f64 =
         figure(&read(folder.join("sins_out/simulation2_summary.csv")), "slope_nmi_h").parse().unwrap();
     let words =
         page.split("Slope of the straight line: ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
     assert!((slope - words.parse::<f64>().unwrap()).abs() <= 6e-4 * slope.abs(), "{slope} {words}");
-    // All of it below one folder.
+    // All outputs are below one folder.
     assert_eq!(names(&folder), ["sins_out"]);
 }
 
-/// Rates count from 300 s on: there is none through one sample, and none is 0.
+/// Rates are computed from 300 s on. One sample gives no rate, which is reported as none and not as 0.
 #[test]
 fn a_flight_shorter_than_the_window_has_no_rates() {
     let folder = folder("short");
@@ -61,7 +61,7 @@ fn records_are_spaced_as_they_are_wanted() {
     };
     let times = fly(&["--set", "output.every_s=2.5"]);
     assert!(times.len() == 73 && times.windows(2).all(|pair| (pair[1] - pair[0] - 2.5).abs() < 1e-9));
-    // About 2000 of 18 000 intervals.
+    // By default about 2000 of 18 000 intervals have records.
     assert_eq!(fly(&[]).len(), 2001);
     let errors = rejected(&folder, &["fly", "rest", "--set", "output.every_s=0.001"]);
     assert!(
@@ -70,7 +70,7 @@ fn records_are_spaced_as_they_are_wanted() {
     );
 }
 
-/// Where the scene wants it, the summary tells what the truth was like: a log in wrong units stands out.
+/// If the scene requests it, the summary reports the extremes of the true motion, which reveal a log in wrong units.
 #[test]
 fn the_true_motion_is_summed_up() {
     let folder = folder("truth");
@@ -82,14 +82,14 @@ fn the_true_motion_is_summed_up() {
     assert!(!summary.contains("truth_rate_max_rad_s") && !said.contains("largest angular rate"));
     let (said, summary) = fly(&["--set", "options.truth_summary=on"]);
     let rate: f64 = figure(&summary, "truth_rate_max_rad_s").parse().unwrap();
-    // Three rolls in 6 s, by a step that is smooth to the third derivative: its slope is 35/16 at the most. The mean over an interval of
-    // 1/600 of that is less by (1/600)² of its curvature.
+    // Three rolls in 6 s, by a step that is smooth to the third derivative, with a largest slope of 35/16. The mean over an
+    // interval, 1/600 of the 6 s, is smaller by (1/600)² of the curvature.
     let expected = 35.0 / 16.0 * std::f64::consts::PI;
     assert!((rate / expected - 1.0).abs() < 1e-4, "{rate}");
     assert!(said.contains("truth           largest angular rate"), "{said}");
 }
 
-/// Where the covariance is on, nine columns of standard deviations follow, and the page has the envelope.
+/// If the covariance is on, nine columns of standard deviations follow, and the page has the envelope.
 #[test]
 fn standard_deviations_are_recorded_and_drawn() {
     let folder = folder("sigmas");
@@ -150,7 +150,7 @@ fn scenes_are_listed_checked_and_written() {
     done(&folder, &["fly", "own.toml", "-q"]);
     done(&folder, &["fly", "simulation2", "-q", "--set", "flight.hours=0.05"]);
     assert_eq!(read(folder.join("sins_out/own.csv")), read(folder.join("sins_out/simulation2.csv")));
-    // A scene is somebody's own as soon as it is there.
+    // An existing scene is the user's own.
     let order = ["scene", "write", "patrol", "-o", "own.toml"];
     assert!(rejected(&folder, &order).contains("--force"));
     done(&folder, &[&order[..], &["--force"]].concat());
@@ -188,7 +188,7 @@ fn keys_and_completions_are_printed() {
     }
 }
 
-/// A reader that goes early is no failure.
+/// A reader that closes the pipe early is no failure.
 #[test]
 #[cfg(unix)]
 fn a_closed_pipe_is_no_failure() {
@@ -205,7 +205,7 @@ fn options_are_recommended_and_too_much_is_reported() {
     let scene = ["recommend", "aerobatics", "--piece", "30", "--hours", "0.01"];
     let said = done(&folder, &[&scene[..], &["--position", "1"]].concat());
     assert!(said.contains("[options]\nscheme = \"") && said.contains("algorithms were tried"), "{said}");
-    // What it says is a part of a scene.
+    // The printed options are a valid part of a scene.
     let options = said.split("\n\n").next().unwrap();
     std::fs::write(folder.join("own.toml"), format!("[flight]\nbuiltin = \"aerobatics\"\n{options}\n"))
         .unwrap();

@@ -1,5 +1,5 @@
 /*
- * A host of scenes in C: flies the text of a scene, its log beside it, and prints the columns of sins fly.
+ * A host of scenes in C: flies the text of a scene, with its log if it has one, and prints the columns of sins fly.
  *
  *     fly_scene SCENE.toml SAMPLES INTERVALS_A_RECORD [LOG.csv]
  */
@@ -65,7 +65,7 @@ static void print_errors(const sins_record_errors *errors)
     printf(",%.17g,%.17g,%.17g,%d", errors->roll_rad, errors->pitch_rad, errors->heading_rad, (int)errors->flags);
 }
 
-/* Errors of the sensors since the last record: integrals, and over which time. */
+/* Errors of the sensors since the last record: integrals [rad], [m/s], and the time of integration [s]. */
 static double angle_rad[3], velocity_m_s[3], sum_s;
 
 static void add_sensors(sins_sim *sim)

@@ -1,4 +1,4 @@
-//! What the program reads: faulty files are rejected with the line, pipes are read, nothing in a file steers the terminal.
+//! Inputs of the program: faulty files are rejected with the line, pipes are read, nothing in a file steers the terminal.
 
 #[cfg(unix)]
 use std::{
@@ -40,7 +40,7 @@ fn pipes_and_standard_input_are_logs_and_devices_are_not() {
     ] {
         assert!(rejected(&folder, order).contains("/dev/zero: is a device"), "{order:?}");
     }
-    // A pipe is no run: its summary cannot lie beside it. It is not waited for.
+    // A pipe is no run, because it has no summary beside it. The program does not wait for the pipe.
     assert!(rejected(&folder, &["report", "pipe.csv"]).contains("pipe_summary.csv"));
 }
 
@@ -106,7 +106,7 @@ fn every_fault_of_a_scene_has_its_line() {
         assert!(line.starts_with(begin), "{line}");
     }
     assert_eq!(lines.len(), 4, "{errors}");
-    // A bad sample has the line of the log.
+    // A bad sample is reported with the line of the log.
     let spoiled = log().replace("\n5,0.7,", "\n5,0.8,");
     std::fs::write(folder.join("jump.csv"), spoiled).unwrap();
     let errors = rejected(&folder, &["fly", "jump.csv"]);

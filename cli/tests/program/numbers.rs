@@ -1,4 +1,4 @@
-//! Numbers that are no numbers, or far too large: rejected with their line, or drawn without NaN and infinity.
+//! Values that are no numbers or far too large are rejected with their line, or drawn without NaN and infinity.
 
 use crate::support::{done, numbers, read, rejected, run, with_log};
 
@@ -36,7 +36,7 @@ fn no_number_of_a_record_becomes_none_or_infinite_on_a_page() {
     for value in ["1e308", "-1e308", "nan", "inf", "1e30", "-1e30", "5e-324", "1e-60", "-0.0"] {
         for (column, name) in columns.iter().enumerate().skip(1) {
             for only in [Some(3), None] {
-                // All columns of one of them, and a third of the others.
+                // With one spoiled record, all columns; with all records spoiled, a third of the columns.
                 if only.is_none() && column % 3 != 0 {
                     continue;
                 }
@@ -67,7 +67,7 @@ fn no_number_of_a_record_becomes_none_or_infinite_on_a_page() {
 }
 
 fn assert_is_finite(page: &str, what: &str) {
-    // Words of the style sheet and of the text aside: numbers stand behind these.
+    // The marks match numbers, and not words of the style sheet and of the text.
     for mark in ["NaN", "\"inf", " inf ", "inf,", ",inf", "-inf", "nan,", ",nan", "\"nan"] {
         assert!(!page.contains(mark), "{what}: {mark}");
     }

@@ -1,4 +1,4 @@
-//! What the program writes destroys nothing: no input, no file of another program, nothing outside its folder.
+//! Outputs of the program destroy nothing: no input, no file of another program, nothing outside the program's folder.
 
 #[cfg(unix)]
 use std::process::Command;
@@ -84,7 +84,7 @@ fn what_others_made_needs_force() {
         assert!(errors.contains(name) && errors.contains("--force"), "{errors}");
         assert_eq!(read(folder.join("sins_out").join(name)), "somebody's own");
         done(&folder, &[order, &["--force"]].concat());
-        // Its own it replaces.
+        // The program replaces its own file.
         done(&folder, order);
     }
 }
@@ -111,7 +111,7 @@ fn nodes_and_links_stay_what_they_are() {
     assert_eq!(names(&out), ["link.csv", "mylog.csv", "mylog.csv.part", "mylog_summary.csv", "pipe.csv"]);
 }
 
-/// Whoever wrote the scene: it names no place outside.
+/// A scene cannot name a place outside the folder, whoever wrote the scene.
 #[test]
 fn a_scene_names_no_file_outside() {
     let folder = with_log("outside");
@@ -131,7 +131,7 @@ fn a_scene_names_no_file_outside() {
     }
 }
 
-/// On Windows case does not matter, some names are devices, and a colon leads to another stream of a file.
+/// On Windows case does not matter, some names are devices, and a colon selects another stream of a file.
 #[test]
 #[cfg_attr(not(windows), ignore = "of Windows: tests/windows_program.sh")]
 fn names_that_windows_has_for_something_else() {

@@ -1,9 +1,9 @@
-//! Progress: on a terminal how far, how fast and how long still; nothing of it in a file or a pipe.
+//! Progress on a terminal: completed part, speed and remaining time. Nothing of it goes into a file or a pipe.
 use std::process::{Command, Stdio};
 
 use crate::support::{folder, run};
 
-/// What the program writes on a terminal.
+/// Output of the program on a terminal.
 fn on_a_terminal(folder: &std::path::Path, arguments: &str) -> String {
     let order = format!("'{}' {arguments}", env!("CARGO_BIN_EXE_sins"));
     let mut terminal = Command::new("script");

@@ -1,5 +1,5 @@
-//! The program flies as a C host does through the interface: the same scenes, read and flown by a program of C, give the same records
-//! to the bit. The scene that the host reads is the one that `sins scene write` writes.
+//! The program and a C host, which uses the interface, give the same records to the bit for the same scenes. The host reads the
+//! scene that `sins scene write` writes.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 use crate::support::{done, folder, numbers, project_file, read};
 
-/// A C program with the library that was built with this test: it lies beside the test's own program.
+/// Builds a C program with the library that was built with this test; the library is beside the test's own program.
 fn link(name: &str, source: &str) -> PathBuf {
     let folder = folder(&format!("build_{name}"));
     let library = std::env::current_exe().unwrap().with_file_name("libsins.so");
@@ -33,7 +33,7 @@ fn host() -> &'static Path {
     HOST.get_or_init(|| link("fly_scene", "cli/tests/program/fly_scene.c"))
 }
 
-/// A record each `every_s` [s] of the program and of the host: the same.
+/// Asserts that the records of the program and of the host, one each `every_s` [s], are the same.
 fn assert_same(name: &str, scene: &str, log: Option<&str>, settings: &[&str], every_s: f64) {
     let folder = folder(name);
     let every = format!("output.every_s={every_s}");
@@ -112,11 +112,13 @@ fn the_built_in_scenes_are_the_same() {
     }
 }
 
-/// The example of a host ends each scene with the errors of the last record: navigation minus truth, and the error model's.
+/// The example of a host ends each scene with the errors of the last record: navigation minus truth, and the errors of the error
+/// model.
 #[test]
 fn the_example_host_ends_with_the_same_errors() {
     let host = link("harness", "c_examples/harness.c");
-    // To a time of a record, as the program writes no other; or slower.
+    // The settings let each flight end at the time of a record, because the program writes no other times; or they lower the sample
+    // rate.
     for (scene, settings) in [
         ("drone", &["flight.hours=0.045"][..]),
         ("fighter", &[]),
@@ -156,8 +158,8 @@ fn the_example_host_ends_with_the_same_errors() {
     }
 }
 
-/// Features that other crates of the program switch on in common dependencies change no bit of the library: its digests in this build
-/// are those that C hosts have.
+/// Features that other crates of the program enable in common dependencies change no bit of the library: this build has the same
+/// digests as C hosts.
 #[test]
 fn the_library_has_its_digests() {
     let output = Command::new(link("digests", "tests/c/digests.c")).output().unwrap();

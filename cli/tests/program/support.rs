@@ -1,4 +1,4 @@
-//! The program, run in a folder of a test's own.
+//! Runs the program in a separate folder for each test.
 
 use std::collections::HashMap;
 use std::panic::Location;
@@ -10,7 +10,7 @@ pub fn project_file(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
 }
 
-/// An empty folder of a test's own: its name has to differ from the others of its file.
+/// An empty folder for one test. Its name must differ from the names of other folders of the same file.
 #[track_caller]
 pub fn folder(name: &str) -> PathBuf {
     let file = Path::new(Location::caller().file()).with_extension("");
@@ -21,7 +21,7 @@ pub fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// The program in `folder`, or what `SINS_PROGRAM` names in its place (tests/windows_program.sh).
+/// Command that runs the program in `folder`. `SINS_PROGRAM` can name another program (tests/windows_program.sh).
 pub fn sins(folder: &Path, arguments: &[&str]) -> Command {
     let program = std::env::var_os("SINS_PROGRAM").unwrap_or_else(|| env!("CARGO_BIN_EXE_sins").into());
     let mut command = Command::new(program);
@@ -39,14 +39,14 @@ pub fn result(output: &Output) -> (i32, String, String) {
     (output.status.code().unwrap_or(-1), text(&output.stdout), text(&output.stderr))
 }
 
-/// Runs the program, which has to succeed, and gives its output.
+/// Runs the program, which has to succeed, and returns its output.
 pub fn done(folder: &Path, arguments: &[&str]) -> String {
     let (code, said, errors) = run(folder, arguments);
     assert_eq!((code, errors.as_str()), (0, ""), "{arguments:?}");
     said
 }
 
-/// Runs the program, which has to reject its arguments, and gives its message.
+/// Runs the program, which has to reject its arguments, and returns its message.
 pub fn rejected(folder: &Path, arguments: &[&str]) -> String {
     let (code, said, errors) = run(folder, arguments);
     assert_eq!((code, said.as_str()), (2, ""), "{arguments:?}: {errors}");
@@ -58,7 +58,7 @@ pub fn read(path: impl AsRef<Path>) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// Names of all that is in a folder, in their order.
+/// Sorted names of all entries of a folder.
 pub fn names(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();
     let mut names: Vec<String> =
@@ -99,7 +99,7 @@ pub fn log() -> String {
     format!("{HEADER}\n{rows}")
 }
 
-/// A folder with that log in logs/mylog.csv.
+/// A folder with the log of `log` in logs/mylog.csv.
 #[track_caller]
 pub fn with_log(name: &str) -> PathBuf {
     let folder = folder(name);

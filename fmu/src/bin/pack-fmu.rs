@@ -1,5 +1,5 @@
 //! Packs the unit: `pack-fmu OUT.fmu PLACE=FILE...`, with the places of binaries and licences in the archive, as
-//! "binaries/linux64/sins_fmu.so". With the name "modelDescription.xml" as OUT it writes that alone.
+//! "binaries/linux64/sins_fmu.so". If OUT has the name "modelDescription.xml", it writes only the model description.
 
 use std::error::Error;
 use std::fs;
@@ -10,7 +10,7 @@ use sins_fmu::description::xml;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
-/// What is in every unit: place in the archive, place in the project's folder.
+/// Files of every unit: place in the archive, place in the project's folder.
 const FILES: [(&str, &str); 8] = [
     ("documentation/index.html", "fmu/documentation/index.html"),
     ("documentation/licenses/LICENSE-APACHE", "LICENSE-APACHE"),
@@ -56,7 +56,7 @@ fn read(path: &Path) -> Result<Vec<u8>, String> {
     fs::read(path).map_err(|error| format!("{}: {error}", path.display()))
 }
 
-/// The same bytes whenever and wherever it is made.
+/// The archive of `files`; it has the same bytes at any time and on any machine.
 fn archive(files: &[(String, Vec<u8>)]) -> Result<Vec<u8>, Box<dyn Error>> {
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Deflated)

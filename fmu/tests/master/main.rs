@@ -1,4 +1,4 @@
-//! What a master calls: wrong calls, calls in random order, the URI of the resources.
+//! Calls of a master: wrong calls, calls in random order, the URI of the resources.
 
 mod misuse;
 mod random_calls;

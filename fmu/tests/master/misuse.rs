@@ -1,4 +1,4 @@
-//! Calls that no master should make, each refused by a status and one sentence.
+//! Calls that no master should make. Each is refused with a status and one sentence.
 
 use std::ffi::{CString, c_char, c_int};
 use std::ptr;
@@ -14,7 +14,7 @@ fn step(unit: &Unit, time_s: f64) -> c_int {
     unsafe { fmi2DoStep(unit.component, time_s, 0.01, 1) }
 }
 
-/// The one sentence that was said.
+/// The only message of the unit.
 fn sentence(unit: &Unit) -> String {
     let mut messages = unit.messages();
     assert_eq!(messages.len(), 1, "{messages:?}");
@@ -160,7 +160,7 @@ fn calls_out_of_place() {
     }
 }
 
-/// The description's limits are those of the library: what is at them is accepted, what is beyond is refused.
+/// The limits in the description are the limits of the library: values at them are accepted, values beyond are refused.
 #[test]
 fn limits_of_sensor_parameters() {
     let described = variables();
@@ -171,7 +171,7 @@ fn limits_of_sensor_parameters() {
     let mut tried = 0;
     for variable in of_gyro {
         let (low, high) = variable.limits.unwrap_or_else(|| panic!("{} has limits", variable.name));
-        // A process needs a correlation time and the other way round, and a diagonal is 0.
+        // A Gauss-Markov process needs both its size and its correlation time, and the diagonal of the misalignment is 0.
         if variable.name.contains("markov") || variable.name.contains("misalignment") {
             continue;
         }

@@ -1,7 +1,8 @@
-//! Calls in random order with random values, states cut and forged. Nothing crashes; a refused call says one sentence and changes
-//! nothing; what can be saved loads to the same bytes; behind a good step every output is finite.
+//! Calls in random order with random values, also with cut and forged states. Nothing crashes; a refused call gives one sentence
+//! and changes nothing; a saved state loads to the same bytes; after an accepted step every output is finite.
 //!
-//! `FMU_SEQUENCES=100000 FMU_FIRST=0 cargo test --release -p sins-fmu --test master random_calls::` for hours, with other seeds.
+//! `FMU_SEQUENCES=100000 FMU_FIRST=0 cargo test --release -p sins-fmu --test master random_calls::` runs for hours, with other
+//! seeds.
 
 use std::ffi::{CString, c_int};
 use std::ptr;
@@ -36,7 +37,7 @@ impl Random {
         (self.next() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Most often within the limits, now and then no number at all.
+    /// A number, mostly within the limits, sometimes not finite.
     fn real(&mut self, (low, high): (f64, f64)) -> f64 {
         const ODD: [f64; 9] =
             [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, -f64::MAX, 5e-324, -0.0, 1e300, -1e300];
@@ -72,7 +73,7 @@ impl Master {
         Self { random, unit, described, outputs, images: Vec::new(), time_s: 0.0, calls: 0, refused: 0 }
     }
 
-    /// Any call, and what holds of it.
+    /// Makes a random call and checks what holds after it.
     fn call(&mut self) {
         let before = self.unit.state();
         self.unit.messages();
@@ -103,7 +104,7 @@ impl Master {
         }
     }
 
-    /// Mostly on from the last step at rest; else any inputs, times and lengths.
+    /// Mostly continues from the last step at rest; otherwise random inputs, times and lengths.
     fn step(&mut self) -> (&'static str, c_int) {
         let component = self.unit.component;
         let mut values = AT_REST;
@@ -119,7 +120,7 @@ impl Master {
         let next_s = self.time_s + [0.01, 0.01, 0.02, 0.0, 0.3, -1.0, 1e4][self.random.below(7)];
         let time_s = if self.random.one_in(30) { self.random.real((-1e10, 1e10)) } else { next_s };
         let length_s = if self.random.one_in(10) { self.random.real((-1.0, 1.0)) } else { 0.01 };
-        // Refusals of the step are those of the step alone: what was set is set.
+        // A refused step does not undo the inputs that were set before.
         let before = self.unit.state();
         let status = unsafe { fmi2DoStep(component, time_s, length_s, 1) };
         if status == fmi2OK {
@@ -137,7 +138,7 @@ impl Master {
         let all: Vec<&Described> = self.described.iter().filter(settable).collect();
         let variable = all[random.below(all.len())].clone();
         let reference = if random.one_in(30) { random.next() as u32 } else { variable.reference };
-        // One of many times two at once, the other a bias.
+        // Sometimes two variables are set at once; the second one is a bias.
         let pair = [reference, 30];
         let count = if random.one_in(4) { 2 } else { 1 };
         unsafe {
@@ -187,7 +188,7 @@ impl Master {
         }
     }
 
-    /// Keeps the state, or goes to one that was kept: whole, cut, or forged.
+    /// Keeps the state, or loads a kept state: whole, cut, or forged.
     fn keep_or_load(&mut self) -> (&'static str, c_int) {
         if self.images.is_empty() || self.random.one_in(3) {
             let image = self.unit.state();
@@ -259,7 +260,7 @@ impl Master {
         }
     }
 
-    /// Errors stay on, as they are counted.
+    /// Switches warnings. Errors stay on, because the test counts them.
     fn log(&mut self) -> (&'static str, c_int) {
         let names = [c"logStatusWarning".as_ptr(), c"logAll".as_ptr()];
         let (on, name) = (self.random.below(2) as c_int, names[self.random.below(2)]);

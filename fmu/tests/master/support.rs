@@ -1,4 +1,4 @@
-//! A master for the tests: instances with a logger that keeps what is said, and the functions in the types of Rust.
+//! A master for the tests: instances with a logger that keeps the messages, and the functions with types of Rust.
 
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::ptr;
@@ -10,7 +10,7 @@ use sins_fmu::states::*;
 
 pub type Message = (c_int, String, String);
 
-/// What an instance has said.
+/// Messages of an instance.
 pub type Messages = Vec<Message>;
 
 unsafe extern "C" fn log(
@@ -41,10 +41,10 @@ impl Drop for Unit {
 }
 
 impl Unit {
-    /// As it is instantiated, with a URI of the resources.
+    /// A new instance, with a URI of the resources.
     pub fn new(uri: Option<&str>, logging_on: bool) -> Self {
         let messages: *mut Messages = Box::into_raw(Box::default());
-        // SAFETY: a function of variable arguments is called as one without them, on all processors that the unit is built for.
+        // SAFETY: on all processors that the unit is built for, a function of variable arguments is called like one without them.
         let logger = unsafe { std::mem::transmute::<*const (), LoggerFunction>(log as *const ()) };
         let functions = fmi2CallbackFunctions {
             logger: Some(logger),
@@ -63,7 +63,7 @@ impl Unit {
         Self { component, messages }
     }
 
-    /// In flight, with what was set before.
+    /// An instance in flight; `set` is called before the initialization.
     pub fn flying(set: impl FnOnce(&Self)) -> Self {
         let unit = Self::new(None, true);
         set(&unit);
@@ -72,7 +72,7 @@ impl Unit {
         unit
     }
 
-    /// What was said since the last call.
+    /// Messages since the last call.
     pub fn messages(&self) -> Messages {
         std::mem::take(unsafe { &mut *self.messages })
     }
@@ -104,7 +104,7 @@ impl Unit {
     }
 }
 
-/// The unit's identity, as its description states it.
+/// Identity of the unit, from its description.
 pub fn guid() -> String {
     let xml = description::xml();
     let rest = xml.split_once("guid=\"").unwrap().1;
@@ -122,7 +122,7 @@ pub struct Described {
     pub limits: Option<(f64, f64)>,
 }
 
-/// All variables, in their order.
+/// All variables in the order of the description.
 pub fn variables() -> Vec<Described> {
     let xml = description::xml();
     let attribute = |text: &str, name: &str| {
@@ -143,7 +143,7 @@ pub fn variables() -> Vec<Described> {
     xml.split("<ScalarVariable").skip(1).map(|text| of(text).unwrap()).collect()
 }
 
-/// The reference of a name.
+/// The reference of the variable `name`.
 pub fn reference(name: &str) -> u32 {
     variables().iter().find(|variable| variable.name == name).unwrap_or_else(|| panic!("{name}")).reference
 }
@@ -151,7 +151,7 @@ pub fn reference(name: &str) -> u32 {
 /// Inputs of position, attitude and velocity: at rest at 45 degrees.
 pub const AT_REST: [f64; 9] = [0.785, 0.2, 500.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
-/// Their references: the first reals.
+/// References of these inputs: the first reals.
 pub fn inputs() -> Vec<u32> {
     (0..9).collect()
 }
