@@ -8,8 +8,8 @@ use crate::math::{relative_rotation, rotate_inverse, rotation_vector};
 use crate::mounting::{Block, MountingParameters};
 use crate::truth::{Recent, TruthPoint};
 
-/// The block at `first`: its rate is the host's, else the mean of the first interval, as the generator has it then, else the
-/// Earth's.
+/// The block at `first`. Its rate is the host's. Without one it is the mean of the first interval, if the interval is known, as in
+/// the generator. Otherwise it is the Earth's rate.
 pub(super) fn block_at_start(
     parameters: &MountingParameters,
     options: &Options,

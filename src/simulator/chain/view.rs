@@ -77,7 +77,7 @@ impl Work for TrueView<'_> {
     }
 }
 
-/// Makes the view of the solution where it is kept, in the default axes and without a mounting.
+/// Computes the view of the solution in its final place, for a mechanization in Earth-fixed axes without a mounting.
 struct NavigatedView<'a> {
     chain: &'a mut Chain,
 }
