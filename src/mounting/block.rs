@@ -48,7 +48,7 @@ impl Belief {
 /// block's own errors reach the reference point. True body axes; velocities are relative to inertial axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MountingErrors {
-    /// The arm that the INS believes, along the body axes that the INS believes [m].
+    /// The believed arm, laid along the believed body axes [m].
     pub arm_b: Vector3<f64>,
     /// Velocity of the believed arm [m/s].
     pub arm_rate_b: Vector3<f64>,
@@ -184,8 +184,8 @@ impl Block {
         nodes
     }
 
-    /// Errors of the INS at the last sample that its mounting causes and, in the velocity of the arm, its gyros. With B = C_bs
-    /// C~_bsᵀ and C~_eb = C_eb B, the believed arm is B l~ in true body axes.
+    /// Errors of the INS at the last sample that its mounting causes and, in the velocity of the arm, its gyros. With
+    /// B = C_bs C~_bsᵀ and C~_eb = C_eb B, the believed arm is B l~ in true body axes.
     pub fn errors(&self) -> MountingErrors {
         let (q, believed) = (&self.placement.q_bs, &self.believed.q_bs);
         let arm_b = rotate(q, &rotate_inverse(believed, &self.believed.arm_b));

@@ -20,8 +20,8 @@ impl Placement {
         Self { arm_b, q_bs: axes.in_vehicle(&attitude_from_euler(boresight)) }
     }
 
-    /// State of the block while the reference point has `point` and turns at `omega_ib_b` [rad/s]: r_s = r + C l, v_s = v + C
-    /// (ω×l), C_es = C C_bs, with ω relative to the Earth, which turns at `earth_rate` [rad/s].
+    /// State of the block while the reference point has `point` and turns at `omega_ib_b` [rad/s]:
+    /// r_s = r + C l, v_s = v + C (ω×l), C_es = C C_bs, with ω relative to the Earth, which turns at `earth_rate` [rad/s].
     pub fn block(
         &self,
         point: &EarthFixedState,

@@ -9,8 +9,8 @@ use crate::math::{exp, sin_cos};
 use crate::snapshot::{Reader, SIGNALS, Stored, Writer, stored};
 
 /// y'' + 2 s y' + 2 s² y = 2 s² u, s = √2 π f: -3 dB at f, flat below, a delay of 1/s. The signal u is assumed constant over each
-/// increment, at its mean. For such a signal the step is exact at any length. With e = y - u, w = y'/s, E = exp(-s dt), and c, n =
-/// cos, sin (s dt):
+/// increment, at its mean. For such a signal the step is exact at any length. With e = y - u, w = y'/s, E = exp(-s dt), and
+/// c, n = cos, sin (s dt):
 /// ```text
 /// e(dt)  = E ((c + n) e + n w)
 /// w(dt)  = E ((c - n) w - 2 n e)

@@ -28,7 +28,7 @@ pub(super) fn normal(generator: &mut Xoshiro256PlusPlus) -> f64 {
     if is_inside {
         return x;
     }
-    // The generator is passed by value. Passed by reference, its state would always be in memory, not in registers.
+    // The generator is passed by value. By reference, the state of the generator would be in memory throughout.
     let (x, later) = at_an_edge(word, generator.clone());
     *generator = later;
     x

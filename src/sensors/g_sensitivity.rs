@@ -8,8 +8,8 @@ use super::parameters::TriadParameters;
 /// δω_i = Σ_j G_ij f_j + k_i f_i². The row of G is the gyro, its column is the axis of the force (mass unbalance and its cross
 /// terms). k acts along each gyro's own axis (anisoelasticity; IEEE Std 528). The force is the true force at the block's own point.
 ///
-/// For an increment Δv of force over dt, the first term is exact. The second term assumes a constant force over the increment: k
-/// Δv² / dt. For a sine of frequency f it loses the share 1 - (sin x / x)², x = π f dt, of the mean square.
+/// For an increment Δv of force over dt, the first term is exact. The second term assumes a constant force over the increment:
+/// k Δv² / dt. For a sine of frequency f it loses the share 1 - (sin x / x)², x = π f dt, of the mean square.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GSensitivity {
     /// G [(rad/s)/(m/s²)].

@@ -7,8 +7,8 @@ use super::parameters::TriadParameters;
 
 /// With θ = T - T_ref, bias b1 θ + b2 θ² and scale factor error s1 θ + s2 θ² (thermal coefficients, IEEE Std 952 and 1293).
 ///
-/// T is linear from one sample to the next. Over an interval in which T changes by d and θ has the mean m, the mean of θ² is m² +
-/// d²/12. The integral of the bias is exact. The integral of the scale factor error is exact for a constant signal.
+/// T is linear from one sample to the next. Over an interval in which T changes by d and θ has the mean m, the mean of θ² is
+/// m² + d²/12. The integral of the bias is exact. The integral of the scale factor error is exact for a constant signal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Temperature {
     /// T_ref [°C].

@@ -52,7 +52,7 @@ impl Simulator {
     /// Becomes the simulator of a snapshot, options included, whatever this simulator was before. The run continues to the same
     /// bits; only [`Self::ideal_increments`] are empty until the next interval. The call allocates.
     ///
-    /// [`crate::ErrorKind::Snapshot`]: not a snapshot, not whole, altered, or of a newer release; then nothing has changed.
+    /// [`crate::ErrorKind::Snapshot`]: not a snapshot, not whole, altered, or of another release; then nothing has changed.
     pub fn load_snapshot(&mut self, snapshot: &[u8]) -> Result<(), Error> {
         let mut memory = Reader::read(snapshot, SnapshotOf::Simulator, Self::load_from)?;
         core::mem::swap(self, &mut memory[0]);

@@ -21,9 +21,9 @@ impl Triad {
         }
     }
 
-    /// Turns the triad's part of `measured` into the triad's outputs. Before the call, `measured` equals the increments `ideal`,
-    /// each over `dt` [s]. The active effects act one after the other, each on all increments. [`Self::undo`] can undo the
-    /// interval.
+    /// Turns the triad's part of `measured` into the triad's outputs. Before the call, this part equals the same part of the
+    /// increments `ideal`, each over `dt` [s]. The active effects act one after the other, each on all increments. [`Self::undo`]
+    /// can undo the interval.
     #[inline]
     pub fn sense_each(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
         self.dt.keep();

@@ -144,7 +144,7 @@ impl SideBySide {
         self.blocks[place / RUNS].diverged_s(place % RUNS)
     }
 
-    /// Refuses a sample without the temperature that a sensor effect needs.
+    /// Rejects a sample without the temperature that a sensor effect needs.
     pub fn check_temperature(&self, sample: &FlightSample) -> Result<(), Error> {
         self.imperfections[0].check_temperature(sample.temperature_c)
     }
