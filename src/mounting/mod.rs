@@ -27,9 +27,9 @@ use crate::truth::FlightSample;
 /// the arm and for each angle. All zero is a block at the reference point, along the body axes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MountingParameters {
-    /// Place of the block against the reference point, body axes [m].
+    /// Place of the block relative to the reference point, body axes [m].
     pub lever_arm_m: Vector3<f64>,
-    /// Attitude of the block's axes against the vehicle's [rad], in the sequence and the senses of the vehicle's own attitude.
+    /// Attitude of the block's axes relative to the vehicle's [rad], in the sequence and the senses of the vehicle's own attitude.
     pub boresight: Euler,
     /// Believed less true lever arm [m].
     pub lever_arm_error_m: Vector3<f64>,

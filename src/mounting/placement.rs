@@ -15,7 +15,7 @@ pub struct Placement {
 }
 
 impl Placement {
-    /// A block at `arm_b` [m], with its axes at the attitude `boresight` against the vehicle's.
+    /// A block at `arm_b` [m], with its axes at the attitude `boresight` relative to the vehicle's.
     pub fn new(arm_b: Vector3<f64>, boresight: &Euler, axes: BodyAxes) -> Self {
         Self { arm_b, q_bs: axes.in_vehicle(&attitude_from_euler(boresight)) }
     }

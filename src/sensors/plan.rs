@@ -132,7 +132,7 @@ impl Plan {
         0..usize::from(self.count)
     }
 
-    /// What is done at a step.
+    /// The effect of a step.
     #[inline]
     pub fn effect(&self, step: usize) -> Effect {
         let effect = self.effects[step];

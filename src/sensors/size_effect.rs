@@ -127,8 +127,8 @@ impl SizeEffect {
         now.mean + (second + third * two) * now.dt
     }
 
-    /// The component along the axis of each accelerometer of the acceleration at its arm. `acceleration` gives the acceleration at
-    /// an arm.
+    /// For each accelerometer, the component along its axis of the acceleration at its arm. `acceleration` gives the acceleration
+    /// at an arm.
     #[inline]
     fn along_axes(&self, acceleration: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Vector3<f64> {
         Vector3::from_fn(|axis, _| acceleration(&self.arms.row(axis).transpose())[axis])

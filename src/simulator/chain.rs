@@ -45,7 +45,7 @@ pub(super) struct Chain {
     pub(super) block: Option<Block>,
     /// True less normal gravity, if they differ.
     disturbance: Option<Disturbance>,
-    /// Covariance of the errors along the truth: none or one.
+    /// Covariance of the errors along the truth: no element or one.
     pub covariance: Box<[Propagation]>,
     /// Summary of the truth, if it is wanted.
     pub summary: Option<TruthSummary>,

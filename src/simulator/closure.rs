@@ -189,8 +189,9 @@ mod tests {
     use crate::truth::{FlightSample, Intake, IntakeLimits};
 
     /// The energy of the swing after one inconsistency of 1 m, over 2000 intervals of 1000 s: 800 000 steps of t = 2.5 s. With
-    /// c = 2 W t, a step multiplies the energy by at most 1 + c² + c ω t. c² comes from |c v|². c ω t comes from c v along the other
-    /// change of the velocity, ω² t r. Within a swing the energy varies by the share ω t, because the steps are of first order.
+    /// c = 2 W t, a step multiplies the energy by at most 1 + c² + c ω t. c² comes from |c v|². c ω t comes from c v along the
+    /// other change of the velocity, ω² t r. Within a swing the energy varies by the share ω t, because the steps are of
+    /// first order.
     #[test]
     fn the_answer_does_not_grow_in_long_intervals() {
         let earth = Earth::default();

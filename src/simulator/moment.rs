@@ -1,4 +1,4 @@
-//! What is read of a chain at an instant.
+//! Reads of a chain at an instant.
 
 use super::chain::Chain;
 use super::{ErrorSource, Solution};

@@ -20,7 +20,7 @@ pub(super) fn block_at_start(
     Block::new(parameters, options.axes, earth.rate_rad_s, rate_at_start(earth, first, interval))
 }
 
-/// Angular rate of the vehicle at `first` against inertial space, body axes [rad/s].
+/// Angular rate of the vehicle at `first` relative to inertial space, body axes [rad/s].
 pub(super) fn rate_at_start(
     earth: &Earth,
     first: &TruthPoint,

@@ -1,4 +1,4 @@
-//! What is read of a simulator at an instant.
+//! A solution of a simulator at an instant.
 
 use super::Options;
 use crate::earth::Earth;
