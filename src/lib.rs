@@ -7,7 +7,7 @@
 //!
 //! # Data flow
 //!
-//! In brackets the paper's names and equations ("Design of Airborne SINS Digital Simulator", 2014).
+//! The names and equations of the paper are in brackets ("Design of Airborne SINS Digital Simulator", 2014).
 //!
 //! ```text
 //!  flight simulator            FlightSample   time, position, velocity, attitude   [flight control data]
@@ -60,7 +60,7 @@
 //! | `omega_ib_b` | angular rate of b relative to i, components along b \[rad/s\] |
 //! | `f_b` | specific force: acceleration less gravitation, +g up at rest \[m/s²\] |
 //! | φ | misalignment: computed C = (I - \[φ×\]) C \[rad\] |
-//! | ψ | misalignment against the true, not the computed place: φ = ψ + δθ \[rad\] |
+//! | ψ | misalignment relative to the true, not the computed place: φ = ψ + δθ \[rad\] |
 //! | eps, nabla | error of angular rate \[rad/s\] and of specific force \[m/s²\], measured less true |
 //! | δ | computed less true |
 //! | W, g, RM, RN | Earth rate, gravity, radii of the meridian and of the prime vertical |
@@ -98,7 +98,7 @@
 //! | a slew, and a pause in which the time stamps ran on, keep the errors of the INS | `tests/state/moved` |
 //! | run k of an ensemble gives the same bits as the simulator with this run number, also when other runs diverge | `tests/state/ensemble`, `tests/interface/c_side.rs` |
 //! | statistics have the same bits for any split of the runs, and are correct if means are large and the scatter is small | `tests/analysis/statistics.rs` |
-//! | a host's wrong units stand out in the summary of the truth | `tests/analysis/truth_summary.rs` |
+//! | a host's wrong units are obvious in the summary of the truth | `tests/analysis/truth_summary.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/analysis/recommend` |
 //! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/analysis/covariance.rs`, `tests/analysis/covariance_runs.rs` |
 //! | contributions of effects equal their closed forms, and the effects that are marked can be left out | `tests/analysis/error_budget`, `tests/analysis/error_budget/mounting_and_gravity.rs` |

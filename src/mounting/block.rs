@@ -12,7 +12,7 @@ use crate::snapshot::{SIGNALS, stored};
 use crate::state::{BodyAxes, EarthFixedState};
 use crate::truth::TruthPoint;
 
-/// A mounted block: what its sensors sense, where it is, and what the INS makes of that.
+/// A mounted block: what its sensors sense, where it is, and what the INS believes of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Block {
     earth_rate: f64,
@@ -28,7 +28,7 @@ pub struct Block {
 
 stored!(Block { rate_b: DERIVATIVES, gyro_error_s: SIGNALS } rebuilt { earth_rate, placement, believed, to_block });
 
-/// Where an INS takes its block to sit, and how it takes it to turn.
+/// Placement and angular rate of the block, as an INS believes them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Belief {
     placement: Placement,
@@ -38,30 +38,30 @@ pub struct Belief {
 }
 
 impl Belief {
-    /// What the INS gives out for the reference point when it has the solution `block`.
+    /// The INS's output for the reference point, from its solution `block` of the block.
     pub fn reference_point(&self, block: &EarthFixedState) -> EarthFixedState {
         self.placement.reference_point(block, &self.rate_s, self.earth_rate)
     }
 }
 
-/// What an INS with an error-free solution of the block gives out wrongly of the reference point, and the arm by which the
-/// block's own errors come there: true body axes, velocities against inertial axes.
+/// Errors of the reference point in the output of an INS whose solution of the block is error-free, and the arm by which the
+/// block's own errors reach the reference point. True body axes; velocities are relative to inertial axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MountingErrors {
-    /// The arm as the INS believes it, where it believes the body axes [m].
+    /// The believed arm, laid along the believed body axes [m].
     pub arm_b: Vector3<f64>,
-    /// Its velocity [m/s].
+    /// Velocity of the believed arm [m/s].
     pub arm_rate_b: Vector3<f64>,
-    /// Position [m], velocity [m/s] and misalignment φ [rad], computed less true.
+    /// Position error, computed less true [m].
     pub position_b: Vector3<f64>,
-    /// See `position_b`.
+    /// Velocity error, computed less true [m/s].
     pub velocity_b: Vector3<f64>,
-    /// See `position_b`.
+    /// Misalignment φ, computed less true [rad].
     pub misalignment_b: Vector3<f64>,
 }
 
 impl Block {
-    /// The block of a vehicle that turns at `rate_b` [rad/s] against inertial space; the Earth at `earth_rate` [rad/s].
+    /// The block of a vehicle that turns at `rate_b` [rad/s] relative to inertial space; the Earth turns at `earth_rate` [rad/s].
     pub fn new(
         parameters: &MountingParameters,
         axes: BodyAxes,
@@ -91,10 +91,11 @@ impl Block {
         Self { rate_b, ..*self }
     }
 
-    /// Makes of the reference point's `increments` over the interval of `motion`, which begins at `start`, those of the block.
+    /// Turns the `increments` of the reference point into the increments of the block, over the interval of `motion`, which begins
+    /// at `start`.
     ///
-    /// Where the generator has revised the rate at the start, the block has had another velocity there: gives how much more
-    /// it is [m/s], Earth-fixed axes. No sensor measured this difference, so the navigator of the block adds it.
+    /// If the generator has revised the rate at the start, the velocity of the block there is revised too. Returns by how much it
+    /// increases [m/s], Earth-fixed axes. No sensor measured this difference, so the navigator of the block adds it.
     #[inline(never)]
     pub fn mount(
         &mut self,
@@ -136,7 +137,7 @@ impl Block {
         self.to_block.tr_mul(vector_s)
     }
 
-    /// Takes what the sensors made of `error_free` in the last interval, of length `t` [s]: sums of its increments.
+    /// Takes the sums of the increments of the last interval, of length `t` [s]: without errors and as measured.
     pub fn observe(&mut self, error_free: &Increment, measured: &Increment, t: f64) {
         self.gyro_error_s = (measured.angle - error_free.angle) / t;
     }
@@ -146,7 +147,7 @@ impl Block {
         self.placement.block(&truth.state, &self.rate_b, self.earth_rate)
     }
 
-    /// What the INS makes of the mounting at the last sample. Its rate there is that of gyros read much faster than the
+    /// The INS's belief of the mounting at the last sample. Its rate is the rate of gyros that are read much faster than the
     /// increments, with their mean error.
     pub fn belief(&self) -> Belief {
         let rate_s = self.to_block * self.rate_b + self.gyro_error_s;
@@ -158,13 +159,13 @@ impl Block {
         Belief { placement: self.placement, rate_s: self.to_block * self.rate_b, earth_rate: self.earth_rate }
     }
 
-    /// Velocity and specific force of the block at the start, in the middle and at the end of `motion`. Gravity and curvature
-    /// at the arm's other end differ by a millionth: position is left.
+    /// Velocity and specific force of the block at the start, in the middle and at the end of `motion`. The position is not moved,
+    /// because gravity and curvature at the other end of the arm differ by a millionth.
     pub fn nodes(&self, motion: &IntervalMotion<'_>) -> [MotionNode; 3] {
         let arm_b = &self.placement.arm_b;
         let [start, middle, end] = [0.0, 0.5, 1.0].map(|u| motion.angular_rate(u));
         let inverse_t = 1.0 / motion.interval_s;
-        // Derivatives of the parabola through the three: its integral by Simpson's rule is the change of the rate.
+        // Derivatives of the parabola through the three rates. Their integral by Simpson's rule is the change of the rate.
         let changes = [
             (middle * 4.0 - start * 3.0 - end) * inverse_t,
             (end - start) * inverse_t,
@@ -183,7 +184,7 @@ impl Block {
         nodes
     }
 
-    /// What the INS has wrong at the last sample for its mounting and, in the arm's velocity, for its gyros. With
+    /// Errors of the INS at the last sample that its mounting causes and, in the velocity of the arm, its gyros. With
     /// B = C_bs C~_bsᵀ and C~_eb = C_eb B, the believed arm is B l~ in true body axes.
     pub fn errors(&self) -> MountingErrors {
         let (q, believed) = (&self.placement.q_bs, &self.believed.q_bs);
@@ -199,7 +200,8 @@ impl Block {
     }
 }
 
-/// γ(r + l) - γ(r) at `point` [m/s²], Earth-fixed axes, l = `arm_e` [m]: that of gravity, less that of its centrifugal part.
+/// γ(r + l) - γ(r) at `point` [m/s²], Earth-fixed axes, l = `arm_e` [m]: the change of gravity, less the change of its centrifugal
+/// part.
 fn gravitation_along(earth: &Earth, point: &TruthPoint, arm_e: &Vector3<f64>) -> Vector3<f64> {
     let rate2 = earth.rate_rad_s * earth.rate_rad_s;
     let centrifugal_e = Vector3::new(arm_e.x, arm_e.y, 0.0) * rate2;

@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
-/// Velocity [m/s], body axes, that the acceleration ω'×r + ω×(ω×r) of the place `arm` = r [m] makes over `dt` [s], while ω
+/// Integral over `dt` [s] of the acceleration ω'×r + ω×(ω×r) at the place `arm` = r [m], as a velocity [m/s] in body axes, while ω
 /// changes by `change` = d about its mean `mean` = m [rad/s]:
 /// ```text
 /// ∫ω'×r dt     = d×r
 /// ∫ω×(ω×r) dt  = (m×(m×r) + d×(d×r)/12) dt
 /// ```
-/// exact for a rate that changes evenly; the next term is (ω'' dt²)²/720 of the arm.
+/// This is exact for a rate that changes linearly; the next term is (ω'' dt²)²/720 of the arm.
 #[inline]
 pub(crate) fn lever_arm_velocity(
     change: &Vector3<f64>,

@@ -1,12 +1,12 @@
-//! Where the sensor block sits: from the flight sample's reference point to the block, and back with what the INS believes
-//! of the mounting.
+//! Where the sensor block sits: motion from the flight sample's reference point to the block, and the solution back to the
+//! reference point, with what the INS believes of the mounting.
 //!
-//! `_s` are the axes of the block, `_b` those of the vehicle. The ideal signals are those of a rigid arm on the motion that
-//! the generator made: the angular rate turned, the specific force with
+//! `_s` are the axes of the block, `_b` the axes of the vehicle. The ideal signals of the block follow from the generator's motion
+//! and a rigid arm. The angular rate is turned to the block's axes. The specific force is
 //! ```text
 //! f_s = C_sb (f + ω'×l + ω×(ω×l) - (γ(r + C l) - γ(r)))
 //! ```
-//! ω against inertial space, γ gravitation. The INS navigates the block and gives out the reference point.
+//! ω is relative to inertial space, γ is gravitation. The INS navigates the block and outputs the reference point.
 
 mod block;
 mod lever_arm;
@@ -23,13 +23,13 @@ use crate::math::Euler;
 use crate::snapshot::{ANY, stored};
 use crate::truth::FlightSample;
 
-/// Where the sensor block sits, and what the INS believes of it: the sum of the true and of its error, arm by arm and angle
-/// by angle. All zero is a block at the reference point, along the body axes.
+/// Where the sensor block sits, and what the INS believes of it. The belief is the true value plus its error, for each component of
+/// the arm and for each angle. All zero is a block at the reference point, along the body axes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MountingParameters {
-    /// Place of the block against the reference point, body axes [m].
+    /// Place of the block relative to the reference point, body axes [m].
     pub lever_arm_m: Vector3<f64>,
-    /// Attitude of the block's axes against the vehicle's [rad], in the sequence and the senses of the vehicle's own attitude.
+    /// Attitude of the block's axes relative to the vehicle's [rad], in the sequence and the senses of the vehicle's own attitude.
     pub boresight: Euler,
     /// Believed less true lever arm [m].
     pub lever_arm_error_m: Vector3<f64>,
@@ -50,7 +50,7 @@ impl MountingParameters {
         check_angles("mounting.boresight_error_rad", &self.boresight_error, pi)
     }
 
-    /// The same mounting, of which the INS believes the truth.
+    /// The same mounting, about which the INS believes the truth.
     pub(crate) fn believed(&self) -> Self {
         Self { lever_arm_m: self.lever_arm_m, boresight: self.boresight, ..Self::default() }
     }
@@ -72,7 +72,8 @@ fn check_angles(field: &'static str, angles: &Euler, limit: f64) -> Result<(), E
 mod tests {
     use super::*;
 
-    /// As an attitude of a flight sample: any number of turns, as far as an angle has its digits.
+    /// They have the range of the attitude of a flight sample: any number of turns, up to the limit where an angle loses its
+    /// digits.
     #[test]
     fn boresight_angles_have_the_range_of_a_samples_attitude() {
         let turned = |heading| MountingParameters {

@@ -15,13 +15,13 @@ pub struct Placement {
 }
 
 impl Placement {
-    /// At `arm_b` [m], with its axes at the attitude `boresight` against the vehicle's.
+    /// A block at `arm_b` [m], with its axes at the attitude `boresight` relative to the vehicle's.
     pub fn new(arm_b: Vector3<f64>, boresight: &Euler, axes: BodyAxes) -> Self {
         Self { arm_b, q_bs: axes.in_vehicle(&attitude_from_euler(boresight)) }
     }
 
     /// State of the block while the reference point has `point` and turns at `omega_ib_b` [rad/s]:
-    /// r_s = r + C l, v_s = v + C (ω×l), C_es = C C_bs, with ω against the Earth, which turns at `earth_rate` [rad/s].
+    /// r_s = r + C l, v_s = v + C (ω×l), C_es = C C_bs, with ω relative to the Earth, which turns at `earth_rate` [rad/s].
     pub fn block(
         &self,
         point: &EarthFixedState,
@@ -32,7 +32,7 @@ impl Placement {
         EarthFixedState { r_e: point.r_e + arm_e, v_e: point.v_e + arm_rate_e, q_eb: point.q_eb * self.q_bs }
     }
 
-    /// The inverse: state of the reference point from that of the block, which turns at `omega_is_s` [rad/s].
+    /// The inverse: state of the reference point from the state of the block, which turns at `omega_is_s` [rad/s].
     pub fn reference_point(
         &self,
         block: &EarthFixedState,
@@ -62,7 +62,7 @@ mod tests {
 
     const EARTH_RATE: f64 = 7.292_115e-5;
 
-    /// A point, its angular rate and a block off it.
+    /// A point, its angular rate and a block away from it.
     fn scene(axes: BodyAxes) -> (EarthFixedState, Vector3<f64>, Placement) {
         let point = EarthFixedState {
             r_e: Vector3::new(4e6, -3e6, 4e6),
@@ -81,7 +81,7 @@ mod tests {
             let block = placement.block(&point, &omega_ib_b, EARTH_RATE);
             let omega_is_s = rotate_inverse(&placement.q_bs, &omega_ib_b);
             let back = placement.reference_point(&block, &omega_is_s, EARTH_RATE);
-            // Half a unit in the last place of 4e6 m there and one back; some of 200 m/s and of 1.
+            // Rounding: half a unit in the last place of 4e6 m there and one back; a few units of 200 m/s and of 1.
             assert!((back.r_e - point.r_e).amax() < 2.0 * 4e6 * f64::EPSILON);
             assert!((back.v_e - point.v_e).amax() < 8.0 * 200.0 * f64::EPSILON);
             assert!((back.q_eb - point.q_eb).norm() < 8.0 * f64::EPSILON);
@@ -107,7 +107,8 @@ mod tests {
         assert!(difference.norm() < 5e-6, "{difference:?}");
     }
 
-    /// A block turned right by a quarter has its forward axis along the wing; in both conventions of axes the same block.
+    /// A block that is turned right by a quarter turn has its forward axis along the wing. It is the same block in both conventions
+    /// of axes.
     #[test]
     fn boresight_angles_mean_the_same_block_in_any_axes() {
         let quarter = Euler { heading: core::f64::consts::FRAC_PI_2, ..Euler::default() };

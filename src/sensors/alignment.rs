@@ -6,32 +6,33 @@ use nalgebra::{Quaternion, Vector3};
 
 use crate::math::{atan2, rotate, rotation_quaternion};
 
-/// Share of gravity below which a sensed force shows no vertical: what rounding leaves where the accelerometers show 0.
+/// Share of gravity below which a sensed force shows no vertical. Rounding leaves a force below it where the accelerometers show 0.
 const NO_FORCE: f64 = 1e-9;
-/// Share of the Earth rate's north part that a gyro error reaches where the gyros show 0, less what rounding takes off it.
+/// Size of a gyro error, as a share of the Earth rate's north part, from which north is unknown. Where the gyros show 0, this share
+/// is 1 minus rounding.
 const NO_NORTH: f64 = 1.0 - 1e-9;
 
-/// What an INS at rest should sense, and the error with which it does, true east-north-up.
+/// What an INS at rest should sense, and the error of what it senses, in true east-north-up axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sensed {
-    /// Without errors.
+    /// Vector that sensors without errors sense.
     pub ideal_n: Vector3<f64>,
-    /// Measured less ideal.
+    /// Error: measured less ideal.
     pub error_n: Vector3<f64>,
 }
 
-/// What an alignment finds.
+/// Result of an alignment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aligned {
     /// R of the computed attitude C~ = R C.
     pub rotation: Quaternion<f64>,
-    /// The heading may be anything: the horizontal error of the levelled rates is not smaller than the Earth rate's north part,
-    /// or the accelerometers show no force to level by.
+    /// Whether the heading is unknown. This is so if the horizontal error of the levelled rates is not smaller than the Earth
+    /// rate's north part, or if the accelerometers sense no force for levelling.
     pub north_unknown: bool,
 }
 
-/// Levels by the specific force [m/s²], whose ideal is the reaction r to the gravity that the INS computes, and finds north by the
-/// angular rate [rad/s], whose ideal is the Earth's:
+/// Levels with the specific force [m/s²], then finds north with the angular rate [rad/s]. The ideal force is the reaction r to the
+/// gravity that the INS computes. The ideal rate is the Earth rate:
 ///
 /// ```text
 /// C~ = H T C    T the smallest rotation that turns the sensed force along r: no horizontal force is left
@@ -56,8 +57,8 @@ pub fn level_and_gyrocompass(force: &Sensed, rate: &Sensed) -> Aligned {
     }
 }
 
-/// Rotation vector from one direction to another, of which `cross` and `dot` are the products; about east where they are
-/// opposite.
+/// Rotation vector from one direction to another, from the cross product and the dot product of the two vectors. If they are
+/// opposite, the rotation is about east.
 fn smallest_rotation(cross: &Vector3<f64>, dot: f64) -> Vector3<f64> {
     let sine = cross.norm_squared().sqrt();
     if sine > 0.0 {

@@ -17,11 +17,11 @@ pub struct AltimeterParameters {
     pub bias_m: f64,
     /// Standard deviation of the first-order Gauss-Markov error [m].
     pub markov_sigma_m: f64,
-    /// Its correlation time [s].
+    /// Correlation time of the Gauss-Markov error [s].
     pub markov_time_s: f64,
     /// Standard deviation of the independent error of each sample [m].
     pub noise_m: f64,
-    /// Scale factor error.
+    /// Scale factor error [1].
     pub scale_factor: f64,
     /// Time constant of the first-order lag of the static pressure [s].
     pub lag_s: f64,
@@ -54,7 +54,7 @@ impl AltimeterParameters {
 pub struct Altimeter {
     parameters: AltimeterParameters,
     is_ideal: bool,
-    /// Length of the interval [s] that the next two are for; 0: for none yet.
+    /// Length of the interval for which `markov_step` and `lag_decay` are computed [s]; 0: not computed yet.
     dt: f64,
     markov_step: MarkovStep,
     lag_decay: f64,
@@ -73,7 +73,7 @@ struct Heights {
     true_m: f64,
     /// Height behind the lag [m].
     lagged_m: f64,
-    /// The last indication since the start or a jump of the truth [m].
+    /// Last indication since the start or a jump of the truth, if there is one [m].
     indicated_m: Option<f64>,
 }
 
@@ -120,7 +120,7 @@ impl Altimeter {
         self.decide();
     }
 
-    /// Decides what each interval need not ask again.
+    /// Updates `is_ideal` after a change, so that the intervals need not compute it.
     fn decide(&mut self) {
         let AltimeterParameters { bias_m, markov_sigma_m, noise_m, scale_factor, lag_s, .. } =
             self.parameters;
@@ -129,7 +129,7 @@ impl Altimeter {
                 && !self.has_failed();
     }
 
-    /// Whether it shows the true height.
+    /// Whether the altimeter shows the true height.
     pub fn is_ideal(&self) -> bool {
         self.is_ideal
     }
@@ -146,7 +146,7 @@ impl Altimeter {
         }
     }
 
-    /// Takes a failure, or clears it.
+    /// Sets or clears the failure.
     pub fn set_failure(&mut self, failure: Option<Failure>) {
         self.failing.set(failure, self.heights.indicated_m);
         self.decide();
@@ -162,17 +162,18 @@ impl Altimeter {
         self.failing.has_failed()
     }
 
-    /// The heights are as in `other`, which got the same and is ideal.
+    /// Takes the heights from `other`, which is ideal and has sensed the same true heights.
     pub(crate) fn follow_as(&mut self, other: &Self) {
         self.heights.clone_from(&other.heights);
     }
 
-    /// The truth jumped to `height_m`: the lag settles there at once, and nothing has been shown.
+    /// Follows a jump of the truth to `height_m`: the lag settles there at once, and there is no last indication.
     pub fn reposition(&mut self, height_m: f64) {
         *self.heights = Heights { true_m: height_m, lagged_m: height_m, indicated_m: None };
     }
 
-    /// The truth jumped by `change_m` up: the lag and the last indication keep what they are off it.
+    /// Follows a jump of the truth by `change_m` up: the lagged height and the last indication keep their differences from the true
+    /// height.
     pub fn shift(&mut self, change_m: f64) {
         let Heights { true_m, lagged_m, indicated_m } = &mut *self.heights;
         *true_m += change_m;
@@ -182,8 +183,8 @@ impl Altimeter {
         }
     }
 
-    /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last; `None` without a signal. [`Self::undo`]
-    /// takes it back.
+    /// The indicated height [m] at the true height `height_m`, `dt` [s] after the last indication; `None` without a signal.
+    /// [`Self::undo`] undoes the indication.
     #[inline]
     pub fn sense(&mut self, height_m: f64, dt: f64) -> Option<f64> {
         self.heights.keep();
@@ -195,7 +196,7 @@ impl Altimeter {
         indicated_m
     }
 
-    /// Takes the last indication back.
+    /// Undoes the last indication.
     pub fn undo(&mut self) {
         self.heights.undo();
         if !self.is_ideal {
@@ -216,7 +217,7 @@ impl Altimeter {
         self.noise.keep();
         self.failing.keep();
         let p = &self.parameters;
-        // Lag of a height that ran straight from the last sample to this, exactly.
+        // The lag is exact for a height that changes linearly from the last sample to this one.
         let heights = &mut *self.heights;
         if p.lag_s > 0.0 {
             let behind = (height_m - heights.true_m) / dt * p.lag_s;
@@ -242,7 +243,8 @@ impl Altimeter {
         self.heights.indicated_m
     }
 
-    /// What the failure makes of `indicated_m` [m] over the `dt` [s] before: of spikes and noise their mean.
+    /// The indication with the failure, from `indicated_m` [m], over the last `dt` [s]. Spikes and noise are added as their mean
+    /// over `dt`.
     #[cold]
     fn failed(&mut self, indicated_m: f64, dt: f64) -> Option<f64> {
         self.failing.begin_interval(dt);
@@ -276,7 +278,7 @@ mod tests {
         for step in 1..=1000 {
             shown = altimeter.sense(10.0 * 0.1 * f64::from(step), 0.1).unwrap();
         }
-        // 1000 m less 10 m/s for 2 s (e^-50 of the start is left), 1 % more, and the bias.
+        // 1000 m minus 10 m/s times 2 s (e^-50 of the start remains), plus 1 %, plus the bias.
         assert!((shown - (980.0 * 1.01 + 5.0)).abs() < 1e-9, "{shown}");
     }
 }

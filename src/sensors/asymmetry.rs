@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use super::input::Input;
 use super::parameters::TriadParameters;
 
-/// δ = a/2 |s|: the scale factor of positive signals s is greater by a than that of negative ones, its mean is
-/// unchanged (K' of IEEE Std 1293). Of an increment, exact while the signal keeps its sign.
+/// δ = a/2 |s|: the scale factor of positive signals s exceeds the scale factor of negative signals by a. Their mean is
+/// unchanged (K' of IEEE Std 1293). The error of an increment is exact if the signal keeps its sign.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Asymmetry {
     /// a/2
@@ -18,7 +18,7 @@ impl Asymmetry {
         Self { half: Vector3::zeros() }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.half = parameters.scale_factor_asymmetry * 0.5;
         self.half != Vector3::zeros()

@@ -8,16 +8,16 @@ use crate::error::Error;
 use crate::math::{exp, sin_cos};
 use crate::snapshot::{Reader, SIGNALS, Stored, Writer, stored};
 
-/// y'' + 2 s y' + 2 s² y = 2 s² u, s = √2 π f: -3 dB at f, flat below, a delay of 1/s. The signal u is taken constant over
-/// each increment, at its mean; for that the step is exact at any length. With e = y - u, w = y'/s, E = exp(-s dt), and
+/// y'' + 2 s y' + 2 s² y = 2 s² u, s = √2 π f: -3 dB at f, flat below, a delay of 1/s. The signal u is assumed constant over each
+/// increment, at its mean. For such a signal the step is exact at any length. With e = y - u, w = y'/s, E = exp(-s dt), and
 /// c, n = cos, sin (s dt):
 /// ```text
 /// e(dt)  = E ((c + n) e + n w)
 /// w(dt)  = E ((c - n) w - 2 n e)
 /// ∫y dt  = ∫u dt - (y(dt) - y + (w(dt) - w)/2) / s
 /// ```
-/// The last line is the differential equation integrated: whatever the filter holds back it gives out again, and no angle
-/// is lost. It starts in the steady state of its first increment.
+/// The last line is the integrated differential equation: the filter outputs later what it holds back, so no angle is lost. The
+/// filter starts in the steady state of its first increment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bandwidth {
     axes: [Option<Filter>; 3],
@@ -37,7 +37,7 @@ struct Filter {
 
 stored!(Filter { state: SIGNALS } rebuilt { rate, cos, sin });
 
-/// Which axes have a filter follows from the parameters.
+/// The parameters determine which axes have a filter.
 impl Stored for Bandwidth {
     fn save(&self, to: &mut Writer<'_>) {
         let Self { axes } = self;
@@ -50,7 +50,7 @@ impl Stored for Bandwidth {
     }
 }
 
-/// Below it a state is nothing: no arithmetic on denormal numbers.
+/// Size below which a state becomes 0, so that there is no arithmetic on denormal numbers.
 const NOTHING: f64 = 1e-300;
 
 impl Filter {
@@ -65,7 +65,7 @@ impl Filter {
         (self.cos, self.sin) = (decay * cos, decay * sin);
     }
 
-    /// What is left of an increment `input` over `dt` [s].
+    /// Filtered increment for the increment `input` over `dt` [s].
     #[inline]
     fn filtered(&mut self, dt: f64, input: f64) -> f64 {
         let u = input / dt;
@@ -84,7 +84,7 @@ impl Bandwidth {
         Self { axes: [None; 3] }
     }
 
-    /// Takes parameters; whether they call for the effect. Another bandwidth goes on from the state of the old one.
+    /// Sets the parameters. Returns whether they call for the effect. A new bandwidth continues from the state of the old one.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         for (filter, &bandwidth_hz) in self.axes.iter_mut().zip(parameters.bandwidth_hz.iter()) {
             let state = filter.map_or(Kept::new(None), |filter| filter.state);
@@ -98,7 +98,7 @@ impl Bandwidth {
         self.axes.iter_mut().flatten().for_each(|filter| filter.set_interval(dt));
     }
 
-    /// The signal jumps: the steady state of the next increment.
+    /// Follows a jump of the signal: the filter starts again in the steady state of the next increment.
     pub fn reposition(&mut self) {
         self.axes.iter_mut().flatten().for_each(|filter| *filter.state = None);
     }
@@ -113,12 +113,12 @@ impl Bandwidth {
         }
     }
 
-    /// An interval begins, which [`Self::undo`] takes back.
+    /// Begins an interval, which [`Self::undo`] can undo.
     pub fn keep(&mut self) {
         self.axes.iter_mut().flatten().for_each(|filter| filter.state.keep());
     }
 
-    /// Takes the last interval back.
+    /// Undoes the last interval.
     pub fn undo(&mut self) {
         self.axes.iter_mut().flatten().for_each(|filter| filter.state.undo());
     }

@@ -24,13 +24,13 @@ impl Bias {
         Self { turn_on: Vector3::new(x.normal(), y.normal(), z.normal()), value: Vector3::zeros() }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.value = parameters.bias + parameters.bias_sigma.component_mul(&self.turn_on);
         self.value != Vector3::zeros()
     }
 
-    /// [u]
+    /// The bias [u].
     pub fn value(&self) -> Vector3<f64> {
         self.value
     }
@@ -42,7 +42,7 @@ impl Bias {
         outputs.iter_mut().for_each(|output| *output += integral);
     }
 
-    /// What is kept of a run.
+    /// Visits the state of a run.
     pub fn visit(&mut self, visitor: &mut impl Visitor) {
         visitor.constants(self.value.iter_mut());
     }

@@ -1,16 +1,16 @@
-//! Numbers made of the words of a generator: even ones, and normal ones by the ziggurat method.
+//! Random numbers from the words of a generator: uniform numbers, and normal numbers by the ziggurat method.
 
 use super::xoshiro::Xoshiro256PlusPlus;
 use crate::math::{exp, ln};
 use crate::signal::{RUNS, Row};
 
-/// Evenly from 0 up to but not 1, in steps of 2^-53.
+/// Uniform number from 0 up to but excluding 1, in steps of 2^-53.
 #[inline]
 pub(super) fn even(word: u64) -> f64 {
     (word >> 11) as f64 * (0.5 * f64::EPSILON)
 }
 
-/// Evenly from `power`, of two, up to but not its double: the upper 52 bits of the word.
+/// Uniform number from `power`, a power of two, up to but excluding its double. It is made of the upper 52 bits of the word.
 #[inline(always)]
 fn octave(power: f64, word: u64) -> f64 {
     f64::from_bits(power.to_bits() | (word >> 12))
@@ -19,8 +19,8 @@ fn octave(power: f64, word: u64) -> f64 {
 /// Normal with mean 0 and variance 1: Doornik, "An Improved Ziggurat Method to Generate Normal Random Samples", 2005 (ZIGNOR),
 /// with the widths and bits of `rand_distr`.
 ///
-/// Departure: not `rand_distr` itself, whose logarithm and exponential are the platform's as soon as any crate of the build
-/// asks `num-traits` for its `std`.
+/// Departure: this is not `rand_distr` itself, which uses the logarithm and the exponential of the platform as soon as any crate of
+/// the build asks `num-traits` for its `std`.
 #[inline]
 pub(super) fn normal(generator: &mut Xoshiro256PlusPlus) -> f64 {
     let word = generator.next_u64();
@@ -28,13 +28,13 @@ pub(super) fn normal(generator: &mut Xoshiro256PlusPlus) -> f64 {
     if is_inside {
         return x;
     }
-    // By value, or the state of the generator would be in memory throughout.
+    // The generator is passed by value. By reference, the state of the generator would be in memory throughout.
     let (x, later) = at_an_edge(word, generator.clone());
     *generator = later;
     x
 }
 
-/// The number that a word makes alone, and whether it does.
+/// The number that one word gives, and whether this word alone decides it.
 #[inline(always)]
 fn of_word(word: u64) -> (f64, bool) {
     let (layer, u) = layer_and_share(word);
@@ -42,7 +42,7 @@ fn of_word(word: u64) -> (f64, bool) {
     (x, x.abs() < X[layer + 1])
 }
 
-/// The next normal number of each generator of a block, whose states are in four rows.
+/// The next normal number of each generator of a block. The states of the generators are in four rows.
 #[inline(always)]
 pub(super) fn normal_each(states: &mut [[u64; RUNS]; 4]) -> Row {
     let (mut numbers, mut words, mut is_at_edge, mut any_edge) = ([0.0; RUNS], [0; RUNS], [0; RUNS], 0);
@@ -66,7 +66,7 @@ pub(super) fn normal_each(states: &mut [[u64; RUNS]; 4]) -> Row {
     numbers
 }
 
-/// Draws on for the runs whose first word does not decide the number.
+/// Draws further words for the runs whose first word does not decide the number.
 #[inline(never)]
 fn at_the_edges(
     states: &mut [[u64; RUNS]; 4],
@@ -84,13 +84,13 @@ fn at_the_edges(
     }
 }
 
-/// A layer, and a place in it from -1 up to but not 1 of its half width.
+/// A layer, and a position in it as a share of its half width, from -1 up to but excluding 1.
 #[inline(always)]
 fn layer_and_share(word: u64) -> (usize, f64) {
     ((word & 0xff) as usize, octave(2.0, word) - 3.0)
 }
 
-/// The number whose first word does not decide it, and the generator behind it: one draw in 67.
+/// The number for a first word that does not decide it, and the generator after the last word used. This happens in one draw of 67.
 #[cold]
 #[inline(never)]
 fn at_an_edge(word: u64, mut generator: Xoshiro256PlusPlus) -> (f64, Xoshiro256PlusPlus) {
@@ -110,9 +110,10 @@ fn at_an_edge(word: u64, mut generator: Xoshiro256PlusPlus) -> (f64, Xoshiro256P
     }
 }
 
-/// Beyond the lowest layer that the curve covers (Marsaglia 1964): x of density exp(-x²/2) from X[1] on.
+/// A number of the tail, which is the part of the lowest layer beyond X[1] (Marsaglia 1964): x from X[1] on, with the density
+/// exp(-x²/2).
 fn tail(generator: &mut Xoshiro256PlusPlus) -> f64 {
-    // Evenly between 0 and 1, neither of them.
+    // Uniform between 0 and 1, excluding both.
     let mut between = || octave(1.0, generator.next_u64()) - (1.0 - 0.5 * f64::EPSILON);
     loop {
         let beyond = -ln(between()) / X[1];
@@ -122,13 +123,15 @@ fn tail(generator: &mut Xoshiro256PlusPlus) -> f64 {
     }
 }
 
-/// Whether the point at `x` and at the share `height` of its layer lies under exp(-x²/2): heights in units of the curve's.
+/// Whether the point at `x`, at the share `height` of the height of its layer, is under the curve exp(-x²/2). Heights are in units
+/// of the curve's height at `x`.
 fn under_the_curve(x: f64, layer: usize, height: f64) -> bool {
     let [bottom, top] = [X[layer], X[layer + 1]].map(|width| exp(-0.5 * (width * width - x * x)));
     top + height * (bottom - top) < 1.0
 }
 
-/// Half widths of the layers, all of one area: X[0] of the lowest with its tail, which begins at X[1]; 0 of the peak.
+/// Half widths of the layers, which have equal areas. X[0] belongs to the lowest layer with its tail, which begins at X[1]. The
+/// last one is 0, at the peak.
 #[rustfmt::skip]
 static X: [f64; 257] = [
     3.91075795953709, 3.654152885361009, 3.4492782985609645, 3.320244733839166, 3.224575052047029,
@@ -195,8 +198,8 @@ mod tests {
 
     const EPS: f64 = f64::EPSILON;
 
-    /// A million numbers of the tail, each against R - ln(u) / R with the portable logarithm. The platform's differs, and
-    /// a crate of the build that asks a dependency for it must not bring it in.
+    /// A million numbers of the tail, each compared with R - ln(u) / R with the portable logarithm. The platform's logarithm
+    /// differs. A crate of the build that asks a dependency for the platform's logarithm must not change the numbers.
     #[test]
     fn the_tail_has_the_portable_logarithm() {
         let mut seed = Xoshiro256PlusPlus::seeded(1);
@@ -240,8 +243,8 @@ mod tests {
         }
     }
 
-    /// `rand_distr` makes the same number of the same words. Its tail is compared to rounding, as its logarithm may be another:
-    /// an ulp of the logarithm, the division and the addition.
+    /// `rand_distr` makes the same number from the same words. Numbers of the tail are compared to within rounding, because its
+    /// logarithm may differ: by an ulp of the logarithm, the division and the addition.
     #[test]
     fn it_is_the_ziggurat_of_the_reference() {
         let mut seed = Xoshiro256PlusPlus::seeded(2);

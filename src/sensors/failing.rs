@@ -1,4 +1,4 @@
-//! Outputs as failures make them.
+//! Sensor outputs with failures.
 
 use nalgebra::Vector3;
 
@@ -7,16 +7,17 @@ use super::stream::{Purpose, Source, Stream, StreamKey};
 use crate::error::Error;
 use crate::snapshot::{Numbers, Reader, SIGNALS, Stored, Writer, stored};
 
-/// Share of a sample interval by which a loss may be early for the interval: sums of intervals round.
+/// Share of a sample interval. A loss that is due this close before the end of an interval falls into the next
+/// interval, because sums of intervals have rounding errors.
 const SLACK: f64 = 1e-6;
 
-/// One output: sound, or with a failure. Its random stream goes on from one failure to the next.
+/// One output, with or without a failure. Its random stream continues from one failure to the next.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FailingOutput {
     failure: Option<Failure>,
-    /// Spikes: time since the last began. Periodic drop-outs: time to the next [s].
+    /// Spikes: time since the last pulse began [s]. Periodic drop-outs: time to the next loss [s].
     phase_s: f64,
-    /// Stuck: what is held [u].
+    /// Stuck: the value that is held [u].
     held: Option<f64>,
     /// Whether there is no signal.
     is_silent: bool,
@@ -24,12 +25,13 @@ pub(super) struct FailingOutput {
     stream: Stream,
 }
 
-/// Bits of what is stored of an output beyond a sound one.
+/// Bits for what a snapshot stores of an output, in addition to an output without failure.
 const FAILED: usize = 1;
 const SILENT: usize = 2;
 const DRAWN: usize = 4;
 
-/// Without a failure there is no phase and nothing held; a stream that was not drawn from is as it was made.
+/// Phase and held value are stored only with a failure. The stream is stored only if it was drawn from; otherwise it
+/// equals a new one.
 impl Stored for FailingOutput {
     fn save(&self, to: &mut Writer<'_>) {
         let Self { failure, phase_s, held, is_silent, has_drawn, stream } = self;
@@ -74,7 +76,7 @@ impl FailingOutput {
         }
     }
 
-    /// Takes a failure, or clears it; `last` is the output before [u], if there was one.
+    /// Sets or clears the failure. `last` is the last output [u], if there was one.
     pub fn set(&mut self, failure: Option<Failure>, last: Option<f64>) {
         self.failure = failure;
         self.phase_s = 0.0;
@@ -141,7 +143,7 @@ impl FailingOutput {
         }
     }
 
-    /// What is given out over `dt` [s] in place of `measured` [u s].
+    /// The output over `dt` [s] in place of `measured` [u s].
     pub fn replaced(&mut self, dt: f64, measured: f64) -> f64 {
         if self.is_silent {
             0.0
@@ -166,17 +168,17 @@ impl FailingTriad {
         Self { outputs: [0, 1, 2].map(|axis| FailingOutput::new(key, source, axis)) }
     }
 
-    /// Takes a failure of one axis, as [`FailingOutput::set`].
+    /// Sets or clears the failure of one axis, as [`FailingOutput::set`].
     pub fn set(&mut self, axis: Axis, failure: Option<Failure>, last: Option<f64>) {
         self.outputs[axis as usize].set(failure, last);
     }
 
-    /// The failure that is set of one axis.
+    /// The failure that is set for one axis.
     pub fn failure(&self, axis: Axis) -> Option<Failure> {
         self.outputs[axis as usize].failure()
     }
 
-    /// Checks each failure; `output` makes of an axis what fails.
+    /// Checks each failure. `output` gives the output of an axis.
     pub fn check(&self, output: fn(Axis) -> SensorOutput) -> Result<(), Error> {
         let [x, y, z] = &self.outputs;
         x.check(output(Axis::X))?;
@@ -184,7 +186,7 @@ impl FailingTriad {
         z.check(output(Axis::Z))
     }
 
-    /// Whether a failure adds to the input.
+    /// Whether a failure adds to an output.
     pub fn any_adds(&self) -> bool {
         self.failures().any(|failure| failure.is_added())
     }

@@ -6,27 +6,27 @@ use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 /// Axis of a triad, sensor axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Axis {
-    /// The first.
+    /// First axis.
     X = 0,
-    /// The second.
+    /// Second axis.
     Y = 1,
-    /// The third.
+    /// Third axis.
     Z = 2,
 }
 
-/// What can fail: one output.
+/// An output that can fail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SensorOutput {
     /// A gyro; the unit u of failures is rad/s.
     Gyro(Axis),
-    /// An accelerometer; m/s².
+    /// An accelerometer; the unit u of failures is m/s².
     Accelerometer(Axis),
-    /// The altimeter; m.
+    /// The altimeter; the unit u of failures is m.
     Altimeter,
 }
 
 impl SensorOutput {
-    /// Each output there is.
+    /// All outputs.
     pub const ALL: [Self; 7] = [
         Self::Gyro(Axis::X),
         Self::Gyro(Axis::Y),
@@ -38,49 +38,50 @@ impl SensorOutput {
     ];
 }
 
-/// A failure of one output, from the interval after it is set until it is cleared or another takes its place.
+/// A failure of one output. It lasts from the interval after it is set until it is cleared or replaced by another one.
 ///
-/// Biases, spikes and noise are added to the input of the sensor, before dead zone, range and quantization: what they make of it
-/// looks like data. The others replace the output. Noise processes, filters and residuals run on behind a failure.
+/// Bias steps, spikes and noise are added to the signal before dead zone, range and quantization, so the output still looks like
+/// data. The other failures replace the output. Noise processes, filters and residuals continue during a failure.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Failure {
-    /// The output holds the mean of the interval before the failure; where there was none, its first value.
+    /// The output holds its mean over the interval before the failure. If there was no such interval, it holds its first value.
     #[default]
     Stuck,
-    /// No signal: gyros and accelerometers give 0, the altimeter nothing. Seen by the built-in test.
+    /// No signal: gyros and accelerometers output 0, the altimeter outputs nothing. The built-in test detects this failure.
     Dead,
-    /// A bias more.
+    /// An additional bias.
     BiasStep {
-        /// Its size [u].
+        /// Size of the bias [u].
         size: f64,
     },
-    /// A train of rectangular pulses, the first at once.
+    /// A train of rectangular pulses. The first pulse begins at once.
     Spikes {
         /// Height of a pulse [u].
         size: f64,
-        /// From the start of one pulse to that of the next [s].
+        /// Time from the start of one pulse to the start of the next pulse [s].
         interval_s: f64,
         /// Length of a pulse [s].
         duration_s: f64,
     },
-    /// White noise more.
+    /// Additional white noise.
     Noise {
-        /// Its density N [u √s].
+        /// Density N of the noise [u √s].
         density: f64,
     },
-    /// Each sample interval is lost as [`Self::Dead`] with a probability, independently of the others.
+    /// Each sample interval is lost with the same probability, independently of the others. A lost interval is as with
+    /// [`Self::Dead`].
     RandomDropOuts {
-        /// Of the loss of an interval.
+        /// Probability that an interval is lost [1].
         probability: f64,
     },
-    /// One sample interval in each so many seconds is lost, the first at once.
+    /// One sample interval is lost in each period of `interval_s`. The first loss comes at once.
     PeriodicDropOuts {
-        /// From one loss to the next [s]; where that is shorter than a sample interval, each interval is lost.
+        /// Time from one loss to the next [s]. If it is shorter than a sample interval, each interval is lost.
         interval_s: f64,
     },
 }
 
-/// A number of the kind, which is part of the format, and three numbers.
+/// Stored as a number for the kind and three further numbers. The numbers of the kinds are part of the format.
 impl Stored for Failure {
     fn save(&self, to: &mut Writer<'_>) {
         let (kind, numbers) = match *self {

@@ -1,14 +1,14 @@
-//! Failures of all kinds in one flat form: that of the C interface and of scenes.
+//! Failures of all kinds in one flat form, which the C interface and scenes use.
 
 use super::failure::Failure;
 
-/// Number of the kinds of failures, none included.
+/// Number of failure kinds, including kind 0, which is no failure.
 pub(crate) const FAILURE_KIND_COUNT: usize = 7;
 
 /// A failure of any kind, or none. It has the quantities of all kinds; those that its kind does not use are 0.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct FailureFields {
-    /// None, stuck, dead, bias step, spikes, noise, drop-outs.
+    /// Kind, counted from 0: no failure, stuck, dead, bias step, spikes, noise, drop-outs.
     pub kind: usize,
     pub size: f64,
     pub density: f64,
@@ -18,7 +18,7 @@ pub(crate) struct FailureFields {
 }
 
 impl FailureFields {
-    /// The failure, if it is one; quantities that its kind does not use are ignored. Drop-outs with an interval are periodic.
+    /// The failure; `None` for kind 0. Quantities that the kind does not use are ignored. Drop-outs with an interval are periodic.
     pub fn to_failure(self) -> Option<Failure> {
         let Self { kind, size, density, interval_s, duration_s, probability } = self;
         match kind {

@@ -10,11 +10,11 @@ use super::stream::{MAX_NORMAL, Purpose, Stream, StreamKey};
 use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::stored;
 
-/// Correlation times of the processes [s]: one a decade.
+/// Correlation times of the processes [s], one process per decade.
 const TIMES_S: [f64; 6] = [1.0, 10.0, 100.0, 1e3, 1e4, 1e5];
 
-/// Their standard deviations at B = 1: √(ln 10 / π), and a variance of 1.25 times that at the ends, which stand for the
-/// decades beyond as well.
+/// Standard deviations of the processes at B = 1: √(ln 10 / π). The two end processes have 1.25 times this variance, because they
+/// also represent the decades beyond.
 const DEVIATIONS: [f64; 6] = [END, MIDDLE, MIDDLE, MIDDLE, MIDDLE, END];
 const MIDDLE: f64 = 0.856_116_580_191_873_1;
 const END: f64 = 0.957_167_434_986_839_1;
@@ -35,11 +35,13 @@ pub(crate) const PROCESSES: [(f64, f64); TIMES_S.len()] = {
 /// ```text
 /// Σ 2 σ² τ / (1 + (2π f τ)²) -> σ²/(2 f ln r) for correlation times τ a factor of r apart: σ² = B² ln r / π
 /// ```
-/// The band: one process a decade, 1 s to 1e5 s. The Allan deviation keeps within -1 % and +2.3 % of 0.664 B for averaging
-/// times of 2 s to 1.8e5 s (50 hours), which the test below computes; the ripple of one process a decade is 1 % of that.
-/// Beyond, it falls by a factor of √10 a decade: shorter averages are white noise's, longer ones rate random walk's.
+/// The band has one process per decade, from 1 s to 1e5 s. The Allan deviation stays within -1 % and +2.3 % of 0.664 B for
+/// averaging times of 2 s to 1.8e5 s (50 hours), as the test below computes; the ripple of one process per decade is 1 %.
+/// Outside the band the Allan deviation falls by a factor of √10 per decade: as with white noise for shorter averages, and as with
+/// rate random walk for longer ones.
 ///
-/// The step of each process has a draw of its own; what their integrals do not share with their ends is one draw for all.
+/// Each process has its own draw for its step. The parts of the integrals that do not follow from the ends of the steps have one
+/// draw for all processes.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Flicker {
     /// B [u].
@@ -47,7 +49,7 @@ pub(super) struct Flicker {
     /// Processes of unit variance, by axis.
     x: Kept<[[f64; TIMES_S.len()]; 3]>,
     steps: [MarkovStep; TIMES_S.len()],
-    /// Of the integral over a step at B = 1: standard deviation of the part of its own [s].
+    /// Standard deviation, at B = 1, of the part of the integral over a step that does not follow from the ends of the step [s].
     own: f64,
     streams: Kept<[Stream; 3]>,
 }
@@ -62,7 +64,7 @@ impl Flicker {
         Self { instability: Vector3::zeros(), x, steps: [MarkovStep::NONE; TIMES_S.len()], own: 0.0, streams }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.instability = parameters.flicker;
         self.instability != Vector3::zeros()
@@ -100,7 +102,7 @@ impl Flicker {
         }
     }
 
-    /// What is kept of a run.
+    /// Visits the state of a run.
     pub fn visit(&mut self, visitor: &mut impl Visitor) {
         visitor.numbers(self.x.as_flattened_mut());
         self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
@@ -129,14 +131,14 @@ impl Flicker {
         }
     }
 
-    /// An interval begins, which [`Self::undo`] takes back.
+    /// Begins an interval, which [`Self::undo`] can undo.
     #[inline]
     pub fn keep(&mut self) {
         self.x.keep();
         self.streams.keep();
     }
 
-    /// Takes the last interval back.
+    /// Undoes the last interval.
     pub fn undo(&mut self) {
         self.x.undo();
         self.streams.undo();
@@ -169,7 +171,7 @@ mod tests {
             assert!((0.99..1.023).contains(&found), "{average_s} s: {found}");
             average_s *= 1.02;
         }
-        // Between the ends, the ripple alone.
+        // Between the ends there is only the ripple.
         for average_s in [100.0, 180.0, 316.0, 562.0, 1000.0] {
             assert!((ratio(average_s) - 1.0).abs() < 0.012, "{average_s} s: {}", ratio(average_s));
         }

@@ -5,11 +5,11 @@ use nalgebra::{Matrix3, Vector3};
 use super::input::Input;
 use super::parameters::TriadParameters;
 
-/// δω_i = Σ_j G_ij f_j + k_i f_i²: G of row = gyro, column = axis of the force (mass unbalance and its cross terms), k of each gyro's
-/// own axis (anisoelasticity; IEEE Std 528). The force is the true one at the block's own point.
+/// δω_i = Σ_j G_ij f_j + k_i f_i². The row of G is the gyro, its column is the axis of the force (mass unbalance and its cross
+/// terms). k acts along each gyro's own axis (anisoelasticity; IEEE Std 528). The force is the true force at the block's own point.
 ///
-/// Of an increment Δv of force over dt the first term is exact; the second takes the force constant over it: k Δv² / dt. Of a sine
-/// of frequency f it loses the share 1 - (sin x / x)², x = π f dt, of the mean square.
+/// For an increment Δv of force over dt, the first term is exact. The second term assumes a constant force over the increment:
+/// k Δv² / dt. For a sine of frequency f it loses the share 1 - (sin x / x)², x = π f dt, of the mean square.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GSensitivity {
     /// G [(rad/s)/(m/s²)].
@@ -23,7 +23,7 @@ impl GSensitivity {
         Self { linear: Matrix3::zeros(), quadratic: Vector3::zeros() }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.linear = parameters.g_sensitivity;
         self.quadratic = parameters.g2_sensitivity;

@@ -16,8 +16,8 @@ use crate::snapshot::stored;
 /// x(dt)  = e^-a x + √(E (2 - E)) n1,   E = 1 - e^-a
 /// ∫x dt  = τ (E x + E² / √(E (2 - E)) n1 + √(2 (a - 2 tanh(a/2))) n2)
 /// ```
-/// n1, n2 standard normal: the variance of the integral, 2a - 3 + 4e^-a - e^-2a, less what n1 explains of it, is
-/// 2 (a - 2 tanh(a/2)) in closed form.
+/// n1 and n2 are standard normal. The variance of the integral is 2a - 3 + 4e^-a - e^-2a. The part of this variance that n1 does
+/// not explain is 2 (a - 2 tanh(a/2)) in closed form.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct MarkovStep {
     decay: f64,
@@ -27,11 +27,12 @@ pub(crate) struct MarkovStep {
     integral_own: f64,
 }
 
-/// What a step makes of a process x of unit variance: its end from x and a draw w, its integral from x, w and a draw of its own.
+/// Coefficients of a step of a process x of unit variance. The end of the step follows from x and a draw w. The integral follows
+/// from x, w and a second draw.
 pub(crate) struct MarkovCoefficients {
     pub decay: f64,
     pub diffusion: f64,
-    /// Shares of x, of w and of its own draw in the integral.
+    /// Shares of x, of w and of the second draw in the integral.
     pub integral: [f64; 3],
 }
 
@@ -44,7 +45,8 @@ impl MarkovStep {
         let a = dt / time;
         let e = -exp_m1(-a);
         let diffusion = (e * (2.0 - e)).sqrt();
-        // Below 0.05 the closed form cancels; the series then drops less than 1e-14 of itself.
+        // Below 0.05 the closed form loses digits by cancellation. There the truncated series has an error of less than 1e-14 of
+        // its value.
         let own_variance = if a < 0.05 {
             let a2 = a * a;
             a2 * a * (1.0 / 6.0 - a2 * (1.0 / 60.0 - a2 * (17.0 / 10_080.0 - a2 * (31.0 / 181_440.0))))
@@ -60,13 +62,13 @@ impl MarkovStep {
         }
     }
 
-    /// Moves `x` one step on by two draws and gives its integral over the step.
+    /// Moves `x` on by one step with two draws. Returns the integral of `x` over the step.
     #[inline(always)]
     pub(super) fn advance_integral(&self, x: &mut f64, [n1, n2]: [f64; 2]) -> f64 {
         self.advance_shared(x, n1) + self.integral_own * n2
     }
 
-    /// Moves `x` one step on by the draw `n1` and gives the part of its integral that follows from them; the rest is
+    /// Moves `x` on by one step with the draw `n1`. Returns the part of the integral that follows from `x` and `n1`; the rest is
     /// [`Self::integral_own`] times another draw.
     #[inline(always)]
     pub fn advance_shared(&self, x: &mut f64, n1: f64) -> f64 {
@@ -75,18 +77,18 @@ impl MarkovStep {
         integral
     }
 
-    /// What it does.
+    /// Coefficients of the step.
     pub fn coefficients(&self) -> MarkovCoefficients {
         let Self { decay, diffusion, integral, integral_shared, integral_own } = *self;
         MarkovCoefficients { decay, diffusion, integral: [integral, integral_shared, integral_own] }
     }
 
-    /// Standard deviation of the part of the integral that the end value does not share.
+    /// Standard deviation of the part of the integral that does not follow from the ends of the step.
     pub fn integral_own(&self) -> f64 {
         self.integral_own
     }
 
-    /// Moves `x` one step on.
+    /// Moves `x` on by one step.
     #[inline]
     pub(super) fn advance(&self, x: &mut f64, stream: &mut Stream) {
         *x = self.decay * *x + self.diffusion * stream.normal();
@@ -114,7 +116,7 @@ impl GaussMarkov {
         Self { sigma: Vector3::zeros(), time_s: Vector3::zeros(), x, steps: [MarkovStep::NONE; 3], streams }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.sigma = parameters.markov_sigma;
         self.time_s = parameters.markov_time_s;
@@ -128,12 +130,12 @@ impl GaussMarkov {
         }
     }
 
-    /// The bias now [u].
+    /// The current bias [u].
     pub fn value(&self) -> Vector3<f64> {
         self.sigma.component_mul(&self.x)
     }
 
-    /// Adds the integral over each increment of an interval, which [`Self::undo`] takes back.
+    /// Adds the integral over each increment of an interval, which [`Self::undo`] can undo.
     #[inline(never)]
     pub fn apply(&mut self, mut outputs: Outputs<'_>) {
         self.x.keep();
@@ -149,7 +151,7 @@ impl GaussMarkov {
         }
     }
 
-    /// What is kept of a run.
+    /// Visits the state of a run.
     pub fn visit(&mut self, visitor: &mut impl Visitor) {
         visitor.numbers(self.x.iter_mut());
         self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
@@ -173,7 +175,7 @@ impl GaussMarkov {
         }
     }
 
-    /// Takes the last interval back.
+    /// Undoes the last interval.
     pub fn undo(&mut self) {
         self.x.undo();
         self.streams.iter_mut().for_each(Kept::undo);
@@ -185,7 +187,7 @@ mod tests {
     use super::*;
     use crate::math::exp;
 
-    /// Variances and covariance of the step against their textbook forms, where those do not cancel.
+    /// Variances and covariance of the step, compared with their textbook forms.
     #[test]
     fn the_step_has_the_moments_of_the_process() {
         for a in [0.03, 0.049_999, 0.050_001, 0.7, 5.0, 60.0] {
@@ -204,7 +206,7 @@ mod tests {
         }
     }
 
-    /// From a millionth of the step to a million million seconds: two half steps are one whole step, in variance.
+    /// Two half steps give the variance of one whole step, for correlation times from a millionth of the step to 1e12 s.
     #[test]
     fn halving_the_step_changes_nothing_at_any_correlation_time() {
         for time in [1e-8, 1e-4, 1e-2, 1.0, 1e4, 1e9, 1e12] {

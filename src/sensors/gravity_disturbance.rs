@@ -1,4 +1,4 @@
-//! True gravity less the normal gravity that the INS computes: along the track, as random fields.
+//! Gravity disturbance: true gravity less the normal gravity that the INS computes, along the track, as random fields.
 
 use nalgebra::Vector3;
 
@@ -17,7 +17,7 @@ pub struct GravityField {
     pub mean: f64,
     /// Standard deviation of the random part [u].
     pub sigma: f64,
-    /// D, its correlation distance [m].
+    /// D, correlation distance of the random part [m].
     pub distance_m: f64,
 }
 
@@ -28,7 +28,8 @@ stored!(GravityField { mean: ANY, sigma: ANY, distance_m: ANY });
 pub struct GravityDisturbanceParameters {
     /// ξ, the deflection of the vertical in the meridian: astronomic less geodetic latitude [rad].
     pub deflection_north: GravityField,
-    /// η, in the prime vertical: astronomic less geodetic longitude, times the cosine of latitude [rad].
+    /// η, the deflection of the vertical in the prime vertical: astronomic less geodetic longitude, times the cosine of latitude
+    /// [rad].
     pub deflection_east: GravityField,
     /// Δg, excess of gravity along the vertical [m/s²].
     pub anomaly: GravityField,
@@ -39,7 +40,7 @@ stored!(GravityDisturbanceParameters { deflection_north, deflection_east, anomal
 impl GravityDisturbanceParameters {
     /// Checks every field.
     pub fn validate(&self) -> Result<(), Error> {
-        // Ten times and more of what the Earth has: 100" and 0.01 m/s² (Heiskanen and Moritz 1967).
+        // The limits are at least ten times the largest values on Earth: 100" and 0.01 m/s² (Heiskanen and Moritz 1967).
         const DEFLECTION_RAD: f64 = 0.01;
         const ANOMALY_M_S2: f64 = 0.1;
         self.deflection_north.validate(
@@ -86,7 +87,7 @@ pub struct GravityDisturbance {
     field: Kept<Field>,
 }
 
-/// What moves with the flight.
+/// State of the fields along the flight.
 #[derive(Debug, Clone, PartialEq)]
 struct Field {
     has_moved: bool,
@@ -95,7 +96,7 @@ struct Field {
     streams: [Stream; 3],
 }
 
-/// Fields that have not moved are as they were made.
+/// Fields that have not moved are not stored, because they equal new ones.
 impl Stored for Field {
     fn save(&self, to: &mut Writer<'_>) {
         let Self { has_moved, x, streams } = self;
@@ -121,7 +122,7 @@ impl Stored for Field {
 stored!(GravityDisturbance { field } rebuilt { parameters, is_on });
 
 impl GravityDisturbance {
-    /// The normal field, whose random parts draw from the streams of `key`.
+    /// The normal field. Random parts that are set later draw from the streams of `key`.
     pub fn new(key: StreamKey) -> Self {
         let mut streams = Stream::triad(key, Source::Gravity, Purpose::GaussMarkov);
         let x = [0, 1, 2].map(|field| streams[field].normal());
@@ -138,12 +139,12 @@ impl GravityDisturbance {
         self.is_on = parameters.fields().iter().any(|field| field.mean != 0.0 || field.sigma != 0.0);
     }
 
-    /// Its parameters.
+    /// Parameters of the disturbance.
     pub fn parameters(&self) -> &GravityDisturbanceParameters {
         &self.parameters
     }
 
-    /// Whether gravity is other than normal.
+    /// Whether true gravity differs from normal gravity.
     #[inline]
     pub fn is_on(&self) -> bool {
         self.is_on
@@ -158,8 +159,8 @@ impl GravityDisturbance {
         horizontal_e.norm_squared().sqrt() * next.interval_s * over_ground
     }
 
-    /// From `current` to `next`, which [`Self::undo`] takes back. The distance over ground is that of the velocity, which is the master of the ideal signals
-    /// too; where nothing moves, nothing changes.
+    /// Moves the fields on from `current` to `next`, which [`Self::undo`] can undo. The distance over ground follows from the
+    /// velocity, because the ideal signals follow from the velocity too. Where nothing moves, the fields do not change.
     pub fn advance(&mut self, earth: &Earth, current: &TruthPoint, next: &TruthPoint) {
         self.field.keep();
         let distance_m = Self::over_ground(earth, current, next);
@@ -168,7 +169,7 @@ impl GravityDisturbance {
         }
     }
 
-    /// Takes the last interval back.
+    /// Undoes the last interval.
     pub fn undo(&mut self) {
         self.field.undo();
     }
@@ -184,20 +185,20 @@ impl GravityDisturbance {
         }
     }
 
-    /// True less normal gravity at `point`, Earth-fixed axes [m/s²]: (-γ η, -γ ξ, -Δg) along east, north and up
-    /// (Heiskanen and Moritz 1967, chapter 2: the astronomic zenith lies ξ north and η east of the ellipsoid's normal).
+    /// True less normal gravity at `point`, Earth-fixed axes [m/s²]: (-γ η, -γ ξ, -Δg) along east, north and up (Heiskanen and
+    /// Moritz 1967, chapter 2: the astronomic zenith is ξ north and η east of the ellipsoid's normal).
     pub fn at(&self, earth: &Earth, point: &TruthPoint) -> Vector3<f64> {
         Self::of_fields(earth, point, self.values())
     }
 
-    /// The same of given deflections ξ, η [rad] and anomaly [m/s²].
+    /// True less normal gravity at `point`, Earth-fixed axes [m/s²], for given deflections ξ, η [rad] and anomaly [m/s²].
     pub(crate) fn of_fields(earth: &Earth, point: &TruthPoint, [xi, eta, anomaly]: [f64; 3]) -> Vector3<f64> {
         let (east, north, up) = earth.east_north_up(point.place());
         let normal = point.gravity_e.norm_squared().sqrt();
         east * (-normal * eta) + north * (-normal * xi) - up * anomaly
     }
 
-    /// ξ, η [rad], Δg [m/s²]
+    /// Current ξ, η [rad] and Δg [m/s²].
     fn values(&self) -> [f64; 3] {
         let fields = self.parameters.fields();
         [0, 1, 2].map(|i| fields[i].mean + fields[i].sigma * self.field.x[i])

@@ -10,21 +10,23 @@ use crate::state::StateErrors;
 /// Where the misalignment at the start comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Alignment {
-    /// The given one, of the true attitude.
+    /// The given misalignment, relative to the true attitude.
     #[default]
     Given,
-    /// The given one of the attitude that levelling and gyrocompassing find with the sensor errors of the start.
+    /// The given misalignment, relative to the attitude that levelling and gyrocompassing find with the sensor errors
+    /// of the start.
     LevelAndGyrocompass,
 }
 
-/// Initial errors, computed - true, east-north-up; each given part and one drawn once a run.
+/// Initial errors, computed less true, east-north-up axes. Each error is the sum of a given part and a part that is
+/// drawn once a run.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct InitialErrorParameters {
-    /// Position [m].
+    /// Given position error [m].
     pub position_n: Vector3<f64>,
-    /// Velocity [m/s].
+    /// Given velocity error [m/s].
     pub velocity_n: Vector3<f64>,
-    /// Misalignment φ, a rotation vector [rad]: computed C = exp(-[φ×]) C.
+    /// Given misalignment φ, a rotation vector [rad]: computed C = exp(-[φ×]) C.
     pub misalignment_n: Vector3<f64>,
     /// Standard deviation of the drawn position error [m].
     pub position_sigma_n: Vector3<f64>,
@@ -32,7 +34,7 @@ pub struct InitialErrorParameters {
     pub velocity_sigma_n: Vector3<f64>,
     /// Standard deviation of the drawn misalignment [rad].
     pub misalignment_sigma_n: Vector3<f64>,
-    /// Which attitude the misalignment is of.
+    /// Attitude to which the misalignment is relative.
     pub alignment: Alignment,
 }
 
@@ -60,7 +62,7 @@ impl InitialErrorParameters {
         check_ranges("initial.misalignment_sigma_enu_rad", self.misalignment_sigma_n.as_slice(), 0.0, 1.0)
     }
 
-    /// The errors of the run `key`, without those of the alignment.
+    /// The errors of the run `key`, without the errors of the alignment.
     pub fn draw(&self, key: StreamKey) -> StateErrors {
         let drawn = |given: &Vector3<f64>, sigma: &Vector3<f64>, purpose| {
             let mut streams = Stream::triad(key, Source::InitialErrors, purpose);

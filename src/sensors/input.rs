@@ -1,13 +1,13 @@
-//! What the errors that follow the signal are computed from.
+//! Input of the errors that depend on the signal.
 
 use nalgebra::Vector3;
 
-/// The input of a triad over an increment; of constant signals, over 1 s.
+/// The input of a triad over an increment. For constant signals it is the input over 1 s.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Input {
-    /// The signal after size effect and bandwidth: its increment [u s].
+    /// Increment of the signal after size effect and bandwidth [u s].
     pub signal: Vector3<f64>,
-    /// The true specific force at the block's own point: its increment [m/s].
+    /// Increment of the true specific force at the block's own point [m/s].
     pub force: Vector3<f64>,
     /// Length of the increment [s].
     pub dt: f64,

@@ -1,11 +1,11 @@
-//! What an effect keeps from one interval to the next, with what it was before the interval at hand.
+//! State of an effect, with its value before the current interval.
 
 use core::ops::{Deref, DerefMut};
 
 use crate::error::Error;
 use crate::snapshot::{Numbers, Reader, Stored, Writer};
 
-/// A state that can go back by one interval. It reads and writes as the state now.
+/// A state that can go back by one interval. Reads and writes go to the current state.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Kept<T> {
     now: T,
@@ -17,20 +17,20 @@ impl<T: Clone> Kept<T> {
         Self { before: state.clone(), now: state }
     }
 
-    /// An interval begins.
+    /// Begins an interval.
     #[inline(always)]
     pub fn keep(&mut self) {
         self.before.clone_from(&self.now);
     }
 
-    /// An interval begins, with this state.
+    /// Begins an interval. Returns the current state.
     #[inline(always)]
     pub fn kept(&mut self) -> T {
         self.before = self.now.clone();
         self.now.clone()
     }
 
-    /// The state is again that of the last [`Self::keep`].
+    /// Restores the state of the last [`Self::keep`].
     pub fn undo(&mut self) {
         self.now.clone_from(&self.before);
     }

@@ -1,4 +1,4 @@
-//! Scale factor error and misalignment: given ones and those drawn at turn-on.
+//! Scale factor error and misalignment, given and drawn at turn-on.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -8,8 +8,8 @@ use super::states::{States, Visitor};
 use super::stream::{Purpose, Stream, StreamKey};
 use crate::signal::{IncrementRows, RUNS};
 
-/// δ = K ideal, K = diag(scale factor) + misalignment (dKG, dKA of the paper's equations (2) and (3)), each element with
-/// σ z more, z drawn once a run.
+/// δ = K ideal, K = diag(scale factor) + misalignment (dKG, dKA of the paper's equations (2) and (3)). Each element has an
+/// additional σ z, with z drawn once a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Linear {
     /// z, one standard normal number an element.
@@ -28,7 +28,7 @@ impl Linear {
         Self { turn_on, matrix: Matrix3::zeros() }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         let given = parameters.misalignment + Matrix3::from_diagonal(&parameters.scale_factor);
         let sigma = parameters.misalignment_sigma + Matrix3::from_diagonal(&parameters.scale_factor_sigma);
@@ -47,7 +47,7 @@ impl Linear {
         matrix * input.signal
     }
 
-    /// What is kept of a run.
+    /// Visits the state of a run.
     pub fn visit(&mut self, visitor: &mut impl Visitor) {
         visitor.constants(self.matrix.iter_mut());
     }
@@ -63,7 +63,7 @@ impl Linear {
         let matrices = states.constants::<9>();
         for (input, output) in inputs.iter().zip(outputs) {
             for lane in 0..RUNS {
-                // Column by column, as they are kept.
+                // The rows keep the matrix column by column.
                 let matrix = Matrix3::from_fn(|row, column| matrices[3 * column + row][lane]);
                 let error = Self::error_by(&matrix, input);
                 for axis in 0..3 {

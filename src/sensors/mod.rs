@@ -1,16 +1,16 @@
-//! The sensor models: what imperfect gyros and accelerometers make of the ideal signals (the paper's equations (1)-(3)),
-//! the barometric altimeter, and the disturbance of the gravity that acts on accelerometers.
+//! The sensor models: the outputs of imperfect gyros and accelerometers for the ideal signals (the paper's equations (1)-(3)), the
+//! barometric altimeter, and the disturbance of the gravity that acts on accelerometers.
 //!
 //! # Effects
 //!
-//! Each is one unit with its own random streams; a triad makes a plan of those that a parameter calls for when it is set,
-//! and does no work for the others. They act along the path of the signal, in this order:
+//! Each effect is one unit with its own random streams. When parameters are set, a triad makes a plan of the effects that they call
+//! for, and does no work for the others. The effects act along the path of the signal, in this order:
 //!
 //! | | effect | error |
 //! |---|---|---|
 //! | what acts on the proof mass | size effect | ω'×r + ω×(ω×r) at each accelerometer, along its axis |
 //! | | bandwidth | second-order Butterworth filter, exact for a signal constant over an increment |
-//! | scale-type errors of that | scale factor, misalignment, given and drawn at turn-on | K s |
+//! | scale-type errors of that input | scale factor, misalignment, given and drawn at turn-on | K s |
 //! | | asymmetry | a/2 \|s\| |
 //! | | nonlinearity, vibration rectification | c s\|s\|, k s² |
 //! | | g-sensitivity, g²-sensitivity | G f, k f² of the force along each gyro's own axis |
@@ -22,7 +22,7 @@
 //! | | failures: bias step, spikes, noise | |
 //! | output | dead zone | 0 where \|s\| ≤ d |
 //! | | range | ±r, flagged |
-//! | | quantization | whole pulses, the rest carried |
+//! | | quantization | whole pulses, the remainder is carried |
 //! | | failures: stuck, dead, drop-outs | the last value; 0, flagged |
 //!
 //! The parameters of all effects are in one table, [`PARAMETERS`]: `table.rs`.

@@ -1,11 +1,11 @@
-//! What a triad gives for the increments of an interval.
+//! Outputs of a triad for the increments of an interval.
 
 use nalgebra::Vector3;
 
 use super::parameters::Sensor;
 use crate::signal::Increment;
 
-/// Its part of each increment.
+/// The triad's part of each increment.
 #[derive(Debug)]
 pub(super) struct Outputs<'a> {
     sensor: Sensor,
@@ -17,7 +17,7 @@ impl<'a> Outputs<'a> {
         Self { sensor, increments }
     }
 
-    /// One after the other.
+    /// The outputs, one after the other.
     #[inline(always)]
     pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut Vector3<f64>> {
         let sensor = self.sensor;

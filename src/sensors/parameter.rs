@@ -1,17 +1,17 @@
-//! What one row of the table of sensor parameters states. `build.rs` reads it too.
+//! One row of the table of sensor parameters. `build.rs` reads this file too.
 
 /// A parameter of a triad of gyros or of accelerometers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
     /// Field of [`TriadParameters`](super::TriadParameters).
     pub name: &'static str,
-    /// How many numbers it is, and which of them may be set.
+    /// How many numbers the parameter has, and which of them may be set.
     pub shape: Shape,
-    /// Whether it is the size of something random, drawn anew each run.
+    /// Whether the parameter is the size of a random quantity, which is drawn anew in each run.
     pub is_random: bool,
     /// Definition, without unit and range, in lower case.
     pub doc: &'static str,
-    /// Further sentences of the header; empty: none.
+    /// Further sentences for the header; empty: no further sentence.
     pub note: &'static str,
     /// The parameter of gyros.
     pub gyro: Option<Field>,
@@ -22,11 +22,11 @@ pub struct Parameter {
 /// A parameter of one kind of sensor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Field {
-    /// Field of the C interface, with its struct as error messages have it: "gyro.bias_rad_s".
+    /// Field of the C interface with its struct, as in error messages: "gyro.bias_rad_s".
     pub path: &'static str,
     /// SI unit; empty: a pure number.
     pub unit: &'static str,
-    /// Definition for this kind of sensor; empty: that of the parameter.
+    /// Definition for this kind of sensor; empty: the definition of the parameter.
     pub doc: &'static str,
     /// The values that are accepted.
     pub range: Range,
@@ -40,16 +40,16 @@ pub struct Field {
     pub effect: &'static str,
 }
 
-/// How many numbers a parameter is. Matrices are row by row in the interface and in scene files.
+/// How many numbers a parameter has. Matrices are row by row in the interface and in scene files.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
     /// One number.
     Number,
     /// One number an axis: x, y, z of the sensor axes.
     Axes,
-    /// A matrix of which a single number in a scene file is all elements off the diagonal; the rule says why the diagonal is 0.
+    /// A matrix. A single number in a scene file sets all elements off the diagonal. The rule says why the diagonal is 0.
     OffDiagonal(&'static str),
-    /// A matrix of which a single number in a scene file is the diagonal.
+    /// A matrix. A single number in a scene file sets the diagonal.
     Diagonal,
     /// A matrix of nine numbers.
     Matrix,
@@ -58,24 +58,24 @@ pub enum Shape {
 /// The values that a parameter may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Range {
-    /// From the first to the second.
+    /// A value from the first to the second number.
     Within(f64, f64),
-    /// 0, which is off, or from the first to the second.
+    /// 0, which means off, or a value from the first to the second number.
     OffOr(f64, f64),
-    /// Correlation time of the process whose standard deviation the named parameter is: from the first to the second where that is
-    /// not 0; elsewhere 0 too.
+    /// Correlation time of the process whose standard deviation is the named parameter. It is from the first to the second number
+    /// if the standard deviation is not 0; otherwise it may also be 0.
     TimeOf(&'static str, f64, f64),
 }
 
 impl Parameter {
-    /// Definition of `field`, one of its two.
+    /// Definition of `field`, which is the gyro or the accelerometer field of this parameter.
     pub const fn doc_of(&self, field: &Field) -> &'static str {
         if field.doc.is_empty() { self.doc } else { field.doc }
     }
 }
 
 impl Shape {
-    /// How many numbers.
+    /// Number of values.
     pub const fn count(self) -> usize {
         match self {
             Self::Number => 1,
@@ -84,14 +84,15 @@ impl Shape {
         }
     }
 
-    /// Place in memory, where matrices are column by column, of the element `index` of the interface, or the other way round.
+    /// Place in memory, where matrices are column by column, of the element `index` of the interface. The inverse mapping is the
+    /// same.
     pub const fn place(self, index: usize) -> usize {
         if self.count() == 9 { index % 3 * 3 + index / 3 } else { index }
     }
 }
 
 impl Range {
-    /// Least and largest value, but for a 0 that is off.
+    /// Least and largest value, except for a 0 that means off.
     pub const fn ends(self) -> (f64, f64) {
         match self {
             Self::Within(low, high) | Self::OffOr(low, high) | Self::TimeOf(_, low, high) => (low, high),
@@ -116,7 +117,7 @@ pub(super) const fn field(
     Some(Field { path, unit, doc: "", range, key, key_unit, key_si, effect })
 }
 
-/// `field` with a definition of its own.
+/// `field` with its own definition.
 pub(super) const fn defined(doc: &'static str, field: Option<Field>) -> Option<Field> {
     match field {
         Some(field) => Some(Field { doc, ..field }),

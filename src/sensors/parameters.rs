@@ -1,4 +1,4 @@
-//! What a host sets of a triad of gyros or of accelerometers.
+//! Parameters that a host sets for a triad of gyros or of accelerometers.
 
 use core::slice::{from_mut, from_ref};
 
@@ -14,7 +14,7 @@ const COUNT: usize = PARAMETERS.len();
 // `TriadParameters`, which build.rs writes from `table.rs`.
 include!(concat!(env!("OUT_DIR"), "/triad_parameters.rs"));
 
-/// Which triad.
+/// Kind of a triad.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sensor {
     /// Angular rate; the unit u of the parameters is rad/s.
@@ -33,7 +33,7 @@ impl Sensor {
 }
 
 impl Parameter {
-    /// What it is with sensors of this kind; `None`: they do not have it.
+    /// The field of the parameter for sensors of this kind; `None`: they do not have the parameter.
     pub const fn of(&self, sensor: Sensor) -> Option<Field> {
         match sensor {
             Sensor::Gyro => self.gyro,
@@ -41,7 +41,7 @@ impl Parameter {
         }
     }
 
-    /// Whether it is the correlation time of the process whose standard deviation the parameter `sigma` is.
+    /// Whether it is the correlation time of the process whose standard deviation is the parameter `sigma`.
     pub fn is_time_of(&self, sigma: &str) -> bool {
         let is_of = |field: Field| matches!(field.range, Range::TimeOf(name, ..) if name == sigma);
         self.gyro.is_some_and(is_of) || self.accel.is_some_and(is_of)

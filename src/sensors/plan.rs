@@ -35,7 +35,7 @@ impl Effect {
         matches!(self, Self::Size | Self::Bandwidth)
     }
 
-    /// Whether it changes the input, or is an error that follows it.
+    /// Whether it changes the input, or is an error that depends on the input.
     fn is_on_signal(self) -> bool {
         self.is_before_input()
             || matches!(
@@ -44,7 +44,7 @@ impl Effect {
             )
     }
 
-    /// Whether this build does without it, to show what its being off costs (benches/effects.sh).
+    /// Whether this build leaves the effect out. Such builds show the cost of an effect that is off (benches/effects.sh).
     #[inline(always)]
     const fn is_left_out(self) -> bool {
         match self {
@@ -69,7 +69,7 @@ impl Effect {
     }
 }
 
-/// The active effects in order: what is to be done for an increment.
+/// The active effects, in the order in which they act on an increment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Plan {
     effects: [Effect; Effect::COUNT],
@@ -85,7 +85,7 @@ impl Plan {
     pub const IDEAL: Self =
         Self { effects: [Effect::Bias; Effect::COUNT], before_input: 0, on_signal: 0, count: 0 };
 
-    /// The effects, in order, that are called for.
+    /// A plan of the effects that are called for, in order.
     pub fn new(calls: &[(Effect, bool); Effect::COUNT]) -> Self {
         let mut plan = Self::IDEAL;
         let active = |(effect, is_called_for): &&(Effect, bool)| *is_called_for && !effect.is_left_out();
@@ -103,7 +103,7 @@ impl Plan {
         self.count == 0
     }
 
-    /// Whether an effect changes or follows the input.
+    /// Whether an effect changes the input or depends on it.
     #[inline]
     pub fn acts_on_signal(&self) -> bool {
         self.on_signal > 0
@@ -115,13 +115,13 @@ impl Plan {
         0..usize::from(self.before_input)
     }
 
-    /// The steps whose errors follow it.
+    /// The steps whose errors depend on the input.
     #[inline]
     pub fn of_input(&self) -> Range<usize> {
         usize::from(self.before_input)..usize::from(self.on_signal)
     }
 
-    /// The steps after those.
+    /// The steps that do not depend on the input.
     #[inline]
     pub fn after_signal(&self) -> Range<usize> {
         usize::from(self.on_signal)..usize::from(self.count)
@@ -132,11 +132,11 @@ impl Plan {
         0..usize::from(self.count)
     }
 
-    /// What is done at a step.
+    /// The effect of a step.
     #[inline]
     pub fn effect(&self, step: usize) -> Effect {
         let effect = self.effects[step];
-        // Of an effect that is left out no code remains where effects are told apart.
+        // With this check, the compiler removes the code of a left-out effect wherever effects are distinguished.
         assert!(!effect.is_left_out());
         effect
     }

@@ -1,4 +1,4 @@
-//! Sensor errors with a source.
+//! Sensor errors from published sources.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -20,14 +20,15 @@ pub enum Grade {
     Tactical,
     /// Calibrated micromechanics: drones, machines.
     Industrial,
-    /// Micromechanics as they come: telephones.
+    /// Uncalibrated micromechanics: telephones.
     Consumer,
     /// The paper's simulation 2.
     PaperSimulation2,
 }
 
 impl Grade {
-    /// Errors of gyros and of accelerometers, as a public source states them. What it does not state is 0. What it states becomes:
+    /// Errors of gyros and of accelerometers, as a public source states them. What the source does not state is 0. What the source
+    /// states becomes:
     ///
     /// | stated | here |
     /// |---|---|
@@ -48,12 +49,12 @@ impl Grade {
     }
 }
 
-/// All axes alike.
+/// The same value on all axes.
 fn each(value: f64) -> Vector3<f64> {
     Vector3::repeat(value)
 }
 
-/// All elements but the diagonal.
+/// The same value in all elements except for the diagonal, which is 0.
 fn beside_diagonal(value: f64) -> Matrix3<f64> {
     Matrix3::repeat(value) - Matrix3::from_diagonal_element(value)
 }
@@ -191,7 +192,7 @@ mod tests {
         assert_eq!(Grade::PaperSimulation2.parameters(), paper_simulation2());
     }
 
-    /// Sensors of a grade scatter: none has a scale factor error or a misalignment that each of them has.
+    /// Sensors of a grade scatter: no grade has a scale factor error or a misalignment that is the same in all its sensors.
     #[test]
     fn grades_scatter_about_the_ideal() {
         for grade in GRADES {
@@ -202,8 +203,8 @@ mod tests {
         }
     }
 
-    /// The angle between two axes of the industrial grade is off square by 0.1°, 1 σ: in 4000 runs within five standard deviations
-    /// of a mean square.
+    /// The angle between two axes of the industrial grade is off square by 0.1°, 1 σ: the mean square of 4000 runs is within five
+    /// of its standard deviations.
     #[test]
     fn industrial_axes_are_off_square_as_stated() {
         let (gyro, accel) = Grade::Industrial.parameters();

@@ -5,11 +5,13 @@ use nalgebra::Vector3;
 use super::input::Input;
 use super::parameters::TriadParameters;
 
-/// δ = c s|s| + k s²: odd for the nonlinearity c, a scale factor that grows with the size of the signal s; even for the
-/// vibration rectification k, which turns vibration of RMS r into a bias of k r² (K_oq and K2 of IEEE Std 1293) [1/u].
+/// δ = c s|s| + k s². The first term is odd: the nonlinearity c is a scale factor that grows with the size of the
+/// signal s. The second term is even: the vibration rectification k turns vibration of RMS r into a bias of k r² (K_oq
+/// and K2 of IEEE Std 1293) [1/u].
 ///
-/// Of an increment Δ over dt, with the signal taken constant over it: (c Δ|Δ| + k Δ²) / dt. What a sine of frequency f
-/// loses by that is the share 1 - (sin x / x)², x = π f dt, of its mean square: 3 % at ten increments a period.
+/// The error of an increment Δ over dt, with the signal assumed constant over it, is (c Δ|Δ| + k Δ²) / dt. By this
+/// assumption a sine of frequency f loses the share 1 - (sin x / x)², x = π f dt, of its mean square: 3 % at ten
+/// increments a period.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Quadratic {
     odd: Vector3<f64>,
@@ -21,7 +23,7 @@ impl Quadratic {
         Self { odd: Vector3::zeros(), even: Vector3::zeros() }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.odd = parameters.scale_factor_nonlinearity;
         self.even = parameters.vibration_rectification_s2_m;

@@ -8,13 +8,13 @@ use super::states::{States, Visitor};
 use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::{SIGNALS, stored};
 
-/// The output is a whole number of pulses of q [u s], to the nearest; what is left over, at most q/2, is carried to the next
-/// increment, so that the integral is never wrong by more. The quantization noise of IEEE Std 952 is Q = q/√12.
+/// The output is rounded to a whole number of pulses of q [u s]. The remainder, at most q/2, is carried to the next increment, so
+/// that the integral is never wrong by more than q/2. The quantization noise of IEEE Std 952 is Q = q/√12.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Quantization {
     /// q [u s].
     pulse: Vector3<f64>,
-    /// Left over [u s].
+    /// Remainder [u s].
     residual: Kept<Vector3<f64>>,
 }
 
@@ -25,7 +25,7 @@ impl Quantization {
         Self { pulse: Vector3::zeros(), residual: Kept::new(Vector3::zeros()) }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.pulse = parameters.quantization;
         *self.residual =
@@ -44,7 +44,7 @@ impl Quantization {
         }
     }
 
-    /// Makes whole pulses of `measured`, with what was left over before.
+    /// Rounds the sum of `measured` and the last remainder to whole pulses.
     #[inline(always)]
     fn quantize(pulse: f64, measured: &mut f64, residual: &mut f64) {
         let all = *measured + *residual;
@@ -52,7 +52,7 @@ impl Quantization {
         *residual = all - *measured;
     }
 
-    /// What is kept of a run.
+    /// Visits the state of a run.
     pub fn visit(&mut self, visitor: &mut impl Visitor) {
         visitor.numbers(self.residual.iter_mut());
     }
@@ -73,13 +73,13 @@ impl Quantization {
         }
     }
 
-    /// An interval begins, which [`Self::undo`] takes back.
+    /// Begins an interval, which [`Self::undo`] can undo.
     #[inline]
     pub fn keep(&mut self) {
         self.residual.keep();
     }
 
-    /// Takes the last interval back.
+    /// Undoes the last interval.
     pub fn undo(&mut self) {
         self.residual.undo();
     }

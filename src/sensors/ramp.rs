@@ -1,4 +1,4 @@
-//! Rate ramp, of accelerometers acceleration ramp.
+//! Rate ramp of gyros, acceleration ramp of accelerometers.
 
 use nalgebra::Vector3;
 
@@ -24,7 +24,8 @@ impl Ramp {
         Self { slope: Vector3::zeros(), value: Kept::new(Vector3::zeros()) }
     }
 
-    /// Takes parameters; whether they call for the effect. Another slope bends the ramp; without one there is no ramp.
+    /// Sets the parameters. Returns whether they call for the effect. With a new slope the ramp continues from its
+    /// current value; a slope of 0 ends the ramp.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.slope = parameters.ramp;
         *self.value = self.value.zip_map(&self.slope, |value, slope| if slope == 0.0 { 0.0 } else { value });
@@ -42,7 +43,7 @@ impl Ramp {
         *measured += Self::advance(&self.slope, &mut self.value, dt);
     }
 
-    /// Moves `value` over `dt` [s] and gives its integral.
+    /// Moves `value` on by `dt` [s]. Returns the integral of `value`.
     #[inline(always)]
     fn advance(slope: &Vector3<f64>, value: &mut Vector3<f64>, dt: f64) -> Vector3<f64> {
         let change = slope * dt;
@@ -51,7 +52,7 @@ impl Ramp {
         integral
     }
 
-    /// What is kept of a run.
+    /// Visits the state of a run.
     pub fn visit(&mut self, visitor: &mut impl Visitor) {
         visitor.numbers(self.value.iter_mut());
     }
@@ -72,13 +73,13 @@ impl Ramp {
         }
     }
 
-    /// An interval begins, which [`Self::undo`] takes back.
+    /// Begins an interval, which [`Self::undo`] can undo.
     #[inline]
     pub fn keep(&mut self) {
         self.value.keep();
     }
 
-    /// Takes the last interval back.
+    /// Undoes the last interval.
     pub fn undo(&mut self) {
         self.value.undo();
     }

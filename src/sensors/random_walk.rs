@@ -10,8 +10,8 @@ use super::stream::{Purpose, Stream, StreamKey};
 use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::stored;
 
-/// w: its integral over dt is N √dt n, n standard normal, independent from one increment to the next; the density N
-/// [u √s] does not depend on the rate at which it is sampled.
+/// White noise w. Its integral over dt is N √dt n, where n is standard normal and independent from one increment to the
+/// next. The density N [u √s] does not depend on the sampling rate.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RandomWalk {
     density: Vector3<f64>,
@@ -31,7 +31,7 @@ impl RandomWalk {
         }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.density = parameters.random_walk;
         self.density != Vector3::zeros()
@@ -42,7 +42,7 @@ impl RandomWalk {
         self.step = self.density * dt.sqrt();
     }
 
-    /// Adds each increment's noise over an interval, which [`Self::undo`] takes back.
+    /// Adds the noise of each increment of an interval, which [`Self::undo`] can undo.
     #[inline(never)]
     pub fn apply(&mut self, mut outputs: Outputs<'_>) {
         for axis in 0..3 {
@@ -55,7 +55,7 @@ impl RandomWalk {
         }
     }
 
-    /// What is kept of a run.
+    /// Visits the state of a run.
     pub fn visit(&mut self, visitor: &mut impl Visitor) {
         self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
     }
@@ -77,7 +77,7 @@ impl RandomWalk {
         }
     }
 
-    /// Takes the last interval back.
+    /// Undoes the last interval.
     pub fn undo(&mut self) {
         self.streams.iter_mut().for_each(Kept::undo);
     }

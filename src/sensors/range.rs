@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::parameters::TriadParameters;
 
-/// The mean signal of an increment is held within ±r; r = 0 is no limit.
+/// The mean signal of an increment is limited to ±r; r = 0 means no limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Range {
     /// r [u].
@@ -16,13 +16,14 @@ impl Range {
         Self { limit: Vector3::zeros() }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.limit = parameters.range;
         self.limit != Vector3::zeros()
     }
 
-    /// Acts on an increment over `dt` [s]; on a signal [u], with 1. Whether it was beyond the range.
+    /// Acts on an increment over `dt` [s]. With a `dt` of 1 it acts on a signal [u]. Returns whether the signal was
+    /// beyond the range.
     #[inline]
     pub fn apply(&self, dt: f64, measured: &mut Vector3<f64>) -> bool {
         let mut saturated = false;

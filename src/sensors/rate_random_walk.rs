@@ -1,4 +1,4 @@
-//! Rate random walk, of accelerometers acceleration random walk.
+//! Rate random walk of gyros, acceleration random walk of accelerometers.
 
 use nalgebra::Vector3;
 
@@ -9,12 +9,13 @@ use super::stream::{Purpose, Stream, StreamKey};
 use crate::signal::{IncrementRows, RUNS};
 use crate::snapshot::stored;
 
-/// b' = K w, w white noise of density 1 [1/√s], b = 0 at the start of a run. Over dt, n1 and n2 standard normal,
+/// b' = K w, where w is white noise of density 1 [1/√s] and b = 0 at the start of a run. Over dt, with n1 and n2 standard normal:
 /// ```text
 /// b(dt) = b + K √dt n1
 /// ∫b dt = b dt + K dt^1.5 (n1/2 + n2/√12)
 /// ```
-/// with the joint covariance [dt, dt²/2; dt²/2, dt³/3] K² of the continuous process at any dt (IEEE Std 952, C.1.5).
+/// b and its integral have the joint covariance [dt, dt²/2; dt²/2, dt³/3] K² of the continuous process at any dt (IEEE Std 952,
+/// C.1.5).
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RateRandomWalk {
     /// K [u/√s].
@@ -41,7 +42,8 @@ impl RateRandomWalk {
         }
     }
 
-    /// Takes parameters; whether they call for the effect. Another density bends the walk; without one there is no walk.
+    /// Sets the parameters. Returns whether they call for the effect. With a new density the walk continues from its current value;
+    /// a density of 0 ends the walk.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.density = parameters.rate_random_walk;
         *self.value =
@@ -71,7 +73,7 @@ impl RateRandomWalk {
         }
     }
 
-    /// Moves `value` one step on by two draws and gives its integral over the step.
+    /// Moves `value` on by one step with two draws. Returns the integral of `value` over the step.
     #[inline(always)]
     fn advance(value: &mut f64, step: f64, dt: f64, [n1, n2]: [f64; 2]) -> f64 {
         let integral = (*value + step * (0.5 * n1 + INTEGRAL_OWN * n2)) * dt;
@@ -79,7 +81,7 @@ impl RateRandomWalk {
         integral
     }
 
-    /// What is kept of a run.
+    /// Visits the state of a run.
     pub fn visit(&mut self, visitor: &mut impl Visitor) {
         visitor.numbers(self.value.iter_mut());
         self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
@@ -103,14 +105,14 @@ impl RateRandomWalk {
         }
     }
 
-    /// An interval begins, which [`Self::undo`] takes back.
+    /// Begins an interval, which [`Self::undo`] can undo.
     #[inline]
     pub fn keep(&mut self) {
         self.value.keep();
         self.streams.keep();
     }
 
-    /// Takes the last interval back.
+    /// Undoes the last interval.
     pub fn undo(&mut self) {
         self.value.undo();
         self.streams.undo();

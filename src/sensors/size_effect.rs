@@ -9,26 +9,28 @@ use crate::signal::{MAX_INCREMENTS, Turning};
 use crate::snapshot::{SIGNALS, stored};
 use crate::truth::INTERVALS_S;
 
-/// Accelerometer i at r_i senses along its axis f_i + (ω'×r_i + ω×(ω×r_i))_i more than the block's own point does (Savage 1998,
-/// part 2; Titterton and Weston). Over an increment that is [`lever_arm_velocity`], with ω at its ends from the motion that it is of.
+/// Accelerometer i at r_i senses along its axis the force f_i of the block's own point plus (ω'×r_i + ω×(ω×r_i))_i (Savage 1998,
+/// part 2; Titterton and Weston). [`lever_arm_velocity`] is the integral of the additional part over an increment. ω at the ends of
+/// the increment comes from the motion that the increment belongs to.
 ///
-/// Of foreign increments, ω at an end is the derivative of the cubic through the angle at it and at the ends of the three
-/// increments before, of any lengths: no latency, an error of h³ω'''/4 in ω at an increment of h, which the velocity has once and
-/// does not accumulate, and one of fourth order in the centripetal part. At the start from as many increments as there are: a
-/// constant rate has no transient.
+/// For foreign increments, ω at the end of an increment is the derivative of a cubic through four angles: at this end and at the
+/// ends of the three increments before, which may have any lengths. There is no latency. At increments of h the error of ω is
+/// h³ω'''/4. The velocity has this error once and does not accumulate it. The error in the centripetal part is of fourth order. At
+/// the start the cubic is replaced by a polynomial through the angles that exist: a constant rate has no transient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SizeEffect {
     /// Row = place of an accelerometer [m].
     arms: Matrix3<f64>,
-    /// The motion that the increments of the interval are of, and the share of it that is past; `None` of foreign ones.
+    /// Motion that the increments of the interval belong to, and the share of the motion that is past; `None` for foreign
+    /// increments.
     turning: Option<(Turning, f64)>,
-    /// The last increment and the one before, as far as there are any.
+    /// The last increment and the one before it; `None` where there is no such increment yet.
     past: Kept<[Option<Past>; 2]>,
-    /// ω at the end of the last [rad/s].
+    /// ω at the end of the last increment [rad/s].
     rate: Kept<Vector3<f64>>,
 }
 
-/// An increment that has gone by.
+/// A past increment.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct Past {
     /// Length [s].
@@ -53,7 +55,7 @@ impl SizeEffect {
         }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.arms = parameters.lever_arm_m;
         if !self.is_active() {
@@ -62,12 +64,12 @@ impl SizeEffect {
         self.is_active()
     }
 
-    /// Whether an accelerometer is off the block's own point.
+    /// Whether an accelerometer is away from the block's own point.
     pub fn is_active(&self) -> bool {
         self.arms != Matrix3::zeros()
     }
 
-    /// An interval begins, in which the block turns so; [`Self::undo`] takes it back.
+    /// Begins an interval in which the block turns as `turning`. [`Self::undo`] can undo it.
     pub fn begin_interval(&mut self, turning: Option<Turning>) {
         if !self.is_active() {
             return;
@@ -100,7 +102,7 @@ impl SizeEffect {
         *input += self.along_axes(|arm| lever_arm_velocity(&change, &mean, dt, arm));
     }
 
-    /// Change of ω over the increment `now`, of which nothing but those before tells.
+    /// Change of ω over the foreign increment `now`, which follows only from this increment and the increments before it.
     fn change_of_foreign(&mut self, now: Past) -> Vector3<f64> {
         let end = self.rate_at_end(&now);
         let start = if self.past[0].is_some() { *self.rate } else { end };
@@ -109,7 +111,7 @@ impl SizeEffect {
         end - start
     }
 
-    /// Takes the last interval back.
+    /// Undoes the last interval.
     pub fn undo(&mut self) {
         self.past.undo();
         self.rate.undo();
@@ -125,7 +127,8 @@ impl SizeEffect {
         now.mean + (second + third * two) * now.dt
     }
 
-    /// Of what `acceleration` gives at each accelerometer's arm, the part along its axis.
+    /// For each accelerometer, the component along its axis of the acceleration at its arm. `acceleration` gives the acceleration
+    /// at an arm.
     #[inline]
     fn along_axes(&self, acceleration: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Vector3<f64> {
         Vector3::from_fn(|axis, _| acceleration(&self.arms.row(axis).transpose())[axis])

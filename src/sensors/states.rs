@@ -1,4 +1,4 @@
-//! What effects keep of many runs, side by side.
+//! States of the effects of many runs, side by side.
 
 use core::mem::take;
 
@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::memory::room;
 use crate::signal::{RUNS, Row};
 
-/// A stream of each run of a block: the words of its generator in rows.
+/// One stream for each run of a block. The words of the generators are in rows.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub(super) struct StreamRows([[u64; RUNS]; 4]);
@@ -24,13 +24,13 @@ impl StreamRows {
 /// Constants, numbers and streams of the runs of a block, in the order of the effects that keep them.
 #[derive(Debug, Clone)]
 pub(crate) struct StateRows {
-    /// Drawn at turn-on: no interval changes them.
+    /// Numbers drawn at turn-on, which no interval changes.
     constants: Box<[Row]>,
     numbers: Box<[Row]>,
     streams: Box<[StreamRows]>,
 }
 
-/// Goes over what an effect keeps of one run.
+/// Visits each part of the state of an effect of one run.
 pub(super) trait Visitor {
     fn constant(&mut self, number: &mut f64);
     fn number(&mut self, number: &mut f64);
@@ -45,7 +45,7 @@ pub(super) trait Visitor {
     }
 }
 
-/// Counts them.
+/// Counts constants, numbers and streams.
 #[derive(Default)]
 pub(super) struct Count {
     constants: usize,
@@ -85,7 +85,7 @@ impl Count {
     }
 }
 
-/// Lays them into a lane.
+/// Copies constants, numbers and streams into a lane.
 pub(super) struct Into<'a> {
     pub rows: &'a mut StateRows,
     pub lane: usize,
@@ -110,7 +110,7 @@ impl Visitor for Into<'_> {
     }
 }
 
-/// Takes them from a lane.
+/// Copies constants, numbers and streams from a lane.
 pub(super) struct From<'a> {
     pub rows: &'a StateRows,
     pub lane: usize,
@@ -146,12 +146,13 @@ impl StateRows {
         }
     }
 
-    /// Bytes of a run.
+    /// Memory of one run [bytes].
     pub fn bytes_of_run(&self) -> usize {
         (size_of_val(&*self.constants) + size_of_val(&*self.numbers) + size_of_val(&*self.streams)) / RUNS
     }
 
-    /// The rows, which the effects take one after the other. `before` has as many rows, and gets a copy of each row that is taken.
+    /// The rows, which the effects take one after the other. `before` has the same number of rows, and gets a copy of each row that
+    /// is taken.
     #[inline(always)]
     pub(super) fn states<'a>(&'a mut self, before: &'a mut Self) -> States<'a> {
         States {

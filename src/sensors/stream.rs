@@ -1,11 +1,11 @@
-//! Random streams: one for each (seed, run, sensor, axis, effect), so that no effect moves another one's draws.
+//! Random streams: one for each (seed, run, sensor, axis, effect), so that no effect changes the draws of another one.
 
 use super::draw::{even, normal};
 use super::xoshiro::Xoshiro256PlusPlus;
 use crate::math::mix;
 use crate::snapshot::{ANY, stored};
 
-/// Who draws. The numbers are part of the bit-for-bit guarantee: never reuse one.
+/// Source of draws: the sensor or model that draws. The numbers are part of the bit-for-bit guarantee: never reuse one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Source {
     Gyro = 0,
@@ -15,7 +15,7 @@ pub(super) enum Source {
     Gravity = 16,
 }
 
-/// For what. The numbers are part of the bit-for-bit guarantee: never reuse one.
+/// Purpose of the draws. The numbers are part of the bit-for-bit guarantee: never reuse one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Purpose {
     TurnOnBias = 0,
@@ -35,7 +35,7 @@ pub(super) enum Purpose {
 /// Key of a run: the streams of two different keys are independent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct StreamKey {
-    /// Chosen by the user.
+    /// Seed, chosen by the user.
     pub seed: u64,
     /// Number of the run in an ensemble.
     pub run: u64,
@@ -43,7 +43,7 @@ pub struct StreamKey {
 
 stored!(StreamKey { seed: ANY, run: ANY });
 
-/// A standard normal number is never as large [1].
+/// Size that a standard normal number never reaches [1].
 pub(super) const MAX_NORMAL: f64 = 100.0;
 
 /// A stream of random numbers.
@@ -66,24 +66,24 @@ impl Stream {
         [0, 1, 2].map(|axis| Self::new(key, source, axis, purpose))
     }
 
-    /// A stream in this state, which is one that [`Self::words`] gave.
+    /// A stream with the state `words`, which [`Self::words`] gave.
     #[inline(always)]
     pub fn of_words(words: [u64; 4]) -> Self {
         Self { generator: Xoshiro256PlusPlus::of_words(words) }
     }
 
-    /// Its state.
+    /// State of the stream.
     #[inline(always)]
     pub fn words(&self) -> [u64; 4] {
         self.generator.words()
     }
 
-    /// The next number, evenly from 0 up to but not 1, in steps of 2^-53.
+    /// The next uniform number from 0 up to but excluding 1, in steps of 2^-53.
     pub fn uniform(&mut self) -> f64 {
         even(self.generator.next_u64())
     }
 
-    /// The next number, normal with mean 0 and variance 1.
+    /// The next normal number with mean 0 and variance 1.
     #[inline]
     pub fn normal(&mut self) -> f64 {
         normal(&mut self.generator)

@@ -1,10 +1,12 @@
-//! The table of the parameters of gyros and accelerometers: each stands here once.
+//! The table of the parameters of gyros and accelerometers: each is listed here once.
 //!
-//! `build.rs` makes of it the structs [`TriadParameters`](super::TriadParameters), `sins_gyro_params` and `sins_accel_params`
-//! with the header; their checks, the keys of scene files, the rows of an error budget and lists of tests read it.
+//! `build.rs` makes from the table the structs [`TriadParameters`](super::TriadParameters), `sins_gyro_params` and
+//! `sins_accel_params` with the header. The checks of parameters, the keys of scene files, the rows of an error budget and lists of
+//! tests read the table.
 //!
-//! A new parameter is a row here, its effect's formula and a test. Rows of a group stand together. From the first release on,
-//! structs of the interface grow at their ends only: a new row is then the last one, and each struct keeps its first size.
+//! A new parameter needs a row here, the formula of its effect and a test. Rows of a group are next to each other. From the first
+//! release on, structs of the interface grow only at their ends: a new row is then the last one, and each struct keeps its first
+//! size.
 
 use super::parameter::Range::{OffOr, TimeOf, Within};
 use super::parameter::Shape::{Axes, Diagonal, Matrix, Number, OffDiagonal};
@@ -13,10 +15,11 @@ use crate::units::{
     ARCSEC, DEG, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G, PPM, STANDARD_GRAVITY, TEMPERATURE_RANGE_C,
 };
 
-/// Correlation times [s] for which the discretisation holds every digit; a longer one is a constant, a shorter one white.
+/// Correlation times [s] for which the discretisation is accurate to every digit. A longer time would be a constant, a shorter one
+/// white noise.
 pub const CORRELATION_TIMES_S: (f64, f64) = (1e-9, 1e15);
 
-// The limits keep a wild host from overflowing the navigator, no more.
+// The limits have one purpose: wild values of a host must not overflow the navigator.
 const RATE: Range = Within(-100.0, 100.0);
 const RATE_SIZE: Range = Within(0.0, 100.0);
 const FORCE: Range = Within(-1e4, 1e4);
@@ -29,7 +32,7 @@ const FREQUENCY: Range = OffOr(1e-3, 1e6);
 const TEMPERATURE: Range = Within(TEMPERATURE_RANGE_C.0, TEMPERATURE_RANGE_C.1);
 const MARKOV_TIME: Range = TimeOf("markov_sigma", CORRELATION_TIMES_S.0, CORRELATION_TIMES_S.1);
 
-/// Degree an hour a g [(rad/s)/(m/s²)].
+/// One degree per hour per g [(rad/s)/(m/s²)].
 const DEG_PER_HOUR_PER_G: f64 = DEG_PER_HOUR / STANDARD_GRAVITY;
 
 const GIVEN: bool = false;

@@ -7,8 +7,8 @@ use super::parameters::TriadParameters;
 
 /// With θ = T - T_ref, bias b1 θ + b2 θ² and scale factor error s1 θ + s2 θ² (thermal coefficients, IEEE Std 952 and 1293).
 ///
-/// T runs straight from one sample to the next. Over an interval in which it changes by d about the mean m of θ, the mean of
-/// θ² is m² + d²/12: the integral of the bias is exact, and of the scale factor that of a constant signal.
+/// T is linear from one sample to the next. Over an interval in which T changes by d and θ has the mean m, the mean of θ² is
+/// m² + d²/12. The integral of the bias is exact. The integral of the scale factor error is exact for a constant signal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Temperature {
     /// T_ref [°C].
@@ -31,7 +31,7 @@ struct Errors {
 impl Errors {
     const NONE: Self = Self { bias: Vector3::new(0.0, 0.0, 0.0), scale_factor: Vector3::new(0.0, 0.0, 0.0) };
 
-    /// Their integral [u s].
+    /// Integral of the errors over the input [u s].
     fn integral(&self, input: &Input) -> Vector3<f64> {
         self.bias * input.dt + self.scale_factor.component_mul(&input.signal)
     }
@@ -54,7 +54,7 @@ impl Temperature {
         Self { reference_c: 0.0, bias: zero, scale_factor: zero, mean: Errors::NONE }
     }
 
-    /// Takes parameters; whether they call for the effect.
+    /// Sets the parameters. Returns whether they call for the effect.
     pub fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.reference_c = parameters.reference_temperature_c;
         self.bias = [parameters.bias_temperature, parameters.bias_temperature2];
@@ -79,7 +79,7 @@ impl Temperature {
         self.mean.integral(input)
     }
 
-    /// At the mean temperature `mean_c` [°C] with the variance `variance` [K²] about it.
+    /// Errors at the mean temperature `mean_c` [°C] with the variance `variance` [K²] about it.
     fn errors(&self, mean_c: f64, variance: f64) -> Errors {
         let mean = mean_c - self.reference_c;
         let square = mean * mean + variance;

@@ -33,7 +33,7 @@ use crate::signal::{MAX_INCREMENTS, Turning};
 use crate::snapshot::{Reader, Stored, stored};
 use crate::truth::INTERVALS_S;
 
-/// A triad of gyros or accelerometers. An ideal one leaves the increments untouched, to the bit.
+/// A triad of gyros or accelerometers. An ideal triad does not change a bit of the increments.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Triad {
     sensor: Sensor,
@@ -55,7 +55,7 @@ pub struct Triad {
     quantization: Quantization,
     failing: Kept<FailingTriad>,
     plan: Plan,
-    /// Length of the increments for which the units are made [s]; 0: for none yet.
+    /// Length of the increments for which the effects are prepared [s]; 0: not prepared yet.
     dt: Kept<f64>,
     /// Whether an output has been beyond the range since the flag was taken.
     saturated: bool,
@@ -108,8 +108,8 @@ impl Triad {
         }
     }
 
-    /// Takes validated parameters and decides what is to be done for each increment from now on. Processes that were
-    /// active go on from where they are.
+    /// Takes validated parameters, and decides which effects act on each increment from now on. Processes that were active continue
+    /// from their current states.
     pub fn set(&mut self, parameters: &TriadParameters) {
         self.plan = Plan::new(&[
             (Effect::Size, self.size_effect.set(parameters)),
@@ -134,8 +134,8 @@ impl Triad {
         self.set_interval(*self.dt);
     }
 
-    /// Takes a failure of one axis, or clears it, beside the parameters that are set; `last` is its output before [u], if there
-    /// was one.
+    /// Sets or clears the failure of one axis. `last` is the last output of the axis [u], if there was one. `parameters` are the
+    /// parameters that are already set.
     pub fn set_failure(
         &mut self,
         axis: Axis,
@@ -147,17 +147,17 @@ impl Triad {
         self.set(parameters);
     }
 
-    /// The failure that is set of one axis.
+    /// The failure that is set for one axis.
     pub fn failure(&self, axis: Axis) -> Option<Failure> {
         self.failing.failure(axis)
     }
 
-    /// The failures: a snapshot needs them before the parameters are set, which make a plan of both.
+    /// The failures. A snapshot needs them before it sets the parameters, because `set` makes a plan of both.
     pub(crate) fn failures(&self) -> &FailingTriad {
         &self.failing
     }
 
-    /// Reads them.
+    /// Reads the failures.
     pub(crate) fn load_failures(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
         self.failing.load(from)?;
         self.failing.check(match self.sensor {
@@ -177,13 +177,14 @@ impl Triad {
         self.failing.are_silent()
     }
 
-    /// Whether the accelerometers are off each other.
+    /// Whether an accelerometer is away from the block's own point.
     pub fn has_size_effect(&self) -> bool {
         self.size_effect.is_active()
     }
 
-    /// A sample interval of `t` [s] begins, with the temperatures `ends_c` [°C] at its ends and the motion that its increments are
-    /// of, as far as they are known. Needed where an effect of temperature, the size effect or a failure is set.
+    /// Begins a sample interval of `t` [s]. `ends_c` are the temperatures at its ends [°C], and `turning` is the motion that its
+    /// increments belong to; each is `None` if it is not known. The call is needed if an effect of temperature, the size effect or
+    /// a failure is set.
     pub fn begin_interval(&mut self, t: f64, ends_c: Option<[f64; 2]>, turning: Option<Turning>) {
         self.failing.keep();
         self.failing.begin_interval(t);
@@ -198,7 +199,7 @@ impl Triad {
         self.plan.is_ideal()
     }
 
-    /// The signals jump: filters settle at once where they are next. Noise goes on.
+    /// Follows a jump of the signals: filters settle at once at the next signals. Noise continues.
     pub fn reposition(&mut self) {
         self.bandwidth.reposition();
     }

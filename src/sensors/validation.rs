@@ -1,4 +1,4 @@
-//! The checks of what a host sets of a triad, against the table.
+//! Checks of the parameters that a host sets for a triad, against the table.
 
 use super::parameter::{Field, Parameter, Range, Shape};
 use super::parameters::{Sensor, TriadParameters};
@@ -52,7 +52,7 @@ impl TriadParameters {
     }
 }
 
-/// Of a parameter that these sensors do not have each number is 0.
+/// Checks that each number is 0, for a parameter that these sensors do not have.
 fn check_foreign(parameter: &Parameter, numbers: &[f64]) -> Result<(), Error> {
     for index in 0..numbers.len() {
         let value = numbers[parameter.shape.place(index)];
@@ -74,7 +74,7 @@ fn check_off_or(field: &'static str, value: f64, low: f64, high: f64) -> Result<
     })
 }
 
-/// A correlation time is needed where there is a standard deviation `sigma`, of the field `of`.
+/// Checks a correlation time. It is needed where the standard deviation `sigma`, of the field `of`, is not 0.
 pub(super) fn check_correlation_time(
     field: &'static str,
     time_s: f64,

@@ -4,11 +4,11 @@ use crate::error::Rule;
 use crate::math::{SPLIT_MIX_STEP, mix};
 use crate::snapshot::{ANY, stored};
 
-/// xoshiro256++ 1.0 (Blackman and Vigna 2019): the same numbers on every machine and in every release, and a state that a
-/// snapshot can keep, which `rand_xoshiro` does not show.
+/// xoshiro256++ 1.0 (Blackman and Vigna 2019). It gives the same numbers on every machine and in every release. A snapshot can keep
+/// its state, which `rand_xoshiro` does not expose.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Xoshiro256PlusPlus {
-    /// Not all zero: from there the generator never moves.
+    /// Not all zero: the generator never leaves that state.
     state: [u64; 4],
 }
 
@@ -23,7 +23,7 @@ impl Xoshiro256PlusPlus {
         Self { state: [0, 1, 2, 3].map(|k: u64| mix(seed.wrapping_add(k.wrapping_mul(SPLIT_MIX_STEP)))) }
     }
 
-    /// In this state, which is one that [`Self::words`] gave.
+    /// A generator with the state `state`, which [`Self::words`] gave.
     #[inline(always)]
     pub fn of_words(state: [u64; 4]) -> Self {
         Self { state }
@@ -35,13 +35,13 @@ impl Xoshiro256PlusPlus {
         self.state
     }
 
-    /// A state whose next word is `word`: the sum rotl(a + d, 23) + a with a of 0.
+    /// A generator whose next word is `word`: rotl(a + d, 23) + a with a = 0.
     #[cfg(test)]
     pub fn about_to_give(word: u64, others: &mut Self) -> Self {
         Self { state: [0, others.next_u64(), others.next_u64(), word.rotate_right(23)] }
     }
 
-    /// The next word. Its upper bits are the better ones.
+    /// The next word. Its upper bits are of better quality than its lower bits.
     #[inline(always)]
     pub fn next_u64(&mut self) -> u64 {
         let [a, b, c, d] = &mut self.state;

@@ -5,8 +5,8 @@ use crate::mechanization::{Mechanization, VerticalAid, VerticalMode, VerticalSta
 use crate::mounting::Belief;
 use crate::truth::TruthPoint;
 
-/// What the vertical channel is told at the sample `next`; `sense` makes the indicated height, if there is one, of the true
-/// height.
+/// Aid of the vertical channel at the sample `next`. `sense` gives the indicated height for the true height, if there is an
+/// indication.
 pub(super) fn vertical_aid(
     mode: VerticalMode,
     next: &TruthPoint,
@@ -22,8 +22,8 @@ pub(super) fn vertical_aid(
     }
 }
 
-/// Keeps a navigator's vertical channel by `aid` over `t` [s]. The aid is about the reference point, the navigator with a
-/// `belief` is one of the block.
+/// Aids the vertical channel of a navigator with `aid` over `t` [s]. The aid is for the reference point; a navigator with a
+/// `belief` navigates the block.
 pub(super) fn aid_vertical(
     navigator: &mut Mechanization,
     earth: &Earth,

@@ -35,21 +35,22 @@ pub(super) struct Chain {
     pub(super) options: Options,
     pub(super) earth: Earth,
     generator: SignalGenerator,
-    /// Those of the last interval are at the places `parts`. A chain that is only read has none.
+    /// The increments of the last interval are at the places `parts`. A chain that is only read has no increments.
     pub signals: Signals,
     parts: Range<usize>,
     pub(super) last: LastInterval,
     /// The alignment at the start could not find north.
     pub(super) north_unknown: bool,
-    /// The sensors' block, where it does not sit at the reference point.
+    /// The sensor block, if it is not at the reference point.
     pub(super) block: Option<Block>,
-    /// True less normal gravity, where it is other.
+    /// True less normal gravity, if they differ.
     disturbance: Option<Disturbance>,
-    /// Covariance of the errors along the truth: none or one.
+    /// Covariance of the errors along the truth: no element or one.
     pub covariance: Box<[Propagation]>,
-    /// Of the truth, if it is wanted.
+    /// Summary of the truth, if it is wanted.
     pub summary: Option<TruthSummary>,
-    /// Neither block nor disturbance nor closed loop nor summary: the ideal signals are the generator's.
+    /// Whether there is no block, no disturbance, no closed loop and no summary. The ideal signals are then the
+    /// generator's.
     is_plain: bool,
     pub(super) mechanization: Mechanization,
     pub(super) error_model: Option<ErrorModel>,
@@ -60,7 +61,7 @@ pub(super) struct Chain {
     pub(super) views: Views,
 }
 
-/// What a mounting and gravity beyond the normal field make of a chain, and the true state of the sensors.
+/// Parts of a chain for a mounting and for gravity beyond the normal field, and the true state of the sensors.
 struct Extension {
     block: Option<Block>,
     disturbance: Option<Disturbance>,
@@ -68,7 +69,8 @@ struct Extension {
 }
 
 impl Chain {
-    /// The INS set up at the truth `first` with its initial errors; `interval` is the first, if its end is known.
+    /// The INS set up at the truth `first` with its initial errors; `interval` is the first interval, if its end is
+    /// known.
     pub fn start(
         options: &Options,
         earth: Earth,
@@ -100,7 +102,7 @@ impl Chain {
         Ok(chain)
     }
 
-    /// A chain at the truth `first` whose navigator is `mechanization`, started as `start` has it.
+    /// A chain at the truth `first` whose navigator is `mechanization`. `start` has its initial errors.
     fn new(
         options: &Options,
         earth: Earth,
@@ -140,7 +142,7 @@ impl Chain {
         }
     }
 
-    /// Takes the summary over that each interval is added to.
+    /// Takes over the summary to which each interval is added.
     pub fn set_summary(&mut self, summary: Option<TruthSummary>) {
         self.summary = summary;
         self.is_plain &= summary.is_none();

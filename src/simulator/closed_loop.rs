@@ -1,5 +1,5 @@
-//! The closed loop: a small trim of the ideal signals that holds an error-free navigator, the shadow, to the truth for any
-//! time. It makes up for what the generator and the mechanization leave, so its size is the meter of their own error.
+//! The closed loop: a small trim of the ideal signals that keeps an error-free navigator, the shadow, at the truth for any time.
+//! The trim compensates the errors of the generator and the mechanization, so its size is the measure of these errors.
 
 use nalgebra::Vector3;
 
@@ -13,7 +13,7 @@ use crate::state::EarthFixedState;
 /// Damping of the position loop.
 const DAMPING: f64 = 0.8;
 
-/// More stiffness than 1/τ² [1/s²]: it has to outweigh the vertical channel's 2 g/R = 3.1e-6.
+/// Stiffness in addition to 1/τ² [1/s²]. It must exceed 2 g/R = 3.1e-6 of the vertical channel.
 const STIFFNESS: f64 = 4e-6;
 
 /// The trim counts as settled after this many time constants.
@@ -22,9 +22,9 @@ const SETTLING: f64 = 10.0;
 /// The largest trim since it has settled.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TrimFigures {
-    /// Of the angular rate [rad/s].
+    /// Largest trim of the angular rate [rad/s].
     pub rate_rad_s: f64,
-    /// Of the specific force [m/s²].
+    /// Largest trim of the specific force [m/s²].
     pub force_m_s2: f64,
 }
 
@@ -32,7 +32,7 @@ pub struct TrimFigures {
 #[derive(Debug, Clone)]
 pub(super) struct ClosedLoop {
     time_constant_s: f64,
-    /// The error-free navigator; `None` while the navigator itself is one.
+    /// The error-free navigator; `None` while the navigator itself is error-free.
     shadow: Option<Mechanization>,
     /// Trim of the interval to come, sensor axes: rate [rad/s], force [m/s²].
     rate_b: Vector3<f64>,
@@ -46,7 +46,7 @@ stored!(TrimFigures { rate_rad_s: 1e12, force_m_s2: 1e12 } then |trim, from| {
     from.require(least >= 0.0, least, "must not be negative")
 });
 
-/// Read over a loop that was made with a shadow.
+/// The values are read into a loop that was made with a shadow.
 impl Stored for ClosedLoop {
     fn save(&self, to: &mut Writer<'_>) {
         let Self { time_constant_s: _, shadow, rate_b, force_b, settles_at_s, largest } = self;
@@ -75,7 +75,7 @@ impl Stored for ClosedLoop {
 }
 
 impl ClosedLoop {
-    /// Starts at `start_s` [s]; `shadow` is at the truth, `None` if the navigator is.
+    /// Starts at `start_s` [s]. `shadow` is at the truth; `None` if the navigator itself is at the truth.
     pub fn new(time_constant_s: f64, start_s: f64, shadow: Option<Mechanization>) -> Self {
         Self {
             time_constant_s,
@@ -96,8 +96,8 @@ impl ClosedLoop {
         }
     }
 
-    /// The shadow, to be flown with the error-free increments. While it is the navigator itself there is none, until
-    /// `navigator_errs`: then it parts from `navigator`, which is free of errors up to here.
+    /// The shadow, to be flown with the error-free increments. There is no shadow while the navigator itself is error-free. With
+    /// `navigator_errs`, the shadow starts as a copy of `navigator`, which is free of errors until then.
     pub fn shadow(&mut self, navigator: &Mechanization, navigator_errs: bool) -> Option<&mut Mechanization> {
         if navigator_errs && self.shadow.is_none() {
             self.shadow = Some(*navigator);
@@ -110,32 +110,32 @@ impl ClosedLoop {
         self.shadow.as_ref().map_or(Ok(()), Mechanization::check)
     }
 
-    /// The truth has had the velocity `dv_e` [m/s] more: so has the shadow, if there is one.
+    /// Adds `dv_e` [m/s] to the velocity of the shadow, if there is one, because the velocity of the truth was revised by `dv_e`.
     pub fn shift_velocity(&mut self, dv_e: &Vector3<f64>) {
         if let Some(shadow) = &mut self.shadow {
             shadow.shift_velocity(dv_e);
         }
     }
 
-    /// The clock of the run has been moved by `shift_s` [s].
+    /// Moves the clock of the run by `shift_s` [s].
     pub fn move_time(&mut self, shift_s: f64) {
         self.settles_at_s = moved_clock(self.settles_at_s, shift_s);
     }
 
-    /// The truth has jumped to `truth`, the state of its sensors at `time_s` [s], with `navigator` and the shadow, which
-    /// [`Self::shadow_mut`] gives. The trim settles anew.
+    /// Follows a jump of the truth to `truth`, the true state of the sensors at `time_s` [s]. `navigator` and the shadow, which
+    /// [`Self::shadow_mut`] gives, have already jumped. The trim settles anew.
     pub fn go_on(&mut self, navigator: &Mechanization, truth: &EarthFixedState, time_s: f64) {
         self.set_trim(navigator, truth);
         self.settles_at_s = time_s + SETTLING * self.time_constant_s;
     }
 
-    /// The shadow, where it is not the navigator itself.
+    /// The shadow, if it is not the navigator itself.
     pub fn shadow_mut(&mut self) -> Option<&mut Mechanization> {
         self.shadow.as_mut()
     }
 
-    /// The trim for the next interval: dw = -φ/τ, df = -Cᵀ (1.6/τ δv + (1/τ² + 4e-6) δr), with φ, δv, δr of the shadow
-    /// against `truth`, the state of its sensors at `time_s` [s].
+    /// Computes the trim for the next interval: dw = -φ/τ, df = -Cᵀ (1.6/τ δv + (1/τ² + 4e-6) δr), where φ, δv, δr are the errors
+    /// of the shadow relative to `truth`, the true state of the sensors at `time_s` [s].
     pub fn observe(&mut self, navigator: &Mechanization, truth: &EarthFixedState, time_s: f64) {
         self.set_trim(navigator, truth);
         if time_s >= self.settles_at_s {

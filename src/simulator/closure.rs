@@ -1,4 +1,4 @@
-//! How the navigated solution closes on the truth, and whose share that is.
+//! Closure of the navigated solution on the truth, and the host's share of it.
 
 use nalgebra::Vector3;
 
@@ -8,51 +8,51 @@ use crate::math::Compensated;
 use crate::snapshot::{COUNT, NO_SQUARE, stored};
 use crate::truth::{INTERVALS_S, TruthPoint};
 
-/// Displacement [m], and share of the displacement by velocity, by which a sample may contradict its velocity before it is
-/// flagged, added as squares: coarser than any integrator's error, finer than a wrong unit.
+/// Displacement [m], and share of the displacement by velocity, by which a sample may contradict its velocity before it is flagged.
+/// The two are added as squares. They are larger than the error of any integrator, and smaller than the effect of a wrong unit.
 const FLAG_FLOOR_M: f64 = 0.01;
 const FLAG_SHARE: f64 = 0.01;
 
 /// Closure of the navigated solution on the truth.
 ///
-/// A host's positions are never quite the integral of its velocities. The INS integrates the velocities and senses gravity
-/// at the positions, so what the host contradicts itself by comes back Schuler-tuned; the rest of the closure is the
-/// simulator's own (and the sensors').
+/// A host's positions are never exactly the integral of its velocities. The INS integrates the velocities and senses gravity at the
+/// positions, so this inconsistency of the host appears in the closure, Schuler-tuned. The rest of the closure comes from the
+/// simulator itself and from the sensors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClosureFigures {
     /// Navigation minus truth now: position [m].
     pub position_n: Vector3<f64>,
     /// Navigation minus truth now: velocity [m/s].
     pub velocity_n: Vector3<f64>,
-    /// What of the horizontal position the host's inconsistency explains [m].
+    /// Part of the horizontal position difference that the host's inconsistency explains [m].
     pub host_position_n: Vector3<f64>,
-    /// What of the horizontal velocity the host's inconsistency explains [m/s].
+    /// Part of the horizontal velocity difference that the host's inconsistency explains [m/s].
     pub host_velocity_n: Vector3<f64>,
     /// Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
     pub inconsistency_n: Vector3<f64>,
-    /// The largest of it in one interval [m].
+    /// Largest inconsistency in one interval [m].
     pub inconsistency_max_m: f64,
-    /// Samples flagged for it.
+    /// Number of samples that are flagged as inconsistent.
     pub inconsistent_samples: u64,
 }
 
 /// The INS's answer is integrated in steps of this length [s]: a five-thousandth of its period.
 const ANSWER_STEP_S: f64 = 1.0;
 
-/// And where an interval is longer, in equal steps of at most this [s]: the explicit Coriolis term adds a share of
-/// 2 (W t)² a step, in one step of 1000 s one percent.
+/// Longest step of the answer [s]. Longer intervals are divided into equal steps, because the explicit Coriolis term adds a share
+/// of 2 (W t)² a step: one percent in one step of 1000 s.
 const LONGEST_ANSWER_STEP_S: f64 = 2.5;
 
 /// The sums behind the figures, Earth-fixed axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Closure {
     inconsistency_e: Compensated<3>,
-    /// Square of the largest in one interval [m²].
+    /// Square of the largest inconsistency in one interval [m²].
     max2_m2: f64,
     flagged: u64,
     last_flagged: bool,
     answer: Answer,
-    /// What has come since the last step of the answer: inconsistency [m] and time [s].
+    /// Inconsistency [m] and time [s] since the last step of the answer.
     pending_e: Vector3<f64>,
     pending_s: f64,
 }
@@ -78,11 +78,11 @@ stored!(Closure {
 });
 stored!(Answer { r_e: SUMS_M, v_e: SUMS_M });
 
-/// No sum over a run is as large [m, m/s, m²].
+/// Limit that no sum over a run reaches [m, m/s, m²].
 const SUMS_M: f64 = 1e60;
 
 impl Answer {
-    /// After `t` [s] in which `inconsistency_e` [m] came.
+    /// The answer after further `t` [s] with the inconsistency `inconsistency_e` [m].
     fn after(mut self, earth: &Earth, truth: &TruthPoint, inconsistency_e: &Vector3<f64>, t: f64) -> Self {
         if t <= LONGEST_ANSWER_STEP_S {
             return self.after_step(earth, truth, inconsistency_e, t);
@@ -94,7 +94,7 @@ impl Answer {
         self
     }
 
-    /// δv' = -g/r δr - 2 W×δv, δr' = δv + inconsistency over `t` [s], semi-implicit; the vertical part is taken out.
+    /// δv' = -g/r δr - 2 W×δv, δr' = δv + inconsistency over `t` [s], semi-implicit. The vertical part is removed.
     fn after_step(
         mut self,
         earth: &Earth,
@@ -128,7 +128,7 @@ impl Closure {
         }
     }
 
-    /// Over the interval to `next`: the displacement by velocity contradicts that by position by `inconsistency_e` [m].
+    /// Adds the interval to `next`. Its displacement by velocity less its displacement by position is `inconsistency_e` [m].
     pub fn advance(&mut self, earth: &Earth, next: &TruthPoint, inconsistency_e: &Vector3<f64>) {
         let t = next.interval_s;
         self.inconsistency_e.add(inconsistency_e);
@@ -147,7 +147,7 @@ impl Closure {
         }
     }
 
-    /// The truth has jumped from one place to another: what has come so far goes along in east, north and up.
+    /// Follows a jump of the truth from one place to another. The sums so far keep their components east, north and up.
     pub fn turn(&mut self, earth: &Earth, from: &Geodetic, to: &Geodetic) {
         let (from, to) = (earth.east_north_up(from), earth.east_north_up(to));
         let turned = |v: &Vector3<f64>| to.0 * v.dot(&from.0) + to.1 * v.dot(&from.1) + to.2 * v.dot(&from.2);
@@ -189,8 +189,9 @@ mod tests {
     use crate::truth::{FlightSample, Intake, IntakeLimits};
 
     /// The energy of the swing after one inconsistency of 1 m, over 2000 intervals of 1000 s: 800 000 steps of t = 2.5 s. With
-    /// c = 2 W t a step multiplies it by 1 + c² + c ω t at the most: |c v|², and c v along the other change of the velocity,
-    /// ω² t r. It varies by the share ω t within a swing, as the steps are of first order.
+    /// c = 2 W t, a step multiplies the energy by at most 1 + c² + c ω t. c² comes from |c v|². c ω t comes from c v along the
+    /// other change of the velocity, ω² t r. Within a swing the energy varies by the share ω t, because the steps are of
+    /// first order.
     #[test]
     fn the_answer_does_not_grow_in_long_intervals() {
         let earth = Earth::default();

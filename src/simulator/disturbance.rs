@@ -1,4 +1,4 @@
-//! Gravity beyond the normal field in flight: what perfect accelerometers sense of it.
+//! Gravity beyond the normal field in flight, as perfect accelerometers sense it.
 
 use nalgebra::Vector3;
 
@@ -14,9 +14,9 @@ use crate::truth::Recent;
 /// True less normal gravity δg along the flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Disturbance {
-    /// At the last sample, Earth-fixed axes [m/s²].
+    /// δg at the last sample, Earth-fixed axes [m/s²].
     at_last_e: Vector3<f64>,
-    /// Of the last interval.
+    /// Apparent sensor errors in the last interval.
     apparent: SensorErrors,
 }
 
@@ -28,12 +28,12 @@ impl Disturbance {
         Self { at_last_e: at_first_e, apparent: SensorErrors::NONE }
     }
 
-    /// At the last sample, Earth-fixed axes [m/s²].
+    /// δg at the last sample, Earth-fixed axes [m/s²].
     pub fn at_last_e(&self) -> &Vector3<f64> {
         &self.at_last_e
     }
 
-    /// Over the interval of `motion`, the last of `recent`, over which `gravity` moves on: as [`Self::advance`].
+    /// Moves `gravity` on over the interval of `motion`, the last of `recent`, and then acts as [`Self::advance`].
     pub fn fly(
         &mut self,
         earth: &Earth,
@@ -47,8 +47,8 @@ impl Disturbance {
         self.advance(gravity.at(earth, recent.next), motion, block, increments);
     }
 
-    /// Over the interval of `motion`, at the end of which δg is `at_next_e` [m/s²] and to which it changes evenly: adds
-    /// -∫ Cᵀ δg dt to the velocity of each of `increments`, which are those of `block`, where there is a mounting.
+    /// Adds -∫ Cᵀ δg dt to the velocity of each of `increments`, over the interval of `motion`. δg changes linearly to
+    /// `at_next_e` [m/s²] at the end of the interval. With a mounting, the increments are those of `block`.
     fn advance(
         &mut self,
         at_next_e: Vector3<f64>,
@@ -60,7 +60,7 @@ impl Disturbance {
         let half_dt = 0.5 * motion.interval_s * part;
         let change_e = at_next_e - self.at_last_e;
         let sensed = increments.iter_mut().enumerate().map(|(m, increment)| {
-            // Of two nodes in each increment the error is θ⁴/4320 of it, at a rotation θ [rad].
+            // With two nodes in each increment, the relative error is θ⁴/4320 at a rotation θ [rad].
             let sensed_b = GAUSS_2.iter().fold(Vector3::zeros(), |sum, (node, _)| {
                 let u = (m as f64 + node) * part;
                 sum - motion.to_earth(u).tr_mul(&(self.at_last_e + change_e * u)) * half_dt
@@ -73,7 +73,7 @@ impl Disturbance {
         self.at_last_e = at_next_e;
     }
 
-    /// Errors that the sensors seem to have had in the last interval to an INS that computes with normal gravity.
+    /// Errors that the sensors seem to have in the last interval, for an INS that computes with normal gravity.
     pub fn apparent_errors(&self) -> &SensorErrors {
         &self.apparent
     }

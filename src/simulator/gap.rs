@@ -1,14 +1,14 @@
-//! An interval much longer than those before it: samples were lost, or the host stood still for a moment.
+//! An interval much longer than the intervals before it: samples were lost, or the host stopped for a moment.
 
 use super::Options;
 use crate::signal::MAX_INCREMENTS;
 use crate::truth::Recent;
 
 impl Options {
-    /// Updates of the mechanization over the interval that `recent` ends. In a gap they are as long as those before, as far as
-    /// there is memory for their increments: what an update that is too long loses of a manoeuvre stays for good.
+    /// Number of mechanization updates over the interval that `recent` ends. In a gap, the updates are as long as before the gap,
+    /// if there is enough memory for their increments. An update that is too long loses a part of a manoeuvre for good.
     ///
-    /// Evidence: 1 s lost in a weave of 4 g at 100 Hz, 500 s later: 15 km with one update, 5 cm so.
+    /// Evidence: 1 s lost in a weave of 4 g at 100 Hz. The error 500 s later is 15 km with one update, and 5 cm with these updates.
     #[inline]
     pub(super) fn updates_over(&self, recent: &Recent<'_>) -> usize {
         match recent.gap_ratio() {

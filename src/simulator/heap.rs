@@ -1,4 +1,4 @@
-//! Simulators off the stack.
+//! Simulators on the heap.
 
 use super::read::READ_WIDTH;
 use super::signals::Signals;
@@ -8,10 +8,10 @@ use crate::error::Error;
 use crate::instruction_set::InstructionSet;
 use crate::memory::{only, room};
 
-/// A simulator on the heap: two of them and a step are more than the stack that a call may take.
+/// A simulator on the heap, because two simulators and a step need more stack than a call may take.
 #[inline(never)]
 pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator; 1]>, Error> {
-    // The processor is asked now, and not by the first read.
+    // The instruction set of the processor is queried now, not by the first read.
     InstructionSet::up_to(READ_WIDTH);
     let mut memory = room(1)?;
     let (intake, signals) = (Simulator::intake(options)?, Signals::new()?);

@@ -11,17 +11,17 @@ use crate::sensors::{Altimeter, GravityDisturbance, Sensor, Triad};
 use crate::signal::{Increment, IntervalMotion, Turning};
 use crate::truth::Recent;
 
-/// What an interval brings to the sensors beside their increments.
+/// Conditions of an interval for the sensors, in addition to their increments.
 #[derive(Default)]
 pub(super) struct IntervalConditions {
-    /// Temperatures at its ends [°C]; without one at its start that at its end.
+    /// Temperatures at the ends of the interval [°C]. Without one at its start, the temperature at its end is used.
     pub temperatures_c: [Option<f64>; 2],
-    /// How the block turns, along its axes; `None` of foreign increments.
+    /// Turning of the block, along its axes; `None` for foreign increments.
     pub turning: Option<Turning>,
 }
 
 impl IntervalConditions {
-    /// Of the interval of `motion`, which `recent` ends, for the sensors of `block`.
+    /// Conditions of the interval of `motion`, which `recent` ends, for the sensors of `block`.
     #[cold]
     #[inline(never)]
     pub fn of(recent: &Recent<'_>, motion: &IntervalMotion<'_>, block: Option<&Block>) -> Self {
@@ -45,11 +45,11 @@ pub(super) struct Imperfections {
     pub gravity: GravityDisturbance,
     /// Parameters that the host set, also of the mounting and of the errors at the start.
     set: ErrorParameters,
-    /// What [`Self::update_summary`] has found.
+    /// Results of [`Self::update_summary`].
     triads_are_ideal: bool,
     are_none: bool,
     depend_on_temperature: bool,
-    /// Whether a triad is to be told when an interval begins.
+    /// Whether a triad needs to know when an interval begins.
     follow_intervals: bool,
     /// Whether an axis has no signal in the interval.
     gyro_is_silent: bool,
@@ -57,7 +57,7 @@ pub(super) struct Imperfections {
 }
 
 impl Imperfections {
-    /// Not inlined, for the stack: made in its place.
+    /// Not inlined, to save stack: the value is made in its final place.
     #[inline(never)]
     pub fn new(options: &Options) -> Self {
         Self {
@@ -75,7 +75,7 @@ impl Imperfections {
         }
     }
 
-    /// On the heap: the models are much of a stack.
+    /// On the heap, because the models are large for a stack.
     #[inline(never)]
     pub fn on_heap(options: &Options) -> Result<Box<[Self]>, Error> {
         let mut memory = room(1)?;
@@ -83,14 +83,14 @@ impl Imperfections {
         Ok(memory.into_boxed_slice())
     }
 
-    /// What follows the signals is as in `other`, whose sensors got the same.
+    /// Takes the states that depend on the signals from `other`, whose sensors had the same signals.
     pub fn follow_as(&mut self, other: &Self) {
         self.gyro.follow_as(&other.gyro);
         self.accel.follow_as(&other.accel);
         self.altimeter.follow_as(&other.altimeter);
     }
 
-    /// Brings up to date what each interval asks, after a change.
+    /// Updates, after a change, the flags that each interval reads.
     fn update_summary(&mut self) {
         self.triads_are_ideal = self.gyro.is_ideal() && self.accel.is_ideal();
         self.are_none = self.triads_are_ideal
@@ -111,7 +111,7 @@ impl Imperfections {
         self.depend_on_temperature
     }
 
-    /// Refuses a sample of the temperature `temperature_c` if an effect needs one and it has none.
+    /// Rejects a sample without a temperature if an effect needs one. `temperature_c` is the sample's temperature.
     pub fn check_temperature(&self, temperature_c: Option<f64>) -> Result<(), Error> {
         if self.depend_on_temperature && temperature_c.is_none() {
             return Err(no_temperature());
@@ -119,7 +119,7 @@ impl Imperfections {
         Ok(())
     }
 
-    /// An interval of `t` [s] begins; `conditions` gives what is known of it.
+    /// Begins an interval of `t` [s]. `conditions` gives the known conditions of the interval.
     #[inline]
     pub fn begin_interval(&mut self, t: f64, conditions: impl FnOnce() -> IntervalConditions) {
         if self.follow_intervals {
@@ -138,21 +138,22 @@ impl Imperfections {
         self.accel_is_silent = self.accel.is_silent();
     }
 
-    /// The truth jumped to `height_m`: what follows the signals settles there at once, noise goes on.
+    /// Follows a jump of the truth to `height_m`: states that depend on the signals settle there at once, noise continues.
     pub fn reposition(&mut self, height_m: f64) {
         self.gyro.reposition();
         self.accel.reposition();
         self.altimeter.reposition(height_m);
     }
 
-    /// The truth jumped by `change_m` up, and the INS goes on: what follows the signals settles there at once, errors stay.
+    /// Follows a jump of the truth by `change_m` up, after which the INS continues: states that depend on the signals settle there
+    /// at once, errors stay.
     pub fn go_on(&mut self, change_m: f64) {
         self.gyro.reposition();
         self.accel.reposition();
         self.altimeter.shift(change_m);
     }
 
-    /// What the two triads make of the ideal increments of an interval, each over `dt` [s]; [`Self::undo`] takes it back.
+    /// Senses the ideal increments of an interval, each over `dt` [s], with the two triads. [`Self::undo`] can undo the interval.
     #[inline]
     pub fn sense(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) -> ImuFlags {
         measured.copy_from_slice(ideal);
@@ -166,7 +167,7 @@ impl Imperfections {
         }
     }
 
-    /// Takes the last [`Self::begin_interval`] and [`Self::sense`] back.
+    /// Undoes the last [`Self::begin_interval`] and [`Self::sense`].
     pub fn undo(&mut self) {
         self.gyro.undo();
         self.accel.undo();

@@ -1,4 +1,4 @@
-//! What is told of the signals of an interval.
+//! What is reported of the signals of an interval.
 
 use crate::signal::Increment;
 use crate::snapshot::{CLOCK_S, stored};
@@ -7,15 +7,15 @@ use crate::truth::INTERVALS_S;
 /// Ideal and measured signals of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ImuInterval {
-    /// Time of its end [s].
+    /// Time of the end of the interval [s].
     pub time_s: f64,
-    /// Its length [s].
+    /// Length of the interval [s].
     pub interval_s: f64,
-    /// What perfect sensors give.
+    /// Increment that perfect sensors measure.
     pub ideal: Increment,
-    /// What the modelled sensors give.
+    /// Increment that the modelled sensors measure.
     pub measured: Increment,
-    /// What their built-in test reports.
+    /// Flags of the built-in test of the modelled sensors.
     pub flags: ImuFlags,
 }
 
@@ -28,11 +28,11 @@ stored!(ImuInterval { time_s: CLOCK_S, interval_s: INTERVALS_S.1, ideal, measure
 pub struct ImuFlags {
     /// A gyro was beyond its range.
     pub gyro_saturated: bool,
-    /// An accelerometer was.
+    /// An accelerometer was beyond its range.
     pub accel_saturated: bool,
     /// A gyro had no signal: dead, or dropped out.
     pub gyro_invalid: bool,
-    /// An accelerometer had none.
+    /// An accelerometer had no signal: dead, or dropped out.
     pub accel_invalid: bool,
 }
 

@@ -5,16 +5,16 @@ use super::{ImuFlags, ImuInterval};
 /// The interval flown last.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum LastInterval {
-    /// There is none.
+    /// No interval was flown yet.
     None,
-    /// It left its increments in the chain.
+    /// The increments of the interval are in the chain.
     Flown { time_s: f64, interval_s: f64, sensors_were_ideal: bool, flags: ImuFlags, vertical_unaided: bool },
-    /// A snapshot keeps the sums alone.
+    /// Only the sums of the increments are known, as a snapshot stores only these.
     Loaded { imu: ImuInterval, vertical_unaided: bool },
 }
 
 impl LastInterval {
-    /// It ended at `now_s` [s], as time has been moved.
+    /// Sets the end of the interval to `now_s` [s], because time has been moved.
     pub fn move_to(&mut self, now_s: f64) {
         match self {
             Self::None => {}

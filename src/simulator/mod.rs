@@ -46,7 +46,7 @@ use imperfections::Imperfections;
 use navigator::Navigator;
 use signals::Signals;
 
-/// Which of the two error outputs.
+/// One of the two error outputs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorSource {
     /// Navigation minus truth: the paper's error data 2.
@@ -79,18 +79,19 @@ enum Mode {
     Navigating(Navigator),
 }
 
-/// A strapdown inertial navigation system in simulation. `Send`, not `Sync`: a read keeps what it made for the next.
+/// A strapdown inertial navigation system in simulation. It is `Send`, not `Sync`, because a read keeps its result for the next
+/// read.
 #[derive(Debug, Clone)]
 pub struct Simulator {
     options: Options,
     earth: Earth,
     intake: Intake,
     imperfections: Imperfections,
-    /// Of a flight to come: a chain that flies has them.
+    /// Increments of a flight to come. In flight, the chain has them.
     signals: Signals,
-    /// Likewise: none or one.
+    /// Covariance of a flight to come: no element or one. In flight, the chain has it.
     covariance: Box<[Propagation]>,
-    /// Likewise, of the flights so far, if it is wanted.
+    /// Summary of the truth of the flights so far, if it is wanted. In flight, the chain has it.
     summary: Option<TruthSummary>,
     mode: Mode,
 }
@@ -102,13 +103,13 @@ impl Simulator {
         Ok(Self::with(options, Self::intake(options)?, Signals::new()?, covariance))
     }
 
-    /// What can fail of making a simulator.
+    /// The part of making a simulator that fails if an option is invalid.
     fn intake(options: &Options) -> Result<Intake, Error> {
         options.validate()?;
         Intake::new(options.earth(), options.axes, options.intake)
     }
 
-    /// The rest: no `Result` that would hold another copy on the stack.
+    /// The rest of making a simulator. It returns no `Result`, which would hold another copy on the stack.
     fn with(options: &Options, intake: Intake, signals: Signals, covariance: Box<[Propagation]>) -> Self {
         Self {
             options: *options,
@@ -122,12 +123,12 @@ impl Simulator {
         }
     }
 
-    /// The options it was made with.
+    /// The options that the simulator was made with.
     pub fn options(&self) -> &Options {
         &self.options
     }
 
-    /// Takes one flight-control sample in.
+    /// Takes in one flight-control sample.
     pub fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         self.refuse_while_navigating()?;
         self.imperfections.check_temperature(sample.temperature_c)?;
@@ -156,7 +157,7 @@ impl Simulator {
         Ok(Step::Done)
     }
 
-    /// The step with which a flight begins. Kept apart for the stack that a new chain takes.
+    /// The first step of a flight. It is a separate function, because a new chain takes much stack.
     #[cold]
     #[inline(never)]
     fn first_step(&mut self) -> Result<Step, Error> {
@@ -181,7 +182,7 @@ impl Simulator {
         Ok(Step::Done)
     }
 
-    /// Starts as a navigator alone from `navigation` at `time_s` [s], to be fed by [`Self::push_imu`].
+    /// Starts navigation without a truth, from `navigation` at `time_s` [s]. [`Self::push_imu`] then gives the increments.
     pub fn start_navigation(&mut self, time_s: f64, navigation: &Navigation) -> Result<(), Error> {
         if !matches!(self.mode, Mode::Waiting) || self.intake.waiting() > 0 {
             return Err(Error::bad_state(
@@ -197,7 +198,8 @@ impl Simulator {
         Ok(())
     }
 
-    /// Navigates on `increments` (1 to 5, of equal length) over `interval_s` [s], to which set sensor errors are added.
+    /// Navigates on `increments` (1 to 5, of equal length) over `interval_s` [s]. The sensor errors that are set are added to the
+    /// increments.
     pub fn push_imu(&mut self, increments: &[Increment], interval_s: f64) -> Result<(), Error> {
         let Mode::Navigating(navigator) = &mut self.mode else {
             return Err(Error::bad_state("navigation on increments must be started first"));
@@ -205,7 +207,7 @@ impl Simulator {
         navigator.advance(increments, interval_s, &mut self.imperfections)
     }
 
-    /// The truth jumps to `sample`: the INS starts again there, its noise goes on.
+    /// Moves the truth to `sample`. The INS starts again there; its noise continues.
     pub fn reposition(&mut self, sample: &FlightSample) -> Result<(), Error> {
         self.refuse_while_navigating()?;
         self.imperfections.check_temperature(sample.temperature_c)?;
@@ -214,8 +216,8 @@ impl Simulator {
         Ok(())
     }
 
-    /// The truth jumps to `sample`, which may be at another time; the INS goes on there with the errors that it has. Samples that
-    /// wait are dropped. Before the first step it is [`Self::reposition`].
+    /// Moves the truth to `sample`, which may be at another time. The INS continues there with the errors that it has. Samples that
+    /// wait are dropped. Before the first step the call is the same as [`Self::reposition`].
     #[inline(never)]
     pub fn move_truth(&mut self, sample: &FlightSample) -> Result<(), Error> {
         self.refuse_while_navigating()?;
@@ -231,8 +233,8 @@ impl Simulator {
         }
     }
 
-    /// The sample that was pushed last counts as at `time_s` [s] from now on; everything else is as it was. The flight goes on as
-    /// one whose stamps never jumped.
+    /// Sets the time of the sample that was pushed last to `time_s` [s]; everything else stays as it was. The flight continues like
+    /// a flight whose time stamps never jumped.
     pub fn move_time(&mut self, time_s: f64) -> Result<(), Error> {
         self.refuse_while_navigating()?;
         let shift_s = self.intake.move_time(time_s)?;
@@ -242,7 +244,7 @@ impl Simulator {
         Ok(())
     }
 
-    /// Back to before the first sample: same parameters, seed and draws, no failures.
+    /// Goes back to before the first sample, with the same parameters, seed and draws, and without failures.
     #[inline(never)]
     pub fn reset(&mut self) {
         self.intake.clear();
@@ -252,7 +254,7 @@ impl Simulator {
         self.covariance.iter_mut().for_each(Propagation::reset);
     }
 
-    /// No flight any more: before the first step.
+    /// Ends the flight: the simulator is before the first step again.
     fn wait(&mut self) {
         if let Mode::Flying(chain) = &mut self.mode {
             self.signals = core::mem::take(&mut chain.signals);
@@ -290,7 +292,7 @@ impl Simulator {
         }
     }
 
-    /// Whether samples can be flown: not while navigating on increments.
+    /// Rejects calls that need a truth while the simulator navigates on increments.
     pub(crate) fn refuse_while_navigating(&self) -> Result<(), Error> {
         match self.mode {
             Mode::Navigating(_) => Err(Error::bad_state(
@@ -301,7 +303,7 @@ impl Simulator {
     }
 }
 
-/// The rule that a solution is singular in what was asked of it.
+/// The error for a solution that is singular: `value` of `field` breaks `limit`.
 fn singular(field: &'static str, value: f64, words: &'static str, limit: f64) -> Error {
     Error::of(ErrorKind::Singular, field, value, Rule::SentenceWith(words, limit))
 }

@@ -1,4 +1,4 @@
-//! What is read of a chain at an instant.
+//! Reads of a chain at an instant.
 
 use super::chain::Chain;
 use super::{ErrorSource, Solution};
@@ -19,7 +19,7 @@ impl Moment<'_> {
         self.point.time_s
     }
 
-    /// Whether the truth is: longitude and heading and their errors have no meaning there.
+    /// Whether the truth is near a pole, where longitude and heading and their errors have no meaning.
     pub fn near_pole(&self) -> bool {
         self.point.is_near_pole()
     }
@@ -50,7 +50,7 @@ impl Moment<'_> {
         self.chain.navigation_errors_inlined(self.point)
     }
 
-    /// The error model's; `None` while it is off.
+    /// Errors of the error model; `None` while the model is off.
     #[inline(always)]
     pub fn model_errors(&self) -> Option<NavigationErrors> {
         let model = self.chain.error_model.as_ref()?;
@@ -58,7 +58,7 @@ impl Moment<'_> {
         Some(model.errors(self.point, self.chain.true_view(self.point), axes, block))
     }
 
-    /// Time [s] and errors of `source`, and whether the truth is near a pole; `None` of a model that is off.
+    /// Time [s] and errors of `source`, and whether the truth is near a pole; `None` if the error model is off.
     pub fn errors_and_pole(&self, source: ErrorSource) -> Option<(f64, NavigationErrors, bool)> {
         let errors = match source {
             ErrorSource::Navigation => Some(self.navigation_errors()),
@@ -68,14 +68,14 @@ impl Moment<'_> {
     }
 }
 
-/// What the host reads of a moment, in a struct of its own.
+/// A struct with what the host reads of a moment.
 pub(crate) trait View {
     type Struct;
 
-    /// Whether it looks at the truth, and at the navigated solution.
+    /// Whether the view reads the truth; `OF_NAVIGATION`: whether it reads the navigated solution.
     const OF_TRUTH: bool;
     const OF_NAVIGATION: bool;
 
-    /// Sets all that the struct has. It has to be inlined: it is compiled for each instruction set.
+    /// Sets all fields of the struct. It has to be inlined, because it is compiled for each instruction set.
     fn fill(place: &mut Self::Struct, moment: Moment<'_>);
 }

@@ -8,8 +8,8 @@ use crate::math::{relative_rotation, rotate_inverse, rotation_vector};
 use crate::mounting::{Block, MountingParameters};
 use crate::truth::{Recent, TruthPoint};
 
-/// The block at `first`: its rate is the host's, else the mean of the first interval, as the generator has it then, else the
-/// Earth's.
+/// The block at `first`. Its rate is the host's. Without one it is the mean of the first interval, if the interval is known, as in
+/// the generator. Otherwise it is the Earth's rate.
 pub(super) fn block_at_start(
     parameters: &MountingParameters,
     options: &Options,
@@ -20,7 +20,7 @@ pub(super) fn block_at_start(
     Block::new(parameters, options.axes, earth.rate_rad_s, rate_at_start(earth, first, interval))
 }
 
-/// Angular rate of the vehicle at `first` against inertial space, body axes [rad/s].
+/// Angular rate of the vehicle at `first` relative to inertial space, body axes [rad/s].
 pub(super) fn rate_at_start(
     earth: &Earth,
     first: &TruthPoint,

@@ -16,7 +16,7 @@ pub(super) struct Navigator {
     earth: Earth,
     axes: BodyAxes,
     mechanization: Mechanization,
-    /// Time [s] and what its sum over the intervals lost.
+    /// Time [s]; `time_carry_s` is what its sum over the intervals lost by rounding [s].
     time_s: f64,
     time_carry_s: f64,
     imu: Option<ImuInterval>,
@@ -94,7 +94,7 @@ mod tests {
     use crate::earth::Geodetic;
     use nalgebra::{Quaternion, Vector3};
 
-    /// What a snapshot may bring is what a navigator may come to: at the end of all clocks it goes no further.
+    /// A navigator reaches only states that a snapshot may hold: it goes no further than the limit of clocks.
     #[test]
     fn a_navigator_at_the_end_of_time_can_be_saved_and_loaded() {
         let options = Options::default();

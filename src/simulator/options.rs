@@ -1,4 +1,4 @@
-//! What a simulator is made with.
+//! Options with which a simulator is made.
 
 use super::{ErrorSource, singular};
 use crate::earth::{Earth, Ellipsoid, GravityModel};
@@ -11,29 +11,29 @@ use crate::snapshot::{ANY, stored};
 use crate::state::BodyAxes;
 use crate::truth::{IntakeLimits, MAX_GAP_S, MIN_INTERVAL_S, TruthPoint};
 
-/// Mechanization updates in a sample interval at the most.
+/// Largest number of mechanization updates in a sample interval.
 pub const MAX_UPDATES: usize = MAX_INCREMENTS / MAX_SUBSAMPLES;
 
 /// Options of a simulator; the default is the recommended one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
-    /// In which axes the mechanization navigates.
+    /// Axes in which the mechanization navigates.
     pub frame: Frame,
-    /// Which algorithm.
+    /// Algorithm of the mechanization.
     pub scheme: Scheme,
-    /// Sub-increments of an update, 1 to 5.
+    /// Number of sub-increments of an update, 1 to 5.
     pub subsamples: usize,
-    /// Mechanization updates in a sample interval, 1 to 16; more in a gap.
+    /// Number of mechanization updates in a sample interval, 1 to 16; more in a gap.
     pub updates_per_sample: usize,
-    /// How the vertical channel is kept.
+    /// Mode of the vertical channel.
     pub vertical: VerticalMode,
-    /// Whether the error differential equations run along.
+    /// Whether the error differential equations are solved too.
     pub error_model: bool,
     /// The ellipsoid.
     pub ellipsoid: Ellipsoid,
     /// The gravity field.
     pub gravity: GravityModel,
-    /// How the sensor axes lie.
+    /// Directions of the sensor axes.
     pub axes: BodyAxes,
     /// Time constant of the closed loop [s], 1 to 1e4, at least four times the longest gap; `None`: physical signals.
     pub closed_loop_time_s: Option<f64>,
@@ -86,7 +86,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Those of a run of an ensemble, without what is of the truth alone.
+    /// Options of a run of an ensemble, without the options that concern only the truth.
     pub(crate) fn of_run(&self) -> Self {
         Self { truth_summary: false, covariance: false, ..*self }
     }
@@ -114,7 +114,7 @@ impl Options {
         check_range("options.max_acceleration_m_s2", self.intake.max_acceleration_m_s2, 1e-3, 1e6)
     }
 
-    /// Refuses a source of errors that is off.
+    /// Rejects a source of errors that is off.
     pub(super) fn check_source(&self, source: ErrorSource) -> Result<(), Error> {
         if source == ErrorSource::Model && !self.error_model {
             return Err(Error::bad_state(

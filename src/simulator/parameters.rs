@@ -7,7 +7,7 @@ use crate::sensors::{
     AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, Sensor, TriadParameters,
 };
 
-/// What is set of the sensors, of the start, of the mounting and of gravity. The default is ideal.
+/// Settings of the sensors, of the start, of the mounting and of gravity. The default is ideal.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ErrorParameters {
     /// Errors of the gyros.
@@ -20,12 +20,12 @@ pub struct ErrorParameters {
     pub initial: InitialErrorParameters,
     /// Where the sensor block sits, and where the INS believes that it sits.
     pub mounting: MountingParameters,
-    /// True less normal gravity, which the INS computes with.
+    /// True gravity less the normal gravity with which the INS computes.
     pub gravity: GravityDisturbanceParameters,
 }
 
 impl ErrorParameters {
-    /// What is set in a simulator, at any moment of its life.
+    /// The settings of a simulator, at any time.
     pub fn of(simulator: &Simulator) -> Self {
         *simulator.imperfections.set()
     }
@@ -40,7 +40,7 @@ impl ErrorParameters {
         self.gravity.validate()
     }
 
-    /// Sets them all.
+    /// Sets all error parameters of a simulator.
     pub fn set_to(&self, simulator: &mut Simulator) -> Result<(), Error> {
         simulator.set_gyro(&self.gyro)?;
         simulator.set_accel(&self.accel)?;

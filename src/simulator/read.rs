@@ -1,4 +1,4 @@
-//! What is read of a simulator: the truth, the navigation, its signals and errors.
+//! Reads of a simulator: the truth, the navigation, its signals and errors.
 
 use super::chain::Chain;
 use super::{ClosureFigures, ErrorSource, ImuInterval, Mode, Moment, Simulator, Solution, TrimFigures, View};
@@ -9,7 +9,7 @@ use crate::instruction_set::InstructionSet;
 use crate::signal::Increment;
 use crate::truth::{TruthPoint, TruthSummary};
 
-/// Numbers that the formulas of a read compute at a time.
+/// Number of values that the formulas of a read compute at a time.
 pub(super) const READ_WIDTH: usize = 4;
 
 impl Simulator {
@@ -23,7 +23,7 @@ impl Simulator {
         })
     }
 
-    /// Figures of the true motion since the start or the last reset, repositions and jumps between; `None` before the first
+    /// Figures of the true motion since the start or the last reset, across repositions and jumps; `None` before the first
     /// interval.
     pub fn truth_summary(&self) -> Result<Option<TruthSummary>, Error> {
         self.refuse_while_navigating()?;
@@ -45,7 +45,7 @@ impl Simulator {
         }
     }
 
-    /// The solution where there is no truth.
+    /// The solution while navigating on increments, without a truth; `None` otherwise.
     #[inline]
     pub(crate) fn navigated_alone(&self) -> Option<Solution> {
         match &self.mode {
@@ -91,7 +91,7 @@ impl Simulator {
         self.options.check_source(source)
     }
 
-    /// What `view` makes of this moment; `None` before the first sample.
+    /// Calls `view` with the current moment; `None` before the first sample.
     #[inline(always)]
     fn see<T>(&self, view: impl FnOnce(Moment<'_>) -> T) -> Result<Option<T>, Error> {
         self.refuse_while_navigating()?;
@@ -125,8 +125,8 @@ impl Simulator {
         Ok(true)
     }
 
-    /// Time [s], covariance of the navigation errors and whether the truth is near a pole; `None` before the first sample. It
-    /// changes nothing but scratch.
+    /// Time [s], covariance of the navigation errors and whether the truth is near a pole; `None` before the first sample. The call
+    /// changes only scratch memory.
     pub fn covariance(&mut self) -> Result<Option<(f64, NavigationCovariance, bool)>, Error> {
         self.refuse_while_navigating()?;
         if !self.options.covariance {
@@ -174,7 +174,8 @@ impl Simulator {
         }
     }
 
-    /// Not inlined: no other read needs the stack of a chain. By reference: `?` would take it out of its `Result`, a copy.
+    /// Not inlined, because no other read needs the stack of a chain. The chain is read by reference: `?` would take it out of its
+    /// `Result`, which is a copy.
     #[cold]
     #[inline(never)]
     fn read_start<T>(
@@ -217,7 +218,7 @@ mod tests {
         }
     }
 
-    /// Any places and attitudes, poles, the zenith and the date line among them; errors up to halves of a turn.
+    /// Any places and attitudes, including poles, the zenith and the date line, with errors up to half a turn.
     #[test]
     fn every_instruction_set_reads_the_same_bits() {
         let mut draws = 0;

@@ -1,4 +1,4 @@
-//! What the host set, read back: before a flight, in flight, and from a loaded snapshot.
+//! Settings of the host, read back: before a flight, in flight, and from a loaded snapshot.
 
 use super::Simulator;
 use crate::mounting::MountingParameters;

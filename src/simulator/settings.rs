@@ -1,4 +1,4 @@
-//! What a host sets of the sensors, before the first sample or in flight.
+//! Settings of the sensors by a host, before the first sample or in flight.
 
 use super::{Mode, Simulator};
 use crate::error::Error;
@@ -36,8 +36,8 @@ impl Simulator {
         Ok(())
     }
 
-    /// Lets an output fail from the next interval on, in place of a failure that it has; `None` clears it. A reposition keeps
-    /// failures, a reset clears them all; the alignment at the start does not see them.
+    /// Lets an output fail from the next interval on. The failure replaces one that the output already has; `None` clears it. A
+    /// reposition keeps failures; a reset clears them all. The alignment at the start ignores failures.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error> {
         if let Some(failure) = &failure {
             failure.validate(output)?;
@@ -60,8 +60,8 @@ impl Simulator {
         Ok(())
     }
 
-    /// Sets where the sensor block sits and what the INS believes of it; before the first step. Navigation on increments is
-    /// that of the block itself.
+    /// Sets where the sensor block sits and what the INS believes of it; before the first step. Navigation on increments navigates
+    /// the block itself.
     pub fn set_mounting(&mut self, parameters: &MountingParameters) -> Result<(), Error> {
         parameters.validate()?;
         self.refuse_after_start(
@@ -71,8 +71,8 @@ impl Simulator {
         Ok(())
     }
 
-    /// Sets true gravity less normal gravity along the track; before the first step. Increments of the host contain
-    /// their own.
+    /// Sets true gravity less normal gravity along the track; before the first step. Increments of the host contain their own
+    /// disturbance.
     pub fn set_gravity_disturbance(
         &mut self,
         parameters: &GravityDisturbanceParameters,
@@ -92,12 +92,12 @@ impl Simulator {
         }
     }
 
-    /// Refuses temperature coefficients that what is to be flown has no temperature for.
+    /// Rejects temperature coefficients if the samples or increments to be flown have no temperature.
     fn check_temperatures_for(&self, parameters: &TriadParameters) -> Result<(), Error> {
         if parameters.depend_on_temperature() { self.check_temperatures() } else { Ok(()) }
     }
 
-    /// Refuses a state in which an effect would have no temperature.
+    /// Rejects a state in which an effect would have no temperature.
     pub(super) fn check_temperatures(&self) -> Result<(), Error> {
         if let Mode::Navigating(_) = self.mode {
             return Err(Error::bad_state(INCREMENTS_HAVE_NO_TEMPERATURE));

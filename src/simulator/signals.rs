@@ -6,8 +6,8 @@ use crate::error::Error;
 use crate::memory::room;
 use crate::signal::{Increment, MAX_INCREMENTS};
 
-/// Ideal increments and, unless the sensors were ideal, measured ones: those of the last interval and of the one at hand, which
-/// take turns. On the heap: 15 KB are much of a stack.
+/// Ideal increments and, unless the sensors were ideal, measured increments. They are those of the last interval and of the current
+/// interval, which use two halves of the memory in turn. On the heap, because 15 KB are large for a stack.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Signals {
     pub ideal: Box<[Increment]>,
@@ -15,7 +15,7 @@ pub(super) struct Signals {
 }
 
 impl Signals {
-    /// Room for both. The one allocation of their life.
+    /// Room for ideal and measured increments. This is their only allocation.
     pub fn new() -> Result<Self, Error> {
         let increments = || -> Result<Box<[Increment]>, Error> {
             let mut increments = room(2 * MAX_INCREMENTS)?;
@@ -25,14 +25,14 @@ impl Signals {
         Ok(Self { ideal: increments()?, measured: increments()? })
     }
 
-    /// Ideal and measured increments at the places `parts`: ideal sensors have measured the ideal ones, which are not copied.
+    /// Ideal and measured increments at the places `parts`. Ideal sensors measure the ideal increments, which are not copied.
     #[inline(always)]
     pub fn of(&self, parts: &Range<usize>, sensors_were_ideal: bool) -> (&[Increment], &[Increment]) {
         let measured = if sensors_were_ideal { &self.ideal } else { &self.measured };
         (&self.ideal[parts.clone()], &measured[parts.clone()])
     }
 
-    /// Where the increments of an interval begin whose predecessor's begin at `last`.
+    /// Place where the increments of an interval begin, if the increments of the interval before begin at `last`.
     #[inline]
     pub fn place_after(last: usize) -> usize {
         if last < MAX_INCREMENTS { MAX_INCREMENTS } else { 0 }

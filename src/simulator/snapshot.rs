@@ -38,21 +38,21 @@ pub(super) fn save_flight(
 }
 
 impl Simulator {
-    /// Bytes that a snapshot takes now; they change with what is set and with the samples that wait.
+    /// Current size of a snapshot [bytes]. It changes with the settings and with the samples that wait.
     pub fn snapshot_size(&self) -> usize {
         self.write_snapshot(&mut [])
     }
 
-    /// Writes a snapshot into `buffer` and gives its length; it can be saved at any moment. No allocation.
+    /// Writes a snapshot into `buffer` and returns its length. A snapshot can be saved at any moment. The call does not allocate.
     pub fn save_snapshot(&self, buffer: &mut [u8]) -> Result<usize, Error> {
         let capacity = buffer.len();
         fitting(self.write_snapshot(buffer), capacity)
     }
 
-    /// Becomes the simulator of a snapshot, options included, whatever this one was: the run goes on to the same bits. Only
-    /// [`Self::ideal_increments`] are empty until the next interval. Allocates.
+    /// Becomes the simulator of a snapshot, options included, whatever this simulator was before. The run continues to the same
+    /// bits; only [`Self::ideal_increments`] are empty until the next interval. The call allocates.
     ///
-    /// [`crate::ErrorKind::Snapshot`]: not a snapshot, not whole, altered, or of a newer release; then nothing has changed.
+    /// [`crate::ErrorKind::Snapshot`]: not a snapshot, not whole, altered, or of another release; then nothing has changed.
     pub fn load_snapshot(&mut self, snapshot: &[u8]) -> Result<(), Error> {
         let mut memory = Reader::read(snapshot, SnapshotOf::Simulator, Self::load_from)?;
         core::mem::swap(self, &mut memory[0]);
@@ -68,7 +68,7 @@ impl Simulator {
         Ok(memory)
     }
 
-    /// The length of the snapshot, of which as much is written as `buffer` has room for.
+    /// Writes the part of the snapshot for which `buffer` has room. Returns the length of the whole snapshot.
     fn write_snapshot(&self, buffer: &mut [u8]) -> usize {
         let mut to = Writer::new(buffer, SnapshotOf::Simulator);
         self.save_to(&mut to);
@@ -95,8 +95,8 @@ impl Simulator {
         }
     }
 
-    /// Takes the state over that stands behind the options, which this simulator was made with. Not inlined: its stack
-    /// is not needed while memory for the simulator is made.
+    /// Takes over the state that follows the options in a snapshot. This simulator was made with these options. Not inlined: its
+    /// stack is not needed while memory for the simulator is allocated.
     #[inline(never)]
     fn read_snapshot(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
         self.imperfections.load(from)?;
@@ -109,7 +109,7 @@ impl Simulator {
         match mode {
             FLYING => {
                 let current = Chain::flown_to(&behind, from)?;
-                // Made in its place: chains take much of a stack.
+                // The chain is made in its final place, because chains take much stack.
                 self.mode =
                     Mode::Flying(Chain::to_load(&self.options, self.earth, current, &self.imperfections));
                 if let Mode::Flying(chain) = &mut self.mode {
@@ -153,7 +153,7 @@ mod tests {
     use crate::sensors::TriadParameters;
     use crate::truth::FlightSample;
 
-    /// States that the simulator refuses to come to.
+    /// States that the simulator refuses to enter.
     #[test]
     fn a_forged_effect_without_its_temperature_is_refused() {
         let upright = Navigation::new(

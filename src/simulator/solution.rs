@@ -1,14 +1,14 @@
-//! What is read of a simulator at an instant.
+//! A solution of a simulator at an instant.
 
 use super::Options;
 use crate::earth::Earth;
 use crate::state::{NEAR_POLE_M, Navigation};
 use crate::truth::TruthPoint;
 
-/// Latitude [rad] up to which no solution is so near: at the lowest height that there can be, -500 km, the axis is 63 km away.
+/// Latitude [rad] up to which no solution is near a pole. At the lowest possible height, -500 km, the axis is 63 km away.
 const FAR_FROM_POLE_RAD: f64 = 1.56;
 
-/// A solution and what is to be known of it.
+/// A solution and its flags.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solution {
     /// Time [s].
@@ -21,7 +21,7 @@ pub struct Solution {
     pub vertical_unaided: bool,
     /// The alignment at the start could not find north: the heading may be anything.
     pub north_unknown: bool,
-    /// Of the truth: the displacement since the previous sample contradicts the velocities.
+    /// For the truth: the displacement since the previous sample contradicts the velocities.
     pub inconsistent: bool,
 }
 

@@ -12,15 +12,15 @@ use crate::sensors::{self, Aligned, Sensed, Triad, level_and_gyrocompass};
 use crate::state::{EarthFixedState, Navigation, StateErrors};
 use crate::truth::TruthPoint;
 
-/// Gyrocompassing needs a horizontal Earth rate: cosine of latitude at the least (0.6° from a pole).
+/// Smallest cosine of latitude for gyrocompassing, which needs a horizontal Earth rate (0.6° from a pole).
 const MIN_GYROCOMPASS_COS: f64 = 0.01;
 
-/// Whether an error of a run's start is one of the place, where no run can align.
+/// Whether an error at the start of a run is caused by the place, where no run can align.
 pub(crate) fn is_of_truth(error: &Error) -> bool {
     error.field == "cosine of sample.latitude_rad"
 }
 
-/// How an INS starts.
+/// Initial errors of an INS, and the outcome of its alignment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Start {
     pub errors: StateErrors,
@@ -29,12 +29,12 @@ pub(super) struct Start {
 }
 
 impl Start {
-    /// Without errors.
+    /// Start without errors.
     pub const TRUE: Self = Self { errors: StateErrors::NONE, north_unknown: false };
 
-    /// With the initial errors of the run, of the sensors' own solution, whose true one is `state` or `truth`, at the sample
-    /// `first`; those of the vertical channel vanish where it follows the truth. `disturbance_e` is true less normal gravity
-    /// [m/s²].
+    /// Start with the initial errors of the run at the sample `first`. The errors belong to the solution of the sensors' own point,
+    /// whose true state is `state`, or `truth` as a navigation. The errors of the vertical channel are 0 if it follows the truth.
+    /// `disturbance_e` is true less normal gravity [m/s²].
     pub fn new(
         options: &Options,
         earth: &Earth,
@@ -59,7 +59,7 @@ impl Start {
     }
 }
 
-/// What levelling and gyrocompassing find at rest at `state`.
+/// Result of levelling and gyrocompassing at rest at `state`.
 fn aligned(
     earth: &Earth,
     (first, state): (&TruthPoint, &EarthFixedState),
@@ -72,19 +72,19 @@ fn aligned(
         let steady = triad.steady_error(&at_rest.rate_b, &at_rest.force_b, first.temperature_c());
         rotate(&truth.q_nb, &steady)
     };
-    // To an INS that computes with normal gravity the rest is an error of its accelerometers.
+    // For an INS that computes with normal gravity, the disturbance is an error of its accelerometers.
     let force_error_n = error_n(&imperfections.accel) - at_rest.disturbance_n;
     Ok(at_rest.aligned(force_error_n, error_n(&imperfections.gyro)))
 }
 
 /// What an INS senses at rest.
 struct AtRest {
-    /// Reaction to the gravity that it computes [m/s²], and the Earth's rate [rad/s], east-north-up.
+    /// Reaction to the gravity that the INS computes [m/s²]; `earth_rate_n`: the Earth's rate [rad/s]; both east-north-up.
     reaction_n: Vector3<f64>,
     earth_rate_n: Vector3<f64>,
     /// True less normal gravity, east-north-up [m/s²].
     disturbance_n: Vector3<f64>,
-    /// What perfect sensors show, along their axes.
+    /// Outputs of perfect sensors along their axes: `rate_b` [rad/s], `force_b` [m/s²].
     rate_b: Vector3<f64>,
     force_b: Vector3<f64>,
 }
@@ -121,7 +121,7 @@ impl AtRest {
         })
     }
 
-    /// What levelling and gyrocompassing find with steady errors of force [m/s²] and rate [rad/s], east-north-up.
+    /// Result of levelling and gyrocompassing with steady errors of force [m/s²] and rate [rad/s], east-north-up.
     fn aligned(&self, force_error_n: Vector3<f64>, rate_error_n: Vector3<f64>) -> Aligned {
         level_and_gyrocompass(
             &Sensed { ideal_n: self.reaction_n, error_n: force_error_n },
@@ -129,8 +129,8 @@ impl AtRest {
         )
     }
 
-    /// The misalignment that errors of 1 along each axis would leave if small ones did not matter to each other [rad]: by
-    /// central differences so small that their third order is 1e-10 of them.
+    /// Misalignment per unit of error along each axis, for errors so small that they do not interact [rad]. It is computed by
+    /// central differences, which are so small that their third-order term is 1e-10 of them.
     fn gains(&self, aligned: impl Fn(Vector3<f64>) -> Aligned, small: f64) -> Matrix3<f64> {
         Matrix3::from_columns(&[Vector3::x(), Vector3::y(), Vector3::z()].map(|unit| {
             let left = |size: f64| rotation_vector(&aligned(unit * size).rotation);
@@ -139,7 +139,7 @@ impl AtRest {
     }
 }
 
-/// What steady errors make of an alignment at rest at `state`, the block's own; `None` where there can be none.
+/// Effect of steady errors on an alignment at rest at `state`, the block's own state; `None` where an alignment is impossible.
 pub(super) fn alignment(earth: &Earth, state: &EarthFixedState, truth: &Navigation) -> Option<Alignment> {
     let at_rest = AtRest::new(earth, state, truth, &Vector3::zeros()).ok()?;
     let none = Vector3::zeros();
@@ -153,7 +153,7 @@ pub(super) fn alignment(earth: &Earth, state: &EarthFixedState, truth: &Navigati
     })
 }
 
-/// The solution that has the errors `start` against `truth`: displaced along east and north at its height, C~ = exp(-φ) C.
+/// The solution that has the errors `start` relative to `truth`: displaced along east and north at its height, C~ = exp(-φ) C.
 pub(super) fn with_errors(
     earth: &Earth,
     options: &Options,

@@ -1,11 +1,11 @@
-//! What is read of the present instant: nothing is computed that nobody reads, and nothing twice.
+//! Views of the current instant. Only views that are read are computed, and each only once.
 
 use core::cell::OnceCell;
 
 use crate::state::Navigation;
 
-/// Each view is made when it is read for the first time; the chain forgets both as it moves on. Errors, which are little more than
-/// their difference, are made at each read.
+/// Each view is computed when it is read for the first time. The chain drops both views as it moves on. Errors are computed at each
+/// read, because they are little more than the difference of the views.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Views {
     pub truth: OnceCell<Navigation>,

@@ -7,12 +7,12 @@
 //! 16   8  checksum of all the other bytes
 //! 24      words of 64 bits
 //! ```
-//! The least significant byte comes first. Sixteen bits stand before each group of eight words, two bits for each word, lowest
-//! first: 0 if the word is zero and left out, 1 if it is below 256 and follows as one byte, 2 if it follows as eight bytes. So
-//! a value that is off takes two bits. Floating-point numbers are stored as their IEEE 754 bits. After the header of a
-//! simulator's snapshot come the options, the sensors' parameters and state, the samples, and the chain, each part in the order
-//! in which its `stored!` names the fields. A snapshot of an ensemble has its options, samples, first run and number of runs,
-//! then each run as a simulator. Values that follow from others are not stored, but computed again.
+//! The least significant byte comes first. Sixteen bits precede each group of eight words, two bits for each word, lowest first: 0
+//! if the word is zero and left out, 1 if it is below 256 and follows as one byte, 2 if it follows as eight bytes. So a value that
+//! is off takes two bits. Floating-point numbers are stored as their IEEE 754 bits. After the header of a simulator's snapshot come
+//! the options, the sensors' parameters and state, the samples, and the chain, each part in the order in which its `stored!` names
+//! the fields. A snapshot of an ensemble has its options, samples, first run and number of runs, then each run as a simulator.
+//! Values that follow from others are not stored, but computed again.
 //!
 //! Everything is checked: the header, each number against a limit, and options, parameters and samples as if the host had
 //! given them. The checksum misses one of 2^64 alterations. False numbers with a correct checksum are

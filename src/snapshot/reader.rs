@@ -16,7 +16,7 @@ pub(crate) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// What `read` makes of a whole snapshot. All its errors are the snapshot's, but for memory that is missing.
+    /// Reads a whole snapshot with `read`. All errors become errors of the snapshot, except for missing memory.
     pub fn read<T>(
         snapshot: &'a [u8],
         of: SnapshotOf,
@@ -77,7 +77,7 @@ impl<'a> Reader<'a> {
         Ok(self.count(1)? == 1)
     }
 
-    /// Bytes to come.
+    /// Number of bytes to come.
     pub fn bytes_left(&self) -> usize {
         self.rest.len()
     }

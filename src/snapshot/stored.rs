@@ -73,7 +73,7 @@ macro_rules! codes {
 }
 pub(crate) use codes;
 
-/// Makes an enumeration of parts [`Stored`] of which the options choose one.
+/// Makes an enumeration of parts [`Stored`]. The options choose one of the parts.
 macro_rules! variants {
     ($type:ident { $($variant:ident),* $(,)? }) => {
         impl $crate::snapshot::Stored for $type {

@@ -1,4 +1,5 @@
-//! The triads of many runs: one has the parameters of all and what they share, rows have what each keeps.
+//! The triads of many runs. One triad has the parameters and states that all runs share; rows have the states of each
+//! run.
 
 #![expect(clippy::needless_range_loop, reason = "a lane goes through many rows")]
 
@@ -15,10 +16,10 @@ use crate::error::Error;
 use crate::memory::room;
 use crate::signal::{Increment, IncrementRows, MAX_INCREMENTS, RUNS};
 
-/// Errors that follow the input and are the same in all runs.
+/// Number of errors that depend on the input and are the same in all runs.
 const SHARED_ERRORS: usize = 4;
 
-/// What an interval brings to the triads of all runs alike.
+/// Input and errors of an interval that are the same for the triads of all runs.
 #[derive(Debug, Clone)]
 pub(crate) struct SharedInput {
     inputs: Vec<Input>,
@@ -34,7 +35,7 @@ impl SharedInput {
 }
 
 impl Triad {
-    /// Goes over what the active effects keep of this run.
+    /// Visits the states of the active effects of this run.
     fn visit(&mut self, visitor: &mut impl Visitor) {
         for step in self.plan.steps() {
             match self.plan.effect(step) {
@@ -46,7 +47,7 @@ impl Triad {
                 Effect::Ramp => self.ramp.visit(visitor),
                 Effect::RandomWalk => self.random_walk.visit(visitor),
                 Effect::Quantization => self.quantization.visit(visitor),
-                // The same in all runs, or kept beside the rows.
+                // Their states are the same in all runs, or are kept outside the rows.
                 Effect::Size
                 | Effect::Bandwidth
                 | Effect::Asymmetry
@@ -61,29 +62,29 @@ impl Triad {
         }
     }
 
-    /// Rows for what runs with these parameters keep.
+    /// Rows for the states of runs with these parameters.
     pub(crate) fn rows(&mut self) -> Result<StateRows, Error> {
         let mut count = Count::default();
         self.visit(&mut count);
         count.rows()
     }
 
-    /// Lays what this run keeps into a lane.
+    /// Copies the states of this run into a lane.
     pub(crate) fn put_into(&mut self, rows: &mut StateRows, lane: usize) {
         self.visit(&mut Into { rows, lane, next: Count::default() });
     }
 
-    /// Takes what this run keeps from a lane.
+    /// Copies the states of this run from a lane.
     pub(crate) fn take_from(&mut self, rows: &StateRows, lane: usize) {
         self.visit(&mut From { rows, lane, next: Count::default() });
     }
 
-    /// The failures are those of another run, which has the same.
+    /// Takes over the states of the failures of another run, which has the same failures.
     pub(crate) fn take_failures(&mut self, failures: &FailingTriad) {
         (*self.failing).clone_from(failures);
     }
 
-    /// What follows the signals is as in `other`, which got the same.
+    /// Takes the states that depend on the signals from `other`, which had the same signals.
     pub(crate) fn follow_as(&mut self, other: &Self) {
         self.size_effect.clone_from(&other.size_effect);
         self.bandwidth.clone_from(&other.bandwidth);
@@ -92,7 +93,8 @@ impl Triad {
         self.set_interval(*other.dt);
     }
 
-    /// An interval with the increments `ideal`, each over `dt` [s]: what it brings to all runs alike.
+    /// Computes in `shared` what is the same for all runs in an interval with the increments `ideal`, each over `dt`
+    /// [s].
     pub(crate) fn share(&mut self, ideal: &[Increment], dt: f64, shared: &mut SharedInput) {
         self.follow_length(dt);
         let SharedInput { inputs, errors, error_count } = shared;
@@ -117,8 +119,9 @@ impl Triad {
         }
     }
 
-    /// What the runs of a block give in the interval that was [shared](Self::share): their part of `outputs`. Each has
-    /// its failures, and copies of the last run none. Runs beyond the range are marked. `before` gets what `rows` were.
+    /// Computes the outputs of the runs of a block in the interval that was [shared](Self::share): the triad's part of
+    /// `outputs`. Each run has its own failures; copies of the last run have no failures. Runs beyond the range are
+    /// marked in `saturated`. `before` gets the state of `rows` before the interval.
     #[inline(always)]
     pub(crate) fn sense_block(
         &self,
@@ -178,7 +181,7 @@ impl Triad {
                     let count = failures.len();
                     each_run(outputs, first, count, |lane, output| failures[lane].replace(dt, output));
                 }
-                // Of the input.
+                // Effects on the input are already applied.
                 _ => {}
             }
         }

@@ -1,4 +1,4 @@
-//! What a triad makes of the increments of an interval, and how it takes them back.
+//! How a triad senses the increments of an interval, and how it undoes an interval.
 
 use core::slice::{from_mut, from_ref};
 
@@ -11,7 +11,7 @@ use super::{Sensor, Triad};
 use crate::signal::Increment;
 
 impl Triad {
-    /// What the triad makes of one ideal increment over `dt` [s].
+    /// The triad's output for one ideal increment over `dt` [s].
     pub fn sense(&mut self, ideal: &Increment, dt: f64) -> Vector3<f64> {
         let mut measured = *ideal;
         self.sense_each(from_ref(ideal), dt, from_mut(&mut measured));
@@ -21,8 +21,9 @@ impl Triad {
         }
     }
 
-    /// Makes of its part of `measured`, which is that of the increments `ideal`, each over `dt` [s], what the triad gives: the
-    /// active effects act one after the other, each on all increments. [`Self::undo`] takes an interval back.
+    /// Turns the triad's part of `measured` into the triad's outputs. Before the call, this part equals the same part of the
+    /// increments `ideal`, each over `dt` [s]. The active effects act one after the other, each on all increments. [`Self::undo`]
+    /// can undo the interval.
     #[inline]
     pub fn sense_each(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
         self.dt.keep();
@@ -41,7 +42,7 @@ impl Triad {
         }
     }
 
-    /// The input of the sensors from the increments, and its errors that follow it.
+    /// Computes the input of the sensors from the increments, and adds the errors that depend on this input.
     #[inline(never)]
     fn act_on_signal(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
         for step in self.plan.before_input() {
@@ -58,8 +59,8 @@ impl Triad {
         }
     }
 
-    /// Increments have the length `dt` [s]. Time stamps differ in their last digits; what that changes of a variance is far below
-    /// anything visible.
+    /// Takes the length `dt` [s] of the increments, if it differs. Time stamps differ in their last digits; the effect of this on a
+    /// variance is far too small to be visible.
     #[inline]
     pub(super) fn follow_length(&mut self, dt: f64) {
         if (dt - *self.dt).abs() > 1e-7 * dt {
@@ -79,7 +80,7 @@ impl Triad {
         }
     }
 
-    /// Error of an effect that follows the input.
+    /// Error of an effect that depends on the input.
     #[inline(always)]
     pub(super) fn error_of_input(&self, effect: Effect, input: &Input) -> Vector3<f64> {
         match effect {
@@ -92,7 +93,8 @@ impl Triad {
         }
     }
 
-    /// Lets the effect of a step act on all increments, one that few triads have: out of the way of the others.
+    /// Lets the effect of a step act on all increments. Few triads have these effects, so their code is kept apart from the code of
+    /// the others.
     #[inline(never)]
     fn act(&mut self, step: usize, dt: f64, mut outputs: Outputs<'_>) {
         let outputs = outputs.iter_mut();
@@ -117,18 +119,18 @@ impl Triad {
                 outputs.for_each(|output| self.quantization.apply(output));
             }
             Effect::Outage => outputs.for_each(|output| self.failing.replace(dt, output)),
-            // Of `act_on_signal` and `sense_each`.
+            // `act_on_signal` and `sense_each` handle the other effects.
             _ => {}
         }
     }
 
-    /// Whether an output has been beyond the range since this was asked last.
+    /// Whether an output has been beyond the range since the last call.
     #[inline]
     pub fn take_saturated(&mut self) -> bool {
         core::mem::take(&mut self.saturated)
     }
 
-    /// Takes the last interval back: what [`Self::begin_interval`] and [`Self::sense_each`] changed is as it was before.
+    /// Undoes the last interval: restores what [`Self::begin_interval`] and [`Self::sense_each`] changed.
     #[cold]
     pub fn undo(&mut self) {
         for step in self.plan.steps() {
@@ -142,7 +144,7 @@ impl Triad {
                 Effect::RandomWalk => self.random_walk.undo(),
                 Effect::AddedFailure | Effect::Outage => self.failing.undo(),
                 Effect::Quantization => self.quantization.undo(),
-                // They keep nothing from one interval to the next.
+                // These effects keep nothing from one interval to the next.
                 Effect::Linear
                 | Effect::Asymmetry
                 | Effect::Quadratic
@@ -157,7 +159,7 @@ impl Triad {
         self.set_interval(*self.dt);
     }
 
-    /// Takes the length of the increments to come [s]; 0: of none yet.
+    /// Takes the length of the increments to come [s]; 0: not known yet.
     #[cold]
     pub(super) fn set_interval(&mut self, dt: f64) {
         *self.dt = dt;

@@ -6,9 +6,9 @@ use super::super::input::Input;
 use super::{Sensor, Triad};
 
 impl Triad {
-    /// The error [u] that an alignment at this moment would see at the angular rate `rate` [rad/s], the specific force
-    /// `force` [m/s²] and the temperature `temperature_c` [°C], without which that of reference: all but the white noise and the
-    /// quantization, which an alignment averages out, and failures, which come after it.
+    /// The error [u] that an alignment at this moment would have at the angular rate `rate` [rad/s], the specific force `force`
+    /// [m/s²] and the temperature `temperature_c` [°C]; `None`: the reference temperature. It excludes white noise and
+    /// quantization, because an alignment averages them out, and failures, because they come after it.
     pub fn steady_error(
         &self,
         rate: &Vector3<f64>,
@@ -33,7 +33,7 @@ impl Triad {
             + self.ramp.value();
         let thermal = temperature_c.map(|c| self.temperature.steady_error(c, &input));
         let error = error + thermal.unwrap_or_default();
-        // Adding and taking away the signal rounds: only where the limits change something.
+        // Adding and subtracting the signal has rounding errors, so this is done only where the limits change something.
         let unlimited = ideal + error;
         let mut shown = unlimited;
         self.dead_zone.apply(1.0, &mut shown);

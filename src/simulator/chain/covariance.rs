@@ -10,7 +10,7 @@ use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 impl Chain {
-    /// Takes the propagation over, which begins at the truth `first`.
+    /// Takes over the propagation, which begins at the truth `first`.
     #[inline(never)]
     pub fn begin_covariance(
         &mut self,
@@ -38,7 +38,7 @@ impl Chain {
         }
     }
 
-    /// Time [s], covariance at `truth`, the last point, and whether that is near a pole.
+    /// Time [s], covariance at `truth`, the last point, and whether this point is near a pole.
     #[inline(never)]
     pub fn covariance(
         &mut self,

@@ -1,4 +1,4 @@
-//! What only some flights have beside the plain chain: a mounting, gravity beyond the normal field, a closed loop.
+//! Parts that only some flights have in addition to the plain chain: a mounting, gravity beyond the normal field, a closed loop.
 
 use nalgebra::Vector3;
 
@@ -12,8 +12,8 @@ use crate::simulator::closed_loop::ClosedLoop;
 use crate::truth::{Recent, TruthPoint};
 
 impl Chain {
-    /// What mounting, closed loop and gravity make of the generator's signals. The closed loop's shadow flies them without the
-    /// last, as it computes with normal gravity.
+    /// Applies mounting, closed loop and gravity to the generator's signals. The closed loop's shadow flies the signals without the
+    /// gravity disturbance, because it computes with normal gravity.
     #[inline(never)]
     pub(super) fn complete_ideal_signals(
         &mut self,
@@ -37,8 +37,9 @@ impl Chain {
         self.signals = signals;
     }
 
-    /// What mounting and closed loop make of them, which is the same in all runs: gives by how much the navigators are to be shifted
-    /// [m/s], Earth-fixed axes, as this one is. `navigator_errs`: not all sensors are ideal.
+    /// Applies mounting and closed loop to the ideal signals, which is the same for all runs. Returns by how much the navigators of
+    /// the runs must be shifted [m/s], Earth-fixed axes; this chain's navigator is already shifted. `navigator_errs`: something
+    /// makes the INS err.
     #[inline(never)]
     pub(super) fn mount_and_trim(
         &mut self,
@@ -70,7 +71,7 @@ impl Chain {
         shift_e
     }
 
-    /// Keeps the vertical channel of a navigator that is not plain, and looks at what it makes of the interval to `next`.
+    /// Aids the vertical channel of a chain that is not plain, and updates block and closed loop after the interval to `next`.
     #[inline(never)]
     pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid, sensors_were_ideal: bool) {
         let t = next.interval_s;
@@ -83,8 +84,8 @@ impl Chain {
         self.close_loop(next);
     }
 
-    /// What all runs share of the closed loop at the end of an interval, whose navigators are elsewhere; whether it is within its
-    /// limits, else it is as it was.
+    /// Updates the part of the closed loop that all runs share, at the end of an interval. The navigators of the runs are
+    /// elsewhere. Returns whether this part is within its limits; if not, it is as it was before.
     #[inline(never)]
     pub(super) fn close_shared_loop(
         &mut self,
@@ -98,7 +99,7 @@ impl Chain {
         };
         let has_shadow = closed_loop.shadow_mut().is_some();
         if !has_shadow {
-            // Nothing errs: this navigator is that of each run.
+            // Nothing makes the INS err: this navigator equals the navigator of each run.
             self.mechanization.navigate(ideal, self.options.subsamples, next.interval_s);
             let aid = vertical_aid(self.options.vertical, next, Some);
             let belief = self.block.as_ref().map(Block::belief);

@@ -1,4 +1,4 @@
-//! One interval after the other: flown, and taken back where the solution left its limits.
+//! Flies one interval after the other, and undoes an interval if the solution leaves its limits.
 
 use core::ops::Range;
 
@@ -50,7 +50,8 @@ impl Chain {
         result
     }
 
-    /// Checks that all solutions are within their limits: the sensors', the shadow's, and that of the reference point.
+    /// Checks that all solutions are within their limits: the solutions of the sensors' own point, of the shadow and of the
+    /// reference point.
     pub(super) fn check(&self) -> Result<(), Error> {
         self.mechanization.check()?;
         if let Some(closed_loop) = &self.closed_loop {
@@ -64,8 +65,8 @@ impl Chain {
         }
     }
 
-    /// Flies with the increments at the places `parts`. Whether the interval is good is known at the end of the navigation: what
-    /// changes before can be undone, and the errors come after.
+    /// Flies with the increments at the places `parts`. Only the end of the navigation shows whether the interval is good. Changes
+    /// before it can be undone, and the errors are computed after it.
     #[inline(never)]
     fn fly(
         &mut self,
@@ -150,7 +151,7 @@ impl Chain {
         Ok(())
     }
 
-    /// What the truth of an interval was.
+    /// Adds the truth of an interval to the closure, and counts the interval.
     #[inline]
     pub(super) fn conclude(&mut self, motion: &IntervalMotion<'_>, recent: &Recent<'_>) {
         let next = recent.next;
@@ -159,7 +160,7 @@ impl Chain {
         self.intervals += 1;
     }
 
-    /// The sensors take the interval back: each of them that took part.
+    /// Undoes the interval in each sensor and model that took part in it.
     #[cold]
     #[inline(never)]
     pub(super) fn undo_imperfections(

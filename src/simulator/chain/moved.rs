@@ -1,4 +1,4 @@
-//! The host's time or its truth jumps, and the INS goes on with its errors.
+//! Jumps of the host's time or of its truth, after which the INS continues with its errors.
 
 use super::Chain;
 use crate::error::{Error, ErrorKind, Rule};
@@ -13,14 +13,14 @@ use crate::simulator::views::Views;
 use crate::state::{EarthFixedState, Navigation};
 use crate::truth::TruthPoint;
 
-/// Of the sensors' own point, which is the block's where there is a mounting: before and after a jump.
+/// State of the sensors' own point before and after a jump. With a mounting, this point is the block's.
 struct Jump {
     from: (EarthFixedState, Navigation),
     to: (EarthFixedState, Navigation),
 }
 
 impl Chain {
-    /// All clocks have been moved by `shift_s` [s]; the last interval ended at `time_s` [s].
+    /// Moves all clocks by `shift_s` [s]. The last interval then ended at `time_s` [s].
     pub fn move_time(&mut self, shift_s: f64, time_s: f64) {
         self.last.move_to(time_s);
         self.accuracy.move_time(shift_s);
@@ -29,7 +29,7 @@ impl Chain {
         }
     }
 
-    /// The truth jumps from `from` to `to`; the solution keeps its errors, and so does the error model. On an error nothing has
+    /// Follows a jump of the truth from `from` to `to`. The solution and the error model keep their errors. On an error nothing has
     /// changed.
     #[inline(never)]
     pub fn move_truth(
@@ -59,7 +59,8 @@ impl Chain {
         Ok(())
     }
 
-    /// The velocity of the truth at `point`, 0 so far, is known: that of the solution is as much more.
+    /// Takes the velocity of the truth at `point`, which was 0 so far and is now known. The velocity of the solution increases by
+    /// the same amount.
     #[cold]
     #[inline(never)]
     pub fn take_first_velocity(&mut self, point: &TruthPoint, imperfections: &Imperfections) {
@@ -67,7 +68,7 @@ impl Chain {
         without.state.v_e.fill(0.0);
         let block = self.block;
         let jump = self.jump(block.as_ref(), &without, point);
-        // Only the velocity changes: where the height of the solution is, it is.
+        // Only the velocity changes: a place with the position error exists at this height, because it is the current place.
         let Ok(mechanization) = self.carried(&self.mechanization, &jump) else { return };
         let shadow = self
             .closed_loop
@@ -77,7 +78,7 @@ impl Chain {
         self.go_on(&jump, mechanization, shadow, (&without, point), imperfections);
     }
 
-    /// The jump from `from` to `to` where the sensors are, which at `to` are those of `block`.
+    /// The jump of the sensors' own point from `from` to `to`. At `to` the sensors are in `block`.
     fn jump(&self, block: Option<&Block>, from: &TruthPoint, to: &TruthPoint) -> Jump {
         let at = |block: Option<&Block>, point: &TruthPoint| match block {
             Some(block) => {
@@ -89,7 +90,7 @@ impl Chain {
         Jump { from: at(self.block.as_ref(), from), to: at(block, to) }
     }
 
-    /// `navigator` with its errors behind the jump.
+    /// `navigator` after the jump, with its errors.
     fn carried(&self, navigator: &Mechanization, jump: &Jump) -> Result<Mechanization, Error> {
         let errors = CarriedErrors::of(&self.earth, &navigator.state(), &jump.from.1);
         let Some(state) = errors.at(&self.earth, &jump.to.1) else {

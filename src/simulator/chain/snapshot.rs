@@ -14,7 +14,7 @@ use crate::simulator::{Imperfections, ImuInterval, Options};
 use crate::snapshot::{COUNT, Numbers, Reader, Stored, Writer};
 use crate::truth::TruthPoint;
 
-/// Read over a chain that was made at the current point. Of the increments the sums are kept.
+/// The values are read into a chain that was made at the current point. Only the sums of the increments are stored.
 impl Stored for Chain {
     fn save(&self, to: &mut Writer<'_>) {
         let Self {
@@ -91,7 +91,7 @@ impl Stored for Chain {
 }
 
 impl Chain {
-    /// The point that the chain of a snapshot has come to: the first of the points `behind`, newest first.
+    /// The point that the chain of a snapshot has reached: the first of the points `behind`, newest first.
     pub fn flown_to<'a>(
         behind: &[Option<&'a TruthPoint>; 3],
         from: &mut Reader<'_>,
@@ -103,7 +103,7 @@ impl Chain {
         Err(from.refused(0.0, Rule::Sentence("must be at least 1 in flight")))
     }
 
-    /// A chain at the point `current`, over which that of a snapshot can be read.
+    /// A chain at the point `current`, into which the chain of a snapshot can be read.
     pub fn to_load(
         options: &Options,
         earth: Earth,
@@ -121,7 +121,7 @@ impl Chain {
         Self::new(options, earth, current, &Start::TRUE, navigator, true, extension)
     }
 
-    /// Looks back at the points `behind`, newest first.
+    /// Gives the generator the past points `behind`, newest first.
     pub fn look_back(&mut self, behind: &[Option<&TruthPoint>; 3]) {
         self.generator.look_back(behind);
     }

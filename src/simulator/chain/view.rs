@@ -1,4 +1,4 @@
-//! What is read of a chain: made when it is read for the first time.
+//! Views of a chain, which are computed when they are read for the first time.
 
 use core::cell::OnceCell;
 
@@ -17,7 +17,7 @@ impl Chain {
         views.truth.get_or_init(|| point.navigation(earth, options.axes))
     }
 
-    /// What the INS gives out, of the reference point.
+    /// The INS's output for the reference point.
     #[inline(always)]
     pub fn navigated_view(&self) -> &Navigation {
         self.views.navigation.get_or_init(|| self.navigated())
@@ -52,15 +52,15 @@ impl Chain {
         self.navigation_errors_inlined(point)
     }
 
-    /// The same without a call, for the reads of the host.
+    /// Navigation minus truth, which is at `point`; inlined, for the reads of the host.
     #[inline(always)]
     pub fn navigation_errors_inlined(&self, point: &TruthPoint) -> NavigationErrors {
         navigation_minus_truth(&self.earth, self.navigated_view(), self.true_view(point))
     }
 }
 
-/// Makes the view of the truth where it is kept: [`Chain::true_view`] makes it elsewhere and moves it, which takes 60 instructions
-/// more.
+/// Computes the view of the truth in its final place. [`Chain::true_view`] computes it elsewhere and moves it, which takes 60
+/// instructions more.
 struct TrueView<'a> {
     chain: &'a mut Chain,
     point: &'a TruthPoint,
@@ -77,7 +77,7 @@ impl Work for TrueView<'_> {
     }
 }
 
-/// Makes the view of the solution where it is kept, in the default axes and without a mounting.
+/// Computes the view of the solution in its final place, for a mechanization in Earth-fixed axes without a mounting.
 struct NavigatedView<'a> {
     chain: &'a mut Chain,
 }

@@ -1,4 +1,4 @@
-//! What a host sets, and reads back.
+//! Parameters and failures that a host sets, and reads back.
 
 use super::Imperfections;
 use crate::covariance::Parameters;
@@ -11,15 +11,15 @@ use crate::signal::Increment;
 use crate::simulator::{ErrorParameters, Options};
 
 impl Imperfections {
-    /// The same parameters, all processes and streams back at their start, no failures.
+    /// The same parameters, with all processes and streams back at their start and without failures.
     pub fn restarted(&self, options: &Options) -> Self {
         let mut fresh = Self::new(options);
         fresh.set_as(self);
         fresh
     }
 
-    /// Becomes the imperfections of another run than `other`: what the host set of those, failures too, and all processes and streams at
-    /// their start.
+    /// Becomes the imperfections of another run than `other`, with the host's settings of `other`, failures included, and with all
+    /// processes and streams at their start.
     #[inline(never)]
     pub fn become_run(&mut self, other: &Self, options: &Options) {
         *self = Self::new(options);
@@ -31,7 +31,7 @@ impl Imperfections {
         }
     }
 
-    /// Takes what the host set of `other`, but for failures.
+    /// Takes the host's settings of `other`, except for failures.
     fn set_as(&mut self, other: &Self) {
         self.set = other.set;
         self.gravity.set(&self.set.gravity);
@@ -41,13 +41,13 @@ impl Imperfections {
         self.update_summary();
     }
 
-    /// Whether the host set the same of `other`, failures too.
+    /// Whether `other` has the same settings of the host, failures included.
     pub fn is_set_as(&self, other: &Self) -> bool {
         self.set == other.set
             && SensorOutput::ALL.into_iter().all(|output| self.failure(output) == other.failure(output))
     }
 
-    /// What the host set.
+    /// Settings of the host.
     pub fn set(&self) -> &ErrorParameters {
         &self.set
     }
@@ -76,7 +76,7 @@ impl Imperfections {
 
     pub fn set_mounting(&mut self, parameters: &MountingParameters) {
         let none = MountingParameters::default();
-        // An arm of -0 is none: a snapshot keeps no mounting then.
+        // A lever arm of -0 means no mounting, and a snapshot stores no mounting then.
         self.set.mounting = if *parameters == none { none } else { *parameters };
         self.update_summary();
     }
@@ -92,7 +92,7 @@ impl Imperfections {
         Some(&self.set.mounting).filter(|mounting| **mounting != MountingParameters::default())
     }
 
-    /// Takes a failure of an output, or clears it; `last` are the mean signals of the interval before, if there was one.
+    /// Sets or clears the failure of an output. `last` has the mean signals of the last interval, if there was one.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>, last: Option<&Increment>) {
         match output {
             SensorOutput::Gyro(axis) => {
@@ -108,14 +108,14 @@ impl Imperfections {
         self.update_summary();
     }
 
-    /// The failures of gyros and accelerometers are those of another run, which has the same.
+    /// Takes over the states of the failures of gyros and accelerometers of another run, which has the same failures.
     pub fn take_failures(&mut self, gyro: &FailingTriad, accel: &FailingTriad) {
         self.gyro.take_failures(gyro);
         self.accel.take_failures(accel);
         self.update_summary();
     }
 
-    /// What the host set of all that can be random.
+    /// The host's settings of everything that can be random.
     pub fn parameters(&self) -> Parameters<'_> {
         Parameters {
             gyro: &self.set.gyro,
@@ -125,7 +125,7 @@ impl Imperfections {
         }
     }
 
-    /// The failure that is set of an output.
+    /// The failure that is set for an output.
     pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
         match output {
             SensorOutput::Gyro(axis) => self.gyro.failure(axis),

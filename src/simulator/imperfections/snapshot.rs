@@ -7,7 +7,7 @@ use crate::sensors::Sensor;
 use crate::simulator::ErrorParameters;
 use crate::snapshot::{Reader, Stored, Writer};
 
-/// The parameters first: they are set again, and the state of what they call for is laid over that.
+/// The parameters come first: they are set again, and then the states of the effects that they call for are read.
 impl Stored for Imperfections {
     fn save(&self, to: &mut Writer<'_>) {
         let Self {

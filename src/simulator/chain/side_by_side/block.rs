@@ -14,7 +14,7 @@ use crate::signal::{Increment, IncrementRows, RUNS, increment_of, put_increment}
 use crate::simulator::chain::Chain;
 use crate::simulator::{Imperfections, ImuFlags, ImuInterval, Options};
 
-/// What is told of the last interval of a run beside its signals.
+/// What is reported of the last interval of a run, in addition to its signals.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Report {
     pub flags: ImuFlags,
@@ -22,32 +22,31 @@ pub(super) struct Report {
     pub is_unaided: bool,
 }
 
-/// Up to [`RUNS`] runs. All lanes are computed, so that each loop has the same length: those beyond the runs are copies of the last
-/// one.
+/// Up to [`RUNS`] runs. All lanes are computed, so that each loop has the same length. Lanes beyond the last run are copies of it.
 #[derive(Debug)]
 pub(super) struct Block {
     pub(super) count: usize,
     pub(super) gyro: StateRows,
     pub(super) accel: StateRows,
-    /// One. On the heap, as the models are, so that they can change places with those before an interval.
+    /// One element. Navigators and models are on the heap, so that they can be swapped with their copies from before an interval.
     pub(super) navigators: Box<[NavigatorBlock]>,
-    /// None or one.
+    /// Error models: no element or one.
     pub(super) models: Box<[ModelBlock]>,
     /// Sum of the measured increments of the last interval.
     pub(super) measured: IncrementRows,
     pub(super) reports: [Report; RUNS],
     pub(super) north_unknown: [bool; RUNS],
-    /// Of runs that have diverged.
+    /// Last good solutions of runs that have diverged.
     pub(super) diverged: [Option<LastGood>; RUNS],
     /// Failures of gyros and accelerometers.
     pub(super) failures: [Box<[FailingTriad]>; 2],
-    /// Where they damp the vertical channel; up to date where they have errors.
+    /// Altimeters, if they damp the vertical channel. They are up to date only if they have errors.
     pub(super) altimeters: Box<[Altimeter]>,
-    /// Where gravity is other than normal, all sensors of each run, in place of what is above.
+    /// If gravity is not normal: all sensors of each run, in place of the sensors above.
     pub(super) disturbed: Box<[Disturbed]>,
 }
 
-/// Room for the failures of so many runs.
+/// Room for the failures of `count` runs.
 pub(super) fn failures(
     imperfections: &Imperfections,
     count: usize,
@@ -67,7 +66,7 @@ pub(super) fn navigators(options: &Options) -> Result<Box<[NavigatorBlock]>, Err
     Ok(navigators.into_boxed_slice())
 }
 
-/// Room for the error models of a block, where they are on.
+/// Room for the error models of a block, if they are on.
 pub(super) fn models(options: &Options) -> Result<Box<[ModelBlock]>, Error> {
     let mut models = room(1)?;
     models.extend(options.error_model.then(|| ModelBlock::new(options.frame)));
@@ -112,7 +111,7 @@ impl Block {
             + (size_of_val(&*self.navigators) + size_of_val(&*self.models)) / RUNS
     }
 
-    /// Lays the sensors of a run in.
+    /// Copies the sensors of a run into the block.
     pub fn put_imperfections(&mut self, lane: usize, imperfections: &mut Imperfections) {
         for lane in self.copies_of(lane) {
             imperfections.gyro.put_into(&mut self.gyro, lane);
@@ -128,7 +127,7 @@ impl Block {
         }
     }
 
-    /// Lets an output of all runs fail, whose last interval, if there was one, had the length `interval_s` [s].
+    /// Lets an output of all runs fail. `interval_s` is the length of the last interval of the runs [s], if there was one.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>, interval_s: Option<f64>) {
         for lane in 0..self.count {
             let interval_s = match self.diverged[lane] {
@@ -159,12 +158,12 @@ impl Block {
         }
     }
 
-    /// The altimeters of all runs, which were ideal, have shown what `altimeter` has.
+    /// Updates the altimeters of all runs, which were ideal, to the heights of `altimeter`.
     pub fn follow(&mut self, altimeter: &Altimeter) {
         self.altimeters.iter_mut().for_each(|of_run| of_run.follow_as(altimeter));
     }
 
-    /// Takes what a run keeps out, over `imperfections` of the same parameters and key.
+    /// Copies the sensors of a run into `imperfections`, which have the same parameters and key.
     pub fn take_imperfections(&self, lane: usize, imperfections: &mut Imperfections) {
         if let Some(disturbed) = self.disturbed.get(lane) {
             return disturbed.take(imperfections);
@@ -177,7 +176,7 @@ impl Block {
         }
     }
 
-    /// A run starts as `chain`.
+    /// Starts a run with the state of `chain`.
     pub fn start(&mut self, lane: usize, height_m: f64, chain: &Chain) {
         if let Some(altimeter) = self.altimeters.get_mut(lane) {
             altimeter.reposition(height_m);
@@ -193,7 +192,7 @@ impl Block {
         self.diverged[lane].map(|last_good| last_good.time_s)
     }
 
-    /// All are good again.
+    /// Marks all runs as good again.
     pub fn revive(&mut self) {
         self.diverged = [None; RUNS];
     }
@@ -202,12 +201,12 @@ impl Block {
         self.navigators[0].get(lane, earth, options.scheme)
     }
 
-    /// Where it is on.
+    /// Error model of a run, if it is on.
     pub fn error_model(&self, lane: usize, earth: &Earth) -> Option<ErrorModel> {
         self.models.first().map(|models| models.get(lane, earth))
     }
 
-    /// Navigator and error model of a run are those of `chain` from now on.
+    /// Copies the navigator and the error model of `chain` into a run.
     pub fn put_solution(&mut self, lane: usize, chain: &Chain) {
         for lane in self.copies_of(lane) {
             self.navigators[0].put(lane, &chain.mechanization);
@@ -217,12 +216,12 @@ impl Block {
         }
     }
 
-    /// The lanes with the run at `lane`.
+    /// The lanes that hold the run at `lane` or a copy of it.
     fn copies_of(&self, lane: usize) -> Range<usize> {
         if lane + 1 == self.count { lane..RUNS } else { lane..lane + 1 }
     }
 
-    /// Takes a run in that has flown as `chain` so far.
+    /// Takes in a run that has flown as `chain` so far.
     pub fn put_run(&mut self, lane: usize, chain: &Chain) {
         self.put_solution(lane, chain);
         if let Some(disturbed) = self.disturbed.get_mut(lane) {
@@ -236,7 +235,7 @@ impl Block {
         }
     }
 
-    /// A run has diverged.
+    /// Marks a run as diverged.
     pub fn put_diverged(&mut self, lane: usize, last_good: LastGood) {
         self.diverged[lane] = Some(last_good);
     }
@@ -245,17 +244,17 @@ impl Block {
         self.north_unknown[lane]
     }
 
-    /// What the sensors gave in the last interval, and their flags.
+    /// Sum of the measured increments of the last interval, and the flags of the sensors.
     pub fn measured(&self, lane: usize) -> (Increment, ImuFlags) {
         (increment_of(&self.measured, lane), self.reports[lane].flags)
     }
 
-    /// Whether nothing aided the vertical channel in it.
+    /// Whether nothing aided the vertical channel in the last interval.
     pub fn is_unaided(&self, lane: usize) -> bool {
         self.reports[lane].is_unaided
     }
 
-    /// Where gravity is other than normal.
+    /// Sensors and gravity of a run, if gravity is not normal.
     pub fn disturbed(&self, lane: usize) -> Option<&Disturbed> {
         self.disturbed.get(lane)
     }

@@ -1,4 +1,4 @@
-//! Runs in gravity other than normal: each flies through another one, so that the sensors of no two runs have the same input.
+//! Runs in gravity that is not normal. Each run flies through different gravity, so that no two runs have the same sensor inputs.
 
 use nalgebra::Vector3;
 
@@ -26,7 +26,7 @@ pub(super) struct Disturbed {
 #[derive(Debug, Clone, Copy)]
 struct Flown {
     disturbance: Disturbance,
-    /// Error-free velocity over the last interval [m/s].
+    /// Error-free velocity increment over the last interval [m/s].
     velocity: Vector3<f64>,
 }
 
@@ -37,12 +37,12 @@ impl Flown {
     };
 }
 
-/// What a step needs beside it.
+/// Memory that a step needs in addition to the runs.
 #[derive(Debug)]
 pub(super) struct DisturbedWorkspace {
     pub ideal: Box<[Increment]>,
     pub measured: Box<[Increment]>,
-    /// Of each run of a block, with the gravity that an INS takes for one.
+    /// Sensor errors of each run of a block, including the gravity that an INS takes for a sensor error.
     pub errors: [SensorErrors; RUNS],
 }
 
@@ -59,7 +59,7 @@ impl DisturbedWorkspace {
 }
 
 impl Disturbed {
-    /// Room for so many runs, where gravity is other than normal.
+    /// Room for `count` runs, if gravity is not normal.
     pub fn room(imperfections: &Imperfections, count: usize) -> Result<Box<[Self]>, Error> {
         let count = if imperfections.gravity.is_on() { count } else { 0 };
         let mut memory = room(count)?;
@@ -69,7 +69,7 @@ impl Disturbed {
         Ok(memory.into_boxed_slice())
     }
 
-    /// Not inlined, for the stack.
+    /// Not inlined, to save stack.
     #[inline(never)]
     fn of(imperfections: &Imperfections) -> Self {
         Self { imperfections: imperfections.clone(), flown: Flown::NONE, before: Flown::NONE }
@@ -99,7 +99,7 @@ impl Disturbed {
         }
     }
 
-    /// What `chain` has of it.
+    /// Copies the run's gravity and error-free velocity into `chain`.
     pub fn give(&self, chain: &mut Chain) {
         chain.disturbance = Some(self.flown.disturbance);
         if let LastInterval::Loaded { imu, .. } = &mut chain.last {
@@ -107,7 +107,7 @@ impl Disturbed {
         }
     }
 
-    /// Flies an interval: what the sensors give, as measured and as flags, and the indicated height, if there is one [m].
+    /// Flies an interval. Returns the measured increments, the flags and the indicated height, if there is one [m].
     pub fn sense<'a>(
         &mut self,
         interval: &Interval<'_>,
@@ -137,7 +137,7 @@ impl Disturbed {
         (measured, flags, indicated_m)
     }
 
-    /// Takes the interval back.
+    /// Undoes the interval.
     pub fn undo(&mut self, interval: &Interval<'_>) {
         Chain::undo_imperfections(interval.options, true, &mut self.imperfections);
         self.flown = self.before;

@@ -36,7 +36,7 @@ impl Block {
         }
     }
 
-    /// The interval begins for the failures, if there are any.
+    /// Begins the interval for the failures, if there are any.
     #[inline]
     fn begin_failures(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
         for (triad, _) in interval.have_failed.iter().enumerate().filter(|(_, has_failed)| **has_failed) {
@@ -45,7 +45,7 @@ impl Block {
         }
     }
 
-    /// What the altimeters show, where each run has its own.
+    /// Reads the altimeters, if each run has its own.
     #[inline]
     fn sense_heights(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
         if let (VerticalAid::Barometer { height_m }, true) = (interval.aid, interval.has_altimeters) {
@@ -57,7 +57,7 @@ impl Block {
         }
     }
 
-    /// What the sensors and the altimeter of each run measure, where gravity is other than normal.
+    /// Reads the sensors and the altimeter of each run, if gravity is not normal.
     #[cold]
     #[inline(never)]
     fn sense_disturbed(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
@@ -78,7 +78,7 @@ impl Block {
         }
     }
 
-    /// At the run at `lane`: it is still good, or it goes back and stays there.
+    /// Checks the run at `lane`. If it is not good, it goes back to its last good solution and stays there.
     #[cold]
     #[inline(never)]
     fn look_closely(&mut self, lane: usize, interval: &Interval<'_>, workspace: &Workspace) {
@@ -129,8 +129,8 @@ struct Sensing<'a> {
 }
 
 impl Work for Sensing<'_> {
-    /// It looks normal numbers up in tables. With AVX-512 the compiler gathers them, which takes 4.7 ns for a number of a run where
-    /// single loads take 2.8 (Cascade Lake).
+    /// Normal numbers need table look-ups. With AVX-512 the compiler uses gather instructions, which take 4.7 ns for a number of a
+    /// run; single loads take 2.8 ns (Cascade Lake).
     const IN_EIGHTS: bool = false;
 
     #[inline(always)]
@@ -174,7 +174,7 @@ impl Work for Sensing<'_> {
     }
 }
 
-/// Its navigators and error models.
+/// The navigators and error models of a block in an interval.
 struct Navigating<'a> {
     block: &'a mut Block,
     interval: &'a Interval<'a>,

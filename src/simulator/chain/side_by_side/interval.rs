@@ -1,4 +1,4 @@
-//! What an interval brings to all blocks of runs.
+//! Data of an interval that all blocks of runs share.
 
 use nalgebra::Vector3;
 
@@ -11,7 +11,7 @@ use crate::signal::{Increment, IntervalMotion};
 use crate::simulator::{Imperfections, Options};
 use crate::truth::Recent;
 
-/// What an interval brings to all blocks.
+/// Data of an interval that all blocks share.
 pub(super) struct Interval<'a> {
     pub earth: &'a Earth,
     pub options: &'a Options,
@@ -19,24 +19,24 @@ pub(super) struct Interval<'a> {
     pub shared: &'a [SharedInput; 2],
     /// Whether a gyro and whether an accelerometer has failed.
     pub have_failed: [bool; 2],
-    /// At its start.
+    /// Solution at the start of the interval.
     pub last_good: LastGood,
-    /// Length [s], and that of its increments.
+    /// Length of the interval [s]; `dt` is the length of its increments [s].
     pub t: f64,
     pub dt: f64,
     /// Number of increments.
     pub count: usize,
-    /// Of altimeters with errors the true height.
+    /// Aid of the vertical channel. If the altimeters have errors, it holds the true height.
     pub aid: VerticalAid,
     /// Whether each run has an altimeter of its own.
     pub has_altimeters: bool,
-    /// Where the error model is on.
+    /// Interval of the error models, if they are on.
     pub model: Option<ModelInterval<'a>>,
     pub recent: &'a Recent<'a>,
     pub motion: &'a IntervalMotion<'a>,
-    /// Error-free increments, but for gravity beyond the normal field.
+    /// Error-free increments, without gravity beyond the normal field.
     pub ideal: &'a [Increment],
-    /// Where there is a mounting, and by how much it shifts the navigators [m/s], Earth-fixed axes.
+    /// The mounting, if there is one; `shift_e` is by how much it shifts the navigators [m/s], Earth-fixed axes.
     pub mounting: Option<&'a mounting::Block>,
     pub shift_e: Option<Vector3<f64>>,
     /// Whether what all runs share is within its limits.
@@ -44,7 +44,7 @@ pub(super) struct Interval<'a> {
 }
 
 impl Interval<'_> {
-    /// The mounting of a run, as its sensors see it that gave `measured` in the whole interval.
+    /// The mounting of a run whose sensors gave `measured` in the whole interval.
     pub fn mounting_of(&self, measured: &Increment) -> Option<mounting::Block> {
         self.mounting.map(|block| {
             let mut block = *block;
@@ -59,6 +59,6 @@ impl Interval<'_> {
 pub(super) struct LastGood {
     /// Time [s].
     pub time_s: f64,
-    /// Length of the interval that led to it [s]; 0: it is the start.
+    /// Length of the interval that led to this solution [s]; 0: the solution is the start.
     pub interval_s: f64,
 }

@@ -1,4 +1,4 @@
-//! The runs of an ensemble side by side: what they share is made once an interval, what differs goes in blocks of
+//! The runs of an ensemble side by side. What the runs share is computed once an interval. What differs is computed in blocks of
 //! [`RUNS`](crate::signal::RUNS).
 
 mod block;
@@ -37,22 +37,22 @@ pub(crate) struct SideBySide {
     options: Options,
     earth: Earth,
     first_run: u64,
-    /// What the host set, and what follows the signals.
+    /// Settings of the host, and states that depend only on the signals.
     imperfections: Box<[Imperfections]>,
     /// Whether one altimeter without errors serves all runs.
     heights_are_shared: bool,
-    /// Scratch: the sensors of one run, put together when they are read.
+    /// Scratch: the sensors of one run, which are assembled when they are read.
     of_one: RefCell<Box<[Imperfections]>>,
     signals: Signals,
     shared: [SharedInput; 2],
-    /// One; in flight the chain without the navigators. On the heap, as it is much of a stack.
+    /// One element: in flight the chain without the navigators. It is on the heap, because it is large for a stack.
     chain: Box<[Option<Chain>]>,
     blocks: Vec<Block>,
     workspace: Box<[Workspace]>,
 }
 
 impl SideBySide {
-    /// Flies the interval that `recent` ends. An error is one of the truth, and then nothing has changed.
+    /// Flies the interval that `recent` ends. An error concerns the truth; then nothing has changed.
     pub fn step(&mut self, recent: &Recent<'_>) -> Result<(), Error> {
         self.options.check_truth(recent.next)?;
         if self.chain[0].is_none() {
@@ -144,7 +144,7 @@ impl SideBySide {
         self.blocks[place / RUNS].diverged_s(place % RUNS)
     }
 
-    /// Refuses a sample without the temperature that a sensor effect needs.
+    /// Rejects a sample without the temperature that a sensor effect needs.
     pub fn check_temperature(&self, sample: &FlightSample) -> Result<(), Error> {
         self.imperfections[0].check_temperature(sample.temperature_c)
     }
@@ -168,17 +168,17 @@ impl SideBySide {
         self.imperfections[0].failure(output)
     }
 
-    /// How many runs.
+    /// Number of runs.
     pub fn runs(&self) -> usize {
         self.blocks.iter().map(Block::count).sum()
     }
 
-    /// Bytes that a run takes.
+    /// Memory of a run [bytes].
     pub fn bytes_of_run(&self) -> usize {
         self.blocks.first().map_or(0, Block::bytes_of_run)
     }
 
-    /// The navigated solution of a run; `intake` is that of the truth.
+    /// The navigated solution of a run; `intake` has the samples of the truth.
     pub fn navigation(&self, place: usize, intake: &Intake) -> Result<Option<Solution>, Error> {
         self.read(place, intake, |moment| moment.navigation())
     }
@@ -244,7 +244,7 @@ impl SideBySide {
         self.chain[0].as_ref().map(|chain| Moment { chain, point: truth }.truth())
     }
 
-    /// The velocity of the truth at `point`, 0 so far, is known.
+    /// Takes the velocity of the truth at `point`, which was 0 so far and is now known.
     #[cold]
     #[inline(never)]
     pub fn take_first_velocity(&mut self, point: &TruthPoint) {
@@ -264,7 +264,7 @@ impl SideBySide {
         }
     }
 
-    /// The truth jumps: before the first step.
+    /// Follows a jump of the truth: the runs are before their first step again.
     pub fn reposition(&mut self) {
         self.chain[0] = None;
         self.blocks.iter_mut().for_each(Block::revive);

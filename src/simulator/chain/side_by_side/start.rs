@@ -1,4 +1,4 @@
-//! The runs of an ensemble at their start, and from and to the simulators that they are.
+//! The start of the runs of an ensemble, and the conversion of runs from and to simulators.
 
 use core::cell::RefCell;
 
@@ -55,7 +55,7 @@ impl SideBySide {
         Ok(runs)
     }
 
-    /// All processes and streams are back at their start.
+    /// Sets all processes and streams back to their start.
     fn restart_sensors(&mut self) {
         for place in 0..self.runs() {
             let options = self.options_of(place);
@@ -79,7 +79,7 @@ impl SideBySide {
         options
     }
 
-    /// What `act` makes of the sensors of a run by itself.
+    /// Calls `act` with the sensors of one run.
     fn with_imperfections_of<T>(&self, place: usize, act: impl FnOnce(&Imperfections) -> T) -> T {
         let imperfections = &mut self.of_one.borrow_mut()[0];
         imperfections.become_run(&self.imperfections[0], &self.options_of(place));
@@ -103,7 +103,7 @@ impl SideBySide {
         })
     }
 
-    /// All runs start at the interval `first`. An error is one of the truth, and then nothing has changed.
+    /// Starts all runs at the interval `first`. An error concerns the truth; then nothing has changed.
     #[cold]
     #[inline(never)]
     pub(super) fn start(&mut self, first: &Recent<'_>) -> Result<(), Error> {
@@ -124,19 +124,19 @@ impl SideBySide {
                 block.put_diverged(place % RUNS, LastGood { time_s: first.current.time_s, interval_s: 0.0 });
             }
         }
-        // If no run could start, the truth goes on alone.
+        // If no run could start, the truth continues alone.
         self.chain[0] = Some(shared.unwrap_or_else(|| self.chain_of_truth(first.current)));
         self.imperfections[0].reposition(height_m);
         Ok(())
     }
 
-    /// A chain with the solution of the truth: that of a run that cannot start. Not inlined, for the stack.
+    /// A chain with the solution of the truth, for a run that cannot start. Not inlined, to save stack.
     #[inline(never)]
     fn chain_of_truth(&self, first: &TruthPoint) -> Chain {
         Chain::to_load(&self.options, self.earth, first, &self.imperfections[0])
     }
 
-    /// Writes a run as the simulator that it is, with the samples of `intake`.
+    /// Writes a run as a simulator, with the samples of `intake`.
     pub fn save_run(&self, place: usize, intake: &Intake, to: &mut Writer<'_>) {
         let chain = self.chain_of(place);
         self.with_imperfections_of(place, |imperfections| {
@@ -144,12 +144,12 @@ impl SideBySide {
         });
     }
 
-    /// Whether a simulator has the sensors of these runs, so that its state is one of theirs.
+    /// Whether a simulator has the sensor settings of these runs, so that its state can be the state of a run.
     pub fn has_sensors_of(&self, simulator: &Simulator) -> bool {
         self.imperfections[0].is_set_as(&simulator.imperfections)
     }
 
-    /// Takes a run in that `simulator` has been so far.
+    /// Takes in the state of `simulator` as a run.
     pub fn put_simulator(&mut self, place: usize, simulator: &mut Simulator, has_diverged: bool) {
         let (block, lane) = (&mut self.blocks[place / RUNS], place % RUNS);
         block.put_imperfections(lane, &mut simulator.imperfections);
@@ -168,7 +168,7 @@ impl SideBySide {
             };
             block.put_diverged(lane, LastGood { time_s, interval_s });
         }
-        // Also from a run that has diverged: its snapshot holds what all runs share.
+        // A run that has diverged is used too, because its snapshot holds what all runs share.
         self.imperfections[0].follow_as(&simulator.imperfections);
     }
 }

@@ -10,10 +10,11 @@ use crate::sensors::{FailingTriad, StateRows};
 use crate::signal::{IncrementRows, MAX_INCREMENTS, RUNS, Row};
 use crate::simulator::{Imperfections, Options};
 
-/// What a step needs beside a block, and the block as it was before.
+/// Memory that a step needs in addition to a block, and the state of the block before the step.
 #[derive(Debug)]
 pub(super) struct Workspace {
-    /// Of the longest interval. By itself, or the compiler fears that it lies over the rest.
+    /// Measured increments, with room for the longest interval. They have their own allocation: otherwise the compiler
+    /// cannot assume that they do not overlap the other fields.
     pub measured: Box<[IncrementRows]>,
     pub scratch: Scratch,
     pub heights_m: Row,
@@ -31,7 +32,7 @@ pub(super) struct Workspace {
 }
 
 impl Workspace {
-    /// For blocks of `imperfections`. On the heap, as it is much of a stack.
+    /// For blocks of `imperfections`. On the heap, because it is large for a stack.
     pub fn new(options: &Options, imperfections: &mut Imperfections) -> Result<Box<[Self]>, Error> {
         let (gyro, accel) = (imperfections.gyro.rows()?, imperfections.accel.rows()?);
         let (mut memory, mut measured) = (room(1)?, room(MAX_INCREMENTS)?);
@@ -55,7 +56,7 @@ impl Workspace {
         Ok(memory.into_boxed_slice())
     }
 
-    /// An altimeter shows `indicated_m` at the true height `height_m` [m], or nothing.
+    /// Takes the indication `indicated_m` [m] of an altimeter at the true height `height_m` [m]; `None`: no signal.
     pub fn put_height(&mut self, lane: usize, height_m: f64, indicated_m: Option<f64>) {
         self.heights_m[lane] = indicated_m.unwrap_or(height_m);
         self.is_unaided[lane] = indicated_m.is_none();
