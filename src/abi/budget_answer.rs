@@ -11,7 +11,7 @@ use crate::recommend::SolutionError;
 /// Flags of a sins_budget_row.
 pub type sins_budget_flags = u32;
 
-/// The row's figures are standard deviations (1 sigma), exact to first order.
+/// The figures of the row are standard deviations (1 sigma), from linear error equations.
 pub const SINS_BUDGET_RANDOM: sins_budget_flags = 1;
 /// The effect can be left out, together with all others that have this flag.
 pub const SINS_BUDGET_CAN_BE_LEFT_OUT: sins_budget_flags = 2;

@@ -23,9 +23,9 @@ pub struct sins_fault {
     pub column: u64,
     /// The value at fault, in the unit of the key that path names.
     pub value: f64,
-    /// Least allowed value, in that unit; if the sentence says "more than", this value itself is rejected too.
+    /// Least allowed value, in that unit; if the sentence says "more than", the limit itself is not allowed.
     pub minimum: f64,
-    /// Greatest allowed value, in that unit; if the sentence says "less than", this value itself is rejected too.
+    /// Greatest allowed value, in that unit; if the sentence says "less than", the limit itself is not allowed.
     pub maximum: f64,
     /// Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
     /// terminated. Empty for a flight log, and if the text itself is at fault.

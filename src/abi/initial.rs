@@ -15,11 +15,11 @@ pub type sins_alignment = i32;
 
 /// The INS starts with the true attitude, turned by the given and the drawn misalignment.
 pub const SINS_ALIGNMENT_GIVEN: sins_alignment = 0;
-/// The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
-/// turned by the given and the drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense
-/// no horizontal force. Gyrocompassing then finds the heading at which the levelled rate of the gyros points north.
-/// SINS_NAVIGATION_NORTH_UNKNOWN is set if the sensor errors hide north. Within 64 km of a pole the start returns
-/// SINS_ERROR_SINGULAR.
+/// The library computes the attitude that levelling and gyrocompassing at rest would find with the sensor errors at the
+/// start. It does so even if the flight starts in motion. The INS starts with this attitude, turned by the given and the
+/// drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense no horizontal force.
+/// Gyrocompassing then finds the heading at which the horizontal gyro rates point north. SINS_NAVIGATION_NORTH_UNKNOWN is set
+/// if the sensor errors hide north. Within 64 km of a pole the start returns SINS_ERROR_SINGULAR.
 pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: sins_alignment = 1;
 
 /// Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations

@@ -44,10 +44,11 @@ pub struct sins_error_info {
     pub sample: i64,
     /// With SINS_ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the nearest double.
     pub value: f64,
-    /// With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence says "more than", this value itself is rejected too.
+    /// With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence of sins_last_error() says "more than", the limit itself
+    /// is not allowed.
     pub minimum: f64,
-    /// With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence says "less than", this value itself is rejected
-    /// too.
+    /// With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence of sins_last_error() says "less than", the limit
+    /// itself is not allowed.
     pub maximum: f64,
 }
 

@@ -17,8 +17,8 @@ pub type sins_sample_flags = u32;
 pub const SINS_SAMPLE_ANGULAR_RATE: sins_sample_flags = 1;
 /// The sample carries specific_force_m_s2.
 pub const SINS_SAMPLE_SPECIFIC_FORCE: sins_sample_flags = 2;
-/// The sample has no velocity. The library derives it from positions, with a noise of 2 to 4 position errors divided by the
-/// interval.
+/// The sample has no velocity. The library derives it from positions. The noise of this velocity is 2 to 4 times the position
+/// noise of a sample, divided by the interval.
 pub const SINS_SAMPLE_NO_VELOCITY: sins_sample_flags = 4;
 /// The sample carries temperature_c.
 pub const SINS_SAMPLE_TEMPERATURE: sins_sample_flags = 8;
@@ -51,9 +51,9 @@ pub struct sins_flight_sample {
     /// Roll, right wing down positive, any number of turns up to 10000 rad [rad].
     pub roll_rad: f64,
     /// Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude
-    /// must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from the turn that the
-    /// angular rates predict, or, without rates, that the previous interval predicts. Additional whole turns between two
-    /// samples cannot be detected.
+    /// must turn by less than 170 degrees. The library predicts this turn from the angular rates of the samples, or, without
+    /// rates, from the previous interval. The turn must differ from the prediction by less than 180 degrees. Additional whole
+    /// turns between two samples cannot be detected.
     pub pitch_rad: f64,
     /// Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
     pub heading_rad: f64,

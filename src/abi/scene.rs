@@ -251,9 +251,9 @@ pub unsafe extern "C" fn sins_scene_write_keys(
     })
 }
 
-/// Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
-/// sins_scene_prepare() sets the failures at their times. If the flight is not a log, sins_options.sample_period_s of the
-/// simulator is 1 / rate_hz.
+/// Creates the simulator of the scene, ready for the first sample: options, sensor errors, initial errors, mounting, gravity
+/// disturbance. sins_scene_prepare() sets the failures at their times. If the flight is not a log,
+/// sins_options.sample_period_s of the simulator is 1 / rate_hz.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
 /// SINS_ERROR_BAD_STATE: as sins_scene_parse().

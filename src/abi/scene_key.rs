@@ -29,7 +29,8 @@ pub type sins_scene_key_flags = u32;
 
 /// The key belongs to the items of a list: its section stands in double brackets.
 pub const SINS_SCENE_KEY_IN_LIST: sins_scene_key_flags = 1;
-/// minimum and maximum are the limits of each number. Without this flag there are none, or they depend on other values.
+/// The fields minimum and maximum are the limits of each number. Without this flag there are no limits, or the limits depend
+/// on other values.
 pub const SINS_SCENE_KEY_LIMITS: sins_scene_key_flags = 2;
 /// 0 is allowed in addition to the values within the limits. It switches the quantity off.
 pub const SINS_SCENE_KEY_ZERO_IS_OFF: sins_scene_key_flags = 4;

@@ -14,7 +14,7 @@ pub type sins_sensor = i32;
 pub const SINS_SENSOR_GYRO: sins_sensor = 0;
 /// The accelerometers.
 pub const SINS_SENSOR_ACCEL: sins_sensor = 1;
-/// The altimeter; its axis is 0.
+/// The altimeter. Give 0 for the argument axis.
 pub const SINS_SENSOR_ALTIMETER: sins_sensor = 2;
 
 /// Kinds of failure.
@@ -29,15 +29,18 @@ pub const SINS_FAILURE_STUCK: sins_failure_kind = 1;
 /// altimeter nothing stabilizes the vertical channel of SINS_VERTICAL_DAMPED; this is flagged
 /// SINS_NAVIGATION_VERTICAL_UNAIDED.
 pub const SINS_FAILURE_DEAD: sins_failure_kind = 2;
-/// An additional bias, of the field size. Not flagged.
+/// An additional bias; its value is in the field `size`. Not flagged.
 pub const SINS_FAILURE_BIAS_STEP: sins_failure_kind = 3;
-/// Rectangular pulses of height size and length duration_s, one every interval_s, the first immediately. A sample of the
-/// altimeter shows their mean over its interval. Flagged only where they saturate the output.
+/// Rectangular pulses. The field `size` is their height, duration_s their length. A pulse starts every interval_s; the first
+/// starts immediately. A sample of the altimeter shows the mean of the pulses over the sample interval. A gyro or an
+/// accelerometer is flagged only if a pulse saturates it.
 pub const SINS_FAILURE_SPIKES: sins_failure_kind = 4;
-/// Additional white noise of the field density; for the altimeter, its mean over the interval. Not flagged.
+/// Additional white noise; its density is in the field `density`. A sample of the altimeter shows the mean of the noise over
+/// the sample interval. Not flagged.
 pub const SINS_FAILURE_NOISE: sins_failure_kind = 5;
 /// Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
-/// independently with the field probability, or one interval is lost every interval_s, the first immediately.
+/// independently with the probability in the field `probability`, or one interval is lost every interval_s, the first
+/// immediately.
 pub const SINS_FAILURE_DROP_OUTS: sins_failure_kind = 6;
 
 /// What a sins_failure and a sins_planned_failure say of a failure.
