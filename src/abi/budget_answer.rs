@@ -66,9 +66,8 @@ pub struct sins_budget {
     pub runs: u64,
     /// Number of flights that the call made.
     pub flights: u64,
-    /// Uncertainty of the random errors with all effects together, because the number of runs is finite. It is the lower end of
-    /// the 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if nothing is
-    /// random.
+    /// Lower end of the 95 % confidence interval of the root mean square of the random errors, divided by the root mean
+    /// square over the flown runs. The fewer the runs, the wider the interval. 1 if nothing is random.
     pub sigma_low: f64,
     /// Upper end of that interval, divided likewise; 1 if nothing is random.
     pub sigma_high: f64,

@@ -40,7 +40,8 @@ pub struct sins_record_errors {
     pub longitude_rad: f64,
     /// Error of height [m].
     pub height_m: f64,
-    /// Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
+    /// Velocity error [m/s]: components of the computed velocity in the east-north-up axes at the computed position, less
+    /// components of the true velocity in the axes at the true position.
     pub velocity_enu_m_s: [f64; 3],
     /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
     /// east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.

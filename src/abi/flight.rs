@@ -31,9 +31,9 @@ pub struct sins_flight_start {
     pub latitude_rad: f64,
     /// Longitude, east positive, -100 to 100 [rad].
     pub longitude_rad: f64,
-    /// Height above the ellipsoid, -20 km to 2000 km [m].
+    /// Height above the ellipsoid, -2e4 to 2e6 [m].
     pub height_m: f64,
-    /// Speed against the Earth, 0 to 10 km/s [m/s].
+    /// Speed against the Earth, 0 to 1e4 [m/s].
     pub speed_m_s: f64,
     /// Course and heading, -100 to 100 [rad].
     pub heading_rad: f64,

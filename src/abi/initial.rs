@@ -23,8 +23,9 @@ pub const SINS_ALIGNMENT_GIVEN: sins_alignment = 0;
 pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: sins_alignment = 1;
 
 /// Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
-/// (sigma) are drawn once a run and added. Where the vertical channel follows the truth, its errors start at 0. Positions up
-/// to 1e6 m, velocities up to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
+/// (sigma) are drawn once a run and added. A reset and a reposition use the same random numbers again. With
+/// SINS_VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0. Limits: position errors 1e6 m, velocity
+/// errors 1e4 m/s, their standard deviations 1e5 m and 1e3 m/s.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_initial_errors {
@@ -36,15 +37,15 @@ pub struct sins_initial_errors {
     pub position_enu_m: [f64; 3],
     /// Velocity error [m/s].
     pub velocity_enu_m_s: [f64; 3],
-    /// Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C. C turns vectors from sensor
-    /// axes to east-north-up. The C on the right is the true one, or, with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, the one that
-    /// the alignment finds.
+    /// Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C0. C turns vectors from sensor
+    /// axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, C0 is the C that the alignment
+    /// finds.
     pub misalignment_enu_rad: [f64; 3],
-    /// Standard deviation of position [m].
+    /// Standard deviation of the position error [m].
     pub position_sigma_enu_m: [f64; 3],
-    /// Standard deviation of velocity [m/s].
+    /// Standard deviation of the velocity error [m/s].
     pub velocity_sigma_enu_m_s: [f64; 3],
-    /// Standard deviation of misalignment, 0 to 1 [rad].
+    /// Standard deviation of the misalignment, 0 to 1 [rad].
     pub misalignment_sigma_enu_rad: [f64; 3],
     /// Alignment at the start, of enum sins_alignment.
     pub alignment: i32,

@@ -71,7 +71,8 @@ pub struct sins_manoeuvre {
     pub height_change_m: f64,
     /// Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad].
     pub heading_change_rad: f64,
-    /// Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank.
+    /// Bank of a turn, 1e-3 to 1.5 [rad]. If the heading change is too small to reach this bank, the turn uses a smaller
+    /// bank.
     pub bank_rad: f64,
     /// Number of rolls or loops, a whole number from -1e4 to 1e4, not 0; or number of swings of an S-turn, 0 to 1e6.
     pub turns: f64,

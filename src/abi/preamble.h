@@ -6,8 +6,9 @@
  * that navigation:
  *
  *   sins_sim *sim = NULL;
- *   sins_create(NULL, &sim);                       recommended options; the error model is off sins_set_gyro(sim, &gyro);
- *   errors of the gyros; without this call they are ideal while (...) {
+ *   sins_create(NULL, &sim);                       recommended options; the error model is off
+ *   sins_set_gyro(sim, &gyro);                     errors of the gyros; without this call they are ideal
+ *   while (...) {
  *       sins_push_sample(sim, &sample);            one sample of the flight simulator
  *       if (sins_step(sim) == SINS_OK)             one interval; after the first sample: SINS_NEED_SAMPLE
  *           sins_get_navigation(sim, &navigation);
@@ -72,8 +73,8 @@
  *   as it found them.
  * Host time. The time in a run comes from the time stamps of its samples, or from sample_period_s if it is stated. The library
  *   reads a clock only in three places: sins_recommend() and sins_error_budget() measure computing times, and the first create
- *   draws handle numbers from the clock. Pause: simply make no calls while paused. A push of the same sample again returns
- *   SINS_ERROR_TIME_ORDER and changes
+ *   draws handle numbers from the clock.
+ *   Pause: simply make no calls while paused. A push of the same sample again returns SINS_ERROR_TIME_ORDER and changes
  *     nothing. If the host's clock stopped during the pause, there is nothing to do. If the clock ran on, call sins_move_time()
  *     before the next push. Give it the time that the clock shows at the end of the pause. The newest accepted sample gets this
  *     time stamp, and the next sample must be later. The flight then continues as if there had been no pause. Without that
@@ -111,8 +112,8 @@
  *
  *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() gives each fault and its place
  *     sins_scene_create_simulator(scene, &sim);      options, sensor errors, initial errors, mounting, gravity disturbance
- *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names while (...)
- *     {
+ *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
+ *     while (...) {
  *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
  *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures; 0.0: time stamp of the first sample
  *         sins_push_sample(sim, &sample);
@@ -157,7 +158,7 @@ typedef unsigned __int64 uint64_t;
 #define SINS_API
 #endif
 
-/* Sets a struct to zero, and struct_size to its size: everything is off, or as recommended. */
+/* Sets a struct to zero, and struct_size to its size: all effects are off, all options have their defaults. */
 #define SINS_INIT(object) (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = sizeof(object)))
 
 /* Units: multiply by them to convert to SI, divide to convert back. */
@@ -168,7 +169,7 @@ typedef unsigned __int64 uint64_t;
 #define SINS_DEG_PER_SQRT_HOUR (SINS_DEG / 60.0)   /* degree per root hour, angle random walk [rad/sqrt(s)] */
 #define SINS_STANDARD_GRAVITY 9.80665              /* g [m/s2] */
 #define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1.0e-6)             /* millionth of g [m/s2] */
-#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1.0e-6) /* white noise of force [(m/s)/sqrt(s)] */
+#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1.0e-6) /* micro-g per root hertz, velocity random walk [(m/s)/sqrt(s)] */
 #define SINS_PPM 1.0e-6                            /* part per million */
 #define SINS_KNOT (1852.0 / 3600.0)                /* knot [m/s] */
 #define SINS_NMI 1852.0                            /* nautical mile [m] */
@@ -179,16 +180,16 @@ extern "C" {
 #endif
 
 /*
- * A simulator. This type and the next four are handles: keys that every call checks, never addresses. A call with a handle that
- * is null, made up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE, unless the function says what null means. No
- * key is ever used again.
+ * A simulator. This type and the next four are handles. A handle is a key, not an address, and every call checks it. A call
+ * with a handle that is null, made up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE, unless the function says
+ * what null means. No key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 /* An embedded flight: the library computes its samples from manoeuvres. */
 typedef struct sins_flight sins_flight;
 /* An ensemble: many runs of one simulator over the same samples. */
 typedef struct sins_ensemble sins_ensemble;
-/* A scene: a flight, the settings of the simulator, and the planned failures of its sensors. */
+/* A scene: a flight, the settings of the simulator, and the planned failures of the sensors. */
 typedef struct sins_scene sins_scene;
 /* A flight log: a table of samples. */
 typedef struct sins_log sins_log;

@@ -24,14 +24,15 @@ pub struct sins_requirement {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Duration for which the limits hold, up to 1e6 [s]; 0, or less than the length of the piece of flight that is given to
-    /// sins_recommend(): that length.
+    /// Duration for which the limits hold, 0 to 1e6 [s]. If it is shorter than the piece of flight that is given to
+    /// sins_recommend(), it is the length of that piece.
     pub duration_s: f64,
-    /// Limit of the distance from the exact solution on the same signals [m]; 0: none.
+    /// Limit of the position error of the algorithm: distance from the reference (see sins_recommend()) [m]; 0: none.
     pub position_m: f64,
-    /// Limit of the length of the velocity difference from that solution [m/s]; 0: none.
+    /// Limit of the velocity error of the algorithm: length of the difference from the reference [m/s]; 0: none.
     pub velocity_m_s: f64,
-    /// Limit of the angle between the two attitudes, against the Earth [rad]; 0: none.
+    /// Limit of the attitude error of the algorithm: angle between its attitude relative to the Earth and that of the
+    /// reference [rad]; 0: none.
     pub attitude_rad: f64,
     /// Margin: each limit must be at least this many times the predicted error, 1 to 1e6; 0: 2.
     pub margin: f64,
@@ -67,7 +68,7 @@ pub struct sins_cost {
     /// Processor instructions of the part of a step that depends on the algorithm: a figure that is the same on every
     /// machine. The algorithms are ordered by this figure.
     pub instructions_per_step: f64,
-    /// Time of push and step of one sample, measured in this call on this machine, with the options that were written, the
+    /// Time of push and step of one sample, measured in this call on this machine, with the recommended options, the
     /// mounting, and ideal sensors [ns].
     pub ns_per_step: f64,
     /// Number of algorithms that were tried, including the recommended one.

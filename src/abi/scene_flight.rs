@@ -27,7 +27,7 @@ pub struct sins_scene_setup {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Kind of the flight, of enum sins_scene_flight; read only: ignored when it is set.
+    /// Kind of the flight, of enum sins_scene_flight; read only: sins_scene_set_setup() ignores it.
     pub flight: i32,
     /// 1: samples get the temperature below; 0: samples get no temperature.
     pub has_temperature: i32,

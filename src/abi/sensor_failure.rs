@@ -56,11 +56,12 @@ pub struct sins_failure_fields {
     /// Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
     /// [u sqrt(s)].
     pub density: f64,
-    /// Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
+    /// Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]; 0 for drop-outs with a
+    /// probability.
     pub interval_s: f64,
     /// Spikes: length of one spike, 1e-9 s to interval_s [s].
     pub duration_s: f64,
-    /// Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
+    /// Drop-outs, if interval_s is 0: probability that an interval is lost, 0 to 1.
     pub probability: f64,
 }
 

@@ -12,7 +12,8 @@ pub use crate::statistics::Statistics as sins_statistics;
 
 interface_struct!(sins_statistics, "statistics", 14920);
 
-/// Figures that are computed from a sins_statistics. Without a run all are 0, and the covariance of one run is 0.
+/// Figures that are computed from a sins_statistics. If there is no run, all figures are 0. If there is one run, its
+/// covariance is 0.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_figures {
