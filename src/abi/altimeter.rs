@@ -68,7 +68,8 @@ pub unsafe extern "C" fn sins_set_altimeter(
     unsafe { set(sim, params, "params", Simulator::set_altimeter) }
 }
 
-/// Reads the errors of the altimeter, as they were set last: at any moment, also after sins_snapshot_load().
+/// Reads the errors of the altimeter that are set. May be called at any moment. After sins_snapshot_load() they are those of
+/// the snapshot.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_altimeter(
     sim: *mut sins_sim,

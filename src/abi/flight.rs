@@ -85,12 +85,12 @@ impl sins_flight_start {
 }
 
 /// Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
-/// smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the distance
-/// between the manoeuvres.
+/// smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the size
+/// in bytes of each element of manoeuvres.
 ///
-/// Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece is up to
-/// 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch and
-/// heading need no pieces.
+/// Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece of
+/// straight flight lasts up to 600 s. With a fast sinusoid of course, climb or speed, a piece is about one period. Sinusoids
+/// of roll, pitch and heading need no pieces.
 ///
 /// On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
 ///

@@ -47,9 +47,10 @@ pub struct sins_gravity_params {
 
 interface_struct!(sins_gravity_params, "gravity", 80);
 
-/// Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
-/// reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
-/// disturbance does not affect a navigator on increments, because the host's increments already contain its effect.
+/// Sets the gravity disturbance, true gravity less normal gravity. Allowed before the first step, and after a reset or a
+/// reposition until the next step. A reset brings the same field back; after a reposition the field continues from its
+/// current values. The disturbance does not affect a navigator on increments, because the host's increments already contain
+/// its effect.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: steps have been made.
@@ -101,7 +102,8 @@ impl Parameters for sins_gravity_params {
     }
 }
 
-/// Reads the parameters of the gravity disturbance, as they were set last: at any moment, also after sins_snapshot_load().
+/// Reads the parameters of the gravity disturbance that are set. May be called at any moment. After sins_snapshot_load() they
+/// are those of the snapshot.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_gravity_disturbance(
     sim: *mut sins_sim,

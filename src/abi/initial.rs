@@ -94,7 +94,8 @@ impl Parameters for sins_initial_errors {
     }
 }
 
-/// Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
+/// Sets the errors with which the navigation starts. Allowed before the first step, and after a reset or a reposition until
+/// the next step. After a reposition they apply to the start at its sample.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: steps have been made.
@@ -107,8 +108,8 @@ pub unsafe extern "C" fn sins_set_initial_errors(
     unsafe { set(sim, errors, "errors", Simulator::set_initial_errors) }
 }
 
-/// Reads the errors with which the navigation starts, as they were set last: at any moment, also after
-/// sins_snapshot_load().
+/// Reads the set errors with which the navigation starts. May be called at any moment. After sins_snapshot_load() they are
+/// those of the snapshot.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_initial_errors(
     sim: *mut sins_sim,

@@ -49,8 +49,9 @@ pub struct sins_mounting {
 
 interface_struct!(sins_mounting, "mounting", 104);
 
-/// Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
-/// reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the block.
+/// Sets the mounting of the sensor block. Allowed before the first step, and after a reset or a reposition until the next
+/// step. A reset and a reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is
+/// that of the block.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: steps have been made.
@@ -90,7 +91,8 @@ impl Parameters for sins_mounting {
     }
 }
 
-/// Reads the mounting of the sensor block, as it was set last: at any moment, also after sins_snapshot_load().
+/// Reads the mounting of the sensor block that is set. May be called at any moment. After sins_snapshot_load() it is that of
+/// the snapshot.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_mounting(sim: *mut sins_sim, mounting: *mut sins_mounting) -> sins_status {
     // SAFETY: the host's promise.

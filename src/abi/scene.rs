@@ -107,9 +107,9 @@ pub(super) fn change_scene(
 ///
 /// On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function of
 /// scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only sins_scene_prepare()
-/// and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is
-/// available. If memory runs out later within the call, because another thread takes it, the process ends. sins_log_parse()
-/// does the same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
+/// and sins_scene_prepare_ensemble() are for a real-time frame. The other functions of scenes first check that enough memory
+/// is free for the call. If another thread takes this memory during the call, the process ends. sins_log_parse() does the
+/// same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_status {
     enter_without_simulator(|| {

@@ -163,11 +163,11 @@ pub(super) fn output(fields: [&'static str; 2], sensor: i32, axis: i32) -> Resul
 /// outputs may fail at the same time.
 ///
 /// sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
-/// zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change. Sensor
-/// processes continue during a failure, and act on the output again when it is cleared. A failure acts on error data 1 and on
-/// error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all
-/// failures, so an exercise starts again with working sensors; failures that are set again at the same intervals give the same
-/// bits.
+/// zone, range and quantization. SINS_FAILURE_STUCK, SINS_FAILURE_DEAD and SINS_FAILURE_DROP_OUTS replace the output. The
+/// random numbers of other effects do not change. Sensor processes continue during a failure, and act on the output again
+/// when it is cleared. A failure acts on error data 1 and on error data 2. It does not act on the alignment at the start.
+/// sins_reposition() keeps failures. sins_reset() clears all failures, so an exercise starts again with working sensors;
+/// failures that are set again at the same intervals give the same bits.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
 /// solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -186,8 +186,8 @@ pub unsafe extern "C" fn sins_set_failure(
     })
 }
 
-/// Reads the failure of one output: at any moment, also after sins_snapshot_load(). SINS_FAILURE_NONE: the output has no
-/// failure. sensor and axis as in sins_set_failure().
+/// Reads the failure of one output. May be called at any moment. After sins_snapshot_load() it is that of the snapshot.
+/// SINS_FAILURE_NONE: the output has no failure. sensor and axis as in sins_set_failure().
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such output.
 #[unsafe(no_mangle)]
