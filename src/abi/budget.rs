@@ -37,18 +37,18 @@ interface_struct!(sins_budget_request, "request", 40);
 /// can be left out. samples[0].struct_size is the size in bytes of each element of samples, rows[0].struct_size that of each
 /// element of rows. struct_size of the other samples may be 0, that of the other rows anything.
 ///
-/// configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of gyros,
-/// accelerometers, altimeter, start, mounting and gravity, but not its failures. The call reads them at the start, and neither
-/// steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for request is 16 runs and no limits.
-/// written and budget may be NULL.
+/// configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of
+/// gyros, accelerometers and altimeter, the initial errors, and those of mounting and gravity, but not its failures. The call
+/// reads them at the start, and neither steps nor changes the simulator. NULL is the recommended simulator without errors.
+/// NULL for request is 16 runs and no limits. written and budget may be NULL.
 ///
 /// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. These settings are
 /// not effects: the alignment, and lever_arm_m and boresight_rad of the mounting. The misalignment that
 /// SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this misalignment. All runs use lever_arm_m
 /// and boresight_rad. The contribution of an effect is the error (navigation less truth) of a run with this effect alone,
-/// less the error of a run with no effect. For position, velocity and misalignment the row has two lengths of this vector.
-/// One is the largest length at up to 1000 equally spaced instants. The other is the length at the last sample. The
-/// contribution of a random effect is one standard deviation, by the covariance of a flight with this effect alone
+/// less the error of a run with no effect. For position, velocity and misalignment the row has two lengths of the
+/// contribution. One is the largest length at up to 1000 equally spaced instants. The other is the length at the last sample.
+/// The contribution of a random effect is one standard deviation, by the covariance of a flight with this effect alone
 /// (SINS_BUDGET_RANDOM; see sins_covariance), from linear error equations. All effects together are flown in several runs,
 /// with the random numbers of the runs sins_options.run, run + 1 and so on.
 ///

@@ -113,12 +113,12 @@ impl From<Refusal> for Failure {
 /// Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
 /// reference: a solution of SINS_SCHEME_POLYNOMIAL in Earth-fixed axes with 16 updates of 5 subsamples. The uncertainty of
 /// the reference (its difference from a solution with half as many updates) is added to the error. The error is that of the
-/// algorithm only. Errors of sensors, altimeter, start, gravity and believed mounting, and contradictions within the host's
-/// samples, are left out, because they act on both solutions alike. The signals are without the trim of
-/// SINS_SIGNAL_CLOSED_LOOP, which would hide the error. If the duration is longer than the piece, the call assumes that the
-/// piece is repeated. Each repetition adds the same errors with the same sign. The call assumes the worst phase of the
-/// Schuler oscillation. If the flight continues like the piece, its errors are smaller than this prediction. With
-/// SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
+/// algorithm only. Errors of sensors, altimeter and believed mounting, initial errors, the gravity disturbance, and
+/// contradictions within the host's samples are left out, because they act on both solutions alike. The signals are without
+/// the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. If the duration is longer than the piece, the call
+/// assumes that the piece is repeated. Each repetition adds the same errors with the same sign. The call assumes the worst
+/// phase of the Schuler oscillation. If the flight continues like the piece, its errors are smaller than this prediction.
+/// With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
 ///
 /// Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step
 /// differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if nothing meets the

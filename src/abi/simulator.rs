@@ -115,8 +115,9 @@ pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins
 /// before. sins_step() flies the gap as motion: the vehicle moves by its velocity times the length of the gap. After a pause
 /// of the host in which its clock ran on, call sins_move_time() before this push; a push cannot be undone.
 /// SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or a turn of 170 degrees or more since the last accepted
-/// sample. After a gap each later sample is rejected, until you call sins_move_time(). After a jump or a turn each later
-/// sample is rejected, until one fits the last accepted sample, or until you call sins_move_truth() or sins_reposition().
+/// sample. After a gap each later sample is rejected, until you call sins_move_time(), sins_move_truth() or
+/// sins_reposition(). After a jump or a turn each later sample is rejected, until one fits the last accepted sample, or until
+/// you call sins_move_truth() or sins_reposition().
 /// SINS_ERROR_QUEUE_FULL: step first.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
