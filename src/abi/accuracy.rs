@@ -38,9 +38,9 @@ pub struct sins_accuracy {
     /// Root mean square velocity error since the start, east-north-up; samples within 20 km of the Earth's axis, where east
     /// and north turn fast, are left out [m/s].
     pub velocity_rms_enu_m_s: [f64; 3],
-    /// Position error now: navigation minus truth [m].
+    /// Position closure: the position error now, navigation minus truth [m].
     pub closure_position_enu_m: [f64; 3],
-    /// Velocity error now: navigation minus truth [m/s].
+    /// Velocity closure: the velocity error now, navigation minus truth [m/s].
     pub closure_velocity_enu_m_s: [f64; 3],
     /// Part of the horizontal position error that the host causes, because its velocities contradict its positions [m]. Let d
     /// be the displacement from the velocities less the displacement from the positions. The field is the response of a

@@ -88,8 +88,9 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "ramp", shape: Axes, is_random: GIVEN,
-        doc: "ramp R: bias that grows with time", note: "The bias starts at 0 when the ramp is switched on, and at sins_reset(). If R is changed in flight, the bias continues from its \
-            present value.",
+        doc: "ramp R: bias that grows with time",
+        note: "The bias starts at 0 when the ramp is switched on, and at sins_reset(). If R is changed in flight, the bias continues from \
+            its present value.",
         gyro: field(("gyro.rate_ramp_rad_s2", "rad/s2"), RATE,
             ("rate_ramp_deg_h2", "deg/h/h", DEG_PER_HOUR / 3600.0), "gyro ramp"),
         accel: field(("accel.ramp_m_s3", "m/s3"), FORCE,
@@ -139,7 +140,8 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "misalignment", shape: OffDiagonal("must be 0 on the diagonal; use scale_factor"), is_random: GIVEN,
-        doc: "misalignment: row = sensor, column = axis it should not sense", note: "The error of sensor i is the sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.",
+        doc: "misalignment: row = sensor, column = axis it should not sense",
+        note: "The error of sensor i is the sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.",
         gyro: field(("gyro.misalignment_rad", "rad"), SHARE,
             ("misalignment_arcsec", "arcsec", ARCSEC), "gyro misalignment"),
         accel: field(("accel.misalignment_rad", "rad"), SHARE,
@@ -176,8 +178,8 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "vibration_rectification_s2_m", shape: Axes, is_random: GIVEN,
-        doc: "vibration rectification, the g2 term", note: "The error is this times the square of the mean force of a subsample. \
-            So a vibration with the root mean square r causes a bias of this times r squared.",
+        doc: "vibration rectification, the g2 term",
+        note: "The error is this times the square of the mean force of a subsample. So a vibration with the root mean square r causes a bias of this times r squared.",
         gyro: None,
         accel: field(("accel.vibration_rectification_s2_m", "s2/m"), SHARE,
             ("vibration_rectification_micro_g_per_g2", "micro-g/g2", 1e-6 / STANDARD_GRAVITY), "accel vibration rectification"),
@@ -187,7 +189,8 @@ pub const PARAMETERS: &[Parameter] = &[
         doc: "lever arm of each accelerometer from the point of the sensor block, sensor axes, row = sensor (size effect)",
         note: "The point of the sensor block is where the lever arm of sins_mounting ends. If a flight starts in motion, samples without an \
             angular rate do not show the angular acceleration of the first interval (see sins_mounting). The measured velocity is then wrong for \
-            the rest of the flight: it lacks the lever arm times the change of the angular rate in the first interval. With sins_push_imu() the angular acceleration follows from the previous increments.",
+            the rest of the flight: it lacks the lever arm times the change of the angular rate in the first interval. \
+            With sins_push_imu() the angular acceleration follows from the previous increments.",
         gyro: None,
         accel: field(("accel.lever_arm_m", "m"), Within(-100.0, 100.0),
             ("lever_arm_mm", "mm", 1e-3), "accel size effect"),
