@@ -23,7 +23,7 @@ pub type sins_errors_flags = i32;
 /// north components of the velocity error have no meaning.
 pub const SINS_ERRORS_NEAR_POLE: sins_errors_flags = 1;
 /// A flag of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
-/// horizontal position error is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
+/// position error is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
 pub const SINS_ERRORS_OUTSIDE_VALIDITY: sins_errors_flags = 2;
 /// In a sins_record: not computed, all zero.
 pub const SINS_ERRORS_NOT_COMPUTED: sins_errors_flags = 4;
