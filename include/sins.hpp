@@ -11,12 +11,14 @@
  *           sim.get_navigation(navigation);
  *   }
  *
- * The functions of sins.h are members here, without handle and status; sins.h documents them. Names are the same, but a function
- * that returns its result directly has no get_: gyro() calls sins_get_gyro(). A negative status is thrown as sins::Error with the
- * library's sentence. (Exceptions: set_values() and set_items() of a scene return false if the values have faults.) With a
- * positive status, which is not an error, a function returns false. The output is then unchanged (SINS_NEED_SAMPLE) or written
- * (SINS_REQUIREMENT_NOT_MET), or everything was done (SINS_GAP). A Scene is also made of a text that has faults: see faults().
- * Structs and constants are those of sins.h. The wrapper is this header only: each function makes the call and checks its status.
+ * The functions of sins.h are members here, without handle and status; sins.h documents them. Names are the same, with three
+ * exceptions. Constructors replace sins_create(), sins_scene_parse() and the like. Functions that return settings by value have
+ * no get_: gyro() calls sins_get_gyro(). Functions that return lists have names in the plural: faults(), failures(), keys(). A
+ * negative status is thrown as sins::Error with the library's sentence. (Exceptions: set_values() and set_items() of a scene
+ * return false if the values have faults.) With a positive status, which is not an error, a function returns false. The output
+ * is then unchanged (SINS_NEED_SAMPLE) or written (SINS_REQUIREMENT_NOT_MET), or everything was done (SINS_GAP). A Scene is
+ * also made of a text that has faults: see faults(). Structs and constants are those of sins.h. The wrapper is this header
+ * only: each function makes the call and checks its status.
  */
 
 #ifndef SINS_HPP
@@ -46,7 +48,7 @@ private:
     sins_error_info info_;
 };
 
-/* A struct of sins.h that is zero except for struct_size: everything is off, or as recommended. */
+/* A struct of sins.h that is zero except for struct_size: all effects are off, all options have their defaults. */
 template <typename T> T make() noexcept {
     T zeroed = T();
     zeroed.struct_size = sizeof(T);
@@ -56,13 +58,14 @@ template <typename T> T make() noexcept {
 /* The name of a status, such as "SINS_ERROR_TIME_ORDER". */
 inline const char *status_string(sins_status status) noexcept { return sins_status_string(status); }
 
-/* The sentence of the last failed call on sim; NULL: of the last failed call on this thread that has no simulator. */
+/* The sentence of the last failed call on sim; NULL: of the last failed call of this thread without a simulator. */
 inline std::string last_error(const sins_sim *sim) {
     char sentence[1024];
     const sins_status status = sins_last_error(sim, sentence, sizeof sentence, nullptr);
     return status == SINS_OK || status == SINS_ERROR_BUFFER_TOO_SMALL ? sentence : status_string(status);
 }
 
+/* Not for hosts. */
 namespace detail {
 
 [[noreturn]] inline void fail(sins_status status, const sins_sim *sim) {
@@ -171,7 +174,9 @@ inline sins_accel_params accel_preset(int32_t grade) {
     return params;
 }
 
-/* For the recommended simulator; see Simulator::recommend(). */
+/*
+ * Recommends options for a simulator with default options and its sensors at the reference point. See Simulator::recommend().
+ */
 inline bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
                       sins_options &options, sins_cost &cost) {
     return detail::done(sins_recommend(nullptr, samples, count, &requirement, &options, &cost), nullptr);
@@ -211,7 +216,7 @@ public:
 
     /*
      * Recommends options for a simulator that is configured as this one. options and cost need struct_size. False: no options meet
-     * the requirement, and options and cost are those of the best options there are.
+     * the requirement, and options and cost are those of the options that come closest.
      */
     bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
                    sins_options &options, sins_cost &cost) const {
@@ -251,7 +256,7 @@ public:
     }
     void set_initial_errors(const sins_initial_errors &errors) { done(sins_set_initial_errors(handle_, &errors)); }
 
-    /* False: the sample was accepted, after a gap (SINS_GAP). */
+    /* Returns true without a gap. Returns false if the sample was accepted and ended a gap (SINS_GAP). */
     bool push_sample(const sins_flight_sample &sample) { return done(sins_push_sample(handle_, &sample)); }
 
     /* False: no complete interval yet. */
@@ -268,7 +273,7 @@ public:
         return done(sins_run(handle_, samples, count, every, records, capacity, written));
     }
 
-    /* These read into structs with struct_size set. False: there is no sample, or no interval, yet. */
+    /* The caller sets struct_size first: make<T>() does it. False: there is no sample, or no interval, yet. */
     bool get_truth(sins_navigation &truth) const { return done(sins_get_truth(handle_, &truth)); }
     bool get_navigation(sins_navigation &navigation) const { return done(sins_get_navigation(handle_, &navigation)); }
     bool get_imu(sins_imu &imu) const { return done(sins_get_imu(handle_, &imu)); }
@@ -363,7 +368,7 @@ public:
 
     std::size_t runs() const { return detail::given<std::size_t>(nullptr, sins_ensemble_get_runs, handle_, nullptr); }
 
-    /* False: the sample was accepted, after a gap (SINS_GAP). */
+    /* Returns true without a gap. Returns false if the sample was accepted and ended a gap (SINS_GAP). */
     bool push_sample(const sins_flight_sample &sample) { return done(sins_ensemble_push_sample(handle_, &sample)); }
 
     /* False: no complete interval yet. */
@@ -382,7 +387,7 @@ public:
         done(sins_ensemble_set_failure(handle_, sensor, axis, &failure));
     }
 
-    /* These read into structs with struct_size set. False: there is no sample, or no interval, yet. */
+    /* The caller sets struct_size first: make<T>() does it. False: there is no sample, or no interval, yet. */
     bool get_truth(sins_navigation &truth) const { return done(sins_ensemble_get_truth(handle_, &truth)); }
     bool get_navigation(uint64_t run, sins_navigation &navigation) const {
         return done(sins_ensemble_get_navigation(handle_, run, &navigation));
@@ -448,7 +453,7 @@ public:
         return detail::text(sins_scene_get_value, handle_, path.c_str());
     }
 
-    /* Sets values: in each line a path, =, a value. False: the scene stays as it was, and faults() has the reasons. */
+    /* Sets values. Each line is path = value. False: the scene stays as it was, and faults() has the reasons. */
     bool set_values(const std::string &values) { return changed(sins_scene_set_values(handle_, values.c_str())); }
 
     /* Sets all items of a list, "manoeuvre" or "failure", by their text. False: as set_values(). */
@@ -462,7 +467,7 @@ public:
     /* Every section and key of a scene, one in a line. */
     static std::string write_keys() { return detail::text(sins_scene_write_keys); }
 
-    /* The samples that the scene flies: those of its own flight, or of a log. */
+    /* Describes the samples that the scene flies. If the flight of the scene is a log, give that log; otherwise nothing. */
     sins_scene_samples samples(const sins_log *log = nullptr) const {
         return detail::filled<sins_scene_samples>(nullptr, sins_scene_get_samples, handle_, log);
     }

@@ -16,7 +16,8 @@ pub unsafe extern "C" fn sins_set_accel(sim: *mut sins_sim, params: *const sins_
     unsafe { set(sim, params, "params", Simulator::set_accel) }
 }
 
-/// Reads the accelerometer errors, as they were set last: at any moment, also after sins_snapshot_load().
+/// Reads the accelerometer errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
+/// snapshot.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_accel(sim: *mut sins_sim, params: *mut sins_accel_params) -> sins_status {
     // SAFETY: the host's promise.

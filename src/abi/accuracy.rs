@@ -8,8 +8,8 @@ use crate::errors::AccuracyFigures;
 use crate::simulator::{ClosureFigures, TrimFigures};
 
 /// Running figures of the flight since its start or last reposition; sins_move_time() and sins_move_truth() do not restart
-/// them. Errors are sampled once a second. They describe one run, not an ensemble. Divide the rates by SINS_NMI_PER_HOUR
-/// for the unit of data sheets.
+/// them. The figures use the errors once a second. They describe one run, not an ensemble. To get nautical miles per hour,
+/// divide a rate by SINS_NMI_PER_HOUR.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_accuracy {
@@ -21,10 +21,10 @@ pub struct sins_accuracy {
     pub time_s: f64,
     /// Time since the start [s].
     pub duration_s: f64,
-    /// Start of the window of the radial error rates: 300 s after the start [s]. Earlier rates would be initial errors divided by
-    /// a very short time.
+    /// Start of the window of the radial error rates, as time since the start: 300 [s]. Earlier rates would be initial errors
+    /// divided by a very short time.
     pub window_start_s: f64,
-    /// Number of samples in the window of the radial error rates. While there are none, the rates are 0.
+    /// Number of errors (one a second) in the window of the radial error rates. While it is 0, the rates are 0.
     pub window_samples: u64,
     /// Root mean square of the radial error rate, sqrt(mean RER^2), with RER = horizontal position error / time since the
     /// start [m/s].
@@ -33,25 +33,25 @@ pub struct sins_accuracy {
     pub cep_rate_m_s: f64,
     /// R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s].
     pub radial_95_rate_m_s: f64,
-    /// Slope of the least-squares line through the horizontal position error [m/s].
+    /// Slope of the least-squares line (with an intercept) through the horizontal position errors of the window [m/s].
     pub radial_error_slope_m_s: f64,
     /// Root mean square velocity error since the start, east-north-up; samples within 20 km of the Earth's axis, where east
     /// and north turn fast, are left out [m/s].
     pub velocity_rms_enu_m_s: [f64; 3],
-    /// Position closure: navigation minus truth now [m].
+    /// Position closure: the position error now, navigation minus truth [m].
     pub closure_position_enu_m: [f64; 3],
-    /// Velocity closure: navigation minus truth now [m/s].
+    /// Velocity closure: the velocity error now, navigation minus truth [m/s].
     pub closure_velocity_enu_m_s: [f64; 3],
-    /// Part of the horizontal position closure that the host causes, because its velocities contradict its positions [m]:
-    /// the Schuler-tuned response to the displacement by velocities less the displacement by positions; up is 0. The rest of
-    /// the closure is caused by the simulator and the sensors.
+    /// Part of the horizontal position error that the host causes, because its velocities contradict its positions [m]. Let d
+    /// be the displacement from the velocities less the displacement from the positions. The field is the response of a
+    /// Schuler oscillator to d; up is 0. The rest of the position error is caused by the simulator and the sensors.
     pub host_position_enu_m: [f64; 3],
-    /// Part of the horizontal velocity closure that the host causes in this way; up is 0 [m/s].
+    /// Part of the horizontal velocity error that the host causes in this way; up is 0 [m/s].
     pub host_velocity_enu_m_s: [f64; 3],
-    /// Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
+    /// Displacement from the host's velocities less displacement from its positions, summed over the flight [m].
     pub inconsistency_enu_m: [f64; 3],
-    /// Largest difference, in one interval, between the displacement by the host's velocities and the one by its positions
-    /// [m].
+    /// Largest difference, in one interval, between the displacement from the host's velocities and the displacement from its
+    /// positions [m].
     pub inconsistency_max_m: f64,
     /// Number of samples flagged SINS_NAVIGATION_INCONSISTENT.
     pub inconsistent_samples: u64,

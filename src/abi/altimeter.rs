@@ -16,17 +16,17 @@ pub struct sins_altimeter_params {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Constant bias, up to 1e5 m [m].
+    /// Constant bias, -1e5 to 1e5 [m].
     pub bias_m: f64,
-    /// Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m].
+    /// Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, 0 to 1e5 [m].
     pub markov_sigma_m: f64,
     /// Correlation time of the Gauss-Markov error, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
     pub markov_time_s: f64,
-    /// Standard deviation of the independent error of each sample, up to 1e5 m [m].
+    /// Standard deviation of the independent error of each sample, 0 to 1e5 [m].
     pub noise_m: f64,
     /// Scale factor error of the height [1], -1 to 1.
     pub scale_factor: f64,
-    /// Time constant of the first-order lag of the static pressure, up to 1e6 s [s].
+    /// Time constant of the first-order lag of the static pressure, 0 to 1e6 [s].
     pub lag_s: f64,
 }
 
@@ -68,7 +68,8 @@ pub unsafe extern "C" fn sins_set_altimeter(
     unsafe { set(sim, params, "params", Simulator::set_altimeter) }
 }
 
-/// Reads the errors of the altimeter, as they were set last: at any moment, also after sins_snapshot_load().
+/// Reads the errors of the altimeter that are set. May be called at any moment. After sins_snapshot_load() they are those of
+/// the snapshot.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_altimeter(
     sim: *mut sins_sim,

@@ -34,22 +34,23 @@ pub struct sins_budget_request {
 interface_struct!(sins_budget_request, "request", 40);
 
 /// Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
-/// can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
-/// struct_size of the other samples may be 0, that of the other rows anything.
+/// can be left out. samples[0].struct_size is the size in bytes of each element of samples, rows[0].struct_size that of each
+/// element of rows. struct_size of the other samples may be 0, that of the other rows anything.
 ///
-/// configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of gyros,
-/// accelerometers, altimeter, start, mounting and gravity, but not its failures. The call reads them at the start, and neither
-/// steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for request is 16 runs and no limits.
-/// written and budget may be NULL.
+/// configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of
+/// gyros, accelerometers and altimeter, the initial errors, and those of mounting and gravity, but not its failures. The call
+/// reads them at the start, and neither steps nor changes the simulator. NULL is the recommended simulator without errors.
+/// NULL for request is 16 runs and no limits. written and budget may be NULL.
 ///
-/// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are not
-/// effects. The misalignment that SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this
-/// misalignment. All runs fly with lever_arm_m and boresight_rad of the mounting.) The contribution of an effect is the error
-/// (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
-/// this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the length
-/// at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight with this
-/// effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are flown in several
-/// runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
+/// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. These settings are
+/// not effects: the alignment, and lever_arm_m and boresight_rad of the mounting. The misalignment that
+/// SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this misalignment. All runs use lever_arm_m
+/// and boresight_rad. The contribution of an effect is the error (navigation less truth) of a run with this effect alone,
+/// less the error of a run with no effect. For position, velocity and misalignment the row has two lengths of the
+/// contribution. One is the largest length at up to 1000 equally spaced instants. The other is the length at the last sample.
+/// The contribution of a random effect is one standard deviation, by the covariance of a flight with this effect alone
+/// (SINS_BUDGET_RANDOM; see sins_covariance), from linear error equations. All effects together are flown in several runs,
+/// with the random numbers of the runs sins_options.run, run + 1 and so on.
 ///
 /// rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
 /// position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is
@@ -57,10 +58,11 @@ interface_struct!(sins_budget_request, "request", 40);
 /// effects that act on each other, and is of second order in their sizes.
 ///
 /// With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It goes through the
-/// effects in the order of their shares, the smallest first, and collects each effect that still fits. A collection fits if
-/// the root sum of squares of D and R is within each limit: D is the sum of its deterministic contributions, and R is the
-/// root sum of squares of its random contributions. Then the call flies all runs again without these effects. While the
-/// change (left_out) exceeds a limit, it puts back the largest of the effects that were left out.
+/// effects in the order of their shares, the smallest first, and collects each effect that still fits. For position, velocity
+/// and misalignment separately, let D be the sum of the deterministic contributions of a collection, and R the root sum of
+/// squares of its random contributions. The collection fits if sqrt(D^2 + R^2) is at most the limit, for each limit that is
+/// given. Then the call flies all runs again without these effects. While the change (left_out) exceeds a limit, it puts back
+/// the largest of the effects that were left out.
 ///
 /// The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
 /// allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once

@@ -11,7 +11,7 @@ use crate::recommend::SolutionError;
 /// Flags of a sins_budget_row.
 pub type sins_budget_flags = u32;
 
-/// The row's figures are standard deviations (1 sigma), exact to first order.
+/// The figures of the row are standard deviations (1 sigma), from linear error equations.
 pub const SINS_BUDGET_RANDOM: sins_budget_flags = 1;
 /// The effect can be left out, together with all others that have this flag.
 pub const SINS_BUDGET_CAN_BE_LEFT_OUT: sins_budget_flags = 2;
@@ -66,9 +66,8 @@ pub struct sins_budget {
     pub runs: u64,
     /// Number of flights that the call made.
     pub flights: u64,
-    /// Uncertainty of the random errors with all effects together, because the number of runs is finite. It is the lower end of
-    /// the 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if nothing is
-    /// random.
+    /// Lower end of the 95 % confidence interval of the root mean square of the random errors, divided by the root mean
+    /// square over the flown runs. The fewer the runs, the wider the interval. 1 if nothing is random.
     pub sigma_low: f64,
     /// Upper end of that interval, divided likewise; 1 if nothing is random.
     pub sigma_high: f64,

@@ -26,10 +26,10 @@ pub(super) fn with_ensemble(
     with_object(&ENSEMBLES, ensemble, body)
 }
 
-/// Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that has its options,
-/// sensors, initial errors, mounting, gravity and failures, and has taken no sample. The call copies it, and does not change
-/// it. Run k of the ensemble gives the same bits as a simulator with the same settings and sins_options.run = k. In the
-/// options of configured, run, truth_summary and covariance have no effect.
+/// Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator on which options, sensor
+/// errors, initial errors, mounting, gravity disturbance and failures are set, and to which no sample was pushed. The call
+/// copies it, and does not change it. Run k of the ensemble gives the same bits as a simulator with the same settings and
+/// sins_options.run = k. Three options of configured have no effect: run, truth_summary and covariance.
 ///
 /// No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
 /// statistics can be merged. The library starts no thread.
@@ -58,7 +58,8 @@ pub unsafe extern "C" fn sins_ensemble_create(
     })
 }
 
-/// Destroys an ensemble, after calls on it in other threads have returned. The handle is never used again.
+/// Waits until the calls of other threads on this handle have returned, and destroys the ensemble. The handle is never used
+/// again.
 ///
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
@@ -96,12 +97,12 @@ pub unsafe extern "C" fn sins_ensemble_step(ensemble: *mut sins_ensemble) -> sin
 }
 
 /// Pushes and steps an array of count samples. With thousands of runs this is faster than single calls. Any split of a flight
-/// into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the distance between
-/// samples; struct_size of the other samples may be 0.
+/// into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the size in bytes of
+/// each element of samples; struct_size of the other samples may be 0.
 ///
-/// SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
-/// sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it
-/// were flown, this one and the rest were not. A sample that could be pushed but not flown waits in the queue.
+/// SINS_GAP: all samples were flown, and at least one of them ended a gap. An error of sins_ensemble_push_sample() or
+/// sins_ensemble_step() ends the call at the sample that caused the error; sins_last_error() names this sample. The samples
+/// before it were flown, this sample and the rest were not. A sample that could be pushed but not flown waits in the queue.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_ensemble_run(
     ensemble: *mut sins_ensemble,

@@ -97,8 +97,8 @@ pub unsafe extern "C" fn sins_ensemble_get_imu(
     })
 }
 
-/// Reads the number of a run that has diverged. The numbers are in ascending order, from index 0; sins_statistics.diverged is
-/// their count.
+/// Reads the run number of diverged run `index`, from 0. The run numbers are in ascending order. sins_statistics.diverged is
+/// the number of diverged runs.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: index is not below the count of diverged runs.
 #[unsafe(no_mangle)]

@@ -47,9 +47,9 @@ pub unsafe extern "C" fn sins_ensemble_snapshot_save(
     })
 }
 
-/// Replaces the ensemble by the saved one, including its runs and options. So an ensemble of one run of any simulator is
-/// enough. It continues to the same bits as the saved one. size is the size that sins_ensemble_snapshot_save() wrote. Not for
-/// a real-time frame: it allocates.
+/// Replaces the ensemble by the saved one, including its runs and options. So the handle may be any ensemble, for example of
+/// one run. The loaded ensemble continues with the same bits as the saved one. size is the size that
+/// sins_ensemble_snapshot_save() wrote. Not for a real-time frame: it allocates.
 ///
 /// SINS_ERROR_SNAPSHOT: the bytes are not a snapshot of an ensemble, or are cut off, altered, or of a newer release; nothing
 /// has changed, and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second

@@ -23,7 +23,7 @@ pub type sins_errors_flags = i32;
 /// north components of the velocity error have no meaning.
 pub const SINS_ERRORS_NEAR_POLE: sins_errors_flags = 1;
 /// A flag of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
-/// displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
+/// position error is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
 pub const SINS_ERRORS_OUTSIDE_VALIDITY: sins_errors_flags = 2;
 /// In a sins_record: not computed, all zero.
 pub const SINS_ERRORS_NOT_COMPUTED: sins_errors_flags = 4;
@@ -40,7 +40,8 @@ pub struct sins_record_errors {
     pub longitude_rad: f64,
     /// Error of height [m].
     pub height_m: f64,
-    /// Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
+    /// Velocity error [m/s]: components of the computed velocity in the east-north-up axes at the computed position, less
+    /// components of the true velocity in the axes at the true position.
     pub velocity_enu_m_s: [f64; 3],
     /// Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
     /// east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.

@@ -15,13 +15,13 @@ pub type sins_status_code = i32;
 pub const SINS_OK: sins_status_code = 0;
 /// There is no sample yet, or no complete interval: push the next sample.
 pub const SINS_NEED_SAMPLE: sins_status_code = 1;
-/// No options meet the requirement; the outputs hold the best options there are.
+/// sins_recommend(): no options meet the requirement. The outputs hold the options that come closest.
 pub const SINS_REQUIREMENT_NOT_MET: sins_status_code = 2;
 /// The text of a scene has faults. The handle was made, but only sins_scene_get_fault() and sins_scene_destroy() accept it.
 pub const SINS_SCENE_HAS_FAULTS: sins_status_code = 3;
 /// The sample was accepted, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times
-/// each of the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's
-/// clock ran on while the vehicle stood still, that is wrong: see sins_move_time().
+/// each of the two before it. The library assumes that the vehicle moved during the gap: 213 m in 1 s at 213 m/s. If the
+/// vehicle stood still while the host's clock ran on, this is wrong: see sins_move_time().
 pub const SINS_GAP: sins_status_code = 4;
 /// A pointer is null where null is not allowed.
 pub const SINS_ERROR_NULL_POINTER: sins_status_code = -1;

@@ -15,20 +15,21 @@ pub struct sins_fault {
     pub struct_size: u32,
     /// Flags of enum sins_error_info_flags, or'ed: which of value, minimum and maximum there are.
     pub flags: u32,
-    /// Number of faults of the text, 200 at most.
+    /// Number of faults that are reported: at most the first 200 of the text.
     pub count: u64,
     /// Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call.
     pub line: u64,
-    /// Column, in characters from 1; for a flight log, the column of the table; 0: as for line.
+    /// Column, in characters from 1. For a flight log: number of the column of the table, from 1. 0: the same meaning as 0 in
+    /// line.
     pub column: u64,
     /// The value at fault, in the unit of the key that path names.
     pub value: f64,
-    /// Least allowed value, in that unit; if the sentence says "more than", this value itself is rejected too.
+    /// Least allowed value, in that unit; if the sentence says "more than", the limit itself is not allowed.
     pub minimum: f64,
-    /// Greatest allowed value, in that unit; if the sentence says "less than", this value itself is rejected too.
+    /// Greatest allowed value, in that unit; if the sentence says "less than", the limit itself is not allowed.
     pub maximum: f64,
-    /// Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
-    /// terminated. Empty for a flight log, and if the text itself is at fault.
+    /// Path of the value at fault, for sins_scene_get_value(). It can also be the name of a section, such as "gyro", or of an
+    /// item, such as "failure[0]". Terminated. Empty for a flight log, and if the text itself is at fault.
     pub path: [c_char; 96],
     /// Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
     /// longer.

@@ -31,9 +31,9 @@ pub struct sins_flight_start {
     pub latitude_rad: f64,
     /// Longitude, east positive, -100 to 100 [rad].
     pub longitude_rad: f64,
-    /// Height above the ellipsoid, -20 km to 2000 km [m].
+    /// Height above the ellipsoid, -2e4 to 2e6 [m].
     pub height_m: f64,
-    /// Speed against the Earth, 0 to 10 km/s [m/s].
+    /// Speed against the Earth, 0 to 1e4 [m/s].
     pub speed_m_s: f64,
     /// Course and heading, -100 to 100 [rad].
     pub heading_rad: f64,
@@ -85,12 +85,12 @@ impl sins_flight_start {
 }
 
 /// Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
-/// smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the distance
-/// between the manoeuvres.
+/// smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the size
+/// in bytes of each element of manoeuvres.
 ///
-/// Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece is up to
-/// 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch and
-/// heading need no pieces.
+/// Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece of
+/// straight flight lasts up to 600 s. With a fast sinusoid of course, climb or speed, a piece is about one period. Sinusoids
+/// of roll, pitch and heading need no pieces.
 ///
 /// On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
 ///

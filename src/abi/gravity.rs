@@ -8,15 +8,14 @@ use super::simulator::sins_sim;
 use crate::sensors::{GravityDisturbanceParameters, GravityField};
 use crate::simulator::Simulator;
 
-/// True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
-/// disturbance: true and normal gravity are taken at the same point). Each has a constant part and a random part. The random
-/// part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over
-/// ground. At rest it does not change. All zero is normal gravity.
+/// Gravity disturbance: true gravity less the normal gravity that the INS computes, at the same point. The horizontal part is
+/// the deflection of the vertical. The vertical part is called anomaly here. Each has a constant part and a random part. The
+/// random part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown
+/// over ground. At rest it does not change. All zero is normal gravity.
 ///
 /// Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
-/// accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between 0 and
-/// twice R times the deflection, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) is
-/// tilted by the deflection.
+/// accelerometer error. At rest, without a levelled start, a deflection xi makes the position error oscillate between 0 and 2
+/// R xi, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) is tilted by the deflection.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_gravity_params {
@@ -27,20 +26,20 @@ pub struct sins_gravity_params {
     /// Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. If positive, the true
     /// zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g times this to the north.
     pub deflection_north_rad: f64,
-    /// Standard deviation of the random part of the deflection in the meridian, up to 0.01 [rad].
+    /// Standard deviation of the random part of the deflection in the meridian, 0 to 0.01 [rad].
     pub deflection_north_sigma_rad: f64,
     /// Correlation distance D of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
     pub deflection_north_distance_m: f64,
     /// Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
     /// 0.01 [rad]. If positive, the true zenith lies east of the ellipsoid's normal.
     pub deflection_east_rad: f64,
-    /// Standard deviation of the random part of the deflection in the prime vertical, up to 0.01 [rad].
+    /// Standard deviation of the random part of the deflection in the prime vertical, 0 to 0.01 [rad].
     pub deflection_east_sigma_rad: f64,
     /// Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
     pub deflection_east_distance_m: f64,
     /// Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2.
     pub anomaly_m_s2: f64,
-    /// Standard deviation of the random part of the anomaly, up to 0.1 [m/s2].
+    /// Standard deviation of the random part of the anomaly, 0 to 0.1 [m/s2].
     pub anomaly_sigma_m_s2: f64,
     /// Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
     pub anomaly_distance_m: f64,
@@ -48,9 +47,10 @@ pub struct sins_gravity_params {
 
 interface_struct!(sins_gravity_params, "gravity", 80);
 
-/// Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
-/// reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
-/// disturbance does not affect a navigator on increments, because the host's increments already contain its effect.
+/// Sets the gravity disturbance, true gravity less normal gravity. Allowed before the first step, and after a reset or a
+/// reposition until the next step. A reset brings the same field back; after a reposition the field continues from its
+/// current values. The disturbance does not affect a navigator on increments, because the host's increments already contain
+/// its effect.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: steps have been made.
@@ -102,7 +102,8 @@ impl Parameters for sins_gravity_params {
     }
 }
 
-/// Reads the parameters of the gravity disturbance, as they were set last: at any moment, also after sins_snapshot_load().
+/// Reads the parameters of the gravity disturbance that are set. May be called at any moment. After sins_snapshot_load() they
+/// are those of the snapshot.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_gravity_disturbance(
     sim: *mut sins_sim,

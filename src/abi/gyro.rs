@@ -18,7 +18,8 @@ pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_g
     unsafe { set(sim, params, "params", Simulator::set_gyro) }
 }
 
-/// Reads the gyro errors, as they were set last: at any moment, also after sins_snapshot_load().
+/// Reads the gyro errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
+/// snapshot.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_gyro(sim: *mut sins_sim, params: *mut sins_gyro_params) -> sins_status {
     // SAFETY: the host's promise.

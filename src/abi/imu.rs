@@ -14,9 +14,10 @@ pub type sins_imu_flags = u32;
 pub const SINS_IMU_GYRO_SATURATED: sins_imu_flags = 1;
 /// The mean force of a subsample was beyond the range of an accelerometer.
 pub const SINS_IMU_ACCEL_SATURATED: sins_imu_flags = 2;
-/// A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
+/// A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with the output 0 of this gyro.
 pub const SINS_IMU_GYRO_INVALID: sins_imu_flags = 4;
-/// An accelerometer had no signal in the interval: dead, or dropped out.
+/// An accelerometer had no signal in the interval: dead, or dropped out. The mechanization continues with the output 0 of
+/// this accelerometer.
 pub const SINS_IMU_ACCEL_INVALID: sins_imu_flags = 8;
 
 /// Ideal and measured signals of the last interval, sensor axes.

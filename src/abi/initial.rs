@@ -15,16 +15,17 @@ pub type sins_alignment = i32;
 
 /// The INS starts with the true attitude, turned by the given and the drawn misalignment.
 pub const SINS_ALIGNMENT_GIVEN: sins_alignment = 0;
-/// The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
-/// turned by the given and the drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense
-/// no horizontal force. Gyrocompassing then finds the heading at which the levelled rate of the gyros points north.
-/// SINS_NAVIGATION_NORTH_UNKNOWN is set if the sensor errors hide north. Within 64 km of a pole the start returns
-/// SINS_ERROR_SINGULAR.
+/// The library computes the attitude that levelling and gyrocompassing at rest would find with the sensor errors at the
+/// start. It does so even if the flight starts in motion. The INS starts with this attitude, turned by the given and the
+/// drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense no horizontal force.
+/// Gyrocompassing then finds the heading at which the horizontal gyro rates point north. SINS_NAVIGATION_NORTH_UNKNOWN is set
+/// if the sensor errors hide north. Within 64 km of a pole the start returns SINS_ERROR_SINGULAR.
 pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: sins_alignment = 1;
 
 /// Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
-/// (sigma) are drawn once a run and added. Where the vertical channel follows the truth, its errors start at 0. Positions up
-/// to 1e6 m, velocities up to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
+/// (sigma) are drawn once a run and added. A reset and a reposition use the same random numbers again. With
+/// SINS_VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0. Limits: position errors 1e6 m, velocity
+/// errors 1e4 m/s, their standard deviations 1e5 m and 1e3 m/s.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_initial_errors {
@@ -36,15 +37,15 @@ pub struct sins_initial_errors {
     pub position_enu_m: [f64; 3],
     /// Velocity error [m/s].
     pub velocity_enu_m_s: [f64; 3],
-    /// Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C. C turns vectors from sensor
-    /// axes to east-north-up. The C on the right is the true one, or, with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, the one that
-    /// the alignment finds.
+    /// Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C0. C turns vectors from sensor
+    /// axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, C0 is the C that the alignment
+    /// finds.
     pub misalignment_enu_rad: [f64; 3],
-    /// Standard deviation of position [m].
+    /// Standard deviation of the position error [m].
     pub position_sigma_enu_m: [f64; 3],
-    /// Standard deviation of velocity [m/s].
+    /// Standard deviation of the velocity error [m/s].
     pub velocity_sigma_enu_m_s: [f64; 3],
-    /// Standard deviation of misalignment, 0 to 1 [rad].
+    /// Standard deviation of the misalignment, 0 to 1 [rad].
     pub misalignment_sigma_enu_rad: [f64; 3],
     /// Alignment at the start, of enum sins_alignment.
     pub alignment: i32,
@@ -93,7 +94,8 @@ impl Parameters for sins_initial_errors {
     }
 }
 
-/// Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
+/// Sets the errors with which the navigation starts. Allowed before the first step, and after a reset or a reposition until
+/// the next step. After a reposition they apply to the start at its sample.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: steps have been made.
@@ -106,8 +108,8 @@ pub unsafe extern "C" fn sins_set_initial_errors(
     unsafe { set(sim, errors, "errors", Simulator::set_initial_errors) }
 }
 
-/// Reads the errors with which the navigation starts, as they were set last: at any moment, also after
-/// sins_snapshot_load().
+/// Reads the set errors with which the navigation starts. May be called at any moment. After sins_snapshot_load() they are
+/// those of the snapshot.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_initial_errors(
     sim: *mut sins_sim,

@@ -44,20 +44,21 @@ pub struct sins_error_info {
     pub sample: i64,
     /// With SINS_ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the nearest double.
     pub value: f64,
-    /// With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence says "more than", this value itself is rejected too.
+    /// With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence of sins_last_error() says "more than", the limit itself
+    /// is not allowed.
     pub minimum: f64,
-    /// With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence says "less than", this value itself is rejected
-    /// too.
+    /// With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence of sins_last_error() says "less than", the limit
+    /// itself is not allowed.
     pub maximum: f64,
 }
 
 interface_struct!(sins_error_info, "info", 152);
 
 /// Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
-/// always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this thread that
-/// has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle
-/// was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). A failure of this call or of
-/// sins_last_error_info() is not kept.
+/// always terminated; it is "no error" if no call failed. With a NULL handle the function gives the last failed call of this
+/// thread that was made without a simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend,
+/// budget), or whose handle was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). A failure of this
+/// call or of sins_last_error_info() is not kept.
 ///
 /// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
 /// size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -74,8 +75,7 @@ pub unsafe extern "C" fn sins_last_error(
     })
 }
 
-/// Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure of which
-/// sins_last_error() gives the sentence.
+/// Gives the same failure as sins_last_error(), as a struct.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_last_error_info(
     sim: *const sins_sim,

@@ -50,9 +50,10 @@ const ROOM: usize = 1 << 20;
 /// or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
 /// force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
 ///
-/// Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. The
-/// ranges of the values are checked when a sample is pushed. The library does not keep the bytes. Not for a real-time
-/// frame: it allocates, 184 bytes a sample.
+/// The three velocities are all present or all absent; so are the three rates, and the three forces. Without velocities the
+/// samples have SINS_SAMPLE_NO_VELOCITY. Two columns of one quantity are a fault. Frames and signs are those of
+/// sins_flight_sample. A log has at least two samples, each later than the one before. The ranges of the values are checked
+/// when a sample is pushed. The library does not keep the bytes. Not for a real-time frame: it allocates, 184 bytes a sample.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
 /// sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.

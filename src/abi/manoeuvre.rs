@@ -22,12 +22,12 @@ pub const SINS_MANOEUVRE_CLIMB: sins_manoeuvre_kind = 3;
 /// Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
 /// duration follows from these.
 pub const SINS_MANOEUVRE_TURN: sins_manoeuvre_kind = 4;
-/// Whole rolls along a straight path in duration_s; the field turns is their number (right positive).
+/// Whole rolls along a straight path in duration_s; the field turns is their number (positive: right wing down).
 pub const SINS_MANOEUVRE_ROLL: sins_manoeuvre_kind = 5;
 /// Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s.
 pub const SINS_MANOEUVRE_LOOP: sins_manoeuvre_kind = 6;
-/// The course swings by heading_change_rad to both sides; the field turns is the number of swings in duration_s. Uses
-/// ramp_s.
+/// The course swings by heading_change_rad to both sides, first to the right if it is positive. The field turns is the number
+/// of swings in duration_s. A swing is a full period: to one side, to the other side, and back. Uses ramp_s.
 pub const SINS_MANOEUVRE_S_TURN: sins_manoeuvre_kind = 7;
 /// Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s.
 pub const SINS_MANOEUVRE_SINUSOIDS: sins_manoeuvre_kind = 8;
@@ -71,9 +71,10 @@ pub struct sins_manoeuvre {
     pub height_change_m: f64,
     /// Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad].
     pub heading_change_rad: f64,
-    /// Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank.
+    /// Bank of a turn, 1e-3 to 1.5 [rad]. If the heading change is too small to reach this bank, the turn uses a smaller
+    /// bank.
     pub bank_rad: f64,
-    /// Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
+    /// Number of rolls or loops, a whole number from -1e4 to 1e4, not 0; or number of swings of an S-turn, 0 to 1e6.
     pub turns: f64,
     /// What each sinusoid moves, of enum sins_channel.
     pub channel: [i32; 6],

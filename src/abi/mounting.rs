@@ -17,15 +17,16 @@ use crate::simulator::Simulator;
 ///
 /// The ideal sensors measure the motion of the block, and sensor errors act in the axes of the block: sins_imu describes
 /// the block. The INS navigates the block, and converts its solution to the reference point with the mounting that it
-/// believes: sins_navigation and sins_errors describe the reference point. Initial errors are those of the INS's solution
-/// for the block. Angular rate and specific force of a sample are those of the reference point, along body axes. The
-/// barometric height is that of the reference point too.
+/// believes: sins_navigation and sins_errors describe the reference point. Initial errors apply to the solution for the
+/// block, so at the start sins_errors can differ from them. Angular rate and specific force of a sample are those of the
+/// reference point, along body axes. The barometric height is that of the reference point too.
 ///
 /// Start in motion: at the start of a moving flight, and after a reposition, samples without an angular rate do not show
 /// the angular acceleration of the first interval. The specific force of a block away from the reference point then lacks
 /// the term angular acceleration times lever arm. In the second interval this term is correct to first order in the
 /// interval's length, in the third to second order, later to third order. The navigation is not affected, because the INS
-/// starts with the velocity of the block that matches the next sample. With SINS_SAMPLE_ANGULAR_RATE no term is missing.
+/// starts with the velocity that the block has at the mean angular rate of the first interval. With SINS_SAMPLE_ANGULAR_RATE
+/// no term is missing.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_mounting {
@@ -35,8 +36,9 @@ pub struct sins_mounting {
     pub reserved: u32,
     /// Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
     pub lever_arm_m: [f64; 3],
-    /// Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined as those of the
-    /// body relative to the horizon: positive right side down, nose up, nose to the right. Any number of turns up to 10000 rad.
+    /// Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined like the
+    /// attitude angles of the body: positive roll right side down, positive pitch nose up, positive heading nose to the
+    /// right. Each is -1e4 to 1e4; whole turns do not matter.
     pub boresight_rad: [f64; 3],
     /// Believed less true lever arm, -100 to 100 [m].
     pub lever_arm_error_m: [f64; 3],
@@ -47,8 +49,9 @@ pub struct sins_mounting {
 
 interface_struct!(sins_mounting, "mounting", 104);
 
-/// Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
-/// reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the block.
+/// Sets the mounting of the sensor block. Allowed before the first step, and after a reset or a reposition until the next
+/// step. A reset and a reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is
+/// that of the block.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: steps have been made.
@@ -88,7 +91,8 @@ impl Parameters for sins_mounting {
     }
 }
 
-/// Reads the mounting of the sensor block, as it was set last: at any moment, also after sins_snapshot_load().
+/// Reads the mounting of the sensor block that is set. May be called at any moment. After sins_snapshot_load() it is that of
+/// the snapshot.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_get_mounting(sim: *mut sins_sim, mounting: *mut sins_mounting) -> sins_status {
     // SAFETY: the host's promise.

@@ -39,10 +39,10 @@ pub struct sins_imu_increment {
 interface_struct!(sins_imu_increment, "imu", 264);
 
 /// Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
-/// gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges are those of a
-/// flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply. There is no
-/// truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return SINS_ERROR_BAD_STATE
-/// until sins_reset().
+/// gives the start: time, position, velocity and attitude (quaternion_nb; the angles and the flags are not read). Ranges are
+/// those of a flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply.
+/// There is no truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return
+/// SINS_ERROR_BAD_STATE until sins_reset().
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was started before (call sins_reset() first); or temperature

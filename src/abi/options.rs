@@ -17,8 +17,9 @@ pub type sins_frame = i32;
 
 /// Navigation in Earth-fixed axes: regular everywhere, poles included.
 pub const SINS_FRAME_EARTH_FIXED: sins_frame = 0;
-/// Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where the vehicle moves in
-/// one update by more than 1 % of the distance to the pole: within 25 km at 250 m/s and with updates of 1 s.
+/// Navigation in east-north-up, as in the paper. The mechanization returns SINS_ERROR_SINGULAR within 6.4 km of a pole. It
+/// also returns this error if the vehicle moves in one update by more than 1 % of its distance to the pole. For example, at
+/// 250 m/s with updates of 1 s this is within 25 km.
 pub const SINS_FRAME_GEOGRAPHIC: sins_frame = 1;
 
 /// Algorithms of the mechanization.
@@ -34,8 +35,9 @@ pub const SINS_SCHEME_POLYNOMIAL: sins_scheme = 2;
 /// What stabilizes the vertical channel.
 pub type sins_vertical = i32;
 
-/// Third-order loop on a barometric height, time constant 100 s. Its response differs from that of the continuous loop by
-/// 3.5e-5 of its size at 1 Hz, and by 3.5e-7 at 10 Hz (second order in the interval).
+/// Third-order loop on a barometric height, time constant 100 s. The response differs from the response of a continuous loop
+/// by the fraction 3.5e-5 at a sample rate of 1 Hz, and 3.5e-7 at 10 Hz. The difference is of second order in the sample
+/// interval.
 pub const SINS_VERTICAL_DAMPED: sins_vertical = 0;
 /// Height and vertical velocity set to the truth at each sample.
 pub const SINS_VERTICAL_FOLLOW_TRUTH: sins_vertical = 1;
@@ -102,7 +104,8 @@ pub type sins_signal = i32;
 pub const SINS_SIGNAL_PHYSICAL: sins_signal = 0;
 /// As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
 /// free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
-/// trim. As soon as the start, a sensor or gravity has errors, the trim needs a second navigator without errors.
+/// trim. If the initial state, a sensor or gravity has errors, the library also runs a second navigator without errors to
+/// compute the trim. A step then takes longer.
 pub const SINS_SIGNAL_CLOSED_LOOP: sins_signal = 1;
 
 /// Options of a simulator. All zero (except struct_size) is the recommended simulator.
@@ -117,7 +120,8 @@ pub struct sins_options {
     pub frame: i32,
     /// Algorithm of the mechanization, of enum sins_scheme.
     pub scheme: i32,
-    /// Subsamples: the equal parts of a mechanization update over which the sensors integrate, 1 to 5; 0: 2.
+    /// Number of subsamples of a mechanization update, 1 to 5; 0: 2. A subsample is one of the equal parts of the update; the
+    /// sensors give one increment for each.
     pub subsamples: i32,
     /// Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
     pub updates_per_sample: i32,
@@ -135,7 +139,7 @@ pub struct sins_options {
     pub signal: i32,
     /// Seed of all random streams.
     pub seed: u64,
-    /// Number of the run in an ensemble: the same seed with another run gives other random numbers.
+    /// Run number. The same seed with another run number gives other random numbers. Run k of an ensemble has the number k.
     pub run: u64,
     /// Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s, for which max_gap_s
     /// must be at most 7.5 s. Must be 0 with another signal.
@@ -144,9 +148,9 @@ pub struct sins_options {
     /// sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
     /// samples: each must be within 0.4 of a period of its multiple.
     pub sample_period_s: f64,
-    /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. At rest the
-    /// position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and 91 m
-    /// with intervals of 100 s.
+    /// Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Use intervals of minutes only for a vehicle at rest.
+    /// Even at rest the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with
+    /// intervals of 10 s, and 91 m with intervals of 100 s.
     pub max_gap_s: f64,
     /// Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
     /// the truth.

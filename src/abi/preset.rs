@@ -11,20 +11,22 @@ use crate::sensors::{Grade, TriadParameters};
 /// Grades of sensors.
 pub type sins_grade = i32;
 
-/// Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, table 1, upper ends of the grade),
-/// angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+/// Strategic: gyro bias 0.001 deg/h and accelerometer bias 1e-6 g, each 1 sigma (El-Sheimy and Youssef 2020, table 1, upper
+/// ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
 pub const SINS_GRADE_STRATEGIC: sins_grade = 1;
-/// Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated.
+/// Navigation: Honeywell HG9900, brochure N61-1638. It states no accelerometer noise, so the preset has none: set your own.
 pub const SINS_GRADE_NAVIGATION: sins_grade = 2;
 /// Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated.
 pub const SINS_GRADE_TACTICAL: sins_grade = 3;
-/// Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own. The
-/// range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by 0.1 deg, 1 sigma.
+/// Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D. It states no accelerometer noise, so the preset
+/// has none: set your own. The range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by
+/// 0.1 deg, 1 sigma.
 pub const SINS_GRADE_INDUSTRIAL: sins_grade = 4;
 /// Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma.
 pub const SINS_GRADE_CONSUMER: sins_grade = 5;
-/// The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
-/// white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper states none).
+/// The paper's simulation 2: constant gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), constant accelerometer
+/// bias 1e-5 g and white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper
+/// states none).
 pub const SINS_GRADE_PAPER_SIMULATION2: sins_grade = 6;
 
 fn parameters(grade: i32) -> Result<(TriadParameters, TriadParameters), Failure> {

@@ -24,14 +24,15 @@ pub struct sins_requirement {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Duration for which the limits hold, up to 1e6 [s]; 0, or less than the length of the piece of flight that is given to
-    /// sins_recommend(): that length.
+    /// Duration for which the limits hold, 0 to 1e6 [s]. If it is shorter than the piece of flight that is given to
+    /// sins_recommend(), it is the length of that piece.
     pub duration_s: f64,
-    /// Limit of the distance from the exact solution on the same signals [m]; 0: none.
+    /// Limit of the position error of the algorithm: distance from the reference (see sins_recommend()) [m]; 0: none.
     pub position_m: f64,
-    /// Limit of the length of the velocity difference from that solution [m/s]; 0: none.
+    /// Limit of the velocity error of the algorithm: length of the difference from the reference [m/s]; 0: none.
     pub velocity_m_s: f64,
-    /// Limit of the angle between the two attitudes, against the Earth [rad]; 0: none.
+    /// Limit of the attitude error of the algorithm: angle between its attitude relative to the Earth and that of the
+    /// reference [rad]; 0: none.
     pub attitude_rad: f64,
     /// Margin: each limit must be at least this many times the predicted error, 1 to 1e6; 0: 2.
     pub margin: f64,
@@ -67,7 +68,7 @@ pub struct sins_cost {
     /// Processor instructions of the part of a step that depends on the algorithm: a figure that is the same on every
     /// machine. The algorithms are ordered by this figure.
     pub instructions_per_step: f64,
-    /// Time of push and step of one sample, measured in this call on this machine, with the options that were written, the
+    /// Time of push and step of one sample, measured in this call on this machine, with the recommended options, the
     /// mounting, and ideal sensors [ns].
     pub ns_per_step: f64,
     /// Number of algorithms that were tried, including the recommended one.
@@ -101,22 +102,23 @@ impl From<Refusal> for Failure {
     }
 }
 
-/// Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
-/// cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
+/// Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples.
+/// samples[0].struct_size is the size in bytes of each element of samples.
 ///
 /// configured is a simulator as the host flies it, at any moment. The call uses only its options and its mounting, reads them at
 /// the start, and neither steps nor changes the simulator. NULL is the recommended simulator with its sensor block at the
-/// reference point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer,
-/// ready for sins_create(). The values of these three in configured do not matter.
+/// reference point. The output `options` gets the options of configured, ready for sins_create(). Only scheme, subsamples and
+/// updates_per_sample are replaced by the recommended values. The values of these three in configured do not matter.
 ///
 /// Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
-/// reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution with
-/// half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter, start,
-/// gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both solutions
-/// alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a duration beyond the
-/// piece, the call assumes that the piece is flown again and again. Each time adds the same errors with the same sign, and the
-/// errors grow by the Schuler oscillation with the worst phase. If the flight continues like the piece, its errors are smaller
-/// than this prediction. With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
+/// reference: a solution of SINS_SCHEME_POLYNOMIAL in Earth-fixed axes with 16 updates of 5 subsamples. The uncertainty of
+/// the reference (its difference from a solution with half as many updates) is added to the error. The error is that of the
+/// algorithm only. Errors of sensors, altimeter and believed mounting, initial errors, the gravity disturbance, and
+/// contradictions within the host's samples are left out, because they act on both solutions alike. The signals are without
+/// the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. If the duration is longer than the piece, the call
+/// assumes that the piece is repeated. Each repetition adds the same errors with the same sign. The call assumes the worst
+/// phase of the Schuler oscillation. If the flight continues like the piece, its errors are smaller than this prediction.
+/// With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
 ///
 /// Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step
 /// differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if nothing meets the

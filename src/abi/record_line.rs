@@ -20,11 +20,12 @@ const ROOM: usize = 1 << 14;
 /// Number of the errors of gyros and accelerometers.
 const SENSOR_ERRORS: usize = 6;
 
-/// Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its files of
-/// records. If record is NULL, the line has the names of the columns. Numbers read back to the bit. sensor_errors are count = 6
-/// numbers: the mean errors of the gyros [rad/s] and of the accelerometers [m/s2] since the record before, x, y, z of each. NULL
-/// with count 0: all are 0. covariance adds columns of standard deviations; NULL: none. buffer, capacity and needed as in
-/// sins_last_error(); a line has at most 1600 bytes. Not for a real-time frame: it allocates.
+/// Writes a record as one line of comma-separated values, without the newline. The program sins writes its files of records
+/// in this format. If record is NULL, the line has the names of the columns. The decimal numbers are exact: reading them
+/// gives the same doubles. sensor_errors is an array of count = 6 numbers: x, y, z of the mean gyro error [rad/s], then x, y,
+/// z of the mean accelerometer error [m/s2], since the previous record. NULL with count 0: all are 0. covariance adds columns
+/// of standard deviations; NULL: none. buffer, capacity and needed as in sins_last_error(); a line has at most 1600 bytes.
+/// Not for a real-time frame: it allocates.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory for the text.

@@ -8,21 +8,22 @@ use super::sample::sins_flight_sample;
 use super::simulator::{push, sins_sim, step, with_simulator};
 use crate::simulator::Simulator;
 
-/// Pushes and steps an array of count samples. Writes a record whenever the number of intervals since the flight's start is a
-/// multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
-/// by sample.
+/// Pushes and steps an array of count samples. Writes a record after each `every` intervals, counted as in
+/// sins_accuracy.intervals. There is no record for the first sample. Any split of a flight into calls gives the same bits and
+/// the same records as pushing and stepping sample by sample.
 ///
-/// samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
-/// other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
-/// of records, also on an error.
+/// samples[0].struct_size is the size in bytes of each element of samples, records[0].struct_size that of each element of
+/// records. struct_size of the other samples may be 0, that of the other records anything. every 0: no records. written (may
+/// be NULL) gets the number of records that were written, also on an error.
 ///
 /// SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
 /// if sins_options.truth_summary is on, sins_truth_summary.gaps is their number.
-/// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+/// SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make. Nothing is flown, and written
+/// gets 0.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 ///
-/// Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns; sins_last_error() names this
-/// sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
+/// An error of sins_push_sample() or sins_step() ends the call at the sample that caused the error; sins_last_error() names
+/// this sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
 /// intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
 /// sins_reset() empty the queue.
 #[unsafe(no_mangle)]

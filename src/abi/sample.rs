@@ -17,8 +17,8 @@ pub type sins_sample_flags = u32;
 pub const SINS_SAMPLE_ANGULAR_RATE: sins_sample_flags = 1;
 /// The sample carries specific_force_m_s2.
 pub const SINS_SAMPLE_SPECIFIC_FORCE: sins_sample_flags = 2;
-/// The sample has no velocity. The library derives it from positions, with a noise of 2 to 4 position errors divided by the
-/// interval.
+/// The sample has no velocity. The library derives it from positions. The noise of this velocity is 2 to 4 times the position
+/// noise of a sample, divided by the interval.
 pub const SINS_SAMPLE_NO_VELOCITY: sins_sample_flags = 4;
 /// The sample carries temperature_c.
 pub const SINS_SAMPLE_TEMPERATURE: sins_sample_flags = 8;
@@ -44,24 +44,24 @@ pub struct sins_flight_sample {
     pub latitude_rad: f64,
     /// Longitude, east positive, -100 to 100 [rad]; whole turns do not matter.
     pub longitude_rad: f64,
-    /// Height above the ellipsoid, -20 km to 2000 km [m].
+    /// Height above the ellipsoid, -2e4 to 2e6 [m].
     pub height_m: f64,
-    /// Velocity against the Earth, east-north-up, each up to 20 km/s [m/s].
+    /// Velocity against the Earth, east-north-up, each -2e4 to 2e4 [m/s].
     pub velocity_enu_m_s: [f64; 3],
-    /// Roll, right wing down positive, any number of turns up to 10000 rad [rad].
+    /// Roll, right wing down positive, -1e4 to 1e4 [rad]; whole turns do not matter.
     pub roll_rad: f64,
-    /// Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude
-    /// must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from the turn that the
-    /// angular rates predict, or, without rates, that the previous interval predicts. Additional whole turns between two
-    /// samples cannot be detected.
+    /// Pitch, nose up positive, -1e4 to 1e4 [rad]; it may go beyond 90 degrees. From one sample to the next the attitude must
+    /// turn by less than 170 degrees. The library predicts this turn from the angular rates of the samples, or, without
+    /// rates, from the previous interval. The turn must differ from the prediction by less than 180 degrees. Additional whole
+    /// turns between two samples cannot be detected.
     pub pitch_rad: f64,
-    /// Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
+    /// Heading, clockwise from true north, -1e4 to 1e4 [rad]; whole turns do not matter.
     pub heading_rad: f64,
     /// With SINS_SAMPLE_ANGULAR_RATE: angular rate of the vehicle against inertial space along the body axes at this instant,
-    /// each up to 1000 rad/s [rad/s].
+    /// each -1000 to 1000 [rad/s].
     pub angular_rate_rad_s: [f64; 3],
-    /// With SINS_SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body axes at this instant, each up to
-    /// 1e5 m/s2 [m/s2].
+    /// With SINS_SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body axes at this instant, each -1e5
+    /// to 1e5 [m/s2].
     pub specific_force_m_s2: [f64; 3],
     /// With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C]; linear
     /// from one sample to the next. Needed while temperature coefficients are set: the push of a sample without it then returns

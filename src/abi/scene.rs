@@ -107,9 +107,9 @@ pub(super) fn change_scene(
 ///
 /// On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function of
 /// scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only sins_scene_prepare()
-/// and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is
-/// available. If memory runs out later within the call, because another thread takes it, the process ends. sins_log_parse()
-/// does the same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
+/// and sins_scene_prepare_ensemble() are for a real-time frame. The other functions of scenes first check that enough memory
+/// is free for the call. If another thread takes this memory during the call, the process ends. sins_log_parse() does the
+/// same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_status {
     enter_without_simulator(|| {
@@ -251,9 +251,9 @@ pub unsafe extern "C" fn sins_scene_write_keys(
     })
 }
 
-/// Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
-/// sins_scene_prepare() sets the failures at their times. If the flight is not a log, sins_options.sample_period_s of the
-/// simulator is 1 / rate_hz.
+/// Creates the simulator of the scene, ready for the first sample: options, sensor errors, initial errors, mounting, gravity
+/// disturbance. sins_scene_prepare() sets the failures at their times. If the flight is not a log,
+/// sins_options.sample_period_s of the simulator is 1 / rate_hz.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
 /// SINS_ERROR_BAD_STATE: as sins_scene_parse().

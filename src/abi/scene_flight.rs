@@ -27,7 +27,7 @@ pub struct sins_scene_setup {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Kind of the flight, of enum sins_scene_flight; read only: ignored when it is set.
+    /// Kind of the flight, of enum sins_scene_flight; read only: sins_scene_set_setup() ignores it.
     pub flight: i32,
     /// 1: samples get the temperature below; 0: samples get no temperature.
     pub has_temperature: i32,
@@ -142,8 +142,8 @@ fn of_setup(error: Error) -> Error {
 }
 
 /// Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number (count), and
-/// how many times all of them are flown (repeat). manoeuvres[0].struct_size is the distance between the manoeuvres. start
-/// and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
+/// how many times all of them are flown (repeat). manoeuvres[0].struct_size is the size in bytes of each element of
+/// manoeuvres. start and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of manoeuvres; only count was written.
 /// SINS_ERROR_BAD_STATE: the flight is a log; or as sins_scene_parse().

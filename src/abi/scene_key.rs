@@ -29,7 +29,8 @@ pub type sins_scene_key_flags = u32;
 
 /// The key belongs to the items of a list: its section stands in double brackets.
 pub const SINS_SCENE_KEY_IN_LIST: sins_scene_key_flags = 1;
-/// minimum and maximum are the limits of each number. Without this flag there are none, or they depend on other values.
+/// The fields minimum and maximum are the limits of each number. Without this flag there are no limits, or the limits depend
+/// on other values.
 pub const SINS_SCENE_KEY_LIMITS: sins_scene_key_flags = 2;
 /// 0 is allowed in addition to the values within the limits. It switches the quantity off.
 pub const SINS_SCENE_KEY_ZERO_IS_OFF: sins_scene_key_flags = 4;
@@ -53,7 +54,7 @@ pub struct sins_scene_key {
     pub spread: u32,
     /// 0
     pub reserved: u32,
-    /// A number in the unit of name, times this factor, is in SI. 1 if the value is no number.
+    /// Factor from the unit of the key to SI. It is 1 if the value is not a number.
     pub si_per_unit: f64,
     /// Least allowed value of each number, in the unit of name. If the kinds of items have different limits, it is the widest.
     /// Other values of the scene may narrow the limits.
@@ -74,8 +75,8 @@ pub struct sins_scene_key {
     pub default_value: [c_char; 32],
     /// Words that a key of SINS_SCENE_KEY_WORD takes, such as "exact|paper|polynomial".
     pub words: [c_char; 128],
-    /// Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of these words. If there are
-    /// several conditions, with a space between them, an item must meet all. Empty: all items.
+    /// Items of the list that use the key. "kind=turn|s_turn" means the items in which the value of the key `kind` is one of
+    /// these words. If there are several conditions, with a space between them, an item must meet all. Empty: all items.
     pub condition: [c_char; 96],
     /// Meaning, without unit.
     pub meaning: [c_char; 128],

@@ -10,10 +10,10 @@ use super::tables::ENSEMBLES;
 use crate::scene::TakesFailures;
 
 /// Prepares the next interval: call this function before each push, and call sins_step() before you call it again. The
-/// sample gets the temperature of the scene, if the scene has one. Failures of the scene begin and end on sim at the
-/// first interval that starts at or after their time. If the scene plans no failure of an output, the call does not touch
-/// the failure of that output. flight_start_s is the time stamp of the flight's first sample. No allocation, no system
-/// call.
+/// sample gets the temperature of the scene, if the scene has one. The call sets and clears the failures of the scene on sim.
+/// A failure begins at the first interval that starts at or after from_s, and ends at the first interval that starts at or
+/// after until_s. If the scene plans no failure of an output, the call does not touch the failure of that output.
+/// flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
 ///
 /// SINS_ERROR_BAD_HANDLE: scene or sim is not a valid handle.
 /// SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.

@@ -32,8 +32,8 @@ pub struct sins_scene_samples {
 
 interface_struct!(sins_scene_samples, "samples", 48);
 
-/// Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
-/// sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
+/// Reads which samples the scene flies. If the flight is composed of manoeuvres or is built-in, give NULL for `log`; sample k
+/// is then sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
 /// sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, the log has no second sample within the duration, or

@@ -67,7 +67,7 @@ pub unsafe extern "C" fn sins_scene_get_text(
 }
 
 /// Sets a text of the scene; which is of enum sins_scene_text. The text is UTF-8, terminated, at most 4096 bytes. An empty
-/// text clears it; a text that selects the flight cannot be empty.
+/// text clears it, except SINS_SCENE_TEXT_LOG and SINS_SCENE_TEXT_BUILTIN, which cannot be empty.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
 #[unsafe(no_mangle)]

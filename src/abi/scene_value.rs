@@ -20,8 +20,8 @@ unsafe fn short_text<'a>(text: *const c_char, name: &'static str) -> Result<&'a 
 /// Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
 /// the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
 /// "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
-/// value: for example flight.hours, if the scene flies the whole flight. The scene stores numbers in SI: read in another unit
-/// they may be rounded. The scene does not store the name of a preset, only the errors that the preset sets.
+/// value. For example, flight.hours is empty if the scene flies the whole flight. The scene stores numbers in SI, so a number
+/// read in another unit may be rounded. The scene does not store the name of a preset, only the errors that the preset sets.
 ///
 /// The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins_scene_set_items(). A built-in flight and a log
 /// have no such manoeuvres. buffer, capacity and needed as in sins_scene_write().
@@ -48,10 +48,10 @@ pub unsafe extern "C" fn sins_scene_get_value(
 
 /// Sets up to 4096 values of the scene, all or none. values is a terminated text in UTF-8. Each line is path = value, with a path
 /// as in sins_scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written as in the text of a
-/// scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default, and sets a single element to
-/// 0. If a value is set twice, the last one counts. gyro.preset replaces all errors of the gyros, accelerometer.preset those
-/// of the accelerometers, before the other lines are applied, wherever it stands. flight.file and flight.builtin replace the
-/// flight.
+/// scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default of the key. If the path is
+/// a single element (gyro.bias_deg_h[1] =), it sets 0. If a value is set twice, the last one counts. gyro.preset replaces all
+/// errors of the gyros, accelerometer.preset those of the accelerometers, before the other lines are applied, wherever it
+/// stands. flight.file and flight.builtin replace the flight.
 ///
 /// The scene is then checked as sins_scene_parse() checks a text. Set values that depend on each other in one call, such as the
 /// kind of a manoeuvre and its quantities.
@@ -92,8 +92,9 @@ fn place_in_lines(fault: &mut Fault, lines: &[usize]) {
 
 /// Replaces all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
 /// [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an item, give
-/// the texts of all items that the list shall have, in order. An empty text removes all failures. If the flight was a built-in
-/// flight, the manoeuvres begin at its start; if it was a log, at latitude 0, longitude 0, height 0.
+/// the texts of all items that the list shall have, in order. An empty text removes all failures; for "manoeuvre" an empty
+/// text is a fault. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0,
+/// longitude 0, height 0.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
 /// every fault with the line in items and the path.

@@ -14,7 +14,7 @@ pub type sins_sensor = i32;
 pub const SINS_SENSOR_GYRO: sins_sensor = 0;
 /// The accelerometers.
 pub const SINS_SENSOR_ACCEL: sins_sensor = 1;
-/// The altimeter; its axis is 0.
+/// The altimeter. Give 0 for the argument axis.
 pub const SINS_SENSOR_ALTIMETER: sins_sensor = 2;
 
 /// Kinds of failure.
@@ -29,15 +29,18 @@ pub const SINS_FAILURE_STUCK: sins_failure_kind = 1;
 /// altimeter nothing stabilizes the vertical channel of SINS_VERTICAL_DAMPED; this is flagged
 /// SINS_NAVIGATION_VERTICAL_UNAIDED.
 pub const SINS_FAILURE_DEAD: sins_failure_kind = 2;
-/// An additional bias, of the field size. Not flagged.
+/// An additional bias; its value is in the field `size`. Not flagged.
 pub const SINS_FAILURE_BIAS_STEP: sins_failure_kind = 3;
-/// Rectangular pulses of height size and length duration_s, one every interval_s, the first immediately. A sample of the
-/// altimeter shows their mean over its interval. Flagged only where they saturate the output.
+/// Rectangular pulses. The field `size` is their height, duration_s their length. A pulse starts every interval_s; the first
+/// starts immediately. A sample of the altimeter shows the mean of the pulses over the sample interval. A gyro or an
+/// accelerometer is flagged only if a pulse saturates it.
 pub const SINS_FAILURE_SPIKES: sins_failure_kind = 4;
-/// Additional white noise of the field density; for the altimeter, its mean over the interval. Not flagged.
+/// Additional white noise; its density is in the field `density`. A sample of the altimeter shows the mean of the noise over
+/// the sample interval. Not flagged.
 pub const SINS_FAILURE_NOISE: sins_failure_kind = 5;
 /// Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
-/// independently with the field probability, or one interval is lost every interval_s, the first immediately.
+/// independently with the probability in the field `probability`, or one interval is lost every interval_s, the first
+/// immediately.
 pub const SINS_FAILURE_DROP_OUTS: sins_failure_kind = 6;
 
 /// What a sins_failure and a sins_planned_failure say of a failure.
@@ -53,11 +56,12 @@ pub struct sins_failure_fields {
     /// Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
     /// [u sqrt(s)].
     pub density: f64,
-    /// Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
+    /// Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]; 0 for drop-outs with a
+    /// probability.
     pub interval_s: f64,
     /// Spikes: length of one spike, 1e-9 s to interval_s [s].
     pub duration_s: f64,
-    /// Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
+    /// Drop-outs, if interval_s is 0: probability that an interval is lost, 0 to 1.
     pub probability: f64,
 }
 
@@ -159,11 +163,11 @@ pub(super) fn output(fields: [&'static str; 2], sensor: i32, axis: i32) -> Resul
 /// outputs may fail at the same time.
 ///
 /// sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
-/// zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change. Sensor
-/// processes continue during a failure, and act on the output again when it is cleared. A failure acts on error data 1 and on
-/// error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all
-/// failures, so an exercise starts again with working sensors; failures that are set again at the same intervals give the same
-/// bits.
+/// zone, range and quantization. SINS_FAILURE_STUCK, SINS_FAILURE_DEAD and SINS_FAILURE_DROP_OUTS replace the output. The
+/// random numbers of other effects do not change. Sensor processes continue during a failure, and act on the output again
+/// when it is cleared. A failure acts on error data 1 and on error data 2. It does not act on the alignment at the start.
+/// sins_reposition() keeps failures. sins_reset() clears all failures, so an exercise starts again with working sensors;
+/// failures that are set again at the same intervals give the same bits.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
 /// solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -182,8 +186,8 @@ pub unsafe extern "C" fn sins_set_failure(
     })
 }
 
-/// Reads the failure of one output: at any moment, also after sins_snapshot_load(). SINS_FAILURE_NONE: the output has no
-/// failure. sensor and axis as in sins_set_failure().
+/// Reads the failure of one output. May be called at any moment. After sins_snapshot_load() it is that of the snapshot.
+/// SINS_FAILURE_NONE: the output has no failure. sensor and axis as in sins_set_failure().
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such output.
 #[unsafe(no_mangle)]

@@ -90,7 +90,8 @@ pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mu
     })
 }
 
-/// Destroys a simulator, after calls on it in other threads have returned. The handle is never used again.
+/// Waits until the calls of other threads on this handle have returned, and destroys the simulator. The handle is never used
+/// again.
 ///
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
@@ -111,11 +112,12 @@ pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins
 /// SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
 /// by more than 0.4 of the period.
 /// SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
-/// before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
-/// on, call sins_move_time() before this push; a push cannot be undone.
+/// before. sins_step() flies the gap as motion: the vehicle moves by its velocity times the length of the gap. After a pause
+/// of the host in which its clock ran on, call sins_move_time() before this push; a push cannot be undone.
 /// SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or a turn of 170 degrees or more since the last accepted
-/// sample. Later samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or
-/// sins_reposition() (for a jump).
+/// sample. After a gap each later sample is rejected, until you call sins_move_time(), sins_move_truth() or
+/// sins_reposition(). After a jump or a turn each later sample is rejected, until one fits the last accepted sample, or until
+/// you call sins_move_truth() or sins_reposition().
 /// SINS_ERROR_QUEUE_FULL: step first.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
@@ -132,17 +134,19 @@ pub unsafe extern "C" fn sins_push_sample(
 
 /// Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
 /// later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on is flown
-/// like any other, as velocity times its length; sins_push_sample() returns SINS_GAP for it.
+/// like any other: the vehicle moves by its velocity times the length of the interval. sins_push_sample() returns SINS_GAP if
+/// the interval is a gap.
 ///
 /// SINS_NEED_SAMPLE: no complete interval is waiting.
-/// SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
-/// 100 km/s; the limits apply to the solution of the sensor block, to that of the reference point, and to the error-free
-/// navigator of SINS_SIGNAL_CLOSED_LOOP.
+/// SINS_ERROR_DIVERGED: the step would bring the solution below a height of -500 km, above a height of 20000 km, or to a
+/// speed of more than 100 km/s. The limits apply to the solution of the sensor block, to that of the reference point, and to
+/// the error-free navigator of SINS_SIGNAL_CLOSED_LOOP.
 /// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 ///
-/// After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable;
-/// sins_reposition() or sins_reset() start anew.
+/// After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable. The
+/// samples stay in the queue, so a further sins_step() tries the same interval again. sins_reposition() or sins_reset() start
+/// anew.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_step(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| Ok(step(simulator)?))
@@ -178,10 +182,10 @@ pub(super) fn stepped(step: Step) -> sins_status {
 /// Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp time_s [s], and
 /// later samples must have later stamps. time_s is the time that the clock shows when the vehicle moves again. Everything else
 /// stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
-/// along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive stamps
-/// are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences over three
-/// samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The host must also
-/// move its flight_start_s of sins_scene_prepare() by the same time.
+/// along. The outputs have the same bits as those of a flight without the jump of time, if the differences between successive
+/// time stamps are the same doubles. With a stated period this is always so. (If the samples have no velocities, the
+/// differences over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time
+/// stamps.) The host must also move its flight_start_s of sins_scene_prepare() by the same time.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
 /// SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -193,20 +197,22 @@ pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins
     })
 }
 
-/// Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous sample
-/// to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors as before:
-/// position error in metres (along the truth's east and north, and in height), velocity error (components) and misalignment, to
-/// 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the new place. Noise,
-/// sensor processes, failures, the vertical channel, the altimeter's error and running figures continue, and no random number
-/// changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow the new signals immediately.
-/// Waiting samples are dropped. The time may jump too: the running figures and the grid of a stated period then move with it, as
-/// in sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
-/// solution is its velocity error alone until the next sample is pushed.
+/// Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous
+/// sample to this one, so the errors do not change at the slew. For both values of source, sins_get_errors() reports the same
+/// errors before and after it: position error in metres (along the truth's east and north, and in height), velocity error
+/// (components) and misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and
+/// velocity at the new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running
+/// figures continue, and no random number changes. (The scale factor error of the altimeter is that of the new height.) The
+/// sensors follow the new signals immediately. Waiting samples are dropped. The time may jump too: the running figures and
+/// the grid of a stated period then move with it, as in sins_move_time(). sins_get_imu() still reports the previous interval.
+/// If the sample has no velocity, the library takes the true velocity as 0 until the next sample is pushed. The navigated
+/// velocity is then equal to the velocity error.
 ///
 /// If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and
-/// solution are not comparable. The errors of velocity and attitude are then kept in the truth's axes, turned to the
-/// solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are kept. The errors of
-/// the reference point follow from them with the lever arm, the boresight and their errors, in the new attitude.
+/// solution are not comparable. The axes of the solution are then those of the truth, turned by the shortest rotation so that
+/// up is the vertical of the solution. In these axes the components of the velocity error and of the misalignment are kept.
+/// With a mounting, the errors of the sensor block are kept. The errors of the reference point follow from them with the
+/// lever arm, the boresight and their errors, in the new attitude.
 ///
 /// Before the first step there are no errors to keep, and the call acts as sins_reposition().
 ///
@@ -224,17 +230,18 @@ pub unsafe extern "C" fn sins_move_truth(
 }
 
 /// Restarts the INS after the flight simulator was reloaded: the truth jumps to the sample, and the INS starts again there
-/// with its initial errors. Its previous errors are lost; to keep them, call sins_move_truth() (slew) or sins_move_time()
-/// (pause) instead. Noise and failures continue. Waiting samples and the running accuracy figures are dropped. The time may
-/// jump too, forward or back: the run, and the grid of a stated period, continue from the sample's time stamp. Until the
-/// next step, the reads give the state at this sample, and there is no interval to read. The call may be the first of a
-/// run: the sample is then the first one, and the next push completes an interval.
+/// with its initial errors. The initial errors have the same random numbers as at the first start. The previous errors of the
+/// INS are lost; to keep them, call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures
+/// continue. Waiting samples and the running accuracy figures are dropped. The time may jump too, forward or back: the run,
+/// and the grid of a stated period, continue from the sample's time stamp. Until the next step, the reads give the state at
+/// this sample, and there is no interval to read. The call may be the first of a run: the sample is then the first one, and
+/// the next push completes an interval.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 ///
-/// If no INS can start there (too close to a pole, in geographic axes or for gyrocompassing), the reads and the next step
-/// return the error.
+/// This call returns SINS_OK even if no INS can start at the sample. The reads and the next step then return
+/// SINS_ERROR_SINGULAR (too close to a pole, in geographic axes or for gyrocompassing) or SINS_ERROR_DIVERGED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_reposition(
     sim: *mut sins_sim,

@@ -11,10 +11,10 @@ use super::text::{bytes_of, put_bytes};
 /// ask sins_snapshot_size(); for an ensemble ask sins_ensemble_snapshot_size().
 pub const SINS_SNAPSHOT_MAX_SIZE: usize = 20480;
 
-/// Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. Without
-/// waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros, accelerometers and
-/// altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each waiting sample adds up to 154
-/// bytes, and sins_options.covariance up to 9.2 KiB.
+/// Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. These sizes
+/// are without waiting samples. Without sensor errors it is 1.3 to 2.1 KiB, by the options. With every error of gyros,
+/// accelerometers and altimeter it is up to 4.5 KiB. With mounting, gravity, temperature and failures too it is up to 5.25
+/// KiB. Each waiting sample adds up to 154 bytes, and sins_options.covariance up to 9.2 KiB.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sins_snapshot_size(sim: *mut sins_sim, size: *mut usize) -> sins_status {
     with_simulator(sim, |simulator| {
@@ -24,10 +24,10 @@ pub unsafe extern "C" fn sins_snapshot_size(sim: *mut sins_sim, size: *mut usize
     })
 }
 
-/// Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every block, and the
-/// position of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and hold
-/// no address, so they can be kept in a file or sent to another machine. The same state gives the same bytes. No
-/// allocation, no system call.
+/// Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every stage, and the position
+/// of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and hold no address,
+/// so they can be kept in a file or sent to another machine. The same state gives the same bytes. No allocation, no system
+/// call.
 ///
 /// Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR the last
 /// good solution is saved. After SINS_ERROR_INTERNAL nothing can be saved: load an earlier snapshot into a fresh handle.

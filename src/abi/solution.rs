@@ -16,14 +16,14 @@ pub const SINS_NAVIGATION_NEAR_POLE: sins_navigation_flags = 1;
 /// Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
 /// every 569 s.
 pub const SINS_NAVIGATION_VERTICAL_UNAIDED: sins_navigation_flags = 2;
-/// A flag of the truth: the displacement since the previous sample differs from the displacement d that the velocities give by
-/// more than sqrt((0.01 d)^2 + (1 cm)^2).
+/// A flag of the truth. Let d be the displacement computed from the velocities. The flag is set if the displacement of the
+/// positions since the previous sample differs from d by more than sqrt((0.01 d)^2 + (1 cm)^2).
 pub const SINS_NAVIGATION_INCONSISTENT: sins_navigation_flags = 4;
 /// The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
-/// force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
-/// it is smaller, the heading error is below 90 degrees.) The simulator knows the horizontal error; a real INS does not. A
-/// real INS can be sure that it has not found north only if its levelled horizontal rate is more than twice the north
-/// component of the Earth rate. The flag stays until the INS starts again.
+/// force, or the error of the horizontal gyro rates is at least as large as the north component of the Earth rate. (If it is
+/// smaller, the heading error is below 90 degrees.) The flag stays until the INS starts again. Note: a real INS does not know
+/// this error. It can be sure that it has not found north only if its horizontal gyro rate is more than twice the north
+/// component of the Earth rate.
 pub const SINS_NAVIGATION_NORTH_UNKNOWN: sins_navigation_flags = 8;
 
 /// A solution within a sins_record; never grows. Fields as in sins_navigation.

@@ -12,7 +12,8 @@ pub use crate::statistics::Statistics as sins_statistics;
 
 interface_struct!(sins_statistics, "statistics", 14920);
 
-/// Figures that are computed from a sins_statistics. Without a run all are 0, and the covariance of one run is 0.
+/// Figures that are computed from a sins_statistics. If there is no run, all figures are 0. If there is one run, its
+/// covariance is 0.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_figures {
@@ -119,9 +120,9 @@ pub unsafe extern "C" fn sins_ensemble_get_statistics(
     })
 }
 
-/// Adds the runs of other to those of into. The caller makes sure that no run is in both. The sums are exact: any order and
-/// any grouping of merges gives the same bits, so the work can be split over threads, processes, machines and restarts in any
-/// way. An into that is zero except for struct_size holds no runs.
+/// Adds the runs of `other` to those of `into`. The caller makes sure that no run is in both. The sums are exact: any order
+/// and any grouping of merges gives the same bits, so the work can be split over threads, processes, machines and restarts in
+/// any way. If `into` is zero except for struct_size, it holds no runs.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or the sum would have more than 4294967295
 /// runs. into is then unchanged.

@@ -6,11 +6,11 @@ use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
 use crate::truth::TruthSummary;
 
-/// Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
-/// and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
-/// sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
-/// contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are means
-/// from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
+/// Extreme values of the true motion over all intervals since the create or the last sins_reset(). Wrong units and exchanged
+/// axes give values that no vehicle has, so these figures reveal them. Attitudes in degrees turn 57 times too fast, and give
+/// arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead
+/// of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are
+/// means from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
 /// samples. Each ..._at_s is the time stamp of the sample at which the value was found.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -51,8 +51,8 @@ pub struct sins_truth_summary {
     pub force_max_m_s2: f64,
     /// Time stamp of force_max_m_s2 [s].
     pub force_max_at_s: f64,
-    /// Largest difference, in one interval, between the displacement by the positions and the displacement by the velocities (the
-    /// mean of those at the two ends, times the length of the interval) [m].
+    /// Largest difference, in one interval, between the displacement from the positions and the displacement from the
+    /// velocities (the mean of the velocities at the two ends, times the length of the interval) [m].
     pub inconsistency_max_m: f64,
     /// Time stamp of inconsistency_max_m [s].
     pub inconsistency_max_at_s: f64,

@@ -4,8 +4,8 @@ use core::ffi::{CStr, c_char};
 
 use super::failure::*;
 
-/// Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes
-/// when something is removed or changes its meaning. Additions at the end do not change it.
+/// Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. The number
+/// changes if a part of the interface is removed or changes its meaning. Additions at the end do not change it.
 pub const SINS_HEADER_ABI: u32 = 1;
 /// Major number of this release of the library, by semantic versioning.
 pub const SINS_VERSION_MAJOR: u32 = 0;

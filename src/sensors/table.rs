@@ -91,7 +91,9 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "ramp", shape: Axes, is_random: GIVEN,
-        doc: "ramp R: bias that grows with time", note: "It starts at 0 when it is set.",
+        doc: "ramp R: bias that grows with time",
+        note: "The bias starts at 0 when the ramp is switched on, and at sins_reset(). If R is changed in flight, the bias continues from \
+            its present value.",
         gyro: field(("gyro.rate_ramp_rad_s2", "rad/s2"), RATE,
             ("rate_ramp_deg_h2", "deg/h/h", DEG_PER_HOUR / 3600.0), "gyro ramp"),
         accel: field(("accel.ramp_m_s3", "m/s3"), FORCE,
@@ -125,7 +127,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "scale_factor_asymmetry", shape: Axes, is_random: GIVEN,
-        doc: "scale factor error of positive less that of negative signals", note: "The error of a signal s is half of this times |s|.",
+        doc: "scale factor error for positive signals less that for negative signals", note: "The error of a signal s is half of this times |s|.",
         gyro: field(("gyro.scale_factor_asymmetry", ""), SHARE,
             ("scale_factor_asymmetry_ppm", "ppm", PPM), "gyro asymmetry"),
         accel: field(("accel.scale_factor_asymmetry", ""), SHARE,
@@ -141,7 +143,8 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "misalignment", shape: OffDiagonal("must be 0 on the diagonal; use scale_factor"), is_random: GIVEN,
-        doc: "misalignment: row = sensor, column = axis it should not sense", note: "The diagonal is 0.",
+        doc: "misalignment: row = sensor, column = axis it should not sense",
+        note: "The error of sensor i is the sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.",
         gyro: field(("gyro.misalignment_rad", "rad"), SHARE,
             ("misalignment_arcsec", "arcsec", ARCSEC), "gyro misalignment"),
         accel: field(("accel.misalignment_rad", "rad"), SHARE,
@@ -150,7 +153,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         name: "misalignment_sigma", shape: OffDiagonal("must be 0 on the diagonal; use scale_factor_sigma"), is_random: RANDOM,
         doc: "standard deviation of each turn-on misalignment, drawn once a run",
-        note: "It is added to misalignment_rad. The diagonal is 0.",
+        note: "It is added to misalignment_rad. The diagonal must be 0.",
         gyro: field(("gyro.misalignment_sigma_rad", "rad"), SHARE_SIZE,
             ("misalignment_sigma_arcsec", "arcsec", ARCSEC), "gyro turn-on misalignment"),
         accel: field(("accel.misalignment_sigma_rad", "rad"), SHARE_SIZE,
@@ -169,8 +172,8 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         name: "g2_sensitivity", shape: Axes, is_random: GIVEN,
         doc: "drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity",
-        note: "The rate that gyro i measures is too large by element i times the square of component i of the true specific force at \
-            the block's own point, in sensor axes. So a positive element makes a drift in the positive sense about the axis, whatever the sign \
+        note: "The rate error of gyro i is element i times the square of the true specific force along sensor axis i, at the point of \
+            the sensor block (see sins_mounting). So a positive element makes a drift in the positive sense about the axis, whatever the sign \
             of the force. The mean force of a subsample is squared, as with nonlinearity.",
         gyro: field(("gyro.g2_sensitivity_rad_s_per_m2_s4", "(rad/s)/(m/s2)^2"), SHARE,
             ("g2_sensitivity_deg_h_per_g2", "deg/h/g2", DEG_PER_HOUR_PER_G / STANDARD_GRAVITY), "gyro g2-sensitivity"),
@@ -178,17 +181,19 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "vibration_rectification_s2_m", shape: Axes, is_random: GIVEN,
-        doc: "vibration rectification, the g2 term", note: "A vibration with the root mean square r causes a bias of this times r squared.",
+        doc: "vibration rectification, the g2 term",
+        note: "The error is this times the square of the mean force of a subsample. So a vibration with the root mean square r causes a bias of this times r squared.",
         gyro: None,
         accel: field(("accel.vibration_rectification_s2_m", "s2/m"), SHARE,
             ("vibration_rectification_micro_g_per_g2", "micro-g/g2", 1e-6 / STANDARD_GRAVITY), "accel vibration rectification"),
     },
     Parameter {
         name: "lever_arm_m", shape: Matrix, is_random: GIVEN,
-        doc: "lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect)",
-        note: "The block's own point is where the lever arm of sins_mounting ends. At a start in motion, samples do not show the angular \
-            acceleration of the first interval (see sins_mounting). The measured velocity then lacks, for the rest of the flight, the \
-            lever arm times the change of the rate in that interval. With sins_push_imu() the angular acceleration follows from the previous increments.",
+        doc: "lever arm of each accelerometer from the point of the sensor block, sensor axes, row = sensor (size effect)",
+        note: "The point of the sensor block is where the lever arm of sins_mounting ends. If a flight starts in motion, samples without an \
+            angular rate do not show the angular acceleration of the first interval (see sins_mounting). The measured velocity is then wrong for \
+            the rest of the flight: it lacks the lever arm times the change of the angular rate in the first interval. \
+            With sins_push_imu() the angular acceleration follows from the previous increments.",
         gyro: None,
         accel: field(("accel.lever_arm_m", "m"), Within(-100.0, 100.0),
             ("lever_arm_mm", "mm", 1e-3), "accel size effect"),
@@ -242,7 +247,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         name: "bandwidth_hz", shape: Axes, is_random: GIVEN,
         doc: "bandwidth, -3 dB of a second-order Butterworth filter",
-        note: "The filter starts settled: without a transient at the first interval.",
+        note: "The filter starts in its steady state, so there is no transient in the first interval.",
         gyro: field(("gyro.bandwidth_hz", "Hz"), FREQUENCY, ("bandwidth_hz", "Hz", 1.0), "gyro bandwidth"),
         accel: field(("accel.bandwidth_hz", "Hz"), FREQUENCY, ("bandwidth_hz", "Hz", 1.0), "accel bandwidth"),
     },
@@ -262,7 +267,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "quantization", shape: Axes, is_random: GIVEN,
-        doc: "pulse of the output increments", note: "The remainder goes into the next increment. The quantization noise Q is pulse/sqrt(12).",
+        doc: "quantum (pulse weight) of the output increments", note: "The remainder goes into the next increment. The quantization noise Q is quantum/sqrt(12).",
         gyro: field(("gyro.quantization_rad", "rad"), PULSE,
             ("quantization_arcsec", "arcsec", ARCSEC), "gyro quantization"),
         accel: field(("accel.quantization_m_s", "m/s"), PULSE,

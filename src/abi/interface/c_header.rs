@@ -81,7 +81,7 @@ fn sizes(structs: &[Struct]) -> String {
     let values: Vec<String> =
         structs.iter().map(|one| format!("    {} = {}", one.size_constant(), one.size)).collect();
     format!(
-        "/* Sizes of the structs in bytes, the same on every platform: what struct_size is set to in other languages than C. */\n\
+        "/* Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */\n\
          enum sins_sizeof {{\n{}\n}};\n\n",
         values.join(",\n")
     )

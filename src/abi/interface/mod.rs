@@ -53,7 +53,7 @@ const SUBJECTS: [(&str, &[&str]); 17] = [
         ],
     ),
     ("Values of a scene by their paths", &["scene_key", "scene_value"]),
-    ("Flight logs", &["log", "scene_samples"]),
+    ("Flight logs, and the samples of a scene", &["log", "scene_samples"]),
     ("Which options, which effects matter", &["recommend", "budget", "budget_answer"]),
 ];
 
