@@ -6,21 +6,23 @@
  * that navigation:
  *
  *   sins_sim *sim = NULL;
- *   sins_create(NULL, &sim);                       recommended options: navigation minus truth, no error model
+ *   sins_create(NULL, &sim);                       recommended options; the error model is off
  *   sins_set_gyro(sim, &gyro);                     errors of the gyros; without this call they are ideal
  *   while (...) {
  *       sins_push_sample(sim, &sample);            one sample of the flight simulator
- *       if (sins_step(sim) == SINS_OK)             one interval (the first needs two samples)
+ *       if (sins_step(sim) == SINS_OK)             one interval; after the first sample: SINS_NEED_SAMPLE
  *           sins_get_navigation(sim, &navigation);
  *   }
  *   sins_destroy(sim);
  *
- * Structs. A field of 0 is off, or has the default that its comment gives, such as "0: 2.5 s". Every struct (except the parts of
- *   a sins_record) begins with struct_size, which the caller sets to the sizeof of the struct, and a second 32-bit integer, which
- *   is 0 unless its comment says otherwise. So "sins_gyro_params gyro = { sizeof gyro };" is an ideal gyro. SINS_INIT(gyro)
- *   makes the same, for compilers that warn of fields left out. The caller sets struct_size of output structs too. Structs grow
- *   only at their end, so old hosts run on new libraries, and new hosts on old libraries. If the struct of a newer host has
- *   fields that this library does not know, an output leaves these fields unchanged, and an input must have 0 in them.
+ * Structs. A parameter of 0 is off, or has the default that its comment gives, such as "0: 2.5 s". (In a flight sample 0 is a
+ *   value.) Every struct (except the parts of a sins_record) begins with struct_size, which the caller sets to the sizeof of
+ *   the struct, and a second 32-bit integer, which is 0 unless its comment says otherwise. So "sins_gyro_params gyro = { sizeof
+ *   gyro };" is an ideal gyro. SINS_INIT(gyro) sets the same content. Use it if your compiler warns of missing initializers.
+ *   The caller sets struct_size of output structs too. Structs grow only at their end, so old hosts run on new libraries, and
+ *   new hosts on old libraries. A newer host may pass a struct with fields that an older library does not know. In an output
+ *   struct the library leaves these fields unchanged. In an input struct they must be 0, or the call returns
+ *   SINS_ERROR_STRUCT_SIZE.
  * Units are SI and radians, as the name of each field says. The macros below convert the units of data sheets:
  *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
  * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
@@ -37,11 +39,12 @@
  *   number of elements that is needed. sins_log_parse(), sins_scene_set_values() and sins_scene_set_items() report faults.)
  *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, every function with a handle
  *   SINS_ERROR_BAD_HANDLE, and every function with a struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can
- *   return SINS_ERROR_INTERNAL. The other errors of a function are listed at the function, or under Threads and Unloading. A
- *   positive status is not an error. With SINS_NEED_SAMPLE the output is unchanged, with SINS_REQUIREMENT_NOT_MET it is
- *   written, with SINS_SCENE_HAS_FAULTS there is a handle, and with SINS_GAP everything was done. Test for errors by
- *   status < 0. sins_last_error() gives a sentence that names field, value and limit. sins_last_error_info() gives the same as a
- *   struct, sins_status_string() the name of the status.
+ *   return SINS_ERROR_INTERNAL. The other errors of a function are listed at the function. Threads and Unloading describe
+ *   further causes of SINS_ERROR_BAD_STATE and SINS_ERROR_OUT_OF_MEMORY. A positive status is not an error. With
+ *   SINS_NEED_SAMPLE the output is unchanged. With SINS_REQUIREMENT_NOT_MET the output is written. With SINS_SCENE_HAS_FAULTS a
+ *   handle was made. With SINS_GAP the call did everything. Test for errors by status < 0. sins_last_error() gives a sentence
+ *   that names field, value and limit. sins_last_error_info() gives the same as a struct, sins_status_string() the name of the
+ *   status.
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
  *   do. A call takes less than 48 KB of stack, so a thread with a stack of 64 KB is enough.
  *   Nested calls: if a thread is inside a call on a handle, and calls another function with the same handle, the second call
@@ -50,58 +53,65 @@
  *     the allocator: sins_destroy(), sins_snapshot_load(), sins_ensemble_create(), sins_recommend() and sins_error_budget().
  *   Abandoned calls: a call does not return if siglongjmp() leaves it, or if its thread is cancelled or terminated. It then
  *     holds its handle for ever, and the memory of the handle is never freed. Further calls of its own thread with this handle
- *     return SINS_ERROR_BAD_STATE. Such calls of other threads wait for ever; on Windows, if the thread was terminated, they
- *     return SINS_ERROR_BAD_STATE, the first of them after 0.1 s. An abandoned call does not restore the host's floating-point
- *     state.
- *   fork(): if another thread of the parent was inside a call, calls with its handle return SINS_ERROR_BAD_STATE in the child.
- *     All other handles work there. A process made in another way, such as by vfork() or clone(), must make no call.
+ *     return SINS_ERROR_BAD_STATE. Calls of other threads with this handle wait for ever. On Windows, if the thread of the
+ *     abandoned call was terminated, these calls return SINS_ERROR_BAD_STATE instead. The first of them returns after 0.1 s. An
+ *     abandoned call does not restore the host's floating-point state.
+ *   fork(): if another thread of the parent is inside a call on a handle, every call on this handle in the child returns
+ *     SINS_ERROR_BAD_STATE. All other handles work in the child. A process made in another way, such as by vfork() or clone(),
+ *     must make no call.
  * Unloading. Destroy every handle first, and let every call return. On Windows, a DLL that was built for windows-gnu is never
  *   unloaded: FreeLibrary() succeeds, the DLL stays in memory, and LoadLibrary() gives the same module again. The same holds
- *   for a DLL that contains the static library. The reason: Rust never frees the three or four TLS indexes that it takes when
- *   the DLL is loaded. Load the library before other modules have used up the indexes. If fewer than eight are left, functions
- *   without a handle return SINS_ERROR_OUT_OF_MEMORY until there are eight. If none is left, Windows may abort the process when
- *   a thread or the process ends.
+ *   for a DLL that contains the static library. The reason: Rust never frees the three or four TLS indexes (thread-local
+ *   storage) that it takes when the DLL is loaded. Load the library early, before other modules have used up the indexes. At
+ *   the load eight indexes must be free, because a later Rust may take more. Otherwise functions without a handle return
+ *   SINS_ERROR_OUT_OF_MEMORY until eight are free. If no index is free, Windows may abort the process when a thread or the
+ *   process ends.
  * Real time. Push, step, run, the reads (except sins_record_line()), the setters, reset, reposition, sins_move_time(),
  *   sins_move_truth() and sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another
  *   thread. This also holds for the same functions of ensembles, and for the functions of statistics. The library prints
  *   nothing, and reads no environment variable and no file. It leaves the host's floating-point control state and x87 registers
  *   as it found them.
  * Host time. The time in a run comes from the time stamps of its samples, or from sample_period_s if it is stated. The library
- *   reads no clock for it. (Clocks are read for two other purposes: sins_recommend() and sins_error_budget() measure times, and
- *   the first create draws handle numbers from the clock.)
+ *   reads a clock only in three places: sins_recommend() and sins_error_budget() measure computing times, and the first create
+ *   draws handle numbers from the clock.
  *   Pause: simply make no calls while paused. A push of the same sample again returns SINS_ERROR_TIME_ORDER and changes
  *     nothing. If the host's clock stopped during the pause, there is nothing to do. If the clock ran on, call sins_move_time()
- *     before the next push, with the time that the clock shows when the vehicle moves again: the flight continues as if there
- *     had been no pause. Without that call, the first push after a pause of more than max_gap_s returns
- *     SINS_ERROR_DISCONTINUITY, and so does each later one. A shorter pause is flown as motion: the vehicle moves by its
- *     velocity times the length of the pause. The push after such a pause returns SINS_GAP if the interval is a gap.
- *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on the
- *     smoothest motion between its ends. Its updates are as long as those before the gap, or longer if the gap would otherwise
- *     need more than 80 subsamples. Attitude and velocity are correct immediately after the gap. The position keeps the
- *     difference between the true path and the smoothest one. In steady flight this difference is 0. In a weave of 4 g with a
- *     period of 8 s, sampled at 100 Hz, it is 4 cm if 1 s is lost, and 3 m if 2.5 s are lost. If the samples have no velocities,
- *     the error is larger: up to 5 n^2 times the error of a sample's position, where n is the number of lost intervals. If 1 s
- *     is lost in straight flight at 50 Hz, with positions accurate to 1 cm, this bound is 125 m; the error in a test is 23 m.
- *     If such an error is too large, set a smaller max_gap_s: longer gaps are then rejected.
- *   Faster or slower than real time: give samples that are farther apart in simulated time (for example ten times dt, up to
- *     max_gap_s) or closer together (down to 5e-5 s). If sample_period_s is 0, the spacing may change from one sample to the
- *     next. If it is stated, each spacing must be a whole number of periods. Each interval is integrated as a whole. So the
- *     accuracy depends on the actual sample rate. A turn of 170 degrees or more between two samples is rejected. The size of
- *     the noise follows the length of the interval. Only noise_m of the altimeter and the probability of drop-outs apply to
- *     each sample, whatever the length of its interval.
- *   Slew: sins_move_truth() keeps the errors of the INS. sins_reposition() starts the INS anew at a place and discards its errors:
- *     it is for a flight that is reloaded, not for a pause. sins_reset() repeats the flight with the same random numbers.
- *     sins_snapshot_load() returns to a saved moment.
+ *     before the next push. Give it the time that the clock shows at the end of the pause. The newest accepted sample gets this
+ *     time stamp, and the next sample must be later. The flight then continues as if there had been no pause. Without that
+ *     call, the first push after a pause of more than max_gap_s returns SINS_ERROR_DISCONTINUITY, and so does each later one. A
+ *     shorter pause is flown as motion: the vehicle moves by its velocity times the length of the pause. The push after such a
+ *     pause returns SINS_GAP if the interval is a gap.
+ *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on a
+ *     smooth path between its two ends: velocity and rotation are cubic polynomials of time, with the values and derivatives at
+ *     the ends. The mechanization updates in the gap are as long as before the gap. If this would need more than 80 subsamples
+ *     (see sins_options), the updates are longer. Attitude and velocity are correct immediately after the gap. From then on the
+ *     navigated position has an additional error: the difference between the true path and the assumed path. In steady flight
+ *     this difference is 0. In a weave of 4 g with a period of 8 s, sampled at 100 Hz, it is 4 cm if 1 s is lost, and 3 m if
+ *     2.5 s are lost. If the samples have no velocities, the error is larger: up to 5 n^2 times the error of a sample's
+ *     position, where n is the number of lost intervals. If 1 s is lost in straight flight at 50 Hz, with positions accurate to
+ *     1 cm, this bound is 125 m; the error in a test is 23 m. If such an error is too large, set a smaller max_gap_s: longer
+ *     gaps are then rejected.
+ *   Faster or slower than real time: give samples that are farther apart in simulated time (for example ten times the interval,
+ *     up to max_gap_s) or closer together (down to 5e-5 s). If sample_period_s is 0, the spacing may change from one sample to
+ *     the next. If it is stated, each spacing must be a whole number of periods. Each interval is integrated as a whole. So the
+ *     accuracy depends on the actual sample rate. A turn of 170 degrees or more between two samples is rejected. The library
+ *     scales the random sensor noise with the length of the interval, so the density of the noise stays the same. Two
+ *     parameters do not depend on the length of the interval: noise_m of the altimeter applies to each sample, and the
+ *     probability of drop-outs applies to each interval.
+ *   Slew: sins_move_truth() moves the vehicle to another place, and keeps the errors of the INS. sins_reposition() starts the
+ *     INS anew at a place and discards its errors: it is for a flight that is reloaded, not for a pause. sins_reset() repeats
+ *     the flight with the same random numbers. sins_snapshot_load() returns to a saved moment.
  * Same bits. The same options, seed, samples and settings, each set before the same interval, give the same outputs bit for bit
  *   on every platform. Reads, and the way in which samples are split into calls, do not change them. The exceptions are times:
  *   ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect has its own stream, so switching one effect
  *   on or off leaves the random numbers of all others unchanged.
  *
- * Scenes and logs. A scene is a flight, the settings of the simulator, and the planned failures of its sensors, as a text in TOML.
- *   A log is a flight as a table of samples, also as text. The host reads the files; the library parses their bytes:
+ * Scenes and logs. A scene describes a flight, the settings of the simulator, and the planned failures of the sensors. Its text
+ *   form is TOML. A log is a flight as a table of samples, also as text. The host reads the files; the library parses their
+ *   bytes:
  *
  *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() gives each fault and its place
- *     sins_scene_create_simulator(scene, &sim);      options, sensors, start, mounting, gravity
+ *     sins_scene_create_simulator(scene, &sim);      options, sensor errors, initial errors, mounting, gravity disturbance
  *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
  *     while (...) {
  *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
@@ -150,7 +160,8 @@
  *     sins_scene_clear_failures
  *   Values of a scene by their paths: sins_scene_get_key, sins_scene_get_value, sins_scene_set_values,
  *     sins_scene_set_items
- *   Flight logs: sins_log_parse, sins_log_get_info, sins_log_get_sample, sins_log_destroy, sins_scene_get_samples
+ *   Flight logs, and the samples of a scene: sins_log_parse, sins_log_get_info, sins_log_get_sample,
+ *     sins_log_destroy, sins_scene_get_samples
  *   Which options, which effects matter: sins_recommend, sins_error_budget
  *
  * This file is written by build.rs from the Rust sources; do not edit it.
@@ -183,7 +194,7 @@ typedef unsigned __int64 uint64_t;
 #define SINS_API
 #endif
 
-/* Sets a struct to zero, and struct_size to its size: everything is off, or as recommended. */
+/* Sets a struct to zero, and struct_size to its size: all effects are off, all options have their defaults. */
 #define SINS_INIT(object) (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = sizeof(object)))
 
 /* Units: multiply by them to convert to SI, divide to convert back. */
@@ -194,7 +205,7 @@ typedef unsigned __int64 uint64_t;
 #define SINS_DEG_PER_SQRT_HOUR (SINS_DEG / 60.0)   /* degree per root hour, angle random walk [rad/sqrt(s)] */
 #define SINS_STANDARD_GRAVITY 9.80665              /* g [m/s2] */
 #define SINS_MICRO_G (SINS_STANDARD_GRAVITY * 1.0e-6)             /* millionth of g [m/s2] */
-#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1.0e-6) /* white noise of force [(m/s)/sqrt(s)] */
+#define SINS_MICRO_G_PER_SQRT_HZ (SINS_STANDARD_GRAVITY * 1.0e-6) /* micro-g per root hertz, velocity random walk [(m/s)/sqrt(s)] */
 #define SINS_PPM 1.0e-6                            /* part per million */
 #define SINS_KNOT (1852.0 / 3600.0)                /* knot [m/s] */
 #define SINS_NMI 1852.0                            /* nautical mile [m] */
@@ -205,16 +216,16 @@ extern "C" {
 #endif
 
 /*
- * A simulator. This type and the next four are handles: keys that every call checks, never addresses. A call with a handle that
- * is null, made up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE, unless the function says what null means. No
- * key is ever used again.
+ * A simulator. This type and the next four are handles. A handle is a key, not an address, and every call checks it. A call
+ * with a handle that is null, made up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE, unless the function says
+ * what null means. No key is ever used again.
  */
 typedef struct sins_sim sins_sim;
 /* An embedded flight: the library computes its samples from manoeuvres. */
 typedef struct sins_flight sins_flight;
 /* An ensemble: many runs of one simulator over the same samples. */
 typedef struct sins_ensemble sins_ensemble;
-/* A scene: a flight, the settings of the simulator, and the planned failures of its sensors. */
+/* A scene: a flight, the settings of the simulator, and the planned failures of the sensors. */
 typedef struct sins_scene sins_scene;
 /* A flight log: a table of samples. */
 typedef struct sins_log sins_log;
@@ -225,14 +236,14 @@ enum sins_status_code {
     SINS_OK = 0,
     /* There is no sample yet, or no complete interval: push the next sample. */
     SINS_NEED_SAMPLE = 1,
-    /* No options meet the requirement; the outputs hold the best options there are. */
+    /* sins_recommend(): no options meet the requirement. The outputs hold the options that come closest. */
     SINS_REQUIREMENT_NOT_MET = 2,
     /* The text of a scene has faults. The handle was made, but only sins_scene_get_fault() and sins_scene_destroy() accept it. */
     SINS_SCENE_HAS_FAULTS = 3,
     /*
      * The sample was accepted, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times
-     * each of the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's
-     * clock ran on while the vehicle stood still, that is wrong: see sins_move_time().
+     * each of the two before it. The library assumes that the vehicle moved during the gap: 213 m in 1 s at 213 m/s. If the
+     * vehicle stood still while the host's clock ran on, this is wrong: see sins_move_time().
      */
     SINS_GAP = 4,
     /* A pointer is null where null is not allowed. */
@@ -276,8 +287,9 @@ enum sins_frame {
     /* Navigation in Earth-fixed axes: regular everywhere, poles included. */
     SINS_FRAME_EARTH_FIXED = 0,
     /*
-     * Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where the vehicle moves in
-     * one update by more than 1 % of the distance to the pole: within 25 km at 250 m/s and with updates of 1 s.
+     * Navigation in east-north-up, as in the paper. The mechanization returns SINS_ERROR_SINGULAR within 6.4 km of a pole. It
+     * also returns this error if the vehicle moves in one update by more than 1 % of its distance to the pole. For example, at
+     * 250 m/s with updates of 1 s this is within 25 km.
      */
     SINS_FRAME_GEOGRAPHIC = 1
 };
@@ -295,8 +307,9 @@ enum sins_scheme {
 /* What stabilizes the vertical channel. */
 enum sins_vertical {
     /*
-     * Third-order loop on a barometric height, time constant 100 s. Its response differs from that of the continuous loop by
-     * 3.5e-5 of its size at 1 Hz, and by 3.5e-7 at 10 Hz (second order in the interval).
+     * Third-order loop on a barometric height, time constant 100 s. The response differs from the response of a continuous loop
+     * by the fraction 3.5e-5 at a sample rate of 1 Hz, and 3.5e-7 at 10 Hz. The difference is of second order in the sample
+     * interval.
      */
     SINS_VERTICAL_DAMPED = 0,
     /* Height and vertical velocity set to the truth at each sample. */
@@ -367,7 +380,8 @@ enum sins_signal {
     /*
      * As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
      * free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
-     * trim. As soon as the start, a sensor or gravity has errors, the trim needs a second navigator without errors.
+     * trim. If the initial state, a sensor or gravity has errors, the library also runs a second navigator without errors to
+     * compute the trim. A step then takes longer.
      */
     SINS_SIGNAL_CLOSED_LOOP = 1
 };
@@ -390,7 +404,7 @@ enum sins_sensor {
     SINS_SENSOR_GYRO = 0,
     /* The accelerometers. */
     SINS_SENSOR_ACCEL = 1,
-    /* The altimeter; its axis is 0. */
+    /* The altimeter. Give 0 for the argument axis. */
     SINS_SENSOR_ALTIMETER = 2
 };
 
@@ -409,18 +423,23 @@ enum sins_failure_kind {
      * SINS_NAVIGATION_VERTICAL_UNAIDED.
      */
     SINS_FAILURE_DEAD = 2,
-    /* An additional bias, of the field size. Not flagged. */
+    /* An additional bias; its value is in the field `size`. Not flagged. */
     SINS_FAILURE_BIAS_STEP = 3,
     /*
-     * Rectangular pulses of height size and length duration_s, one every interval_s, the first immediately. A sample of the
-     * altimeter shows their mean over its interval. Flagged only where they saturate the output.
+     * Rectangular pulses. The field `size` is their height, duration_s their length. A pulse starts every interval_s; the first
+     * starts immediately. A sample of the altimeter shows the mean of the pulses over the sample interval. A gyro or an
+     * accelerometer is flagged only if a pulse saturates it.
      */
     SINS_FAILURE_SPIKES = 4,
-    /* Additional white noise of the field density; for the altimeter, its mean over the interval. Not flagged. */
+    /*
+     * Additional white noise; its density is in the field `density`. A sample of the altimeter shows the mean of the noise over
+     * the sample interval. Not flagged.
+     */
     SINS_FAILURE_NOISE = 5,
     /*
      * Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
-     * independently with the field probability, or one interval is lost every interval_s, the first immediately.
+     * independently with the probability in the field `probability`, or one interval is lost every interval_s, the first
+     * immediately.
      */
     SINS_FAILURE_DROP_OUTS = 6
 };
@@ -430,11 +449,11 @@ enum sins_alignment {
     /* The INS starts with the true attitude, turned by the given and the drawn misalignment. */
     SINS_ALIGNMENT_GIVEN = 0,
     /*
-     * The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
-     * turned by the given and the drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense
-     * no horizontal force. Gyrocompassing then finds the heading at which the levelled rate of the gyros points north.
-     * SINS_NAVIGATION_NORTH_UNKNOWN is set if the sensor errors hide north. Within 64 km of a pole the start returns
-     * SINS_ERROR_SINGULAR.
+     * The library computes the attitude that levelling and gyrocompassing at rest would find with the sensor errors at the
+     * start. It does so even if the flight starts in motion. The INS starts with this attitude, turned by the given and the
+     * drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense no horizontal force.
+     * Gyrocompassing then finds the heading at which the horizontal gyro rates point north. SINS_NAVIGATION_NORTH_UNKNOWN is set
+     * if the sensor errors hide north. Within 64 km of a pole the start returns SINS_ERROR_SINGULAR.
      */
     SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1
 };
@@ -446,8 +465,8 @@ enum sins_sample_flags {
     /* The sample carries specific_force_m_s2. */
     SINS_SAMPLE_SPECIFIC_FORCE = 2,
     /*
-     * The sample has no velocity. The library derives it from positions, with a noise of 2 to 4 position errors divided by the
-     * interval.
+     * The sample has no velocity. The library derives it from positions. The noise of this velocity is 2 to 4 times the position
+     * noise of a sample, divided by the interval.
      */
     SINS_SAMPLE_NO_VELOCITY = 4,
     /* The sample carries temperature_c. */
@@ -467,16 +486,16 @@ enum sins_navigation_flags {
      */
     SINS_NAVIGATION_VERTICAL_UNAIDED = 2,
     /*
-     * A flag of the truth: the displacement since the previous sample differs from the displacement d that the velocities give by
-     * more than sqrt((0.01 d)^2 + (1 cm)^2).
+     * A flag of the truth. Let d be the displacement computed from the velocities. The flag is set if the displacement of the
+     * positions since the previous sample differs from d by more than sqrt((0.01 d)^2 + (1 cm)^2).
      */
     SINS_NAVIGATION_INCONSISTENT = 4,
     /*
      * The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
-     * force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
-     * it is smaller, the heading error is below 90 degrees.) The simulator knows the horizontal error; a real INS does not. A
-     * real INS can be sure that it has not found north only if its levelled horizontal rate is more than twice the north
-     * component of the Earth rate. The flag stays until the INS starts again.
+     * force, or the error of the horizontal gyro rates is at least as large as the north component of the Earth rate. (If it is
+     * smaller, the heading error is below 90 degrees.) The flag stays until the INS starts again. Note: a real INS does not know
+     * this error. It can be sure that it has not found north only if its horizontal gyro rate is more than twice the north
+     * component of the Earth rate.
      */
     SINS_NAVIGATION_NORTH_UNKNOWN = 8
 };
@@ -487,9 +506,12 @@ enum sins_imu_flags {
     SINS_IMU_GYRO_SATURATED = 1,
     /* The mean force of a subsample was beyond the range of an accelerometer. */
     SINS_IMU_ACCEL_SATURATED = 2,
-    /* A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0. */
+    /* A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with the output 0 of this gyro. */
     SINS_IMU_GYRO_INVALID = 4,
-    /* An accelerometer had no signal in the interval: dead, or dropped out. */
+    /*
+     * An accelerometer had no signal in the interval: dead, or dropped out. The mechanization continues with the output 0 of
+     * this accelerometer.
+     */
     SINS_IMU_ACCEL_INVALID = 8
 };
 
@@ -510,7 +532,7 @@ enum sins_errors_flags {
     SINS_ERRORS_NEAR_POLE = 1,
     /*
      * A flag of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
-     * displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
+     * position error is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
      */
     SINS_ERRORS_OUTSIDE_VALIDITY = 2,
     /* In a sins_record: not computed, all zero. */
@@ -520,24 +542,26 @@ enum sins_errors_flags {
 /* Grades of sensors. */
 enum sins_grade {
     /*
-     * Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, table 1, upper ends of the grade),
-     * angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+     * Strategic: gyro bias 0.001 deg/h and accelerometer bias 1e-6 g, each 1 sigma (El-Sheimy and Youssef 2020, table 1, upper
+     * ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
      */
     SINS_GRADE_STRATEGIC = 1,
-    /* Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated. */
+    /* Navigation: Honeywell HG9900, brochure N61-1638. It states no accelerometer noise, so the preset has none: set your own. */
     SINS_GRADE_NAVIGATION = 2,
     /* Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated. */
     SINS_GRADE_TACTICAL = 3,
     /*
-     * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own. The
-     * range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by 0.1 deg, 1 sigma.
+     * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D. It states no accelerometer noise, so the preset
+     * has none: set your own. The range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by
+     * 0.1 deg, 1 sigma.
      */
     SINS_GRADE_INDUSTRIAL = 4,
     /* Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma. */
     SINS_GRADE_CONSUMER = 5,
     /*
-     * The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
-     * white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper states none).
+     * The paper's simulation 2: constant gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), constant accelerometer
+     * bias 1e-5 g and white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper
+     * states none).
      */
     SINS_GRADE_PAPER_SIMULATION2 = 6
 };
@@ -557,13 +581,13 @@ enum sins_manoeuvre_kind {
      * duration follows from these.
      */
     SINS_MANOEUVRE_TURN = 4,
-    /* Whole rolls along a straight path in duration_s; the field turns is their number (right positive). */
+    /* Whole rolls along a straight path in duration_s; the field turns is their number (positive: right wing down). */
     SINS_MANOEUVRE_ROLL = 5,
     /* Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s. */
     SINS_MANOEUVRE_LOOP = 6,
     /*
-     * The course swings by heading_change_rad to both sides; the field turns is the number of swings in duration_s. Uses
-     * ramp_s.
+     * The course swings by heading_change_rad to both sides, first to the right if it is positive. The field turns is the number
+     * of swings in duration_s. A swing is a full period: to one side, to the other side, and back. Uses ramp_s.
      */
     SINS_MANOEUVRE_S_TURN = 7,
     /* Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s. */
@@ -630,7 +654,10 @@ enum sins_scene_key_kind {
 enum sins_scene_key_flags {
     /* The key belongs to the items of a list: its section stands in double brackets. */
     SINS_SCENE_KEY_IN_LIST = 1,
-    /* minimum and maximum are the limits of each number. Without this flag there are none, or they depend on other values. */
+    /*
+     * The fields minimum and maximum are the limits of each number. Without this flag there are no limits, or the limits depend
+     * on other values.
+     */
     SINS_SCENE_KEY_LIMITS = 2,
     /* 0 is allowed in addition to the values within the limits. It switches the quantity off. */
     SINS_SCENE_KEY_ZERO_IS_OFF = 4
@@ -638,15 +665,15 @@ enum sins_scene_key_flags {
 
 /* Flags of a sins_budget_row. */
 enum sins_budget_flags {
-    /* The row's figures are standard deviations (1 sigma), exact to first order. */
+    /* The figures of the row are standard deviations (1 sigma), from linear error equations. */
     SINS_BUDGET_RANDOM = 1,
     /* The effect can be left out, together with all others that have this flag. */
     SINS_BUDGET_CAN_BE_LEFT_OUT = 2
 };
 
 /*
- * Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes
- * when something is removed or changes its meaning. Additions at the end do not change it.
+ * Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. The number
+ * changes if a part of the interface is removed or changes its meaning. Additions at the end do not change it.
  */
 #define SINS_HEADER_ABI 1
 
@@ -679,7 +706,10 @@ typedef struct sins_options {
     int32_t frame;
     /* Algorithm of the mechanization, of enum sins_scheme. */
     int32_t scheme;
-    /* Subsamples: the equal parts of a mechanization update over which the sensors integrate, 1 to 5; 0: 2. */
+    /*
+     * Number of subsamples of a mechanization update, 1 to 5; 0: 2. A subsample is one of the equal parts of the update; the
+     * sensors give one increment for each.
+     */
     int32_t subsamples;
     /* Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above). */
     int32_t updates_per_sample;
@@ -697,7 +727,7 @@ typedef struct sins_options {
     int32_t signal;
     /* Seed of all random streams. */
     uint64_t seed;
-    /* Number of the run in an ensemble: the same seed with another run gives other random numbers. */
+    /* Run number. The same seed with another run number gives other random numbers. Run k of an ensemble has the number k. */
     uint64_t run;
     /*
      * Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s, for which max_gap_s
@@ -711,9 +741,9 @@ typedef struct sins_options {
      */
     double sample_period_s;
     /*
-     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. At rest the
-     * position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and 91 m
-     * with intervals of 100 s.
+     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Use intervals of minutes only for a vehicle at rest.
+     * Even at rest the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with
+     * intervals of 10 s, and 91 m with intervals of 100 s.
      */
     double max_gap_s;
     /*
@@ -747,29 +777,29 @@ typedef struct sins_flight_sample {
     double latitude_rad;
     /* Longitude, east positive, -100 to 100 [rad]; whole turns do not matter. */
     double longitude_rad;
-    /* Height above the ellipsoid, -20 km to 2000 km [m]. */
+    /* Height above the ellipsoid, -2e4 to 2e6 [m]. */
     double height_m;
-    /* Velocity against the Earth, east-north-up, each up to 20 km/s [m/s]. */
+    /* Velocity against the Earth, east-north-up, each -2e4 to 2e4 [m/s]. */
     double velocity_enu_m_s[3];
-    /* Roll, right wing down positive, any number of turns up to 10000 rad [rad]. */
+    /* Roll, right wing down positive, -1e4 to 1e4 [rad]; whole turns do not matter. */
     double roll_rad;
     /*
-     * Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude
-     * must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from the turn that the
-     * angular rates predict, or, without rates, that the previous interval predicts. Additional whole turns between two
-     * samples cannot be detected.
+     * Pitch, nose up positive, -1e4 to 1e4 [rad]; it may go beyond 90 degrees. From one sample to the next the attitude must
+     * turn by less than 170 degrees. The library predicts this turn from the angular rates of the samples, or, without
+     * rates, from the previous interval. The turn must differ from the prediction by less than 180 degrees. Additional whole
+     * turns between two samples cannot be detected.
      */
     double pitch_rad;
-    /* Heading, clockwise from true north, any number of turns up to 10000 rad [rad]. */
+    /* Heading, clockwise from true north, -1e4 to 1e4 [rad]; whole turns do not matter. */
     double heading_rad;
     /*
      * With SINS_SAMPLE_ANGULAR_RATE: angular rate of the vehicle against inertial space along the body axes at this instant,
-     * each up to 1000 rad/s [rad/s].
+     * each -1000 to 1000 [rad/s].
      */
     double angular_rate_rad_s[3];
     /*
-     * With SINS_SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body axes at this instant, each up to
-     * 1e5 m/s2 [m/s2].
+     * With SINS_SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body axes at this instant, each -1e5
+     * to 1e5 [m/s2].
      */
     double specific_force_m_s2[3];
     /*
@@ -801,11 +831,14 @@ typedef struct sins_error_info {
     int64_t sample;
     /* With SINS_ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the nearest double. */
     double value;
-    /* With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence says "more than", this value itself is rejected too. */
+    /*
+     * With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence of sins_last_error() says "more than", the limit itself
+     * is not allowed.
+     */
     double minimum;
     /*
-     * With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence says "less than", this value itself is rejected
-     * too.
+     * With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence of sins_last_error() says "less than", the limit
+     * itself is not allowed.
      */
     double maximum;
 } sins_error_info;
@@ -847,7 +880,10 @@ typedef struct sins_gyro_params {
     double random_walk_rad_sqrt_s[3];
     /* Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
     double rate_random_walk_rad_s_sqrt_s[3];
-    /* Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set. */
+    /*
+     * Ramp R: bias that grows with time [rad/s2], -100 to 100. The bias starts at 0 when the ramp is switched on,
+     * and at sins_reset(). If R is changed in flight, the bias continues from its present value.
+     */
     double rate_ramp_rad_s2[3];
     /*
      * Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
@@ -862,8 +898,8 @@ typedef struct sins_gyro_params {
      */
     double scale_factor_sigma[3];
     /*
-     * Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
-     * of this times |s|.
+     * Scale factor error for positive signals less that for negative signals [1], -1 to 1. The error of a signal s
+     * is half of this times |s|.
      */
     double scale_factor_asymmetry[3];
     /*
@@ -871,11 +907,14 @@ typedef struct sins_gyro_params {
      * times s |s|.
      */
     double scale_factor_nonlinearity_s_rad[3];
-    /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
+    /*
+     * Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The error of sensor i is the
+     * sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.
+     */
     double misalignment_rad[9];
     /*
      * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
-     * misalignment_rad. The diagonal is 0.
+     * misalignment_rad. The diagonal must be 0.
      */
     double misalignment_sigma_rad[9];
     /*
@@ -886,8 +925,8 @@ typedef struct sins_gyro_params {
     double g_sensitivity_rad_s_per_m_s2[9];
     /*
      * Drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
-     * -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
-     * specific force at the block's own point, in sensor axes. So a positive element makes a drift in the positive
+     * -1 to 1. The rate error of gyro i is element i times the square of the true specific force along sensor axis
+     * i, at the point of the sensor block (see sins_mounting). So a positive element makes a drift in the positive
      * sense about the axis, whatever the sign of the force. The mean force of a subsample is squared, as with
      * nonlinearity.
      */
@@ -910,8 +949,8 @@ typedef struct sins_gyro_params {
      */
     double scale_factor_temperature2_per_k2[3];
     /*
-     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts settled:
-     * without a transient at the first interval.
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts in its
+     * steady state, so there is no transient in the first interval.
      */
     double bandwidth_hz[3];
     /* Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100. */
@@ -919,8 +958,8 @@ typedef struct sins_gyro_params {
     /* Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
     double range_rad_s[3];
     /*
-     * Pulse of the output increments [rad], 1e-15 to 1; 0: none. The remainder goes into the next increment. The
-     * quantization noise Q is pulse/sqrt(12).
+     * Quantum (pulse weight) of the output increments [rad], 1e-15 to 1; 0: none. The remainder goes into the next
+     * increment. The quantization noise Q is quantum/sqrt(12).
      */
     double quantization_rad[3];
 } sins_gyro_params;
@@ -956,7 +995,10 @@ typedef struct sins_accel_params {
     double velocity_random_walk_m_s_sqrt_s[3];
     /* Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
     double acceleration_random_walk_m_s2_sqrt_s[3];
-    /* Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set. */
+    /*
+     * Ramp R: bias that grows with time [m/s3], -10000 to 10000. The bias starts at 0 when the ramp is switched
+     * on, and at sins_reset(). If R is changed in flight, the bias continues from its present value.
+     */
     double ramp_m_s3[3];
     /*
      * Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on:
@@ -971,8 +1013,8 @@ typedef struct sins_accel_params {
      */
     double scale_factor_sigma[3];
     /*
-     * Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
-     * of this times |s|.
+     * Scale factor error for positive signals less that for negative signals [1], -1 to 1. The error of a signal s
+     * is half of this times |s|.
      */
     double scale_factor_asymmetry[3];
     /*
@@ -980,24 +1022,28 @@ typedef struct sins_accel_params {
      * times s |s|.
      */
     double scale_factor_nonlinearity_s2_m[3];
-    /* Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0. */
+    /*
+     * Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The error of sensor i is the
+     * sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.
+     */
     double misalignment_rad[9];
     /*
      * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
-     * misalignment_rad. The diagonal is 0.
+     * misalignment_rad. The diagonal must be 0.
      */
     double misalignment_sigma_rad[9];
     /*
-     * Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration with the root mean square r causes a bias
-     * of this times r squared.
+     * Vibration rectification, the g2 term [s2/m], -1 to 1. The error is this times the square of the mean force
+     * of a subsample. So a vibration with the root mean square r causes a bias of this times r squared.
      */
     double vibration_rectification_s2_m[3];
     /*
-     * Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
-     * -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At a start in motion,
-     * samples do not show the angular acceleration of the first interval (see sins_mounting). The measured velocity
-     * then lacks, for the rest of the flight, the lever arm times the change of the rate in that interval. With
-     * sins_push_imu() the angular acceleration follows from the previous increments.
+     * Lever arm of each accelerometer from the point of the sensor block, sensor axes, row = sensor (size effect)
+     * [m], -100 to 100. The point of the sensor block is where the lever arm of sins_mounting ends. If a flight
+     * starts in motion, samples without an angular rate do not show the angular acceleration of the first interval
+     * (see sins_mounting). The measured velocity is then wrong for the rest of the flight: it lacks the lever arm
+     * times the change of the angular rate in the first interval. With sins_push_imu() the angular acceleration
+     * follows from the previous increments.
      */
     double lever_arm_m[9];
     /*
@@ -1018,8 +1064,8 @@ typedef struct sins_accel_params {
      */
     double scale_factor_temperature2_per_k2[3];
     /*
-     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts settled:
-     * without a transient at the first interval.
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts in its
+     * steady state, so there is no transient in the first interval.
      */
     double bandwidth_hz[3];
     /* Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000. */
@@ -1027,8 +1073,8 @@ typedef struct sins_accel_params {
     /* Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
     double range_m_s2[3];
     /*
-     * Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The remainder goes into the next increment. The
-     * quantization noise Q is pulse/sqrt(12).
+     * Quantum (pulse weight) of the output increments [m/s], 1e-15 to 1; 0: none. The remainder goes into the next
+     * increment. The quantization noise Q is quantum/sqrt(12).
      */
     double quantization_m_s[3];
 } sins_accel_params;
@@ -1039,17 +1085,17 @@ typedef struct sins_altimeter_params {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Constant bias, up to 1e5 m [m]. */
+    /* Constant bias, -1e5 to 1e5 [m]. */
     double bias_m;
-    /* Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m]. */
+    /* Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, 0 to 1e5 [m]. */
     double markov_sigma_m;
     /* Correlation time of the Gauss-Markov error, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0. */
     double markov_time_s;
-    /* Standard deviation of the independent error of each sample, up to 1e5 m [m]. */
+    /* Standard deviation of the independent error of each sample, 0 to 1e5 [m]. */
     double noise_m;
     /* Scale factor error of the height [1], -1 to 1. */
     double scale_factor;
-    /* Time constant of the first-order lag of the static pressure, up to 1e6 s [s]. */
+    /* Time constant of the first-order lag of the static pressure, 0 to 1e6 [s]. */
     double lag_s;
 } sins_altimeter_params;
 
@@ -1073,18 +1119,22 @@ typedef struct sins_failure {
      * [u sqrt(s)].
      */
     double density;
-    /* Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]. */
+    /*
+     * Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]; 0 for drop-outs with a
+     * probability.
+     */
     double interval_s;
     /* Spikes: length of one spike, 1e-9 s to interval_s [s]. */
     double duration_s;
-    /* Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0. */
+    /* Drop-outs, if interval_s is 0: probability that an interval is lost, 0 to 1. */
     double probability;
 } sins_failure;
 
 /*
  * Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
- * (sigma) are drawn once a run and added. Where the vertical channel follows the truth, its errors start at 0. Positions up
- * to 1e6 m, velocities up to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
+ * (sigma) are drawn once a run and added. A reset and a reposition use the same random numbers again. With
+ * SINS_VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0. Limits: position errors 1e6 m, velocity
+ * errors 1e4 m/s, their standard deviations 1e5 m and 1e3 m/s.
  */
 typedef struct sins_initial_errors {
     /* sizeof(sins_initial_errors) */
@@ -1096,16 +1146,16 @@ typedef struct sins_initial_errors {
     /* Velocity error [m/s]. */
     double velocity_enu_m_s[3];
     /*
-     * Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C. C turns vectors from sensor
-     * axes to east-north-up. The C on the right is the true one, or, with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, the one that
-     * the alignment finds.
+     * Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C0. C turns vectors from sensor
+     * axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, C0 is the C that the alignment
+     * finds.
      */
     double misalignment_enu_rad[3];
-    /* Standard deviation of position [m]. */
+    /* Standard deviation of the position error [m]. */
     double position_sigma_enu_m[3];
-    /* Standard deviation of velocity [m/s]. */
+    /* Standard deviation of the velocity error [m/s]. */
     double velocity_sigma_enu_m_s[3];
-    /* Standard deviation of misalignment, 0 to 1 [rad]. */
+    /* Standard deviation of the misalignment, 0 to 1 [rad]. */
     double misalignment_sigma_enu_rad[3];
     /* Alignment at the start, of enum sins_alignment. */
     int32_t alignment;
@@ -1120,15 +1170,16 @@ typedef struct sins_initial_errors {
  *
  * The ideal sensors measure the motion of the block, and sensor errors act in the axes of the block: sins_imu describes
  * the block. The INS navigates the block, and converts its solution to the reference point with the mounting that it
- * believes: sins_navigation and sins_errors describe the reference point. Initial errors are those of the INS's solution
- * for the block. Angular rate and specific force of a sample are those of the reference point, along body axes. The
- * barometric height is that of the reference point too.
+ * believes: sins_navigation and sins_errors describe the reference point. Initial errors apply to the solution for the
+ * block, so at the start sins_errors can differ from them. Angular rate and specific force of a sample are those of the
+ * reference point, along body axes. The barometric height is that of the reference point too.
  *
  * Start in motion: at the start of a moving flight, and after a reposition, samples without an angular rate do not show
  * the angular acceleration of the first interval. The specific force of a block away from the reference point then lacks
  * the term angular acceleration times lever arm. In the second interval this term is correct to first order in the
  * interval's length, in the third to second order, later to third order. The navigation is not affected, because the INS
- * starts with the velocity of the block that matches the next sample. With SINS_SAMPLE_ANGULAR_RATE no term is missing.
+ * starts with the velocity that the block has at the mean angular rate of the first interval. With SINS_SAMPLE_ANGULAR_RATE
+ * no term is missing.
  */
 typedef struct sins_mounting {
     /* sizeof(sins_mounting) */
@@ -1138,8 +1189,9 @@ typedef struct sins_mounting {
     /* Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m]. */
     double lever_arm_m[3];
     /*
-     * Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined as those of the
-     * body relative to the horizon: positive right side down, nose up, nose to the right. Any number of turns up to 10000 rad.
+     * Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined like the
+     * attitude angles of the body: positive roll right side down, positive pitch nose up, positive heading nose to the
+     * right. Each is -1e4 to 1e4; whole turns do not matter.
      */
     double boresight_rad[3];
     /* Believed less true lever arm, -100 to 100 [m]. */
@@ -1152,15 +1204,14 @@ typedef struct sins_mounting {
 } sins_mounting;
 
 /*
- * True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
- * disturbance: true and normal gravity are taken at the same point). Each has a constant part and a random part. The random
- * part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over
- * ground. At rest it does not change. All zero is normal gravity.
+ * Gravity disturbance: true gravity less the normal gravity that the INS computes, at the same point. The horizontal part is
+ * the deflection of the vertical. The vertical part is called anomaly here. Each has a constant part and a random part. The
+ * random part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown
+ * over ground. At rest it does not change. All zero is normal gravity.
  *
  * Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
- * accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between 0 and
- * twice R times the deflection, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) is
- * tilted by the deflection.
+ * accelerometer error. At rest, without a levelled start, a deflection xi makes the position error oscillate between 0 and 2
+ * R xi, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) is tilted by the deflection.
  */
 typedef struct sins_gravity_params {
     /* sizeof(sins_gravity_params) */
@@ -1172,7 +1223,7 @@ typedef struct sins_gravity_params {
      * zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g times this to the north.
      */
     double deflection_north_rad;
-    /* Standard deviation of the random part of the deflection in the meridian, up to 0.01 [rad]. */
+    /* Standard deviation of the random part of the deflection in the meridian, 0 to 0.01 [rad]. */
     double deflection_north_sigma_rad;
     /* Correlation distance D of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
     double deflection_north_distance_m;
@@ -1181,13 +1232,13 @@ typedef struct sins_gravity_params {
      * 0.01 [rad]. If positive, the true zenith lies east of the ellipsoid's normal.
      */
     double deflection_east_rad;
-    /* Standard deviation of the random part of the deflection in the prime vertical, up to 0.01 [rad]. */
+    /* Standard deviation of the random part of the deflection in the prime vertical, 0 to 0.01 [rad]. */
     double deflection_east_sigma_rad;
     /* Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
     double deflection_east_distance_m;
     /* Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2. */
     double anomaly_m_s2;
-    /* Standard deviation of the random part of the anomaly, up to 0.1 [m/s2]. */
+    /* Standard deviation of the random part of the anomaly, 0 to 0.1 [m/s2]. */
     double anomaly_sigma_m_s2;
     /* Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
     double anomaly_distance_m;
@@ -1230,7 +1281,10 @@ typedef struct sins_record_errors {
     double longitude_rad;
     /* Error of height [m]. */
     double height_m;
-    /* Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position. */
+    /*
+     * Velocity error [m/s]: components of the computed velocity in the east-north-up axes at the computed position, less
+     * components of the true velocity in the axes at the true position.
+     */
     double velocity_enu_m_s[3];
     /*
      * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
@@ -1347,7 +1401,10 @@ typedef struct sins_errors {
     double longitude_rad;
     /* Error of height [m]. */
     double height_m;
-    /* Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position. */
+    /*
+     * Velocity error [m/s]: components of the computed velocity in the east-north-up axes at the computed position, less
+     * components of the true velocity in the axes at the true position.
+     */
     double velocity_enu_m_s[3];
     /*
      * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
@@ -1368,8 +1425,8 @@ typedef struct sins_errors {
 
 /*
  * Running figures of the flight since its start or last reposition; sins_move_time() and sins_move_truth() do not restart
- * them. Errors are sampled once a second. They describe one run, not an ensemble. Divide the rates by SINS_NMI_PER_HOUR
- * for the unit of data sheets.
+ * them. The figures use the errors once a second. They describe one run, not an ensemble. To get nautical miles per hour,
+ * divide a rate by SINS_NMI_PER_HOUR.
  */
 typedef struct sins_accuracy {
     /* sizeof(sins_accuracy) */
@@ -1381,11 +1438,11 @@ typedef struct sins_accuracy {
     /* Time since the start [s]. */
     double duration_s;
     /*
-     * Start of the window of the radial error rates: 300 s after the start [s]. Earlier rates would be initial errors divided by
-     * a very short time.
+     * Start of the window of the radial error rates, as time since the start: 300 [s]. Earlier rates would be initial errors
+     * divided by a very short time.
      */
     double window_start_s;
-    /* Number of samples in the window of the radial error rates. While there are none, the rates are 0. */
+    /* Number of errors (one a second) in the window of the radial error rates. While it is 0, the rates are 0. */
     uint64_t window_samples;
     /*
      * Root mean square of the radial error rate, sqrt(mean RER^2), with RER = horizontal position error / time since the
@@ -1396,30 +1453,30 @@ typedef struct sins_accuracy {
     double cep_rate_m_s;
     /* R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s]. */
     double radial_95_rate_m_s;
-    /* Slope of the least-squares line through the horizontal position error [m/s]. */
+    /* Slope of the least-squares line (with an intercept) through the horizontal position errors of the window [m/s]. */
     double radial_error_slope_m_s;
     /*
      * Root mean square velocity error since the start, east-north-up; samples within 20 km of the Earth's axis, where east
      * and north turn fast, are left out [m/s].
      */
     double velocity_rms_enu_m_s[3];
-    /* Position closure: navigation minus truth now [m]. */
+    /* Position closure: the position error now, navigation minus truth [m]. */
     double closure_position_enu_m[3];
-    /* Velocity closure: navigation minus truth now [m/s]. */
+    /* Velocity closure: the velocity error now, navigation minus truth [m/s]. */
     double closure_velocity_enu_m_s[3];
     /*
-     * Part of the horizontal position closure that the host causes, because its velocities contradict its positions [m]:
-     * the Schuler-tuned response to the displacement by velocities less the displacement by positions; up is 0. The rest of
-     * the closure is caused by the simulator and the sensors.
+     * Part of the horizontal position error that the host causes, because its velocities contradict its positions [m]. Let d
+     * be the displacement from the velocities less the displacement from the positions. The field is the response of a
+     * Schuler oscillator to d; up is 0. The rest of the position error is caused by the simulator and the sensors.
      */
     double host_position_enu_m[3];
-    /* Part of the horizontal velocity closure that the host causes in this way; up is 0 [m/s]. */
+    /* Part of the horizontal velocity error that the host causes in this way; up is 0 [m/s]. */
     double host_velocity_enu_m_s[3];
-    /* Displacement by the host's velocities less displacement by its positions, summed over the flight [m]. */
+    /* Displacement from the host's velocities less displacement from its positions, summed over the flight [m]. */
     double inconsistency_enu_m[3];
     /*
-     * Largest difference, in one interval, between the displacement by the host's velocities and the one by its positions
-     * [m].
+     * Largest difference, in one interval, between the displacement from the host's velocities and the displacement from its
+     * positions [m].
      */
     double inconsistency_max_m;
     /* Number of samples flagged SINS_NAVIGATION_INCONSISTENT. */
@@ -1436,11 +1493,11 @@ typedef struct sins_accuracy {
 } sins_accuracy;
 
 /*
- * Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
- * and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
- * sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
- * contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are means
- * from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
+ * Extreme values of the true motion over all intervals since the create or the last sins_reset(). Wrong units and exchanged
+ * axes give values that no vehicle has, so these figures reveal them. Attitudes in degrees turn 57 times too fast, and give
+ * arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead
+ * of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are
+ * means from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
  * samples. Each ..._at_s is the time stamp of the sample at which the value was found.
  */
 typedef struct sins_truth_summary {
@@ -1481,8 +1538,8 @@ typedef struct sins_truth_summary {
     /* Time stamp of force_max_m_s2 [s]. */
     double force_max_at_s;
     /*
-     * Largest difference, in one interval, between the displacement by the positions and the displacement by the velocities (the
-     * mean of those at the two ends, times the length of the interval) [m].
+     * Largest difference, in one interval, between the displacement from the positions and the displacement from the
+     * velocities (the mean of the velocities at the two ends, times the length of the interval) [m].
      */
     double inconsistency_max_m;
     /* Time stamp of inconsistency_max_m [s]. */
@@ -1520,16 +1577,15 @@ typedef struct sins_truth_summary {
  * are those of sins_errors: east, north, up of position [m], velocity [m/s] and misalignment [rad], in this order.
  *
  * The covariance is propagated along the truth with the linear error equations (error data 1). Both values of
- * sins_options.frame use the equations in Earth-fixed axes; the result is the same. It is the covariance about the mean
- * error of all runs. It does not depend on the random numbers of this run.
- * It contains: random initial errors; the misalignment that the alignment at the start derives from sensor errors; turn-on
- * biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of
- * gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
- * It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
- * One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
- * current second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
- * second have no effect on the covariance. The standard deviations of the propagation are limited to 1e30 in SI units, so all
- * outputs are finite.
+ * sins_options.frame use the equations in Earth-fixed axes; the result is the same. The covariance is taken about the mean
+ * error of all runs. It does not depend on the random numbers of this run. It contains: random initial errors; the
+ * misalignment that the alignment at the start derives from sensor errors; turn-on biases, scale factors and misalignments;
+ * Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the altimeter's Gauss-Markov error
+ * and noise; quantization, as white noise of the same variance. It does not contain: constant errors and failures, which
+ * change only the mean; dead zones and ranges, which are not linear. One step of the propagation is one second of flight. A
+ * parameter that is set in flight takes effect from the start of the current second. A second with at least one height of
+ * the altimeter counts as aided throughout, so drop-outs shorter than a second have no effect on the covariance. The
+ * standard deviations of the propagation are limited to 1e30 in SI units, so all outputs are finite.
  */
 typedef struct sins_covariance {
     /* sizeof(sins_covariance) */
@@ -1629,7 +1685,10 @@ typedef struct sins_statistics {
     uint32_t reserved;
 } sins_statistics;
 
-/* Figures that are computed from a sins_statistics. Without a run all are 0, and the covariance of one run is 0. */
+/*
+ * Figures that are computed from a sins_statistics. If there is no run, all figures are 0. If there is one run, its
+ * covariance is 0.
+ */
 typedef struct sins_figures {
     /* sizeof(sins_figures) */
     uint32_t struct_size;
@@ -1689,9 +1748,9 @@ typedef struct sins_flight_start {
     double latitude_rad;
     /* Longitude, east positive, -100 to 100 [rad]. */
     double longitude_rad;
-    /* Height above the ellipsoid, -20 km to 2000 km [m]. */
+    /* Height above the ellipsoid, -2e4 to 2e6 [m]. */
     double height_m;
-    /* Speed against the Earth, 0 to 10 km/s [m/s]. */
+    /* Speed against the Earth, 0 to 1e4 [m/s]. */
     double speed_m_s;
     /* Course and heading, -100 to 100 [rad]. */
     double heading_rad;
@@ -1731,9 +1790,12 @@ typedef struct sins_manoeuvre {
     double height_change_m;
     /* Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad]. */
     double heading_change_rad;
-    /* Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank. */
+    /*
+     * Bank of a turn, 1e-3 to 1.5 [rad]. If the heading change is too small to reach this bank, the turn uses a smaller
+     * bank.
+     */
     double bank_rad;
-    /* Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6. */
+    /* Number of rolls or loops, a whole number from -1e4 to 1e4, not 0; or number of swings of an S-turn, 0 to 1e6. */
     double turns;
     /* What each sinusoid moves, of enum sins_channel. */
     int32_t channel[6];
@@ -1754,21 +1816,24 @@ typedef struct sins_fault {
     uint32_t struct_size;
     /* Flags of enum sins_error_info_flags, or'ed: which of value, minimum and maximum there are. */
     uint32_t flags;
-    /* Number of faults of the text, 200 at most. */
+    /* Number of faults that are reported: at most the first 200 of the text. */
     uint64_t count;
     /* Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call. */
     uint64_t line;
-    /* Column, in characters from 1; for a flight log, the column of the table; 0: as for line. */
+    /*
+     * Column, in characters from 1. For a flight log: number of the column of the table, from 1. 0: the same meaning as 0 in
+     * line.
+     */
     uint64_t column;
     /* The value at fault, in the unit of the key that path names. */
     double value;
-    /* Least allowed value, in that unit; if the sentence says "more than", this value itself is rejected too. */
+    /* Least allowed value, in that unit; if the sentence says "more than", the limit itself is not allowed. */
     double minimum;
-    /* Greatest allowed value, in that unit; if the sentence says "less than", this value itself is rejected too. */
+    /* Greatest allowed value, in that unit; if the sentence says "less than", the limit itself is not allowed. */
     double maximum;
     /*
-     * Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
-     * terminated. Empty for a flight log, and if the text itself is at fault.
+     * Path of the value at fault, for sins_scene_get_value(). It can also be the name of a section, such as "gyro", or of an
+     * item, such as "failure[0]". Terminated. Empty for a flight log, and if the text itself is at fault.
      */
     char path[96];
     /*
@@ -1784,7 +1849,7 @@ typedef struct sins_scene_setup {
     uint32_t struct_size;
     /* Must be 0. */
     uint32_t reserved;
-    /* Kind of the flight, of enum sins_scene_flight; read only: ignored when it is set. */
+    /* Kind of the flight, of enum sins_scene_flight; read only: sins_scene_set_setup() ignores it. */
     int32_t flight;
     /* 1: samples get the temperature below; 0: samples get no temperature. */
     int32_t has_temperature;
@@ -1834,11 +1899,14 @@ typedef struct sins_planned_failure {
      * [u sqrt(s)].
      */
     double density;
-    /* Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]. */
+    /*
+     * Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]; 0 for drop-outs with a
+     * probability.
+     */
     double interval_s;
     /* Spikes: length of one spike, 1e-9 s to interval_s [s]. */
     double duration_s;
-    /* Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0. */
+    /* Drop-outs, if interval_s is 0: probability that an interval is lost, 0 to 1. */
     double probability;
 } sins_planned_failure;
 
@@ -1861,7 +1929,7 @@ typedef struct sins_scene_key {
     uint32_t spread;
     /* 0 */
     uint32_t reserved;
-    /* A number in the unit of name, times this factor, is in SI. 1 if the value is no number. */
+    /* Factor from the unit of the key to SI. It is 1 if the value is not a number. */
     double si_per_unit;
     /*
      * Least allowed value of each number, in the unit of name. If the kinds of items have different limits, it is the widest.
@@ -1885,8 +1953,8 @@ typedef struct sins_scene_key {
     /* Words that a key of SINS_SCENE_KEY_WORD takes, such as "exact|paper|polynomial". */
     char words[128];
     /*
-     * Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of these words. If there are
-     * several conditions, with a space between them, an item must meet all. Empty: all items.
+     * Items of the list that use the key. "kind=turn|s_turn" means the items in which the value of the key `kind` is one of
+     * these words. If there are several conditions, with a space between them, an item must meet all. Empty: all items.
      */
     char condition[96];
     /* Meaning, without unit. */
@@ -1938,15 +2006,18 @@ typedef struct sins_requirement {
     /* Must be 0. */
     uint32_t reserved;
     /*
-     * Duration for which the limits hold, up to 1e6 [s]; 0, or less than the length of the piece of flight that is given to
-     * sins_recommend(): that length.
+     * Duration for which the limits hold, 0 to 1e6 [s]. If it is shorter than the piece of flight that is given to
+     * sins_recommend(), it is the length of that piece.
      */
     double duration_s;
-    /* Limit of the distance from the exact solution on the same signals [m]; 0: none. */
+    /* Limit of the position error of the algorithm: distance from the reference (see sins_recommend()) [m]; 0: none. */
     double position_m;
-    /* Limit of the length of the velocity difference from that solution [m/s]; 0: none. */
+    /* Limit of the velocity error of the algorithm: length of the difference from the reference [m/s]; 0: none. */
     double velocity_m_s;
-    /* Limit of the angle between the two attitudes, against the Earth [rad]; 0: none. */
+    /*
+     * Limit of the attitude error of the algorithm: angle between its attitude relative to the Earth and that of the
+     * reference [rad]; 0: none.
+     */
     double attitude_rad;
     /* Margin: each limit must be at least this many times the predicted error, 1 to 1e6; 0: 2. */
     double margin;
@@ -1983,7 +2054,7 @@ typedef struct sins_cost {
      */
     double instructions_per_step;
     /*
-     * Time of push and step of one sample, measured in this call on this machine, with the options that were written, the
+     * Time of push and step of one sample, measured in this call on this machine, with the recommended options, the
      * mounting, and ideal sensors [ns].
      */
     double ns_per_step;
@@ -2061,9 +2132,8 @@ typedef struct sins_budget {
     /* Number of flights that the call made. */
     uint64_t flights;
     /*
-     * Uncertainty of the random errors with all effects together, because the number of runs is finite. It is the lower end of
-     * the 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if nothing is
-     * random.
+     * Lower end of the 95 % confidence interval of the root mean square of the random errors, divided by the root mean
+     * square over the flown runs. The fewer the runs, the wider the interval. 1 if nothing is random.
      */
     double sigma_low;
     /* Upper end of that interval, divided likewise; 1 if nothing is random. */
@@ -2093,7 +2163,7 @@ typedef struct sins_budget {
     double ns_per_step;
 } sins_budget;
 
-/* Sizes of the structs in bytes, the same on every platform: what struct_size is set to in other languages than C. */
+/* Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
 enum sins_sizeof {
     SINS_SIZEOF_OPTIONS = 104,
     SINS_SIZEOF_FLIGHT_SAMPLE = 144,
@@ -2155,7 +2225,8 @@ SINS_API const char *SINS_CALL sins_status_string(sins_status status);
 SINS_API sins_status SINS_CALL sins_create(const struct sins_options *options, sins_sim **sim);
 
 /*
- * Destroys a simulator, after calls on it in other threads have returned. The handle is never used again.
+ * Waits until the calls of other threads on this handle have returned, and destroys the simulator. The handle is never used
+ * again.
  *
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
@@ -2171,11 +2242,12 @@ SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_optio
  * SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
  * by more than 0.4 of the period.
  * SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
- * before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
- * on, call sins_move_time() before this push; a push cannot be undone.
+ * before. sins_step() flies the gap as motion: the vehicle moves by its velocity times the length of the gap. After a pause
+ * of the host in which its clock ran on, call sins_move_time() before this push; a push cannot be undone.
  * SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or a turn of 170 degrees or more since the last accepted
- * sample. Later samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or
- * sins_reposition() (for a jump).
+ * sample. After a gap each later sample is rejected, until you call sins_move_time(), sins_move_truth() or
+ * sins_reposition(). After a jump or a turn each later sample is rejected, until one fits the last accepted sample, or until
+ * you call sins_move_truth() or sins_reposition().
  * SINS_ERROR_QUEUE_FULL: step first.
  * SINS_ERROR_BAD_STATE: navigating on increments.
  */
@@ -2184,17 +2256,19 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
 /*
  * Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
  * later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on is flown
- * like any other, as velocity times its length; sins_push_sample() returns SINS_GAP for it.
+ * like any other: the vehicle moves by its velocity times the length of the interval. sins_push_sample() returns SINS_GAP if
+ * the interval is a gap.
  *
  * SINS_NEED_SAMPLE: no complete interval is waiting.
- * SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
- * 100 km/s; the limits apply to the solution of the sensor block, to that of the reference point, and to the error-free
- * navigator of SINS_SIGNAL_CLOSED_LOOP.
+ * SINS_ERROR_DIVERGED: the step would bring the solution below a height of -500 km, above a height of 20000 km, or to a
+ * speed of more than 100 km/s. The limits apply to the solution of the sensor block, to that of the reference point, and to
+ * the error-free navigator of SINS_SIGNAL_CLOSED_LOOP.
  * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
  * SINS_ERROR_BAD_STATE: navigating on increments.
  *
- * After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable;
- * sins_reposition() or sins_reset() start anew.
+ * After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable. The
+ * samples stay in the queue, so a further sins_step() tries the same interval again. sins_reposition() or sins_reset() start
+ * anew.
  */
 SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
@@ -2202,10 +2276,10 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
  * Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp time_s [s], and
  * later samples must have later stamps. time_s is the time that the clock shows when the vehicle moves again. Everything else
  * stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
- * along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive stamps
- * are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences over three
- * samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The host must also
- * move its flight_start_s of sins_scene_prepare() by the same time.
+ * along. The outputs have the same bits as those of a flight without the jump of time, if the differences between successive
+ * time stamps are the same doubles. With a stated period this is always so. (If the samples have no velocities, the
+ * differences over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time
+ * stamps.) The host must also move its flight_start_s of sins_scene_prepare() by the same time.
  *
  * SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
  * SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -2213,20 +2287,22 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
 
 /*
- * Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous sample
- * to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors as before:
- * position error in metres (along the truth's east and north, and in height), velocity error (components) and misalignment, to
- * 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the new place. Noise,
- * sensor processes, failures, the vertical channel, the altimeter's error and running figures continue, and no random number
- * changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow the new signals immediately.
- * Waiting samples are dropped. The time may jump too: the running figures and the grid of a stated period then move with it, as
- * in sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
- * solution is its velocity error alone until the next sample is pushed.
+ * Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous
+ * sample to this one, so the errors do not change at the slew. For both values of source, sins_get_errors() reports the same
+ * errors before and after it: position error in metres (along the truth's east and north, and in height), velocity error
+ * (components) and misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and
+ * velocity at the new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running
+ * figures continue, and no random number changes. (The scale factor error of the altimeter is that of the new height.) The
+ * sensors follow the new signals immediately. Waiting samples are dropped. The time may jump too: the running figures and
+ * the grid of a stated period then move with it, as in sins_move_time(). sins_get_imu() still reports the previous interval.
+ * If the sample has no velocity, the library takes the true velocity as 0 until the next sample is pushed. The navigated
+ * velocity is then equal to the velocity error.
  *
  * If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and
- * solution are not comparable. The errors of velocity and attitude are then kept in the truth's axes, turned to the
- * solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are kept. The errors of
- * the reference point follow from them with the lever arm, the boresight and their errors, in the new attitude.
+ * solution are not comparable. The axes of the solution are then those of the truth, turned by the shortest rotation so that
+ * up is the vertical of the solution. In these axes the components of the velocity error and of the misalignment are kept.
+ * With a mounting, the errors of the sensor block are kept. The errors of the reference point follow from them with the
+ * lever arm, the boresight and their errors, in the new attitude.
  *
  * Before the first step there are no errors to keep, and the call acts as sins_reposition().
  *
@@ -2239,17 +2315,18 @@ SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const struct sins_
 
 /*
  * Restarts the INS after the flight simulator was reloaded: the truth jumps to the sample, and the INS starts again there
- * with its initial errors. Its previous errors are lost; to keep them, call sins_move_truth() (slew) or sins_move_time()
- * (pause) instead. Noise and failures continue. Waiting samples and the running accuracy figures are dropped. The time may
- * jump too, forward or back: the run, and the grid of a stated period, continue from the sample's time stamp. Until the
- * next step, the reads give the state at this sample, and there is no interval to read. The call may be the first of a
- * run: the sample is then the first one, and the next push completes an interval.
+ * with its initial errors. The initial errors have the same random numbers as at the first start. The previous errors of the
+ * INS are lost; to keep them, call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures
+ * continue. Waiting samples and the running accuracy figures are dropped. The time may jump too, forward or back: the run,
+ * and the grid of a stated period, continue from the sample's time stamp. Until the next step, the reads give the state at
+ * this sample, and there is no interval to read. The call may be the first of a run: the sample is then the first one, and
+ * the next push completes an interval.
  *
  * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
  * SINS_ERROR_BAD_STATE: navigating on increments.
  *
- * If no INS can start there (too close to a pole, in geographic axes or for gyrocompassing), the reads and the next step
- * return the error.
+ * This call returns SINS_OK even if no INS can start at the sample. The reads and the next step then return
+ * SINS_ERROR_SINGULAR (too close to a pole, in geographic axes or for gyrocompassing) or SINS_ERROR_DIVERGED.
  */
 SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_flight_sample *sample);
 
@@ -2262,20 +2339,17 @@ SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 
 /*
  * Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
- * always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this thread that
- * has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle
- * was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). A failure of this call or of
- * sins_last_error_info() is not kept.
+ * always terminated; it is "no error" if no call failed. With a NULL handle the function gives the last failed call of this
+ * thread that was made without a simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend,
+ * budget), or whose handle was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). A failure of this
+ * call or of sins_last_error_info() is not kept.
  *
  * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
  * size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
  */
 SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer, size_t capacity, size_t *needed);
 
-/*
- * Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure of which
- * sins_last_error() gives the sentence.
- */
+/* Gives the same failure as sins_last_error(), as a struct. */
 SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct sins_error_info *info);
 
 /*
@@ -2288,7 +2362,10 @@ SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct 
  */
 SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const struct sins_gyro_params *params);
 
-/* Reads the gyro errors, as they were set last: at any moment, also after sins_snapshot_load(). */
+/*
+ * Reads the gyro errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
+ * snapshot.
+ */
 SINS_API sins_status SINS_CALL sins_get_gyro(sins_sim *sim, struct sins_gyro_params *params);
 
 /*
@@ -2299,7 +2376,10 @@ SINS_API sins_status SINS_CALL sins_get_gyro(sins_sim *sim, struct sins_gyro_par
  */
 SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const struct sins_accel_params *params);
 
-/* Reads the accelerometer errors, as they were set last: at any moment, also after sins_snapshot_load(). */
+/*
+ * Reads the accelerometer errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
+ * snapshot.
+ */
 SINS_API sins_status SINS_CALL sins_get_accel(sins_sim *sim, struct sins_accel_params *params);
 
 /*
@@ -2310,7 +2390,10 @@ SINS_API sins_status SINS_CALL sins_get_accel(sins_sim *sim, struct sins_accel_p
  */
 SINS_API sins_status SINS_CALL sins_set_altimeter(sins_sim *sim, const struct sins_altimeter_params *params);
 
-/* Reads the errors of the altimeter, as they were set last: at any moment, also after sins_snapshot_load(). */
+/*
+ * Reads the errors of the altimeter that are set. May be called at any moment. After sins_snapshot_load() they are those of
+ * the snapshot.
+ */
 SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, struct sins_altimeter_params *params);
 
 /*
@@ -2319,11 +2402,11 @@ SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, struct sins_alt
  * outputs may fail at the same time.
  *
  * sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
- * zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change. Sensor
- * processes continue during a failure, and act on the output again when it is cleared. A failure acts on error data 1 and on
- * error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all
- * failures, so an exercise starts again with working sensors; failures that are set again at the same intervals give the same
- * bits.
+ * zone, range and quantization. SINS_FAILURE_STUCK, SINS_FAILURE_DEAD and SINS_FAILURE_DROP_OUTS replace the output. The
+ * random numbers of other effects do not change. Sensor processes continue during a failure, and act on the output again
+ * when it is cleared. A failure acts on error data 1 and on error data 2. It does not act on the alignment at the start.
+ * sins_reposition() keeps failures. sins_reset() clears all failures, so an exercise starts again with working sensors;
+ * failures that are set again at the same intervals give the same bits.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
  * solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -2332,8 +2415,8 @@ SINS_API sins_status SINS_CALL sins_set_failure(
     sins_sim *sim, int32_t sensor, int32_t axis, const struct sins_failure *failure);
 
 /*
- * Reads the failure of one output: at any moment, also after sins_snapshot_load(). SINS_FAILURE_NONE: the output has no
- * failure. sensor and axis as in sins_set_failure().
+ * Reads the failure of one output. May be called at any moment. After sins_snapshot_load() it is that of the snapshot.
+ * SINS_FAILURE_NONE: the output has no failure. sensor and axis as in sins_set_failure().
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such output.
  */
@@ -2341,7 +2424,8 @@ SINS_API sins_status SINS_CALL sins_get_failure(
     sins_sim *sim, int32_t sensor, int32_t axis, struct sins_failure *failure);
 
 /*
- * Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
+ * Sets the errors with which the navigation starts. Allowed before the first step, and after a reset or a reposition until
+ * the next step. After a reposition they apply to the start at its sample.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_BAD_STATE: steps have been made.
@@ -2349,52 +2433,61 @@ SINS_API sins_status SINS_CALL sins_get_failure(
 SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const struct sins_initial_errors *errors);
 
 /*
- * Reads the errors with which the navigation starts, as they were set last: at any moment, also after
- * sins_snapshot_load().
+ * Reads the set errors with which the navigation starts. May be called at any moment. After sins_snapshot_load() they are
+ * those of the snapshot.
  */
 SINS_API sins_status SINS_CALL sins_get_initial_errors(sins_sim *sim, struct sins_initial_errors *errors);
 
 /*
- * Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
- * reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the block.
+ * Sets the mounting of the sensor block. Allowed before the first step, and after a reset or a reposition until the next
+ * step. A reset and a reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is
+ * that of the block.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_mounting(sins_sim *sim, const struct sins_mounting *mounting);
 
-/* Reads the mounting of the sensor block, as it was set last: at any moment, also after sins_snapshot_load(). */
+/*
+ * Reads the mounting of the sensor block that is set. May be called at any moment. After sins_snapshot_load() it is that of
+ * the snapshot.
+ */
 SINS_API sins_status SINS_CALL sins_get_mounting(sins_sim *sim, struct sins_mounting *mounting);
 
 /*
- * Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
- * reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
- * disturbance does not affect a navigator on increments, because the host's increments already contain its effect.
+ * Sets the gravity disturbance, true gravity less normal gravity. Allowed before the first step, and after a reset or a
+ * reposition until the next step. A reset brings the same field back; after a reposition the field continues from its
+ * current values. The disturbance does not affect a navigator on increments, because the host's increments already contain
+ * its effect.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_BAD_STATE: steps have been made.
  */
 SINS_API sins_status SINS_CALL sins_set_gravity_disturbance(sins_sim *sim, const struct sins_gravity_params *params);
 
-/* Reads the parameters of the gravity disturbance, as they were set last: at any moment, also after sins_snapshot_load(). */
+/*
+ * Reads the parameters of the gravity disturbance that are set. May be called at any moment. After sins_snapshot_load() they
+ * are those of the snapshot.
+ */
 SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struct sins_gravity_params *params);
 
 /*
- * Pushes and steps an array of count samples. Writes a record whenever the number of intervals since the flight's start is a
- * multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
- * by sample.
+ * Pushes and steps an array of count samples. Writes a record after each `every` intervals, counted as in
+ * sins_accuracy.intervals. There is no record for the first sample. Any split of a flight into calls gives the same bits and
+ * the same records as pushing and stepping sample by sample.
  *
- * samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
- * other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
- * of records, also on an error.
+ * samples[0].struct_size is the size in bytes of each element of samples, records[0].struct_size that of each element of
+ * records. struct_size of the other samples may be 0, that of the other records anything. every 0: no records. written (may
+ * be NULL) gets the number of records that were written, also on an error.
  *
  * SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
  * if sins_options.truth_summary is on, sins_truth_summary.gaps is their number.
- * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+ * SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make. Nothing is flown, and written
+ * gets 0.
  * SINS_ERROR_BAD_STATE: navigating on increments.
  *
- * Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns; sins_last_error() names this
- * sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
+ * An error of sins_push_sample() or sins_step() ends the call at the sample that caused the error; sins_last_error() names
+ * this sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
  * intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
  * sins_reset() empty the queue.
  */
@@ -2474,11 +2567,12 @@ SINS_API sins_status SINS_CALL sins_get_covariance(sins_sim *sim, struct sins_co
 SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record *record);
 
 /*
- * Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its files of
- * records. If record is NULL, the line has the names of the columns. Numbers read back to the bit. sensor_errors are count = 6
- * numbers: the mean errors of the gyros [rad/s] and of the accelerometers [m/s2] since the record before, x, y, z of each. NULL
- * with count 0: all are 0. covariance adds columns of standard deviations; NULL: none. buffer, capacity and needed as in
- * sins_last_error(); a line has at most 1600 bytes. Not for a real-time frame: it allocates.
+ * Writes a record as one line of comma-separated values, without the newline. The program sins writes its files of records
+ * in this format. If record is NULL, the line has the names of the columns. The decimal numbers are exact: reading them
+ * gives the same doubles. sensor_errors is an array of count = 6 numbers: x, y, z of the mean gyro error [rad/s], then x, y,
+ * z of the mean accelerometer error [m/s2], since the previous record. NULL with count 0: all are 0. covariance adds columns
+ * of standard deviations; NULL: none. buffer, capacity and needed as in sins_last_error(); a line has at most 1600 bytes.
+ * Not for a real-time frame: it allocates.
  *
  * SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
  * SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
@@ -2489,10 +2583,10 @@ SINS_API sins_status SINS_CALL sins_record_line(
 
 /*
  * Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
- * gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges are those of a
- * flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply. There is no
- * truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return SINS_ERROR_BAD_STATE
- * until sins_reset().
+ * gives the start: time, position, velocity and attitude (quaternion_nb; the angles and the flags are not read). Ranges are
+ * those of a flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply.
+ * There is no truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return
+ * SINS_ERROR_BAD_STATE until sins_reset().
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was started before (call sins_reset() first); or temperature
@@ -2514,18 +2608,18 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
 
 /*
- * Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. Without
- * waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros, accelerometers and
- * altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each waiting sample adds up to 154
- * bytes, and sins_options.covariance up to 9.2 KiB.
+ * Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. These sizes
+ * are without waiting samples. Without sensor errors it is 1.3 to 2.1 KiB, by the options. With every error of gyros,
+ * accelerometers and altimeter it is up to 4.5 KiB. With mounting, gravity, temperature and failures too it is up to 5.25
+ * KiB. Each waiting sample adds up to 154 bytes, and sins_options.covariance up to 9.2 KiB.
  */
 SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
 
 /*
- * Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every block, and the
- * position of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and hold
- * no address, so they can be kept in a file or sent to another machine. The same state gives the same bytes. No
- * allocation, no system call.
+ * Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every stage, and the position
+ * of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and hold no address,
+ * so they can be kept in a file or sent to another machine. The same state gives the same bytes. No allocation, no system
+ * call.
  *
  * Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR the last
  * good solution is saved. After SINS_ERROR_INTERNAL nothing can be saved: load an earlier snapshot into a fresh handle.
@@ -2547,10 +2641,10 @@ SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, s
 SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *snapshot, size_t size);
 
 /*
- * Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that has its options,
- * sensors, initial errors, mounting, gravity and failures, and has taken no sample. The call copies it, and does not change
- * it. Run k of the ensemble gives the same bits as a simulator with the same settings and sins_options.run = k. In the
- * options of configured, run, truth_summary and covariance have no effect.
+ * Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator on which options, sensor
+ * errors, initial errors, mounting, gravity disturbance and failures are set, and to which no sample was pushed. The call
+ * copies it, and does not change it. Run k of the ensemble gives the same bits as a simulator with the same settings and
+ * sins_options.run = k. Three options of configured have no effect: run, truth_summary and covariance.
  *
  * No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
  * statistics can be merged. The library starts no thread.
@@ -2568,7 +2662,8 @@ SINS_API sins_status SINS_CALL sins_ensemble_create(
     const sins_sim *configured, uint64_t first_run, size_t runs, sins_ensemble **ensemble);
 
 /*
- * Destroys an ensemble, after calls on it in other threads have returned. The handle is never used again.
+ * Waits until the calls of other threads on this handle have returned, and destroys the ensemble. The handle is never used
+ * again.
  *
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
@@ -2597,12 +2692,12 @@ SINS_API sins_status SINS_CALL sins_ensemble_step(sins_ensemble *ensemble);
 
 /*
  * Pushes and steps an array of count samples. With thousands of runs this is faster than single calls. Any split of a flight
- * into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the distance between
- * samples; struct_size of the other samples may be 0.
+ * into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the size in bytes of
+ * each element of samples; struct_size of the other samples may be 0.
  *
- * SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
- * sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it
- * were flown, this one and the rest were not. A sample that could be pushed but not flown waits in the queue.
+ * SINS_GAP: all samples were flown, and at least one of them ended a gap. An error of sins_ensemble_push_sample() or
+ * sins_ensemble_step() ends the call at the sample that caused the error; sins_last_error() names this sample. The samples
+ * before it were flown, this sample and the rest were not. A sample that could be pushed but not flown waits in the queue.
  */
 SINS_API sins_status SINS_CALL sins_ensemble_run(
     sins_ensemble *ensemble, const struct sins_flight_sample *samples, size_t count);
@@ -2667,8 +2762,8 @@ SINS_API sins_status SINS_CALL sins_ensemble_get_errors(
 SINS_API sins_status SINS_CALL sins_ensemble_get_imu(sins_ensemble *ensemble, uint64_t run, struct sins_imu *imu);
 
 /*
- * Reads the number of a run that has diverged. The numbers are in ascending order, from index 0; sins_statistics.diverged is
- * their count.
+ * Reads the run number of diverged run `index`, from 0. The run numbers are in ascending order. sins_statistics.diverged is
+ * the number of diverged runs.
  *
  * SINS_ERROR_INVALID_ARGUMENT: index is not below the count of diverged runs.
  */
@@ -2686,9 +2781,9 @@ SINS_API sins_status SINS_CALL sins_ensemble_get_statistics(
     sins_ensemble *ensemble, int32_t source, struct sins_statistics *statistics);
 
 /*
- * Adds the runs of other to those of into. The caller makes sure that no run is in both. The sums are exact: any order and
- * any grouping of merges gives the same bits, so the work can be split over threads, processes, machines and restarts in any
- * way. An into that is zero except for struct_size holds no runs.
+ * Adds the runs of `other` to those of `into`. The caller makes sure that no run is in both. The sums are exact: any order
+ * and any grouping of merges gives the same bits, so the work can be split over threads, processes, machines and restarts in
+ * any way. If `into` is zero except for struct_size, it holds no runs.
  *
  * SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or the sum would have more than 4294967295
  * runs. into is then unchanged.
@@ -2717,9 +2812,9 @@ SINS_API sins_status SINS_CALL sins_ensemble_snapshot_save(
     sins_ensemble *ensemble, void *buffer, size_t capacity, size_t *written);
 
 /*
- * Replaces the ensemble by the saved one, including its runs and options. So an ensemble of one run of any simulator is
- * enough. It continues to the same bits as the saved one. size is the size that sins_ensemble_snapshot_save() wrote. Not for
- * a real-time frame: it allocates.
+ * Replaces the ensemble by the saved one, including its runs and options. So the handle may be any ensemble, for example of
+ * one run. The loaded ensemble continues with the same bits as the saved one. size is the size that
+ * sins_ensemble_snapshot_save() wrote. Not for a real-time frame: it allocates.
  *
  * SINS_ERROR_SNAPSHOT: the bytes are not a snapshot of an ensemble, or are cut off, altered, or of a newer release; nothing
  * has changed, and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second
@@ -2745,12 +2840,12 @@ SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_acce
 
 /*
  * Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
- * smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the distance
- * between the manoeuvres.
+ * smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the size
+ * in bytes of each element of manoeuvres.
  *
- * Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece is up to
- * 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch and
- * heading need no pieces.
+ * Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece of
+ * straight flight lasts up to 600 s. With a fast sinusoid of course, climb or speed, a piece is about one period. Sinusoids
+ * of roll, pitch and heading need no pieces.
  *
  * On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
  *
@@ -2787,9 +2882,9 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
  *
  * On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function of
  * scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only sins_scene_prepare()
- * and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is
- * available. If memory runs out later within the call, because another thread takes it, the process ends. sins_log_parse()
- * does the same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
+ * and sins_scene_prepare_ensemble() are for a real-time frame. The other functions of scenes first check that enough memory
+ * is free for the call. If another thread takes this memory during the call, the process ends. sins_log_parse() does the
+ * same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
  */
 SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
 
@@ -2844,9 +2939,9 @@ SINS_API sins_status SINS_CALL sins_scene_write(
 SINS_API sins_status SINS_CALL sins_scene_write_keys(char *buffer, size_t capacity, size_t *needed);
 
 /*
- * Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
- * sins_scene_prepare() sets the failures at their times. If the flight is not a log, sins_options.sample_period_s of the
- * simulator is 1 / rate_hz.
+ * Creates the simulator of the scene, ready for the first sample: options, sensor errors, initial errors, mounting, gravity
+ * disturbance. sins_scene_prepare() sets the failures at their times. If the flight is not a log,
+ * sins_options.sample_period_s of the simulator is 1 / rate_hz.
  *
  * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
  * SINS_ERROR_BAD_STATE: as sins_scene_parse().
@@ -2872,10 +2967,10 @@ SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
 
 /*
  * Prepares the next interval: call this function before each push, and call sins_step() before you call it again. The
- * sample gets the temperature of the scene, if the scene has one. Failures of the scene begin and end on sim at the
- * first interval that starts at or after their time. If the scene plans no failure of an output, the call does not touch
- * the failure of that output. flight_start_s is the time stamp of the flight's first sample. No allocation, no system
- * call.
+ * sample gets the temperature of the scene, if the scene has one. The call sets and clears the failures of the scene on sim.
+ * A failure begins at the first interval that starts at or after from_s, and ends at the first interval that starts at or
+ * after until_s. If the scene plans no failure of an output, the call does not touch the failure of that output.
+ * flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
  *
  * SINS_ERROR_BAD_HANDLE: scene or sim is not a valid handle.
  * SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
@@ -2986,8 +3081,8 @@ SINS_API sins_status SINS_CALL sins_scene_set_setup(sins_scene *scene, const str
 
 /*
  * Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number (count), and
- * how many times all of them are flown (repeat). manoeuvres[0].struct_size is the distance between the manoeuvres. start
- * and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
+ * how many times all of them are flown (repeat). manoeuvres[0].struct_size is the size in bytes of each element of
+ * manoeuvres. start and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of manoeuvres; only count was written.
  * SINS_ERROR_BAD_STATE: the flight is a log; or as sins_scene_parse().
@@ -3018,7 +3113,7 @@ SINS_API sins_status SINS_CALL sins_scene_get_text(
 
 /*
  * Sets a text of the scene; which is of enum sins_scene_text. The text is UTF-8, terminated, at most 4096 bytes. An empty
- * text clears it; a text that selects the flight cannot be empty.
+ * text clears it, except SINS_SCENE_TEXT_LOG and SINS_SCENE_TEXT_BUILTIN, which cannot be empty.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
  */
@@ -3057,8 +3152,8 @@ SINS_API sins_status SINS_CALL sins_scene_get_key(size_t index, struct sins_scen
  * Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
  * the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
  * "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
- * value: for example flight.hours, if the scene flies the whole flight. The scene stores numbers in SI: read in another unit
- * they may be rounded. The scene does not store the name of a preset, only the errors that the preset sets.
+ * value. For example, flight.hours is empty if the scene flies the whole flight. The scene stores numbers in SI, so a number
+ * read in another unit may be rounded. The scene does not store the name of a preset, only the errors that the preset sets.
  *
  * The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins_scene_set_items(). A built-in flight and a log
  * have no such manoeuvres. buffer, capacity and needed as in sins_scene_write().
@@ -3071,10 +3166,10 @@ SINS_API sins_status SINS_CALL sins_scene_get_value(
 /*
  * Sets up to 4096 values of the scene, all or none. values is a terminated text in UTF-8. Each line is path = value, with a path
  * as in sins_scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written as in the text of a
- * scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default, and sets a single element to
- * 0. If a value is set twice, the last one counts. gyro.preset replaces all errors of the gyros, accelerometer.preset those
- * of the accelerometers, before the other lines are applied, wherever it stands. flight.file and flight.builtin replace the
- * flight.
+ * scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default of the key. If the path is
+ * a single element (gyro.bias_deg_h[1] =), it sets 0. If a value is set twice, the last one counts. gyro.preset replaces all
+ * errors of the gyros, accelerometer.preset those of the accelerometers, before the other lines are applied, wherever it
+ * stands. flight.file and flight.builtin replace the flight.
  *
  * The scene is then checked as sins_scene_parse() checks a text. Set values that depend on each other in one call, such as the
  * kind of a manoeuvre and its quantities.
@@ -3088,8 +3183,9 @@ SINS_API sins_status SINS_CALL sins_scene_set_values(sins_scene *scene, const ch
 /*
  * Replaces all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
  * [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an item, give
- * the texts of all items that the list shall have, in order. An empty text removes all failures. If the flight was a built-in
- * flight, the manoeuvres begin at its start; if it was a log, at latitude 0, longitude 0, height 0.
+ * the texts of all items that the list shall have, in order. An empty text removes all failures; for "manoeuvre" an empty
+ * text is a fault. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0,
+ * longitude 0, height 0.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
  * every fault with the line in items and the path.
@@ -3106,9 +3202,10 @@ SINS_API sins_status SINS_CALL sins_scene_set_items(sins_scene *scene, const cha
  * or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
  * force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
  *
- * Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. The
- * ranges of the values are checked when a sample is pushed. The library does not keep the bytes. Not for a real-time
- * frame: it allocates, 184 bytes a sample.
+ * The three velocities are all present or all absent; so are the three rates, and the three forces. Without velocities the
+ * samples have SINS_SAMPLE_NO_VELOCITY. Two columns of one quantity are a fault. Frames and signs are those of
+ * sins_flight_sample. A log has at least two samples, each later than the one before. The ranges of the values are checked
+ * when a sample is pushed. The library does not keep the bytes. Not for a real-time frame: it allocates, 184 bytes a sample.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
  * sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
@@ -3137,8 +3234,8 @@ SINS_API sins_status SINS_CALL sins_log_get_sample(
 SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
 
 /*
- * Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
- * sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
+ * Reads which samples the scene flies. If the flight is composed of manoeuvres or is built-in, give NULL for `log`; sample k
+ * is then sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
  * sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, the log has no second sample within the duration, or
@@ -3150,22 +3247,23 @@ SINS_API sins_status SINS_CALL sins_scene_get_samples(
     const sins_scene *scene, const sins_log *log, struct sins_scene_samples *samples);
 
 /*
- * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
- * cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
+ * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples.
+ * samples[0].struct_size is the size in bytes of each element of samples.
  *
  * configured is a simulator as the host flies it, at any moment. The call uses only its options and its mounting, reads them at
  * the start, and neither steps nor changes the simulator. NULL is the recommended simulator with its sensor block at the
- * reference point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer,
- * ready for sins_create(). The values of these three in configured do not matter.
+ * reference point. The output `options` gets the options of configured, ready for sins_create(). Only scheme, subsamples and
+ * updates_per_sample are replaced by the recommended values. The values of these three in configured do not matter.
  *
  * Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
- * reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution with
- * half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter, start,
- * gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both solutions
- * alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a duration beyond the
- * piece, the call assumes that the piece is flown again and again. Each time adds the same errors with the same sign, and the
- * errors grow by the Schuler oscillation with the worst phase. If the flight continues like the piece, its errors are smaller
- * than this prediction. With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
+ * reference: a solution of SINS_SCHEME_POLYNOMIAL in Earth-fixed axes with 16 updates of 5 subsamples. The uncertainty of
+ * the reference (its difference from a solution with half as many updates) is added to the error. The error is that of the
+ * algorithm only. Errors of sensors, altimeter and believed mounting, initial errors, the gravity disturbance, and
+ * contradictions within the host's samples are left out, because they act on both solutions alike. The signals are without
+ * the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. If the duration is longer than the piece, the call
+ * assumes that the piece is repeated. Each repetition adds the same errors with the same sign. The call assumes the worst
+ * phase of the Schuler oscillation. If the flight continues like the piece, its errors are smaller than this prediction.
+ * With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
  *
  * Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step
  * differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if nothing meets the
@@ -3187,22 +3285,23 @@ SINS_API sins_status SINS_CALL sins_recommend(
 
 /*
  * Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
- * can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
- * struct_size of the other samples may be 0, that of the other rows anything.
+ * can be left out. samples[0].struct_size is the size in bytes of each element of samples, rows[0].struct_size that of each
+ * element of rows. struct_size of the other samples may be 0, that of the other rows anything.
  *
- * configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of gyros,
- * accelerometers, altimeter, start, mounting and gravity, but not its failures. The call reads them at the start, and neither
- * steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for request is 16 runs and no limits.
- * written and budget may be NULL.
+ * configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of
+ * gyros, accelerometers and altimeter, the initial errors, and those of mounting and gravity, but not its failures. The call
+ * reads them at the start, and neither steps nor changes the simulator. NULL is the recommended simulator without errors.
+ * NULL for request is 16 runs and no limits. written and budget may be NULL.
  *
- * Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are not
- * effects. The misalignment that SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this
- * misalignment. All runs fly with lever_arm_m and boresight_rad of the mounting.) The contribution of an effect is the error
- * (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
- * this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the length
- * at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight with this
- * effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are flown in several
- * runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
+ * Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. These settings are
+ * not effects: the alignment, and lever_arm_m and boresight_rad of the mounting. The misalignment that
+ * SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this misalignment. All runs use lever_arm_m
+ * and boresight_rad. The contribution of an effect is the error (navigation less truth) of a run with this effect alone,
+ * less the error of a run with no effect. For position, velocity and misalignment the row has two lengths of the
+ * contribution. One is the largest length at up to 1000 equally spaced instants. The other is the length at the last sample.
+ * The contribution of a random effect is one standard deviation, by the covariance of a flight with this effect alone
+ * (SINS_BUDGET_RANDOM; see sins_covariance), from linear error equations. All effects together are flown in several runs,
+ * with the random numbers of the runs sins_options.run, run + 1 and so on.
  *
  * rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
  * position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is
@@ -3210,10 +3309,11 @@ SINS_API sins_status SINS_CALL sins_recommend(
  * effects that act on each other, and is of second order in their sizes.
  *
  * With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It goes through the
- * effects in the order of their shares, the smallest first, and collects each effect that still fits. A collection fits if
- * the root sum of squares of D and R is within each limit: D is the sum of its deterministic contributions, and R is the
- * root sum of squares of its random contributions. Then the call flies all runs again without these effects. While the
- * change (left_out) exceeds a limit, it puts back the largest of the effects that were left out.
+ * effects in the order of their shares, the smallest first, and collects each effect that still fits. For position, velocity
+ * and misalignment separately, let D be the sum of the deterministic contributions of a collection, and R the root sum of
+ * squares of its random contributions. The collection fits if sqrt(D^2 + R^2) is at most the limit, for each limit that is
+ * given. Then the call flies all runs again without these effects. While the change (left_out) exceeds a limit, it puts back
+ * the largest of the effects that were left out.
  *
  * The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
  * allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once

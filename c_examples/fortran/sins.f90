@@ -37,7 +37,7 @@ module sins
   real(c_double), parameter :: SINS_STANDARD_GRAVITY = 9.80665e0_c_double
   !> millionth of g [m/s2]
   real(c_double), parameter :: SINS_MICRO_G = 9.806649999999999e-6_c_double
-  !> white noise of force [(m/s)/sqrt(s)]
+  !> micro-g per root hertz, velocity random walk [(m/s)/sqrt(s)]
   real(c_double), parameter :: SINS_MICRO_G_PER_SQRT_HZ = 9.806649999999999e-6_c_double
   !> part per million
   real(c_double), parameter :: SINS_PPM = 1e-6_c_double
@@ -48,8 +48,8 @@ module sins
   !> nautical mile per hour [m/s]
   real(c_double), parameter :: SINS_NMI_PER_HOUR = 5.144444444444445e-1_c_double
 
-  !> Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. It changes
-  !> when something is removed or changes its meaning. Additions at the end do not change it.
+  !> Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. The number
+  !> changes if a part of the interface is removed or changes its meaning. Additions at the end do not change it.
   integer(c_int), parameter :: SINS_HEADER_ABI = 1
   !> Major number of this release of the library, by semantic versioning.
   integer(c_int), parameter :: SINS_VERSION_MAJOR = 0
@@ -71,13 +71,13 @@ module sins
   integer(c_int32_t), parameter :: SINS_OK = 0
   !> There is no sample yet, or no complete interval: push the next sample.
   integer(c_int32_t), parameter :: SINS_NEED_SAMPLE = 1
-  !> No options meet the requirement; the outputs hold the best options there are.
+  !> sins_recommend(): no options meet the requirement. The outputs hold the options that come closest.
   integer(c_int32_t), parameter :: SINS_REQUIREMENT_NOT_MET = 2
   !> The text of a scene has faults. The handle was made, but only sins_scene_get_fault() and sins_scene_destroy() accept it.
   integer(c_int32_t), parameter :: SINS_SCENE_HAS_FAULTS = 3
   !> The sample was accepted, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times
-  !> each of the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s at 213 m/s. If the host's
-  !> clock ran on while the vehicle stood still, that is wrong: see sins_move_time().
+  !> each of the two before it. The library assumes that the vehicle moved during the gap: 213 m in 1 s at 213 m/s. If the
+  !> vehicle stood still while the host's clock ran on, this is wrong: see sins_move_time().
   integer(c_int32_t), parameter :: SINS_GAP = 4
   !> A pointer is null where null is not allowed.
   integer(c_int32_t), parameter :: SINS_ERROR_NULL_POINTER = -1
@@ -114,8 +114,9 @@ module sins
   integer, parameter :: sins_frame = c_int32_t
   !> Navigation in Earth-fixed axes: regular everywhere, poles included.
   integer(c_int32_t), parameter :: SINS_FRAME_EARTH_FIXED = 0
-  !> Navigation in east-north-up, as in the paper. SINS_ERROR_SINGULAR within 6.4 km of a pole, and also where the vehicle moves in
-  !> one update by more than 1 % of the distance to the pole: within 25 km at 250 m/s and with updates of 1 s.
+  !> Navigation in east-north-up, as in the paper. The mechanization returns SINS_ERROR_SINGULAR within 6.4 km of a pole. It
+  !> also returns this error if the vehicle moves in one update by more than 1 % of its distance to the pole. For example, at
+  !> 250 m/s with updates of 1 s this is within 25 km.
   integer(c_int32_t), parameter :: SINS_FRAME_GEOGRAPHIC = 1
 
   !> Algorithms of the mechanization.
@@ -129,8 +130,9 @@ module sins
 
   !> What stabilizes the vertical channel.
   integer, parameter :: sins_vertical = c_int32_t
-  !> Third-order loop on a barometric height, time constant 100 s. Its response differs from that of the continuous loop by
-  !> 3.5e-5 of its size at 1 Hz, and by 3.5e-7 at 10 Hz (second order in the interval).
+  !> Third-order loop on a barometric height, time constant 100 s. The response differs from the response of a continuous loop
+  !> by the fraction 3.5e-5 at a sample rate of 1 Hz, and 3.5e-7 at 10 Hz. The difference is of second order in the sample
+  !> interval.
   integer(c_int32_t), parameter :: SINS_VERTICAL_DAMPED = 0
   !> Height and vertical velocity set to the truth at each sample.
   integer(c_int32_t), parameter :: SINS_VERTICAL_FOLLOW_TRUTH = 1
@@ -190,7 +192,8 @@ module sins
   integer(c_int32_t), parameter :: SINS_SIGNAL_PHYSICAL = 0
   !> As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
   !> free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
-  !> trim. As soon as the start, a sensor or gravity has errors, the trim needs a second navigator without errors.
+  !> trim. If the initial state, a sensor or gravity has errors, the library also runs a second navigator without errors to
+  !> compute the trim. A step then takes longer.
   integer(c_int32_t), parameter :: SINS_SIGNAL_CLOSED_LOOP = 1
 
   !> Flags of a sins_error_info.
@@ -210,7 +213,7 @@ module sins
   integer(c_int32_t), parameter :: SINS_SENSOR_GYRO = 0
   !> The accelerometers.
   integer(c_int32_t), parameter :: SINS_SENSOR_ACCEL = 1
-  !> The altimeter; its axis is 0.
+  !> The altimeter. Give 0 for the argument axis.
   integer(c_int32_t), parameter :: SINS_SENSOR_ALTIMETER = 2
 
   !> Kinds of failure.
@@ -224,26 +227,29 @@ module sins
   !> altimeter nothing stabilizes the vertical channel of SINS_VERTICAL_DAMPED; this is flagged
   !> SINS_NAVIGATION_VERTICAL_UNAIDED.
   integer(c_int32_t), parameter :: SINS_FAILURE_DEAD = 2
-  !> An additional bias, of the field size. Not flagged.
+  !> An additional bias; its value is in the field `size`. Not flagged.
   integer(c_int32_t), parameter :: SINS_FAILURE_BIAS_STEP = 3
-  !> Rectangular pulses of height size and length duration_s, one every interval_s, the first immediately. A sample of the
-  !> altimeter shows their mean over its interval. Flagged only where they saturate the output.
+  !> Rectangular pulses. The field `size` is their height, duration_s their length. A pulse starts every interval_s; the first
+  !> starts immediately. A sample of the altimeter shows the mean of the pulses over the sample interval. A gyro or an
+  !> accelerometer is flagged only if a pulse saturates it.
   integer(c_int32_t), parameter :: SINS_FAILURE_SPIKES = 4
-  !> Additional white noise of the field density; for the altimeter, its mean over the interval. Not flagged.
+  !> Additional white noise; its density is in the field `density`. A sample of the altimeter shows the mean of the noise over
+  !> the sample interval. Not flagged.
   integer(c_int32_t), parameter :: SINS_FAILURE_NOISE = 5
   !> Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
-  !> independently with the field probability, or one interval is lost every interval_s, the first immediately.
+  !> independently with the probability in the field `probability`, or one interval is lost every interval_s, the first
+  !> immediately.
   integer(c_int32_t), parameter :: SINS_FAILURE_DROP_OUTS = 6
 
   !> How the INS finds its attitude at the start.
   integer, parameter :: sins_alignment = c_int32_t
   !> The INS starts with the true attitude, turned by the given and the drawn misalignment.
   integer(c_int32_t), parameter :: SINS_ALIGNMENT_GIVEN = 0
-  !> The INS starts with the attitude that levelling and gyrocompassing at rest find with the sensor errors of the start,
-  !> turned by the given and the drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense
-  !> no horizontal force. Gyrocompassing then finds the heading at which the levelled rate of the gyros points north.
-  !> SINS_NAVIGATION_NORTH_UNKNOWN is set if the sensor errors hide north. Within 64 km of a pole the start returns
-  !> SINS_ERROR_SINGULAR.
+  !> The library computes the attitude that levelling and gyrocompassing at rest would find with the sensor errors at the
+  !> start. It does so even if the flight starts in motion. The INS starts with this attitude, turned by the given and the
+  !> drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense no horizontal force.
+  !> Gyrocompassing then finds the heading at which the horizontal gyro rates point north. SINS_NAVIGATION_NORTH_UNKNOWN is set
+  !> if the sensor errors hide north. Within 64 km of a pole the start returns SINS_ERROR_SINGULAR.
   integer(c_int32_t), parameter :: SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1
 
   !> Flags of a sins_flight_sample.
@@ -252,8 +258,8 @@ module sins
   integer(c_int32_t), parameter :: SINS_SAMPLE_ANGULAR_RATE = 1
   !> The sample carries specific_force_m_s2.
   integer(c_int32_t), parameter :: SINS_SAMPLE_SPECIFIC_FORCE = 2
-  !> The sample has no velocity. The library derives it from positions, with a noise of 2 to 4 position errors divided by the
-  !> interval.
+  !> The sample has no velocity. The library derives it from positions. The noise of this velocity is 2 to 4 times the position
+  !> noise of a sample, divided by the interval.
   integer(c_int32_t), parameter :: SINS_SAMPLE_NO_VELOCITY = 4
   !> The sample carries temperature_c.
   integer(c_int32_t), parameter :: SINS_SAMPLE_TEMPERATURE = 8
@@ -266,14 +272,14 @@ module sins
   !> Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
   !> every 569 s.
   integer(c_int32_t), parameter :: SINS_NAVIGATION_VERTICAL_UNAIDED = 2
-  !> A flag of the truth: the displacement since the previous sample differs from the displacement d that the velocities give by
-  !> more than sqrt((0.01 d)^2 + (1 cm)^2).
+  !> A flag of the truth. Let d be the displacement computed from the velocities. The flag is set if the displacement of the
+  !> positions since the previous sample differs from d by more than sqrt((0.01 d)^2 + (1 cm)^2).
   integer(c_int32_t), parameter :: SINS_NAVIGATION_INCONSISTENT = 4
   !> The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
-  !> force, or the horizontal error of the levelled rates is at least as large as the north component of the Earth rate. (If
-  !> it is smaller, the heading error is below 90 degrees.) The simulator knows the horizontal error; a real INS does not. A
-  !> real INS can be sure that it has not found north only if its levelled horizontal rate is more than twice the north
-  !> component of the Earth rate. The flag stays until the INS starts again.
+  !> force, or the error of the horizontal gyro rates is at least as large as the north component of the Earth rate. (If it is
+  !> smaller, the heading error is below 90 degrees.) The flag stays until the INS starts again. Note: a real INS does not know
+  !> this error. It can be sure that it has not found north only if its horizontal gyro rate is more than twice the north
+  !> component of the Earth rate.
   integer(c_int32_t), parameter :: SINS_NAVIGATION_NORTH_UNKNOWN = 8
 
   !> Flags of a sins_imu.
@@ -282,9 +288,10 @@ module sins
   integer(c_int32_t), parameter :: SINS_IMU_GYRO_SATURATED = 1
   !> The mean force of a subsample was beyond the range of an accelerometer.
   integer(c_int32_t), parameter :: SINS_IMU_ACCEL_SATURATED = 2
-  !> A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with its output of 0.
+  !> A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with the output 0 of this gyro.
   integer(c_int32_t), parameter :: SINS_IMU_GYRO_INVALID = 4
-  !> An accelerometer had no signal in the interval: dead, or dropped out.
+  !> An accelerometer had no signal in the interval: dead, or dropped out. The mechanization continues with the output 0 of
+  !> this accelerometer.
   integer(c_int32_t), parameter :: SINS_IMU_ACCEL_INVALID = 8
 
   !> The two sources of errors.
@@ -300,27 +307,29 @@ module sins
   !> north components of the velocity error have no meaning.
   integer(c_int32_t), parameter :: SINS_ERRORS_NEAR_POLE = 1
   !> A flag of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
-  !> displacement is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
+  !> position error is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
   integer(c_int32_t), parameter :: SINS_ERRORS_OUTSIDE_VALIDITY = 2
   !> In a sins_record: not computed, all zero.
   integer(c_int32_t), parameter :: SINS_ERRORS_NOT_COMPUTED = 4
 
   !> Grades of sensors.
   integer, parameter :: sins_grade = c_int32_t
-  !> Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020, table 1, upper ends of the grade),
-  !> angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+  !> Strategic: gyro bias 0.001 deg/h and accelerometer bias 1e-6 g, each 1 sigma (El-Sheimy and Youssef 2020, table 1, upper
+  !> ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
   integer(c_int32_t), parameter :: SINS_GRADE_STRATEGIC = 1
-  !> Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated.
+  !> Navigation: Honeywell HG9900, brochure N61-1638. It states no accelerometer noise, so the preset has none: set your own.
   integer(c_int32_t), parameter :: SINS_GRADE_NAVIGATION = 2
   !> Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated.
   integer(c_int32_t), parameter :: SINS_GRADE_TACTICAL = 3
-  !> Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no accelerometer noise: set your own.
-  !> The range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by 0.1 deg, 1 sigma.
+  !> Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D. It states no accelerometer noise, so the preset
+  !> has none: set your own. The range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by
+  !> 0.1 deg, 1 sigma.
   integer(c_int32_t), parameter :: SINS_GRADE_INDUSTRIAL = 4
   !> Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma.
   integer(c_int32_t), parameter :: SINS_GRADE_CONSUMER = 5
-  !> The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), accelerometer bias 1e-5 g and
-  !> white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper states none).
+  !> The paper's simulation 2: constant gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), constant accelerometer
+  !> bias 1e-5 g and white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper
+  !> states none).
   integer(c_int32_t), parameter :: SINS_GRADE_PAPER_SIMULATION2 = 6
 
   !> Kinds of manoeuvre.
@@ -336,12 +345,12 @@ module sins
   !> Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
   !> duration follows from these.
   integer(c_int32_t), parameter :: SINS_MANOEUVRE_TURN = 4
-  !> Whole rolls along a straight path in duration_s; the field turns is their number (right positive).
+  !> Whole rolls along a straight path in duration_s; the field turns is their number (positive: right wing down).
   integer(c_int32_t), parameter :: SINS_MANOEUVRE_ROLL = 5
   !> Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s.
   integer(c_int32_t), parameter :: SINS_MANOEUVRE_LOOP = 6
-  !> The course swings by heading_change_rad to both sides; the field turns is the number of swings in duration_s. Uses
-  !> ramp_s.
+  !> The course swings by heading_change_rad to both sides, first to the right if it is positive. The field turns is the number
+  !> of swings in duration_s. A swing is a full period: to one side, to the other side, and back. Uses ramp_s.
   integer(c_int32_t), parameter :: SINS_MANOEUVRE_S_TURN = 7
   !> Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s.
   integer(c_int32_t), parameter :: SINS_MANOEUVRE_SINUSOIDS = 8
@@ -402,14 +411,15 @@ module sins
   integer, parameter :: sins_scene_key_flags = c_int32_t
   !> The key belongs to the items of a list: its section stands in double brackets.
   integer(c_int32_t), parameter :: SINS_SCENE_KEY_IN_LIST = 1
-  !> minimum and maximum are the limits of each number. Without this flag there are none, or they depend on other values.
+  !> The fields minimum and maximum are the limits of each number. Without this flag there are no limits, or the limits depend
+  !> on other values.
   integer(c_int32_t), parameter :: SINS_SCENE_KEY_LIMITS = 2
   !> 0 is allowed in addition to the values within the limits. It switches the quantity off.
   integer(c_int32_t), parameter :: SINS_SCENE_KEY_ZERO_IS_OFF = 4
 
   !> Flags of a sins_budget_row.
   integer, parameter :: sins_budget_flags = c_int32_t
-  !> The row's figures are standard deviations (1 sigma), exact to first order.
+  !> The figures of the row are standard deviations (1 sigma), from linear error equations.
   integer(c_int32_t), parameter :: SINS_BUDGET_RANDOM = 1
   !> The effect can be left out, together with all others that have this flag.
   integer(c_int32_t), parameter :: SINS_BUDGET_CAN_BE_LEFT_OUT = 2
@@ -460,7 +470,8 @@ module sins
     integer(c_int32_t) :: frame = 0_c_int32_t
     !> Algorithm of the mechanization, of enum sins_scheme.
     integer(c_int32_t) :: scheme = 0_c_int32_t
-    !> Subsamples: the equal parts of a mechanization update over which the sensors integrate, 1 to 5; 0: 2.
+    !> Number of subsamples of a mechanization update, 1 to 5; 0: 2. A subsample is one of the equal parts of the update; the
+    !> sensors give one increment for each.
     integer(c_int32_t) :: subsamples = 0_c_int32_t
     !> Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
     integer(c_int32_t) :: updates_per_sample = 0_c_int32_t
@@ -478,7 +489,7 @@ module sins
     integer(c_int32_t) :: signal = 0_c_int32_t
     !> Seed of all random streams.
     integer(c_int64_t) :: seed = 0_c_int64_t
-    !> Number of the run in an ensemble: the same seed with another run gives other random numbers.
+    !> Run number. The same seed with another run number gives other random numbers. Run k of an ensemble has the number k.
     integer(c_int64_t) :: run = 0_c_int64_t
     !> Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s, for which max_gap_s
     !> must be at most 7.5 s. Must be 0 with another signal.
@@ -487,9 +498,9 @@ module sins
     !> sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
     !> samples: each must be within 0.4 of a period of its multiple.
     real(c_double) :: sample_period_s = 0.0_c_double
-    !> Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles at rest. At rest the
-    !> position error grows with the third power of the interval: within 12 h it reaches 0.09 m with intervals of 10 s, and 91 m
-    !> with intervals of 100 s.
+    !> Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Use intervals of minutes only for a vehicle at rest.
+    !> Even at rest the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with
+    !> intervals of 10 s, and 91 m with intervals of 100 s.
     real(c_double) :: max_gap_s = 0.0_c_double
     !> Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
     !> the truth.
@@ -516,24 +527,24 @@ module sins
     real(c_double) :: latitude_rad = 0.0_c_double
     !> Longitude, east positive, -100 to 100 [rad]; whole turns do not matter.
     real(c_double) :: longitude_rad = 0.0_c_double
-    !> Height above the ellipsoid, -20 km to 2000 km [m].
+    !> Height above the ellipsoid, -2e4 to 2e6 [m].
     real(c_double) :: height_m = 0.0_c_double
-    !> Velocity against the Earth, east-north-up, each up to 20 km/s [m/s].
+    !> Velocity against the Earth, east-north-up, each -2e4 to 2e4 [m/s].
     real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
-    !> Roll, right wing down positive, any number of turns up to 10000 rad [rad].
+    !> Roll, right wing down positive, -1e4 to 1e4 [rad]; whole turns do not matter.
     real(c_double) :: roll_rad = 0.0_c_double
-    !> Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the next the attitude
-    !> must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from the turn that the
-    !> angular rates predict, or, without rates, that the previous interval predicts. Additional whole turns between two
-    !> samples cannot be detected.
+    !> Pitch, nose up positive, -1e4 to 1e4 [rad]; it may go beyond 90 degrees. From one sample to the next the attitude must
+    !> turn by less than 170 degrees. The library predicts this turn from the angular rates of the samples, or, without
+    !> rates, from the previous interval. The turn must differ from the prediction by less than 180 degrees. Additional whole
+    !> turns between two samples cannot be detected.
     real(c_double) :: pitch_rad = 0.0_c_double
-    !> Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
+    !> Heading, clockwise from true north, -1e4 to 1e4 [rad]; whole turns do not matter.
     real(c_double) :: heading_rad = 0.0_c_double
     !> With SINS_SAMPLE_ANGULAR_RATE: angular rate of the vehicle against inertial space along the body axes at this instant,
-    !> each up to 1000 rad/s [rad/s].
+    !> each -1000 to 1000 [rad/s].
     real(c_double) :: angular_rate_rad_s(3) = 0.0_c_double
-    !> With SINS_SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body axes at this instant, each up to
-    !> 1e5 m/s2 [m/s2].
+    !> With SINS_SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body axes at this instant, each -1e5
+    !> to 1e5 [m/s2].
     real(c_double) :: specific_force_m_s2(3) = 0.0_c_double
     !> With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C]; linear
     !> from one sample to the next. Needed while temperature coefficients are set: the push of a sample without it then returns
@@ -560,10 +571,11 @@ module sins
     integer(c_int64_t) :: sample = 0_c_int64_t
     !> With SINS_ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the nearest double.
     real(c_double) :: value = 0.0_c_double
-    !> With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence says "more than", this value itself is rejected too.
+    !> With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence of sins_last_error() says "more than", the limit itself
+    !> is not allowed.
     real(c_double) :: minimum = 0.0_c_double
-    !> With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence says "less than", this value itself is rejected
-    !> too.
+    !> With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence of sins_last_error() says "less than", the limit
+    !> itself is not allowed.
     real(c_double) :: maximum = 0.0_c_double
   end type sins_error_info
 
@@ -598,7 +610,8 @@ module sins
     real(c_double) :: random_walk_rad_sqrt_s(3) = 0.0_c_double
     !> Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run.
     real(c_double) :: rate_random_walk_rad_s_sqrt_s(3) = 0.0_c_double
-    !> Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set.
+    !> Ramp R: bias that grows with time [rad/s2], -100 to 100. The bias starts at 0 when the ramp is switched on,
+    !> and at sins_reset(). If R is changed in flight, the bias continues from its present value.
     real(c_double) :: rate_ramp_rad_s2(3) = 0.0_c_double
     !> Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
     !> Allan deviation is flat at 0.664 B from 2 s to 50 h.
@@ -608,24 +621,25 @@ module sins
     !> Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
     !> scale_factor.
     real(c_double) :: scale_factor_sigma(3) = 0.0_c_double
-    !> Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
-    !> of this times |s|.
+    !> Scale factor error for positive signals less that for negative signals [1], -1 to 1. The error of a signal s
+    !> is half of this times |s|.
     real(c_double) :: scale_factor_asymmetry(3) = 0.0_c_double
     !> Scale factor error that grows with the size of the signal [s/rad], -1 to 1. The error of a signal s is this
     !> times s |s|.
     real(c_double) :: scale_factor_nonlinearity_s_rad(3) = 0.0_c_double
-    !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
+    !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The error of sensor i is the
+    !> sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.
     real(c_double) :: misalignment_rad(3, 3) = 0.0_c_double
     !> Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
-    !> misalignment_rad. The diagonal is 0.
+    !> misalignment_rad. The diagonal must be 0.
     real(c_double) :: misalignment_sigma_rad(3, 3) = 0.0_c_double
     !> Drift caused by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)],
     !> -1 to 1. The error of a gyro is the sum over the three axes of its row times the true specific force along
     !> them.
     real(c_double) :: g_sensitivity_rad_s_per_m_s2(3, 3) = 0.0_c_double
     !> Drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
-    !> -1 to 1. The rate that gyro i measures is too large by element i times the square of component i of the true
-    !> specific force at the block's own point, in sensor axes. So a positive element makes a drift in the positive
+    !> -1 to 1. The rate error of gyro i is element i times the square of the true specific force along sensor axis
+    !> i, at the point of the sensor block (see sins_mounting). So a positive element makes a drift in the positive
     !> sense about the axis, whatever the sign of the force. The mean force of a subsample is squared, as with
     !> nonlinearity.
     real(c_double) :: g2_sensitivity_rad_s_per_m2_s4(3) = 0.0_c_double
@@ -642,15 +656,15 @@ module sins
     !> Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this coefficient times T
     !> squared.
     real(c_double) :: scale_factor_temperature2_per_k2(3) = 0.0_c_double
-    !> Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts settled:
-    !> without a transient at the first interval.
+    !> Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts in its
+    !> steady state, so there is no transient in the first interval.
     real(c_double) :: bandwidth_hz(3) = 0.0_c_double
     !> Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100.
     real(c_double) :: dead_zone_rad_s(3) = 0.0_c_double
     !> Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu.
     real(c_double) :: range_rad_s(3) = 0.0_c_double
-    !> Pulse of the output increments [rad], 1e-15 to 1; 0: none. The remainder goes into the next increment. The
-    !> quantization noise Q is pulse/sqrt(12).
+    !> Quantum (pulse weight) of the output increments [rad], 1e-15 to 1; 0: none. The remainder goes into the next
+    !> increment. The quantization noise Q is quantum/sqrt(12).
     real(c_double) :: quantization_rad(3) = 0.0_c_double
   end type sins_gyro_params
 
@@ -679,7 +693,8 @@ module sins
     real(c_double) :: velocity_random_walk_m_s_sqrt_s(3) = 0.0_c_double
     !> Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run.
     real(c_double) :: acceleration_random_walk_m_s2_sqrt_s(3) = 0.0_c_double
-    !> Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set.
+    !> Ramp R: bias that grows with time [m/s3], -10000 to 10000. The bias starts at 0 when the ramp is switched
+    !> on, and at sins_reset(). If R is changed in flight, the bias continues from its present value.
     real(c_double) :: ramp_m_s3(3) = 0.0_c_double
     !> Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on:
     !> the Allan deviation is flat at 0.664 B from 2 s to 50 h.
@@ -689,25 +704,27 @@ module sins
     !> Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
     !> scale_factor.
     real(c_double) :: scale_factor_sigma(3) = 0.0_c_double
-    !> Scale factor error of positive less that of negative signals [1], -1 to 1. The error of a signal s is half
-    !> of this times |s|.
+    !> Scale factor error for positive signals less that for negative signals [1], -1 to 1. The error of a signal s
+    !> is half of this times |s|.
     real(c_double) :: scale_factor_asymmetry(3) = 0.0_c_double
     !> Scale factor error that grows with the size of the signal [s2/m], -1 to 1. The error of a signal s is this
     !> times s |s|.
     real(c_double) :: scale_factor_nonlinearity_s2_m(3) = 0.0_c_double
-    !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The diagonal is 0.
+    !> Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The error of sensor i is the
+    !> sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.
     real(c_double) :: misalignment_rad(3, 3) = 0.0_c_double
     !> Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
-    !> misalignment_rad. The diagonal is 0.
+    !> misalignment_rad. The diagonal must be 0.
     real(c_double) :: misalignment_sigma_rad(3, 3) = 0.0_c_double
-    !> Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration with the root mean square r causes a bias
-    !> of this times r squared.
+    !> Vibration rectification, the g2 term [s2/m], -1 to 1. The error is this times the square of the mean force
+    !> of a subsample. So a vibration with the root mean square r causes a bias of this times r squared.
     real(c_double) :: vibration_rectification_s2_m(3) = 0.0_c_double
-    !> Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size effect) [m],
-    !> -100 to 100. The block's own point is where the lever arm of sins_mounting ends. At a start in motion,
-    !> samples do not show the angular acceleration of the first interval (see sins_mounting). The measured velocity
-    !> then lacks, for the rest of the flight, the lever arm times the change of the rate in that interval. With
-    !> sins_push_imu() the angular acceleration follows from the previous increments.
+    !> Lever arm of each accelerometer from the point of the sensor block, sensor axes, row = sensor (size effect)
+    !> [m], -100 to 100. The point of the sensor block is where the lever arm of sins_mounting ends. If a flight
+    !> starts in motion, samples without an angular rate do not show the angular acceleration of the first interval
+    !> (see sins_mounting). The measured velocity is then wrong for the rest of the flight: it lacks the lever arm
+    !> times the change of the angular rate in the first interval. With sins_push_imu() the angular acceleration
+    !> follows from the previous increments.
     real(c_double) :: lever_arm_m(3, 3) = 0.0_c_double
     !> Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
     !> sins_flight_sample.temperature_c less this temperature. If one of the coefficients is not 0, every sample
@@ -722,15 +739,15 @@ module sins
     !> Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this coefficient times T
     !> squared.
     real(c_double) :: scale_factor_temperature2_per_k2(3) = 0.0_c_double
-    !> Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts settled:
-    !> without a transient at the first interval.
+    !> Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts in its
+    !> steady state, so there is no transient in the first interval.
     real(c_double) :: bandwidth_hz(3) = 0.0_c_double
     !> Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000.
     real(c_double) :: dead_zone_m_s2(3) = 0.0_c_double
     !> Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu.
     real(c_double) :: range_m_s2(3) = 0.0_c_double
-    !> Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The remainder goes into the next increment. The
-    !> quantization noise Q is pulse/sqrt(12).
+    !> Quantum (pulse weight) of the output increments [m/s], 1e-15 to 1; 0: none. The remainder goes into the next
+    !> increment. The quantization noise Q is quantum/sqrt(12).
     real(c_double) :: quantization_m_s(3) = 0.0_c_double
   end type sins_accel_params
 
@@ -740,17 +757,17 @@ module sins
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_ALTIMETER_PARAMS
     !> Must be 0.
     integer(c_int32_t) :: reserved = 0_c_int32_t
-    !> Constant bias, up to 1e5 m [m].
+    !> Constant bias, -1e5 to 1e5 [m].
     real(c_double) :: bias_m = 0.0_c_double
-    !> Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, up to 1e5 m [m].
+    !> Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, 0 to 1e5 [m].
     real(c_double) :: markov_sigma_m = 0.0_c_double
     !> Correlation time of the Gauss-Markov error, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0.
     real(c_double) :: markov_time_s = 0.0_c_double
-    !> Standard deviation of the independent error of each sample, up to 1e5 m [m].
+    !> Standard deviation of the independent error of each sample, 0 to 1e5 [m].
     real(c_double) :: noise_m = 0.0_c_double
     !> Scale factor error of the height [1], -1 to 1.
     real(c_double) :: scale_factor = 0.0_c_double
-    !> Time constant of the first-order lag of the static pressure, up to 1e6 s [s].
+    !> Time constant of the first-order lag of the static pressure, 0 to 1e6 [s].
     real(c_double) :: lag_s = 0.0_c_double
   end type sins_altimeter_params
 
@@ -770,17 +787,19 @@ module sins
     !> Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
     !> [u sqrt(s)].
     real(c_double) :: density = 0.0_c_double
-    !> Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
+    !> Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]; 0 for drop-outs with a
+    !> probability.
     real(c_double) :: interval_s = 0.0_c_double
     !> Spikes: length of one spike, 1e-9 s to interval_s [s].
     real(c_double) :: duration_s = 0.0_c_double
-    !> Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
+    !> Drop-outs, if interval_s is 0: probability that an interval is lost, 0 to 1.
     real(c_double) :: probability = 0.0_c_double
   end type sins_failure
 
   !> Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
-  !> (sigma) are drawn once a run and added. Where the vertical channel follows the truth, its errors start at 0. Positions up
-  !> to 1e6 m, velocities up to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
+  !> (sigma) are drawn once a run and added. A reset and a reposition use the same random numbers again. With
+  !> SINS_VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0. Limits: position errors 1e6 m, velocity
+  !> errors 1e4 m/s, their standard deviations 1e5 m and 1e3 m/s.
   type, bind(C) :: sins_initial_errors
     !> sizeof(sins_initial_errors)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_INITIAL_ERRORS
@@ -790,15 +809,15 @@ module sins
     real(c_double) :: position_enu_m(3) = 0.0_c_double
     !> Velocity error [m/s].
     real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
-    !> Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C. C turns vectors from sensor
-    !> axes to east-north-up. The C on the right is the true one, or, with SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, the one that
-    !> the alignment finds.
+    !> Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C0. C turns vectors from sensor
+    !> axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, C0 is the C that the alignment
+    !> finds.
     real(c_double) :: misalignment_enu_rad(3) = 0.0_c_double
-    !> Standard deviation of position [m].
+    !> Standard deviation of the position error [m].
     real(c_double) :: position_sigma_enu_m(3) = 0.0_c_double
-    !> Standard deviation of velocity [m/s].
+    !> Standard deviation of the velocity error [m/s].
     real(c_double) :: velocity_sigma_enu_m_s(3) = 0.0_c_double
-    !> Standard deviation of misalignment, 0 to 1 [rad].
+    !> Standard deviation of the misalignment, 0 to 1 [rad].
     real(c_double) :: misalignment_sigma_enu_rad(3) = 0.0_c_double
     !> Alignment at the start, of enum sins_alignment.
     integer(c_int32_t) :: alignment = 0_c_int32_t
@@ -812,15 +831,16 @@ module sins
   !>
   !> The ideal sensors measure the motion of the block, and sensor errors act in the axes of the block: sins_imu describes
   !> the block. The INS navigates the block, and converts its solution to the reference point with the mounting that it
-  !> believes: sins_navigation and sins_errors describe the reference point. Initial errors are those of the INS's solution
-  !> for the block. Angular rate and specific force of a sample are those of the reference point, along body axes. The
-  !> barometric height is that of the reference point too.
+  !> believes: sins_navigation and sins_errors describe the reference point. Initial errors apply to the solution for the
+  !> block, so at the start sins_errors can differ from them. Angular rate and specific force of a sample are those of the
+  !> reference point, along body axes. The barometric height is that of the reference point too.
   !>
   !> Start in motion: at the start of a moving flight, and after a reposition, samples without an angular rate do not show
   !> the angular acceleration of the first interval. The specific force of a block away from the reference point then lacks
   !> the term angular acceleration times lever arm. In the second interval this term is correct to first order in the
   !> interval's length, in the third to second order, later to third order. The navigation is not affected, because the INS
-  !> starts with the velocity of the block that matches the next sample. With SINS_SAMPLE_ANGULAR_RATE no term is missing.
+  !> starts with the velocity that the block has at the mean angular rate of the first interval. With SINS_SAMPLE_ANGULAR_RATE
+  !> no term is missing.
   type, bind(C) :: sins_mounting
     !> sizeof(sins_mounting)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_MOUNTING
@@ -828,8 +848,9 @@ module sins
     integer(c_int32_t) :: reserved = 0_c_int32_t
     !> Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m].
     real(c_double) :: lever_arm_m(3) = 0.0_c_double
-    !> Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined as those of the
-    !> body relative to the horizon: positive right side down, nose up, nose to the right. Any number of turns up to 10000 rad.
+    !> Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined like the
+    !> attitude angles of the body: positive roll right side down, positive pitch nose up, positive heading nose to the
+    !> right. Each is -1e4 to 1e4; whole turns do not matter.
     real(c_double) :: boresight_rad(3) = 0.0_c_double
     !> Believed less true lever arm, -100 to 100 [m].
     real(c_double) :: lever_arm_error_m(3) = 0.0_c_double
@@ -838,15 +859,14 @@ module sins
     real(c_double) :: boresight_error_rad(3) = 0.0_c_double
   end type sins_mounting
 
-  !> True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the gravity
-  !> disturbance: true and normal gravity are taken at the same point). Each has a constant part and a random part. The random
-  !> part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown over
-  !> ground. At rest it does not change. All zero is normal gravity.
+  !> Gravity disturbance: true gravity less the normal gravity that the INS computes, at the same point. The horizontal part is
+  !> the deflection of the vertical. The vertical part is called anomaly here. Each has a constant part and a random part. The
+  !> random part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown
+  !> over ground. At rest it does not change. All zero is normal gravity.
   !>
   !> Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
-  !> accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between 0 and
-  !> twice R times the deflection, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) is
-  !> tilted by the deflection.
+  !> accelerometer error. At rest, without a levelled start, a deflection xi makes the position error oscillate between 0 and 2
+  !> R xi, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) is tilted by the deflection.
   type, bind(C) :: sins_gravity_params
     !> sizeof(sins_gravity_params)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_GRAVITY_PARAMS
@@ -855,20 +875,20 @@ module sins
     !> Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. If positive, the true
     !> zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g times this to the north.
     real(c_double) :: deflection_north_rad = 0.0_c_double
-    !> Standard deviation of the random part of the deflection in the meridian, up to 0.01 [rad].
+    !> Standard deviation of the random part of the deflection in the meridian, 0 to 0.01 [rad].
     real(c_double) :: deflection_north_sigma_rad = 0.0_c_double
     !> Correlation distance D of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
     real(c_double) :: deflection_north_distance_m = 0.0_c_double
     !> Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
     !> 0.01 [rad]. If positive, the true zenith lies east of the ellipsoid's normal.
     real(c_double) :: deflection_east_rad = 0.0_c_double
-    !> Standard deviation of the random part of the deflection in the prime vertical, up to 0.01 [rad].
+    !> Standard deviation of the random part of the deflection in the prime vertical, 0 to 0.01 [rad].
     real(c_double) :: deflection_east_sigma_rad = 0.0_c_double
     !> Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
     real(c_double) :: deflection_east_distance_m = 0.0_c_double
     !> Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2.
     real(c_double) :: anomaly_m_s2 = 0.0_c_double
-    !> Standard deviation of the random part of the anomaly, up to 0.1 [m/s2].
+    !> Standard deviation of the random part of the anomaly, 0 to 0.1 [m/s2].
     real(c_double) :: anomaly_sigma_m_s2 = 0.0_c_double
     !> Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0.
     real(c_double) :: anomaly_distance_m = 0.0_c_double
@@ -909,7 +929,8 @@ module sins
     real(c_double) :: longitude_rad = 0.0_c_double
     !> Error of height [m].
     real(c_double) :: height_m = 0.0_c_double
-    !> Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
+    !> Velocity error [m/s]: components of the computed velocity in the east-north-up axes at the computed position, less
+    !> components of the true velocity in the axes at the true position.
     real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
     !> Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
     !> east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
@@ -1020,7 +1041,8 @@ module sins
     real(c_double) :: longitude_rad = 0.0_c_double
     !> Error of height [m].
     real(c_double) :: height_m = 0.0_c_double
-    !> Velocity error [m/s]: difference of the components, each in the east-north-up axes of its own position.
+    !> Velocity error [m/s]: components of the computed velocity in the east-north-up axes at the computed position, less
+    !> components of the true velocity in the axes at the true position.
     real(c_double) :: velocity_enu_m_s(3) = 0.0_c_double
     !> Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
     !> east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
@@ -1038,8 +1060,8 @@ module sins
   end type sins_errors
 
   !> Running figures of the flight since its start or last reposition; sins_move_time() and sins_move_truth() do not restart
-  !> them. Errors are sampled once a second. They describe one run, not an ensemble. Divide the rates by SINS_NMI_PER_HOUR
-  !> for the unit of data sheets.
+  !> them. The figures use the errors once a second. They describe one run, not an ensemble. To get nautical miles per hour,
+  !> divide a rate by SINS_NMI_PER_HOUR.
   type, bind(C) :: sins_accuracy
     !> sizeof(sins_accuracy)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_ACCURACY
@@ -1049,10 +1071,10 @@ module sins
     real(c_double) :: time_s = 0.0_c_double
     !> Time since the start [s].
     real(c_double) :: duration_s = 0.0_c_double
-    !> Start of the window of the radial error rates: 300 s after the start [s]. Earlier rates would be initial errors divided by
-    !> a very short time.
+    !> Start of the window of the radial error rates, as time since the start: 300 [s]. Earlier rates would be initial errors
+    !> divided by a very short time.
     real(c_double) :: window_start_s = 0.0_c_double
-    !> Number of samples in the window of the radial error rates. While there are none, the rates are 0.
+    !> Number of errors (one a second) in the window of the radial error rates. While it is 0, the rates are 0.
     integer(c_int64_t) :: window_samples = 0_c_int64_t
     !> Root mean square of the radial error rate, sqrt(mean RER^2), with RER = horizontal position error / time since the
     !> start [m/s].
@@ -1061,25 +1083,25 @@ module sins
     real(c_double) :: cep_rate_m_s = 0.0_c_double
     !> R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s].
     real(c_double) :: radial_95_rate_m_s = 0.0_c_double
-    !> Slope of the least-squares line through the horizontal position error [m/s].
+    !> Slope of the least-squares line (with an intercept) through the horizontal position errors of the window [m/s].
     real(c_double) :: radial_error_slope_m_s = 0.0_c_double
     !> Root mean square velocity error since the start, east-north-up; samples within 20 km of the Earth's axis, where east
     !> and north turn fast, are left out [m/s].
     real(c_double) :: velocity_rms_enu_m_s(3) = 0.0_c_double
-    !> Position closure: navigation minus truth now [m].
+    !> Position closure: the position error now, navigation minus truth [m].
     real(c_double) :: closure_position_enu_m(3) = 0.0_c_double
-    !> Velocity closure: navigation minus truth now [m/s].
+    !> Velocity closure: the velocity error now, navigation minus truth [m/s].
     real(c_double) :: closure_velocity_enu_m_s(3) = 0.0_c_double
-    !> Part of the horizontal position closure that the host causes, because its velocities contradict its positions [m]:
-    !> the Schuler-tuned response to the displacement by velocities less the displacement by positions; up is 0. The rest of
-    !> the closure is caused by the simulator and the sensors.
+    !> Part of the horizontal position error that the host causes, because its velocities contradict its positions [m]. Let d
+    !> be the displacement from the velocities less the displacement from the positions. The field is the response of a
+    !> Schuler oscillator to d; up is 0. The rest of the position error is caused by the simulator and the sensors.
     real(c_double) :: host_position_enu_m(3) = 0.0_c_double
-    !> Part of the horizontal velocity closure that the host causes in this way; up is 0 [m/s].
+    !> Part of the horizontal velocity error that the host causes in this way; up is 0 [m/s].
     real(c_double) :: host_velocity_enu_m_s(3) = 0.0_c_double
-    !> Displacement by the host's velocities less displacement by its positions, summed over the flight [m].
+    !> Displacement from the host's velocities less displacement from its positions, summed over the flight [m].
     real(c_double) :: inconsistency_enu_m(3) = 0.0_c_double
-    !> Largest difference, in one interval, between the displacement by the host's velocities and the one by its positions
-    !> [m].
+    !> Largest difference, in one interval, between the displacement from the host's velocities and the displacement from its
+    !> positions [m].
     real(c_double) :: inconsistency_max_m = 0.0_c_double
     !> Number of samples flagged SINS_NAVIGATION_INCONSISTENT.
     integer(c_int64_t) :: inconsistent_samples = 0_c_int64_t
@@ -1092,11 +1114,11 @@ module sins
     real(c_double) :: trim_force_max_m_s2 = 0.0_c_double
   end type sins_accuracy
 
-  !> Extreme values of the true motion over all intervals since the create or the last sins_reset(). They reveal wrong units
-  !> and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and give arbitrary
-  !> sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead of m/s
-  !> contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are means
-  !> from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
+  !> Extreme values of the true motion over all intervals since the create or the last sins_reset(). Wrong units and exchanged
+  !> axes give values that no vehicle has, so these figures reveal them. Attitudes in degrees turn 57 times too fast, and give
+  !> arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead
+  !> of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are
+  !> means from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
   !> samples. Each ..._at_s is the time stamp of the sample at which the value was found.
   type, bind(C) :: sins_truth_summary
     !> sizeof(sins_truth_summary)
@@ -1135,8 +1157,8 @@ module sins
     real(c_double) :: force_max_m_s2 = 0.0_c_double
     !> Time stamp of force_max_m_s2 [s].
     real(c_double) :: force_max_at_s = 0.0_c_double
-    !> Largest difference, in one interval, between the displacement by the positions and the displacement by the velocities (the
-    !> mean of those at the two ends, times the length of the interval) [m].
+    !> Largest difference, in one interval, between the displacement from the positions and the displacement from the
+    !> velocities (the mean of the velocities at the two ends, times the length of the interval) [m].
     real(c_double) :: inconsistency_max_m = 0.0_c_double
     !> Time stamp of inconsistency_max_m [s].
     real(c_double) :: inconsistency_max_at_s = 0.0_c_double
@@ -1168,16 +1190,15 @@ module sins
   !> are those of sins_errors: east, north, up of position [m], velocity [m/s] and misalignment [rad], in this order.
   !>
   !> The covariance is propagated along the truth with the linear error equations (error data 1). Both values of
-  !> sins_options.frame use the equations in Earth-fixed axes; the result is the same. It is the covariance about the mean
-  !> error of all runs. It does not depend on the random numbers of this run.
-  !> It contains: random initial errors; the misalignment that the alignment at the start derives from sensor errors; turn-on
-  !> biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of
-  !> gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance.
-  !> It does not contain: given errors and failures, which change the mean; dead zones and ranges, which are not linear.
-  !> One step of the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
-  !> current second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
-  !> second have no effect on the covariance. The standard deviations of the propagation are limited to 1e30 in SI units, so all
-  !> outputs are finite.
+  !> sins_options.frame use the equations in Earth-fixed axes; the result is the same. The covariance is taken about the mean
+  !> error of all runs. It does not depend on the random numbers of this run. It contains: random initial errors; the
+  !> misalignment that the alignment at the start derives from sensor errors; turn-on biases, scale factors and misalignments;
+  !> Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the altimeter's Gauss-Markov error
+  !> and noise; quantization, as white noise of the same variance. It does not contain: constant errors and failures, which
+  !> change only the mean; dead zones and ranges, which are not linear. One step of the propagation is one second of flight. A
+  !> parameter that is set in flight takes effect from the start of the current second. A second with at least one height of
+  !> the altimeter counts as aided throughout, so drop-outs shorter than a second have no effect on the covariance. The
+  !> standard deviations of the propagation are limited to 1e30 in SI units, so all outputs are finite.
   type, bind(C) :: sins_covariance
     !> sizeof(sins_covariance)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_COVARIANCE
@@ -1264,7 +1285,8 @@ module sins
     integer(c_int32_t) :: reserved = 0_c_int32_t
   end type sins_statistics
 
-  !> Figures that are computed from a sins_statistics. Without a run all are 0, and the covariance of one run is 0.
+  !> Figures that are computed from a sins_statistics. If there is no run, all figures are 0. If there is one run, its
+  !> covariance is 0.
   type, bind(C) :: sins_figures
     !> sizeof(sins_figures)
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_FIGURES
@@ -1320,9 +1342,9 @@ module sins
     real(c_double) :: latitude_rad = 0.0_c_double
     !> Longitude, east positive, -100 to 100 [rad].
     real(c_double) :: longitude_rad = 0.0_c_double
-    !> Height above the ellipsoid, -20 km to 2000 km [m].
+    !> Height above the ellipsoid, -2e4 to 2e6 [m].
     real(c_double) :: height_m = 0.0_c_double
-    !> Speed against the Earth, 0 to 10 km/s [m/s].
+    !> Speed against the Earth, 0 to 1e4 [m/s].
     real(c_double) :: speed_m_s = 0.0_c_double
     !> Course and heading, -100 to 100 [rad].
     real(c_double) :: heading_rad = 0.0_c_double
@@ -1358,9 +1380,10 @@ module sins
     real(c_double) :: height_change_m = 0.0_c_double
     !> Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad].
     real(c_double) :: heading_change_rad = 0.0_c_double
-    !> Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank.
+    !> Bank of a turn, 1e-3 to 1.5 [rad]. If the heading change is too small to reach this bank, the turn uses a smaller
+    !> bank.
     real(c_double) :: bank_rad = 0.0_c_double
-    !> Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
+    !> Number of rolls or loops, a whole number from -1e4 to 1e4, not 0; or number of swings of an S-turn, 0 to 1e6.
     real(c_double) :: turns = 0.0_c_double
     !> What each sinusoid moves, of enum sins_channel.
     integer(c_int32_t) :: channel(6) = 0_c_int32_t
@@ -1379,20 +1402,21 @@ module sins
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_FAULT
     !> Flags of enum sins_error_info_flags, or'ed: which of value, minimum and maximum there are.
     integer(c_int32_t) :: flags = 0_c_int32_t
-    !> Number of faults of the text, 200 at most.
+    !> Number of faults that are reported: at most the first 200 of the text.
     integer(c_int64_t) :: count = 0_c_int64_t
     !> Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call.
     integer(c_int64_t) :: line = 0_c_int64_t
-    !> Column, in characters from 1; for a flight log, the column of the table; 0: as for line.
+    !> Column, in characters from 1. For a flight log: number of the column of the table, from 1. 0: the same meaning as 0 in
+    !> line.
     integer(c_int64_t) :: column = 0_c_int64_t
     !> The value at fault, in the unit of the key that path names.
     real(c_double) :: value = 0.0_c_double
-    !> Least allowed value, in that unit; if the sentence says "more than", this value itself is rejected too.
+    !> Least allowed value, in that unit; if the sentence says "more than", the limit itself is not allowed.
     real(c_double) :: minimum = 0.0_c_double
-    !> Greatest allowed value, in that unit; if the sentence says "less than", this value itself is rejected too.
+    !> Greatest allowed value, in that unit; if the sentence says "less than", the limit itself is not allowed.
     real(c_double) :: maximum = 0.0_c_double
-    !> Path of the value at fault, as sins_scene_get_value() takes it; or of a section, "gyro", or an item, "failure[0]";
-    !> terminated. Empty for a flight log, and if the text itself is at fault.
+    !> Path of the value at fault, for sins_scene_get_value(). It can also be the name of a section, such as "gyro", or of an
+    !> item, such as "failure[0]". Terminated. Empty for a flight log, and if the text itself is at fault.
     character(kind=c_char) :: path(96) = c_null_char
     !> Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
     !> longer.
@@ -1405,7 +1429,7 @@ module sins
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_SCENE_SETUP
     !> Must be 0.
     integer(c_int32_t) :: reserved = 0_c_int32_t
-    !> Kind of the flight, of enum sins_scene_flight; read only: ignored when it is set.
+    !> Kind of the flight, of enum sins_scene_flight; read only: sins_scene_set_setup() ignores it.
     integer(c_int32_t) :: flight = 0_c_int32_t
     !> 1: samples get the temperature below; 0: samples get no temperature.
     integer(c_int32_t) :: has_temperature = 0_c_int32_t
@@ -1451,11 +1475,12 @@ module sins
     !> Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
     !> [u sqrt(s)].
     real(c_double) :: density = 0.0_c_double
-    !> Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
+    !> Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]; 0 for drop-outs with a
+    !> probability.
     real(c_double) :: interval_s = 0.0_c_double
     !> Spikes: length of one spike, 1e-9 s to interval_s [s].
     real(c_double) :: duration_s = 0.0_c_double
-    !> Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
+    !> Drop-outs, if interval_s is 0: probability that an interval is lost, 0 to 1.
     real(c_double) :: probability = 0.0_c_double
   end type sins_planned_failure
 
@@ -1476,7 +1501,7 @@ module sins
     integer(c_int32_t) :: spread = 0_c_int32_t
     !> 0
     integer(c_int32_t) :: reserved = 0_c_int32_t
-    !> A number in the unit of name, times this factor, is in SI. 1 if the value is no number.
+    !> Factor from the unit of the key to SI. It is 1 if the value is not a number.
     real(c_double) :: si_per_unit = 0.0_c_double
     !> Least allowed value of each number, in the unit of name. If the kinds of items have different limits, it is the widest.
     !> Other values of the scene may narrow the limits.
@@ -1497,8 +1522,8 @@ module sins
     character(kind=c_char) :: default_value(32) = c_null_char
     !> Words that a key of SINS_SCENE_KEY_WORD takes, such as "exact|paper|polynomial".
     character(kind=c_char) :: words(128) = c_null_char
-    !> Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of these words. If there are
-    !> several conditions, with a space between them, an item must meet all. Empty: all items.
+    !> Items of the list that use the key. "kind=turn|s_turn" means the items in which the value of the key `kind` is one of
+    !> these words. If there are several conditions, with a space between them, an item must meet all. Empty: all items.
     character(kind=c_char) :: condition(96) = c_null_char
     !> Meaning, without unit.
     character(kind=c_char) :: meaning(128) = c_null_char
@@ -1544,14 +1569,15 @@ module sins
     integer(c_int32_t) :: struct_size = SINS_SIZEOF_REQUIREMENT
     !> Must be 0.
     integer(c_int32_t) :: reserved = 0_c_int32_t
-    !> Duration for which the limits hold, up to 1e6 [s]; 0, or less than the length of the piece of flight that is given to
-    !> sins_recommend(): that length.
+    !> Duration for which the limits hold, 0 to 1e6 [s]. If it is shorter than the piece of flight that is given to
+    !> sins_recommend(), it is the length of that piece.
     real(c_double) :: duration_s = 0.0_c_double
-    !> Limit of the distance from the exact solution on the same signals [m]; 0: none.
+    !> Limit of the position error of the algorithm: distance from the reference (see sins_recommend()) [m]; 0: none.
     real(c_double) :: position_m = 0.0_c_double
-    !> Limit of the length of the velocity difference from that solution [m/s]; 0: none.
+    !> Limit of the velocity error of the algorithm: length of the difference from the reference [m/s]; 0: none.
     real(c_double) :: velocity_m_s = 0.0_c_double
-    !> Limit of the angle between the two attitudes, against the Earth [rad]; 0: none.
+    !> Limit of the attitude error of the algorithm: angle between its attitude relative to the Earth and that of the
+    !> reference [rad]; 0: none.
     real(c_double) :: attitude_rad = 0.0_c_double
     !> Margin: each limit must be at least this many times the predicted error, 1 to 1e6; 0: 2.
     real(c_double) :: margin = 0.0_c_double
@@ -1583,7 +1609,7 @@ module sins
     !> Processor instructions of the part of a step that depends on the algorithm: a figure that is the same on every
     !> machine. The algorithms are ordered by this figure.
     real(c_double) :: instructions_per_step = 0.0_c_double
-    !> Time of push and step of one sample, measured in this call on this machine, with the options that were written, the
+    !> Time of push and step of one sample, measured in this call on this machine, with the recommended options, the
     !> mounting, and ideal sensors [ns].
     real(c_double) :: ns_per_step = 0.0_c_double
     !> Number of algorithms that were tried, including the recommended one.
@@ -1651,9 +1677,8 @@ module sins
     integer(c_int64_t) :: runs = 0_c_int64_t
     !> Number of flights that the call made.
     integer(c_int64_t) :: flights = 0_c_int64_t
-    !> Uncertainty of the random errors with all effects together, because the number of runs is finite. It is the lower end of
-    !> the 95 % confidence interval of their root mean square, divided by their root mean square over these runs; 1 if nothing is
-    !> random.
+    !> Lower end of the 95 % confidence interval of the root mean square of the random errors, divided by the root mean
+    !> square over the flown runs. The fewer the runs, the wider the interval. 1 if nothing is random.
     real(c_double) :: sigma_low = 0.0_c_double
     !> Upper end of that interval, divided likewise; 1 if nothing is random.
     real(c_double) :: sigma_high = 0.0_c_double
@@ -1715,7 +1740,8 @@ module sins
       integer(sins_status) :: sins_create
     end function sins_create
 
-    !> Destroys a simulator, after calls on it in other threads have returned. The handle is never used again.
+    !> Waits until the calls of other threads on this handle have returned, and destroys the simulator. The handle is never used
+    !> again.
     !>
     !> SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
     function sins_destroy(sim) bind(C, name="sins_destroy")
@@ -1738,11 +1764,12 @@ module sins
     !> SINS_ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated period
     !> by more than 0.4 of the period.
     !> SINS_GAP: the sample was accepted, and the interval before it is a gap, more than 2.5 times as long as each of the two
-    !> before. sins_step() flies the gap as motion, velocity times its length. After a pause of the host in which its clock ran
-    !> on, call sins_move_time() before this push; a push cannot be undone.
+    !> before. sins_step() flies the gap as motion: the vehicle moves by its velocity times the length of the gap. After a pause
+    !> of the host in which its clock ran on, call sins_move_time() before this push; a push cannot be undone.
     !> SINS_ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or a turn of 170 degrees or more since the last accepted
-    !> sample. Later samples are rejected too, until one fits, or until sins_move_time() (for a gap), sins_move_truth() or
-    !> sins_reposition() (for a jump).
+    !> sample. After a gap each later sample is rejected, until you call sins_move_time(), sins_move_truth() or
+    !> sins_reposition(). After a jump or a turn each later sample is rejected, until one fits the last accepted sample, or until
+    !> you call sins_move_truth() or sins_reposition().
     !> SINS_ERROR_QUEUE_FULL: step first.
     !> SINS_ERROR_BAD_STATE: navigating on increments.
     function sins_push_sample(sim, sample) bind(C, name="sins_push_sample")
@@ -1754,17 +1781,19 @@ module sins
 
     !> Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
     !> later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on is flown
-    !> like any other, as velocity times its length; sins_push_sample() returns SINS_GAP for it.
+    !> like any other: the vehicle moves by its velocity times the length of the interval. sins_push_sample() returns SINS_GAP if
+    !> the interval is a gap.
     !>
     !> SINS_NEED_SAMPLE: no complete interval is waiting.
-    !> SINS_ERROR_DIVERGED: after the interval the solution would be below -500 km or above 20000 km of height, or faster than
-    !> 100 km/s; the limits apply to the solution of the sensor block, to that of the reference point, and to the error-free
-    !> navigator of SINS_SIGNAL_CLOSED_LOOP.
+    !> SINS_ERROR_DIVERGED: the step would bring the solution below a height of -500 km, above a height of 20000 km, or to a
+    !> speed of more than 100 km/s. The limits apply to the solution of the sensor block, to that of the reference point, and to
+    !> the error-free navigator of SINS_SIGNAL_CLOSED_LOOP.
     !> SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
     !> SINS_ERROR_BAD_STATE: navigating on increments.
     !>
-    !> After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable;
-    !> sins_reposition() or sins_reset() start anew.
+    !> After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable. The
+    !> samples stay in the queue, so a further sins_step() tries the same interval again. sins_reposition() or sins_reset() start
+    !> anew.
     function sins_step(sim) bind(C, name="sins_step")
       import
       type(c_ptr), value :: sim
@@ -1774,10 +1803,10 @@ module sins
     !> Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp time_s [s], and
     !> later samples must have later stamps. time_s is the time that the clock shows when the vehicle moves again. Everything else
     !> stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
-    !> along. The flight continues to the same bits as one whose stamps never jumped, if the differences between successive stamps
-    !> are the same doubles; with a stated period they always are. (If the samples have no velocities, the differences over three
-    !> samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time stamps.) The host must also
-    !> move its flight_start_s of sins_scene_prepare() by the same time.
+    !> along. The outputs have the same bits as those of a flight without the jump of time, if the differences between successive
+    !> time stamps are the same doubles. With a stated period this is always so. (If the samples have no velocities, the
+    !> differences over three samples must be the same doubles too. Durations in sins_accuracy have the rounding of the time
+    !> stamps.) The host must also move its flight_start_s of sins_scene_prepare() by the same time.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
     !> SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
@@ -1788,20 +1817,22 @@ module sins
       integer(sins_status) :: sins_move_time
     end function sins_move_time
 
-    !> Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous sample
-    !> to this one, so the errors do not grow between them. From both sources, sins_get_errors() reports the same errors as before:
-    !> position error in metres (along the truth's east and north, and in height), velocity error (components) and misalignment, to
-    !> 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and velocity at the new place. Noise,
-    !> sensor processes, failures, the vertical channel, the altimeter's error and running figures continue, and no random number
-    !> changes. (The scale factor error of the altimeter is that of the new height.) The sensors follow the new signals immediately.
-    !> Waiting samples are dropped. The time may jump too: the running figures and the grid of a stated period then move with it, as
-    !> in sins_move_time(). sins_get_imu() still reports the previous interval. If the sample has no velocity, the velocity of the
-    !> solution is its velocity error alone until the next sample is pushed.
+    !> Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous
+    !> sample to this one, so the errors do not change at the slew. For both values of source, sins_get_errors() reports the same
+    !> errors before and after it: position error in metres (along the truth's east and north, and in height), velocity error
+    !> (components) and misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity, latitude and
+    !> velocity at the new place. Noise, sensor processes, failures, the vertical channel, the altimeter's error and running
+    !> figures continue, and no random number changes. (The scale factor error of the altimeter is that of the new height.) The
+    !> sensors follow the new signals immediately. Waiting samples are dropped. The time may jump too: the running figures and
+    !> the grid of a stated period then move with it, as in sins_move_time(). sins_get_imu() still reports the previous interval.
+    !> If the sample has no velocity, the library takes the true velocity as 0 until the next sample is pushed. The navigated
+    !> velocity is then equal to the velocity error.
     !>
     !> If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of truth and
-    !> solution are not comparable. The errors of velocity and attitude are then kept in the truth's axes, turned to the
-    !> solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are kept. The errors of
-    !> the reference point follow from them with the lever arm, the boresight and their errors, in the new attitude.
+    !> solution are not comparable. The axes of the solution are then those of the truth, turned by the shortest rotation so that
+    !> up is the vertical of the solution. In these axes the components of the velocity error and of the misalignment are kept.
+    !> With a mounting, the errors of the sensor block are kept. The errors of the reference point follow from them with the
+    !> lever arm, the boresight and their errors, in the new attitude.
     !>
     !> Before the first step there are no errors to keep, and the call acts as sins_reposition().
     !>
@@ -1817,17 +1848,18 @@ module sins
     end function sins_move_truth
 
     !> Restarts the INS after the flight simulator was reloaded: the truth jumps to the sample, and the INS starts again there
-    !> with its initial errors. Its previous errors are lost; to keep them, call sins_move_truth() (slew) or sins_move_time()
-    !> (pause) instead. Noise and failures continue. Waiting samples and the running accuracy figures are dropped. The time may
-    !> jump too, forward or back: the run, and the grid of a stated period, continue from the sample's time stamp. Until the
-    !> next step, the reads give the state at this sample, and there is no interval to read. The call may be the first of a
-    !> run: the sample is then the first one, and the next push completes an interval.
+    !> with its initial errors. The initial errors have the same random numbers as at the first start. The previous errors of the
+    !> INS are lost; to keep them, call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures
+    !> continue. Waiting samples and the running accuracy figures are dropped. The time may jump too, forward or back: the run,
+    !> and the grid of a stated period, continue from the sample's time stamp. Until the next step, the reads give the state at
+    !> this sample, and there is no interval to read. The call may be the first of a run: the sample is then the first one, and
+    !> the next push completes an interval.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
     !> SINS_ERROR_BAD_STATE: navigating on increments.
     !>
-    !> If no INS can start there (too close to a pole, in geographic axes or for gyrocompassing), the reads and the next step
-    !> return the error.
+    !> This call returns SINS_OK even if no INS can start at the sample. The reads and the next step then return
+    !> SINS_ERROR_SINGULAR (too close to a pole, in geographic axes or for gyrocompassing) or SINS_ERROR_DIVERGED.
     function sins_reposition(sim, sample) bind(C, name="sins_reposition")
       import
       type(c_ptr), value :: sim
@@ -1845,10 +1877,10 @@ module sins
     end function sins_reset
 
     !> Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
-    !> always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this thread that
-    !> has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget), or whose handle
-    !> was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). A failure of this call or of
-    !> sins_last_error_info() is not kept.
+    !> always terminated; it is "no error" if no call failed. With a NULL handle the function gives the last failed call of this
+    !> thread that was made without a simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend,
+    !> budget), or whose handle was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). A failure of this
+    !> call or of sins_last_error_info() is not kept.
     !>
     !> needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
     !> size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -1861,8 +1893,7 @@ module sins
       integer(sins_status) :: sins_last_error
     end function sins_last_error
 
-    !> Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure of which
-    !> sins_last_error() gives the sentence.
+    !> Gives the same failure as sins_last_error(), as a struct.
     function sins_last_error_info(sim, info) bind(C, name="sins_last_error_info")
       import
       type(c_ptr), value :: sim
@@ -1883,7 +1914,8 @@ module sins
       integer(sins_status) :: sins_set_gyro
     end function sins_set_gyro
 
-    !> Reads the gyro errors, as they were set last: at any moment, also after sins_snapshot_load().
+    !> Reads the gyro errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
+    !> snapshot.
     function sins_get_gyro(sim, params) bind(C, name="sins_get_gyro")
       import
       type(c_ptr), value :: sim
@@ -1902,7 +1934,8 @@ module sins
       integer(sins_status) :: sins_set_accel
     end function sins_set_accel
 
-    !> Reads the accelerometer errors, as they were set last: at any moment, also after sins_snapshot_load().
+    !> Reads the accelerometer errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
+    !> snapshot.
     function sins_get_accel(sim, params) bind(C, name="sins_get_accel")
       import
       type(c_ptr), value :: sim
@@ -1921,7 +1954,8 @@ module sins
       integer(sins_status) :: sins_set_altimeter
     end function sins_set_altimeter
 
-    !> Reads the errors of the altimeter, as they were set last: at any moment, also after sins_snapshot_load().
+    !> Reads the errors of the altimeter that are set. May be called at any moment. After sins_snapshot_load() they are those of
+    !> the snapshot.
     function sins_get_altimeter(sim, params) bind(C, name="sins_get_altimeter")
       import
       type(c_ptr), value :: sim
@@ -1934,11 +1968,11 @@ module sins
     !> outputs may fail at the same time.
     !>
     !> sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
-    !> zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not change. Sensor
-    !> processes continue during a failure, and act on the output again when it is cleared. A failure acts on error data 1 and on
-    !> error data 2. It does not act on the alignment at the start. sins_reposition() keeps failures. sins_reset() clears all
-    !> failures, so an exercise starts again with working sensors; failures that are set again at the same intervals give the same
-    !> bits.
+    !> zone, range and quantization. SINS_FAILURE_STUCK, SINS_FAILURE_DEAD and SINS_FAILURE_DROP_OUTS replace the output. The
+    !> random numbers of other effects do not change. Sensor processes continue during a failure, and act on the output again
+    !> when it is cleared. A failure acts on error data 1 and on error data 2. It does not act on the alignment at the start.
+    !> sins_reposition() keeps failures. sins_reset() clears all failures, so an exercise starts again with working sensors;
+    !> failures that are set again at the same intervals give the same bits.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
     !> solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
@@ -1951,8 +1985,8 @@ module sins
       integer(sins_status) :: sins_set_failure
     end function sins_set_failure
 
-    !> Reads the failure of one output: at any moment, also after sins_snapshot_load(). SINS_FAILURE_NONE: the output has no
-    !> failure. sensor and axis as in sins_set_failure().
+    !> Reads the failure of one output. May be called at any moment. After sins_snapshot_load() it is that of the snapshot.
+    !> SINS_FAILURE_NONE: the output has no failure. sensor and axis as in sins_set_failure().
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: no such output.
     function sins_get_failure(sim, sensor, axis, failure) bind(C, name="sins_get_failure")
@@ -1964,7 +1998,8 @@ module sins
       integer(sins_status) :: sins_get_failure
     end function sins_get_failure
 
-    !> Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
+    !> Sets the errors with which the navigation starts. Allowed before the first step, and after a reset or a reposition until
+    !> the next step. After a reposition they apply to the start at its sample.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
     !> SINS_ERROR_BAD_STATE: steps have been made.
@@ -1975,8 +2010,8 @@ module sins
       integer(sins_status) :: sins_set_initial_errors
     end function sins_set_initial_errors
 
-    !> Reads the errors with which the navigation starts, as they were set last: at any moment, also after
-    !> sins_snapshot_load().
+    !> Reads the set errors with which the navigation starts. May be called at any moment. After sins_snapshot_load() they are
+    !> those of the snapshot.
     function sins_get_initial_errors(sim, errors) bind(C, name="sins_get_initial_errors")
       import
       type(c_ptr), value :: sim
@@ -1984,8 +2019,9 @@ module sins
       integer(sins_status) :: sins_get_initial_errors
     end function sins_get_initial_errors
 
-    !> Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
-    !> reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the block.
+    !> Sets the mounting of the sensor block. Allowed before the first step, and after a reset or a reposition until the next
+    !> step. A reset and a reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is
+    !> that of the block.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
     !> SINS_ERROR_BAD_STATE: steps have been made.
@@ -1996,7 +2032,8 @@ module sins
       integer(sins_status) :: sins_set_mounting
     end function sins_set_mounting
 
-    !> Reads the mounting of the sensor block, as it was set last: at any moment, also after sins_snapshot_load().
+    !> Reads the mounting of the sensor block that is set. May be called at any moment. After sins_snapshot_load() it is that of
+    !> the snapshot.
     function sins_get_mounting(sim, mounting) bind(C, name="sins_get_mounting")
       import
       type(c_ptr), value :: sim
@@ -2004,9 +2041,10 @@ module sins
       integer(sins_status) :: sins_get_mounting
     end function sins_get_mounting
 
-    !> Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
-    !> reposition. A reset brings the same field back; after a reposition the field continues from its current values. The
-    !> disturbance does not affect a navigator on increments, because the host's increments already contain its effect.
+    !> Sets the gravity disturbance, true gravity less normal gravity. Allowed before the first step, and after a reset or a
+    !> reposition until the next step. A reset brings the same field back; after a reposition the field continues from its
+    !> current values. The disturbance does not affect a navigator on increments, because the host's increments already contain
+    !> its effect.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
     !> SINS_ERROR_BAD_STATE: steps have been made.
@@ -2017,7 +2055,8 @@ module sins
       integer(sins_status) :: sins_set_gravity_disturbance
     end function sins_set_gravity_disturbance
 
-    !> Reads the parameters of the gravity disturbance, as they were set last: at any moment, also after sins_snapshot_load().
+    !> Reads the parameters of the gravity disturbance that are set. May be called at any moment. After sins_snapshot_load() they
+    !> are those of the snapshot.
     function sins_get_gravity_disturbance(sim, params) bind(C, name="sins_get_gravity_disturbance")
       import
       type(c_ptr), value :: sim
@@ -2025,21 +2064,22 @@ module sins
       integer(sins_status) :: sins_get_gravity_disturbance
     end function sins_get_gravity_disturbance
 
-    !> Pushes and steps an array of count samples. Writes a record whenever the number of intervals since the flight's start is a
-    !> multiple of `every`. Any split of a flight into calls gives the same bits and the same records as pushing and stepping sample
-    !> by sample.
+    !> Pushes and steps an array of count samples. Writes a record after each `every` intervals, counted as in
+    !> sins_accuracy.intervals. There is no record for the first sample. Any split of a flight into calls gives the same bits and
+    !> the same records as pushing and stepping sample by sample.
     !>
-    !> samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size of the
-    !> other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets the number
-    !> of records, also on an error.
+    !> samples[0].struct_size is the size in bytes of each element of samples, records[0].struct_size that of each element of
+    !> records. struct_size of the other samples may be 0, that of the other records anything. every 0: no records. written (may
+    !> be NULL) gets the number of records that were written, also on an error.
     !>
     !> SINS_GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
     !> if sins_options.truth_summary is on, sins_truth_summary.gaps is their number.
-    !> SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+    !> SINS_ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make. Nothing is flown, and written
+    !> gets 0.
     !> SINS_ERROR_BAD_STATE: navigating on increments.
     !>
-    !> Any error of sins_push_sample() or sins_step() stops the run at the sample that it concerns; sins_last_error() names this
-    !> sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
+    !> An error of sins_push_sample() or sins_step() ends the call at the sample that caused the error; sins_last_error() names
+    !> this sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
     !> intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
     !> sins_reset() empty the queue.
     function sins_run(sim, samples, count, every, records, capacity, written) bind(C, name="sins_run")
@@ -2150,11 +2190,12 @@ module sins
       integer(sins_status) :: sins_get_record
     end function sins_get_record
 
-    !> Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its files of
-    !> records. If record is NULL, the line has the names of the columns. Numbers read back to the bit. sensor_errors are count = 6
-    !> numbers: the mean errors of the gyros [rad/s] and of the accelerometers [m/s2] since the record before, x, y, z of each. NULL
-    !> with count 0: all are 0. covariance adds columns of standard deviations; NULL: none. buffer, capacity and needed as in
-    !> sins_last_error(); a line has at most 1600 bytes. Not for a real-time frame: it allocates.
+    !> Writes a record as one line of comma-separated values, without the newline. The program sins writes its files of records
+    !> in this format. If record is NULL, the line has the names of the columns. The decimal numbers are exact: reading them
+    !> gives the same doubles. sensor_errors is an array of count = 6 numbers: x, y, z of the mean gyro error [rad/s], then x, y,
+    !> z of the mean accelerometer error [m/s2], since the previous record. NULL with count 0: all are 0. covariance adds columns
+    !> of standard deviations; NULL: none. buffer, capacity and needed as in sins_last_error(); a line has at most 1600 bytes.
+    !> Not for a real-time frame: it allocates.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
     !> SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
@@ -2171,10 +2212,10 @@ module sins
     end function sins_record_line
 
     !> Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
-    !> gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges are those of a
-    !> flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply. There is no
-    !> truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return SINS_ERROR_BAD_STATE
-    !> until sins_reset().
+    !> gives the start: time, position, velocity and attitude (quaternion_nb; the angles and the flags are not read). Ranges are
+    !> those of a flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply.
+    !> There is no truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy return
+    !> SINS_ERROR_BAD_STATE until sins_reset().
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
     !> SINS_ERROR_BAD_STATE: samples were pushed, or the navigator was started before (call sins_reset() first); or temperature
@@ -2202,10 +2243,10 @@ module sins
       integer(sins_status) :: sins_push_imu
     end function sins_push_imu
 
-    !> Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. Without
-    !> waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros, accelerometers and
-    !> altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each waiting sample adds up to 154
-    !> bytes, and sins_options.covariance up to 9.2 KiB.
+    !> Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. These sizes
+    !> are without waiting samples. Without sensor errors it is 1.3 to 2.1 KiB, by the options. With every error of gyros,
+    !> accelerometers and altimeter it is up to 4.5 KiB. With mounting, gravity, temperature and failures too it is up to 5.25
+    !> KiB. Each waiting sample adds up to 154 bytes, and sins_options.covariance up to 9.2 KiB.
     function sins_snapshot_size(sim, size) bind(C, name="sins_snapshot_size")
       import
       type(c_ptr), value :: sim
@@ -2213,10 +2254,10 @@ module sins
       integer(sins_status) :: sins_snapshot_size
     end function sins_snapshot_size
 
-    !> Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every block, and the
-    !> position of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and hold
-    !> no address, so they can be kept in a file or sent to another machine. The same state gives the same bytes. No
-    !> allocation, no system call.
+    !> Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every stage, and the position
+    !> of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and hold no address,
+    !> so they can be kept in a file or sent to another machine. The same state gives the same bytes. No allocation, no system
+    !> call.
     !>
     !> Not saved: handles, and the sentence of sins_last_error(). After SINS_ERROR_DIVERGED or SINS_ERROR_SINGULAR the last
     !> good solution is saved. After SINS_ERROR_INTERNAL nothing can be saved: load an earlier snapshot into a fresh handle.
@@ -2247,10 +2288,10 @@ module sins
       integer(sins_status) :: sins_snapshot_load
     end function sins_snapshot_load
 
-    !> Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that has its options,
-    !> sensors, initial errors, mounting, gravity and failures, and has taken no sample. The call copies it, and does not change
-    !> it. Run k of the ensemble gives the same bits as a simulator with the same settings and sins_options.run = k. In the
-    !> options of configured, run, truth_summary and covariance have no effect.
+    !> Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator on which options, sensor
+    !> errors, initial errors, mounting, gravity disturbance and failures are set, and to which no sample was pushed. The call
+    !> copies it, and does not change it. Run k of the ensemble gives the same bits as a simulator with the same settings and
+    !> sins_options.run = k. Three options of configured have no effect: run, truth_summary and covariance.
     !>
     !> No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
     !> statistics can be merged. The library starts no thread.
@@ -2272,7 +2313,8 @@ module sins
       integer(sins_status) :: sins_ensemble_create
     end function sins_ensemble_create
 
-    !> Destroys an ensemble, after calls on it in other threads have returned. The handle is never used again.
+    !> Waits until the calls of other threads on this handle have returned, and destroys the ensemble. The handle is never used
+    !> again.
     !>
     !> SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
     function sins_ensemble_destroy(ensemble) bind(C, name="sins_ensemble_destroy")
@@ -2307,12 +2349,12 @@ module sins
     end function sins_ensemble_step
 
     !> Pushes and steps an array of count samples. With thousands of runs this is faster than single calls. Any split of a flight
-    !> into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the distance between
-    !> samples; struct_size of the other samples may be 0.
+    !> into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the size in bytes of
+    !> each element of samples; struct_size of the other samples may be 0.
     !>
-    !> SINS_GAP: all samples were flown, and at least one of them ended a gap. Any error of sins_ensemble_push_sample() or
-    !> sins_ensemble_step() stops the run at the sample that it concerns, which sins_last_error() names: the samples before it
-    !> were flown, this one and the rest were not. A sample that could be pushed but not flown waits in the queue.
+    !> SINS_GAP: all samples were flown, and at least one of them ended a gap. An error of sins_ensemble_push_sample() or
+    !> sins_ensemble_step() ends the call at the sample that caused the error; sins_last_error() names this sample. The samples
+    !> before it were flown, this sample and the rest were not. A sample that could be pushed but not flown waits in the queue.
     function sins_ensemble_run(ensemble, samples, count) bind(C, name="sins_ensemble_run")
       import
       type(c_ptr), value :: ensemble
@@ -2408,8 +2450,8 @@ module sins
       integer(sins_status) :: sins_ensemble_get_imu
     end function sins_ensemble_get_imu
 
-    !> Reads the number of a run that has diverged. The numbers are in ascending order, from index 0; sins_statistics.diverged is
-    !> their count.
+    !> Reads the run number of diverged run `index`, from 0. The run numbers are in ascending order. sins_statistics.diverged is
+    !> the number of diverged runs.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: index is not below the count of diverged runs.
     function sins_ensemble_get_diverged(ensemble, index, run) bind(C, name="sins_ensemble_get_diverged")
@@ -2434,9 +2476,9 @@ module sins
       integer(sins_status) :: sins_ensemble_get_statistics
     end function sins_ensemble_get_statistics
 
-    !> Adds the runs of other to those of into. The caller makes sure that no run is in both. The sums are exact: any order and
-    !> any grouping of merges gives the same bits, so the work can be split over threads, processes, machines and restarts in any
-    !> way. An into that is zero except for struct_size holds no runs.
+    !> Adds the runs of `other` to those of `into`. The caller makes sure that no run is in both. The sums are exact: any order
+    !> and any grouping of merges gives the same bits, so the work can be split over threads, processes, machines and restarts in
+    !> any way. If `into` is zero except for struct_size, it holds no runs.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or the sum would have more than 4294967295
     !> runs. into is then unchanged.
@@ -2478,9 +2520,9 @@ module sins
       integer(sins_status) :: sins_ensemble_snapshot_save
     end function sins_ensemble_snapshot_save
 
-    !> Replaces the ensemble by the saved one, including its runs and options. So an ensemble of one run of any simulator is
-    !> enough. It continues to the same bits as the saved one. size is the size that sins_ensemble_snapshot_save() wrote. Not for
-    !> a real-time frame: it allocates.
+    !> Replaces the ensemble by the saved one, including its runs and options. So the handle may be any ensemble, for example of
+    !> one run. The loaded ensemble continues with the same bits as the saved one. size is the size that
+    !> sins_ensemble_snapshot_save() wrote. Not for a real-time frame: it allocates.
     !>
     !> SINS_ERROR_SNAPSHOT: the bytes are not a snapshot of an ensemble, or are cut off, altered, or of a newer release; nothing
     !> has changed, and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second
@@ -2515,12 +2557,12 @@ module sins
     end function sins_accel_preset
 
     !> Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
-    !> smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the distance
-    !> between the manoeuvres.
+    !> smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the size
+    !> in bytes of each element of manoeuvres.
     !>
-    !> Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece is up to
-    !> 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of roll, pitch and
-    !> heading need no pieces.
+    !> Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece of
+    !> straight flight lasts up to 600 s. With a fast sinusoid of course, climb or speed, a piece is about one period. Sinusoids
+    !> of roll, pitch and heading need no pieces.
     !>
     !> On an error *flight is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
     !>
@@ -2570,9 +2612,9 @@ module sins
     !>
     !> On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function of
     !> scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only sins_scene_prepare()
-    !> and sins_scene_prepare_ensemble() are for a real-time frame. The others first check that all the memory of the call is
-    !> available. If memory runs out later within the call, because another thread takes it, the process ends. sins_log_parse()
-    !> does the same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
+    !> and sins_scene_prepare_ensemble() are for a real-time frame. The other functions of scenes first check that enough memory
+    !> is free for the call. If another thread takes this memory during the call, the process ends. sins_log_parse() does the
+    !> same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
     function sins_scene_create(scene) bind(C, name="sins_scene_create")
       import
       type(c_ptr), intent(inout) :: scene
@@ -2653,9 +2695,9 @@ module sins
       integer(sins_status) :: sins_scene_write_keys
     end function sins_scene_write_keys
 
-    !> Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
-    !> sins_scene_prepare() sets the failures at their times. If the flight is not a log, sins_options.sample_period_s of the
-    !> simulator is 1 / rate_hz.
+    !> Creates the simulator of the scene, ready for the first sample: options, sensor errors, initial errors, mounting, gravity
+    !> disturbance. sins_scene_prepare() sets the failures at their times. If the flight is not a log,
+    !> sins_options.sample_period_s of the simulator is 1 / rate_hz.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
     !> SINS_ERROR_BAD_STATE: as sins_scene_parse().
@@ -2689,10 +2731,10 @@ module sins
     end function sins_scene_destroy
 
     !> Prepares the next interval: call this function before each push, and call sins_step() before you call it again. The
-    !> sample gets the temperature of the scene, if the scene has one. Failures of the scene begin and end on sim at the
-    !> first interval that starts at or after their time. If the scene plans no failure of an output, the call does not touch
-    !> the failure of that output. flight_start_s is the time stamp of the flight's first sample. No allocation, no system
-    !> call.
+    !> sample gets the temperature of the scene, if the scene has one. The call sets and clears the failures of the scene on sim.
+    !> A failure begins at the first interval that starts at or after from_s, and ends at the first interval that starts at or
+    !> after until_s. If the scene plans no failure of an output, the call does not touch the failure of that output.
+    !> flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
     !>
     !> SINS_ERROR_BAD_HANDLE: scene or sim is not a valid handle.
     !> SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
@@ -2867,8 +2909,8 @@ module sins
     end function sins_scene_set_setup
 
     !> Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number (count), and
-    !> how many times all of them are flown (repeat). manoeuvres[0].struct_size is the distance between the manoeuvres. start
-    !> and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
+    !> how many times all of them are flown (repeat). manoeuvres[0].struct_size is the size in bytes of each element of
+    !> manoeuvres. start and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
     !>
     !> SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of manoeuvres; only count was written.
     !> SINS_ERROR_BAD_STATE: the flight is a log; or as sins_scene_parse().
@@ -2914,7 +2956,7 @@ module sins
     end function sins_scene_get_text
 
     !> Sets a text of the scene; which is of enum sins_scene_text. The text is UTF-8, terminated, at most 4096 bytes. An empty
-    !> text clears it; a text that selects the flight cannot be empty.
+    !> text clears it, except SINS_SCENE_TEXT_LOG and SINS_SCENE_TEXT_BUILTIN, which cannot be empty.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
     function sins_scene_set_text(scene, which, text) bind(C, name="sins_scene_set_text")
@@ -2975,8 +3017,8 @@ module sins
     !> Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
     !> the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
     !> "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
-    !> value: for example flight.hours, if the scene flies the whole flight. The scene stores numbers in SI: read in another unit
-    !> they may be rounded. The scene does not store the name of a preset, only the errors that the preset sets.
+    !> value. For example, flight.hours is empty if the scene flies the whole flight. The scene stores numbers in SI, so a number
+    !> read in another unit may be rounded. The scene does not store the name of a preset, only the errors that the preset sets.
     !>
     !> The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins_scene_set_items(). A built-in flight and a log
     !> have no such manoeuvres. buffer, capacity and needed as in sins_scene_write().
@@ -2994,10 +3036,10 @@ module sins
 
     !> Sets up to 4096 values of the scene, all or none. values is a terminated text in UTF-8. Each line is path = value, with a
     !> path as in sins_scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written as in the text of
-    !> a scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default, and sets a single element
-    !> to 0. If a value is set twice, the last one counts. gyro.preset replaces all errors of the gyros, accelerometer.preset those
-    !> of the accelerometers, before the other lines are applied, wherever it stands. flight.file and flight.builtin replace the
-    !> flight.
+    !> a scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default of the key. If the path is a
+    !> single element (gyro.bias_deg_h[1] =), it sets 0. If a value is set twice, the last one counts. gyro.preset replaces all
+    !> errors of the gyros, accelerometer.preset those of the accelerometers, before the other lines are applied, wherever it
+    !> stands. flight.file and flight.builtin replace the flight.
     !>
     !> The scene is then checked as sins_scene_parse() checks a text. Set values that depend on each other in one call, such as the
     !> kind of a manoeuvre and its quantities.
@@ -3014,8 +3056,9 @@ module sins
 
     !> Replaces all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
     !> [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an item,
-    !> give the texts of all items that the list shall have, in order. An empty text removes all failures. If the flight was a
-    !> built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0, longitude 0, height 0.
+    !> give the texts of all items that the list shall have, in order. An empty text removes all failures; for "manoeuvre" an empty
+    !> text is a fault. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0,
+    !> longitude 0, height 0.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
     !> every fault with the line in items and the path.
@@ -3036,9 +3079,10 @@ module sins
     !> or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
     !> force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
     !>
-    !> Frames and signs are those of sins_flight_sample. A log has at least two samples, each later than the one before. The
-    !> ranges of the values are checked when a sample is pushed. The library does not keep the bytes. Not for a real-time
-    !> frame: it allocates, 184 bytes a sample.
+    !> The three velocities are all present or all absent; so are the three rates, and the three forces. Without velocities the
+    !> samples have SINS_SAMPLE_NO_VELOCITY. Two columns of one quantity are a fault. Frames and signs are those of
+    !> sins_flight_sample. A log has at least two samples, each later than the one before. The ranges of the values are checked
+    !> when a sample is pushed. The library does not keep the bytes. Not for a real-time frame: it allocates, 184 bytes a sample.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
     !> sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
@@ -3082,8 +3126,8 @@ module sins
       integer(sins_status) :: sins_log_destroy
     end function sins_log_destroy
 
-    !> Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
-    !> sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
+    !> Reads which samples the scene flies. If the flight is composed of manoeuvres or is built-in, give NULL for `log`; sample k
+    !> is then sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
     !> sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
     !>
     !> SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, the log has no second sample within the duration, or
@@ -3098,22 +3142,23 @@ module sins
       integer(sins_status) :: sins_scene_get_samples
     end function sins_scene_get_samples
 
-    !> Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples. No
-    !> cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
+    !> Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples.
+    !> samples[0].struct_size is the size in bytes of each element of samples.
     !>
     !> configured is a simulator as the host flies it, at any moment. The call uses only its options and its mounting, reads them at
     !> the start, and neither steps nor changes the simulator. NULL is the recommended simulator with its sensor block at the
-    !> reference point. options gets the options of configured, but with scheme, subsamples and updates_per_sample of the answer,
-    !> ready for sins_create(). The values of these three in configured do not matter.
+    !> reference point. The output `options` gets the options of configured, ready for sins_create(). Only scheme, subsamples and
+    !> updates_per_sample are replaced by the recommended values. The values of these three in configured do not matter.
     !>
     !> Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
-    !> reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference from a solution with
-    !> half as many updates) is added to the error. The error is that of the algorithm only. Errors of sensors, altimeter, start,
-    !> gravity and believed mounting, and contradictions within the host's samples, are left out, because they act on both solutions
-    !> alike. The signals are without the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. For a duration beyond the
-    !> piece, the call assumes that the piece is flown again and again. Each time adds the same errors with the same sign, and the
-    !> errors grow by the Schuler oscillation with the worst phase. If the flight continues like the piece, its errors are smaller
-    !> than this prediction. With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
+    !> reference: a solution of SINS_SCHEME_POLYNOMIAL in Earth-fixed axes with 16 updates of 5 subsamples. The uncertainty of
+    !> the reference (its difference from a solution with half as many updates) is added to the error. The error is that of the
+    !> algorithm only. Errors of sensors, altimeter and believed mounting, initial errors, the gravity disturbance, and
+    !> contradictions within the host's samples are left out, because they act on both solutions alike. The signals are without
+    !> the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. If the duration is longer than the piece, the call
+    !> assumes that the piece is repeated. Each repetition adds the same errors with the same sign. The call assumes the worst
+    !> phase of the Schuler oscillation. If the flight continues like the piece, its errors are smaller than this prediction.
+    !> With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
     !>
     !> Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step
     !> differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if nothing meets the
@@ -3140,22 +3185,23 @@ module sins
     end function sins_recommend
 
     !> Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
-    !> can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between rows.
-    !> struct_size of the other samples may be 0, that of the other rows anything.
+    !> can be left out. samples[0].struct_size is the size in bytes of each element of samples, rows[0].struct_size that of each
+    !> element of rows. struct_size of the other samples may be 0, that of the other rows anything.
     !>
-    !> configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of gyros,
-    !> accelerometers, altimeter, start, mounting and gravity, but not its failures. The call reads them at the start, and neither
-    !> steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for request is 16 runs and no limits.
-    !> written and budget may be NULL.
+    !> configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of
+    !> gyros, accelerometers and altimeter, the initial errors, and those of mounting and gravity, but not its failures. The call
+    !> reads them at the start, and neither steps nor changes the simulator. NULL is the recommended simulator without errors.
+    !> NULL for request is 16 runs and no limits. written and budget may be NULL.
     !>
-    !> Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two settings are not
-    !> effects. The misalignment that SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this
-    !> misalignment. All runs fly with lever_arm_m and boresight_rad of the mounting.) The contribution of an effect is the error
-    !> (navigation less truth) of a run with this effect alone, less the error of a run with no effect. The row has the length of
-    !> this vector for position, velocity and misalignment: the largest length at up to 1000 instants, equally spaced, and the
-    !> length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a flight with
-    !> this effect alone (SINS_BUDGET_RANDOM; see sins_covariance); it is exact to first order. All effects together are flown in
-    !> several runs, with the random numbers of the runs sins_options.run, run + 1 and so on.
+    !> Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. These settings are
+    !> not effects: the alignment, and lever_arm_m and boresight_rad of the mounting. The misalignment that
+    !> SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this misalignment. All runs use lever_arm_m
+    !> and boresight_rad. The contribution of an effect is the error (navigation less truth) of a run with this effect alone,
+    !> less the error of a run with no effect. For position, velocity and misalignment the row has two lengths of the
+    !> contribution. One is the largest length at up to 1000 equally spaced instants. The other is the length at the last sample.
+    !> The contribution of a random effect is one standard deviation, by the covariance of a flight with this effect alone
+    !> (SINS_BUDGET_RANDOM; see sins_covariance), from linear error equations. All effects together are flown in several runs,
+    !> with the random numbers of the runs sins_options.run, run + 1 and so on.
     !>
     !> rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
     !> position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is
@@ -3163,10 +3209,11 @@ module sins
     !> effects that act on each other, and is of second order in their sizes.
     !>
     !> With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It goes through the
-    !> effects in the order of their shares, the smallest first, and collects each effect that still fits. A collection fits if
-    !> the root sum of squares of D and R is within each limit: D is the sum of its deterministic contributions, and R is the
-    !> root sum of squares of its random contributions. Then the call flies all runs again without these effects. While the
-    !> change (left_out) exceeds a limit, it puts back the largest of the effects that were left out.
+    !> effects in the order of their shares, the smallest first, and collects each effect that still fits. For position, velocity
+    !> and misalignment separately, let D be the sum of the deterministic contributions of a collection, and R the root sum of
+    !> squares of its random contributions. The collection fits if sqrt(D^2 + R^2) is at most the limit, for each limit that is
+    !> given. Then the call flies all runs again without these effects. While the change (left_out) exceeds a limit, it puts back
+    !> the largest of the effects that were left out.
     !>
     !> The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
     !> allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once

@@ -32,8 +32,8 @@ import os
 import sys
 from ctypes import POINTER, c_char, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64
 
-# Version of the interface that this header declares: a host compares it with what sins.abi_version() gives. It changes
-# when something is removed or changes its meaning. Additions at the end do not change it.
+# Version of the interface that this header declares: a host compares it with what sins.abi_version() gives. The number
+# changes if a part of the interface is removed or changes its meaning. Additions at the end do not change it.
 HEADER_ABI = 1
 # Major number of this release of the library, by semantic versioning.
 VERSION_MAJOR = 0
@@ -51,7 +51,7 @@ DEG_PER_HOUR = 4.84813681109536e-6  # degree per hour [rad/s]
 DEG_PER_SQRT_HOUR = 0.0002908882086657216  # degree per root hour, angle random walk [rad/sqrt(s)]
 STANDARD_GRAVITY = 9.80665  # g [m/s2]
 MICRO_G = 9.806649999999999e-6  # millionth of g [m/s2]
-MICRO_G_PER_SQRT_HZ = 9.806649999999999e-6  # white noise of force [(m/s)/sqrt(s)]
+MICRO_G_PER_SQRT_HZ = 9.806649999999999e-6  # micro-g per root hertz, velocity random walk [(m/s)/sqrt(s)]
 PPM = 1e-6  # part per million
 KNOT = 0.5144444444444445  # knot [m/s]
 NMI = 1852.0  # nautical mile [m]
@@ -151,12 +151,13 @@ class status_code(enum.IntEnum):
 
     OK: The call did what it says.
     NEED_SAMPLE: There is no sample yet, or no complete interval: push the next sample.
-    REQUIREMENT_NOT_MET: No options meet the requirement; the outputs hold the best options there are.
+    REQUIREMENT_NOT_MET: sins.recommend(): no options meet the requirement. The outputs hold the options that come
+        closest.
     SCENE_HAS_FAULTS: The text of a scene has faults. The handle was made, but only sins.scene_get_fault() and
         sins.scene_destroy() accept it.
     GAP: The sample was accepted, or all samples of the run were flown, but there is a gap: an interval of more
-        than 2.5 times each of the two before it. It is flown as motion, the velocity times its length: 213 m for 1 s
-        at 213 m/s. If the host's clock ran on while the vehicle stood still, that is wrong: see sins.move_time().
+        than 2.5 times each of the two before it. The library assumes that the vehicle moved during the gap: 213 m in
+        1 s at 213 m/s. If the vehicle stood still while the host's clock ran on, this is wrong: see sins.move_time().
     ERROR_NULL_POINTER: A pointer is null where null is not allowed.
     ERROR_BAD_HANDLE: The handle is null, made up, destroyed, or of another kind.
     ERROR_STRUCT_SIZE: A struct_size that no release knows, or a struct of a newer release that sets a field which
@@ -205,9 +206,9 @@ class frame(enum.IntEnum):
     """Axes in which the mechanization integrates.
 
     FRAME_EARTH_FIXED: Navigation in Earth-fixed axes: regular everywhere, poles included.
-    FRAME_GEOGRAPHIC: Navigation in east-north-up, as in the paper. sins.ERROR_SINGULAR within 6.4 km of a pole,
-        and also where the vehicle moves in one update by more than 1 % of the distance to the pole: within 25 km at
-        250 m/s and with updates of 1 s.
+    FRAME_GEOGRAPHIC: Navigation in east-north-up, as in the paper. The mechanization returns sins.ERROR_SINGULAR
+        within 6.4 km of a pole. It also returns this error if the vehicle moves in one update by more than 1 % of its
+        distance to the pole. For example, at 250 m/s with updates of 1 s this is within 25 km.
     """
 
     FRAME_EARTH_FIXED = 0
@@ -233,8 +234,9 @@ class scheme(enum.IntEnum):
 class vertical(enum.IntEnum):
     """What stabilizes the vertical channel.
 
-    VERTICAL_DAMPED: Third-order loop on a barometric height, time constant 100 s. Its response differs from that
-        of the continuous loop by 3.5e-5 of its size at 1 Hz, and by 3.5e-7 at 10 Hz (second order in the interval).
+    VERTICAL_DAMPED: Third-order loop on a barometric height, time constant 100 s. The response differs from the
+        response of a continuous loop by the fraction 3.5e-5 at a sample rate of 1 Hz, and 3.5e-7 at 10 Hz. The
+        difference is of second order in the sample interval.
     VERTICAL_FOLLOW_TRUTH: Height and vertical velocity set to the truth at each sample.
     VERTICAL_FREE: Nothing stabilizes the vertical channel: any error grows e-fold every 569 s.
     """
@@ -329,8 +331,8 @@ class signal(enum.IntEnum):
         navigation shows the mechanization's own error.
     SIGNAL_CLOSED_LOOP: As sins.SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth
         for any time, even with a free vertical channel. It is for hosts that want the errors of the sensors only.
-        sins.accuracy reports the size of the trim. As soon as the start, a sensor or gravity has errors, the trim
-        needs a second navigator without errors.
+        sins.accuracy reports the size of the trim. If the initial state, a sensor or gravity has errors, the library
+        also runs a second navigator without errors to compute the trim. A step then takes longer.
     """
 
     SIGNAL_PHYSICAL = 0
@@ -359,7 +361,7 @@ class sensor(enum.IntEnum):
 
     SENSOR_GYRO: The gyros.
     SENSOR_ACCEL: The accelerometers.
-    SENSOR_ALTIMETER: The altimeter; its axis is 0.
+    SENSOR_ALTIMETER: The altimeter. Give 0 for the argument axis.
     """
 
     SENSOR_GYRO = 0
@@ -377,15 +379,15 @@ class failure_kind(enum.IntEnum):
     FAILURE_DEAD: No signal. A gyro or an accelerometer gives 0, and is flagged sins.IMU_..._INVALID, as by a
         built-in test. Without the altimeter nothing stabilizes the vertical channel of sins.VERTICAL_DAMPED; this is
         flagged sins.NAVIGATION_VERTICAL_UNAIDED.
-    FAILURE_BIAS_STEP: An additional bias, of the field size. Not flagged.
-    FAILURE_SPIKES: Rectangular pulses of height size and length duration_s, one every interval_s, the first
-        immediately. A sample of the altimeter shows their mean over its interval. Flagged only where they saturate
-        the output.
-    FAILURE_NOISE: Additional white noise of the field density; for the altimeter, its mean over the interval. Not
-        flagged.
+    FAILURE_BIAS_STEP: An additional bias; its value is in the field `size`. Not flagged.
+    FAILURE_SPIKES: Rectangular pulses. The field `size` is their height, duration_s their length. A pulse starts
+        every interval_s; the first starts immediately. A sample of the altimeter shows the mean of the pulses over
+        the sample interval. A gyro or an accelerometer is flagged only if a pulse saturates it.
+    FAILURE_NOISE: Additional white noise; its density is in the field `density`. A sample of the altimeter shows
+        the mean of the noise over the sample interval. Not flagged.
     FAILURE_DROP_OUTS: Sample intervals are lost: in each of them the output acts as with sins.FAILURE_DEAD.
-        Either each interval is lost independently with the field probability, or one interval is lost every
-        interval_s, the first immediately.
+        Either each interval is lost independently with the probability in the field `probability`, or one interval is
+        lost every interval_s, the first immediately.
     """
 
     FAILURE_NONE = 0
@@ -402,11 +404,12 @@ class alignment(enum.IntEnum):
     """How the INS finds its attitude at the start.
 
     ALIGNMENT_GIVEN: The INS starts with the true attitude, turned by the given and the drawn misalignment.
-    ALIGNMENT_LEVEL_AND_GYROCOMPASS: The INS starts with the attitude that levelling and gyrocompassing at rest
-        find with the sensor errors of the start, turned by the given and the drawn misalignment. Levelling comes
-        first: it finds the tilt at which the accelerometers sense no horizontal force. Gyrocompassing then finds the
-        heading at which the levelled rate of the gyros points north. sins.NAVIGATION_NORTH_UNKNOWN is set if the
-        sensor errors hide north. Within 64 km of a pole the start returns sins.ERROR_SINGULAR.
+    ALIGNMENT_LEVEL_AND_GYROCOMPASS: The library computes the attitude that levelling and gyrocompassing at rest
+        would find with the sensor errors at the start. It does so even if the flight starts in motion. The INS starts
+        with this attitude, turned by the given and the drawn misalignment. Levelling comes first: it finds the tilt
+        at which the accelerometers sense no horizontal force. Gyrocompassing then finds the heading at which the
+        horizontal gyro rates point north. sins.NAVIGATION_NORTH_UNKNOWN is set if the sensor errors hide north.
+        Within 64 km of a pole the start returns sins.ERROR_SINGULAR.
     """
 
     ALIGNMENT_GIVEN = 0
@@ -419,8 +422,8 @@ class sample_flags(enum.IntFlag):
 
     SAMPLE_ANGULAR_RATE: The sample carries angular_rate_rad_s.
     SAMPLE_SPECIFIC_FORCE: The sample carries specific_force_m_s2.
-    SAMPLE_NO_VELOCITY: The sample has no velocity. The library derives it from positions, with a noise of 2 to 4
-        position errors divided by the interval.
+    SAMPLE_NO_VELOCITY: The sample has no velocity. The library derives it from positions. The noise of this
+        velocity is 2 to 4 times the position noise of a sample, divided by the interval.
     SAMPLE_TEMPERATURE: The sample carries temperature_c.
     """
 
@@ -438,14 +441,14 @@ class navigation_flags(enum.IntFlag):
         pole they are undefined. Quaternion, height and the errors in metres stay correct.
     NAVIGATION_VERTICAL_UNAIDED: Nothing aids the vertical channel, because of the options or because the
         altimeter has no signal: any error grows e-fold every 569 s.
-    NAVIGATION_INCONSISTENT: A flag of the truth: the displacement since the previous sample differs from the
-        displacement d that the velocities give by more than sqrt((0.01 d)^2 + (1 cm)^2).
+    NAVIGATION_INCONSISTENT: A flag of the truth. Let d be the displacement computed from the velocities. The flag
+        is set if the displacement of the positions since the previous sample differs from d by more than sqrt((0.01
+        d)^2 + (1 cm)^2).
     NAVIGATION_NORTH_UNKNOWN: The alignment at the start could not find north, so any heading error is possible.
-        Either the accelerometers show no force, or the horizontal error of the levelled rates is at least as large as
-        the north component of the Earth rate. (If it is smaller, the heading error is below 90 degrees.) The
-        simulator knows the horizontal error; a real INS does not. A real INS can be sure that it has not found north
-        only if its levelled horizontal rate is more than twice the north component of the Earth rate. The flag stays
-        until the INS starts again.
+        Either the accelerometers show no force, or the error of the horizontal gyro rates is at least as large as the
+        north component of the Earth rate. (If it is smaller, the heading error is below 90 degrees.) The flag stays
+        until the INS starts again. Note: a real INS does not know this error. It can be sure that it has not found
+        north only if its horizontal gyro rate is more than twice the north component of the Earth rate.
     """
 
     NAVIGATION_NEAR_POLE = 1
@@ -461,8 +464,9 @@ class imu_flags(enum.IntFlag):
     IMU_GYRO_SATURATED: The mean rate of a subsample was beyond the range of a gyro.
     IMU_ACCEL_SATURATED: The mean force of a subsample was beyond the range of an accelerometer.
     IMU_GYRO_INVALID: A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with
-        its output of 0.
-    IMU_ACCEL_INVALID: An accelerometer had no signal in the interval: dead, or dropped out.
+        the output 0 of this gyro.
+    IMU_ACCEL_INVALID: An accelerometer had no signal in the interval: dead, or dropped out. The mechanization
+        continues with the output 0 of this accelerometer.
     """
 
     IMU_GYRO_SATURATED = 1
@@ -490,8 +494,8 @@ class errors_flags(enum.IntFlag):
     ERRORS_NEAR_POLE: The truth is within 20 km of the Earth's axis: the errors of longitude and heading, the up
         misalignment, and the east and north components of the velocity error have no meaning.
     ERRORS_OUTSIDE_VALIDITY: A flag of the error model: the terms that it neglects are no longer small. The
-        misalignment is above 2 degrees, or the displacement is above 100 km, or, at high latitude, above 3.5 % of the
-        distance to the pole.
+        misalignment is above 2 degrees, or the position error is above 100 km, or, at high latitude, above 3.5 % of
+        the distance to the pole.
     ERRORS_NOT_COMPUTED: In a sins.record: not computed, all zero.
     """
 
@@ -504,19 +508,20 @@ class errors_flags(enum.IntFlag):
 class grade(enum.IntEnum):
     """Grades of sensors.
 
-    GRADE_STRATEGIC: Strategic: gyro drift 0.001 deg/h, accelerometer bias 1e-6 g (El-Sheimy and Youssef 2020,
-        table 1, upper ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix
-        200).
-    GRADE_NAVIGATION: Navigation: Honeywell HG9900, brochure N61-1638. No accelerometer noise is stated.
+    GRADE_STRATEGIC: Strategic: gyro bias 0.001 deg/h and accelerometer bias 1e-6 g, each 1 sigma (El-Sheimy and
+        Youssef 2020, table 1, upper ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm
+        (Airbus Astrix 200).
+    GRADE_NAVIGATION: Navigation: Honeywell HG9900, brochure N61-1638. It states no accelerometer noise, so the
+        preset has none: set your own.
     GRADE_TACTICAL: Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated.
-    GRADE_INDUSTRIAL: Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D, which states no
-        accelerometer noise: set your own. The range of the sensors is 125 deg/s and 8 g; the angle between two axes
-        differs from 90 deg by 0.1 deg, 1 sigma.
+    GRADE_INDUSTRIAL: Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D. It states no
+        accelerometer noise, so the preset has none: set your own. The range of the sensors is 125 deg/s and 8 g; the
+        angle between two axes differs from 90 deg by 0.1 deg, 1 sigma.
     GRADE_CONSUMER: Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances
         are taken as 3 sigma.
-    GRADE_PAPER_SIMULATION2: The paper's simulation 2: gyro bias 0.01 deg/h and angle random walk 0.005
-        deg/sqrt(h), accelerometer bias 1e-5 g and white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a
-        bandwidth of 1 Hz, because the paper states none).
+    GRADE_PAPER_SIMULATION2: The paper's simulation 2: constant gyro bias 0.01 deg/h and angle random walk 0.005
+        deg/sqrt(h), constant accelerometer bias 1e-5 g and white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz)
+        (for a bandwidth of 1 Hz, because the paper states none).
     """
 
     GRADE_STRATEGIC = 1
@@ -537,12 +542,13 @@ class manoeuvre_kind(enum.IntEnum):
     MANOEUVRE_CLIMB: Changes the height by height_change_m in duration_s. Uses ramp_s.
     MANOEUVRE_TURN: Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll
         in and to roll out. The duration follows from these.
-    MANOEUVRE_ROLL: Whole rolls along a straight path in duration_s; the field turns is their number (right
-        positive).
+    MANOEUVRE_ROLL: Whole rolls along a straight path in duration_s; the field turns is their number (positive:
+        right wing down).
     MANOEUVRE_LOOP: Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up
         positive). Uses ramp_s.
-    MANOEUVRE_S_TURN: The course swings by heading_change_rad to both sides; the field turns is the number of
-        swings in duration_s. Uses ramp_s.
+    MANOEUVRE_S_TURN: The course swings by heading_change_rad to both sides, first to the right if it is positive.
+        The field turns is the number of swings in duration_s. A swing is a full period: to one side, to the other
+        side, and back. Uses ramp_s.
     MANOEUVRE_SINUSOIDS: Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning,
         vibration. Uses ramp_s.
     """
@@ -635,8 +641,8 @@ class scene_key_flags(enum.IntFlag):
     """Flags of a sins.scene_key.
 
     SCENE_KEY_IN_LIST: The key belongs to the items of a list: its section stands in double brackets.
-    SCENE_KEY_LIMITS: minimum and maximum are the limits of each number. Without this flag there are none, or they
-        depend on other values.
+    SCENE_KEY_LIMITS: The fields minimum and maximum are the limits of each number. Without this flag there are no
+        limits, or the limits depend on other values.
     SCENE_KEY_ZERO_IS_OFF: 0 is allowed in addition to the values within the limits. It switches the quantity off.
     """
 
@@ -649,7 +655,7 @@ class scene_key_flags(enum.IntFlag):
 class budget_flags(enum.IntFlag):
     """Flags of a sins.budget_row.
 
-    BUDGET_RANDOM: The row's figures are standard deviations (1 sigma), exact to first order.
+    BUDGET_RANDOM: The figures of the row are standard deviations (1 sigma), from linear error equations.
     BUDGET_CAN_BE_LEFT_OUT: The effect can be left out, together with all others that have this flag.
     """
 
@@ -685,8 +691,8 @@ class options(_Struct):
 
     frame: Axes of the mechanization, of enum sins.frame.
     scheme: Algorithm of the mechanization, of enum sins.scheme.
-    subsamples: Subsamples: the equal parts of a mechanization update over which the sensors integrate, 1 to 5; 0:
-        2.
+    subsamples: Number of subsamples of a mechanization update, 1 to 5; 0: 2. A subsample is one of the equal
+        parts of the update; the sensors give one increment for each.
     updates_per_sample: Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see
         "Gaps" above).
     vertical: Vertical channel, of enum sins.vertical.
@@ -696,15 +702,16 @@ class options(_Struct):
     axes: Directions of the body axes and of the sensor axes, of enum sins.axes.
     signal: Ideal signals, of enum sins.signal.
     seed: Seed of all random streams.
-    run: Number of the run in an ensemble: the same seed with another run gives other random numbers.
+    run: Run number. The same seed with another run number gives other random numbers. Run k of an ensemble has
+        the number k.
     closed_loop_time_s: Time constant of sins.SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0:
         30 s, for which max_gap_s must be at most 7.5 s. Must be 0 with another signal.
     sample_period_s: Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a
         stated period, each sample is at an exact multiple of the period from the first. The time stamps then serve
         only to order and to check the samples: each must be within 0.4 of a period of its multiple.
-    max_gap_s: Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Intervals of minutes are for vehicles
-        at rest. At rest the position error grows with the third power of the interval: within 12 h it reaches 0.09 m
-        with intervals of 10 s, and 91 m with intervals of 100 s.
+    max_gap_s: Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Use intervals of minutes only for a
+        vehicle at rest. Even at rest the position error grows with the third power of the interval: within 12 h it
+        reaches 0.09 m with intervals of 10 s, and 91 m with intervals of 100 s.
     max_acceleration_m_s2: Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A
         larger one is rejected as a jump of the truth.
     truth_summary: Summary of the true motion, of enum sins.summary.
@@ -748,18 +755,18 @@ class flight_sample(_Struct):
         stamps are coarse (1.2e-7 s at 1e9 s): state sins.options.sample_period_s with them.
     latitude_rad: Geodetic latitude, -pi/2 to pi/2 [rad].
     longitude_rad: Longitude, east positive, -100 to 100 [rad]; whole turns do not matter.
-    height_m: Height above the ellipsoid, -20 km to 2000 km [m].
-    velocity_enu_m_s[3]: Velocity against the Earth, east-north-up, each up to 20 km/s [m/s].
-    roll_rad: Roll, right wing down positive, any number of turns up to 10000 rad [rad].
-    pitch_rad: Pitch, nose up positive, may go beyond 90 degrees, up to 10000 rad [rad]. From one sample to the
-        next the attitude must turn by less than 170 degrees. This turn must also differ by less than 180 degrees from
-        the turn that the angular rates predict, or, without rates, that the previous interval predicts. Additional
-        whole turns between two samples cannot be detected.
-    heading_rad: Heading, clockwise from true north, any number of turns up to 10000 rad [rad].
+    height_m: Height above the ellipsoid, -2e4 to 2e6 [m].
+    velocity_enu_m_s[3]: Velocity against the Earth, east-north-up, each -2e4 to 2e4 [m/s].
+    roll_rad: Roll, right wing down positive, -1e4 to 1e4 [rad]; whole turns do not matter.
+    pitch_rad: Pitch, nose up positive, -1e4 to 1e4 [rad]; it may go beyond 90 degrees. From one sample to the
+        next the attitude must turn by less than 170 degrees. The library predicts this turn from the angular rates of
+        the samples, or, without rates, from the previous interval. The turn must differ from the prediction by less
+        than 180 degrees. Additional whole turns between two samples cannot be detected.
+    heading_rad: Heading, clockwise from true north, -1e4 to 1e4 [rad]; whole turns do not matter.
     angular_rate_rad_s[3]: With sins.SAMPLE_ANGULAR_RATE: angular rate of the vehicle against inertial space along
-        the body axes at this instant, each up to 1000 rad/s [rad/s].
+        the body axes at this instant, each -1000 to 1000 [rad/s].
     specific_force_m_s2[3]: With sins.SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body
-        axes at this instant, each up to 1e5 m/s2 [m/s2].
+        axes at this instant, each -1e5 to 1e5 [m/s2].
     temperature_c: With sins.SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant,
         -273.15 to 1000 [deg C]; linear from one sample to the next. Needed while temperature coefficients are set:
         the push of a sample without it then returns sins.ERROR_INVALID_ARGUMENT, because a forgotten flag would
@@ -795,10 +802,10 @@ class error_info(_Struct):
     sample: Index of the sample in the array of the call, from 0; -1: no sample is at fault.
     value: With sins.ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the
         nearest double.
-    minimum: With sins.ERROR_INFO_MINIMUM: the least value. If the sentence says "more than", this value itself is
-        rejected too.
-    maximum: With sins.ERROR_INFO_MAXIMUM: the greatest value. If the sentence says "less than", this value itself
-        is rejected too.
+    minimum: With sins.ERROR_INFO_MINIMUM: the least value. If the sentence of sins.last_error() says "more than",
+        the limit itself is not allowed.
+    maximum: With sins.ERROR_INFO_MAXIMUM: the greatest value. If the sentence of sins.last_error() says "less
+        than", the limit itself is not allowed.
     """
 
     __slots__ = ()
@@ -841,26 +848,28 @@ class gyro_params(_Struct):
         the spectral density of the noise, in the unit of the signal per sqrt(Hz).
     rate_random_walk_rad_s_sqrt_s[3]: Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start
         of a run.
-    rate_ramp_rad_s2[3]: Ramp R: bias that grows with time [rad/s2], -100 to 100. It starts at 0 when it is set.
+    rate_ramp_rad_s2[3]: Ramp R: bias that grows with time [rad/s2], -100 to 100. The bias starts at 0 when the
+        ramp is switched on, and at sins.reset(). If R is changed in flight, the bias continues from its present
+        value.
     flicker_rad_s[3]: Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the
         first sample on: the Allan deviation is flat at 0.664 B from 2 s to 50 h.
     scale_factor[3]: Scale factor error [1], -1 to 1.
     scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It
         is added to scale_factor.
-    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1. The
-        error of a signal s is half of this times |s|.
+    scale_factor_asymmetry[3]: Scale factor error for positive signals less that for negative signals [1], -1 to
+        1. The error of a signal s is half of this times |s|.
     scale_factor_nonlinearity_s_rad[3]: Scale factor error that grows with the size of the signal [s/rad], -1 to
         1. The error of a signal s is this times s |s|.
-    misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The
-        diagonal is 0.
+    misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The error
+        of sensor i is the sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.
     misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It
-        is added to misalignment_rad. The diagonal is 0.
+        is added to misalignment_rad. The diagonal must be 0.
     g_sensitivity_rad_s_per_m_s2[9]: Drift caused by specific force, g-sensitivity: row = gyro, column = axis of
         the force [(rad/s)/(m/s2)], -1 to 1. The error of a gyro is the sum over the three axes of its row times the
         true specific force along them.
     g2_sensitivity_rad_s_per_m2_s4[3]: Drift caused by the square of the specific force along the gyro's own axis,
-        g2-sensitivity [(rad/s)/(m/s2)^2], -1 to 1. The rate that gyro i measures is too large by element i times the
-        square of component i of the true specific force at the block's own point, in sensor axes. So a positive
+        g2-sensitivity [(rad/s)/(m/s2)^2], -1 to 1. The rate error of gyro i is element i times the square of the true
+        specific force along sensor axis i, at the point of the sensor block (see sins.mounting). So a positive
         element makes a drift in the positive sense about the axis, whatever the sign of the force. The mean force of
         a subsample is squared, as with nonlinearity.
     reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C],
@@ -875,12 +884,12 @@ class gyro_params(_Struct):
     scale_factor_temperature2_per_k2[3]: Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor
         error is this coefficient times T squared.
     bandwidth_hz[3]: Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter
-        starts settled: without a transient at the first interval.
+        starts in its steady state, so there is no transient in the first interval.
     dead_zone_rad_s[3]: Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100.
     range_rad_s[3]: Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in
         sins.imu.
-    quantization_rad[3]: Pulse of the output increments [rad], 1e-15 to 1; 0: none. The remainder goes into the
-        next increment. The quantization noise Q is pulse/sqrt(12).
+    quantization_rad[3]: Quantum (pulse weight) of the output increments [rad], 1e-15 to 1; 0: none. The remainder
+        goes into the next increment. The quantization noise Q is quantum/sqrt(12).
     """
 
     __slots__ = ()
@@ -934,27 +943,30 @@ class accel_params(_Struct):
         square root of the spectral density of the noise, in the unit of the signal per sqrt(Hz).
     acceleration_random_walk_m_s2_sqrt_s[3]: Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at
         0 at the start of a run.
-    ramp_m_s3[3]: Ramp R: bias that grows with time [m/s3], -10000 to 10000. It starts at 0 when it is set.
+    ramp_m_s3[3]: Ramp R: bias that grows with time [m/s3], -10000 to 10000. The bias starts at 0 when the ramp is
+        switched on, and at sins.reset(). If R is changed in flight, the bias continues from its present value.
     flicker_m_s2[3]: Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the
         first sample on: the Allan deviation is flat at 0.664 B from 2 s to 50 h.
     scale_factor[3]: Scale factor error [1], -1 to 1.
     scale_factor_sigma[3]: Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It
         is added to scale_factor.
-    scale_factor_asymmetry[3]: Scale factor error of positive less that of negative signals [1], -1 to 1. The
-        error of a signal s is half of this times |s|.
+    scale_factor_asymmetry[3]: Scale factor error for positive signals less that for negative signals [1], -1 to
+        1. The error of a signal s is half of this times |s|.
     scale_factor_nonlinearity_s2_m[3]: Scale factor error that grows with the size of the signal [s2/m], -1 to 1.
         The error of a signal s is this times s |s|.
-    misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The
-        diagonal is 0.
+    misalignment_rad[9]: Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The error
+        of sensor i is the sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.
     misalignment_sigma_rad[9]: Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It
-        is added to misalignment_rad. The diagonal is 0.
-    vibration_rectification_s2_m[3]: Vibration rectification, the g2 term [s2/m], -1 to 1. A vibration with the
-        root mean square r causes a bias of this times r squared.
-    lever_arm_m[9]: Lever arm of each accelerometer from the block's own point, sensor axes, row = sensor (size
-        effect) [m], -100 to 100. The block's own point is where the lever arm of sins.mounting ends. At a start in
-        motion, samples do not show the angular acceleration of the first interval (see sins.mounting). The measured
-        velocity then lacks, for the rest of the flight, the lever arm times the change of the rate in that interval.
-        With sins.push_imu() the angular acceleration follows from the previous increments.
+        is added to misalignment_rad. The diagonal must be 0.
+    vibration_rectification_s2_m[3]: Vibration rectification, the g2 term [s2/m], -1 to 1. The error is this times
+        the square of the mean force of a subsample. So a vibration with the root mean square r causes a bias of this
+        times r squared.
+    lever_arm_m[9]: Lever arm of each accelerometer from the point of the sensor block, sensor axes, row = sensor
+        (size effect) [m], -100 to 100. The point of the sensor block is where the lever arm of sins.mounting ends. If
+        a flight starts in motion, samples without an angular rate do not show the angular acceleration of the first
+        interval (see sins.mounting). The measured velocity is then wrong for the rest of the flight: it lacks the
+        lever arm times the change of the angular rate in the first interval. With sins.push_imu() the angular
+        acceleration follows from the previous increments.
     reference_temperature_c: Temperature at which the four temperature coefficients have no effect [deg C],
         -273.15 to 1000. T is sins.flight_sample.temperature_c less this temperature. If one of the coefficients is
         not 0, every sample needs a temperature, and sins.push_imu() is not available.
@@ -967,12 +979,12 @@ class accel_params(_Struct):
     scale_factor_temperature2_per_k2[3]: Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor
         error is this coefficient times T squared.
     bandwidth_hz[3]: Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter
-        starts settled: without a transient at the first interval.
+        starts in its steady state, so there is no transient in the first interval.
     dead_zone_m_s2[3]: Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000.
     range_m_s2[3]: Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in
         sins.imu.
-    quantization_m_s[3]: Pulse of the output increments [m/s], 1e-15 to 1; 0: none. The remainder goes into the
-        next increment. The quantization noise Q is pulse/sqrt(12).
+    quantization_m_s[3]: Quantum (pulse weight) of the output increments [m/s], 1e-15 to 1; 0: none. The remainder
+        goes into the next increment. The quantization noise Q is quantum/sqrt(12).
     """
 
     __slots__ = ()
@@ -1010,14 +1022,14 @@ class accel_params(_Struct):
 class altimeter_params(_Struct):
     """Errors of the barometric altimeter, whose height damps the vertical channel. All zero is an ideal altimeter.
 
-    bias_m: Constant bias, up to 1e5 m [m].
+    bias_m: Constant bias, -1e5 to 1e5 [m].
     markov_sigma_m: Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on,
-        up to 1e5 m [m].
+        0 to 1e5 [m].
     markov_time_s: Correlation time of the Gauss-Markov error, 1e-9 to 1e15 [s]; needed where markov_sigma_m is
         not 0.
-    noise_m: Standard deviation of the independent error of each sample, up to 1e5 m [m].
+    noise_m: Standard deviation of the independent error of each sample, 0 to 1e5 [m].
     scale_factor: Scale factor error of the height [1], -1 to 1.
-    lag_s: Time constant of the first-order lag of the static pressure, up to 1e6 s [s].
+    lag_s: Time constant of the first-order lag of the static pressure, 0 to 1e6 [s].
     """
 
     __slots__ = ()
@@ -1042,9 +1054,10 @@ class failure(_Struct):
         altimeter [u].
     density: Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the
         altimeter [u sqrt(s)].
-    interval_s: Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
+    interval_s: Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]; 0 for
+        drop-outs with a probability.
     duration_s: Spikes: length of one spike, 1e-9 s to interval_s [s].
-    probability: Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
+    probability: Drop-outs, if interval_s is 0: probability that an interval is lost, 0 to 1.
     """
 
     __slots__ = ()
@@ -1063,17 +1076,18 @@ class failure(_Struct):
 
 class initial_errors(_Struct):
     """Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard
-    deviations (sigma) are drawn once a run and added. Where the vertical channel follows the truth, its errors start
-    at 0. Positions up to 1e6 m, velocities up to 1e4 m/s, their standard deviations up to 1e5 m and 1e3 m/s.
+    deviations (sigma) are drawn once a run and added. A reset and a reposition use the same random numbers again.
+    With sins.VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0. Limits: position errors 1e6
+    m, velocity errors 1e4 m/s, their standard deviations 1e5 m and 1e3 m/s.
 
     position_enu_m[3]: Position error [m].
     velocity_enu_m_s[3]: Velocity error [m/s].
     misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x])
-        C. C turns vectors from sensor axes to east-north-up. The C on the right is the true one, or, with
-        sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS, the one that the alignment finds.
-    position_sigma_enu_m[3]: Standard deviation of position [m].
-    velocity_sigma_enu_m_s[3]: Standard deviation of velocity [m/s].
-    misalignment_sigma_enu_rad[3]: Standard deviation of misalignment, 0 to 1 [rad].
+        C0. C turns vectors from sensor axes to east-north-up. C0 is the true C. With
+        sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS, C0 is the C that the alignment finds.
+    position_sigma_enu_m[3]: Standard deviation of the position error [m].
+    velocity_sigma_enu_m_s[3]: Standard deviation of the velocity error [m/s].
+    misalignment_sigma_enu_rad[3]: Standard deviation of the misalignment, 0 to 1 [rad].
     alignment: Alignment at the start, of enum sins.alignment.
     """
 
@@ -1099,22 +1113,23 @@ class mounting(_Struct):
 
     The ideal sensors measure the motion of the block, and sensor errors act in the axes of the block: sins.imu
     describes the block. The INS navigates the block, and converts its solution to the reference point with the
-    mounting that it believes: sins.navigation and sins.errors describe the reference point. Initial errors are those
-    of the INS's solution for the block. Angular rate and specific force of a sample are those of the reference point,
-    along body axes. The barometric height is that of the reference point too.
+    mounting that it believes: sins.navigation and sins.errors describe the reference point. Initial errors apply to
+    the solution for the block, so at the start sins.errors can differ from them. Angular rate and specific force of a
+    sample are those of the reference point, along body axes. The barometric height is that of the reference point
+    too.
 
     Start in motion: at the start of a moving flight, and after a reposition, samples without an angular rate do not
     show the angular acceleration of the first interval. The specific force of a block away from the reference point
     then lacks the term angular acceleration times lever arm. In the second interval this term is correct to first
     order in the interval's length, in the third to second order, later to third order. The navigation is not
-    affected, because the INS starts with the velocity of the block that matches the next sample. With
-    sins.SAMPLE_ANGULAR_RATE no term is missing.
+    affected, because the INS starts with the velocity that the block has at the mean angular rate of the first
+    interval. With sins.SAMPLE_ANGULAR_RATE no term is missing.
 
     lever_arm_m[3]: Lever arm from the reference point to the block, body axes (sins.options.axes), -100 to 100
         [m].
     boresight_rad[3]: Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They
-        are defined as those of the body relative to the horizon: positive right side down, nose up, nose to the
-        right. Any number of turns up to 10000 rad.
+        are defined like the attitude angles of the body: positive roll right side down, positive pitch nose up,
+        positive heading nose to the right. Each is -1e4 to 1e4; whole turns do not matter.
     lever_arm_error_m[3]: Believed less true lever arm, -100 to 100 [m].
     boresight_error_rad[3]: Believed less true boresight angles, -pi to pi [rad]. If the believed heading is too
         large, the heading that the INS reports is too small by the same amount.
@@ -1132,31 +1147,31 @@ class mounting(_Struct):
 
 
 class gravity_params(_Struct):
-    """True gravity less the normal gravity that the INS computes: deflection of the vertical, and anomaly (strictly the
-    gravity disturbance: true and normal gravity are taken at the same point). Each has a constant part and a random
-    part. The random part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the
-    distance d flown over ground. At rest it does not change. All zero is normal gravity.
+    """Gravity disturbance: true gravity less the normal gravity that the INS computes, at the same point. The horizontal
+    part is the deflection of the vertical. The vertical part is called anomaly here. Each has a constant part and a
+    random part. The random part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D)
+    over the distance d flown over ground. At rest it does not change. All zero is normal gravity.
 
     Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins.imu. In the INS it acts like
-    an accelerometer error. At rest, without a levelled start, a deflection makes the position error oscillate between
-    0 and twice R times the deflection, where R is the Earth's radius. A levelled start
-    (sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS) is tilted by the deflection.
+    an accelerometer error. At rest, without a levelled start, a deflection xi makes the position error oscillate
+    between 0 and 2 R xi, where R is the Earth's radius. A levelled start (sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS) is
+    tilted by the deflection.
 
     deflection_north_rad: Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad].
         If positive, the true zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g
         times this to the north.
-    deflection_north_sigma_rad: Standard deviation of the random part of the deflection in the meridian, up to
-        0.01 [rad].
+    deflection_north_sigma_rad: Standard deviation of the random part of the deflection in the meridian, 0 to 0.01
+        [rad].
     deflection_north_distance_m: Correlation distance D of that random part, 1 to 1e9 [m]; needed where its
         standard deviation is not 0.
     deflection_east_rad: Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the
         cosine of latitude, -0.01 to 0.01 [rad]. If positive, the true zenith lies east of the ellipsoid's normal.
-    deflection_east_sigma_rad: Standard deviation of the random part of the deflection in the prime vertical, up
-        to 0.01 [rad].
+    deflection_east_sigma_rad: Standard deviation of the random part of the deflection in the prime vertical, 0 to
+        0.01 [rad].
     deflection_east_distance_m: Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard
         deviation is not 0.
     anomaly_m_s2: Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2.
-    anomaly_sigma_m_s2: Standard deviation of the random part of the anomaly, up to 0.1 [m/s2].
+    anomaly_sigma_m_s2: Standard deviation of the random part of the anomaly, 0 to 0.1 [m/s2].
     anomaly_distance_m: Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard
         deviation is not 0.
     """
@@ -1215,8 +1230,8 @@ class record_errors(_Struct):
     latitude_rad: Error of latitude [rad].
     longitude_rad: Error of longitude, wrapped to -pi to pi [rad].
     height_m: Error of height [m].
-    velocity_enu_m_s[3]: Velocity error [m/s]: difference of the components, each in the east-north-up axes of its
-        own position.
+    velocity_enu_m_s[3]: Velocity error [m/s]: components of the computed velocity in the east-north-up axes at
+        the computed position, less components of the true velocity in the axes at the true position.
     misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C
         turns vectors from body axes to east-north-up. In the error model it is of first order: computed C = (I - [phi
         x]) true C.
@@ -1344,8 +1359,8 @@ class errors(_Struct):
     latitude_rad: Error of latitude [rad].
     longitude_rad: Error of longitude, wrapped to -pi to pi [rad].
     height_m: Error of height [m].
-    velocity_enu_m_s[3]: Velocity error [m/s]: difference of the components, each in the east-north-up axes of its
-        own position.
+    velocity_enu_m_s[3]: Velocity error [m/s]: components of the computed velocity in the east-north-up axes at
+        the computed position, less components of the true velocity in the axes at the true position.
     misalignment_enu_rad[3]: Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C
         turns vectors from body axes to east-north-up. In the error model it is of first order: computed C = (I - [phi
         x]) true C.
@@ -1376,33 +1391,35 @@ class errors(_Struct):
 
 class accuracy(_Struct):
     """Running figures of the flight since its start or last reposition; sins.move_time() and sins.move_truth() do not
-    restart them. Errors are sampled once a second. They describe one run, not an ensemble. Divide the rates by
-    sins.NMI_PER_HOUR for the unit of data sheets.
+    restart them. The figures use the errors once a second. They describe one run, not an ensemble. To get nautical
+    miles per hour, divide a rate by sins.NMI_PER_HOUR.
 
     time_s: Time [s].
     duration_s: Time since the start [s].
-    window_start_s: Start of the window of the radial error rates: 300 s after the start [s]. Earlier rates would
-        be initial errors divided by a very short time.
-    window_samples: Number of samples in the window of the radial error rates. While there are none, the rates are
-        0.
+    window_start_s: Start of the window of the radial error rates, as time since the start: 300 [s]. Earlier rates
+        would be initial errors divided by a very short time.
+    window_samples: Number of errors (one a second) in the window of the radial error rates. While it is 0, the
+        rates are 0.
     radial_error_rate_rms_m_s: Root mean square of the radial error rate, sqrt(mean RER^2), with RER = horizontal
         position error / time since the start [m/s].
     cep_rate_m_s: R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s].
     radial_95_rate_m_s: R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s].
-    radial_error_slope_m_s: Slope of the least-squares line through the horizontal position error [m/s].
+    radial_error_slope_m_s: Slope of the least-squares line (with an intercept) through the horizontal position
+        errors of the window [m/s].
     velocity_rms_enu_m_s[3]: Root mean square velocity error since the start, east-north-up; samples within 20 km
         of the Earth's axis, where east and north turn fast, are left out [m/s].
-    closure_position_enu_m[3]: Position closure: navigation minus truth now [m].
-    closure_velocity_enu_m_s[3]: Velocity closure: navigation minus truth now [m/s].
-    host_position_enu_m[3]: Part of the horizontal position closure that the host causes, because its velocities
-        contradict its positions [m]: the Schuler-tuned response to the displacement by velocities less the
-        displacement by positions; up is 0. The rest of the closure is caused by the simulator and the sensors.
-    host_velocity_enu_m_s[3]: Part of the horizontal velocity closure that the host causes in this way; up is 0
+    closure_position_enu_m[3]: Position closure: the position error now, navigation minus truth [m].
+    closure_velocity_enu_m_s[3]: Velocity closure: the velocity error now, navigation minus truth [m/s].
+    host_position_enu_m[3]: Part of the horizontal position error that the host causes, because its velocities
+        contradict its positions [m]. Let d be the displacement from the velocities less the displacement from the
+        positions. The field is the response of a Schuler oscillator to d; up is 0. The rest of the position error is
+        caused by the simulator and the sensors.
+    host_velocity_enu_m_s[3]: Part of the horizontal velocity error that the host causes in this way; up is 0
         [m/s].
-    inconsistency_enu_m[3]: Displacement by the host's velocities less displacement by its positions, summed over
-        the flight [m].
-    inconsistency_max_m: Largest difference, in one interval, between the displacement by the host's velocities
-        and the one by its positions [m].
+    inconsistency_enu_m[3]: Displacement from the host's velocities less displacement from its positions, summed
+        over the flight [m].
+    inconsistency_max_m: Largest difference, in one interval, between the displacement from the host's velocities
+        and the displacement from its positions [m].
     inconsistent_samples: Number of samples flagged sins.NAVIGATION_INCONSISTENT.
     intervals: Number of intervals flown since the start or the last reposition.
     trim_rate_max_rad_s: Largest trim that sins.SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times
@@ -1438,13 +1455,13 @@ class accuracy(_Struct):
 
 
 class truth_summary(_Struct):
-    """Extreme values of the true motion over all intervals since the create or the last sins.reset(). They reveal wrong
-    units and exchanged axes, because no vehicle has such values. Attitudes in degrees turn 57 times too fast, and
-    give arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions.
-    Knots instead of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too
-    large. Accelerations are means from one sample to the next. So are rates and forces, unless the samples carry
-    them; then they are the values at the samples. Each ..._at_s is the time stamp of the sample at which the value
-    was found.
+    """Extreme values of the true motion over all intervals since the create or the last sins.reset(). Wrong units and
+    exchanged axes give values that no vehicle has, so these figures reveal them. Attitudes in degrees turn 57 times
+    too fast, and give arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict
+    the positions. Knots instead of m/s contradict the positions too. Feet instead of metres give heights and climbs
+    3.3 times too large. Accelerations are means from one sample to the next. So are rates and forces, unless the
+    samples carry them; then they are the values at the samples. Each ..._at_s is the time stamp of the sample at
+    which the value was found.
 
     intervals: Number of intervals flown.
     gaps: Number of intervals that are gaps (see sins.GAP).
@@ -1463,8 +1480,9 @@ class truth_summary(_Struct):
     acceleration_max_at_s: Time stamp of acceleration_max_m_s2 [s].
     force_max_m_s2: Largest specific force: from the velocities and gravity, or the samples' own force [m/s2].
     force_max_at_s: Time stamp of force_max_m_s2 [s].
-    inconsistency_max_m: Largest difference, in one interval, between the displacement by the positions and the
-        displacement by the velocities (the mean of those at the two ends, times the length of the interval) [m].
+    inconsistency_max_m: Largest difference, in one interval, between the displacement from the positions and the
+        displacement from the velocities (the mean of the velocities at the two ends, times the length of the
+        interval) [m].
     inconsistency_max_at_s: Time stamp of inconsistency_max_m [s].
     speed_max_m_s: Largest speed against the Earth [m/s].
     speed_max_at_s: Time stamp of speed_max_m_s [s].
@@ -1521,16 +1539,16 @@ class covariance(_Struct):
     [rad], in this order.
 
     The covariance is propagated along the truth with the linear error equations (error data 1). Both values of
-    sins.options.frame use the equations in Earth-fixed axes; the result is the same. It is the covariance about the
-    mean error of all runs. It does not depend on the random numbers of this run. It contains: random initial errors;
-    the misalignment that the alignment at the start derives from sensor errors; turn-on biases, scale factors and
-    misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the
+    sins.options.frame use the equations in Earth-fixed axes; the result is the same. The covariance is taken about
+    the mean error of all runs. It does not depend on the random numbers of this run. It contains: random initial
+    errors; the misalignment that the alignment at the start derives from sensor errors; turn-on biases, scale factors
+    and misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the
     altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance. It does not contain:
-    given errors and failures, which change the mean; dead zones and ranges, which are not linear. One step of the
-    propagation is one second of flight. A parameter that is set in flight takes effect from the start of the current
-    second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs shorter than a
-    second have no effect on the covariance. The standard deviations of the propagation are limited to 1e30 in SI
-    units, so all outputs are finite.
+    constant errors and failures, which change only the mean; dead zones and ranges, which are not linear. One step of
+    the propagation is one second of flight. A parameter that is set in flight takes effect from the start of the
+    current second. A second with at least one height of the altimeter counts as aided throughout, so drop-outs
+    shorter than a second have no effect on the covariance. The standard deviations of the propagation are limited to
+    1e30 in SI units, so all outputs are finite.
 
     flags: Flags of enum sins.errors_flags, or'ed: sins.ERRORS_NEAR_POLE, and sins.ERRORS_OUTSIDE_VALIDITY if a
         standard deviation exceeds the limits of that flag.
@@ -1634,7 +1652,8 @@ class statistics(_Struct):
 
 
 class figures(_Struct):
-    """Figures that are computed from a sins.statistics. Without a run all are 0, and the covariance of one run is 0.
+    """Figures that are computed from a sins.statistics. If there is no run, all figures are 0. If there is one run, its
+    covariance is 0.
 
     runs: Number of runs, including those that are left out of the other figures.
     diverged: Number of runs that have diverged. They are left out.
@@ -1690,8 +1709,8 @@ class flight_start(_Struct):
 
     latitude_rad: Geodetic latitude, -pi/2 to pi/2 [rad].
     longitude_rad: Longitude, east positive, -100 to 100 [rad].
-    height_m: Height above the ellipsoid, -20 km to 2000 km [m].
-    speed_m_s: Speed against the Earth, 0 to 10 km/s [m/s].
+    height_m: Height above the ellipsoid, -2e4 to 2e6 [m].
+    speed_m_s: Speed against the Earth, 0 to 1e4 [m/s].
     heading_rad: Course and heading, -100 to 100 [rad].
     roll_rad: Roll of the body relative to the axes of the path, throughout the flight, -pi to pi [rad].
     pitch_rad: Pitch of the body relative to the axes of the path, throughout the flight, -pi/2 to pi/2: angle of
@@ -1728,8 +1747,10 @@ class manoeuvre(_Struct):
     height_change_m: Change of height; the climb angle must stay below 64 degrees [m].
     heading_change_rad: Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad
         [rad].
-    bank_rad: Bank of a turn, 1e-3 to 1.5 [rad]. A turn that is too short for this bank reaches a smaller bank.
-    turns: Whole rolls or loops, up to 1e4, or swings of an S-turn, up to 1e6.
+    bank_rad: Bank of a turn, 1e-3 to 1.5 [rad]. If the heading change is too small to reach this bank, the turn
+        uses a smaller bank.
+    turns: Number of rolls or loops, a whole number from -1e4 to 1e4, not 0; or number of swings of an S-turn, 0
+        to 1e6.
     channel[6]: What each sinusoid moves, of enum sins.channel.
     amplitude[6]: Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; for the climb angle up to 1.5 rad; for
         the speed, the sum of the amplitudes is at most the speed.
@@ -1762,17 +1783,18 @@ class fault(_Struct):
     """A fault of the text of a scene or of a flight log.
 
     flags: Flags of enum sins.error_info_flags, or'ed: which of value, minimum and maximum there are.
-    count: Number of faults of the text, 200 at most.
+    count: Number of faults that are reported: at most the first 200 of the text.
     line: Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before
         the call.
-    column: Column, in characters from 1; for a flight log, the column of the table; 0: as for line.
+    column: Column, in characters from 1. For a flight log: number of the column of the table, from 1. 0: the same
+        meaning as 0 in line.
     value: The value at fault, in the unit of the key that path names.
-    minimum: Least allowed value, in that unit; if the sentence says "more than", this value itself is rejected
-        too.
-    maximum: Greatest allowed value, in that unit; if the sentence says "less than", this value itself is rejected
-        too.
-    path[96]: Path of the value at fault, as sins.scene_get_value() takes it; or of a section, "gyro", or an item,
-        "failure[0]"; terminated. Empty for a flight log, and if the text itself is at fault.
+    minimum: Least allowed value, in that unit; if the sentence says "more than", the limit itself is not allowed.
+    maximum: Greatest allowed value, in that unit; if the sentence says "less than", the limit itself is not
+        allowed.
+    path[96]: Path of the value at fault, for sins.scene_get_value(). It can also be the name of a section, such
+        as "gyro", or of an item, such as "failure[0]". Terminated. Empty for a flight log, and if the text itself is
+        at fault.
     sentence[256]: Sentence that names key, value and limit, and the key that was probably meant; UTF-8,
         terminated, cut if it is longer.
     """
@@ -1795,7 +1817,7 @@ class fault(_Struct):
 class scene_setup(_Struct):
     """Settings of a scene for its flight and its output.
 
-    flight: Kind of the flight, of enum sins.scene_flight; read only: ignored when it is set.
+    flight: Kind of the flight, of enum sins.scene_flight; read only: sins.scene_set_setup() ignores it.
     has_temperature: 1: samples get the temperature below; 0: samples get no temperature.
     quiet: 1: a program shows neither progress nor summary; 0: it does.
     duration_s: Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
@@ -1837,9 +1859,10 @@ class planned_failure(_Struct):
         altimeter [u].
     density: Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the
         altimeter [u sqrt(s)].
-    interval_s: Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s].
+    interval_s: Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]; 0 for
+        drop-outs with a probability.
     duration_s: Spikes: length of one spike, 1e-9 s to interval_s [s].
-    probability: Drop-outs: probability that an interval is lost, 0 to 1, where interval_s is 0.
+    probability: Drop-outs, if interval_s is 0: probability that an interval is lost, 0 to 1.
     """
 
     __slots__ = ()
@@ -1869,7 +1892,7 @@ class scene_key(_Struct):
     elements: Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds.
     spread: A single number may be given in the place of all elements if this is not 0. It sets element k if bit k
         is set, and the other elements are 0. 0: all elements must be given.
-    si_per_unit: A number in the unit of name, times this factor, is in SI. 1 if the value is no number.
+    si_per_unit: Factor from the unit of the key to SI. It is 1 if the value is not a number.
     minimum: Least allowed value of each number, in the unit of name. If the kinds of items have different limits,
         it is the widest. Other values of the scene may narrow the limits.
     maximum: Greatest allowed value, likewise.
@@ -1882,9 +1905,9 @@ class scene_key(_Struct):
     default_value[32]: Value in a scene that does not set the key, as sins.scene_get_value() gives it; empty: no
         value.
     words[128]: Words that a key of sins.SCENE_KEY_WORD takes, such as "exact|paper|polynomial".
-    condition[96]: Items of the list that use the key: "kind=turn|s_turn" means items whose key kind has one of
-        these words. If there are several conditions, with a space between them, an item must meet all. Empty: all
-        items.
+    condition[96]: Items of the list that use the key. "kind=turn|s_turn" means the items in which the value of
+        the key `kind` is one of these words. If there are several conditions, with a space between them, an item must
+        meet all. Empty: all items.
     meaning[128]: Meaning, without unit.
     """
 
@@ -1957,11 +1980,14 @@ class requirement(_Struct):
     """Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a
     duration. At least one limit is needed.
 
-    duration_s: Duration for which the limits hold, up to 1e6 [s]; 0, or less than the length of the piece of
-        flight that is given to sins.recommend(): that length.
-    position_m: Limit of the distance from the exact solution on the same signals [m]; 0: none.
-    velocity_m_s: Limit of the length of the velocity difference from that solution [m/s]; 0: none.
-    attitude_rad: Limit of the angle between the two attitudes, against the Earth [rad]; 0: none.
+    duration_s: Duration for which the limits hold, 0 to 1e6 [s]. If it is shorter than the piece of flight that
+        is given to sins.recommend(), it is the length of that piece.
+    position_m: Limit of the position error of the algorithm: distance from the reference (see sins.recommend())
+        [m]; 0: none.
+    velocity_m_s: Limit of the velocity error of the algorithm: length of the difference from the reference [m/s];
+        0: none.
+    attitude_rad: Limit of the attitude error of the algorithm: angle between its attitude relative to the Earth
+        and that of the reference [rad]; 0: none.
     margin: Margin: each limit must be at least this many times the predicted error, 1 to 1e6; 0: 2.
     """
 
@@ -1991,8 +2017,8 @@ class cost(_Struct):
         this is at most 1. A limit below 1e-100 counts as 1e-100.
     instructions_per_step: Processor instructions of the part of a step that depends on the algorithm: a figure
         that is the same on every machine. The algorithms are ordered by this figure.
-    ns_per_step: Time of push and step of one sample, measured in this call on this machine, with the options that
-        were written, the mounting, and ideal sensors [ns].
+    ns_per_step: Time of push and step of one sample, measured in this call on this machine, with the recommended
+        options, the mounting, and ideal sensors [ns].
     tried: Number of algorithms that were tried, including the recommended one.
     """
 
@@ -2079,9 +2105,8 @@ class budget(_Struct):
     duration_s: Duration of the evaluation: from the end of the first interval to the end of the last [s].
     runs: Number of runs with all effects together; 1 if nothing is random.
     flights: Number of flights that the call made.
-    sigma_low: Uncertainty of the random errors with all effects together, because the number of runs is finite.
-        It is the lower end of the 95 % confidence interval of their root mean square, divided by their root mean
-        square over these runs; 1 if nothing is random.
+    sigma_low: Lower end of the 95 % confidence interval of the root mean square of the random errors, divided by
+        the root mean square over the flown runs. The fewer the runs, the wider the interval. 1 if nothing is random.
     sigma_high: Upper end of that interval, divided likewise; 1 if nothing is random.
     position_m: Position error with all effects together, root mean square over the runs, the largest in the
         flight [m].
@@ -2252,7 +2277,8 @@ def create(options, sim):
 
 @_function(status, sim)
 def destroy(sim):
-    """Destroys a simulator, after calls on it in other threads have returned. The handle is never used again.
+    """Waits until the calls of other threads on this handle have returned, and destroys the simulator. The handle is
+    never used again.
 
     sins.ERROR_BAD_HANDLE: null, made up, or destroyed before.
     """
@@ -2272,12 +2298,13 @@ def push_sample(sim, sample):
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
     sins.ERROR_TIME_ORDER: the sample is not later than the one before, or later by less than 5e-5 s, or off a stated
     period by more than 0.4 of the period. sins.GAP: the sample was accepted, and the interval before it is a gap,
-    more than 2.5 times as long as each of the two before. sins.step() flies the gap as motion, velocity times its
-    length. After a pause of the host in which its clock ran on, call sins.move_time() before this push; a push cannot
-    be undone. sins.ERROR_DISCONTINUITY: a gap of more than max_gap_s, a jump, or a turn of 170 degrees or more since
-    the last accepted sample. Later samples are rejected too, until one fits, or until sins.move_time() (for a gap),
-    sins.move_truth() or sins.reposition() (for a jump). sins.ERROR_QUEUE_FULL: step first. sins.ERROR_BAD_STATE:
-    navigating on increments.
+    more than 2.5 times as long as each of the two before. sins.step() flies the gap as motion: the vehicle moves by
+    its velocity times the length of the gap. After a pause of the host in which its clock ran on, call
+    sins.move_time() before this push; a push cannot be undone. sins.ERROR_DISCONTINUITY: a gap of more than
+    max_gap_s, a jump, or a turn of 170 degrees or more since the last accepted sample. After a gap each later sample
+    is rejected, until you call sins.move_time(), sins.move_truth() or sins.reposition(). After a jump or a turn each
+    later sample is rejected, until one fits the last accepted sample, or until you call sins.move_truth() or
+    sins.reposition(). sins.ERROR_QUEUE_FULL: step first. sins.ERROR_BAD_STATE: navigating on increments.
     """
 
 
@@ -2285,15 +2312,18 @@ def push_sample(sim, sample):
 def step(sim):
     """Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples,
     each later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on
-    is flown like any other, as velocity times its length; sins.push_sample() returns sins.GAP for it.
+    is flown like any other: the vehicle moves by its velocity times the length of the interval. sins.push_sample()
+    returns sins.GAP if the interval is a gap.
 
-    sins.NEED_SAMPLE: no complete interval is waiting. sins.ERROR_DIVERGED: after the interval the solution would be
-    below -500 km or above 20000 km of height, or faster than 100 km/s; the limits apply to the solution of the sensor
-    block, to that of the reference point, and to the error-free navigator of sins.SIGNAL_CLOSED_LOOP.
-    sins.ERROR_SINGULAR: too close to a pole, in geographic axes. sins.ERROR_BAD_STATE: navigating on increments.
+    sins.NEED_SAMPLE: no complete interval is waiting. sins.ERROR_DIVERGED: the step would bring the solution below a
+    height of -500 km, above a height of 20000 km, or to a speed of more than 100 km/s. The limits apply to the
+    solution of the sensor block, to that of the reference point, and to the error-free navigator of
+    sins.SIGNAL_CLOSED_LOOP. sins.ERROR_SINGULAR: too close to a pole, in geographic axes. sins.ERROR_BAD_STATE:
+    navigating on increments.
 
-    After sins.ERROR_DIVERGED and sins.ERROR_SINGULAR the step is not made, and the solution before it stays readable;
-    sins.reposition() or sins.reset() start anew.
+    After sins.ERROR_DIVERGED and sins.ERROR_SINGULAR the step is not made, and the solution before it stays readable.
+    The samples stay in the queue, so a further sins.step() tries the same interval again. sins.reposition() or
+    sins.reset() start anew.
     """
 
 
@@ -2302,10 +2332,10 @@ def move_time(sim, time_s):
     """Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp
     time_s [s], and later samples must have later stamps. time_s is the time that the clock shows when the vehicle
     moves again. Everything else stays: errors, noise, waiting samples, sensor processes, failures and running
-    figures. The grid of a stated period moves along. The flight continues to the same bits as one whose stamps never
-    jumped, if the differences between successive stamps are the same doubles; with a stated period they always are.
-    (If the samples have no velocities, the differences over three samples must be the same doubles too. Durations in
-    sins.accuracy have the rounding of the time stamps.) The host must also move its flight_start_s of
+    figures. The grid of a stated period moves along. The outputs have the same bits as those of a flight without the
+    jump of time, if the differences between successive time stamps are the same doubles. With a stated period this is
+    always so. (If the samples have no velocities, the differences over three samples must be the same doubles too.
+    Durations in sins.accuracy have the rounding of the time stamps.) The host must also move its flight_start_s of
     sins.scene_prepare() by the same time.
 
     sins.ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
@@ -2316,21 +2346,22 @@ def move_time(sim, time_s):
 @_function(status, sim, POINTER(flight_sample))
 def move_truth(sim, sample):
     """Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the
-    previous sample to this one, so the errors do not grow between them. From both sources, sins.get_errors() reports
-    the same errors as before: position error in metres (along the truth's east and north, and in height), velocity
-    error (components) and misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth depends on gravity,
-    latitude and velocity at the new place. Noise, sensor processes, failures, the vertical channel, the altimeter's
-    error and running figures continue, and no random number changes. (The scale factor error of the altimeter is that
-    of the new height.) The sensors follow the new signals immediately. Waiting samples are dropped. The time may jump
-    too: the running figures and the grid of a stated period then move with it, as in sins.move_time(). sins.get_imu()
-    still reports the previous interval. If the sample has no velocity, the velocity of the solution is its velocity
-    error alone until the next sample is pushed.
+    previous sample to this one, so the errors do not change at the slew. For both values of source, sins.get_errors()
+    reports the same errors before and after it: position error in metres (along the truth's east and north, and in
+    height), velocity error (components) and misalignment, to 1e-8 m, 1e-11 m/s and 1e-14 rad. Their further growth
+    depends on gravity, latitude and velocity at the new place. Noise, sensor processes, failures, the vertical
+    channel, the altimeter's error and running figures continue, and no random number changes. (The scale factor error
+    of the altimeter is that of the new height.) The sensors follow the new signals immediately. Waiting samples are
+    dropped. The time may jump too: the running figures and the grid of a stated period then move with it, as in
+    sins.move_time(). sins.get_imu() still reports the previous interval. If the sample has no velocity, the library
+    takes the true velocity as 0 until the next sample is pushed. The navigated velocity is then equal to the velocity
+    error.
 
     If the vehicle is within 20 km of the Earth's axis before or after the slew, the east and north components of
-    truth and solution are not comparable. The errors of velocity and attitude are then kept in the truth's axes,
-    turned to the solution's vertical by the shortest rotation. With a mounting, the errors of the sensor block are
-    kept. The errors of the reference point follow from them with the lever arm, the boresight and their errors, in
-    the new attitude.
+    truth and solution are not comparable. The axes of the solution are then those of the truth, turned by the
+    shortest rotation so that up is the vertical of the solution. In these axes the components of the velocity error
+    and of the misalignment are kept. With a mounting, the errors of the sensor block are kept. The errors of the
+    reference point follow from them with the lever arm, the boresight and their errors, in the new attitude.
 
     Before the first step there are no errors to keep, and the call acts as sins.reposition().
 
@@ -2344,18 +2375,18 @@ def move_truth(sim, sample):
 @_function(status, sim, POINTER(flight_sample))
 def reposition(sim, sample):
     """Restarts the INS after the flight simulator was reloaded: the truth jumps to the sample, and the INS starts again
-    there with its initial errors. Its previous errors are lost; to keep them, call sins.move_truth() (slew) or
-    sins.move_time() (pause) instead. Noise and failures continue. Waiting samples and the running accuracy figures
-    are dropped. The time may jump too, forward or back: the run, and the grid of a stated period, continue from the
-    sample's time stamp. Until the next step, the reads give the state at this sample, and there is no interval to
-    read. The call may be the first of a run: the sample is then the first one, and the next push completes an
-    interval.
+    there with its initial errors. The initial errors have the same random numbers as at the first start. The previous
+    errors of the INS are lost; to keep them, call sins.move_truth() (slew) or sins.move_time() (pause) instead. Noise
+    and failures continue. Waiting samples and the running accuracy figures are dropped. The time may jump too,
+    forward or back: the run, and the grid of a stated period, continue from the sample's time stamp. Until the next
+    step, the reads give the state at this sample, and there is no interval to read. The call may be the first of a
+    run: the sample is then the first one, and the next push completes an interval.
 
     sins.ERROR_INVALID_ARGUMENT: as sins.push_sample().
     sins.ERROR_BAD_STATE: navigating on increments.
 
-    If no INS can start there (too close to a pole, in geographic axes or for gyrocompassing), the reads and the next
-    step return the error.
+    This call returns sins.OK even if no INS can start at the sample. The reads and the next step then return
+    sins.ERROR_SINGULAR (too close to a pole, in geographic axes or for gyrocompassing) or sins.ERROR_DIVERGED.
     """
 
 
@@ -2370,10 +2401,10 @@ def reset(sim):
 @_function(status, sim, _Array(c_char), POINTER(c_size_t))
 def last_error(sim, buffer, needed):
     """Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8
-    and always terminated; it is "no error" if no call failed. A NULL handle selects the last failed call on this
-    thread that has no simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend, budget),
-    or whose handle was rejected (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see Threads). A failure of this call
-    or of sins.last_error_info() is not kept.
+    and always terminated; it is "no error" if no call failed. With a NULL handle the function gives the last failed
+    call of this thread that was made without a simulator (create, presets, flights, ensembles, statistics, scenes,
+    logs, recommend, budget), or whose handle was rejected (sins.ERROR_BAD_HANDLE, or sins.ERROR_BAD_STATE: see
+    Threads). A failure of this call or of sins.last_error_info() is not kept.
 
     needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for
     the size only. sins.ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -2382,9 +2413,7 @@ def last_error(sim, buffer, needed):
 
 @_function(status, sim, POINTER(error_info))
 def last_error_info(sim, info):
-    """Reads the last failed call on this handle as a struct; with a NULL handle, that on this thread. It is the failure
-    of which sins.last_error() gives the sentence.
-    """
+    """Gives the same failure as sins.last_error(), as a struct."""
 
 
 @_function(status, sim, POINTER(gyro_params))
@@ -2400,7 +2429,9 @@ def set_gyro(sim, params):
 
 @_function(status, sim, POINTER(gyro_params))
 def get_gyro(sim, params):
-    """Reads the gyro errors, as they were set last: at any moment, also after sins.snapshot_load()."""
+    """Reads the gyro errors that are set. May be called at any moment. After sins.snapshot_load() they are those of the
+    snapshot.
+    """
 
 
 @_function(status, sim, POINTER(accel_params))
@@ -2414,7 +2445,9 @@ def set_accel(sim, params):
 
 @_function(status, sim, POINTER(accel_params))
 def get_accel(sim, params):
-    """Reads the accelerometer errors, as they were set last: at any moment, also after sins.snapshot_load()."""
+    """Reads the accelerometer errors that are set. May be called at any moment. After sins.snapshot_load() they are
+    those of the snapshot.
+    """
 
 
 @_function(status, sim, POINTER(altimeter_params))
@@ -2428,7 +2461,9 @@ def set_altimeter(sim, params):
 
 @_function(status, sim, POINTER(altimeter_params))
 def get_altimeter(sim, params):
-    """Reads the errors of the altimeter, as they were set last: at any moment, also after sins.snapshot_load()."""
+    """Reads the errors of the altimeter that are set. May be called at any moment. After sins.snapshot_load() they are
+    those of the snapshot.
+    """
 
 
 @_function(status, sim, c_int32, c_int32, POINTER(failure))
@@ -2438,11 +2473,11 @@ def set_failure(sim, sensor, axis, failure):
     Several outputs may fail at the same time.
 
     sensor is of enum sins.sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before
-    dead zone, range and quantization, the other kinds replace the output. The random numbers of other effects do not
-    change. Sensor processes continue during a failure, and act on the output again when it is cleared. A failure acts
-    on error data 1 and on error data 2. It does not act on the alignment at the start. sins.reposition() keeps
-    failures. sins.reset() clears all failures, so an exercise starts again with working sensors; failures that are
-    set again at the same intervals give the same bits.
+    dead zone, range and quantization. sins.FAILURE_STUCK, sins.FAILURE_DEAD and sins.FAILURE_DROP_OUTS replace the
+    output. The random numbers of other effects do not change. Sensor processes continue during a failure, and act on
+    the output again when it is cleared. A failure acts on error data 1 and on error data 2. It does not act on the
+    alignment at the start. sins.reposition() keeps failures. sins.reset() clears all failures, so an exercise starts
+    again with working sensors; failures that are set again at the same intervals give the same bits.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes
     the solution diverge, sins.step() returns sins.ERROR_DIVERGED.
@@ -2451,8 +2486,8 @@ def set_failure(sim, sensor, axis, failure):
 
 @_function(status, sim, c_int32, c_int32, POINTER(failure))
 def get_failure(sim, sensor, axis, failure):
-    """Reads the failure of one output: at any moment, also after sins.snapshot_load(). sins.FAILURE_NONE: the output has
-    no failure. sensor and axis as in sins.set_failure().
+    """Reads the failure of one output. May be called at any moment. After sins.snapshot_load() it is that of the
+    snapshot. sins.FAILURE_NONE: the output has no failure. sensor and axis as in sins.set_failure().
 
     sins.ERROR_INVALID_ARGUMENT: no such output.
     """
@@ -2460,7 +2495,8 @@ def get_failure(sim, sensor, axis, failure):
 
 @_function(status, sim, POINTER(initial_errors))
 def set_initial_errors(sim, errors):
-    """Sets the errors with which the navigation starts: before the first step, after a reset or after a reposition.
+    """Sets the errors with which the navigation starts. Allowed before the first step, and after a reset or a reposition
+    until the next step. After a reposition they apply to the start at its sample.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     sins.ERROR_BAD_STATE: steps have been made.
@@ -2469,16 +2505,16 @@ def set_initial_errors(sim, errors):
 
 @_function(status, sim, POINTER(initial_errors))
 def get_initial_errors(sim, errors):
-    """Reads the errors with which the navigation starts, as they were set last: at any moment, also after
-    sins.snapshot_load().
+    """Reads the set errors with which the navigation starts. May be called at any moment. After sins.snapshot_load()
+    they are those of the snapshot.
     """
 
 
 @_function(status, sim, POINTER(mounting))
 def set_mounting(sim, mounting):
-    """Sets the mounting of the sensor block: before the first step, after a reset or after a reposition. A reset and a
-    reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is that of the
-    block.
+    """Sets the mounting of the sensor block. Allowed before the first step, and after a reset or a reposition until the
+    next step. A reset and a reposition keep the mounting. The mounting does not affect a navigator on increments: its
+    solution is that of the block.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     sins.ERROR_BAD_STATE: steps have been made.
@@ -2487,15 +2523,17 @@ def set_mounting(sim, mounting):
 
 @_function(status, sim, POINTER(mounting))
 def get_mounting(sim, mounting):
-    """Reads the mounting of the sensor block, as it was set last: at any moment, also after sins.snapshot_load()."""
+    """Reads the mounting of the sensor block that is set. May be called at any moment. After sins.snapshot_load() it is
+    that of the snapshot.
+    """
 
 
 @_function(status, sim, POINTER(gravity_params))
 def set_gravity_disturbance(sim, params):
-    """Sets the gravity disturbance, true gravity less normal gravity: before the first step, after a reset or after a
-    reposition. A reset brings the same field back; after a reposition the field continues from its current values.
-    The disturbance does not affect a navigator on increments, because the host's increments already contain its
-    effect.
+    """Sets the gravity disturbance, true gravity less normal gravity. Allowed before the first step, and after a reset
+    or a reposition until the next step. A reset brings the same field back; after a reposition the field continues
+    from its current values. The disturbance does not affect a navigator on increments, because the host's increments
+    already contain its effect.
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range.
     sins.ERROR_BAD_STATE: steps have been made.
@@ -2504,27 +2542,27 @@ def set_gravity_disturbance(sim, params):
 
 @_function(status, sim, POINTER(gravity_params))
 def get_gravity_disturbance(sim, params):
-    """Reads the parameters of the gravity disturbance, as they were set last: at any moment, also after
-    sins.snapshot_load().
+    """Reads the parameters of the gravity disturbance that are set. May be called at any moment. After
+    sins.snapshot_load() they are those of the snapshot.
     """
 
 
 @_function(status, sim, _Array(flight_sample, is_input=True), c_size_t, _Array(record), POINTER(c_size_t))
 def run(sim, samples, every, records, written):
-    """Pushes and steps an array of count samples. Writes a record whenever the number of intervals since the flight's
-    start is a multiple of `every`. Any split of a flight into calls gives the same bits and the same records as
-    pushing and stepping sample by sample.
+    """Pushes and steps an array of count samples. Writes a record after each `every` intervals, counted as in
+    sins.accuracy.intervals. There is no record for the first sample. Any split of a flight into calls gives the same
+    bits and the same records as pushing and stepping sample by sample.
 
-    samples[0].struct_size is the distance between samples, records[0].struct_size that between records. struct_size
-    of the other samples may be 0, that of the other records anything. every 0: no records. written (may be NULL) gets
-    the number of records, also on an error.
+    samples[0].struct_size is the size in bytes of each element of samples, records[0].struct_size that of each
+    element of records. struct_size of the other samples may be 0, that of the other records anything. every 0: no
+    records. written (may be NULL) gets the number of records that were written, also on an error.
 
     sins.GAP: all samples were flown and all records written, and at least one of the samples pushed here ended a gap;
-    if sins.options.truth_summary is on, sins.truth_summary.gaps is their number.
-    sins.ERROR_BUFFER_TOO_SMALL: capacity does not hold the records that the call would make; nothing is flown.
+    if sins.options.truth_summary is on, sins.truth_summary.gaps is their number. sins.ERROR_BUFFER_TOO_SMALL:
+    capacity does not hold the records that the call would make. Nothing is flown, and written gets 0.
     sins.ERROR_BAD_STATE: navigating on increments.
 
-    Any error of sins.push_sample() or sins.step() stops the run at the sample that it concerns; sins.last_error()
+    An error of sins.push_sample() or sins.step() ends the call at the sample that caused the error; sins.last_error()
     names this sample. The samples before it were flown, this sample and the rest were not. sins.accuracy.intervals
     counts the flown intervals. A sample that could be pushed but not flown waits in the queue, as after sins.step();
     sins.reposition() and sins.reset() empty the queue.
@@ -2612,12 +2650,12 @@ def get_record(sim, record):
 
 @_function(status, POINTER(record), _Array(c_double, is_input=True), POINTER(covariance), _Array(c_char), POINTER(c_size_t))
 def record_line(record, sensor_errors, covariance, buffer, needed):
-    """Writes a record as a line of comma-separated values, without the end of the line, as the program sins writes its
-    files of records. If record is NULL, the line has the names of the columns. Numbers read back to the bit.
-    sensor_errors are count = 6 numbers: the mean errors of the gyros [rad/s] and of the accelerometers [m/s2] since
-    the record before, x, y, z of each. NULL with count 0: all are 0. covariance adds columns of standard deviations;
-    NULL: none. buffer, capacity and needed as in sins.last_error(); a line has at most 1600 bytes. Not for a
-    real-time frame: it allocates.
+    """Writes a record as one line of comma-separated values, without the newline. The program sins writes its files of
+    records in this format. If record is NULL, the line has the names of the columns. The decimal numbers are exact:
+    reading them gives the same doubles. sensor_errors is an array of count = 6 numbers: x, y, z of the mean gyro
+    error [rad/s], then x, y, z of the mean accelerometer error [m/s2], since the previous record. NULL with count 0:
+    all are 0. covariance adds columns of standard deviations; NULL: none. buffer, capacity and needed as in
+    sins.last_error(); a line has at most 1600 bytes. Not for a real-time frame: it allocates.
 
     sins.ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
     sins.ERROR_OUT_OF_MEMORY: no memory for the text.
@@ -2627,10 +2665,10 @@ def record_line(record, sensor_errors, covariance, buffer, needed):
 @_function(status, sim, POINTER(navigation))
 def start_navigation(sim, navigation):
     """Starts the simulator as a navigator only: it navigates on the increments of sins.push_imu(). The argument
-    navigation gives the start: time, position, velocity and attitude (quaternion_nb; the angles are not read). Ranges
-    are those of a flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not
-    apply. There is no truth: the vertical channel is free, and flagged so, and the reads of errors and accuracy
-    return sins.ERROR_BAD_STATE until sins.reset().
+    navigation gives the start: time, position, velocity and attitude (quaternion_nb; the angles and the flags are not
+    read). Ranges are those of a flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that
+    are set do not apply. There is no truth: the vertical channel is free, and flagged so, and the reads of errors and
+    accuracy return sins.ERROR_BAD_STATE until sins.reset().
 
     sins.ERROR_INVALID_ARGUMENT: a value out of its range. sins.ERROR_BAD_STATE: samples were pushed, or the navigator
     was started before (call sins.reset() first); or temperature coefficients are set, but increments have no
@@ -2654,16 +2692,16 @@ def push_imu(sim, increment):
 
 @_function(status, sim, POINTER(c_size_t))
 def snapshot_size(sim, size):
-    """Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples.
-    Without waiting samples it is 1.3 to 2.1 KiB without sensor errors, up to 4.5 KiB with every error of gyros,
-    accelerometers and altimeter, and up to 5.25 KiB with mounting, gravity, temperature and failures too. Each
-    waiting sample adds up to 154 bytes, and sins.options.covariance up to 9.2 KiB.
+    """Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. These
+    sizes are without waiting samples. Without sensor errors it is 1.3 to 2.1 KiB, by the options. With every error of
+    gyros, accelerometers and altimeter it is up to 4.5 KiB. With mounting, gravity, temperature and failures too it
+    is up to 5.25 KiB. Each waiting sample adds up to 154 bytes, and sins.options.covariance up to 9.2 KiB.
     """
 
 
 @_function(status, sim, _Array(c_char), POINTER(c_size_t))
 def snapshot_save(sim, buffer, written):
-    """Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every block, and the
+    """Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every stage, and the
     position of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and
     hold no address, so they can be kept in a file or sent to another machine. The same state gives the same bytes. No
     allocation, no system call.
@@ -2691,10 +2729,11 @@ def snapshot_load(sim, snapshot):
 
 @_function(status, sim, c_uint64, c_size_t, _New(ensemble))
 def ensemble_create(configured, first_run, runs, ensemble):
-    """Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator that has its options,
-    sensors, initial errors, mounting, gravity and failures, and has taken no sample. The call copies it, and does not
-    change it. Run k of the ensemble gives the same bits as a simulator with the same settings and sins.options.run =
-    k. In the options of configured, run, truth_summary and covariance have no effect.
+    """Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator on which options,
+    sensor errors, initial errors, mounting, gravity disturbance and failures are set, and to which no sample was
+    pushed. The call copies it, and does not change it. Run k of the ensemble gives the same bits as a simulator with
+    the same settings and sins.options.run = k. Three options of configured have no effect: run, truth_summary and
+    covariance.
 
     No run depends on another run. So different threads, processes and machines may fly ensembles of different runs,
     and their statistics can be merged. The library starts no thread.
@@ -2713,7 +2752,8 @@ def ensemble_create(configured, first_run, runs, ensemble):
 
 @_function(status, ensemble)
 def ensemble_destroy(ensemble):
-    """Destroys an ensemble, after calls on it in other threads have returned. The handle is never used again.
+    """Waits until the calls of other threads on this handle have returned, and destroys the ensemble. The handle is
+    never used again.
 
     sins.ERROR_BAD_HANDLE: null, made up, or destroyed before.
     """
@@ -2746,12 +2786,12 @@ def ensemble_step(ensemble):
 def ensemble_run(ensemble, samples):
     """Pushes and steps an array of count samples. With thousands of runs this is faster than single calls. Any split of
     a flight into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the
-    distance between samples; struct_size of the other samples may be 0.
+    size in bytes of each element of samples; struct_size of the other samples may be 0.
 
-    sins.GAP: all samples were flown, and at least one of them ended a gap. Any error of sins.ensemble_push_sample()
-    or sins.ensemble_step() stops the run at the sample that it concerns, which sins.last_error() names: the samples
-    before it were flown, this one and the rest were not. A sample that could be pushed but not flown waits in the
-    queue.
+    sins.GAP: all samples were flown, and at least one of them ended a gap. An error of sins.ensemble_push_sample() or
+    sins.ensemble_step() ends the call at the sample that caused the error; sins.last_error() names this sample. The
+    samples before it were flown, this sample and the rest were not. A sample that could be pushed but not flown waits
+    in the queue.
     """
 
 
@@ -2825,8 +2865,8 @@ def ensemble_get_imu(ensemble, run, imu):
 
 @_function(status, ensemble, c_size_t, POINTER(c_uint64))
 def ensemble_get_diverged(ensemble, index, run):
-    """Reads the number of a run that has diverged. The numbers are in ascending order, from index 0;
-    sins.statistics.diverged is their count.
+    """Reads the run number of diverged run `index`, from 0. The run numbers are in ascending order.
+    sins.statistics.diverged is the number of diverged runs.
 
     sins.ERROR_INVALID_ARGUMENT: index is not below the count of diverged runs.
     """
@@ -2847,9 +2887,9 @@ def ensemble_get_statistics(ensemble, source, statistics):
 
 @_function(status, POINTER(statistics), POINTER(statistics))
 def statistics_merge(into, other):
-    """Adds the runs of other to those of into. The caller makes sure that no run is in both. The sums are exact: any
+    """Adds the runs of `other` to those of `into`. The caller makes sure that no run is in both. The sums are exact: any
     order and any grouping of merges gives the same bits, so the work can be split over threads, processes, machines
-    and restarts in any way. An into that is zero except for struct_size holds no runs.
+    and restarts in any way. If `into` is zero except for struct_size, it holds no runs.
 
     sins.ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or the sum would have more than
     4294967295 runs. into is then unchanged.
@@ -2880,9 +2920,9 @@ def ensemble_snapshot_save(ensemble, buffer, written):
 
 @_function(status, ensemble, _Array(c_char, is_input=True))
 def ensemble_snapshot_load(ensemble, snapshot):
-    """Replaces the ensemble by the saved one, including its runs and options. So an ensemble of one run of any simulator
-    is enough. It continues to the same bits as the saved one. size is the size that sins.ensemble_snapshot_save()
-    wrote. Not for a real-time frame: it allocates.
+    """Replaces the ensemble by the saved one, including its runs and options. So the handle may be any ensemble, for
+    example of one run. The loaded ensemble continues with the same bits as the saved one. size is the size that
+    sins.ensemble_snapshot_save() wrote. Not for a real-time frame: it allocates.
 
     sins.ERROR_SNAPSHOT: the bytes are not a snapshot of an ensemble, or are cut off, altered, or of a newer release;
     nothing has changed, and sins.last_error(NULL, ...) reports which it is. sins.ERROR_OUT_OF_MEMORY: no memory for a
@@ -2912,11 +2952,11 @@ def accel_preset(grade, params):
 def flight_create(start, manoeuvres, flight):
     """Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed
     forms of time, smooth to the third derivative; the position is their integral, exact to rounding.
-    manoeuvres[0].struct_size is the distance between the manoeuvres.
+    manoeuvres[0].struct_size is the size in bytes of each element of manoeuvres.
 
     Not for a real-time frame: it allocates, and integrates the path in pieces, about 15 us and 0.5 KB each. A piece
-    is up to 600 s of straight flight, or about a period of a fast sinusoid of course, climb or speed; sinusoids of
-    roll, pitch and heading need no pieces.
+    of straight flight lasts up to 600 s. With a fast sinusoid of course, climb or speed, a piece is about one period.
+    Sinusoids of roll, pitch and heading need no pieces.
 
     On an error *flight is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason.
 
@@ -2955,9 +2995,9 @@ def scene_create(scene):
 
     On an error *scene is unchanged, and sins.last_error(NULL, ...) on this thread gives the reason, as for every
     function of scenes. sins.ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only
-    sins.scene_prepare() and sins.scene_prepare_ensemble() are for a real-time frame. The others first check that all
-    the memory of the call is available. If memory runs out later within the call, because another thread takes it,
-    the process ends. sins.log_parse() does the same, except that running out of memory for the samples is always
+    sins.scene_prepare() and sins.scene_prepare_ensemble() are for a real-time frame. The other functions of scenes
+    first check that enough memory is free for the call. If another thread takes this memory during the call, the
+    process ends. sins.log_parse() does the same, except that running out of memory for the samples is always
     sins.ERROR_OUT_OF_MEMORY.
     """
 
@@ -3020,9 +3060,9 @@ def scene_write_keys(buffer, needed):
 
 @_function(status, scene, _New(sim))
 def scene_create_simulator(scene, sim):
-    """Creates the simulator of the scene, ready for the first sample: options, sensors, start, mounting, gravity.
-    sins.scene_prepare() sets the failures at their times. If the flight is not a log, sins.options.sample_period_s of
-    the simulator is 1 / rate_hz.
+    """Creates the simulator of the scene, ready for the first sample: options, sensor errors, initial errors, mounting,
+    gravity disturbance. sins.scene_prepare() sets the failures at their times. If the flight is not a log,
+    sins.options.sample_period_s of the simulator is 1 / rate_hz.
 
     sins.ERROR_INVALID_ARGUMENT: settings that do not go together.
     sins.ERROR_BAD_STATE: as sins.scene_parse().
@@ -3051,10 +3091,11 @@ def scene_destroy(scene):
 @_function(status, scene, sim, c_double, POINTER(flight_sample))
 def scene_prepare(scene, sim, flight_start_s, sample):
     """Prepares the next interval: call this function before each push, and call sins.step() before you call it again.
-    The sample gets the temperature of the scene, if the scene has one. Failures of the scene begin and end on sim at
-    the first interval that starts at or after their time. If the scene plans no failure of an output, the call does
-    not touch the failure of that output. flight_start_s is the time stamp of the flight's first sample. No
-    allocation, no system call.
+    The sample gets the temperature of the scene, if the scene has one. The call sets and clears the failures of the
+    scene on sim. A failure begins at the first interval that starts at or after from_s, and ends at the first
+    interval that starts at or after until_s. If the scene plans no failure of an output, the call does not touch the
+    failure of that output. flight_start_s is the time stamp of the flight's first sample. No allocation, no system
+    call.
 
     sins.ERROR_BAD_HANDLE: scene or sim is not a valid handle.
     sins.ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
@@ -3182,8 +3223,9 @@ def scene_set_setup(scene, setup):
 @_function(status, scene, POINTER(flight_start), _Array(manoeuvre), POINTER(c_size_t), POINTER(c_size_t))
 def scene_get_manoeuvres(scene, start, manoeuvres, count, repeat):
     """Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number
-    (count), and how many times all of them are flown (repeat). manoeuvres[0].struct_size is the distance between the
-    manoeuvres. start and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
+    (count), and how many times all of them are flown (repeat). manoeuvres[0].struct_size is the size in bytes of each
+    element of manoeuvres. start and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a
+    capacity of 0.
 
     sins.ERROR_BUFFER_TOO_SMALL: capacity is less than the number of manoeuvres; only count was written.
     sins.ERROR_BAD_STATE: the flight is a log; or as sins.scene_parse().
@@ -3212,7 +3254,7 @@ def scene_get_text(scene, which, buffer, needed):
 @_function(status, scene, c_int32, _Text)
 def scene_set_text(scene, which, text):
     """Sets a text of the scene; which is of enum sins.scene_text. The text is UTF-8, terminated, at most 4096 bytes. An
-    empty text clears it; a text that selects the flight cannot be empty.
+    empty text clears it, except sins.SCENE_TEXT_LOG and sins.SCENE_TEXT_BUILTIN, which cannot be empty.
 
     sins.ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
     """
@@ -3258,9 +3300,9 @@ def scene_get_value(scene, path, buffer, needed):
     """Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three),
     "gyro.bias_deg_h[1]" (that of the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg",
     "manoeuvre[3].sinusoid[0].channel", "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes.
-    The text is empty if the scene has no such value: for example flight.hours, if the scene flies the whole flight.
-    The scene stores numbers in SI: read in another unit they may be rounded. The scene does not store the name of a
-    preset, only the errors that the preset sets.
+    The text is empty if the scene has no such value. For example, flight.hours is empty if the scene flies the whole
+    flight. The scene stores numbers in SI, so a number read in another unit may be rounded. The scene does not store
+    the name of a preset, only the errors that the preset sets.
 
     The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins.scene_set_items(). A built-in flight
     and a log have no such manoeuvres. buffer, capacity and needed as in sins.scene_write().
@@ -3273,10 +3315,10 @@ def scene_get_value(scene, path, buffer, needed):
 def scene_set_values(scene, values):
     """Sets up to 4096 values of the scene, all or none. values is a terminated text in UTF-8. Each line is path = value,
     with a path as in sins.scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written
-    as in the text of a scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the
-    default, and sets a single element to 0. If a value is set twice, the last one counts. gyro.preset replaces all
-    errors of the gyros, accelerometer.preset those of the accelerometers, before the other lines are applied,
-    wherever it stands. flight.file and flight.builtin replace the flight.
+    as in the text of a scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default
+    of the key. If the path is a single element (gyro.bias_deg_h[1] =), it sets 0. If a value is set twice, the last
+    one counts. gyro.preset replaces all errors of the gyros, accelerometer.preset those of the accelerometers, before
+    the other lines are applied, wherever it stands. flight.file and flight.builtin replace the flight.
 
     The scene is then checked as sins.scene_parse() checks a text. Set values that depend on each other in one call,
     such as the kind of a manoeuvre and its quantities.
@@ -3291,8 +3333,8 @@ def scene_set_items(scene, list, items):
     """Replaces all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text
     of a scene: [[manoeuvre]] and its keys, and so on. sins.scene_get_value() gives the text of one item. To add,
     remove or move an item, give the texts of all items that the list shall have, in order. An empty text removes all
-    failures. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0,
-    longitude 0, height 0.
+    failures; for "manoeuvre" an empty text is a fault. If the flight was a built-in flight, the manoeuvres begin at
+    its start; if it was a log, at latitude 0, longitude 0, height 0.
 
     sins.ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was.
     sins.scene_get_fault() gives every fault with the line in items and the path. sins.ERROR_OUT_OF_MEMORY: as
@@ -3310,9 +3352,11 @@ def log_parse(text, log, fault):
     heading_rad or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s,
     rate_z_rad_s; force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
 
-    Frames and signs are those of sins.flight_sample. A log has at least two samples, each later than the one before.
-    The ranges of the values are checked when a sample is pushed. The library does not keep the bytes. Not for a
-    real-time frame: it allocates, 184 bytes a sample.
+    The three velocities are all present or all absent; so are the three rates, and the three forces. Without
+    velocities the samples have sins.SAMPLE_NO_VELOCITY. Two columns of one quantity are a fault. Frames and signs are
+    those of sins.flight_sample. A log has at least two samples, each later than the one before. The ranges of the
+    values are checked when a sample is pushed. The library does not keep the bytes. Not for a real-time frame: it
+    allocates, 184 bytes a sample.
 
     sins.ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its
     place, sins.last_error(NULL, ...) gives both as a sentence, and *log is unchanged. sins.ERROR_OUT_OF_MEMORY: no
@@ -3344,8 +3388,8 @@ def log_destroy(log):
 
 @_function(status, scene, log, POINTER(scene_samples))
 def scene_get_samples(scene, log, samples):
-    """Reads which samples the scene flies. For a flight of manoeuvres or a built-in flight log is NULL; sample k is then
-    sins.flight_sample_at(flight, k / rate_hz) of sins.scene_create_flight(). For a log, sample k is
+    """Reads which samples the scene flies. If the flight is composed of manoeuvres or is built-in, give NULL for `log`;
+    sample k is then sins.flight_sample_at(flight, k / rate_hz) of sins.scene_create_flight(). For a log, sample k is
     sins.log_get_sample(log, k); the samples end at the duration that the scene sets.
 
     sins.ERROR_INVALID_ARGUMENT: the flight is not valid, the log has no second sample within the duration, or
@@ -3358,22 +3402,24 @@ def scene_get_samples(scene, log, samples):
 @_function(status, sim, _Array(flight_sample, is_input=True), POINTER(requirement), POINTER(options), POINTER(cost))
 def recommend(configured, samples, requirement, options, cost):
     """Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples.
-    No cheaper algorithm meets it. samples[0].struct_size is the distance between the samples.
+    samples[0].struct_size is the size in bytes of each element of samples.
 
     configured is a simulator as the host flies it, at any moment. The call uses only its options and its mounting,
     reads them at the start, and neither steps nor changes the simulator. NULL is the recommended simulator with its
-    sensor block at the reference point. options gets the options of configured, but with scheme, subsamples and
-    updates_per_sample of the answer, ready for sins.create(). The values of these three in configured do not matter.
+    sensor block at the reference point. The output `options` gets the options of configured, ready for sins.create().
+    Only scheme, subsamples and updates_per_sample are replaced by the recommended values. The values of these three
+    in configured do not matter.
 
     Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample
-    with a reference, a solution with 16 updates of 5 subsamples. The uncertainty of the reference (its difference
-    from a solution with half as many updates) is added to the error. The error is that of the algorithm only. Errors
-    of sensors, altimeter, start, gravity and believed mounting, and contradictions within the host's samples, are
-    left out, because they act on both solutions alike. The signals are without the trim of sins.SIGNAL_CLOSED_LOOP,
-    which would hide the error. For a duration beyond the piece, the call assumes that the piece is flown again and
-    again. Each time adds the same errors with the same sign, and the errors grow by the Schuler oscillation with the
-    worst phase. If the flight continues like the piece, its errors are smaller than this prediction. With
-    sins.VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
+    with a reference: a solution of sins.SCHEME_POLYNOMIAL in Earth-fixed axes with 16 updates of 5 subsamples. The
+    uncertainty of the reference (its difference from a solution with half as many updates) is added to the error. The
+    error is that of the algorithm only. Errors of sensors, altimeter and believed mounting, initial errors, the
+    gravity disturbance, and contradictions within the host's samples are left out, because they act on both solutions
+    alike. The signals are without the trim of sins.SIGNAL_CLOSED_LOOP, which would hide the error. If the duration is
+    longer than the piece, the call assumes that the piece is repeated. Each repetition adds the same errors with the
+    same sign. The call assumes the worst phase of the Schuler oscillation. If the flight continues like the piece,
+    its errors are smaller than this prediction. With sins.VERTICAL_FREE each error is taken as a height error, which
+    grows e-fold every 569 s.
 
     Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only
     ns_per_step differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms
@@ -3391,23 +3437,23 @@ def recommend(configured, samples, requirement, options, cost):
 @_function(status, sim, _Array(flight_sample, is_input=True), POINTER(budget_request), _Array(budget_row), POINTER(c_size_t), POINTER(budget))
 def error_budget(configured, samples, request, rows, written, budget):
     """Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and
-    which can be left out. samples[0].struct_size is the distance between samples, rows[0].struct_size that between
-    rows. struct_size of the other samples may be 0, that of the other rows anything.
+    which can be left out. samples[0].struct_size is the size in bytes of each element of samples, rows[0].struct_size
+    that of each element of rows. struct_size of the other samples may be 0, that of the other rows anything.
 
     configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those
-    of gyros, accelerometers, altimeter, start, mounting and gravity, but not its failures. The call reads them at the
-    start, and neither steps nor changes the simulator. NULL is the recommended simulator without errors. NULL for
-    request is 16 runs and no limits. written and budget may be NULL.
+    of gyros, accelerometers and altimeter, the initial errors, and those of mounting and gravity, but not its
+    failures. The call reads them at the start, and neither steps nor changes the simulator. NULL is the recommended
+    simulator without errors. NULL for request is 16 runs and no limits. written and budget may be NULL.
 
-    Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. (Two
-    settings are not effects. The misalignment that sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect
-    that causes this misalignment. All runs fly with lever_arm_m and boresight_rad of the mounting.) The contribution
-    of an effect is the error (navigation less truth) of a run with this effect alone, less the error of a run with no
-    effect. The row has the length of this vector for position, velocity and misalignment: the largest length at up to
-    1000 instants, equally spaced, and the length at the last sample. The contribution of a random effect is one
-    standard deviation, by the covariance of a flight with this effect alone (sins.BUDGET_RANDOM; see
-    sins.covariance); it is exact to first order. All effects together are flown in several runs, with the random
-    numbers of the runs sins.options.run, run + 1 and so on.
+    Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. These
+    settings are not effects: the alignment, and lever_arm_m and boresight_rad of the mounting. The misalignment that
+    sins.ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this misalignment. All runs use
+    lever_arm_m and boresight_rad. The contribution of an effect is the error (navigation less truth) of a run with
+    this effect alone, less the error of a run with no effect. For position, velocity and misalignment the row has two
+    lengths of the contribution. One is the largest length at up to 1000 equally spaced instants. The other is the
+    length at the last sample. The contribution of a random effect is one standard deviation, by the covariance of a
+    flight with this effect alone (sins.BUDGET_RANDOM; see sins.covariance), from linear error equations. All effects
+    together are flown in several runs, with the random numbers of the runs sins.options.run, run + 1 and so on.
 
     rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered
     by position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The
@@ -3415,11 +3461,11 @@ def error_budget(configured, samples, request, rows, written, budget):
     numbers. It comes from effects that act on each other, and is of second order in their sizes.
 
     With limits, the call marks the effects that can be left out together (sins.BUDGET_CAN_BE_LEFT_OUT). It goes
-    through the effects in the order of their shares, the smallest first, and collects each effect that still fits. A
-    collection fits if the root sum of squares of D and R is within each limit: D is the sum of its deterministic
-    contributions, and R is the root sum of squares of its random contributions. Then the call flies all runs again
-    without these effects. While the change (left_out) exceeds a limit, it puts back the largest of the effects that
-    were left out.
+    through the effects in the order of their shares, the smallest first, and collects each effect that still fits.
+    For position, velocity and misalignment separately, let D be the sum of the deterministic contributions of a
+    collection, and R the root sum of squares of its random contributions. The collection fits if sqrt(D^2 + R^2) is
+    at most the limit, for each limit that is given. Then the call flies all runs again without these effects. While
+    the change (left_out) exceeds a limit, it puts back the largest of the effects that were left out.
 
     The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time
     frame: it allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once
