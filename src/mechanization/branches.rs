@@ -1,6 +1,7 @@
-//! The rare branches of an update: the single navigator asks at each of them, a loop over many has asked before.
+//! The rare branches of an update. The single navigator tests the condition at each branch; a loop over many navigators has tested
+//! it before.
 //!
-//! One formula serves both: with [`Usual`] it has no branch and no call left, so that the compiler can compute the runs of a loop
+//! Both use the same formula. With [`Usual`] the formula has no branch and no call, so the compiler can compute the runs of a loop
 //! side by side.
 
 use nalgebra::Vector3;
@@ -9,22 +10,22 @@ use super::norm::{correct_norm, lacks_much, renormalize};
 use crate::earth::Earth;
 use crate::math::{Compensated, RotationSeries};
 
-/// What is done at the branches.
+/// What an update does at the rare branches.
 pub(super) trait Branches: Copy {
     /// The coefficients for the squared angle `n2` [rad²].
     fn series(self, n2: f64) -> RotationSeries;
     /// Gravity at `r_e` [m].
     fn gravity(self, earth: &Earth, r_e: &Vector3<f64>) -> Vector3<f64>;
-    /// Brings the norm of `q` to 1; whether that is left to the caller.
+    /// Brings the norm of `q` to 1. Returns true if this is left to the caller.
     fn renormalize(self, q: &mut Compensated<4>) -> bool;
 }
 
-/// Asks each time.
+/// Tests the condition at each branch.
 #[derive(Clone, Copy)]
 pub(super) struct Any;
 
-/// As it is nearly always: rotations that are short, the normal field, a norm that lacks little. The first two hold for the caller's
-/// word; a norm that lacks more is left as it is, and told.
+/// The usual case: short rotations, the normal gravity field, a norm close to 1. The caller guarantees the first two. A norm that
+/// is farther from 1 is left unchanged, and reported.
 #[derive(Clone, Copy)]
 pub(super) struct Usual;
 

@@ -63,13 +63,13 @@ impl EarthFixed {
         self.update_by(earth, body, t, &Self::earth_turn(earth, t), Any);
     }
 
-    /// How the axes turn back in an update of length `t` [s].
+    /// The rotation by which the axes turn back in an update of length `t` [s].
     #[inline]
     pub(super) fn earth_turn(earth: &Earth, t: f64) -> AxisTurn {
         AxisTurn::new(-earth.rate_rad_s * t)
     }
 
-    /// The same with `turn` of [`Self::earth_turn`]; whether the norm of the attitude is left to the caller.
+    /// One update with `turn` of [`Self::earth_turn`]. Returns true if the norm of the attitude is left to the caller.
     #[inline(always)]
     pub(super) fn update_by(
         &mut self,
@@ -130,7 +130,7 @@ impl EarthFixed {
         renormalize(&mut self.q_eb);
     }
 
-    /// Numbers of which it is made.
+    /// Number of numbers that make a state.
     pub(super) const NUMBERS: usize = 25;
 
     /// Made of the numbers that `number` gives.
@@ -179,8 +179,8 @@ impl EarthFixed {
         (vertical.up_e, vertical.height_m, vertical.up_e.dot(&self.v_e.value))
     }
 
-    /// Shifts along `up` the height [m] and velocity up [m/s]; the place on the ellipsoid stays. The displacement that the velocity
-    /// correction stands for takes its Coriolis integral and its share in the turn of the vertical with it.
+    /// Shifts height [m] and velocity up [m/s] along `up`; the place on the ellipsoid stays. The velocity correction corresponds to
+    /// a displacement, whose Coriolis integral and whose part in the turn of the vertical are corrected too.
     #[inline(always)]
     pub fn shift_vertical(&mut self, earth: &Earth, up: &Vector3<f64>, correction: &VerticalCorrection) {
         let mut dv = up * correction.velocity_up_m_s;
@@ -196,7 +196,7 @@ impl EarthFixed {
         self.v_e.add(dv_e);
     }
 
-    /// The state less `truth`, with what the sums still carry.
+    /// The state less `truth`, rounding carries of the sums included.
     pub fn minus(&self, truth: &EarthFixedState) -> StateDifference {
         StateDifference::new(self.r_e.minus(&truth.r_e), self.v_e.minus(&truth.v_e), &self.q(), truth)
     }
@@ -207,8 +207,8 @@ impl EarthFixed {
     }
 }
 
-/// (2 W + w_en)×up times a `displacement` [m] along `up`: what a wrong velocity up does to the horizontal velocity [m/s] at
-/// the true velocity `v_e`. The vertical turns with v/a, to 0.3 %.
+/// (2 W + w_en)×up times a `displacement` [m] along `up`: the effect of a wrong velocity up on the horizontal velocity [m/s] at the
+/// true velocity `v_e`. The vertical turns at the rate v/a, to 0.3 %.
 #[inline]
 pub(crate) fn displaced_vertical(
     earth: &Earth,

@@ -1,4 +1,4 @@
-//! The navigation-frame part in geographic axes east-north-up: the paper's, singular at the poles.
+//! The navigation-frame part in geographic axes east-north-up, as in the paper; singular at the poles.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -22,18 +22,18 @@ pub struct Geographic {
     q_nb: Compensated<4>,
     /// Acceleration against the Earth in the last update [m/s²].
     a_n: Vector3<f64>,
-    /// Square of the largest turn about the vertical that an update could have made [rad²].
+    /// Square of the largest turn about the vertical that an update may have caused [rad²].
     turn2: f64,
 }
 
-/// No flight goes round the Earth so many times [rad].
+/// Largest size of a navigated longitude [rad]: no flight goes round the Earth as often.
 const MAX_LONGITUDE_RAD: f64 = 1e9;
 
 stored!(Geographic { place: MAX_LONGITUDE_RAD, v_n: 1e9, q_nb: 2.0, a_n: 1e18, turn2: 1.0 } then |state, from| {
     from.require(state.turn2 >= 0.0, state.turn2, NO_SQUARE)
 });
 
-/// What the navigation axes and the Earth do at a place.
+/// Curvature, Earth rate and gravity at a place.
 #[derive(Clone, Copy)]
 struct Local {
     sin: f64,
@@ -47,7 +47,7 @@ struct Local {
     gravity: Vector3<f64>,
 }
 
-/// What they do at a place and a velocity.
+/// Rates and accelerations at a place and a velocity.
 #[derive(Clone, Copy)]
 struct Moving {
     local: Local,
@@ -55,7 +55,7 @@ struct Moving {
     omega_en: Vector3<f64>,
     /// Gravity and Coriolis acceleration [m/s²]
     steady: Vector3<f64>,
-    /// Of latitude and longitude [rad/s], of height [m/s]
+    /// Rates of latitude and longitude [rad/s] and of height [m/s]
     rate_of_place: Vector3<f64>,
 }
 
@@ -83,7 +83,7 @@ impl Local {
         Vector3::new(-v.y * self.inverse_m, east, east * self.sin / self.cos)
     }
 
-    /// What a velocity `v` [m/s] makes of it.
+    /// The rates for the velocity `v` [m/s].
     fn moving(self, v: &Vector3<f64>) -> Moving {
         let omega_en = self.transport(v);
         Moving {
@@ -94,7 +94,7 @@ impl Local {
         }
     }
 
-    /// Square of the turn about the vertical over a displacement [m], were it eastward [rad²].
+    /// Square of the turn about the vertical over a displacement [m], as if the displacement were eastward [rad²].
     fn turn2(&self, dr: &Vector3<f64>) -> f64 {
         let tan_over_n = self.sin / self.cos * self.inverse_n;
         dr.xy().norm_squared() * (tan_over_n * tan_over_n)
@@ -132,8 +132,8 @@ impl Geographic {
     /// Δr = T v + T C S2 - T² w_in×C S3 + T² ∫(1 - u) k du
     /// q  ← q(-ζ) q q(Φ), ζ = ∫ w_in dt
     /// ```
-    /// Evidence: near a pole the axes turn by the part of the distance to it that is flown in an update. With their rate of the
-    /// middle alone, 250 m/s at 1 Hz leave 14 m from passing a pole by 6.5 km.
+    /// Evidence: near a pole the axes turn by the flown distance over the distance to the pole in each update. With the rate at the
+    /// middle alone, a passage at 6.5 km from a pole with 250 m/s at 1 Hz leaves an error of 14 m.
     pub fn update(&mut self, earth: &Earth, body: &BodyMotion, t: f64) {
         let (q, v, place) = (self.q(), self.v_n.value, self.place.value);
         let s1 = rotate(&q, &body.s1);
@@ -199,7 +199,7 @@ impl Geographic {
         Quaternion::from(self.q_nb.value)
     }
 
-    /// Checks that the axes are well away from the poles, and were so on the way.
+    /// Checks that the axes are far enough from the poles, and were so during the update.
     pub fn check(&self) -> Result<(), Error> {
         let singular = |field, value: f64, rule| Err(Error::of(ErrorKind::Singular, field, value, rule));
         let latitude = self.place.value.x;
@@ -214,7 +214,7 @@ impl Geographic {
                 "is too large near this pole: use shorter updates or Earth-fixed axes; must be at most";
             return singular("turn of the geographic axes in an update", turn, Rule::AtMost(words, most));
         }
-        // An interval can be longer than the way over the pole.
+        // The path of an interval can be longer than the way over the pole.
         if !(latitude.abs() <= FRAC_PI_2 && self.place.value.y.abs() <= MAX_LONGITUDE_RAD) {
             let words = "the geographic mechanization cannot pass a pole; must be at most";
             return singular(
@@ -231,7 +231,7 @@ impl Geographic {
         self.v_n.value.norm_squared()
     }
 
-    /// Made of the numbers that `number` gives: fewer than those of a solution in Earth-fixed axes.
+    /// Makes a state of the numbers that `number` gives. They are fewer than those of a solution in Earth-fixed axes.
     pub(super) fn from_numbers(number: impl Fn(usize) -> f64) -> Self {
         let vector = |first: usize| Vector3::from_fn(|i, _| number(first + i));
         let quaternion = |first: usize| Vector4::from_fn(|i, _| number(first + i));
@@ -266,8 +266,8 @@ impl Geographic {
         (self.place.value.z, self.v_n.value.z)
     }
 
-    /// Shifts height [m] and velocity up [m/s], with the Coriolis integral of the displacement that the velocity
-    /// correction stands for.
+    /// Shifts height [m] and velocity up [m/s]. The velocity correction corresponds to a displacement, whose Coriolis integral is
+    /// corrected too.
     pub fn shift_vertical(&mut self, earth: &Earth, correction: &VerticalCorrection) {
         let local = Local::at(earth, self.place.value.x, self.place.value.z);
         let omega = 2.0 * local.omega_ie + local.transport(&self.v_n.value);
@@ -287,7 +287,7 @@ impl Geographic {
         self.navigation(BodyAxes::default()).earth_fixed(earth)
     }
 
-    /// The state in geographic terms, without a detour over Earth-fixed axes.
+    /// The state in geographic terms, not converted through Earth-fixed axes.
     pub fn navigation(&self, axes: BodyAxes) -> Navigation {
         let place = self.place.value;
         let place = Geodetic { latitude_rad: place.x, longitude_rad: place.y, height_m: place.z };

@@ -1,19 +1,20 @@
 //! Many navigators side by side.
 //!
-//! A block keeps the same number of up to [`RUNS`] navigators in a row, and a loop over the row applies to each the formula of the
-//! single navigator, inlined and with its rare branches decided beforehand ([`Usual`]). The compiler makes vector instructions of
-//! such a loop, as wide as the function it is inlined into may use ([`crate::instruction_set`]); the bits are those of the single
-//! navigator, as neither it nor the loop is allowed to fuse or to reorder operations.
+//! A block stores each number of up to [`RUNS`] navigators in a row. A loop over the row applies the formula of the single
+//! navigator to each element; the formula is inlined, and its rare branches are decided before the loop ([`Usual`]). The compiler
+//! vectorizes such a loop with the widest instructions that the surrounding function may use ([`crate::instruction_set`]). The bits
+//! are those of the single navigator, because the compiler may not fuse or reorder operations in either.
 //!
-//! Tried, on the update in Earth-fixed axes without its rare branches (Cascade Lake, ns a run with SSE2, AVX2 and AVX-512; the single
-//! navigator 125): such a loop 66, 39 and 28; lane types of `[f64; N]` under nalgebra's generic vectors 68, 39 and 27. The times are
-//! the same. With lane types each formula has to be generic over its scalar, that of the single run too, and each constant in it
-//! be spread; in a loop it is left as it reads, and any function that is inlined will do. Lane types of intrinsics were not tried:
-//! an intrinsic is called through memory wherever a function of nalgebra in between is not inlined.
+//! Evidence, for the update in Earth-fixed axes without its rare branches (Cascade Lake, ns a run with SSE2, AVX2 and AVX-512; the
+//! single navigator takes 125): such a loop takes 66, 39 and 28; lane types of `[f64; N]` in nalgebra's generic vectors take 68, 39
+//! and 27, which is the same. With lane types each formula, also that of the single run, would have to be generic over its scalar,
+//! and each constant would have to be broadcast. In a loop the formula stays unchanged, and any inlined function can be used. Lane
+//! types of intrinsics were not tried: an intrinsic passes its values through memory wherever a function of nalgebra is not
+//! inlined.
 //!
-//! What a loop needs: no call and no branch that is not a choice of two values; what it reads besides its rows by value; the rows it
-//! reads and those it writes in allocations of their own, or behind references of a function. Where one of these is missed it is
-//! computed run by run, to the same bits: `benches/src/ensemble.rs` shows it.
+//! A loop is vectorized if it has no call, and no branch except for a choice between two values; if it takes what it reads besides
+//! its rows by value; and if the rows that it reads and the rows that it writes are separate allocations, or references that a
+//! function takes. Otherwise it is computed run by run, to the same bits: `benches/src/ensemble.rs` shows it.
 
 #![expect(clippy::needless_range_loop, reason = "a lane goes through many rows")]
 
@@ -44,12 +45,12 @@ pub(crate) struct NavigatorBlock {
 }
 
 impl NavigatorBlock {
-    /// A block of navigators that nothing is known of yet.
+    /// A block of navigators without states.
     pub fn new(frame: Frame) -> Self {
         Self { frame, axes: [[0.0; RUNS]; EarthFixed::NUMBERS], vertical: VerticalRows::new() }
     }
 
-    /// Takes `navigator` in.
+    /// Stores `navigator` at `lane`.
     pub fn put(&mut self, lane: usize, navigator: &Mechanization) {
         match &navigator.solution.axes {
             FrameState::EarthFixed(axes) => self.put_axes(lane, axes),
@@ -84,7 +85,7 @@ impl NavigatorBlock {
         }
     }
 
-    /// The navigator at `lane` goes back to what it was in `before`.
+    /// Restores the navigator at `lane` from `before`.
     pub fn go_back(&mut self, lane: usize, before: &Self) {
         self.axes.iter_mut().zip(&before.axes).for_each(|(row, before)| row[lane] = before[lane]);
         self.vertical.go_back(lane, &before.vertical);
@@ -100,8 +101,8 @@ impl NavigatorBlock {
         put_axes_at(&mut self.axes, lane, axes);
     }
 
-    /// Navigates the navigators `before`, with `shift_e` [m/s] more, over an interval of length `t` [s], in updates of so many
-    /// subsamples. What was here is overwritten.
+    /// Navigates the navigators `before`, with `shift_e` [m/s] more, over an interval of length `t` [s], in updates of `subsamples`
+    /// subsamples. Overwrites this block.
     #[inline(always)]
     pub fn navigate(
         &mut self,
@@ -205,8 +206,8 @@ impl NavigatorBlock {
         }
     }
 
-    /// Keeps the vertical channels at the end of an interval of length `t` [s], and checks the solutions: whether each is far within
-    /// its limits.
+    /// Corrects the vertical channels at the end of an interval of length `t` [s], and checks the solutions. Returns whether each
+    /// is far within its limits.
     #[inline(always)]
     pub fn aid_vertical(
         &mut self,
@@ -243,7 +244,7 @@ impl NavigatorBlock {
         self.each(kind, |lane, navigator| navigator.aid_vertical(&aid.at(lane), t));
     }
 
-    /// Keeps the vertical channels by barometric heights.
+    /// Corrects the vertical channels by barometric heights.
     #[inline(always)]
     fn follow(&mut self, earth: &Earth, t: f64, height_m: impl Fn(usize) -> f64) {
         let beginning = self.vertical.begin(t);
@@ -295,7 +296,7 @@ fn put_axes_at(rows: &mut AxesRows, lane: usize, axes: &EarthFixed) {
     axes.put_numbers(|i, number| rows[i][lane] = number);
 }
 
-/// That of the run at `lane`.
+/// The solution of the run at `lane`.
 #[inline(always)]
 fn axes_at(rows: &AxesRows, lane: usize) -> EarthFixed {
     EarthFixed::from_numbers(|i| rows[i][lane])

@@ -1,4 +1,4 @@
-//! Limits of a solution: where it counts as diverged.
+//! Limits beyond which a solution counts as diverged.
 
 use nalgebra::Vector3;
 
@@ -6,12 +6,12 @@ use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::state::EarthFixedState;
 
-/// Heights above the ellipsoid [m] and speed [m/s] beyond which a solution counts as diverged: far outside of what a sample may
-/// be, far inside of what the equations can represent.
+/// Heights above the ellipsoid [m] and speed [m/s] beyond which a solution counts as diverged: far beyond what a sample may have,
+/// and far below what the equations can represent.
 pub(super) const HEIGHTS_M: (f64, f64) = (-500e3, 20_000e3);
 pub(super) const MAX_SPEED_M_S: f64 = 100e3;
 
-/// Distances from the centre of any ellipsoid that are within these heights whatever the latitude [m].
+/// Distances from the centre of any ellipsoid that are within these heights at any latitude [m].
 pub(super) const WELL_WITHIN_M: (f64, f64) = (6.0e6, 26.0e6);
 
 /// Checks the height and the speed of `state` as [`Mechanization::check`] does.
@@ -20,7 +20,8 @@ pub(crate) fn check_state(earth: &Earth, state: &EarthFixedState) -> Result<(), 
     if is_good(height, speed2) { Ok(()) } else { diverged(height, speed2, 0.0) }
 }
 
-/// (r² - a²) / 2a, more than the height outside and less than 50 km from it inside, where it says enough; else the height [m].
+/// (r² - a²) / 2a if it decides; else the height [m]. It is more than the height outside the ellipsoid, and differs from it by less
+/// than 50 km inside.
 #[inline]
 pub(super) fn quick_height(earth: &Earth, r_e: &Vector3<f64>) -> f64 {
     let a = earth.equatorial_radius_m;

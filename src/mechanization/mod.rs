@@ -1,7 +1,8 @@
 //! The strapdown mechanization (the paper's equations (7)-(24)): from measured increments to position, velocity and
 //! attitude.
 //!
-//! A body-frame piece ([`BodyMotion`]) and a navigation-frame piece (Earth-fixed or geographic); each scheme is a pair.
+//! It has a body-frame part ([`BodyMotion`]) and a navigation-frame part (Earth-fixed or geographic); each scheme is a pair of
+//! them.
 
 mod body;
 mod branches;
@@ -37,24 +38,24 @@ use crate::state::{BodyAxes, EarthFixedState, Navigation};
 use earth_fixed::EarthFixed;
 use geographic::Geographic;
 
-/// In which axes the mechanization navigates.
+/// Axes in which the mechanization navigates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Frame {
-    /// Earth-fixed: regular everywhere. Wander azimuth leaves a hundred times the error in a loop, far below that of any sensor,
-    /// and takes 1.1 to 1.6 times the time (`benches/src/frames.rs`).
+    /// Earth-fixed: regular everywhere. Wander azimuth axes leave a hundred times the error in a loop, though far less than any
+    /// sensor causes, and take 1.1 to 1.6 times the time (`benches/src/frames.rs`).
     #[default]
     EarthFixed,
     /// East-north-up: the paper's.
     Geographic,
 }
 
-/// Which algorithm.
+/// Algorithm of the mechanization.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Scheme {
     /// Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.
     #[default]
     Exact,
-    /// The paper's, misprints mended, approximations kept.
+    /// The algorithm of the paper, with its misprints corrected and its approximations kept.
     Paper,
     /// As `Exact`, with rate and force as polynomials through the subsamples.
     Polynomial,
@@ -96,14 +97,14 @@ pub struct Mechanization {
     solution: Solution,
 }
 
-/// What changes from one update to the next.
+/// The part of the state that changes from one update to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Solution {
     axes: FrameState,
     vertical: VerticalLoop,
 }
 
-/// A solution to which [`Mechanization::go_back`] goes back, without what follows from the rest.
+/// A solution that [`Mechanization::go_back`] restores, without the values that follow from the others.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct KeptSolution {
     axes: FrameState,
@@ -117,8 +118,9 @@ impl Mechanization {
     /// Cosine of the latitude within which the geographic axes turn too fast: 6.4 km from a pole.
     pub const MIN_COS_LATITUDE: f64 = 1e-3;
 
-    /// Turn of the geographic axes about the vertical that an update may make [rad]: up to here it costs less than
-    /// 2e-6 of the distance at which a pole is passed (tests/robustness/poles.rs), beyond it grows with the fourth power.
+    /// Largest turn of the geographic axes about the vertical in an update [rad]. Up to this turn the error is less than 2e-6 of
+    /// the distance at which a pole is passed (tests/robustness/poles.rs); beyond it the error grows with the fourth power of the
+    /// turn.
     pub const MAX_TURN_RAD: f64 = 0.01;
 
     /// Starts from `state`.
@@ -130,7 +132,7 @@ impl Mechanization {
         Self { earth, scheme, solution: Solution { axes, vertical: VerticalLoop::new() } }
     }
 
-    /// The same navigator with the solution `state`; its vertical channel goes on.
+    /// This navigator with the solution `state`; its vertical channel continues.
     pub(crate) fn moved_to(&self, state: &EarthFixedState) -> Self {
         let axes = match self.solution.axes {
             FrameState::EarthFixed(_) => FrameState::EarthFixed(EarthFixed::new(&self.earth, state)),
@@ -139,19 +141,19 @@ impl Mechanization {
         Self { solution: Solution { axes, ..self.solution }, ..*self }
     }
 
-    /// What [`Self::go_back`] needs.
+    /// The values that [`Self::go_back`] needs.
     #[inline]
     pub(crate) fn kept(&self) -> KeptSolution {
         KeptSolution { axes: self.solution.axes, vertical: self.solution.vertical.kept() }
     }
 
-    /// The solution is again the one that was kept.
+    /// Restores the solution that was kept.
     pub(crate) fn go_back(&mut self, kept: &KeptSolution) {
         self.solution.axes = kept.axes;
         self.solution.vertical.go_back(&kept.vertical);
     }
 
-    /// Checks that the solution is within its limits. The comparisons fail for NaN too, which any of the sums keeps.
+    /// Checks that the solution is within its limits. The comparisons fail for NaN too, and a NaN in a sum stays there.
     #[inline(always)]
     pub fn check(&self) -> Result<(), Error> {
         match &self.solution.axes {
@@ -190,7 +192,7 @@ impl Mechanization {
         }
     }
 
-    /// Navigates on the increments of an interval of length `t` [s], in updates of so many subsamples.
+    /// Navigates on the increments of an interval of length `t` [s], in updates of `subsamples` subsamples.
     pub(crate) fn navigate(&mut self, increments: &[Increment], subsamples: usize, t: f64) {
         let updates = increments.chunks_exact(subsamples);
         let update_s = t / updates.len() as f64;
@@ -199,7 +201,7 @@ impl Mechanization {
         }
     }
 
-    /// Keeps the vertical channel, at the end of an interval of length `t` [s].
+    /// Corrects the vertical channel at the end of an interval of length `t` [s].
     pub fn aid_vertical(&mut self, aid: &VerticalAid, t: f64) {
         if *aid == VerticalAid::None {
             return self.solution.vertical.skip();

@@ -2,17 +2,17 @@
 
 use crate::math::Compensated;
 
-/// What the squared norm of an attitude's quaternion may be off 1 by.
+/// Largest difference of the squared norm of an attitude's quaternion from 1.
 pub(super) const MAX_NORM_ERROR: f64 = 1e-12;
 
-/// What the squared norm lacks to 1, beyond which the first order of the correction is not enough.
+/// Difference of the squared norm from 1 beyond which a first-order correction is not enough.
 pub(super) const SMALL_NORM_ERROR: f64 = 1e-8;
 
-/// Brings the norm of a quaternion to 1: adds what it lacks, at once, as along the quaternion of the next update, which can be
-/// turned by any angle from this one, it would be no correction.
+/// Brings the norm of a quaternion to 1. The correction is added at once: the quaternion of the next update can differ by any
+/// rotation, and a correction along it would be none.
 ///
-/// Evidence: rotation vectors of 1e8 rad and more, of accepted sensors, have lost the digits that make a quaternion of them; the
-/// first order alone left a squared norm of 0.001.
+/// Evidence: rotation vectors of 1e8 rad and more, which accepted sensors can cause, have too few digits left for a quaternion of
+/// norm 1; the first-order correction alone left a squared norm of 0.001.
 #[inline]
 pub(super) fn renormalize(q: &mut Compensated<4>) {
     let lack = 1.0 - q.value.norm_squared();
@@ -23,13 +23,13 @@ pub(super) fn renormalize(q: &mut Compensated<4>) {
     }
 }
 
-/// Whether the first order of the correction is not enough.
+/// Whether a first-order correction is not enough.
 #[inline(always)]
 pub(super) fn lacks_much(lack: f64) -> bool {
     lack.abs() > SMALL_NORM_ERROR
 }
 
-/// Adds what the squared norm lacks, to the first order.
+/// Corrects the norm to first order.
 #[inline(always)]
 pub(super) fn correct_norm(q: &mut Compensated<4>, lack: f64) {
     q.add(&(q.value * (0.5 * lack)));

@@ -7,8 +7,8 @@ use super::body::{BodyMotion, FIRST_MOMENT, MAX_SUBSAMPLES, SECOND_MOMENT};
 use crate::math::{GAUSS_4, RotationSeries};
 use crate::signal::Increment;
 
-/// Row k: the coefficient of u^k, u = 0..1 over the update, of the polynomial whose integrals over n equal parts are the
-/// increments, as a sum over these.
+/// The polynomial of u = 0..1 over the update whose integrals over n equal parts are the increments. Row k has the weights of the
+/// increments in the coefficient of u^k.
 const COEFFICIENTS: [&[&[f64]]; MAX_SUBSAMPLES] = [
     &[&[1.0]],
     &[&[3.0, -1.0], &[-4.0, 4.0]],
@@ -36,7 +36,7 @@ struct Polynomial {
 }
 
 impl Polynomial {
-    /// Whose integrals over equal parts of 0..1 are `parts`.
+    /// The polynomial whose integrals over equal parts of 0..1 are `parts`.
     fn through(parts: impl ExactSizeIterator<Item = Vector3<f64>> + Clone) -> Self {
         let mut coefficients = [Vector3::zeros(); MAX_SUBSAMPLES];
         let count = parts.len();
@@ -58,8 +58,8 @@ impl Polynomial {
         terms.fold(Vector3::zeros(), |sum, (k, c)| sum * u + c * (1.0 / (k as f64 + 1.0))) * u
     }
 
-    /// Rotation vector [rad] of the rotation from 0 to `u` whose rate this is and whose angle sum is `angle`: Magnus' series
-    /// by three Gauss nodes (Blanes, Casas and Ros 2000).
+    /// Rotation vector [rad] of the rotation from 0 to `u`, if this polynomial is the rate and `angle` its integral: Magnus' series
+    /// with three Gauss nodes (Blanes, Casas and Ros 2000).
     fn rotation(&self, u: f64, angle: &Vector3<f64>) -> Vector3<f64> {
         const SQRT_15: f64 = 3.872_983_346_207_417;
         let (middle, offset) = (0.5 * u, 0.1 * SQRT_15 * u);
@@ -74,15 +74,15 @@ impl Polynomial {
 }
 
 impl BodyMotion {
-    /// Rate and force as polynomials through the increments: large rotations within an update, which coefficients made for
-    /// small coning leave, are integrated as well.
+    /// Rate and force as polynomials through the increments. So large rotations within an update are integrated too, which the
+    /// coefficients for small coning do not cover.
     pub fn polynomial(increments: &[Increment]) -> Self {
         let n = increments.len();
         let rate = Polynomial::through(increments.iter().map(|increment| increment.angle));
         let force = Polynomial::through(increments.iter().map(|increment| increment.velocity));
         let sum = Increment::sum(increments);
 
-        // Without rotation exactly, and what the rotation turns of the force by quadrature.
+        // The part without rotation is exact; the part by which the rotation turns the force is integrated by quadrature.
         let mut motion = Self {
             rotation: rate.rotation(1.0, &sum.angle),
             s1: sum.velocity,

@@ -11,11 +11,11 @@ use crate::signal::{Increment, IncrementRows, RUNS, Row, increment_of};
 /// The numbers of the navigators of a block.
 pub(super) type AxesRows = [Row; EarthFixed::NUMBERS];
 
-/// What is needed between the loops over a block.
+/// Memory for values between the loops over a block.
 #[derive(Debug)]
 pub(crate) struct Scratch {
     pub(super) bodies: Bodies,
-    /// Where an update starts that is not the first of its interval.
+    /// Start of an update that is not the first of its interval.
     pub(super) start: AxesRows,
 }
 
@@ -52,7 +52,7 @@ impl Bodies {
         BodyMotion { rotation: vector(0), s1: vector(3), s2: vector(6), s3: vector(9) }
     }
 
-    /// Body parts of an update of `K` subsamples; whether all are usual, else they are not to be used.
+    /// Body parts of an update of `K` subsamples. Returns whether all are usual; otherwise they must not be used.
     #[inline(always)]
     pub(super) fn of_usual<const K: usize>(&mut self, update: &[IncrementRows]) -> bool {
         let Some(update) = update.first_chunk::<K>() else { return false };

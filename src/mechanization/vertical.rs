@@ -1,5 +1,4 @@
-//! The vertical channel: by itself it is unstable (e-fold 569 s), so it is damped by a barometric height or held to the
-//! truth.
+//! The vertical channel. A free channel is unstable (e-fold 569 s), so a barometric height damps it, or it is held to the truth.
 
 use crate::earth::Earth;
 use crate::math::exp_m1;
@@ -7,7 +6,7 @@ use crate::snapshot::{codes, stored};
 use crate::state::EarthFixedState;
 use crate::truth::INTERVALS_S;
 
-/// How the vertical channel is kept.
+/// Aiding of the vertical channel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum VerticalMode {
     /// Third-order loop on a barometric height.
@@ -15,13 +14,13 @@ pub enum VerticalMode {
     Damped,
     /// Height and vertical velocity set to the truth at each sample.
     FollowTruth,
-    /// Left to itself.
+    /// Free: no aid.
     Free,
 }
 
 codes!(VerticalMode { Damped = 0, FollowTruth = 1, Free = 2 });
 
-/// What the vertical channel is told at the end of an interval.
+/// Aid of the vertical channel at the end of an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum VerticalAid {
     /// No aid: the channel is free.
@@ -58,7 +57,7 @@ impl VerticalState {
 }
 
 impl VerticalAid {
-    /// What the aid of the point at `from` says of a point of the same vehicle, which the solution has at `to`.
+    /// The aid of the point at `from`, converted to the point of the same vehicle whose solution is `to`.
     pub fn moved(self, from: &VerticalState, to: &VerticalState) -> Self {
         let up = to.height_m - from.height_m;
         match self {
@@ -76,23 +75,23 @@ impl VerticalAid {
 /// h' = v - c1 e, v' = a - c2 e - d, d' = c3 e; c1 = 3/τ, c2 = 3/τ² + κ, c3 = 1/τ³: all three poles at -1/τ, where κ = 2 g/R
 /// of gravity makes the free channel unstable.
 ///
-/// In steps of any length t: between two samples the navigator is free, and e'' = κ e + d as long as d is what it has wrong. The
-/// residuals e0 and e1 at both ends tell e' at the start. From there the loop leads (e, e', d) as Φ of its poles where freedom
-/// leads them as F, and the correction is Φ - F of (e0, e0'), less what d has done:
-/// ```text
-/// F = | C    S  |    Φ = exp(-x) | 1 - 2 x + x²/2    t (1 - x/2) |    e0' = (e1 - C e0 - d (C - 1)/κ)/S
+/// In steps of any length t: between two samples the navigator is free, and e'' = κ e + d, if d is its only error. The residuals e0
+/// and e1 at both ends give e' at the start. From there the loop would move (e, e', d) by Φ of its poles, and the free channel
+/// moves them by F. The correction is Φ - F applied to (e0, e0'), less the effect of d: ```text F = | C    S  |    Φ = exp(-x) | 1
+/// - 2 x + x²/2    t (1 - x/2) |    e0' = (e1 - C e0 - d (C - 1)/κ)/S
 ///     | κ S  C  |                | (x² - 3 x)/τ      1 + x - x²  |    by d: d (C - 1)/κ in height,
 ///     | 0    0  |                | (x - x²/2)/τ²     x²/(2 τ)    |          d S in velocity
 /// ```
-/// x = t/τ, C = cosh(√κ t), S = sinh(√κ t)/√κ. What else bends e within the interval, an acceleration a that is not yet in d, is
-/// missed by (a - d) t²/12: of second order (`tests/physics/vertical_loop.rs`). Where there was no residual before, e0 is e1.
+/// x = t/τ, C = cosh(√κ t), S = sinh(√κ t)/√κ. An acceleration a that is not yet in d also bends e within the interval. The loop
+/// misses it by (a - d) t²/12, which is of second order (`tests/physics/vertical_loop.rs`). If there was no residual before, e0 is
+/// e1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VerticalLoop {
     /// d, the estimate of the vertical channel's constant error [m/s²].
     pub(super) bias_m_s2: f64,
     /// e at the last sample, as corrected [m].
     pub(super) residual_m: f64,
-    /// Length of the interval [s] that the gains are for; 0: there was no residual before, and there are no gains.
+    /// Length of the interval [s] of the gains; 0: there was no residual before, and there are no gains.
     pub(super) t: f64,
     /// Rows for the corrections of height [m] and velocity [m/s] and for the change of d [m/s²], of e0, e1 and d.
     gains: [[f64; 3]; 3],
@@ -121,8 +120,8 @@ pub struct VerticalCorrection {
     pub height_m: f64,
     /// To the velocity up [m/s].
     pub velocity_up_m_s: f64,
-    /// Displacement within the interval [m] that the correction of the velocity stands for, where that was wrong by a
-    /// share that grew evenly from 0; 0 where the correction is a feedback.
+    /// Displacement within the interval [m] that corresponds to the correction of the velocity, if the velocity error grew evenly
+    /// from 0; 0 if the correction is a feedback.
     pub displacement_m: f64,
 }
 
@@ -166,10 +165,10 @@ impl VerticalLoop {
         self.answer(residual_m)
     }
 
-    /// Takes the length `t` [s] of the interval that ends; whether there was no residual before.
+    /// Takes the length `t` [s] of the interval that ends. Returns whether there was no residual before.
     #[inline(always)]
     pub(super) fn begin(&mut self, t: f64) -> bool {
-        // Time stamps differ in their last digits.
+        // Intervals of one rate differ in the last digits of their time stamps.
         let is_other = (t - self.t).abs() > 1e-7 * t;
         let is_first = is_other && self.t == 0.0;
         if is_other {
@@ -178,13 +177,13 @@ impl VerticalLoop {
         is_first
     }
 
-    /// The same interval and gains, with another state.
+    /// This loop with another state: the same interval and gains.
     #[inline(always)]
     pub(super) fn with(&self, bias_m_s2: f64, residual_m: f64) -> Self {
         Self { bias_m_s2, residual_m, ..*self }
     }
 
-    /// The corrections, once [`Self::begin`] has had the interval.
+    /// The corrections, after [`Self::begin`] for the interval.
     #[inline(always)]
     pub(super) fn answer(&mut self, residual_m: f64) -> VerticalCorrection {
         let [height_m, velocity_up_m_s, bias_m_s2] = self
@@ -211,14 +210,14 @@ impl VerticalLoop {
         Self { bias_m_s2, residual_m, ..*self }
     }
 
-    /// What [`Self::go_back`] needs.
+    /// The values that [`Self::go_back`] needs.
     #[inline]
     pub(super) fn kept(&self) -> KeptLoop {
         let Self { bias_m_s2, residual_m, t, gains: _ } = *self;
         KeptLoop { bias_m_s2, residual_m, t }
     }
 
-    /// The loop is again the one that was kept.
+    /// Restores the loop that was kept.
     pub(super) fn go_back(&mut self, kept: &KeptLoop) {
         let KeptLoop { bias_m_s2, residual_m, t } = *kept;
         if t > 0.0 {
@@ -231,7 +230,7 @@ impl VerticalLoop {
     fn set_interval(&mut self, t: f64) {
         let lambda = 1.0 / Self::TIME_CONSTANT_S;
         let (x, kappa) = (t * lambda, Self::GRAVITY_GRADIENT);
-        // Less 1, so that the differences of short intervals keep their digits.
+        // 1 is subtracted, so that the differences of short intervals keep their digits.
         let decay_less_1 = exp_m1(-x);
         let decay = 1.0 + decay_less_1;
         let growth_less_1 = exp_m1(kappa.sqrt() * t);
@@ -241,7 +240,7 @@ impl VerticalLoop {
         // exp(-x) (1 + y) - 1
         let decayed = |y: f64| decay_less_1 + decay * y;
         let half_x2 = 0.5 * x * x;
-        // Rows of Φ - F, and what d does to the free channel.
+        // Rows of Φ - F, and the effect of d on the free channel.
         let rows = [
             (
                 decayed(half_x2 - 2.0 * x) - cosh_less_1,

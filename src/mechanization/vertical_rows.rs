@@ -3,15 +3,15 @@
 use super::{VerticalAid, VerticalCorrection, VerticalLoop};
 use crate::signal::{RUNS, Row};
 
-/// What each loop keeps. Nearly always all of them have the gains of one interval: others follow from its length.
+/// The state of each loop. Usually all loops have the gains of one interval; other gains follow from the length of their interval.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
 pub(crate) struct VerticalRows {
     bias_m_s2: Row,
     residual_m: Row,
-    /// Length of the interval that a loop has the gains for [s]; 0: it has none.
+    /// Length of the interval of a loop's gains [s]; 0: it has none.
     t: Row,
-    /// The interval and the gains of those that go together.
+    /// The interval and the gains that loops share.
     shared: VerticalLoop,
 }
 
@@ -21,7 +21,7 @@ impl VerticalRows {
         Self { bias_m_s2: [0.0; RUNS], residual_m: [0.0; RUNS], t: [0.0; RUNS], shared: VerticalLoop::new() }
     }
 
-    /// Takes a loop in.
+    /// Stores a loop.
     #[inline(always)]
     pub fn put(&mut self, lane: usize, channel: &VerticalLoop) {
         self.bias_m_s2[lane] = channel.bias_m_s2;
@@ -43,7 +43,7 @@ impl VerticalRows {
         }
     }
 
-    /// The loop at `lane` goes back to what it was in `before`.
+    /// Restores the loop at `lane` from `before`.
     pub fn go_back(&mut self, lane: usize, before: &Self) {
         self.put(lane, &before.get(lane));
     }
@@ -54,13 +54,13 @@ impl VerticalRows {
         self.t.iter().all(|t| *t == self.shared.t)
     }
 
-    /// [`VerticalLoop::skip`] of all.
+    /// [`VerticalLoop::skip`] for all loops.
     pub fn skip(&mut self) {
         self.shared.skip();
         self.t = [self.shared.t; RUNS];
     }
 
-    /// An interval of length `t` [s] of loops that [are alike](Self::are_alike): what [`Self::answer`] needs.
+    /// Begins an interval of length `t` [s] of loops that [are alike](Self::are_alike). Returns what [`Self::answer`] needs.
     #[inline(always)]
     pub fn begin(&mut self, t: f64) -> Beginning {
         let is_first = self.shared.begin(t);
@@ -80,26 +80,27 @@ impl VerticalRows {
     }
 }
 
-/// What the loops share in an interval. By value, or the compiler fears that the rows lie over it.
+/// The values that the loops share in an interval. They are passed by value: the compiler cannot assume that rows do not overlap a
+/// reference.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Beginning {
     shared: VerticalLoop,
     is_first: bool,
 }
 
-/// What the vertical channels of a block are told.
+/// Aid of the vertical channels of a block.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum AidOfEach<'a> {
-    /// All the same: nothing, or the truth.
+    /// The same for all: none, or the truth.
     Same(VerticalAid),
-    /// A barometric height each [m].
+    /// A barometric height for each [m].
     Barometer { heights_m: &'a Row },
-    /// A barometric height [m], or none.
+    /// A barometric height for each [m], or none.
     Some { heights_m: &'a Row, is_none: &'a [bool; RUNS] },
 }
 
 impl AidOfEach<'_> {
-    /// That of the run at `lane`.
+    /// The aid of the run at `lane`.
     #[inline(always)]
     pub fn at(&self, lane: usize) -> VerticalAid {
         match *self {
