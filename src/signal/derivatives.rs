@@ -1,4 +1,4 @@
-//! Acceleration and angular rate at a sample: the host's own, else from the samples around it.
+//! Acceleration and angular rate at a sample: from the host, or else from the samples around it.
 
 use nalgebra::Vector3;
 
@@ -15,18 +15,18 @@ pub(crate) struct Derivatives {
     pub omega_ib_b: Vector3<f64>,
 }
 
-/// Derivatives of accepted samples are smaller [m/s², rad/s]: the most that weights of 1/5e-5 s make of them is 1e14.
+/// Derivatives of accepted samples are smaller [m/s², rad/s]: with weights of 1/5e-5 s they are at most 1e14.
 pub(crate) const DERIVATIVES: f64 = 1e18;
 
 stored!(Derivatives { a_e: DERIVATIVES, omega_ib_b: DERIVATIVES });
 
-/// Another sample, seen from the one where derivatives are wanted.
+/// Another sample, relative to the one at which derivatives are computed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Neighbour {
     pub v_e: Vector3<f64>,
-    /// Time from there [s].
+    /// Time from that sample [s].
     pub offset_s: f64,
-    /// Rotation vector from its attitude [rad].
+    /// Rotation vector from the attitude of that sample [rad].
     pub rotation: Vector3<f64>,
 }
 
@@ -37,12 +37,12 @@ impl Neighbour {
     }
 }
 
-/// What the host gave at `point`, if all of it.
+/// The derivatives that the host gave at `point`, if it gave all.
 pub(super) fn given(point: &TruthPoint) -> Option<Derivatives> {
     Some(Derivatives { a_e: point.a_e?, omega_ib_b: point.omega_ib_b()? })
 }
 
-/// The samples before `next` as far as they are usable.
+/// The usable samples before `next`.
 pub(super) fn neighbours_behind(
     next: &TruthPoint,
     current: &TruthPoint,
@@ -57,7 +57,7 @@ pub(super) fn neighbours_behind(
     ]
 }
 
-/// What the host gave at `point`, else what one to three others make of it; `earth_rate_b` is the Earth rate there.
+/// The derivatives at `point`: from the host, or else from one to three other samples. `earth_rate_b` is the Earth rate there.
 pub(super) fn derivatives_at(
     point: &TruthPoint,
     earth_rate_b: &Vector3<f64>,

@@ -1,4 +1,4 @@
-//! The generator: the motion of one interval after the other, from the derivatives at its ends.
+//! The generator: the motion of each interval, in order, from the derivatives at its ends.
 
 use nalgebra::{Quaternion, Vector3};
 
@@ -11,14 +11,14 @@ use crate::math::{
 use crate::snapshot::stored;
 use crate::truth::{Recent, TruthPoint};
 
-/// Total rotation over a stencil beyond which the rotation vectors from its end grow ambiguous [rad] (150°).
+/// Total rotation over a stencil beyond which the rotation vectors from its end are ambiguous [rad] (150°).
 const MAX_STENCIL_ROTATION: f64 = 2.6;
 
-/// Total rotation over a stencil up to which [`composed`] serves [rad].
+/// Total rotation over a stencil up to which [`composed`] is accurate enough [rad].
 const MAX_SERIES_ROTATION: f64 = 0.5;
 
-/// Rotation over an interval up to which the second order of the Earth's turn b needs no more than its first term in it
-/// [rad]: what is dropped is b² n³/720, 5e-17 rad at an interval of a second.
+/// Rotation n over an interval up to which the second order of the Earth's turn b needs only its first term in n [rad]. The next
+/// term is b² n³/720, 5e-17 rad for an interval of a second.
 const MAX_SMALL_TURN: f64 = 0.02;
 
 /// Rotation against the Earth over an interval, sensor axes.
@@ -39,17 +39,17 @@ impl Turn {
     }
 }
 
-/// Makes the ideal signals of the interval between each sample and the next.
+/// Computes the ideal signals of each interval between two samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SignalGenerator {
     earth_rate: f64,
-    /// At the last sample, once they come from as many points as a stencil ever has, or from the host.
+    /// Derivatives at the last sample, if they come from a full stencil or from the host.
     settled: Option<Derivatives>,
-    /// Whether derivatives at the start of an interval have been others than those that the one before ended with.
+    /// Whether derivatives at the start of an interval differed from those at the end of the previous interval.
     start_is_revised: bool,
-    /// Of the last two intervals, newest first.
+    /// Rotations of the last two intervals, newest first.
     turns: [Turn; 2],
-    /// Of the last stencil: even samples have the same again and again.
+    /// Weights of the last stencil, which regular samples use again.
     stencil: Stencil,
 }
 
@@ -67,7 +67,7 @@ impl SignalGenerator {
         }
     }
 
-    /// Takes the turns of the last intervals from the points at their ends, newest first, as if they had been flown.
+    /// Takes the rotations of the last intervals from the points at their ends, newest first, as if the intervals had been flown.
     pub fn look_back(&mut self, points: &[Option<&TruthPoint>; 3]) {
         let turn = |end: Option<&TruthPoint>, start: Option<&TruthPoint>| match (end, start) {
             (Some(end), Some(start)) => Turn::new(&relative_rotation(&start.state.q_eb, &end.state.q_eb)),
@@ -76,13 +76,13 @@ impl SignalGenerator {
         self.turns = [turn(points[0], points[1]), turn(points[1], points[2])];
     }
 
-    /// What [`Self::go_back`] needs of the sample at hand.
+    /// The values of the current sample that [`Self::go_back`] needs.
     #[inline]
     pub(crate) fn settled(&self) -> Option<Derivatives> {
         self.settled
     }
 
-    /// The interval that `recent` ends has not been: back at its start, where [`Self::settled`] was `settled`.
+    /// Undoes the interval that `recent` ends. `settled` is the value of [`Self::settled`] at its start.
     pub(crate) fn go_back(&mut self, settled: Option<Derivatives>, recent: &Recent<'_>) {
         let [second, third] = recent.before;
         self.settled = settled;
@@ -91,16 +91,16 @@ impl SignalGenerator {
 
     /// The motion of the interval that `recent` ends; the intervals come in order.
     ///
-    /// Derivatives from four points, backward: at both ends the error is then the same, and cancels at the middle of the
-    /// interval. While there are fewer, both ends take all there are. Behind a gap T in positions alone it is three points: the
-    /// fourth makes of velocity errors δ at intervals t δ T/t² of acceleration.
+    /// Derivatives come from four points, backward. The error is then the same at both ends, and cancels at the middle of the
+    /// interval. While there are fewer points, both ends use all of them. After a gap T in positions alone three points are used:
+    /// the fourth would turn velocity errors δ at intervals t into acceleration errors δ T/t².
     pub fn advance<'a>(&mut self, recent: &Recent<'a>) -> IntervalMotion<'a> {
         let Recent { next, current, before } = *recent;
         let against_earth = relative_rotation(&current.state.q_eb, &next.state.q_eb);
         let turn = Turn::new(&against_earth);
         let earth_rate_b = self.earth_rate_at(next);
 
-        // As far back as the rotation since then is unambiguous.
+        // Only points since which the rotation is unambiguous.
         let since_second = turn.angle + self.turns[0].angle;
         let since_third = since_second + self.turns[1].angle;
         let second = before[0].filter(|_| since_second < MAX_STENCIL_ROTATION);
@@ -135,14 +135,14 @@ impl SignalGenerator {
         IntervalMotion::new(current, next, &[start, end], &rotation, self.earth_rate)
     }
 
-    /// Whether derivatives at the start of an interval have been others than at the end of the one before since this was asked
-    /// last: while there are few samples, the next one tells more of them.
+    /// Whether, since the last call, derivatives at the start of an interval differed from those at the end of the previous
+    /// interval. This happens while there are few samples, because each new sample improves the derivatives.
     pub fn take_revised(&mut self) -> bool {
         core::mem::take(&mut self.start_is_revised)
     }
 
-    /// Rotation vectors from the newest of four samples back to the three before, from those between them, the last of
-    /// which is `turn`.
+    /// Rotation vectors from the newest of four samples back to the three before, from the rotation vectors between neighbours.
+    /// `turn` is the last of these.
     fn rotations_back(&self, turn: &Vector3<f64>) -> [Vector3<f64>; 3] {
         let first = -turn;
         let second = composed(&first, &-self.turns[0].vector);
@@ -184,7 +184,7 @@ impl SignalGenerator {
 struct Stencil {
     /// Lengths of its intervals [s], newest first.
     intervals: [f64; 3],
-    /// Of the differences to the three points before [1/s].
+    /// Weights of the differences to the three points before [1/s].
     weights: [f64; 3],
 }
 
@@ -197,16 +197,16 @@ impl Stencil {
     }
 }
 
-/// Rotation vector of exp(a) exp(b), by the series of Baker, Campbell and Hausdorff to the fourth order. What it drops is
-/// |a|³ |a×b| / 720: at rates, two orders of the interval below the error of a cubic through four points.
+/// Rotation vector of exp(a) exp(b), by the series of Baker, Campbell and Hausdorff to the fourth order. The neglected term is |a|³
+/// |a×b| / 720: in rates it is two orders of the interval below the error of a cubic through four points.
 fn composed(a: &Vector3<f64>, b: &Vector3<f64>) -> Vector3<f64> {
     let c = a.cross(b);
     let ac = a.cross(&c);
     a + b + 0.5 * c + (ac - b.cross(&c)) * (1.0 / 12.0) - b.cross(&ac) * (1.0 / 24.0)
 }
 
-/// Rotation vector against inertial space: `against_earth`, of which `turn` is the rotation vector, then the Earth's own turn
-/// meanwhile, `earth_turn`, in the axes at the end. Exactly the latter where there is no turn.
+/// Rotation vector against inertial space: the rotation against the Earth, then the rotation of the Earth meanwhile, `earth_turn`,
+/// in the axes at the end. Without a rotation against the Earth it is exactly `earth_turn`.
 fn against_inertial_space(
     against_earth: &Quaternion<f64>,
     turn: &Turn,

@@ -1,9 +1,9 @@
 //! The signal generator (the paper's inverse navigation): from truth to what perfect gyros and accelerometers sense.
 //!
-//! Velocity is the master: a cubic through the velocities and accelerations at both ends of an interval, a cubic in the
-//! rotation vector for the attitude, both with derivatives from a backward stencil on the actual time stamps, and the
-//! integrals of angular rate and specific force over each sub-interval to rounding. Position enters through gravity
-//! alone. Latency is zero; the generator knows nothing of the mechanization.
+//! The motion follows the velocities: within an interval velocity is a cubic through the velocities and accelerations at both ends,
+//! and the rotation vector of the attitude is a cubic. The derivatives come from a backward stencil on the actual time stamps.
+//! Angular rate and specific force are integrated over each sub-interval to rounding. Position enters through gravity alone.
+//! Latency is zero; the generator does not depend on the mechanization.
 //!
 //! Departure: the paper differences the samples, which is 49 °/h wrong on a rocking table.
 
@@ -21,7 +21,7 @@ use nalgebra::Vector3;
 
 use crate::snapshot::{SIGNALS, stored};
 
-/// Sub-increments of an interval at the most: 5 subsamples of 16 updates.
+/// Largest number of sub-increments of an interval: 5 subsamples of 16 updates.
 pub const MAX_INCREMENTS: usize = 80;
 
 /// Integrals of angular rate and specific force over a short time, sensor axes.

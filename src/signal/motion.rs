@@ -29,8 +29,8 @@ const fn by_twos<const N: usize, const PAIRS: usize>(rule: &[(f64, f64); N]) -> 
     pairs
 }
 
-/// Rotation within a sub-interval up to which two and three nodes integrate to rounding [rad]: their errors are the fourth
-/// derivative over 4320, 2e-16 of the increment, and the sixth over 2e6, 8e-15 of it.
+/// Rotation within a sub-interval up to which two and three nodes integrate to rounding [rad]. Two nodes have an error of the
+/// fourth derivative over 4320, 2e-16 of the increment; three nodes of the sixth derivative over 2e6, 8e-15 of it.
 const GAUSS2_MAX_ROTATION: f64 = 0.001;
 const GAUSS3_MAX_ROTATION: f64 = 0.05;
 
@@ -45,7 +45,7 @@ pub struct MotionNode {
     pub f_e: Vector3<f64>,
 }
 
-/// How the attitude turns over one interval.
+/// The rotation of the attitude over one interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turning {
     /// Length T [s].
@@ -55,7 +55,7 @@ pub struct Turning {
 }
 
 impl Turning {
-    /// The same in other axes, into which `turn` turns the vectors.
+    /// This rotation in other axes; `turn` turns vectors into them.
     pub fn in_axes(&self, turn: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Self {
         Self { rotation: self.rotation.map(|c| turn(&c)), ..*self }
     }
@@ -109,8 +109,8 @@ impl<'a> IntervalMotion<'a> {
         let dv = end.state.v_e - start.state.v_e;
         let velocity = [start.state.v_e, a0, 3.0 * dv - 2.0 * a0 - a1, a0 + a1 - 2.0 * dv];
 
-        // f = a + 2 W×v - g. Gravity is linear between the ends but for the bow of the path, u (1 - u) T a/2 high,
-        // in the gradient of a sphere.
+        // f = a + 2 W×v - g. Gravity is linear between the ends, except for the curvature of the path, which is u (1 - u) T a/2
+        // high, in the gradient of a sphere.
         let coriolis = |v: &Vector3<f64>| axis_cross(2.0 * earth_rate * t, v);
         let inverse_r2 = 1.0 / start.state.r_e.norm_squared();
         let gradient = -start.gravity_e.dot(&start.state.r_e) * inverse_r2;
@@ -141,8 +141,8 @@ impl<'a> IntervalMotion<'a> {
         }
     }
 
-    /// The force polynomial in the sensor axes of the start, held still in inertial space: with the turn of the Earth to
-    /// its second order.
+    /// The force polynomial in the sensor axes of the start, which stay fixed in inertial space. It contains the rotation of the
+    /// Earth to second order.
     fn force_in_start_axes(&self) -> [Vector3<f64>; 4] {
         let wt = self.earth_rate * self.interval_s;
         let [f0, f1, f2, f3] = &self.force;
@@ -161,7 +161,7 @@ impl<'a> IntervalMotion<'a> {
         self.turning().angular_rate(u)
     }
 
-    /// How the attitude turns.
+    /// The rotation of the attitude.
     pub fn turning(&self) -> Turning {
         Turning { interval_s: self.interval_s, rotation: self.rotation }
     }
@@ -169,7 +169,7 @@ impl<'a> IntervalMotion<'a> {
     /// Matrix of the attitude at `u`: sensor axes to Earth-fixed axes.
     pub fn to_earth(&self, u: f64) -> Matrix3<f64> {
         let turned = rotation_quaternion(&self.turning().turned_by(u));
-        // The Earth has turned on.
+        // The Earth has turned since the start.
         let earth_turn = Vector3::new(0.0, 0.0, -self.earth_rate * self.interval_s * u);
         rotation_matrix(&(rotation_quaternion(&earth_turn) * self.start.state.q_eb * turned))
     }
@@ -205,7 +205,7 @@ impl<'a> IntervalMotion<'a> {
         self.turn_to_earth().of(pairs)
     }
 
-    /// How [`Self::to_earth_axes`] turns.
+    /// The rotation that [`Self::to_earth_axes`] applies.
     #[inline(always)]
     pub fn turn_to_earth(&self) -> TurnToEarth<'a> {
         let [c1, c2, c3] = &self.rotation;
@@ -232,7 +232,7 @@ pub struct TurnToEarth<'a> {
     square: f64,
     start: &'a Matrix3<f64>,
     end: &'a Matrix3<f64>,
-    /// By which the Earth has turned on in half the interval [rad].
+    /// Rotation of the Earth in half the interval [rad].
     earth_angle: f64,
 }
 
@@ -242,7 +242,7 @@ impl TurnToEarth<'_> {
         [*self.start, *self.end]
     }
 
-    /// The same with the matrices in another place.
+    /// This rotation with other matrices.
     pub fn with<'b>(&self, [start, end]: &'b [Matrix3<f64>; 2]) -> TurnToEarth<'b> {
         TurnToEarth { start, end, ..*self }
     }
@@ -255,7 +255,7 @@ impl TurnToEarth<'_> {
             + cross.times(Pair::both(self.linear))
             + self.phi.cross(&cross).times(Pair::both(self.square));
         let middle = VectorPair::of_matrix(self.start, &turned);
-        // 2e-3 rad at the most, to its second order.
+        // At most 2e-3 rad, so the second order is enough.
         let angle = Pair::both(self.earth_angle);
         let half_square = angle * angle * 0.5;
         let middle = VectorPair {

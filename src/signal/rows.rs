@@ -4,16 +4,17 @@ use nalgebra::Vector3;
 
 use super::Increment;
 
-/// Runs of a block: two vectors of the widest instruction set, and all that a step needs of a block fits in the first-level cache.
+/// Number of runs of a block: two vectors of the widest instruction set. The data of a block for a step fit into the first-level
+/// cache.
 pub(crate) const RUNS: usize = 16;
 
-/// The same number of each run of a block.
+/// One number of each run of a block.
 pub(crate) type Row = [f64; RUNS];
 
 /// An increment of the runs of a block: three components of angle, three of velocity.
 pub(crate) type IncrementRows = [Row; 6];
 
-/// Lays the increment of a run into a lane.
+/// Stores the increment of a run in a lane.
 #[inline(always)]
 pub(crate) fn put_increment(rows: &mut IncrementRows, lane: usize, increment: &Increment) {
     for i in 0..3 {

@@ -145,7 +145,7 @@ impl Intake {
         self.ring.pushed(0)
     }
 
-    /// The point taken last and the two before it, as far as there are any.
+    /// The point taken last and the two before it, if there are any.
     pub fn behind(&self) -> [Option<&TruthPoint>; 3] {
         [0, 1, 2].map(|back| self.ring.taken(back))
     }

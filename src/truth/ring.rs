@@ -29,7 +29,7 @@ pub struct Recent<'a> {
     pub next: &'a TruthPoint,
     /// The point at the start.
     pub current: &'a TruthPoint,
-    /// The two before that, newest first, as far as there are any since the start or the last reposition.
+    /// The two points before that, newest first; `None` before the start or the last reposition.
     pub before: [Option<&'a TruthPoint>; 2],
 }
 

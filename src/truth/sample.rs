@@ -18,9 +18,9 @@ pub struct FlightSample {
     pub v_n: Option<Vector3<f64>>,
     /// Attitude angles [rad], any number of turns.
     pub euler: Euler,
-    /// Angular rate against inertial space in sensor axes [rad/s], if the host knows it.
+    /// Angular rate against inertial space in body axes [rad/s], if the host knows it.
     pub omega_ib_b: Option<Vector3<f64>>,
-    /// Specific force in sensor axes [m/s²], if the host knows it.
+    /// Specific force at the reference point in body axes [m/s²], if the host knows it.
     pub f_b: Option<Vector3<f64>>,
     /// Temperature of the gyros and accelerometers [°C], if the host knows it.
     pub temperature_c: Option<f64>,

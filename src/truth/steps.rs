@@ -23,7 +23,7 @@ const FORESEEN_INTERVALS: f64 = 4.1;
 /// Fastest that positions may move where there is no velocity [m/s].
 const MAX_SPEED_M_S: f64 = 20e3;
 
-/// The points up to the one that is to follow.
+/// The points before the next one.
 pub(super) struct Steps<'a> {
     pub last: &'a TruthPoint,
     /// The two before that, newest first.
@@ -70,7 +70,7 @@ impl Steps<'_> {
         self.check_turn(point)
     }
 
-    /// Displacement [m] that the velocities at both ends do not explain, and how much of that there may be.
+    /// Displacement [m] that the velocities at both ends do not explain, and its limit.
     fn contradiction(&self, point: &TruthPoint, limit: f64) -> (Vector3<f64>, f64) {
         let (last, interval) = (self.last, point.interval_s);
         let is_unknown = last.sample.v_n.is_none() && self.before[0].is_none();
