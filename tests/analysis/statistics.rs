@@ -370,7 +370,7 @@ fn compare_with_parts(error_model: bool) {
     }
     let figures = whole[whole.len() / 2].figures().unwrap();
     assert_eq!((figures.runs, figures.diverged, figures.outside_validity), (40, 0, 0));
-    // The draws had 5 m: chi-square of 39 degrees of freedom, all but 1e-6 on either side.
+    // The drawn position errors have a sigma of 5 m: chi-square of 39 degrees of freedom, all but 1e-6 on either side.
     let sigma_m = figures.covariance[(0, 0)].sqrt();
     assert!(sigma_m > 5.0 * 0.53 && sigma_m < 5.0 * 1.58, "{sigma_m}");
 }

@@ -280,8 +280,7 @@ fn a_given_misalignment_is_one_of_the_aligned_attitude() {
     }
 }
 
-/// The flag stays until a reset or a reposition with better sensors. A snapshot keeps it. It is never set without
-/// gyrocompassing.
+/// The flag stays until a reset or a reposition with better sensors, also in a snapshot. It is never set without gyrocompassing.
 #[test]
 fn the_flag_stays_as_long_as_the_alignment() {
     let (poor, good) = (gyros(40.0, 0.0, 0.0), gyros(0.1, 0.0, 0.0));

@@ -74,9 +74,9 @@ fn sensed(
     series
 }
 
-/// A resting INS that was not levelled takes the deflection for horizontal force g ξ: it swings about R ξ, δr = R ξ (1 - cos
-/// ws t) on a sphere that does not turn. The Earth's rate (Foucault) turns the plane of the swing by W sin L t. The
-/// ellipsoid's radius differs by 0.5 % from the sphere's, ws by half as much.
+/// A resting INS that was not levelled takes the deflection for horizontal force g ξ: it swings about R ξ,
+/// δr = R ξ (1 - cos ws t) on a sphere that does not turn. The Earth's rate (Foucault) turns the plane of the swing by
+/// W sin L t. The ellipsoid's radius differs by 0.5 % from the sphere's, ws by half as much.
 #[test]
 fn a_deflection_at_rest_makes_a_schuler_oscillation() {
     let xi = 10.0 * ARCSEC;
@@ -288,8 +288,7 @@ fn the_closed_loop_leaves_it_alone() {
     assert!((closed - open).norm() < trim.force_m_s2 * f64::from(seconds).powi(2), "{open:?} {closed:?}");
 }
 
-/// A disturbance of zero changes nothing, to the bit. No other draw moves. A reset brings the field back, a reposition continues
-/// it.
+/// A disturbance of zero changes nothing, to the bit. No other draw moves. A reset restarts the field, a reposition continues it.
 #[test]
 fn zero_is_off_and_streams_are_its_own() {
     let flight = Flight::new(
@@ -336,8 +335,7 @@ fn zero_is_off_and_streams_are_its_own() {
     step(&mut simulator, &flight.sample_at(60.0).unwrap());
     let here = simulator.imu().unwrap();
     let mean = |imu: &sins::ImuInterval| imu.ideal.velocity / imu.interval_s;
-    // 200 m further on, the fields of 2 to 4 km have changed by √(2 · 200/2000) = 0.45 standard deviations of 4e-4 m/s² at the
-    // most.
+    // 200 m further on, the fields of 2 to 4 km have changed by √(2 · 200/2000) = 0.45 standard deviations of 4e-4 m/s² at most.
     assert!((mean(&here) - mean(&there)).norm() < 4.0 * 0.45 * 6e-4);
 }
 

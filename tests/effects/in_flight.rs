@@ -97,9 +97,8 @@ fn every_steady_effect(size: f64) -> (TriadParameters, TriadParameters) {
     (scaled(gyro), scaled(accel))
 }
 
-/// Twice the errors make four times the difference between the two error data. The bound covers terms of third order, smaller
-/// by an error angle of 1e-4, and 3e-8 m of the navigator itself. An effect missing in error data 1 would make twice the
-/// difference.
+/// Twice the errors make four times the difference between the two error data. The bound covers terms of third order, smaller by an
+/// error angle of 1e-4, and 3e-8 m of the navigator itself. An effect missing in error data 1 would make twice the difference.
 #[test]
 fn both_error_data_agree_to_second_order_in_every_steady_effect() {
     let [(once, _), (twice, size)] =

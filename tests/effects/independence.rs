@@ -163,8 +163,7 @@ fn signal(step: usize) -> (Increment, f64) {
     (Increment { angle: rates * dt, velocity: forces * dt }, dt)
 }
 
-/// Runs a triad and its parts through a sequence of parameters, each for the given number of steps, and compares them to the
-/// bit.
+/// Runs a triad and its parts through a sequence of parameters, each for the given number of steps, and compares their bits.
 fn compare(name: &str, sensor: Sensor, sequence: &[(TriadParameters, usize)]) {
     let (mut whole, mut parts) = (Triad::new(KEY, sensor), Parts::new(sensor));
     let (mut before, mut step) = (TriadParameters::default(), 0);
@@ -226,8 +225,7 @@ fn each_effect_shows() {
     });
 }
 
-/// The altimeter's effects: first those of the height without the random ones, then each of the two random ones at zero
-/// height.
+/// The altimeter's effects: those of the height without the random ones, then each of the two random ones at zero height.
 #[test]
 fn the_altimeter_likewise() {
     let all = AltimeterParameters {

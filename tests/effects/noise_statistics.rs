@@ -283,9 +283,9 @@ fn rate_random_walk_has_its_joint_covariance_at_any_increments() {
     }
 }
 
-/// Flicker of B = 1, for any split of the time: half the mean square of the difference of two consecutive means is 2 ln 2 /
-/// π, 0.664², within the -2 % to +4.6 % of the ripple, from 2 s to 1e5 s. The process is stationary with the variance 6.5 ln
-/// 10 / π.
+/// Flicker of B = 1, for any split of the time: half the mean square of the difference of two consecutive means is 2 ln 2 / π,
+/// 0.664², within the -2 % to +4.6 % of the ripple, from 2 s to 1e5 s. The process is stationary with the variance
+/// 6.5 ln 10 / π.
 #[test]
 fn flicker_has_a_flat_allan_deviation_at_any_increments() {
     let runs = 4000_usize;

@@ -95,8 +95,7 @@ fn data_sheet_units_are_what_their_texts_say() {
     assert!(count > 40, "{count}");
 }
 
-/// A definition reads as part of a sentence, an effect begins with its sensor's name, and a correlation time has its standard
-/// deviation.
+/// A definition reads as part of a sentence, an effect begins with its sensor's name, and a time has its standard deviation.
 #[test]
 fn names_are_whole() {
     for parameter in PARAMETERS {

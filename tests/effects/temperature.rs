@@ -61,8 +61,8 @@ fn a_warm_up_integrates_to_its_closed_form() {
     }
 }
 
-/// Scale factor errors multiply the sensed signal, and all temperature errors act before the dead zone and the range: 3 (1 + 0.5 ×
-/// 2) + 0.25 × 2² = 7 is cut to 6.5, and 0.25 (1 + 1) - 0.5 gives 0.
+/// Scale factor errors multiply the sensed signal, and all temperature errors act before the dead zone and the range:
+/// 3 (1 + 0.5 × 2) + 0.25 × 2² = 7 is cut to 6.5, and 0.25 (1 + 1) - 0.5 gives 0.
 #[test]
 fn temperature_acts_in_its_place_in_the_order() {
     let one = Vector3::repeat(1.0);

@@ -1,6 +1,6 @@
 //! Orders of convergence, by halving the step: slopes within 0.2 of theory.
 //!
-//! The references' exact integrals are added up to longer subsamples, so every step sees exact increments.
+//! The exact integrals of the references are added up to longer subsamples, so every step has exact increments.
 
 use nalgebra::{Quaternion, Vector3};
 use sins::earth::{Earth, Ellipsoid, GravityModel};
@@ -138,8 +138,8 @@ fn coning_drift(n: usize, a: f64, w: f64, h: f64) -> f64 {
     error.dot(&rotate(&Quaternion::identity(), &Vector3::z())).abs() / time
 }
 
-/// For small coning the drift falls with the order 2n and has the size of the theory: a² (wh)^(2n+1) n n! / (2^(n+1)
-/// Π_{k=1}^{n+1} (2k-1)) / (n h).
+/// For small coning the drift falls with the order 2n and has the size of the theory:
+/// a² (wh)^(2n+1) n n! / (2^(n+1) Π_{k=1}^{n+1} (2k-1)) / (n h).
 #[test]
 fn coning_drift_is_of_order_2n_and_of_the_size_of_theory() {
     let w = std::f64::consts::TAU * 10.0;

@@ -209,9 +209,8 @@ fn geographic_axes_do_as_well_away_from_the_pole() {
     assert_coning_of_two_subsamples(Frame::Geographic, Scheme::Exact);
 }
 
-/// Constant sensor biases against the exact nonlinear solution, vertical channel held to the truth: the errors agree within the
-/// bounds of the tests above. A rotation vector exceeds the vector part of its matrix by ψ²/6 of itself; the rest is of third
-/// order too.
+/// Constant sensor biases against the exact nonlinear solution, vertical channel held to the truth: errors agree within the bounds
+/// of the tests above. A rotation vector exceeds the vector part of its matrix by ψ²/6 of itself; the rest is of third order too.
 #[test]
 fn biased_sensors_give_the_errors_of_the_exact_equations() {
     for (name, gyro, accel) in
@@ -264,7 +263,7 @@ fn biased_sensors_give_the_errors_of_the_exact_equations() {
 }
 
 /// Generator and mechanization together over the pole, which the flight passes exactly: the error is of the fourth order of the
-/// interval, so that every other sample leaves 16 times as much. The bound is twice this share, and rounding.
+/// interval, so that every other sample leaves 16 times as much. The bound is twice the 16th part, and rounding.
 #[test]
 fn the_whole_chain_passes_the_pole_like_anywhere_else() {
     let samples = Reference::load("polar").truth.samples(false);

@@ -95,9 +95,9 @@ fn the_patrol_is_the_one_that_is_described() {
     assert!(distance < 2.0 * DEG, "{}", distance / DEG);
 }
 
-/// The closed loop holds an error-free navigator, whose vertical channel is free and would double its error every 400 s. It
-/// holds to the rounding of Earth-fixed coordinates on both sides, eight roundings. The trim answers these by its gains, 1.6/τ
-/// of a velocity that follows them in τ and 1/τ² + 4e-6. It also corrects the error of the scheme, of fourth order.
+/// The closed loop holds an error-free navigator, whose vertical channel is free and would double its error every 400 s, to the
+/// rounding of Earth-fixed coordinates on both sides, eight roundings. The trim answers these by its gains, 1.6/τ of a velocity
+/// that follows them in τ and 1/τ² + 4e-6. It also corrects the error of the scheme, of fourth order.
 #[test]
 fn the_closed_loop_holds_the_free_vertical_channel() {
     let tau_s = 30.0;

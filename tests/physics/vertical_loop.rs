@@ -12,8 +12,7 @@ use crate::support::{options_at, resting_sample};
 
 const TAU_S: f64 = VerticalLoop::TIME_CONSTANT_S;
 
-/// Height error of a vertical channel that started `height_m` too high and otherwise right: exp(-x) (1 - 2 x + x²/2), x =
-/// t/τ.
+/// Height error of a vertical channel that started `height_m` too high, otherwise right: exp(-x) (1 - 2 x + x²/2), x = t/τ.
 fn after_a_height_error(height_m: f64, time_s: f64) -> f64 {
     let x = time_s / TAU_S;
     height_m * (-x).exp() * (1.0 - 2.0 * x + 0.5 * x * x)
@@ -80,8 +79,8 @@ fn a_height_error_goes_as_the_three_poles_in_even_and_uneven_steps() {
     }
 }
 
-/// Response to the bend of the residual by an acceleration of 1 that the loop has still to find, with its share in κ: (3 λ s²
-/// + 3 λ² s + λ³ + κ s)/(s + λ)³ of the share that d has not found, exp(-x) (1 + x + x²/2).
+/// Response to the bend of the residual by an acceleration of 1 that the loop has still to find, with its share in κ:
+/// (3 λ s² + 3 λ² s + λ³ + κ s)/(s + λ)³ of the share that d has not found, exp(-x) (1 + x + x²/2).
 fn to_what_is_not_found(time_s: f64) -> f64 {
     let x = time_s / TAU_S;
     let of_gradient = VerticalLoop::GRAVITY_GRADIENT * TAU_S * TAU_S * (x.powi(2) / 2.0 - x.powi(5) / 120.0);

@@ -37,8 +37,7 @@ fn the_e_folding_time_is_that_of_the_gravity_gradient() {
                 errors.position_n.z,
                 ratio - 1.0
             );
-            // Rounding of 2 nm at the start is 2e-6 of 1 mm; height over radius, 150 m of 6.4e6, is the next order of the
-            // field.
+            // Rounding of 2 nm at the start is 2e-6 of 1 mm; height over radius, 150 m of 6.4e6, is the field's next order.
             let second_order = 1.5 * errors.position_n.z / 6.36e6;
             assert!((ratio - 1.0).abs() < 0.5e-6 * time_s / tau_s + 2e-6 + second_order, "{ratio}");
         }
@@ -105,8 +104,8 @@ fn the_end_is_told_and_both_ways_back_are_open() {
                 error.field.contains("height_m") && error.value.unwrap().as_f64().abs() > limit_m.abs(),
                 "{error}"
             );
-            // Coriolis turns the vertical motion to the west, and the motion to the west acts as weight: (2 W cos L)² of 2
-            // g/R, 0.2 % of the rate.
+            // Coriolis turns the vertical motion to the west, and the motion to the west acts as weight: (2 W cos L)² of 2 g/R,
+            // 0.2 % of the rate.
             assert!((f64::from(end) - expected_s).abs() < 2e-3 * expected_s + 1.0, "{end} {expected_s}");
             assert_eq!(last.time_s, f64::from(end) - 1.0);
             // One more step of 1 s would have exceeded the limit.

@@ -67,12 +67,12 @@ fn jitter_of_half_an_interval_and_losses() {
             "jitter of ±50 %, one of ten lost {lost}: {:.1e} m, {:.1e} m/s; 50 Hz steadily {:.1e} m",
             worst.position_m, worst.velocity_m_s, steady.position_m
         );
-        // Uneven stencils lose an order at their ends. Samples are 20 ms apart at the most, or 30 with a loss: 2 to 3⁴/2⁴ of 50
-        // Hz. Each sample adds an ulp of the attitude, 2e-16 rad, over 0.2 ms.
+        // Uneven stencils lose an order at their ends. Samples are 20 ms apart at the most, or 30 with a loss: 2 to 3⁴/2⁴ of
+        // 50 Hz. Each sample adds an ulp of the attitude, 2e-16 rad, over 0.2 ms.
         let longest: f64 = if lost { 1.5 } else { 1.0 };
         let share = 10.0 * longest.powi(4);
         assert!(worst.position_m < share * steady.position_m + 1e-7, "{worst:?}");
-        // The rounding of the position over the 300 s.
+        // The same bound, with the rounding over the 300 s.
         assert!(worst.velocity_m_s < share * steady.velocity_m_s + 1e-7 / 300.0, "{worst:?}");
     }
 }
@@ -287,14 +287,12 @@ fn a_reposition_makes_no_spike() {
         let [a, b] = [&through, &slewed].map(|simulator| simulator.imu().unwrap());
         force = force.max((a.ideal.velocity - b.ideal.velocity).norm() / 0.01);
         rate = rate.max((a.ideal.angle - b.ideal.angle).norm() / 0.01);
-        // The filters start in the steady state of their first increment: they are off by no more than the change of the
-        // signal.
+        // The filters start in the steady state of their first increment: they are off by no more than the signal changes.
         assert!((b.measured.velocity - b.ideal.velocity).norm() / 0.01 < 1.0, "{k}");
         let (_, errors) = slewed.errors(ErrorSource::Navigation).unwrap().unwrap();
         assert!(errors.velocity_n.norm() < 0.05 && errors.position_n.norm() < 0.05, "{errors:?}");
     }
     println!("reposition: ideal signals off by {force:.1e} m/s², {rate:.1e} rad/s at the most");
-    // Δv and Δθ of an interval come from the samples; the force turns within it by the order T² a'': (0.01 s · 2 rad/s)² of 10
-    // m/s².
+    // Δv and Δθ come from the samples; the force turns within an interval by the order T² a'': (0.01 s · 2 rad/s)² of 10 m/s².
     assert!(force < 4e-3 && rate < 1e-6, "{force:e} {rate:e}");
 }

@@ -47,8 +47,8 @@ fn date_line_and_equator_are_no_lines() {
                 println!("{what}, {frame:?}, heading {heading}: {line}; at 30° east {beside}");
                 assert!(line.position_m < 2.0 * beside.position_m + 3e-9, "{line} {beside}");
                 assert!(line.velocity_m_s < 2.0 * beside.velocity_m_s + 1e-12);
-                // The error of a cubic in the rotation vector begins with the fourth power of the turn in a sample; rounding
-                // remains.
+                // The error of a cubic in the rotation vector begins with the fourth power of the turn in a sample; rounding is
+                // left.
                 assert!(line.attitude_rad < 2.0 * beside.attitude_rad + 16.0 * f64::EPSILON);
             }
         }

@@ -41,9 +41,8 @@ fn passage(circle: &Circle) -> (Apart, f64) {
     (worst, simulator.accuracy().unwrap().unwrap().1.velocity_rms_n.norm())
 }
 
-/// Position, velocity and attitude in Earth-fixed axes are as good at each distance from either pole as at 45° north. The
-/// attitude is composed of the quaternion and the longitude as they are read, so these two still belong together at the pole
-/// itself.
+/// Position, velocity and attitude in Earth-fixed axes are as good at each distance from either pole as at 45° north. The attitude
+/// is composed of the quaternion and the longitude as read, so these two still belong together at the pole itself.
 #[test]
 fn a_pole_is_passed_at_any_distance_as_45_degrees_are() {
     let (elsewhere, rms) = passage(&Circle::past(about(Vector3::y(), 0.8), 0.0));
@@ -167,8 +166,8 @@ fn errors_in_metres_pass_over_the_pole() {
     assert!(flagged > 0);
 }
 
-/// The geographic axes are right to 2e-6 of the distance at which they pass a pole. They are refused where an update moves by 1
-/// % of the distance to the pole, or within 6.4 km.
+/// The geographic axes are right to 2e-6 of the distance at which they pass a pole. They are refused where an update moves by 1 %
+/// of the distance to the pole, or within 6.4 km.
 #[test]
 fn geographic_axes_give_up_before_they_lose_accuracy() {
     for (speed_m_s, rate_hz, updates) in [

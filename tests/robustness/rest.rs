@@ -18,8 +18,7 @@ fn tilted(time_s: f64) -> FlightSample {
     FlightSample { euler, ..resting_sample(time_s) }
 }
 
-/// Errors of position [m], velocity [m/s] and misalignment [rad] after each of `hours`; norm and clock are checked on the
-/// way.
+/// Errors of position [m], velocity [m/s] and misalignment [rad] after each of `hours`. Norm and clock are checked on the way.
 fn closure(options: &Options, rate_hz: f64, first_s: f64, hours: &[u32]) -> Vec<[f64; 3]> {
     let mut simulator = Simulator::new(options).unwrap();
     let mut figures = Vec::new();
@@ -69,8 +68,7 @@ fn assert_rounding([position_m, velocity_m_s, misalignment_rad]: [f64; 3], hour:
     assert!(misalignment_rad < rounding.misalignment_rad, "{misalignment_rad:e} {rounding:?}");
 }
 
-/// A clock that counts from 1970 is known to 2.4e-7 s: the intervals are the differences of the stamps, so their sum
-/// telescopes.
+/// A clock that counts from 1970 is known to 2.4e-7 s: the intervals are differences of the stamps, so their sum telescopes.
 #[test]
 fn stamps_since_1970_cost_nothing() {
     for (label, options) in [

@@ -1,5 +1,4 @@
-//! Samples that are accepted of a host and samples that are refused: each refusal names field, value and limit, and changes
-//! nothing.
+//! Samples of a host that are accepted or refused: each refusal names field, value and limit, and changes nothing.
 
 use nalgebra::Vector3;
 use sins::truth::{FlightSample, IntakeLimits};

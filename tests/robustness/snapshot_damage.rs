@@ -121,8 +121,7 @@ fn wild(draws: &mut Draws, word: u64) -> u64 {
     }
 }
 
-/// Whatever the snapshot contains: nothing panics, hangs or overflows, and a new snapshot that loads gives the same bytes
-/// again.
+/// For any content: nothing panics, hangs or overflows, and a new snapshot that loads gives the same bytes again.
 fn works(simulator: &mut Simulator, run: &Run, from: usize) {
     reads(simulator);
     for call in run.calls[from..].iter().take(12) {

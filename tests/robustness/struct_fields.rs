@@ -111,8 +111,8 @@ struct Tried {
 
 impl Tried {
     /// Puts not-a-number, infinity and the largest numbers into each word of `good`, a `T`, except for the first word and the
-    /// `free` words, which may hold anything: each is refused, and `read` gives the same. `remembers` keeps the reason, or if
-    /// it is null the thread.
+    /// `free` words, which may hold anything: each is refused, and `read` gives the same. The simulator `remembers` keeps the
+    /// reason, or the thread if `remembers` is null.
     fn each_word<T>(
         &mut self,
         good: &Words,

@@ -10,8 +10,8 @@ use super::{MICRO_G, MODEL};
 use crate::support::{self, DEG_PER_HOUR};
 
 /// For each effect that is drawn once a run, the error of a run (error data 1, which is linear) over its draw is the sigma. The
-/// draw itself is not needed: it is one number for all errors at all times. Stretches of a second differ from intervals by (1
-/// s/t)² of the error of the first t = 20 s: 2e-3.
+/// draw itself is not needed: it is one number for all errors at all times. Stretches of a second differ from intervals by
+/// (1 s/t)² of the error of the first t = 20 s: 2e-3.
 #[test]
 fn a_single_draw_is_the_error_of_a_run_over_its_sigma() {
     let mut count = 0;
@@ -145,9 +145,8 @@ const EFFECTS: [Effect; 11] = {
     ]
 };
 
-/// A draw of one sigma is a given error of this size: half the difference of the navigation of two runs, one with this error
-/// and one with its opposite, is the sigma of each of the nine errors. This compares the covariance with the navigation in
-/// absolute size.
+/// A draw of one sigma is a given error of this size: half the difference of the navigation of two runs, one with this error, one
+/// with its opposite, is the sigma of each of the nine errors. This compares the covariance with the navigation in absolute size.
 #[test]
 fn a_sigma_is_half_the_difference_of_two_runs() {
     for (name, samples) in &flights() {

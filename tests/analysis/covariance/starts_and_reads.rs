@@ -33,8 +33,7 @@ fn sigma(simulator: &mut Simulator) -> [f64; 9] {
     simulator.covariance().unwrap().unwrap().1.sigma()
 }
 
-/// Before the first step the covariance is that of the start. A read changes nothing; other outputs are the same bits without
-/// it.
+/// Before the first step the covariance is that of the start. A read changes nothing. Other outputs have the same bits without it.
 #[test]
 fn it_begins_as_the_start_and_changes_nothing() {
     let flight = support::patrol(60.0);

@@ -1,8 +1,7 @@
 //! The covariance against ensembles: the spread of many runs with other draws equals the covariance, by chi-square, and a
 //! covariance of densities that are wrong by 10 % is detected.
 //!
-//! The ordinary test flies 200 runs and an hour of the patrol; `--features long-tests` flies 2000 runs and all of its 48
-//! hours.
+//! The ordinary test flies 200 runs and an hour of the patrol; `--features long-tests` flies 2000 runs and all of its 48 hours.
 
 mod scenes;
 
@@ -47,7 +46,7 @@ fn chi_square_bounds(n: f64, z: f64) -> (f64, f64) {
 
 /// Mean squares of a scene's runs, each over its expectation.
 struct Found {
-    /// Of each error at each instant.
+    /// Mean square of each error at each instant.
     sigmas: Vec<[f64; 9]>,
     /// The normalized square of the nine errors, over nine.
     nees: Vec<f64>,

@@ -64,8 +64,7 @@ fn biases_contribute_their_closed_forms() {
     }
     assert_eq!((budget.rows.len(), budget.runs, budget.flights), (2, 1, 4));
     assert!((budget.span_s - 3599.9).abs() < 1e-9);
-    // With nothing set less than a micrometre is left. The remainder is of second order: one effect's tilt times the other's
-    // way.
+    // With nothing set less than a micrometre is left. The remainder is of second order: one's tilt times the other's way.
     let drift = &row(&budget, "gyro.bias_rad_s").worst;
     assert!(budget.own.0.position_m < 1e-6, "{budget:?}");
     assert!(budget.remainder.position_m < drift.position_m * drift.attitude_rad, "{budget:?}");
@@ -182,8 +181,7 @@ fn runs_are_those_of_the_options() {
     assert!((found / worst - 1.0).abs() < 1e-12, "{found:e} {worst:e}");
 }
 
-/// Half the sizes give a quarter of the remainder. Errors are 1 % and less, so the third order is 1 % of the remainder and
-/// less.
+/// Half the sizes give a quarter of the remainder. Errors are 1 % and less, so the third order is 1 % of it and less.
 #[test]
 fn the_remainder_is_of_second_order() {
     let samples = turning();

@@ -12,8 +12,7 @@ use super::{
 };
 use crate::support::options_at;
 
-/// The answer is the best one and is reported so: no cheaper options use as small a share of the requirement, none a smaller
-/// one.
+/// The answer is the best one, and is reported so: no cheaper options use as small a share of the requirement, none a smaller one.
 #[test]
 fn an_impossible_requirement_gets_the_best_there_is() {
     let requirement = Requirement { attitude_rad: 1e-16, position_m: 1e-10, ..Default::default() };

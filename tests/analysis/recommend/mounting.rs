@@ -63,9 +63,8 @@ fn flown(setup: &Setup, samples: &[FlightSample]) -> f64 {
     worst
 }
 
-/// With the mounting the error of the answer is the predicted one, by the triangle inequality up to the reference's own error
-/// and uncertainty; everything cheaper errs by more than is allowed. Without the mounting the answer errs by 30 times the
-/// limit.
+/// With the mounting the error of the answer is the predicted one, by the triangle inequality up to the reference's own error and
+/// uncertainty; everything cheaper errs by more than is allowed. Without the mounting the answer errs by 30 times the limit.
 #[test]
 fn the_answer_for_a_block_off_the_reference_point_holds_there() {
     let (samples, setup) = (take_off(), off_centre());

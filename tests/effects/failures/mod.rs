@@ -69,16 +69,15 @@ fn a_dead_gyro_at_rest_drifts_by_the_earths_rate() {
     }
     for source in [ErrorSource::Navigation, ErrorSource::Model] {
         let (_, errors) = simulator.errors(source).unwrap().unwrap();
-        // φ' = -eps, and φ turns with the Earth. The velocity error of the tilt changes φ at the Schuler rate, by (t/806
-        // s)²/2.
+        // φ' = -eps, and φ turns with the Earth. The tilt's velocity error changes φ at the Schuler rate, by (t/806 s)²/2.
         let expected = north * seconds;
         let second_order = expected * (EARTH_RATE * seconds + 0.5 * (seconds / 806.0).powi(2));
         assert!((errors.misalignment_n.y - expected).abs() < second_order, "{errors:?}");
     }
 }
 
-/// Before a bias step the signals are those of sound sensors, to the bit. From the next interval on the difference is size ×
-/// time. After the step is cleared, the measured signals are again those of sound sensors, to the bit.
+/// Before a bias step the signals are those of sound sensors, to the bit. From the next interval on the difference is
+/// size × time. After the step is cleared, the measured signals are again those of sound sensors, to the bit.
 #[test]
 fn a_bias_step_begins_with_the_next_interval_and_goes_without_a_trace() {
     let mut sound = noisy_simulator();
@@ -127,8 +126,7 @@ fn a_spike_train_has_its_count_and_area() {
     let expected: Vec<usize> = (0..1000).filter(|k| k % 50 < 2).collect();
     assert_eq!(spiked, expected);
 
-    // Pulses are not in step with the intervals, some are within one sub-increment: after each interval the area follows the
-    // closed form.
+    // Pulses out of step with the intervals, some within a sub-increment: after each interval the area follows the closed form.
     simulator.set_failure(SensorOutput::Accelerometer(Axis::Y), train(0.0137, 0.0011)).unwrap();
     let mut area = 0.0;
     for (k, imu) in sensed(&mut simulator, rest(1001..2001)).iter().enumerate() {
@@ -226,8 +224,7 @@ fn drop_outs_lose_their_mass() {
     }
 }
 
-/// A stuck output repeats the last value that it showed; without one, it repeats the first value that it shows. It is not
-/// flagged.
+/// A stuck output repeats the last value that it showed; without one, the first value that it shows. It is not flagged.
 #[test]
 fn a_stuck_output_holds_the_last_value() {
     let mut simulator = noisy_simulator();

@@ -46,9 +46,8 @@ fn perfect_sensors_navigate_to_the_truth_as_without_a_mounting() {
     }
 }
 
-/// An algorithm of higher order shows what the block's signals and the way back to the reference point add: gravitation along the
-/// arm, 5.4 m · 3e-6 /s², is taken in the middle of each increment, with an error of θ²/24 at θ = 2.8/800 rad: 9e-12 m/s² for 97
-/// s.
+/// An algorithm of higher order shows what the block's signals and the way back add: gravitation along the arm, 5.4 m · 3e-6 /s²,
+/// is taken in the middle of each increment, with an error of θ²/24 at θ = 2.8/800 rad: 9e-12 m/s² for 97 s.
 #[test]
 fn the_blocks_signals_are_those_of_a_rigid_arm() {
     let options = Options { scheme: Scheme::Polynomial, subsamples: 4, ..options_at(200.0) };
@@ -100,8 +99,7 @@ fn a_steady_turn_feels_centripetal_force() {
         let (Some(imu), Some(alone)) = (simulator.imu(), alone.imu()) else { continue };
         let felt = (imu.ideal.velocity - alone.ideal.velocity) / imu.interval_s;
         let total = rate + EARTH_RATE * (39.9 * DEG).sin();
-        // Along the arm the gradient of gravitation also acts, 1.5e-6 /s² · 2 m; the Earth's north rate couples with 1e-4 of
-        // the rate.
+        // The gradient of gravitation adds 1.5e-6 /s² · 2 m along the arm; the Earth's north rate couples with 1e-4 of the rate.
         assert!((felt.x + total * total * 2.0).abs() < 1e-5, "{felt:?}");
         assert!(felt.yz().norm() < 3e-4, "{felt:?}");
     }
@@ -160,8 +158,7 @@ fn the_closed_loop_holds_a_mounted_block() {
 }
 
 /// Before the first step the solution is that of the coming step: a vehicle that starts in a roll has the rate of its first two
-/// samples. Later samples correct the rate; the block's velocity follows in the truth and in the solution, so that no error is
-/// left.
+/// samples. Later samples correct the rate; the block's velocity follows, in the truth and in the solution, without an error.
 #[test]
 fn a_start_in_a_roll_has_the_blocks_velocity() {
     let flight = flight(&[Manoeuvre::Roll { duration_s: 5.0, turns: 1.0 }]);

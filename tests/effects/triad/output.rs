@@ -50,8 +50,7 @@ fn bandwidth_against_the_frequency_response() {
         }
         let period = f64::from(per_period) * dt;
         let found = 2.0 * sine.hypot(cosine) / period;
-        // Mean over an increment, hold over it, mean again: a factor sin x / x each. The filter passes the images of the hold
-        // by 1e-7.
+        // Mean over an increment, hold over it, mean again: a factor sin x / x each. The filter passes images of the hold by 1e-7.
         let x = std::f64::consts::PI / f64::from(per_period);
         assert!((found / gain - (x.sin() / x).powi(3)).abs() < 1e-7, "{found}");
         if ratio == 1.0 {

@@ -49,10 +49,10 @@ fn size_effect_of_rocking(dts: impl Iterator<Item = f64>, seconds: f64) -> (f64,
     (largest_x, largest_y)
 }
 
-/// Rocking about z. The derivative of a cubic through the angle at 0, -h, -2h, -3h is wrong by h³θ''''/4 at the most: this
-/// bounds the error of the tangential velocity at any time. In each increment the centripetal velocity errs by d (h³ω'''/4 +
-/// h³ω'''/4)/12, and by less than half as much from the curvature of ω. The first three increments add once less than 3
-/// h³ω'²/12.
+/// Rocking about z. The derivative of a cubic through the angle at 0, -h, -2h, -3h is wrong by h³θ''''/4 at the most: this bounds
+/// the error of the tangential velocity at any time. The centripetal velocity errs in each increment by
+/// d (h³ω'''/4 + h³ω'''/4)/12, and by less than half as much from the curvature of ω. The first three increments add less than
+/// 3 h³ω'²/12, once.
 #[test]
 fn size_effect_of_rocking_is_of_third_order_and_does_not_accumulate() {
     let (r, a, turn) = (0.1, 0.2, 6.0_f64);

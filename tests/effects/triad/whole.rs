@@ -65,8 +65,7 @@ fn errors_are_in_the_units_of_the_parameters() {
     assert_eq!(error, Vector3::new(0.2, 0.5, 0.02));
 }
 
-/// The order of the effects along the path of the signal. For each pair of neighbours only this order gives these exact
-/// numbers.
+/// The order of the effects along the path of the signal: for each pair of neighbours only this order gives the exact numbers.
 #[test]
 fn effects_act_in_the_order_stated() {
     let one = Vector3::repeat(1.0);
@@ -97,8 +96,7 @@ fn effects_act_in_the_order_stated() {
     assert_eq!(sense(Sensor::Accelerometer, &parameters, force(3.0)).z, 10.0 * 0.3);
 }
 
-/// Four random effects together give the sum of each alone; one that is switched off in flight leaves the draws of the
-/// others.
+/// Four random effects together give the sum of each alone; one that is switched off in flight leaves the others' draws.
 #[test]
 fn random_effects_do_not_move_each_others_draws() {
     let ones = Vector3::repeat(1.0);

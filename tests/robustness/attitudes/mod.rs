@@ -148,8 +148,7 @@ fn angular_acceleration_of_1e5_degrees_a_second_squared() {
     }
 }
 
-/// Flies a roll by `angle`: None if it is flown to the end with every turn sensed, else the sample refused as a
-/// discontinuity.
+/// Flies a roll by `angle`: None if flown to the end with every turn sensed, else the sample refused as a discontinuity.
 fn roll_through(
     count: u32,
     rate_hz: f64,

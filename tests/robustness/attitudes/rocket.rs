@@ -41,8 +41,7 @@ fn missed_of_a_steady_vector(scheme: Scheme, n: usize, turn: f64) -> [f64; 2] {
     if scheme == Scheme::Exact {
         assert_eq!(n, 2);
         let (sum, change) = (sensed(1.0), sensed(1.0) - sensed(0.5) * 2.0);
-        // V + (1 - cos a)/a iV - (1 - sin a/a) V, plus coning and sculling 2/3 · a/2 i(V2 - V1), less a²/2 (V2 - V1)/3 for the
-        // force.
+        // V + (1 - cos a)/a iV - (1 - sin a/a) V, plus coning and sculling 2/3 · a/2 i(V2 - V1); the force less a²/2 (V2 - V1)/3.
         let coning = change * ia / 3.0;
         let force =
             sum * Complex::new(turn.sin(), 1.0 - turn.cos()) / turn + coning - change * (turn * turn / 6.0);
@@ -50,8 +49,7 @@ fn missed_of_a_steady_vector(scheme: Scheme, n: usize, turn: f64) -> [f64; 2] {
         let rate = (sum + coning) * (turned(1.0) - 1.0) / ia;
         return [(force - 1.0).norm_sqr().sqrt(), (rate - 1.0).norm_sqr().sqrt()];
     }
-    // The integral of the polynomial through its values after each part (Lagrange), then integration by parts with Simpson's
-    // rule.
+    // Integral of the polynomial through its values after each part (Lagrange), then integration by parts with Simpson's rule.
     let integral = |u: f64| {
         (0..=n).fold(Complex::from(0.0), |sum, k| {
             let others = (0..=n).filter(|&j| j != k);
@@ -67,8 +65,7 @@ fn missed_of_a_steady_vector(scheme: Scheme, n: usize, turn: f64) -> [f64; 2] {
         area += turned(u) * integral(u) * (weight / f64::from(6 * steps));
     }
     let missed = (turned(1.0) * integral(1.0) - ia * area - 1.0).norm_sqr().sqrt();
-    // Magnus' series to the sixth order drops B6/6! a^6 = a^6/30240; its quadrature and the generator drop as much again
-    // each.
+    // Magnus' series to the sixth order drops B6/6! a^6 = a^6/30240; its quadrature and the generator each drop as much again.
     [missed, missed + 3.0 * turn.powi(6) / 30_240.0]
 }
 
