@@ -1,4 +1,4 @@
-//! What the library says of a flight without single runs: recommendations, budgets, covariances, statistics.
+//! Results of the library for a flight without single runs: recommendations, budgets, covariances, statistics.
 
 mod allan;
 #[path = "../support/mod.rs"]

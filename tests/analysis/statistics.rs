@@ -1,5 +1,5 @@
 //! Statistics of many runs: the same bits for any split, right where means are large and scatter small, and at the ends of their
-//! ranges; what is damaged is refused.
+//! ranges; damaged statistics are refused.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 use sins::ensemble::Ensemble;
@@ -17,7 +17,7 @@ type Covariance = SMatrix<f64, 9, 9>;
 
 /// Resolutions of position, velocity and misalignment, as the header states them.
 const RESOLUTIONS: [f64; 3] = [1.0 / 4194304.0, 1.0 / 536870912.0, 1.0 / 35184372088832.0];
-/// The ends of their ranges.
+/// Ends of the ranges of position, velocity and misalignment.
 const RANGES: [f64; 3] = [33554432.0, 262144.0, 4.0];
 
 fn errors(states: &States) -> NavigationErrors {
@@ -94,7 +94,7 @@ fn any_split_and_any_order_of_merges_gives_the_same_bits() {
     }
 }
 
-/// The two passes of a textbook, on the numbers as they were rounded to their resolutions.
+/// The two-pass algorithm of a textbook, on the numbers as they were rounded to their resolutions.
 fn two_passes(samples: &[States]) -> (States, Covariance, States) {
     let n = samples.len() as f64;
     let rounded: Vec<States> = samples
@@ -155,7 +155,7 @@ fn radii_are_those_of_the_sorted_runs_to_the_stated_error() {
         let mut radii: Vec<f64> = all.iter().map(|states| states.fixed_rows::<2>(0).norm()).collect();
         radii.sort_by(f64::total_cmp);
         let figures = of(&all).figures().unwrap();
-        // The least radius that at least that share of the runs does not exceed.
+        // The least radius that at least this share of the runs does not exceed.
         let exact = |percent: usize| radii[(percent * count).div_ceil(100) - 1];
         for (found, exact) in [(figures.cep50_m, exact(50)), (figures.r95_m, exact(95))] {
             let allowed = (RADIAL_ERROR * exact).max(0.5e-3) + 2.0 * RESOLUTIONS[0];
@@ -186,7 +186,7 @@ fn no_run_and_one_run_have_figures() {
     assert_eq!((figures.runs, figures.diverged, figures.r95_m), (1, 1, 0.0));
 }
 
-/// As many runs as there can be of `samples`, which each have as many: by doubling.
+/// The largest possible number of runs, each of `samples` equally often: by doubling.
 fn most_of(samples: &[States]) -> Statistics {
     let mut doubled = of(samples);
     let mut sum = Statistics::default();
@@ -201,7 +201,7 @@ fn most_of(samples: &[States]) -> Statistics {
     sum
 }
 
-/// All states at the ends of their ranges in as many runs as there can be.
+/// All states at the ends of their ranges in the largest possible number of runs.
 #[test]
 fn nothing_overflows_at_the_ends_of_all_ranges_together() {
     let mut end = States::from_fn(|k, _| RANGES[k / 3]);
@@ -292,7 +292,7 @@ fn damaged_and_foreign_statistics_are_refused() {
     assert!(of_none.figures().unwrap_err().to_string().starts_with("statistics.sums[2]"));
 }
 
-/// Whatever bits are turned over, nothing panics.
+/// Whichever bits are flipped, nothing panics.
 #[test]
 fn no_damage_does_harm() {
     let mut draws = Draws::new(5);
@@ -332,7 +332,7 @@ fn template(error_model: bool) -> Simulator {
     simulator
 }
 
-/// The statistics of the error data that there are, before the first step and after 50.
+/// Statistics of the error data that exist, before the first step and after 50.
 fn statistics_of(error_model: bool, first_run: u64, runs: usize) -> Vec<Statistics> {
     let mut ensemble = Ensemble::new(&template(error_model), first_run, runs).unwrap();
     ensemble.push_sample(&resting_sample(0.0)).unwrap();
@@ -370,7 +370,7 @@ fn compare_with_parts(error_model: bool) {
     }
     let figures = whole[whole.len() / 2].figures().unwrap();
     assert_eq!((figures.runs, figures.diverged, figures.outside_validity), (40, 0, 0));
-    // 5 m were drawn: chi-square of 39 degrees of freedom, all but 1e-6 on either side.
+    // The drawn position errors have a sigma of 5 m: chi-square of 39 degrees of freedom, all but 1e-6 on either side.
     let sigma_m = figures.covariance[(0, 0)].sqrt();
     assert!(sigma_m > 5.0 * 0.53 && sigma_m < 5.0 * 1.58, "{sigma_m}");
 }

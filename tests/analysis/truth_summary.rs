@@ -1,4 +1,4 @@
-//! The motion of the truth in figures: what it shows of a good host, and that a host's wrong units stand out in it.
+//! The motion of the truth in figures: the figures of a good host, and the figures in which a host's wrong units stand out.
 
 use nalgebra::Vector3;
 use sins::sensors::paper_simulation2;
@@ -16,7 +16,7 @@ fn samples() -> Vec<FlightSample> {
     (0..18_000).map(|k| flight.sample_at(200.0 + f64::from(k) / RATE_HZ).unwrap()).collect()
 }
 
-/// What a host makes of its samples, as far as the simulator takes it.
+/// Summary of the samples after the host's `change`.
 fn summary(samples: &[FlightSample], change: impl Fn(&mut FlightSample)) -> TruthSummary {
     summary_with(&Options::default(), samples, change)
 }
@@ -36,7 +36,7 @@ fn summary_with(
     simulator.truth_summary().unwrap().unwrap()
 }
 
-/// Of a coordinated turn all is known: rate by course, force by bank, neither sideslip nor angle of attack.
+/// All figures of a coordinated turn are known: rate by course, force by bank, neither sideslip nor angle of attack.
 #[test]
 fn a_good_flight_shows_its_own_figures() {
     let samples = samples();
@@ -47,7 +47,7 @@ fn a_good_flight_shows_its_own_figures() {
     assert_eq!((good.first_s, good.last_s), (samples[0].time_s, samples[17_999].time_s));
     let speed = |sample: &FlightSample| sample.v_n.unwrap().norm();
     let fastest = samples.iter().map(speed).fold(0.0, f64::max);
-    // Turned to Earth-fixed axes: rounding.
+    // Rounding of the turn to Earth-fixed axes.
     assert!((good.speed_max.value - fastest).abs() < 1e-12 * fastest);
     let heights =
         |pick: fn(f64, f64) -> f64, start| samples.iter().map(|s| s.place.height_m).fold(start, pick);
@@ -56,7 +56,7 @@ fn a_good_flight_shows_its_own_figures() {
     // g / cos(bank) in the turn; the rest is curvature, Coriolis and the ramps of the bank.
     let bank = samples.iter().map(|s| s.euler.roll.abs()).fold(0.0, f64::max);
     assert!((good.force_max.value - 9.8 / bank.cos()).abs() < 0.2, "{}", good.force_max.value);
-    // The patrol's nose is on its path, but for 0.15° of the waves in course and climb that its angles leave out.
+    // The patrol's nose is on its path, except for 0.15° of the waves in course and climb that its angles omit.
     assert!(good.sideslip_max.value.abs() < 3e-3 && good.attack_max.value.abs() < 3e-3);
     assert!(good.inconsistency_max.value < 1e-3 && good.rate_max.value < 0.5);
     assert!((good.rate_max.value - good.turn_max.value * RATE_HZ).abs() < 1e-9);
@@ -70,7 +70,7 @@ fn a_good_flight_shows_its_own_figures() {
     assert!(apart < 1e-12, "{apart}");
 }
 
-/// What the wrong units of a host make of its own flight, each in the figure that tells it.
+/// Wrong units of a host in its own flight, each in the figure that shows it.
 #[test]
 fn wrong_units_stand_out() {
     let samples = samples();
@@ -107,8 +107,8 @@ fn wrong_units_stand_out() {
     assert!(nose > 1.0 && of_exchanged.inconsistency_max.value > 1.0, "{of_exchanged:#?}");
 }
 
-/// An option, off as it comes; repositions, moves and snapshots leave the figures, a reset clears them, and the rest of the
-/// simulator does not know of them.
+/// The summary is an option, off by default. Repositions, moves and snapshots keep the figures, a reset clears them, and the
+/// rest of the simulator is independent of them.
 #[test]
 fn the_summary_goes_along_and_changes_nothing() {
     let samples = samples();

@@ -1,5 +1,5 @@
-//! Levelling and gyrocompassing with sensors of any quality: level to rounding, the heading by the arc tangent of the levelled
-//! rates, and flagged where north could not be found.
+//! Levelling and gyrocompassing with sensors of any quality. The attitude is level to rounding, the heading is the arc tangent
+//! of the levelled rates, and an alignment that could not find north is flagged.
 
 use std::f64::consts::PI;
 
@@ -29,7 +29,7 @@ const ALIGNED: InitialErrorParameters = InitialErrorParameters {
 
 const RATE_HZ: f64 = 100.0;
 
-/// With the gyros, the accelerometers and the start that are given.
+/// Simulator with the given gyros, accelerometers and initial errors.
 fn simulator(gyro: &TriadParameters, accel: &TriadParameters, initial: &InitialErrorParameters) -> Simulator {
     keyed(StreamKey::default(), gyro, accel, initial)
 }
@@ -52,7 +52,7 @@ fn biased(x: f64, y: f64, z: f64) -> TriadParameters {
     TriadParameters { bias: Vector3::new(x, y, z), ..Default::default() }
 }
 
-/// Gyros along east, north and up, in °/h.
+/// Gyros with these biases along east, north and up [°/h].
 fn gyros(east: f64, north: f64, up: f64) -> TriadParameters {
     biased(east * DEG_PER_HOUR, north * DEG_PER_HOUR, up * DEG_PER_HOUR)
 }
@@ -67,9 +67,9 @@ fn start(simulator: &mut Simulator, sample: &FlightSample) -> Solution {
     navigation(simulator)
 }
 
-/// What the navigator, started on `sample` at rest, takes for horizontal acceleration in the second interval [m/s²], and what the
-/// turning of its level until then may leave: by the error of its gyros and by the Earth rates that it takes off. (In the first
-/// interval the velocity of a lever arm jumps by that error.)
+/// Horizontal acceleration that the navigator, started on `sample` at rest, computes in the second interval [m/s²], and its
+/// bound. Until then two errors turn the level: the gyro error and the Earth rates that the navigator subtracts. (In the first
+/// interval the velocity of a lever arm jumps by the gyro error.)
 fn horizontal(simulator: &mut Simulator, sample: &FlightSample) -> (f64, f64) {
     let velocities = [0.0, 1.0, 2.0].map(|k| {
         simulator.push_sample(&FlightSample { time_s: sample.time_s + k / RATE_HZ, ..*sample }).unwrap();
@@ -80,12 +80,12 @@ fn horizontal(simulator: &mut Simulator, sample: &FlightSample) -> (f64, f64) {
     let turn = (imu.measured.angle - imu.ideal.angle).norm() + 2.0 * Earth::default().rate_rad_s / RATE_HZ;
     let force = imu.measured.velocity.norm() * RATE_HZ;
     let acceleration = (velocities[2] - velocities[1]).xy().norm() * RATE_HZ;
-    // Rounding: of velocities of the Earth's own, 500 m/s.
+    // Rounding of velocities of the size of the Earth's own, 500 m/s.
     (acceleration, 1.5 * turn * force + 4.0 * f64::EPSILON * 500.0 * RATE_HZ)
 }
 
-/// The horizontal part of the force that the accelerometers of `simulator` sense at rest, in the attitude of its start on `sample`
-/// at height 0 [m/s²], and what rounding leaves of it.
+/// Horizontal part of the force that the accelerometers of `simulator` sense at rest [m/s²], and its bound from rounding. The
+/// attitude is that found by the start on `sample` at height 0.
 fn sensed_horizontally(simulator: &mut Simulator, sample: &FlightSample) -> (f64, f64) {
     let q_nb = UnitQuaternion::new_unchecked(start(simulator, sample).navigation.q_nb);
     simulator.push_sample(&FlightSample { time_s: sample.time_s + 1.0 / RATE_HZ, ..*sample }).unwrap();
@@ -95,7 +95,7 @@ fn sensed_horizontally(simulator: &mut Simulator, sample: &FlightSample) -> (f64
     ((q_nb * force).xy().norm(), 32.0 * f64::EPSILON * (force.norm() + G))
 }
 
-/// A vehicle that stands askew.
+/// A vehicle at rest that is not level.
 fn askew() -> FlightSample {
     let euler = Euler { roll: 0.4, pitch: -0.2, heading: 2.0 };
     FlightSample { euler, ..resting_sample(0.0) }
@@ -120,8 +120,8 @@ fn gyros_of_any_size_leave_no_horizontal_force() {
     }
 }
 
-/// Drawn biases and scatter of each grade, in 64 runs. Noise is averaged out by an alignment, but not in an interval; nor is the
-/// lag of a filter settled in one.
+/// Drawn biases and scatter of each grade, in 64 runs. An alignment averages noise out and lets a filter settle; one interval
+/// does neither, so noise and filters are switched off.
 #[test]
 fn grades_are_level() {
     for grade in [Grade::Strategic, Grade::Navigation, Grade::Tactical, Grade::Industrial, Grade::Consumer] {
@@ -148,8 +148,8 @@ fn grades_are_level() {
     }
 }
 
-/// A leaning plumb line, a height at which normal gravity leans by itself, and a block that sits elsewhere and is turned: the
-/// accelerometers sense what the solution expects of normal gravity where they are.
+/// Gravity with a deflection, a height at which normal gravity itself leans, and a block that is displaced and turned: the
+/// accelerometers sense what the solution expects of normal gravity at their place.
 #[test]
 fn gravity_and_mounting_are_levelled_with() {
     let field = |mean| GravityField { mean, ..Default::default() };
@@ -169,8 +169,8 @@ fn gravity_and_mounting_are_levelled_with() {
         simulator.set_gravity_disturbance(&gravity).unwrap();
         simulator.set_mounting(&mounting).unwrap();
         let (found, bound) = horizontal(&mut simulator, &FlightSample { place, ..askew() });
-        // The lean of normal gravity, 8e-6 at 9 km, times the part of a 300th by which the force is too long; with an arm its
-        // velocity, which gyro errors make and turn with the level.
+        // The lean of normal gravity is 8e-6 at 9 km; the force is too long by a 300th. With an arm, gyro errors make a
+        // velocity of the arm and turn this velocity with the level.
         let lean = 8e-6 / 300.0 * G;
         let error =
             simulator.imu().map(|imu| (imu.measured.angle - imu.ideal.angle).norm() * RATE_HZ).unwrap();
@@ -180,14 +180,14 @@ fn gravity_and_mounting_are_levelled_with() {
     }
 }
 
-/// The attitude from two sensed vectors: up along the force, east across the rate and it.
+/// Attitude matrix from two sensed vectors: up is along the force, east is along the cross product of the rate and up.
 fn of_two_vectors(force_b: &Vector3<f64>, rate_b: &Vector3<f64>) -> Matrix3<f64> {
     let up = force_b.normalize();
     let east = rate_b.cross(&up).normalize();
     Matrix3::from_rows(&[east.transpose(), up.cross(&east).transpose(), up.transpose()])
 }
 
-/// At height 0, where normal gravity is along up, against the matrix of the sensed vectors.
+/// At height 0, where normal gravity is along up, the attitude is that of the matrix of the sensed vectors.
 #[test]
 fn the_attitude_is_that_of_the_sensed_vectors() {
     let earth = Earth::default();
@@ -208,14 +208,14 @@ fn the_attitude_is_that_of_the_sensed_vectors() {
             let rate = true_bn * (Vector3::new(0.0, cos, sin) * earth.rate_rad_s);
             let expected = of_two_vectors(&(force + accel.bias), &(rate + gyro.bias));
             let found = UnitQuaternion::new_unchecked(q_nb).to_rotation_matrix();
-            // Rounding, worse where the rate is nearly along the force: by 4 at the most.
+            // Rounding is larger where the rate is nearly along the force: 4 times at the most.
             assert!((found.matrix() - expected).amax() < 1e-14, "{} {expected}", found.matrix());
         }
     }
 }
 
-/// Level, heading north, gyros alone: the heading error is -atan2(east, W cos L + north), below 90° while their horizontal error
-/// is below W cos L, and flagged where it is not.
+/// Level, heading north, gyro biases alone: the heading error is -atan2(east, W cos L + north). It is below 90° while the
+/// horizontal gyro error is below W cos L, and the solution is flagged where it is not.
 #[test]
 fn the_heading_is_the_arc_tangent_and_flagged_where_it_may_be_any() {
     let north_rate = Earth::default().rate_rad_s * (39.9 * DEG).cos();
@@ -229,7 +229,7 @@ fn the_heading_is_the_arc_tangent_and_flagged_where_it_may_be_any() {
             let solution = start(&mut simulator, &resting_sample(0.0));
             let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
             let expected = -east.atan2(north_rate + north);
-            // Where the two nearly cancel the direction of what is left has 1e3 times the rounding.
+            // Where bias and Earth rate nearly cancel, the direction of their sum has 1e3 times the rounding.
             let off = wrap_angle(errors.heading_rad - expected);
             assert!(off.abs() < 1e-12, "{} {expected}", errors.heading_rad);
             assert!(solution.north_unknown || expected.abs() < 90.0 * DEG, "{expected}");
@@ -241,7 +241,7 @@ fn the_heading_is_the_arc_tangent_and_flagged_where_it_may_be_any() {
 }
 
 /// To first order φ = (-nabla_n/g, nabla_e/g, tan L nabla_e/g - eps_e/(W cos L)). The second order is the product of the rotations,
-/// and in the heading that of the gyros with it and with the tilt.
+/// and in the heading also the products of the gyro errors with the heading error and with the tilt.
 #[test]
 fn small_errors_follow_the_linear_law_to_second_order() {
     let earth = Earth::default();
@@ -265,7 +265,7 @@ fn small_errors_follow_the_linear_law_to_second_order() {
     }
 }
 
-/// Each given misalignment, large ones too, is one of the attitude that the alignment finds.
+/// Each given misalignment, also a large one, is relative to the attitude that the alignment finds.
 #[test]
 fn a_given_misalignment_is_one_of_the_aligned_attitude() {
     let (gyro, accel) = (gyros(12.0, -3.0, 5.0), biased(0.5, -0.3, 0.1));
@@ -280,7 +280,7 @@ fn a_given_misalignment_is_one_of_the_aligned_attitude() {
     }
 }
 
-/// Until a reset or a reposition with better sensors, through a snapshot, and not without gyrocompassing.
+/// The flag stays until a reset or a reposition with better sensors, also in a snapshot. It is never set without gyrocompassing.
 #[test]
 fn the_flag_stays_as_long_as_the_alignment() {
     let (poor, good) = (gyros(40.0, 0.0, 0.0), gyros(0.1, 0.0, 0.0));
@@ -306,7 +306,7 @@ fn the_flag_stays_as_long_as_the_alignment() {
     assert!(!start(&mut simulator(&poor, &ideal, &given), &resting_sample(0.0)).north_unknown);
 }
 
-/// Sensors that show nothing of the Earth: its rate within the gyros' dead zone, its gravity within the accelerometers'.
+/// Sensors that sense nothing of the Earth: its rate is within the gyros' dead zone, its gravity within the accelerometers'.
 #[test]
 fn sensors_that_show_nothing_find_nothing() {
     let dead = |zone: f64| TriadParameters { dead_zone: Vector3::repeat(zone), ..Default::default() };
@@ -319,11 +319,11 @@ fn sensors_that_show_nothing_find_nothing() {
             assert!(solution.navigation.q_nb.coords.iter().all(|part| part.is_finite()));
         }
     }
-    // Bias that takes gravity off and more: level, upside down.
+    // A bias that cancels more than gravity: the alignment is level, but upside down.
     let mut upside_down = simulator(&ideal, &biased(0.0, 0.0, -3.0 * G), &ALIGNED);
     let solution = start(&mut upside_down, &resting_sample(0.0));
     let up_n = UnitQuaternion::new_unchecked(solution.navigation.q_nb) * -Vector3::z();
-    // Its heading is the opposite one.
+    // The heading of the upside-down attitude is the opposite one.
     assert!(solution.north_unknown && (up_n - Vector3::z()).norm() < 8.0 * f64::EPSILON, "{up_n}");
 }
 
@@ -337,7 +337,7 @@ fn ideal_sensors_find_the_truth() {
     }
 }
 
-/// Error data 1 starts from the same errors: within its validity it goes on as error data 2 do, to second order; beyond, it says so.
+/// Error data 1 starts from the same errors as error data 2. Within its validity both agree to second order; outside it is flagged.
 #[test]
 fn the_error_model_starts_from_the_same_errors_and_is_flagged_beyond_its_validity() {
     for (east, is_valid) in
@@ -363,7 +363,7 @@ fn the_error_model_starts_from_the_same_errors_and_is_flagged_beyond_its_validit
     }
 }
 
-/// The damped vertical channel, which does not follow the truth, starts the same.
+/// The damped vertical channel, which does not follow the truth, starts from the same solution.
 #[test]
 fn the_vertical_channel_does_not_matter() {
     let (gyro, accel) = (gyros(5.0, 1.0, 0.0), biased(0.1, 0.2, 0.3));

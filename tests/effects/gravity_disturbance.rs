@@ -1,4 +1,4 @@
-//! Gravity beyond the normal field: perfect accelerometers feel it, the INS does not know of it, both error data tell.
+//! Gravity beyond the normal field: perfect accelerometers sense it, the INS does not know it, both error data report it.
 
 use nalgebra::Vector3;
 use sins::earth::{Earth, Geodetic};
@@ -53,8 +53,8 @@ fn northward(speed_m_s: f64, interval_s: f64, count: u32) -> impl Iterator<Item 
     })
 }
 
-/// ξ, η, Δg that the ideal accelerometers felt on average in each interval: force with less force without.
-fn felt(
+/// ξ, η, Δg that the ideal accelerometers sense on average in each interval: force with the disturbance less force without.
+fn sensed(
     parameters: &GravityDisturbanceParameters,
     key: StreamKey,
     samples: impl Iterator<Item = FlightSample>,
@@ -74,9 +74,9 @@ fn felt(
     series
 }
 
-/// A resting INS that was not levelled sees the deflection as horizontal force g ξ: it swings about R ξ,
-/// δr = R ξ (1 - cos ws t) on a sphere that stands still. The Earth's rate (Foucault) turns the plane of the swing by
-/// W sin L t, and the ellipsoid's radius differs by 0.5 % from the sphere's, ws by half of it.
+/// A resting INS that was not levelled takes the deflection for horizontal force g ξ: it swings about R ξ,
+/// δr = R ξ (1 - cos ws t) on a sphere that does not turn. The Earth's rate (Foucault) turns the plane of the swing by
+/// W sin L t. The ellipsoid's radius differs by 0.5 % from the sphere's, ws by half as much.
 #[test]
 fn a_deflection_at_rest_makes_a_schuler_oscillation() {
     let xi = 10.0 * ARCSEC;
@@ -96,8 +96,8 @@ fn a_deflection_at_rest_makes_a_schuler_oscillation() {
             let (sin, cos) = (ws * f64::from(k)).sin_cos();
             for source in [ErrorSource::Navigation, ErrorSource::Model] {
                 let (_, errors) = simulator.errors(source).unwrap().unwrap();
-                // At the equator north swings with the meridian's radius, free of Foucault's turn; the 24 h coupling of the
-                // tilt into azimuth and back is (W/ws)² = 0.35 % of the swing.
+                // At the equator the north channel swings with the meridian's radius, without Foucault's turn. The 24 h
+                // coupling of the tilt into azimuth and back is (W/ws)² = 0.35 % of the swing.
                 let position = radius * xi * (1.0 - cos);
                 let velocity = radius * xi * ws * sin;
                 assert!(
@@ -110,9 +110,9 @@ fn a_deflection_at_rest_makes_a_schuler_oscillation() {
     }
 }
 
-/// Levelled on the true vertical, the INS leans by the deflection, φ = (-ξ, η), its heading from the Earth rate by tan L of
-/// that, and the tilted accelerometers feel what it expects: no oscillation. The lean turns with W, so that from φ it leaves by
-/// |W φ| t at the most, and by the integrals of g times that.
+/// Levelled on the true vertical, the INS leans by the deflection, φ = (-ξ, η), and its heading, found from the Earth rate, by
+/// η tan L. The tilted accelerometers sense what the INS expects: no oscillation. The lean turns with W: it changes by |W φ| t
+/// at the most, velocity and position by the integrals of g times this change.
 #[test]
 fn levelling_leans_with_the_plumb_line() {
     let (xi, eta) = (8.0 * ARCSEC, -5.0 * ARCSEC);
@@ -142,7 +142,7 @@ fn levelling_leans_with_the_plumb_line() {
     }
 }
 
-/// The ideal accelerometers feel (g η, g ξ, Δg) in local axes, whatever the attitude and the mounting.
+/// The ideal accelerometers sense (g η, g ξ, Δg) in local axes, in any attitude and mounting.
 #[test]
 fn the_ideal_force_contains_it() {
     let (xi, eta, anomaly) = (20.0 * ARCSEC, -12.0 * ARCSEC, 40.0 * MILLIGAL);
@@ -174,8 +174,8 @@ fn the_ideal_force_contains_it() {
     }
 }
 
-/// Along the track: variance σ², correlation exp(-d/D), over 600 stationary runs' worth of independent pieces. The mean square
-/// of n independent values is within 4.4 standard deviations √(2/n) (1e-5), a product of two within √((1 + ρ²)/n).
+/// Along the track the variance is σ² and the correlation exp(-d/D), over some 600 independent pieces. The mean square of n
+/// independent values is within 4.4 standard deviations √(2/n) (1e-5), a mean product of two within 4.4 times √((1 + ρ²)/n).
 #[test]
 fn the_fields_are_gauss_markov_over_the_distance_flown() {
     const RUNS: u64 = 40;
@@ -188,7 +188,7 @@ fn the_fields_are_gauss_markov_over_the_distance_flown() {
     let mut cross = [0.0; 3];
     let mut count = 0.0;
     for run in 0..RUNS {
-        let series = felt(&parameters, StreamKey { seed: 7, run }, northward(200.0, 1.0, 3200));
+        let series = sensed(&parameters, StreamKey { seed: 7, run }, northward(200.0, 1.0, 3200));
         for start in (0..3100).step_by(SPACING) {
             for (field, sums) in sums.iter_mut().enumerate() {
                 for (sum, lag) in sums.iter_mut().zip(lags) {
@@ -204,7 +204,7 @@ fn the_fields_are_gauss_markov_over_the_distance_flown() {
     }
     for (field, sums) in fields.iter().zip(sums) {
         for (lag, sum) in lags.iter().zip(sums) {
-            // What is felt is the mean of an interval's two ends: the variance and the neighbours of that.
+            // The sensed value is the mean of an interval's two ends: variance and correlation are those of this mean.
             let step = 200.0 / field.distance_m;
             let correlation = |intervals: f64| (-intervals.abs() * step).exp();
             let lag = *lag as f64;
@@ -219,22 +219,22 @@ fn the_fields_are_gauss_markov_over_the_distance_flown() {
     }
 }
 
-/// At rest nothing changes; at half the speed the same field comes in twice the time.
+/// At rest the field does not change; at half the speed the same field takes twice the time.
 #[test]
 fn the_field_belongs_to_the_track() {
     // Rounding of a force of g, over an interval of a second.
     let rounding = 16.0 * f64::EPSILON * 9.8;
     let key = StreamKey::default();
-    let at_rest = felt(&random(), key, (0..50).map(|k| resting_sample(f64::from(k))));
-    assert!(at_rest.iter().all(|felt| (felt - at_rest[0]).norm() < rounding));
+    let at_rest = sensed(&random(), key, (0..50).map(|k| resting_sample(f64::from(k))));
+    assert!(at_rest.iter().all(|sensed| (sensed - at_rest[0]).norm() < rounding));
     assert!(at_rest[0].norm() > 1e-6, "the field at rest is drawn");
-    let fast = felt(&random(), key, northward(200.0, 1.0, 200));
-    let slow = felt(&random(), key, northward(100.0, 2.0, 200));
+    let fast = sensed(&random(), key, northward(200.0, 1.0, 200));
+    let slow = sensed(&random(), key, northward(100.0, 2.0, 200));
     assert!(fast.iter().zip(&slow).all(|(fast, slow)| (fast - slow).norm() < rounding));
     assert!((fast[100] - fast[0]).norm() > 1e-6, "and it changes");
 }
 
-/// Over manoeuvres, with a mounting too, data 1 hears of it: they differ in second order.
+/// Over manoeuvres, also with a mounting, error data 1 includes the disturbance: both error data differ in second order.
 #[test]
 fn both_error_data_hear_of_it() {
     let flight = patrol(2400.0);
@@ -266,8 +266,8 @@ fn both_error_data_hear_of_it() {
     }
 }
 
-/// The closed loop's trim holds the error-free navigator, which lives in normal gravity: it is the same to the bit, and does not
-/// trim the disturbance away. What it moves the navigator by is at most a t²/2.
+/// The trim of the closed loop holds the error-free navigator, which uses normal gravity: the trim is the same to the bit, and
+/// does not remove the disturbance. It moves the navigator by at most a t²/2.
 #[test]
 fn the_closed_loop_leaves_it_alone() {
     let seconds = 1200;
@@ -288,7 +288,7 @@ fn the_closed_loop_leaves_it_alone() {
     assert!((closed - open).norm() < trim.force_m_s2 * f64::from(seconds).powi(2), "{open:?} {closed:?}");
 }
 
-/// Nothing set is nothing changed, to the bit; no other draw moves; a reset brings the field back, a reposition goes on with it.
+/// A disturbance of zero changes nothing, to the bit. No other draw moves. A reset restarts the field, a reposition continues it.
 #[test]
 fn zero_is_off_and_streams_are_its_own() {
     let flight = Flight::new(
@@ -314,7 +314,7 @@ fn zero_is_off_and_streams_are_its_own() {
     };
     let plain = fly(&mut noisy(None));
     assert_eq!(fly(&mut noisy(Some(&GravityDisturbanceParameters::default()))), plain);
-    // A field that has no size is not there, however far it reaches.
+    // A field of size zero is absent, whatever its correlation distance.
     let distance_alone = GravityField { distance_m: 1e4, ..Default::default() };
     let none = GravityDisturbanceParameters { anomaly: distance_alone, ..Default::default() };
     assert_eq!(fly(&mut noisy(Some(&none))), plain);
@@ -327,7 +327,7 @@ fn zero_is_off_and_streams_are_its_own() {
     simulator.reset();
     assert_eq!(fly(&mut simulator), first);
 
-    // The field goes on from where it was: at rest there it is the same, though the noise is not.
+    // The field continues from its last value: at rest at this place it is the same, the noise is not.
     let mut simulator = disturbed(&options_at(1.0), &random());
     let there = fly(&mut simulator).0;
     let last = samples[samples.len() - 1];
@@ -335,7 +335,7 @@ fn zero_is_off_and_streams_are_its_own() {
     step(&mut simulator, &flight.sample_at(60.0).unwrap());
     let here = simulator.imu().unwrap();
     let mean = |imu: &sins::ImuInterval| imu.ideal.velocity / imu.interval_s;
-    // 200 m further on: the fields of 2 to 4 km have moved by √(2 · 200/2000) = 0.45 standard deviations of 4e-4 m/s² at the most.
+    // 200 m further on, the fields of 2 to 4 km have changed by √(2 · 200/2000) = 0.45 standard deviations of 4e-4 m/s² at most.
     assert!((mean(&here) - mean(&there)).norm() < 4.0 * 0.45 * 6e-4);
 }
 

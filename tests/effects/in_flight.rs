@@ -1,5 +1,5 @@
 //! The effects of gyros and accelerometers in a simulator: both error data, alignment, saturation, reset, reposition, and
-//! sensors that throw the solution away.
+//! sensors that make the solution diverge.
 
 use nalgebra::{Matrix3, Vector3};
 use sins::math::Euler;
@@ -10,7 +10,7 @@ use sins::{ErrorKind, ErrorSource, ImuInterval, Options, Simulator};
 
 use crate::support::{DEG, DEG_PER_HOUR, G, options_at, patrol, resting_sample, sensed};
 
-/// Every effect that is not a limit of the output, of the size of good instruments.
+/// Effects of the size of good instruments; the ranges are beyond the signals of the flight.
 fn every_effect() -> (TriadParameters, TriadParameters) {
     let one = Vector3::repeat(1.0);
     let gyro = TriadParameters {
@@ -77,7 +77,7 @@ fn gap_and_size(gyro: &TriadParameters, accel: &TriadParameters) -> ([f64; 3], [
     (gap, navigation.map(|error| error.norm()))
 }
 
-/// Every effect whose errors are steady within an interval and in proportion to what is set, `size` times as large.
+/// Every effect whose errors are steady within an interval and proportional to its parameters, `size` times as large.
 fn every_steady_effect(size: f64) -> (TriadParameters, TriadParameters) {
     let scaled = |triad: TriadParameters| TriadParameters {
         bias_sigma: triad.bias_sigma * size,
@@ -97,8 +97,8 @@ fn every_steady_effect(size: f64) -> (TriadParameters, TriadParameters) {
     (scaled(gyro), scaled(accel))
 }
 
-/// Twice the errors leave four times the difference between the two error data, with terms of third order, smaller by an error
-/// angle of 1e-4, and 3e-8 m of the navigator's own: an effect unheard of would leave twice.
+/// Twice the errors make four times the difference between the two error data. The bound covers terms of third order, smaller by an
+/// error angle of 1e-4, and 3e-8 m of the navigator itself. An effect missing in error data 1 would make twice the difference.
 #[test]
 fn both_error_data_agree_to_second_order_in_every_steady_effect() {
     let [(once, _), (twice, size)] =
@@ -113,8 +113,8 @@ fn both_error_data_agree_to_second_order_in_every_steady_effect() {
     }
 }
 
-/// Of what jumps within an interval, white noise and steps of quantization, the differential equations hear the mean and the
-/// first moment; a filter has a size of its own. What they miss of those is a thousandth of all; an effect unheard of would be
+/// White noise and steps of quantization jump within an interval: the differential equations include only their mean and first
+/// moment. The error of a filter does not scale. The missing parts are a thousandth of the whole; an effect left out would be
 /// missing as a whole.
 #[test]
 fn both_error_data_hear_of_every_effect() {
@@ -126,8 +126,8 @@ fn both_error_data_hear_of_every_effect() {
     assert!(size[0] > 10.0, "there is something to hear: {} m", size[0]);
 }
 
-/// Level and heading north, sensor axes are east-north-up. A gyro along east that takes gravity for a rate, and
-/// accelerometers with g² and turn-on walks, tilt the alignment as their steady errors do.
+/// Level and heading north, sensor axes are east-north-up. A gyro along east with g-sensitivity and a ramp, and
+/// accelerometers with lever arms, tilt the alignment as their steady errors do.
 #[test]
 fn an_alignment_sees_the_steady_parts() {
     let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
@@ -141,7 +141,7 @@ fn an_alignment_sees_the_steady_parts() {
     let alignment = Alignment::LevelAndGyrocompass;
     simulator.set_initial_errors(&InitialErrorParameters { alignment, ..Default::default() }).unwrap();
     sensed(&mut simulator, at_rest(100));
-    // The ramp has come to 1e-12 in a second, which an alignment there sees as well.
+    // The ramp has come to 1e-12 in a second; an alignment at this time includes it.
     simulator.reposition(&resting_sample(1.0)).unwrap();
     let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
     let sample = resting_sample(0.0);
@@ -149,7 +149,7 @@ fn an_alignment_sees_the_steady_parts() {
     let g = earth.gravity(&earth.to_earth_fixed(&sample.place)).norm();
     let (sin, cos) = sample.place.latitude_rad.sin_cos();
     let (north, up) = (earth.rate_rad_s * cos, earth.rate_rad_s * sin);
-    // An arm of 100 m along north: ω×(ω×r) has -ω_up² r along it. East gyro: G g + R t.
+    // An arm of 100 m along north: ω×(ω×r) has -ω_up² r along the arm. East gyro: G g + R t.
     let expected = Vector3::new(up * up * 100.0 / g, 0.0, -(1e-9 * g + 1e-12 * 0.99) / north);
     let misalignment = errors.misalignment_n;
     assert!((misalignment - expected).norm() < 1e-6 * expected.norm(), "{misalignment:?} {expected:?}");
@@ -172,7 +172,7 @@ fn saturation_is_flagged_for_the_interval_and_the_sensor() {
     assert_eq!(next[0].measured, next[0].ideal, "and ideal sensors are transparent again");
 }
 
-/// A navigator alone on foreign increments: a wheel of 5 rad/s with its accelerometers out of the centre.
+/// A navigator alone on the host's increments: a wheel of 5 rad/s with its accelerometers off the centre.
 #[test]
 fn foreign_increments_have_the_same_effects() {
     let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
@@ -205,12 +205,12 @@ fn a_reset_brings_every_effect_back_to_the_bit() {
     assert_eq!(sensed(&mut simulator, samples), first);
 }
 
-/// A jump of the truth: walks, flicker, ramps and noise go on as if there had been none; filters do not ring.
+/// At a jump of the truth, walks, flicker, ramps and noise continue as without the jump; filters do not ring.
 #[test]
 fn at_a_reposition_noise_goes_on_and_filters_settle() {
     let (mut gyro, mut accel) = every_effect();
     for parameters in [&mut gyro, &mut accel] {
-        // Of the additive effects alone: with signals of another attitude the others differ.
+        // Additive effects alone: the others depend on the signals, which differ in another attitude.
         *parameters = TriadParameters {
             bias_sigma: parameters.bias_sigma,
             random_walk: parameters.random_walk,
@@ -247,7 +247,7 @@ fn at_a_reposition_noise_goes_on_and_filters_settle() {
     }
 }
 
-/// Sensors that throw the solution out of its range: the step is refused, and the last good solution stays.
+/// Sensor errors that drive the solution out of its range: the step is refused, and the last good solution stays.
 #[test]
 fn a_solution_thrown_away_stays_readable() {
     let one = Vector3::repeat(1.0);

@@ -1,9 +1,9 @@
-//! No effect moves another one: with one of them missing, or switched off, on and over in flight, all others go on bit for bit,
-//! draws and all.
+//! No effect changes another one: if an effect is missing, or is switched off, on or to other values in flight, all others
+//! continue bit for bit, with the same draws.
 //!
-//! A triad adds up what its effects give in a fixed order, so its output can be put together to the bit from triads that have
-//! one effect each: those of the signal act on it first, each additive one is heard alone at no signal, and the output's act
-//! on the sum. Those with one effect never hear of the others.
+//! A triad adds its effects in a fixed order, so its output can be composed to the bit from triads that have one effect each:
+//! the effects of the signal act on it first, each additive effect is computed alone without a signal, and the effects of the
+//! output act on the sum. A triad with one effect knows nothing of the others.
 
 use nalgebra::{Matrix3, Vector3};
 use sins::mechanization::VerticalMode;
@@ -18,7 +18,7 @@ use crate::support::{one_unit_of_each, options_at, patrol};
 
 const KEY: StreamKey = StreamKey { seed: 20140601, run: 3 };
 
-/// In the order in which a sensor adds them up.
+/// Groups of effects, in the order in which a sensor adds them.
 #[derive(Clone, Copy, PartialEq)]
 enum Group {
     OfTheSignal,
@@ -29,7 +29,7 @@ const ADDITIVE_GROUPS: usize = 6;
 
 use Group::{Additive, OfTheOutput, OfTheSignal};
 
-/// The parameters that stand for an effect each, as rows of the table; not those of temperature: `temperature.rs` has them.
+/// Rows of the table whose parameters are one effect each, except for temperature: `temperature.rs` tests it.
 fn effects() -> impl Iterator<Item = usize> {
     let has_effect = |row: &usize| {
         let Parameter { name, gyro, accel, .. } = &PARAMETERS[*row];
@@ -38,7 +38,7 @@ fn effects() -> impl Iterator<Item = usize> {
     (0..PARAMETERS.len()).filter(has_effect)
 }
 
-/// Where an effect acts, of which the table says nothing.
+/// Group of an effect. The table does not contain it.
 fn group(effect: usize) -> Group {
     match PARAMETERS[effect].name {
         // Both are one constant.
@@ -62,7 +62,7 @@ fn take(effect: usize, from: &TriadParameters, to: &mut TriadParameters) {
     }
 }
 
-/// All effects of a sensor times `scale`, but those of temperature and failures: `temperature.rs` and `failures.rs` have them.
+/// All effects of a sensor times `scale`, except for temperature and failures: `temperature.rs` and `failures.rs` test them.
 fn everything(sensor: Sensor, scale: f64) -> TriadParameters {
     let each = |x: f64, y: f64, z: f64| Vector3::new(x, y, z) * scale;
     let matrix = Matrix3::new(1.0, 2.0, -3.0, 4.0, -5.0, 6.0, 7.0, -8.0, 9.0) * scale;
@@ -116,7 +116,7 @@ fn without(parameters: &TriadParameters, effect: usize) -> TriadParameters {
     rest
 }
 
-/// A triad put together from triads that do not know each other.
+/// A triad composed of triads that share nothing.
 struct Parts {
     sensor: Sensor,
     of_the_signal: Triad,
@@ -131,7 +131,7 @@ impl Parts {
         Self { sensor, of_the_signal: triad(), additive, of_the_output: triad() }
     }
 
-    /// Sets the parts of which a parameter changes, and those alone.
+    /// Sets only the parts whose parameters change.
     fn set(&mut self, from: &TriadParameters, to: &TriadParameters) {
         let set = |triad: &mut Triad, group: Group| {
             if of_group(from, group) != of_group(to, group) {
@@ -144,8 +144,8 @@ impl Parts {
     }
 
     fn sense(&mut self, ideal: &Increment, dt: f64) -> Vector3<f64> {
-        let felt = self.of_the_signal.sense(ideal, dt);
-        let sum = self.additive.iter_mut().fold(felt, |sum, triad| sum + triad.sense(&Increment::ZERO, dt));
+        let sensed = self.of_the_signal.sense(ideal, dt);
+        let sum = self.additive.iter_mut().fold(sensed, |sum, triad| sum + triad.sense(&Increment::ZERO, dt));
         let sum = match self.sensor {
             Sensor::Gyro => Increment { angle: sum, ..Increment::ZERO },
             Sensor::Accelerometer => Increment { velocity: sum, ..Increment::ZERO },
@@ -154,7 +154,7 @@ impl Parts {
     }
 }
 
-/// A signal within the range for most of the time, within the dead zone for some, and the lengths of its increments.
+/// A signal that is mostly within the range and sometimes within the dead zone, and the length of its increment [s].
 fn signal(step: usize) -> (Increment, f64) {
     let t = step as f64;
     let rates = Vector3::new((0.3 * t).sin(), (0.7 * t).cos(), (0.11 * t).sin() * 2.0);
@@ -163,7 +163,7 @@ fn signal(step: usize) -> (Increment, f64) {
     (Increment { angle: rates * dt, velocity: forces * dt }, dt)
 }
 
-/// Flies a triad and its parts through a sequence of parameters, each for so many steps, and compares them to the bit.
+/// Runs a triad and its parts through a sequence of parameters, each for the given number of steps, and compares their bits.
 fn compare(name: &str, sensor: Sensor, sequence: &[(TriadParameters, usize)]) {
     let (mut whole, mut parts) = (Triad::new(KEY, sensor), Parts::new(sensor));
     let (mut before, mut step) = (TriadParameters::default(), 0);
@@ -206,7 +206,7 @@ fn an_effect_switched_off_on_and_over_in_flight_leaves_all_others() {
     });
 }
 
-/// The comparison hears each effect: a triad that has it gives something else than one that does not.
+/// The comparison detects each effect: a triad with the effect gives something else than a triad without it.
 #[test]
 fn each_effect_shows() {
     each_effect(|name, sensor, effect| {
@@ -225,7 +225,7 @@ fn each_effect_shows() {
     });
 }
 
-/// The altimeter's effects: those of the height alone, then its two random ones alone at no height.
+/// The altimeter's effects: those of the height without the random ones, then each of the two random ones at zero height.
 #[test]
 fn the_altimeter_likewise() {
     let all = AltimeterParameters {
@@ -268,7 +268,7 @@ fn the_altimeter_likewise() {
     }
 }
 
-/// Of each initial error the part drawn is the same whether the others are drawn, given or none.
+/// The drawn part of each initial error is the same whether the others are drawn, given or absent.
 #[test]
 fn initial_errors_likewise() {
     let (given, sigma) = (Vector3::new(1.0, -2.0, 3.0), Vector3::new(3.0, 2.0, 1.0) * 0.1);
@@ -298,13 +298,13 @@ fn initial_errors_likewise() {
     assert_eq!(one.position_n.y, two.position_n.y);
 }
 
-/// In a simulator, whatever is set of the other blocks, before the flight or in it, gyros and accelerometers measure the same.
+/// Gyros and accelerometers of a simulator measure the same, whatever is set in the other blocks before or during the flight.
 #[test]
 fn the_blocks_of_a_simulator_likewise() {
     let flight = patrol(100.0);
     let samples: Vec<_> = (0..150).map(|k| flight.sample_at(f64::from(k) / 100.0).unwrap()).collect();
     let set = |simulator: &mut Simulator, sensor: Sensor, scale: f64| {
-        // At the limit an accelerometer would show nothing but that.
+        // At its limit an accelerometer would show only the limit.
         let parameters = TriadParameters { range: Vector3::zeros(), ..everything(sensor, scale) };
         match sensor {
             Sensor::Gyro => simulator.set_gyro(&parameters).unwrap(),

@@ -1,5 +1,5 @@
-//! Statistics of each random term: mean, variance, autocorrelation, independence, within five standard deviations of what
-//! the sample size leaves.
+//! Statistics of each random term: mean, variance, autocorrelation, independence. Each is within five standard deviations of
+//! its sample statistic.
 
 use nalgebra::{Matrix3, Vector3};
 use sins::sensors::{
@@ -18,13 +18,13 @@ fn covariance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() / a.len().min(b.len()) as f64
 }
 
-/// A mean of `n` independent numbers of standard deviation `sigma` is 0.
+/// Asserts that a mean of `n` independent numbers of standard deviation `sigma` is 0.
 fn assert_zero(label: &str, value: f64, sigma: f64, n: usize) {
     let bound = SIGMAS * sigma / (n as f64).sqrt();
     assert!(value.abs() < bound, "{label}: {value:e}, bound {bound:e}");
 }
 
-/// A mean square of `n` independent normal numbers is `variance`; its standard deviation is variance √(2/n).
+/// Asserts that a mean square of `n` independent normal numbers is `variance`; its standard deviation is variance √(2/n).
 fn assert_variance(label: &str, value: f64, variance: f64, n: usize) {
     let bound = SIGMAS * variance * (2.0 / n as f64).sqrt();
     assert!((value - variance).abs() < bound, "{label}: {value:e} of {variance:e}, bound {bound:e}");
@@ -178,7 +178,7 @@ fn drawn_once_a_run_means_once_a_run_and_normal() {
 }
 
 /// Scale factors and misalignments of gyros and accelerometers, with the turn-on biases of both: each element has its variance, and
-/// none knows of another.
+/// all elements are independent.
 #[test]
 fn scatter_is_drawn_once_a_run_and_each_element_for_itself() {
     let runs = 4000_usize;
@@ -199,7 +199,7 @@ fn scatter_is_drawn_once_a_run_and_each_element_for_itself() {
                 for (value, sigma) in error.iter().zip(&sigmas.column(column)) {
                     element.next().unwrap().push(value / sigma);
                 }
-                // In flight the same, all through the run.
+                // The error in flight is the same, all through the run.
                 let increment = Increment { angle: unit, velocity: unit };
                 for _ in 0..3 {
                     let sensed = drawn.sense(&increment, 1.0) - unit;
@@ -258,7 +258,7 @@ fn integral(triad: &mut Triad, dts: &[f64]) -> f64 {
     dts.iter().map(|&dt| triad.sense(&Increment::ZERO, dt).x).sum()
 }
 
-/// Over an ensemble of runs, however the time is split: K² [t, t²/2; t²/2, t³/3] of the bias and its integral.
+/// Covariance of the bias and its integral over an ensemble of runs, for any split of the time: K² [t, t²/2; t²/2, t³/3].
 #[test]
 fn rate_random_walk_has_its_joint_covariance_at_any_increments() {
     let (runs, density, t) = (4000_usize, 0.3, 2.0);
@@ -283,8 +283,9 @@ fn rate_random_walk_has_its_joint_covariance_at_any_increments() {
     }
 }
 
-/// Flicker of B = 1, however the time is split: half the mean square of the difference of two means that follow each other
-/// is 2 ln 2 / π, 0.664², within the -2 % to +4.6 % of the ripple, from 2 s to 1e5 s; and stationary, 6.5 ln 10 / π.
+/// Flicker of B = 1, for any split of the time: half the mean square of the difference of two consecutive means is 2 ln 2 / π,
+/// 0.664², within the -2 % to +4.6 % of the ripple, from 2 s to 1e5 s. The process is stationary with the variance
+/// 6.5 ln 10 / π.
 #[test]
 fn flicker_has_a_flat_allan_deviation_at_any_increments() {
     let runs = 4000_usize;
@@ -314,7 +315,7 @@ fn flicker_has_a_flat_allan_deviation_at_any_increments() {
     }
 }
 
-/// Each random effect of each axis draws for itself.
+/// Each random effect of each axis has draws of its own.
 #[test]
 fn axes_and_effects_are_independent() {
     let n = 50_000;
@@ -339,7 +340,7 @@ fn axes_and_effects_are_independent() {
     for (i, x) in series.iter().enumerate() {
         for y in &series[i + 1..] {
             let scale = (covariance(x, x) * covariance(y, y)).sqrt();
-            // Increments of 1e7 s are white but for the differences, of which neighbours correlate by 1/4: the mean product
+            // Increments of 1e7 s are white, except for the differences, whose neighbours correlate by 1/4: the mean product
             // of two such series has 1 + 2/16 times the variance of white ones.
             assert_zero("cross correlation", covariance(x, y), scale * 1.125_f64.sqrt(), n);
         }

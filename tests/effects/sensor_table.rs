@@ -1,9 +1,9 @@
-//! The table of sensor parameters against what its own texts say: the factor of each data-sheet unit is that of the unit's text,
-//! which is of the dimension of the SI unit.
+//! The table of sensor parameters against its own texts: the factor of each data-sheet unit agrees with the unit's text, and the
+//! unit has the dimension of the SI unit.
 
 use sins::sensors::{PARAMETERS, ParameterRange, Sensor};
 
-/// Size in SI, and twice the exponents of rad, m, s, K: roots have halves.
+/// Size in SI units, and twice the exponents of rad, m, s, K: square roots have half exponents.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Unit {
     si: f64,
@@ -44,7 +44,7 @@ impl Unit {
         Self { si: self.si / other.si, twice: std::array::from_fn(|i| self.twice[i] - other.twice[i]) }
     }
 
-    /// Terms with "/" between them, from the left: "deg/h/sqrt(h)", "(rad/s)/(m/s2)^2".
+    /// Parses terms with "/" between them, from the left: "deg/h/sqrt(h)", "(rad/s)/(m/s2)^2".
     fn of(text: &str) -> Self {
         let (mut depth, mut start, mut terms) = (0, 0, Vec::new());
         for (at, letter) in text.char_indices() {
@@ -58,7 +58,7 @@ impl Unit {
         terms.into_iter().map(Self::term).reduce(Self::over).unwrap()
     }
 
-    /// A name or a text in parentheses, with a digit as exponent behind it or a root before it.
+    /// Parses a name or a text in parentheses, with a digit as exponent after it or a root before it.
     fn term(text: &str) -> Self {
         let exponent = text.chars().last().and_then(|letter| letter.to_digit(10)).filter(|_| text != "1");
         match (exponent, text.strip_prefix("sqrt(")) {
@@ -95,7 +95,7 @@ fn data_sheet_units_are_what_their_texts_say() {
     assert!(count > 40, "{count}");
 }
 
-/// Definitions read as parts of a sentence, effects have their sensor's name, and a time has its standard deviation.
+/// A definition reads as part of a sentence, an effect begins with its sensor's name, and a time has its standard deviation.
 #[test]
 fn names_are_whole() {
     for parameter in PARAMETERS {

@@ -1,4 +1,4 @@
-//! Errors that follow the temperature: closed forms, alignment, both error data, and samples that lack one.
+//! Errors that follow the temperature: closed forms, alignment, both error data, and samples without a temperature.
 
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
@@ -30,8 +30,8 @@ fn warm(time_s: f64, temperature_c: f64) -> FlightSample {
     FlightSample { temperature_c: Some(temperature_c), ..resting_sample(time_s) }
 }
 
-/// Warming up by 0.5 K/s from 20 °C at rest, at samples of any distance: the increments of the errors are the integrals of b1 θ +
-/// b2 θ², and of s1 θ + s2 θ² times the constant signal.
+/// Warm-up by 0.5 K/s from 20 °C at rest, at samples of any distance: the error increments are the integrals of b1 θ + b2 θ², and
+/// of s1 θ + s2 θ² times the constant signal.
 #[test]
 fn a_warm_up_integrates_to_its_closed_form() {
     let mut simulator = Simulator::new(&Options::default()).unwrap();
@@ -61,16 +61,16 @@ fn a_warm_up_integrates_to_its_closed_form() {
     }
 }
 
-/// Scale factor errors are of what is felt, and all of it comes before the dead zone and the range: 3 (1 + 0.5 × 2) + 0.25 × 2² = 7
-/// is cut to 6.5, and 0.25 (1 + 1) - 0.5 is nothing.
+/// Scale factor errors multiply the sensed signal, and all temperature errors act before the dead zone and the range:
+/// 3 (1 + 0.5 × 2) + 0.25 × 2² = 7 is cut to 6.5, and 0.25 (1 + 1) - 0.5 gives 0.
 #[test]
 fn temperature_acts_in_its_place_in_the_order() {
     let one = Vector3::repeat(1.0);
-    let sense = |parameters: &TriadParameters, felt: f64| {
+    let sense = |parameters: &TriadParameters, sensed: f64| {
         let mut triad = Triad::new(StreamKey::default(), Sensor::Accelerometer);
         triad.set(parameters);
         triad.begin_interval(1.0, Some([12.0; 2]), None);
-        triad.sense(&Increment { velocity: one * felt, ..Increment::ZERO }, 1.0)
+        triad.sense(&Increment { velocity: one * sensed, ..Increment::ZERO }, 1.0)
     };
     let thermal = TriadParameters {
         reference_temperature_c: 10.0,
@@ -80,13 +80,13 @@ fn temperature_acts_in_its_place_in_the_order() {
     };
     assert_eq!(sense(&thermal, 3.0), one * 7.0);
     assert_eq!(sense(&TriadParameters { range: one * 6.5, ..thermal }, 3.0), one * 6.5);
-    // A scale factor error beside it multiplies what is felt, not the other's result.
+    // A second scale factor error also multiplies the sensed signal, not the result of the first.
     assert_eq!(sense(&TriadParameters { scale_factor: one, ..thermal }, 3.0), one * 10.0);
     let cold = TriadParameters { bias_temperature2: one * -0.125, dead_zone: one * 0.1, ..thermal };
     assert_eq!(sense(&cold, 0.25), Vector3::zeros());
 }
 
-/// Levelled and gyrocompassed with these errors, then a minute at rest at `temperature_c`.
+/// Final bits of a run that is levelled and gyrocompassed with these errors, then a minute at rest at `temperature_c`.
 fn a_minute(gyro: &TriadParameters, accel: &TriadParameters, temperature_c: Option<f64>) -> Vec<u64> {
     let options = Options { error_model: true, ..options_at(100.0) };
     let mut simulator = Simulator::new(&options).unwrap();
@@ -100,8 +100,8 @@ fn a_minute(gyro: &TriadParameters, accel: &TriadParameters, temperature_c: Opti
     bits(&simulator)
 }
 
-/// At a constant temperature, θ = 8 K, the errors are a bias, or a scale factor error, in powers of two: alignment, navigation
-/// and both error data are theirs, to the bit.
+/// At a constant temperature, θ = 8 K, the errors equal a bias, or a scale factor error, in powers of two: alignment,
+/// navigation and both error data are the same, to the bit.
 #[test]
 fn a_constant_temperature_is_a_bias_or_a_scale_factor_error() {
     let one = Vector3::repeat(1.0);
@@ -135,7 +135,7 @@ fn a_constant_temperature_is_a_bias_or_a_scale_factor_error() {
     }
 }
 
-/// Without a coefficient a temperature is nothing, and at that of reference the coefficients are.
+/// Without a coefficient a temperature has no effect; at the reference temperature the coefficients have none.
 #[test]
 fn no_coefficient_or_no_difference_changes_no_bit() {
     let ideal = TriadParameters::default();
@@ -146,7 +146,7 @@ fn no_coefficient_or_no_difference_changes_no_bit() {
     assert_eq!(a_minute(&thermal(1e-6), &thermal(1e-3), Some(25.0)), plain);
 }
 
-/// A coefficient is never without a temperature, and the call that would leave it so is refused and changes nothing.
+/// A coefficient is never without a temperature: a call that would set one without is refused and changes nothing.
 #[test]
 fn samples_without_a_temperature_are_refused_while_coefficients_are_set() {
     let missing = "sample.temperature_c: is needed, with SINS_SAMPLE_TEMPERATURE in sample.flags, while temperature \
@@ -162,10 +162,10 @@ fn samples_without_a_temperature_are_refused_while_coefficients_are_set() {
     simulator.set_accel(&TriadParameters::default()).unwrap();
     simulator.push_sample(&resting_sample(3.0)).unwrap();
 
-    // The sample that waits has none.
+    // The waiting sample has no temperature.
     assert_eq!(simulator.set_gyro(&thermal(1e-6)).unwrap_err().kind, ErrorKind::BadState);
     simulator.step().unwrap();
-    // Now the first interval has a temperature at its end alone: that holds throughout.
+    // Now the first interval has a temperature only at its end: this temperature holds throughout.
     simulator
         .set_gyro(&TriadParameters { scale_factor_temperature: Vector3::zeros(), ..thermal(1e-6) })
         .unwrap();

@@ -1,6 +1,6 @@
 //! Orders of convergence, by halving the step: slopes within 0.2 of theory.
 //!
-//! The references' exact integrals are added up to longer subsamples, so every step sees exact increments.
+//! The exact integrals of the references are added up to longer subsamples, so every step has exact increments.
 
 use nalgebra::{Quaternion, Vector3};
 use sins::earth::{Earth, Ellipsoid, GravityModel};
@@ -53,7 +53,7 @@ fn slopes(name: &str, frame: Frame, scheme: Scheme, n: usize, what: impl Fn(&Err
     assert_slopes(&format!("{name} {frame:?} {scheme:?} n = {n}"), &errors, order);
 }
 
-/// One subsample: rate and force constant over the update, local errors of third order.
+/// One subsample: rate and force are constant over the update, local errors are of third order.
 #[test]
 fn exact_scheme_with_one_subsample_is_of_order_2() {
     for frame in [Frame::EarthFixed, Frame::Geographic] {
@@ -65,7 +65,7 @@ fn exact_scheme_with_one_subsample_is_of_order_2() {
     }
 }
 
-/// Two and more: rate and force may change evenly, in direction too; local errors of fifth order.
+/// Two and more subsamples: rate and force may change evenly, in direction too; local errors are of fifth order.
 #[test]
 fn exact_scheme_with_more_subsamples_is_of_order_4() {
     for frame in [Frame::EarthFixed, Frame::Geographic] {
@@ -77,15 +77,15 @@ fn exact_scheme_with_more_subsamples_is_of_order_4() {
         slopes("cone1", frame, Scheme::Exact, 2, |e| e.velocity, 4.0);
         slopes("cone1", frame, Scheme::Exact, 2, |e| e.position, 4.0);
     }
-    // With two subsamples a whole loop cancels more than that.
+    // With two subsamples the errors over a whole loop cancel to more than order 4.
     for n in 3..=5 {
         slopes("loop", Frame::EarthFixed, Scheme::Exact, n, |e| e.velocity, 4.0);
         slopes("loop", Frame::EarthFixed, Scheme::Exact, n, |e| e.position, 4.0);
     }
 }
 
-/// Attitude: two subsamples fit any linear rate, and the symmetric coefficients of more leave no even order either: order 4,
-/// with four and five by what the triple products of the rotation vector's series lack.
+/// Attitude: two subsamples fit any linear rate, and the symmetric coefficients of more leave no even order either. The order
+/// is 4; with four and five subsamples it comes from the triple products that the rotation vector's series lacks.
 #[test]
 fn exact_scheme_in_attitude_is_of_order_4() {
     for n in 2..=5 {
@@ -95,7 +95,7 @@ fn exact_scheme_in_attitude_is_of_order_4() {
     }
 }
 
-/// The paper's: Earth terms of the start and the position by the velocity of the start, order 1.
+/// The paper's scheme takes Earth terms and the velocity for the position from the start of an update: order 1.
 #[test]
 fn papers_scheme_is_of_order_1() {
     for frame in [Frame::EarthFixed, Frame::Geographic] {
@@ -138,13 +138,13 @@ fn coning_drift(n: usize, a: f64, w: f64, h: f64) -> f64 {
     error.dot(&rotate(&Quaternion::identity(), &Vector3::z())).abs() / time
 }
 
-/// Under small coning the drift falls with the order 2n, and it is the one of the theory:
+/// For small coning the drift falls with the order 2n and has the size of the theory:
 /// a² (wh)^(2n+1) n n! / (2^(n+1) Π_{k=1}^{n+1} (2k-1)) / (n h).
 #[test]
 fn coning_drift_is_of_order_2n_and_of_the_size_of_theory() {
     let w = std::f64::consts::TAU * 10.0;
-    // Steps small enough for the leading term and large enough to stand above the rounding of 2000 updates; cones so small
-    // that the terms of fourth order in the angle, which these formulas leave, stay below it.
+    // Steps are small enough for the leading term and large enough to exceed the rounding of 2000 updates. Cones are so small
+    // that the terms of fourth order in the angle, which these formulas omit, stay below the leading term.
     for (n, a, wh) in [(1, 1e-3, 0.02_f64), (2, 1e-3, 0.05), (3, 1e-3, 0.1), (4, 3e-4, 0.2), (5, 1e-4, 0.3)] {
         let drifts: Vec<f64> =
             [1.0, 2.0].iter().map(|&scale| coning_drift(n, a, w, scale * wh / w)).collect();
@@ -158,8 +158,8 @@ fn coning_drift_is_of_order_2n_and_of_the_size_of_theory() {
     }
 }
 
-/// The polynomial of degree n - 1 has the increments as its integrals, so what it misses enters through products alone: for
-/// even n the next order cancels by symmetry. Attitude, velocity and position under coning.
+/// The polynomial of degree n - 1 has the increments as its integrals, so its errors enter through products alone: for even n
+/// the next order cancels by symmetry. Attitude, velocity and position under coning.
 #[test]
 fn polynomial_scheme_is_of_order_2_4_4_6_6() {
     let reference = Reference::load("cone1");

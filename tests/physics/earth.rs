@@ -91,7 +91,7 @@ fn geodetic_to_earth_fixed_is_exact_to_a_nanometre() {
     }
 }
 
-/// Back again: height to a nanometre, the angles to half a unit in their last place and a nanometre.
+/// The way back: height to a nanometre, the angles to half a unit in their last place and a nanometre.
 #[test]
 fn earth_fixed_to_geodetic_is_exact_to_a_nanometre() {
     let earth = Earth::default();
@@ -127,7 +127,7 @@ fn there_and_back_again_everywhere() {
     }
 }
 
-/// The vertical followed in one pass from position to position is the one found afresh.
+/// The vertical that is followed in one pass from position to position equals the one that is computed anew.
 #[test]
 fn the_followed_vertical_is_the_vertical() {
     let earth = Earth::default();

@@ -1,4 +1,4 @@
-//! Embedded flights: the geometry that was asked for, and samples that belong together.
+//! Embedded flights: the requested geometry, and samples that are consistent with each other.
 
 use nalgebra::Vector3;
 use sins::earth::Earth;
@@ -73,8 +73,8 @@ fn position_is_the_integral_of_velocity() {
     }
 }
 
-/// Accelerations do not jump: the second difference of velocity over a short step is that of a smooth function, at the
-/// joints of manoeuvres too.
+/// Accelerations do not jump: the second difference of velocity over a short step is that of a smooth function, also at the
+/// joints of manoeuvres.
 #[test]
 fn acceleration_and_attitude_are_continuous() {
     let flight = Flight::new(&start(), &every_manoeuvre()).unwrap();
@@ -95,7 +95,7 @@ fn acceleration_and_attitude_are_continuous() {
     }
 }
 
-/// A full circle at 30° of bank: radius v²/(g tan φ), back where it began but for the roll-in.
+/// One and a half circles at 30° of bank have the radius v²/(g tan φ).
 #[test]
 fn a_turn_has_the_radius_of_its_bank() {
     let bank = 30.0 * DEG;
@@ -107,7 +107,7 @@ fn a_turn_has_the_radius_of_its_bank() {
     let middle = 0.5 * flight.duration_s();
     let half = 0.5 * std::f64::consts::PI / rate;
     let chord = (position(&flight, middle + half) - position(&flight, middle - half)).norm();
-    // At 1 km height over the ellipsoid; straightness of the plane: the Earth curves away by 1e-7 of it.
+    // The height over the ellipsoid is 1 km; the Earth curves away from the plane by 1e-7 of the chord.
     assert!((chord / (2.0 * 150.0 / rate) - 1.0).abs() < 1e-6, "{chord}");
     let sample = flight.sample_at(middle).unwrap();
     assert!((sample.euler.roll - bank).abs() < 1e-12, "right turn, right wing down");
@@ -122,7 +122,7 @@ fn a_loop_is_round_and_comes_back() {
     let heights: Vec<f64> =
         (0..=400).map(|k| flight.sample_at(f64::from(k) / 10.0).unwrap().place.height_m).collect();
     let top = heights.iter().cloned().fold(f64::MIN, f64::max);
-    // Between the ramps a circle of radius v / rate; while it sets in and ends the loop is wider.
+    // Between the ramps the loop is a circle of radius v / rate; in the ramps it is wider.
     let diameter = 2.0 * 150.0 / rate;
     assert!(top - 1000.0 > diameter && top - 1000.0 < 1.3 * diameter, "{top} {diameter}");
     assert!((heights[400] - 1000.0).abs() < 1.0, "{}", heights[400]);
@@ -144,7 +144,7 @@ fn climbs_speeds_and_courses_are_the_ones_asked_for() {
     assert_eq!(at(flight.duration_s() - 5.0).place, end.place, "at rest");
 }
 
-/// Straight flight is a geodesic: from 60° N, course 90°, the great circle's highest latitude is where it began, and half
+/// Straight flight is a geodesic: from 60° N, course 90°, the highest latitude of the great circle is at its start, and half
 /// way round it is 60° S.
 #[test]
 fn straight_flight_is_a_geodesic() {
@@ -162,7 +162,7 @@ fn straight_flight_is_a_geodesic() {
     assert!((lowest + 60.0 * DEG).abs() < 1e-6, "{}", lowest / DEG);
 }
 
-/// The patrol over 48 h keeps its accuracy at any time, and any order of asking.
+/// The patrol over 48 h keeps its accuracy at any time, and in any order of calls.
 #[test]
 fn a_long_patrol_is_exact_at_any_time() {
     let flight = patrol(48.0 * 3600.0);
@@ -216,9 +216,9 @@ fn bad_manoeuvres_are_refused_with_their_index() {
     );
 }
 
-/// A flight that leaves the heights of samples is one that no simulator takes. It is refused as that, with the manoeuvre; up to
-/// the limit it is flown. A swing of the climb angle by A about 0 at the speed v and the frequency f rises by a half swing,
-/// v/(2π f) times the integral of sin(A sin x) from 0 to π: 2 (A - A³/9) and less than A⁵/100 more.
+/// No simulator takes a flight that leaves the heights allowed for samples. It is refused with the manoeuvre; up to the limit
+/// it is flown. A swing of the climb angle by A about 0 at the speed v and the frequency f rises in a half swing by v/(2π f)
+/// times the integral of sin(A sin x) from 0 to π: 2 (A - A³/9) and less than A⁵/100 more.
 #[test]
 fn heights_that_no_sample_may_have_are_refused_with_their_manoeuvre() {
     let (low_m, high_m) = FlightSample::HEIGHT_RANGE_M;
@@ -233,7 +233,7 @@ fn heights_that_no_sample_may_have_are_refused_with_their_manoeuvre() {
         assert_eq!((error.field, error.index), ("height reached in manoeuvre", Some(1)), "{error}");
         assert!(error.to_string().ends_with(": must be from -20000 to 2000000"), "{error}");
         let (reached_m, end_m) = (error.value.unwrap().as_f64(), from_m + change_m);
-        // The end of the climb, or of the first piece of it that goes too far.
+        // The end of the climb, or of its first piece that exceeds the limit.
         assert!(reached_m.abs() <= end_m.abs() + 1e-6, "{error}");
         assert!(change_m.abs() == 1e7 || (reached_m - end_m).abs() < 1e-6, "{error}");
     }

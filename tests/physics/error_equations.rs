@@ -21,7 +21,7 @@ fn states(errors: &NavigationErrors) -> States {
     x
 }
 
-/// Climbing out of a turn at 53° N: every velocity component, every force and every rate is at work.
+/// A climb at 53° N: every velocity component, every force and every rate contributes.
 fn flight() -> Flight {
     let start = FlightStart {
         latitude_rad: 53.0 * DEG,
@@ -64,12 +64,12 @@ fn after(
     (read(ErrorSource::Navigation), read(ErrorSource::Model))
 }
 
-/// What a central difference of two runs resolves of each state: rounding of attitude, of 250 m/s, of Earth-fixed metres.
+/// Resolution of each state in a central difference of two runs: rounding of attitude, of 250 m/s, of Earth-fixed metres.
 const RESOLUTION: [f64; 3] = [4e-16, 2e-13, 2e-9];
 
-/// Compares a column of the linearised mechanization with that of the error model: within 1e-6 of the term, what the
-/// difference resolves, and where `per_metre` what a gradient of gravity that is true to 1e-6 does in the time, and the
-/// cube of the displacement.
+/// Compares a column of the linearised mechanization with that of the error model. The bound is 1e-6 of the term and the
+/// resolution of the difference. With `per_metre` it includes the effect over the time of a gravity gradient that is true to
+/// 1e-6, and the cube of the displacement.
 fn assert_column(label: &str, linearised: &States, model: &States, size: f64, per_metre: bool, seconds: f64) {
     for row in 0..9 {
         let gradient = 1e-6 * 1.6e-6 * seconds.powi(1 + row as i32 / 6) + (size / 6.4e6).powi(2);
@@ -99,7 +99,7 @@ fn every_term_is_that_of_the_linearised_mechanization() {
                 ..options_at(100.0)
             };
             let label = |column: usize| format!("{gravity:?} {frame:?} column {column}");
-            // Start errors, so large that rounding is small and so small that the cubes of them are.
+            // Start errors, so large that rounding is small and so small that their cubes are small.
             for column in 0..9 {
                 let size = [1e-5, 0.1, 100.0][column / 3];
                 let mut start = States::zeros();
@@ -144,7 +144,7 @@ fn earth_fixed_and_geographic_form_agree() {
         };
         let (earth_fixed, geographic) = (run(Frame::EarthFixed), run(Frame::Geographic));
         for row in 0..9 {
-            // Runge-Kutta leaves (rate · T)⁴ of each; the rates reach 0.02 rad/s.
+            // Runge-Kutta errs by (rate · T)⁴ of each state; the rates reach 0.02 rad/s.
             let scale = [1e-3, 1.0, 100.0][row / 3];
             let difference = (earth_fixed[row] - geographic[row]).abs();
             assert!(
@@ -157,7 +157,7 @@ fn earth_fixed_and_geographic_form_agree() {
     }
 }
 
-/// The error model follows the mode of the vertical channel: with errors on height it does what data 2 does.
+/// The error model follows the mode of the vertical channel: with height errors it agrees with error data 2.
 #[test]
 fn vertical_modes_are_one_system_in_both_error_data() {
     let start = States::from_row_slice(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 30.0]);
@@ -167,7 +167,7 @@ fn vertical_modes_are_one_system_in_both_error_data() {
             let options = Options { vertical, error_model: true, frame, ..options_at(100.0) };
             let (navigation, model) = after(&options, 25.0, &start, Vector3::zeros(), accel);
             let difference = (navigation[8] - model[8]).abs();
-            // Second order: δh²/R, and the quarter of a metre that 1e-3 m/s² make times a thousandth.
+            // Second order: δh²/R, and a thousandth of the quarter of a metre that 1e-3 m/s² make.
             assert!(
                 difference < 30.0 * 60.0 / 6.4e6 + 1e-6,
                 "{vertical:?} {frame:?}: {} {}",

@@ -5,7 +5,7 @@ use sins::{ClosureFigures, Options, Simulator};
 
 use crate::support::Table;
 
-/// Closure, and the largest level velocity error on the way [m/s], of each `every`th sample.
+/// Closure, and the largest horizontal velocity error on the way [m/s], flown on each `every`th sample.
 fn fly(path: &str, options: &Options, every: usize) -> (ClosureFigures, f64) {
     let mut simulator = Simulator::new(options).unwrap();
     let mut worst: f64 = 0.0;
@@ -18,9 +18,9 @@ fn fly(path: &str, options: &Options, every: usize) -> (ClosureFigures, f64) {
     (simulator.accuracy().unwrap().unwrap().2, worst)
 }
 
-/// The figures are split into the host's share (its displacement against its velocity, Schuler-tuned) and the rest, which is
-/// ours: of the fourth order of the interval, so that every fourth sample leaves 256 times as much; twice that is the bar. The
-/// log's velocities are rounded to 1 nm/s, along three axes at both ends.
+/// The figures are split into the host's share (its displacement against its velocity, Schuler-tuned) and the library's own rest.
+/// The rest is of the fourth order of the interval: every fourth sample leaves 256 times as much. The bound is twice the 256th
+/// part. The log's velocities are rounded to 1 nm/s, along three axes at both ends.
 #[test]
 fn both_flights_close_on_their_truth() {
     for path in ["c_examples/flights/airliner_cruise.csv", "c_examples/flights/fighter_aerobatics.csv"] {
@@ -49,7 +49,7 @@ fn both_flights_close_on_their_truth() {
     }
 }
 
-/// A host whose positions run 1 % faster than its velocities say: the closure is the host's, and is told so.
+/// A host whose positions run 0.1 % faster than its velocities: the closure is the host's, and is reported so.
 #[test]
 fn a_host_that_contradicts_itself_is_told_its_share() {
     let table = Table::csv("c_examples/flights/airliner_cruise.csv");
@@ -66,7 +66,7 @@ fn a_host_that_contradicts_itself_is_told_its_share() {
     let (_, _, closure) = simulator.accuracy().unwrap().unwrap();
     // 0.1 % of 214 m/s east over 100 s.
     assert!(closure.position_n.x.abs() > 15.0, "{}", closure.position_n);
-    // What the share leaves is second order: the axes turn with the place, by 20 m of the Earth's radius.
+    // The rest is of second order: the axes turn with the place, by 20 m over the Earth's radius.
     let rest = (closure.position_n - closure.host_position_n).xy().norm();
     assert!(rest < 2e-3 * closure.position_n.norm(), "{rest} of {}", closure.position_n);
 }

@@ -52,15 +52,15 @@ fn generator_makes_the_exact_signals_of_the_figure_eight() {
     assert!(rate < 1e-8 && force < 1e-9, "{rate:e} °/h, {force:e} m/s²");
 }
 
-/// At the middle of an interval a cubic misses T⁴/384 of the fourth derivative of velocity; as a force over half an
-/// interval that is the fourth difference over 192 T.
+/// At the middle of an interval a cubic misses T⁴/384 of the fourth derivative of velocity. As a force over half an interval
+/// this is the fourth difference over 192 T.
 fn force_error_in_theory(reference: &Reference) -> f64 {
     let v = reference.truth.vectors(["velocity_east_m_s", "velocity_north_m_s", "velocity_up_m_s"]);
     let fourth = v.windows(5).map(|w| (w[0] + w[4] - (w[1] + w[3]) * 4.0 + w[2] * 6.0).norm_squared());
     (fourth.sum::<f64>() / (v.len() - 4) as f64).sqrt() / (192.0 * reference.period_s)
 }
 
-/// Loops and weaves are hard on the velocity alone: there the error is what the theory says, to a few percent.
+/// Loops and weaves are hard on the velocity alone: the error is that of the theory, to a few percent.
 #[test]
 fn generator_leaves_what_a_cubic_leaves_on_loops_and_weaves() {
     for name in ["loop", "scurve"] {
@@ -75,13 +75,13 @@ fn generator_leaves_what_a_cubic_leaves_on_loops_and_weaves() {
 fn generator_passes_the_pole_like_anywhere_else() {
     let (rate, force) = generator_error("polar", false);
     assert!(rate < 1e-8 && force < 1e-9, "{rate:e} °/h, {force:e} m/s²");
-    // At rest: what the reference's rounded constants of gravity differ from the exact ones, 6e-11 m/s².
+    // At rest: the difference between the reference's rounded constants of gravity and the exact ones, 6e-11 m/s².
     let (rate, force) = generator_error("pole_static", false);
     assert!(rate < 1e-9 && force < 1e-10, "{rate:e} °/h, {force:e} m/s²");
 }
 
-/// Vibration: 1° of coning at 2 Hz, sampled at 100 Hz. The generator shows the motion it was given; the host's own rate
-/// and force help.
+/// Vibration: 1° of coning at 2 Hz, sampled at 100 Hz. The generator reproduces the given motion; the host's own rate and
+/// force improve the result.
 #[test]
 fn generator_follows_coning_at_a_fiftieth_of_the_sample_rate() {
     let (rate, force) = generator_error("cone1", false);
@@ -90,7 +90,7 @@ fn generator_follows_coning_at_a_fiftieth_of_the_sample_rate() {
     assert!(with_host < 0.7 * force);
 }
 
-/// Position and velocity error at the end, east-north-up of the truth.
+/// Position, velocity and attitude errors at the end, in east-north-up of the truth.
 fn differences(
     computed: &EarthFixedState,
     truth: &FlightSample,
@@ -103,8 +103,8 @@ fn differences(
     (local(computed.r_e - exact.r_e), local(computed.v_e - exact.v_e), local(psi))
 }
 
-/// Horizontal position [m] and velocity [m/s], and attitude [rad], all in error after the whole file of exact increments, free
-/// vertical channel; `n` subsamples an update, each of `merge` half intervals.
+/// Errors of horizontal position [m], horizontal velocity [m/s] and attitude [rad] after the whole file of exact increments,
+/// with a free vertical channel; `n` subsamples an update, each of `merge` half intervals.
 fn navigation_error(name: &str, frame: Frame, scheme: Scheme, n: usize, merge: usize) -> [f64; 3] {
     let reference = Reference::load(name);
     let samples = reference.truth.samples(false);
@@ -126,15 +126,15 @@ fn navigation_error(name: &str, frame: Frame, scheme: Scheme, n: usize, merge: u
     [position.xy().norm(), velocity.xy().norm(), psi.norm()]
 }
 
-/// What rounding leaves: of Earth-fixed coordinates three times, and the Schuler swing of that; of the file's increments half a
+/// Errors of rounding: three roundings of Earth-fixed coordinates, and their Schuler swing; in the file's increments half a
 /// unit of 1e-17 rad, which at rest is always the same.
 fn rounding(duration_s: f64) -> [f64; 3] {
     let position_m = 3.0 * 6.4e6 * f64::EPSILON;
     [position_m, 1.24e-3 * position_m, 1e-15 * duration_s]
 }
 
-/// What a scheme of order `order` leaves: twice what updates `merge` times as long do, by that order; rounding; and what gravity
-/// leans within an update where the change of force f is not known yet, g/R f T³/12, which is of third order.
+/// Bound of a scheme of order `order`: twice the error of updates `merge` times as long, reduced by that order; rounding; and
+/// the lean of gravity within an update where the change of force f is not known yet, g/R f T³/12, which is of third order.
 fn left_by_order(
     name: &str,
     frame: Frame,
@@ -162,7 +162,7 @@ fn assert_order(name: &str, frame: Frame, scheme: Scheme, n: usize, merge_and_or
 }
 
 /// Coning of half angle a about a level axis drifts by a² (wh)⁵/(30 · 2h) with two subsamples of length h (see
-/// `convergence.rs`), the platform tilts, and so does gravity: g ε t²/2, g ε t³/6.
+/// `convergence.rs`). The platform tilts by the drift ε, and gravity with it: g ε t²/2, g ε t³/6.
 fn assert_coning_of_two_subsamples(frame: Frame, scheme: Scheme) {
     let (a, w, h, t_s) = (support::DEG, std::f64::consts::TAU * 2.0, 0.005, 30.0_f64);
     let drift = a * a * (w * h).powi(5) / (30.0 * 2.0 * h);
@@ -171,12 +171,12 @@ fn assert_coning_of_two_subsamples(frame: Frame, scheme: Scheme) {
     let errors = navigation_error("cone1", frame, scheme, 2, 1);
     println!("cone1 {frame:?} {scheme:?} 2: {errors:?} of {expected:?}");
     for (error, expected) in errors.iter().zip(expected) {
-        // The vibration beside it, of the same frequency and a tenth of g, has its own share.
+        // The vibration, of the same frequency and a tenth of g, has its own share.
         assert!((0.8..1.1).contains(&(error / expected)), "{errors:?} {expected:?}");
     }
 }
 
-/// At rest there is nothing to miss.
+/// At rest only rounding is left.
 fn assert_rest(scheme: Scheme) {
     let errors = navigation_error("pole_static", Frame::EarthFixed, scheme, 2, 1);
     assert!(errors.iter().zip(rounding(10.0)).all(|(&error, rounding)| error < rounding), "{errors:?}");
@@ -209,8 +209,8 @@ fn geographic_axes_do_as_well_away_from_the_pole() {
     assert_coning_of_two_subsamples(Frame::Geographic, Scheme::Exact);
 }
 
-/// Constant sensor biases against the exact nonlinear solution, vertical channel held to the truth: within what the tests above
-/// leave. A rotation vector is more than the vector part of its matrix by ψ²/6 of itself, and the rest of third order like it.
+/// Constant sensor biases against the exact nonlinear solution, vertical channel held to the truth: errors agree within the bounds
+/// of the tests above. A rotation vector exceeds the vector part of its matrix by ψ²/6 of itself; the rest is of third order too.
 #[test]
 fn biased_sensors_give_the_errors_of_the_exact_equations() {
     for (name, gyro, accel) in
@@ -225,7 +225,7 @@ fn biased_sensors_give_the_errors_of_the_exact_equations() {
             expected.vectors(["misalignment_east_rad", "misalignment_north_rad", "misalignment_up_rad"]);
         let largest = misalignment.iter().map(Vector3::norm).fold(0.0, f64::max);
         let own = left_by_order(name, Frame::EarthFixed, Scheme::Exact, 2, (8, 4));
-        // Both sides have Earth-fixed coordinates.
+        // Both sides are rounded in Earth-fixed coordinates.
         let rounding_m = 2.0 * rounding(0.0)[0];
 
         let t = reference.period_s;
@@ -262,8 +262,8 @@ fn biased_sensors_give_the_errors_of_the_exact_equations() {
     }
 }
 
-/// Generator and mechanization together over the pole, which the flight passes exactly: of the fourth order of the interval, so
-/// that every other sample leaves 16 times as much; twice that, and rounding.
+/// Generator and mechanization together over the pole, which the flight passes exactly: the error is of the fourth order of the
+/// interval, so that every other sample leaves 16 times as much. The bound is twice the 16th part, and rounding.
 #[test]
 fn the_whole_chain_passes_the_pole_like_anywhere_else() {
     let samples = Reference::load("polar").truth.samples(false);
@@ -284,7 +284,7 @@ fn the_whole_chain_passes_the_pole_like_anywhere_else() {
     assert!(fine.position_m < coarse.position_m / 8.0 + rounding(0.0)[0], "{fine:?} {coarse:?}");
 }
 
-/// The paper's scheme keeps its approximations: its own error shows, and it is the size that they predict.
+/// The paper's scheme keeps its approximations: its own error has the size that they predict.
 #[test]
 fn paper_scheme_shows_its_own_error() {
     let reference = Reference::load("fig8");
@@ -300,7 +300,7 @@ fn paper_scheme_shows_its_own_error() {
     }
     let computed = mechanization.navigation(BodyAxes::default()).earth_fixed(&earth());
     let (position, _, _) = differences(&computed, samples.last().unwrap());
-    // Position by the velocity of the start of each update lags by T/2 of the change of velocity.
+    // A position by the velocity at the start of each update lags by T/2 of the change of velocity.
     let (first, last) = (samples[0].v_n.unwrap(), samples.last().unwrap().v_n.unwrap());
     let lag = 0.5 * reference.period_s * (last - first).xy().norm();
     assert!(position.xy().norm() > 0.5 * lag && position.xy().norm() < 2.0 * lag, "{position} {lag}");

@@ -13,7 +13,7 @@ const HOURS: f64 = if cfg!(feature = "long-tests") { 48.0 } else { 4.0 };
 const RATE_HZ: f64 = 100.0;
 
 fn resting() -> impl Iterator<Item = FlightSample> {
-    // Tilted: at simple attitudes rounding errors vanish that elsewhere add up.
+    // Tilted, because at simple attitudes rounding errors vanish that add up elsewhere.
     let euler = Euler { roll: 0.03, pitch: -0.05, heading: 0.7 };
     let sample = move |time_s| FlightSample { euler, ..resting_sample(time_s) };
     (0..=(HOURS * 3600.0 * RATE_HZ) as u64).map(move |k| sample(k as f64 / RATE_HZ))
@@ -25,7 +25,7 @@ fn patrolling(rate_hz: f64) -> impl Iterator<Item = FlightSample> {
         .map(move |k| flight.sample_at((k as f64 / rate_hz).min(flight.duration_s())).unwrap())
 }
 
-/// Looks every ten seconds.
+/// Checks the errors every ten seconds.
 fn worst(options: Options, rate_hz: f64, samples: impl Iterator<Item = FlightSample>) -> Worst {
     let every = (10.0 * rate_hz) as usize;
     let worst = fly(&mut Simulator::new(&options).unwrap(), samples, every);
@@ -36,7 +36,7 @@ fn worst(options: Options, rate_hz: f64, samples: impl Iterator<Item = FlightSam
     worst
 }
 
-/// What a quarter of the rate leaves, by the fourth order a 256th of it, and twice that; and rounding.
+/// Bound of a fourth-order error: twice a 256th of the error at a quarter of the rate, and rounding.
 fn of_fourth_order(coarse: f64, rounding: f64) -> f64 {
     2.0 * coarse / 256.0 + rounding
 }
@@ -91,13 +91,13 @@ fn the_patrol_is_the_one_that_is_described() {
     }
     assert!((20.0 * DEG..30.5 * DEG).contains(&bank), "{}", bank / DEG);
     assert!((speed - 200.0).abs() < 1.0, "{speed}");
-    // Setting in takes ten minutes on the way north; from then on the figure-eights close.
+    // The flight takes ten minutes to begin its pattern on the way north; from then on the figure-eights close.
     assert!(distance < 2.0 * DEG, "{}", distance / DEG);
 }
 
-/// The closed loop holds an error-free navigator, whose vertical channel is free and would double its error every 400 s: to the
-/// roundings of Earth-fixed coordinates on both sides, eight of them. The trim answers these by its gains, 1.6/τ of a velocity
-/// that follows them in τ and 1/τ² + 4e-6; and it makes up for what the scheme leaves, of fourth order.
+/// The closed loop holds an error-free navigator, whose vertical channel is free and would double its error every 400 s, to the
+/// rounding of Earth-fixed coordinates on both sides, eight roundings. The trim answers these by its gains, 1.6/τ of a velocity
+/// that follows them in τ and 1/τ² + 4e-6. It also corrects the error of the scheme, of fourth order.
 #[test]
 fn the_closed_loop_holds_the_free_vertical_channel() {
     let tau_s = 30.0;

@@ -31,7 +31,7 @@ fn fly(simulator: &mut Simulator, samples: impl Iterator<Item = FlightSample>, e
     rows
 }
 
-/// At rest nothing changes from sample to sample: 10 Hz will do.
+/// At rest nothing changes from sample to sample, so 10 Hz is enough.
 fn at_rest(hours: f64, gyro: &TriadParameters, accel: &TriadParameters) -> Vec<Row> {
     let mut simulator = Simulator::new(&Options { error_model: true, ..options_at(10.0) }).unwrap();
     simulator.set_gyro(gyro).unwrap();
@@ -47,7 +47,7 @@ fn constant_errors() -> (TriadParameters, TriadParameters) {
     (gyro, accel)
 }
 
-/// On the sphere of the mean radius of curvature and the gravity there.
+/// Closed form on the sphere of the mean radius of curvature, with the gravity there.
 fn closed_form() -> AtRest {
     let earth = Earth::default();
     let radii = earth.radii(LATITUDE.sin());
@@ -151,7 +151,7 @@ fn error_model_is_the_matrix_exponential_for_48_h() {
             let phi = Vector3::new(x[0], x[1], x[2]);
             let north = x[5] * radii.meridian_m;
             let east = x[6] * radii.transverse_m * LATITUDE.cos();
-            // The gradient of gravity is good to 1e-6, its phase over 217 rad to 1e-4 of the oscillation, 2.6 km.
+            // The gradient of gravity is true to 1e-6, its phase over 217 rad to 1e-4 of the oscillation, 2.6 km.
             assert!(
                 (model.misalignment_n - phi).norm() < 2e-8,
                 "{time} {}",
@@ -163,7 +163,7 @@ fn error_model_is_the_matrix_exponential_for_48_h() {
     }
 }
 
-/// What the linear model drops: products of the errors. Position: displacement over the Earth's radius and misalignment,
+/// Products of the errors, which the linear model drops. Position: displacement over the Earth's radius and misalignment,
 /// times displacement; velocity likewise with the Schuler rate, and the frames' turn times the speed.
 fn second_order(errors: &NavigationErrors, speed_m_s: f64, largest_m: f64) -> (f64, f64) {
     let r = 6.37e6;
@@ -190,7 +190,7 @@ fn error_data_1_and_2_agree_to_second_order_at_rest() {
     let (gyro, accel) = paper_simulation2();
     let rows = at_rest(48.0, &gyro, &accel);
     assert_agreement(&rows, 0.0);
-    // And they are worth comparing.
+    // The errors are large enough for the comparison.
     assert!(rows.last().unwrap().1.position_n.norm() > 10e3);
 }
 

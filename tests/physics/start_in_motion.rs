@@ -1,5 +1,5 @@
-//! A flight that begins in motion, mounted off the reference point or with accelerometers off each other: what its first
-//! intervals know of the angular acceleration, and that the navigation does not suffer from what they cannot know.
+//! A flight that begins in motion, mounted off the reference point or with accelerometers off each other: its first intervals
+//! know the angular acceleration only in part, and the navigation does not suffer from this.
 
 use std::f64::consts::TAU;
 
@@ -15,7 +15,7 @@ use sins::{ErrorSource, ImuInterval, Options, Simulator};
 use crate::support::{self, DEG, EARTH_RATE, options_at, resting_sample};
 
 const ARM_M: f64 = 3.4;
-/// A motion in closed form, at rest in place, and its angular rate against the Earth in body axes [rad/s].
+/// A motion in closed form at a fixed place: its attitude, and its angular rate relative to the Earth in body axes [rad/s].
 struct Scene {
     name: &'static str,
     rate_hz: f64,
@@ -23,14 +23,14 @@ struct Scene {
     attitude: fn(f64) -> (Quaternion<f64>, Vector3<f64>),
 }
 
-/// About the vertical, 64 °/s rms.
+/// A rotation about the vertical, 64 °/s rms.
 fn turntable(time_s: f64) -> (Quaternion<f64>, Vector3<f64>) {
     let (rate, turn) = (64.0 * DEG * 2f64.sqrt(), TAU * TURNTABLE.frequency_hz);
     let half = 0.5 * rate / turn * (1.0 - (turn * time_s).cos());
     (Quaternion::new(half.cos(), 0.0, 0.0, half.sin()), Vector3::new(0.0, 0.0, rate * (turn * time_s).sin()))
 }
 
-/// 0.01° at 10 Hz about axes in the level.
+/// Coning of 0.01° at 10 Hz about horizontal axes.
 fn coning(time_s: f64) -> (Quaternion<f64>, Vector3<f64>) {
     let (half, turn) = (0.005 * DEG, TAU * CONING.frequency_hz);
     let (sin, cos) = (turn * time_s).sin_cos();
@@ -58,8 +58,8 @@ impl Scene {
         FlightSample { euler, omega_ib_b: with_rate.then(|| self.rate(time_s)), ..resting_sample(time_s) }
     }
 
-    /// What an accelerometer at `place` [m] feels more on the mean of interval `k` [m/s²], by three points of Gauss.
-    fn felt(&self, place: &Vector3<f64>, k: usize) -> Vector3<f64> {
+    /// Additional mean force that an accelerometer at `place` [m] senses in interval `k` [m/s²], by three points of Gauss.
+    fn sensed(&self, place: &Vector3<f64>, k: usize) -> Vector3<f64> {
         let rate = |u: f64| self.rate((k as f64 + u) / self.rate_hz);
         let node = 0.5 * 0.6f64.sqrt();
         let centripetal: Vector3<f64> = [(0.5 - node, 5.0), (0.5, 8.0), (0.5 + node, 5.0)]
@@ -97,7 +97,7 @@ fn mounting() -> MountingParameters {
     MountingParameters { lever_arm_m: Vector3::new(0.6, -0.8, 0.0) * ARM_M, ..Default::default() }
 }
 
-/// Accelerometers [m] that lie as far off each other as a block in the hand.
+/// Places of accelerometers that are as far off each other as in a hand-sized block [m].
 const PLACES_M: Matrix3<f64> = Matrix3::new(0.03, -0.05, 0.02, 0.05, 0.04, -0.03, -0.04, 0.05, 0.03);
 
 /// The signals of the intervals between samples `from` and `to`, flown from `from` on.
@@ -119,9 +119,9 @@ fn changes_of_rate(signals: &[ImuInterval]) -> [f64; 3] {
     })
 }
 
-/// How much less force the first intervals have than those of a flight that has always been there [m/s²], against what four
-/// samples and fewer can know. The first has but a mean rate: it lacks all of ω'. In the second three samples make a parabola of
-/// the angle: its rates at both ends differ by h² ω''/2 too much, and four samples in the third by h³ ω'''/3.
+/// Compares the forces of the first intervals with those of a flight that was always there [m/s²]. The bounds are what four
+/// samples and fewer cannot know. The first interval has only a mean rate: it lacks all of ω'. In the second three samples make
+/// a parabola of the angle: its rates at both ends differ by h² ω''/2 too much, and four samples in the third by h³ ω'''/3.
 fn check_start(
     name: &str,
     arm_m: f64,
@@ -140,7 +140,7 @@ fn check_start(
         error[3],
         first * arm_m
     );
-    // What turns with the rate is of the next order.
+    // Terms that turn with the rate are of the next order.
     assert!(error[0] < arm_m * (first + h * second), "{error:?}");
     assert!(error[1] < arm_m * (h * second / 2.0 + h * h * third), "{error:?}");
     assert!(error[2] < arm_m * h * h * third / 2.0, "{error:?}");
@@ -152,7 +152,7 @@ fn forces(signals: &[ImuInterval]) -> Vec<Vector3<f64>> {
     signals.iter().map(|imu| imu.ideal.velocity / imu.interval_s).collect()
 }
 
-/// Of the size effect alone.
+/// Errors of the size effect alone [m/s²].
 fn effects(signals: &[ImuInterval]) -> Vec<Vector3<f64>> {
     signals.iter().map(|imu| (imu.measured.velocity - imu.ideal.velocity) / imu.interval_s).collect()
 }
@@ -172,7 +172,7 @@ fn check_scene(name: &str, rate_hz: f64, sample: &dyn Fn(i32) -> FlightSample) {
     let started = flown(&mut simulator, sample, 0, last);
     check_start(name, ARM_M, &forces(&started), &forces(always_signals), changes, 1.0 / rate_hz);
 
-    // A reposition is a start, to the bit, and so is a queue that was filled before.
+    // A reposition is a start, to the bit, and so is a start from a queue that was filled before.
     let mut repositioned = mounted();
     flown(&mut repositioned, sample, -earlier, 50);
     repositioned.reposition(&sample(0)).unwrap();
@@ -186,7 +186,7 @@ fn check_scene(name: &str, rate_hz: f64, sample: &dyn Fn(i32) -> FlightSample) {
         assert_eq!(queued.imu().unwrap(), *expected);
     }
 
-    // Perfect sensors navigate to the truth: eight roundings of a position in Earth-fixed axes are left.
+    // Perfect sensors navigate to the truth, except for eight roundings of a position in Earth-fixed axes.
     let errors = simulator.errors(ErrorSource::Navigation).unwrap().unwrap().1;
     println!("{name}: {:.1e} m, {:.1e} m/s", errors.position_n.norm(), errors.velocity_n.norm());
     assert!(errors.position_n.norm() < 8e-9 && errors.velocity_n.norm() < 1e-9, "{errors:?}");
@@ -216,8 +216,8 @@ fn a_start_in_motion_makes_no_spike() {
     check_scene("light aircraft", 100.0, &light_aircraft(100.0));
 }
 
-/// With the host's rates the mean of ω'×r is known from the first interval on, to rounding. That of ω×(ω×r) is what the mean rate
-/// and its change make of it, (Ω h)⁴/720 less at a frequency Ω, and as much again is what a cubic leaves of the rate.
+/// With the host's rates the mean of ω'×r is known from the first interval on, to rounding. The mean of ω×(ω×r) comes from the
+/// mean rate and its change, too small by (Ω h)⁴/720 at a frequency Ω; the cubic of the rate errs by as much again.
 #[test]
 fn the_hosts_rates_tell_the_first_interval() {
     for scene in [TURNTABLE, CONING] {
@@ -229,7 +229,7 @@ fn the_hosts_rates_tell_the_first_interval() {
             let effects = effects(&flown(&mut simulator, |k| scene.sample(k, true), 0, 20));
             let wrong = effects.iter().enumerate().map(|(k, effect)| {
                 let expected =
-                    Vector3::from_fn(|axis, _| scene.felt(&PLACES_M.row(axis).transpose(), k)[axis]);
+                    Vector3::from_fn(|axis, _| scene.sensed(&PLACES_M.row(axis).transpose(), k)[axis]);
                 (effect - expected).norm() / expected.norm()
             });
             let wrong: Vec<f64> = wrong.collect();

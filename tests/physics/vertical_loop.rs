@@ -12,7 +12,7 @@ use crate::support::{options_at, resting_sample};
 
 const TAU_S: f64 = VerticalLoop::TIME_CONSTANT_S;
 
-/// Height of a vertical channel that was `height_m` too high and otherwise right: exp(-x) (1 - 2 x + x²/2), x = t/τ.
+/// Height error of a vertical channel that started `height_m` too high, otherwise right: exp(-x) (1 - 2 x + x²/2), x = t/τ.
 fn after_a_height_error(height_m: f64, time_s: f64) -> f64 {
     let x = time_s / TAU_S;
     height_m * (-x).exp() * (1.0 - 2.0 * x + 0.5 * x * x)
@@ -23,7 +23,7 @@ fn under_a_bias(a: f64, time_s: f64) -> f64 {
     0.5 * a * time_s * time_s * (-time_s / TAU_S).exp()
 }
 
-/// A navigator's vertical channel: the free one in closed form, h'' = κ h + a, corrected by the loop.
+/// A navigator's vertical channel: the free channel in closed form, h'' = κ h + a, corrected by the loop.
 struct Channel {
     height_m: f64,
     velocity_m_s: f64,
@@ -55,9 +55,9 @@ fn uneven(t: f64) -> impl Iterator<Item = f64> {
     (0..).map(move |k: u32| t * 3f64.powf((f64::from(k) * 2.4).sin()))
 }
 
-/// On the way d goes up to 0.231 h/τ² and back, and the residual is bent by a twelfth of its t² more than by what d knows: the loop
-/// takes that for an error of the barometer and follows it, all turns together 1.46 times at the most, and κ adds 3 %. A step
-/// rounds 10 m to 2e-15 m, as a rate to that over t.
+/// On the way d rises to 0.231 h/τ² and returns. The residual is bent by t²/12 of d more than d accounts for: the loop takes this
+/// for an error of the barometer and follows it, in total 1.46 times at the most, and κ adds 3 %. A step rounds 10 m to 2e-15 m,
+/// and a rate to this over t.
 #[test]
 fn a_height_error_goes_as_the_three_poles_in_even_and_uneven_steps() {
     for t in [1e-3, 0.01, 0.1, 1.0, 10.0] {
@@ -79,7 +79,7 @@ fn a_height_error_goes_as_the_three_poles_in_even_and_uneven_steps() {
     }
 }
 
-/// Response to what an acceleration of 1 that the loop has still to find bends the residual by, with its share in κ:
+/// Response to the bend of the residual by an acceleration of 1 that the loop has still to find, with its share in κ:
 /// (3 λ s² + 3 λ² s + λ³ + κ s)/(s + λ)³ of the share that d has not found, exp(-x) (1 + x + x²/2).
 fn to_what_is_not_found(time_s: f64) -> f64 {
     let x = time_s / TAU_S;
@@ -87,9 +87,9 @@ fn to_what_is_not_found(time_s: f64) -> f64 {
     (-x).exp() * (3.0 * x + x.powi(3) / 6.0 - x.powi(4) / 12.0 + x.powi(5) / 120.0 + of_gradient)
 }
 
-/// An acceleration a bends the residual within an interval by a s (s - t)/2. Its mean, -a t²/12, the loop takes for a height that
-/// the barometer has wrong, as far as it has not found a. The first interval, without a residual before it, takes all that it
-/// finds for a height error: 3/4 a t² t/τ too much correction, 9 t/τ of a t²/12, and 2 of the velocity's.
+/// An acceleration a bends the residual within an interval by a s (s - t)/2. While the loop has not found a, it takes the mean,
+/// -a t²/12, for an error of the barometer's height. The first interval, without a residual before it, takes all that it finds
+/// for a height error: 3/4 a t² t/τ too much correction, 9 t/τ of a t²/12, and 2 of the velocity's.
 #[test]
 fn the_response_to_a_bias_is_of_second_order_in_the_interval() {
     let bias = 1e-2f64;
@@ -120,8 +120,8 @@ fn the_response_to_a_bias_is_of_second_order_in_the_interval() {
     }
 }
 
-/// The simulator, in each frame's own steps, at the pole where Coriolis takes no part: what it adds is the true gradient less the
-/// loop's, which the response to an acceleration, at most 1/λ² of it, holds.
+/// The simulator at the pole, where Coriolis has no effect. It adds the true gradient less the loop's, which acts on the response
+/// to an acceleration, at most 1/λ² of it.
 #[test]
 fn the_simulators_response_is_that_of_the_three_poles() {
     let place = Geodetic { latitude_rad: std::f64::consts::FRAC_PI_2, longitude_rad: 0.0, height_m: 0.0 };
@@ -171,8 +171,8 @@ fn left_at_rest(interval_s: f64, updates_per_sample: usize, height_m: f64) -> f6
     simulator.errors(ErrorSource::Navigation).unwrap().unwrap().1.position_n.z
 }
 
-/// Up to the longest interval that a sample may end, flown in one update or in 16, the loop forgets a height error: but for the
-/// swing in the east that Coriolis made of it, 2 W cos L · 10 m, which comes back as 2 W cos L of that over λ².
+/// Up to the longest interval that a sample may end, flown in one update or in 16, the loop forgets a height error, except for
+/// the swing in the east that Coriolis makes of it, 2 W cos L · 10 m. This swing comes back as 2 W cos L of itself over λ².
 #[test]
 fn the_loop_is_stable_at_any_interval() {
     let coriolis = 2.0 * 7.292_115e-5 * 39.9f64.to_radians().cos() * TAU_S;
@@ -185,8 +185,8 @@ fn the_loop_is_stable_at_any_interval() {
     }
 }
 
-/// After an outage the residual before it tells no rate: but for the d that was found by then, up to 1/τ² of it in a second, the loop
-/// begins as a new one.
+/// After an outage the residual before it gives no rate: except for the d that was found until then, up to 1/τ² of it in a second,
+/// the loop begins like a new one.
 #[test]
 fn an_outage_of_the_barometer_is_no_rate() {
     let (mut new, mut interrupted) = (VerticalLoop::new(), VerticalLoop::new());

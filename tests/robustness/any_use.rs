@@ -1,4 +1,4 @@
-//! What holds whatever a host does that keeps the rules: random hosts, and what each of their calls leaves.
+//! Properties that hold for any host that keeps the rules: random hosts, with a check after each of their calls.
 //!
 //! 300 hosts of 120 calls here; 5000 with `cargo test --release --features long-tests --test robustness any_use:: -- --nocapture`.
 
@@ -17,8 +17,8 @@ use crate::support::moments::{Call, reads, snapshot};
 const HOSTS: u64 = if cfg!(feature = "long-tests") { 5000 } else { 300 };
 const CALLS: usize = 120;
 
-/// Makes a call and looks at what it left: a solution within the limits of the interface, numbers that are some, and after a
-/// refusal nothing.
+/// Makes a call and checks the result: the solution is within the limits of the interface, all numbers are finite, and a
+/// refused call has changed nothing.
 fn call_and_check(simulator: &mut Simulator, call: &Call, who: &str) -> bool {
     let before = (reads(simulator), snapshot(simulator));
     let answer = call.make(simulator);
@@ -31,7 +31,7 @@ fn call_and_check(simulator: &mut Simulator, call: &Call, who: &str) -> bool {
     true
 }
 
-/// The limits of the interface, and that all that is read is a number.
+/// Checks the limits of the interface, and that everything that is read is a number.
 fn check(simulator: &Simulator, read: &str, who: &str) {
     assert!(!read.contains("NaN") && !read.contains("inf"), "{who}: {read}");
     let Ok(Some(solution)) = simulator.navigation() else { return };
@@ -63,8 +63,8 @@ fn no_call_is_ok_beyond_the_limits_and_a_refused_one_changes_nothing() {
     assert!(good > refused && refused > 0);
 }
 
-/// After each call the simulator is saved and loaded: the same reads, the same bytes again. One that was loaded some calls ago goes
-/// on to the same as the one that it is of.
+/// After each call the simulator is saved and loaded: the loaded one gives the same reads and the same bytes. A twin that was
+/// loaded some calls ago continues like its original.
 #[test]
 fn whatever_is_saved_loads_and_goes_on_to_the_same() {
     let mut steps = 0;
@@ -142,7 +142,7 @@ fn absurd_biases_are_flown_within_the_limits_or_refused() {
     assert!(flown > 1000 && refused > 100);
 }
 
-/// The gyros of the paper's scheme at 100 rad/s turn 250 rad in an interval, of which its terms of second order make 100 km/s.
+/// Gyros biased by 100 rad/s turn 250 rad in an interval; the second-order terms of the paper's scheme make 100 km/s of it.
 #[test]
 fn the_papers_scheme_diverges_where_its_second_order_does() {
     let options = Options { scheme: Scheme::Paper, vertical: VerticalMode::Free, ..Default::default() };
@@ -162,8 +162,8 @@ fn the_papers_scheme_diverges_where_its_second_order_does() {
     );
 }
 
-/// A roll of ±36° at 1 Hz with the host's rates at 100 Hz, one second lost: turned back and forth by nothing that the rates would
-/// foresee. Right behind the gap, and until it is forgotten, the simulator is saved and loaded.
+/// A roll of ±36° at 1 Hz with the host's rates at 100 Hz and up to 1.2 s lost: the rates do not predict the turn over the gap.
+/// The simulator is saved and loaded right after the gap, and until the gap is forgotten.
 #[test]
 fn a_snapshot_right_behind_a_gap_loads() {
     for lost in [0, 40, 60, 75, 100, 120] {

@@ -14,8 +14,8 @@ fn free(frame: Frame, rate_hz: f64) -> Options {
     Options { frame, vertical: VerticalMode::Free, ..options_at(rate_hz) }
 }
 
-/// On the pole, where Coriolis takes no part, a height error of 1 mm grows as cosh(t/τ), 1/τ² = upᵀ G up of the gravity
-/// gradient G. The gradient is true to 1e-6 of itself, and half of that counts t/τ times.
+/// On the pole, where Coriolis has no effect, a height error of 1 mm grows as cosh(t/τ), 1/τ² = upᵀ G up of the gravity
+/// gradient G. The gradient is true to 1e-6 of itself; half of this error counts t/τ times.
 #[test]
 fn the_e_folding_time_is_that_of_the_gravity_gradient() {
     let earth = Earth::default();
@@ -37,7 +37,7 @@ fn the_e_folding_time_is_that_of_the_gravity_gradient() {
                 errors.position_n.z,
                 ratio - 1.0
             );
-            // 2 nm of rounding at the start are 2e-6 of it; height over radius, 150 m of 6.4e6, is the next order of the field.
+            // Rounding of 2 nm at the start is 2e-6 of 1 mm; height over radius, 150 m of 6.4e6, is the field's next order.
             let second_order = 1.5 * errors.position_n.z / 6.36e6;
             assert!((ratio - 1.0).abs() < 0.5e-6 * time_s / tau_s + 2e-6 + second_order, "{ratio}");
         }
@@ -59,9 +59,9 @@ fn until_refused(simulator: &mut Simulator, from: u32) -> (u32, Error) {
     unreachable!()
 }
 
-/// When a free channel is at `height_m`, either sign, after a `bias` [m/s²] from rest. Where gravity falls with the square of the
-/// distance, h'² = 2 g h²/(R + h) beyond the first metres, which are b τ² (cosh(t/τ) - 1) with τ² = R/(2g); so, x = h/R, s² = 1 + x,
-/// t = τ (ln(2h/(b τ²)) + 2 (s - 1) + ln(4 (s - 1)/((s + 1) x))).
+/// Time at which a free channel reaches `height_m`, of either sign, after a `bias` [m/s²] from rest [s]. Where gravity falls with
+/// the square of the distance, h'² = 2 g h²/(R + h) beyond the first metres, which are b τ² (cosh(t/τ) - 1) with τ² = R/(2g). With
+/// x = h/R, s² = 1 + x this gives t = τ (ln(2h/(b τ²)) + 2 (s - 1) + ln(4 (s - 1)/((s + 1) x))).
 fn time_to(height_m: f64, bias: f64, tau_s: f64, radius_m: f64) -> f64 {
     let x = height_m / radius_m;
     let s = (1.0 + x).sqrt();
@@ -69,8 +69,8 @@ fn time_to(height_m: f64, bias: f64, tau_s: f64, radius_m: f64) -> f64 {
     tau_s * (of_cosh + 2.0 * (s - 1.0) + (4.0 * (s - 1.0) / ((s + 1.0) * x)).ln())
 }
 
-/// A microgram of bias ends it within hours, upward or downward, when theory says: refused before anything overflows, the last
-/// good solution stays, to the bit, and both ways back lead to a run like any other.
+/// A microgram of bias ends the flight within hours, upward or downward, at the time of the theory. The step is refused before
+/// anything overflows, the last good solution stays, to the bit, and both ways back lead to a normal run.
 #[test]
 fn the_end_is_told_and_both_ways_back_are_open() {
     let earth = Earth::default();
@@ -81,7 +81,7 @@ fn the_end_is_told_and_both_ways_back_are_open() {
         for (bias, limit_m) in [(1e-5, 20e6), (-1e-5, -500e3)] {
             let parameters = TriadParameters {
                 bias: Vector3::new(0.0, 0.0, bias),
-                // Against the bias 1e-7/(1e-5 √(2τ)): it moves the end by 0.2 s.
+                // Relative to the bias the noise is 1e-7/(1e-5 √(2τ)): it moves the end by 0.2 s.
                 random_walk: Vector3::repeat(1e-7),
                 ..Default::default()
             };
@@ -104,10 +104,11 @@ fn the_end_is_told_and_both_ways_back_are_open() {
                 error.field.contains("height_m") && error.value.unwrap().as_f64().abs() > limit_m.abs(),
                 "{error}"
             );
-            // Coriolis turns the way up to the west, where it is felt as weight: (2 W cos L)² of 2 g/R, 0.2 % of the rate.
+            // Coriolis turns the vertical motion to the west, and the motion to the west acts as weight: (2 W cos L)² of 2 g/R,
+            // 0.2 % of the rate.
             assert!((f64::from(end) - expected_s).abs() < 2e-3 * expected_s + 1.0, "{end} {expected_s}");
             assert_eq!(last.time_s, f64::from(end) - 1.0);
-            // One step of 1 s more would have been beyond.
+            // One more step of 1 s would have exceeded the limit.
             let left_m = (limit_m - height_m) * bias.signum();
             let step_m = last.navigation.v_n.z * bias.signum() + 0.5 * support::G;
             assert!((0.0..step_m).contains(&left_m), "{left_m} of {step_m}");

@@ -1,5 +1,5 @@
 //! Samples as old hosts send them: any rate, jitter, losses, duplicates, clocks that jump, teleports, coarse logs, fields that are
-//! no numbers.
+//! not a number.
 
 use core::f64::consts::TAU;
 
@@ -11,12 +11,12 @@ use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
 
 use crate::support::{Worst, fly, options_at, patrol, resting_sample};
 
-/// The recommended options with the vertical channel on the truth, and the stamps' own times.
+/// The recommended options, with the vertical channel following the truth and with the times of the stamps themselves.
 fn own_stamps() -> Options {
     Options { intake: Default::default(), ..options_at(100.0) }
 }
 
-/// From the patrol's swings on.
+/// Sample of the patrol at `time_s` after the start of its swings [s].
 fn at(flight: &Flight, time_s: f64) -> FlightSample {
     FlightSample { time_s, ..flight.sample_at(600.0 + time_s).unwrap() }
 }
@@ -25,7 +25,7 @@ fn flown(samples: impl Iterator<Item = FlightSample>) -> Worst {
     fly(&mut Simulator::new(&own_stamps()).unwrap(), samples, 1)
 }
 
-/// 5 min of patrol from 1 to 1000 Hz: the faster the better, until the rounding of the samples is left, some nanometres.
+/// 5 min of patrol from 1 to 1000 Hz: the error falls with the rate down to the rounding of the samples, some nanometres.
 #[test]
 fn rates_from_1_to_1000_hz() {
     let flight = patrol(1200.0);
@@ -39,7 +39,7 @@ fn rates_from_1_to_1000_hz() {
     });
     for pair in errors.windows(2) {
         let [(slow_hz, slow_m), (fast_hz, fast_m)] = [pair[0], pair[1]];
-        // A third order shows, less a half for motions of 0.3 to 0.5 Hz that slow samples do not resolve.
+        // The order is three, less a half for motions of 0.3 to 0.5 Hz that slow samples do not resolve.
         let rounding = 1e-8;
         assert!(
             fast_m < slow_m * (slow_hz / fast_hz).powf(2.5) + rounding,
@@ -67,17 +67,17 @@ fn jitter_of_half_an_interval_and_losses() {
             "jitter of ±50 %, one of ten lost {lost}: {:.1e} m, {:.1e} m/s; 50 Hz steadily {:.1e} m",
             worst.position_m, worst.velocity_m_s, steady.position_m
         );
-        // Uneven stencils lose an order at their ends: 20 ms apart at the most, or 30 with a loss, 2 to 3⁴/2⁴ of 50 Hz, times an
-        // ulp of the attitude, 2e-16 rad, over 0.2 ms for each sample.
+        // Uneven stencils lose an order at their ends. Samples are 20 ms apart at the most, or 30 with a loss: 2 to 3⁴/2⁴ of
+        // 50 Hz. Each sample adds an ulp of the attitude, 2e-16 rad, over 0.2 ms.
         let longest: f64 = if lost { 1.5 } else { 1.0 };
         let share = 10.0 * longest.powi(4);
         assert!(worst.position_m < share * steady.position_m + 1e-7, "{worst:?}");
-        // The same over the 300 s.
+        // The same bound, with the rounding over the 300 s.
         assert!(worst.velocity_m_s < share * steady.velocity_m_s + 1e-7 / 300.0, "{worst:?}");
     }
 }
 
-/// What a bad sample is and how it is told.
+/// Bad samples, each with its name and the kind of its refusal.
 fn bad_samples(good: &FlightSample) -> Vec<(&'static str, FlightSample, ErrorKind)> {
     let mut bad = Vec::new();
     let mut add = |what, kind, change: &dyn Fn(&mut FlightSample)| {
@@ -129,8 +129,8 @@ fn bad_samples(good: &FlightSample) -> Vec<(&'static str, FlightSample, ErrorKin
     bad
 }
 
-/// Every bad sample, pushed before each good one of a noisy run: each is refused as what it is, nothing of the simulator changes,
-/// down to the last field inside, and the run goes on to the same bits as without them.
+/// Every bad sample is pushed before each good one of a noisy run: each is refused with its kind, the simulator does not change
+/// in any inner field, and the run continues to the same bits as without bad samples.
 #[test]
 fn bad_samples_are_refused_and_leave_no_trace() {
     let flight = patrol(1200.0);
@@ -152,7 +152,7 @@ fn bad_samples_are_refused_and_leave_no_trace() {
             let mut good = at(&flight, f64::from(k) / 100.0);
             for (what, mut bad, kind) in bad_samples(&good) {
                 let kinematic = what.starts_with("velocity");
-                // The first two samples fix where and how fast it flies: before them a teleport is none.
+                // The first two samples define place and speed: before them no sample is a teleport.
                 let is_judged = kind == ErrorKind::InvalidArgument || k > 2;
                 if !is_judged || (!velocity && kinematic) {
                     continue;
@@ -187,7 +187,7 @@ fn bad_samples_are_refused_and_leave_no_trace() {
     }
 }
 
-/// A clock that jumps by up to the longest gap is a long interval, with a period stated none at all.
+/// A clock jump of up to the longest gap is a long interval. With a stated period it is noise, lost samples, or refused.
 #[test]
 fn jumps_of_the_clock_from_1_ms_to_an_hour() {
     let after_jump = |options: &Options, jump_s: f64| -> Result<(), Error> {
@@ -197,7 +197,7 @@ fn jumps_of_the_clock_from_1_ms_to_an_hour() {
             simulator.push_sample(&resting_sample(time_s))?;
             simulator.step().unwrap();
             let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
-            // An interval's own, in which the force turns with the Earth: g W² T⁴/6.
+            // The error of one interval, in which the force turns with the Earth: g W² T⁴/6.
             let own_m = 9.8 * (7.3e-5_f64).powi(2) * jump_s.powi(4) / 6.0;
             assert!(errors.position_n.norm() < 1e-8 + own_m, "{jump_s} {errors:?}");
         }
@@ -209,7 +209,7 @@ fn jumps_of_the_clock_from_1_ms_to_an_hour() {
     for jump_s in [2.5, 10.0, 3600.0] {
         assert_eq!(after_jump(&own_stamps(), jump_s).unwrap_err().kind, ErrorKind::Discontinuity, "{jump_s}");
     }
-    // Of a stated period: less than 0.4 of it is the host's noise, whole periods are lost samples, and what is neither is refused.
+    // With a stated period, less than 0.4 of it is noise of the host, whole periods are lost samples, anything else is refused.
     for jump_s in [0.001, 0.0039, 0.01, 1.0, 2.48] {
         after_jump(&options_at(100.0), jump_s).unwrap();
     }
@@ -217,8 +217,8 @@ fn jumps_of_the_clock_from_1_ms_to_an_hour() {
     assert_eq!(after_jump(&options_at(100.0), 3600.0).unwrap_err().kind, ErrorKind::Discontinuity);
 }
 
-/// Samples lost in a weave of 4 g, its bank at up to 170 °/s, at 100 Hz: attitude and velocity are right after the gap, and what is
-/// lost of the position stays as it was.
+/// Samples lost in a weave of 4 g, its bank at up to 170 °/s, at 100 Hz: attitude and velocity are right after the gap, and the
+/// position error of the gap does not grow.
 #[test]
 fn a_gap_in_a_weave_leaves_what_its_interpolation_missed() {
     let (speed_m_s, swing_rad, frequency_hz) = (250.0, 0.19, 0.125);
@@ -245,7 +245,7 @@ fn a_gap_in_a_weave_leaves_what_its_interpolation_missed() {
     let [_, without] = errors(0..0);
     for gap in [20, 50, 100, 200, 249] {
         let gap_s = f64::from(gap) / 100.0;
-        // The velocity's interpolation by values and slopes at its ends, v⁗ T⁵/720, and the slopes' own error.
+        // Interpolation of the velocity by values and slopes at the ends of the gap, v⁗ T⁵/720, and the slopes' own error.
         let interpolation = speed_m_s * swing_rad * (TAU * frequency_hz).powi(4) * gap_s.powi(5) / 720.0;
         for phase in 0..4 {
             let first = 5000 + 200 * phase;
@@ -258,7 +258,7 @@ fn a_gap_in_a_weave_leaves_what_its_interpolation_missed() {
 }
 
 /// A slew to another place, speed and attitude: from the first interval on the ideal signals are those of a flight that was
-/// always there, but for the first stencils of two and three points.
+/// always there, except for the first stencils of two and three points.
 #[test]
 fn a_reposition_makes_no_spike() {
     let flight = patrol(1200.0);
@@ -274,7 +274,7 @@ fn a_reposition_makes_no_spike() {
         slewed.push_sample(&resting_sample(f64::from(k) / 100.0)).unwrap();
         slewed.step().unwrap();
     }
-    // The flight of both goes on from here.
+    // From here on both simulators fly the same flight.
     through.push_sample(&at(&flight, 1.0)).unwrap();
     through.step().unwrap();
     slewed.reposition(&at(&flight, 1.0)).unwrap();
@@ -287,12 +287,12 @@ fn a_reposition_makes_no_spike() {
         let [a, b] = [&through, &slewed].map(|simulator| simulator.imu().unwrap());
         force = force.max((a.ideal.velocity - b.ideal.velocity).norm() / 0.01);
         rate = rate.max((a.ideal.angle - b.ideal.angle).norm() / 0.01);
-        // The filters start in the steady state of their first increment: they cannot be further off than the signal changes.
+        // The filters start in the steady state of their first increment: they are off by no more than the signal changes.
         assert!((b.measured.velocity - b.ideal.velocity).norm() / 0.01 < 1.0, "{k}");
         let (_, errors) = slewed.errors(ErrorSource::Navigation).unwrap().unwrap();
         assert!(errors.velocity_n.norm() < 0.05 && errors.position_n.norm() < 0.05, "{errors:?}");
     }
     println!("reposition: ideal signals off by {force:.1e} m/s², {rate:.1e} rad/s at the most");
-    // Δv and Δθ of an interval are the samples' own; how the force turns in it is of order T² a'': (0.01 s · 2 rad/s)² of 10 m/s².
+    // Δv and Δθ come from the samples; the force turns within an interval by the order T² a'': (0.01 s · 2 rad/s)² of 10 m/s².
     assert!(force < 4e-3 && rate < 1e-6, "{force:e} {rate:e}");
 }

@@ -1,4 +1,4 @@
-//! Hard cases: places, attitudes and durations that an aircraft does not fly, and what only a faulty host sends.
+//! Hard cases: places, attitudes and durations that an aircraft does not fly, and input that only a faulty host sends.
 
 #[path = "../support/mod.rs"]
 mod support;

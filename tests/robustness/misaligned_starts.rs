@@ -1,4 +1,4 @@
-//! Starts that are far off: headings by 10° to 180°, levels by 30°.
+//! Starts with large misalignments: headings by 10° to 180°, levels by 30°.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use sins::earth::Earth;
@@ -11,9 +11,9 @@ use sins::{ErrorSource, Options, Simulator};
 use crate::support::orbits::{Apart, navigated};
 use crate::support::{DEG, options_at, resting_sample};
 
-/// The exact solution of an INS at rest that starts with another attitude. What its sensors feel is constant, so the attitude is
-/// exp(-W t) q0 exp(w t) in closed form; r'' = C f + g(r) - 2 W×r' by classical Runge-Kutta in steps of 0.1 s, which leave (1e-3
-/// 1/s · 0.1 s)⁴ of the acceleration.
+/// The exact solution of an INS at rest that starts with another attitude. Its sensors sense constants, so the attitude is
+/// exp(-W t) q0 exp(w t) in closed form. r'' = C f + g(r) - 2 W×r' is integrated by classical Runge-Kutta in steps of 0.1 s,
+/// with an error of (1e-3 1/s · 0.1 s)⁴ of the acceleration.
 fn exact(start: &EarthFixedState, started_off: Quaternion<f64>, seconds: u32) -> EarthFixedState {
     let earth = Earth::default();
     let w_e = Vector3::new(0.0, 0.0, earth.rate_rad_s);
@@ -40,8 +40,8 @@ fn exact(start: &EarthFixedState, started_off: Quaternion<f64>, seconds: u32) ->
     EarthFixedState { r_e: r, v_e: v, q_eb: attitude(f64::from(seconds) * h * 10.0).into_inner() }
 }
 
-/// Flies at rest from a start misaligned by `misalignment_n`: how far the solution is off the exact one and off the truth [m], and
-/// whether the error model is flagged.
+/// Flies at rest from a start misaligned by `misalignment_n`: difference of the solution from the exact one, its position error
+/// [m], and whether the error model is flagged.
 fn off_exact(
     frame: Frame,
     scheme: Scheme,
@@ -67,8 +67,8 @@ fn off_exact(
     (Apart::new(&navigated(&simulator), &expected), errors.position_n.norm(), model.outside_validity)
 }
 
-/// The navigation goes wrong exactly as the laws of motion have it, over tens of kilometres; the error model, which is linear,
-/// says that it is outside of its validity, and within it where it is not.
+/// The navigation errs exactly as the laws of motion require, over tens of kilometres. The error model, which is linear,
+/// reports whether it is outside its validity.
 #[test]
 fn large_misalignments_are_navigated_right_and_flagged() {
     let degrees = |east: f64, north: f64, up: f64| Vector3::new(east, north, up) * DEG;
@@ -91,8 +91,8 @@ fn large_misalignments_are_navigated_right_and_flagged() {
                 "{what}, {frame:?}, {scheme:?}, {seconds} s: {:.3} km off truth, {apart} off the exact solution",
                 off_truth_m / 1e3
             );
-            // Second order: gravity at the mean position of an update is 1.5 g (v T)²/12 R² more than its mean. Besides, 2 nm of
-            // rounding of the coordinates; both grow by e in 569 s.
+            // Second order: gravity at the mean position of an update exceeds its mean by 1.5 g (v T)²/12 R². The coordinates
+            // add 2 nm of rounding; both errors grow by e in 569 s.
             let growth = (f64::from(seconds) / 569.0).cosh();
             assert!(
                 apart.position_m < coarse.position_m / 3.5 + 1e-8 * growth,

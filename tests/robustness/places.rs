@@ -11,22 +11,22 @@ use sins::{ErrorSource, Options, Simulator};
 use crate::support::orbits::{Apart, Circle, about, apart_on_the_way, sample_of};
 use crate::support::{DEG, options_at};
 
-/// Two minutes at 50 Hz through the point at which `circle` is at the time 0.
+/// Flies two minutes at 50 Hz through the point that `circle` passes at the time 0.
 fn flown(circle: &Circle, frame: Frame) -> Apart {
     let mut simulator = Simulator::new(&Options { frame, ..options_at(50.0) }).unwrap();
     apart_on_the_way(&mut simulator, (-60.0, 6000, 50.0), |time_s| circle.state(time_s), sample_of)
 }
 
-/// Where the equator meets a meridian, under way with `heading_rad`.
+/// The point where the equator meets a meridian, passed with `heading_rad`.
 fn on_the_equator(longitude_rad: f64, heading_rad: f64) -> UnitQuaternion<f64> {
-    // From the pole along longitude 0, which is southward where it comes down on the equator.
+    // From the pole along longitude 0, which is southward where it reaches the equator.
     about(Vector3::z(), longitude_rad)
         * about(Vector3::y(), FRAC_PI_2)
         * about(Vector3::z(), PI - heading_rad)
 }
 
-/// Each place as good as another: at most twice the error of the same flight beside it, and 3 nm for the rounding of
-/// coordinates.
+/// Each place is as good as another: the error is at most twice that of the same flight at 30° east, and 3 nm for the
+/// rounding of coordinates.
 #[test]
 fn date_line_and_equator_are_no_lines() {
     for (what, height_m, speed_m_s) in [
@@ -47,25 +47,26 @@ fn date_line_and_equator_are_no_lines() {
                 println!("{what}, {frame:?}, heading {heading}: {line}; at 30° east {beside}");
                 assert!(line.position_m < 2.0 * beside.position_m + 3e-9, "{line} {beside}");
                 assert!(line.velocity_m_s < 2.0 * beside.velocity_m_s + 1e-12);
-                // A cubic in the rotation vector has its error from the fourth power of the turn in a sample; rounding is left.
+                // The error of a cubic in the rotation vector begins with the fourth power of the turn in a sample; rounding is
+                // left.
                 assert!(line.attitude_rad < 2.0 * beside.attitude_rad + 16.0 * f64::EPSILON);
             }
         }
     }
 }
 
-/// Longitudes of 0..2π and of many turns, headings, rolls and pitches likewise: what is read is wrapped, and the run is the same
-/// but for the rounding of the larger angles, 6.4e6 m times an ulp of 100 rad.
+/// Longitudes of 0..2π and of many turns, headings, rolls and pitches likewise: all angles that are read are wrapped. The run is
+/// the same, except for the rounding of the larger angles, 6.4e6 m times an ulp of 100 rad.
 #[test]
 fn turns_in_the_hosts_angles_are_nothing() {
     for turns in [1.0, -1.0, 15.0, -15.0] {
         let circle = Circle::past(on_the_equator(-0.5, 0.3), 0.0);
         let mut simulator = Simulator::new(&options_at(50.0)).unwrap();
-        let mut told = 0;
+        let mut reported = 0;
         let sample = |time_s: f64, state: &sins::state::EarthFixedState| {
             let mut sample = sample_of(time_s, state);
-            told += 1;
-            if told % 2 == 0 {
+            reported += 1;
+            if reported % 2 == 0 {
                 sample.place.longitude_rad += turns * TAU;
                 sample.euler.heading += turns * 100.0 * TAU;
                 sample.euler.roll -= turns * TAU;
@@ -80,7 +81,7 @@ fn turns_in_the_hosts_angles_are_nothing() {
         let worst =
             apart_on_the_way(&mut simulator, (-60.0, 6000, 50.0), |time_s| circle.state(time_s), sample);
         println!("{turns} turns more: {worst}");
-        // Longitude: an ulp of the largest, at either end. Attitude: one of the heading. It turns gravity meanwhile.
+        // Longitude: an ulp of the largest, at either end. Attitude: an ulp of the heading. The attitude error turns gravity.
         let ulp = |angle: f64| (angle * f64::EPSILON).abs() + f64::EPSILON;
         let attitude = 2.0 * ulp(turns * 100.0 * TAU);
         assert!(worst.attitude_rad < attitude, "{worst}");

@@ -1,4 +1,4 @@
-//! Poles: passages at every distance, rest, spin and take-off there, and where the geographic axes give up.
+//! Poles: passages at every distance, rest, spin and take-off there, and the limit of the geographic axes.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -18,7 +18,7 @@ fn poles() -> [(&'static str, UnitQuaternion<f64>); 2] {
     [("north pole", UnitQuaternion::identity()), ("south pole", about(Vector3::x(), PI))]
 }
 
-/// 200 km of a circle at 20 Hz, with the options recommended: the worst on the way, and the velocity errors' root mean square.
+/// 200 km of a circle at 20 Hz, with the recommended options: the worst on the way, and the velocity errors' root mean square.
 fn passage(circle: &Circle) -> (Apart, f64) {
     let options = Options { vertical: VerticalMode::Damped, ..options_at(20.0) };
     let mut simulator = Simulator::new(&options).unwrap();
@@ -31,7 +31,7 @@ fn passage(circle: &Circle) -> (Apart, f64) {
         let found = Apart::new(&navigated(&simulator), &exact);
         worst = worst.worst(found);
         let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
-        // 2 nm each: rounding of the coordinates in the sample, and of those in the solution.
+        // 2 nm each: rounding of the coordinates in the sample and in the solution.
         assert!((errors.position_n.norm() - found.position_m).abs() < 4e-9, "{}", errors.position_n);
         assert!(errors.velocity_n.norm().is_finite() && errors.misalignment_n.norm() <= PI);
         let near = exact.r_e.xy().norm() < 20e3;
@@ -41,8 +41,8 @@ fn passage(circle: &Circle) -> (Apart, f64) {
     (worst, simulator.accuracy().unwrap().unwrap().1.velocity_rms_n.norm())
 }
 
-/// Position, velocity and attitude in Earth-fixed axes at each distance from either pole as at 45° north. The attitude there is
-/// made of the quaternion and the longitude as they are read, so these two still belong together at the pole itself.
+/// Position, velocity and attitude in Earth-fixed axes are as good at each distance from either pole as at 45° north. The attitude
+/// is composed of the quaternion and the longitude as read, so these two still belong together at the pole itself.
 #[test]
 fn a_pole_is_passed_at_any_distance_as_45_degrees_are() {
     let (elsewhere, rms) = passage(&Circle::past(about(Vector3::y(), 0.8), 0.0));
@@ -54,13 +54,13 @@ fn a_pole_is_passed_at_any_distance_as_45_degrees_are() {
             assert!(worst.position_m < 1.5 * elsewhere.position_m, "{name} {offset_m} {worst}");
             assert!(worst.velocity_m_s < 1.5 * elsewhere.velocity_m_s, "{name} {offset_m} {worst}");
             assert!(worst.attitude_rad < 16.0 * f64::EPSILON, "{name} {offset_m} {worst}");
-            // Outside of the 20 km east turns by no more than the position error over them.
+            // Outside of 20 km from the pole, east turns by no more than the position error over this distance.
             assert!(rms < 1.5 * elsewhere.velocity_m_s, "{name} {offset_m} {rms}");
         }
     }
 }
 
-/// Exactly on the pole, at rest and spinning at 30 °/s, by a host whose longitude is another one each time.
+/// Exactly on the pole, at rest and spinning at 30 °/s. The host's longitude differs in each sample.
 #[test]
 fn rest_and_spin_at_a_pole() {
     let earth = Earth::default();
@@ -78,7 +78,8 @@ fn rest_and_spin_at_a_pole() {
             let mut simulator = Simulator::new(&options_at(20.0)).unwrap();
             let worst = apart_on_the_way(&mut simulator, (0.0, 12_000, 20.0), state, sample);
             println!("pole {sign}, spin {spin:.2} rad/s, 10 min: {worst}");
-            // An ulp of angles up to 3 rad a sample, unlike each time: √12000 of them; gravity turns by that, half of g t².
+            // An ulp of angles up to 3 rad a sample, different each time: √12000 of them. Gravity turns by this error, half
+            // of g t².
             assert!(worst.attitude_rad < 2.0 * 12_000f64.sqrt() * f64::EPSILON, "{worst}");
             assert!(worst.position_m < 0.5 * 9.83 * 600.0 * 600.0 * 16.0 * f64::EPSILON, "{worst}");
             assert!(simulator.navigation().unwrap().unwrap().near_pole);
@@ -117,8 +118,8 @@ fn take_off_from_a_pole() {
     }
 }
 
-/// An INS that errs by a kilometre flies over the pole: both error data stay finite in metres, pass without a jump, and agree
-/// but for second order; the differential equations are flagged where that is no longer small.
+/// An INS with an error of a kilometre flies over the pole: both error data stay finite in metres, pass without a jump, and
+/// agree except for second order. The differential equations are flagged where second order is no longer small.
 #[test]
 fn errors_in_metres_pass_over_the_pole() {
     let circle = Circle::past(UnitQuaternion::identity(), 0.0);
@@ -158,15 +159,15 @@ fn errors_in_metres_pass_over_the_pole() {
     println!(
         "1 km of error over the pole: data 1 and 2 {apart:.2} m apart, largest step {jump:.3} m, {flagged} samples flagged"
     );
-    // Second order: the axes turned by 1.1 km over the 100 km to the pole at the start, half of its square at 250 m/s for 800 s.
+    // Second order: the axes turn by 1.1 km over the 100 km to the pole at the start; half of its square at 250 m/s for 800 s.
     assert!(apart < 0.5 * (1.1e3 / 100e3_f64).powi(2) * 250.0 * 800.0, "{apart}");
-    // 2 m/s of growing error over an interval.
+    // The error grows by 2 m/s over an interval.
     assert!(jump < 2.0 / 20.0, "{jump}");
     assert!(flagged > 0);
 }
 
-/// The geographic axes: right to 2e-6 of the distance at which they pass a pole, and refused where an update moves by 1 % of the
-/// distance to the pole, or within 6.4 km.
+/// The geographic axes are right to 2e-6 of the distance at which they pass a pole. They are refused where an update moves by 1 %
+/// of the distance to the pole, or within 6.4 km.
 #[test]
 fn geographic_axes_give_up_before_they_lose_accuracy() {
     for (speed_m_s, rate_hz, updates) in [

@@ -1,4 +1,4 @@
-//! Positions as old hosts send them: against their own velocities, rounded, and alone.
+//! Positions as old hosts send them: contradicting their own velocities, rounded, and without velocities.
 
 use nalgebra::{Vector2, Vector3};
 use sins::earth::Geodetic;
@@ -8,8 +8,8 @@ use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
 
 use crate::support::{DEG, options_at, patrol, resting_sample};
 
-/// Velocities of a standing host that moves, and the other way round: flown, flagged in each sample, and the closure is told to
-/// be the host's.
+/// Positions that move with a velocity of zero, and the other way round: the run is flown, each sample is flagged, and the
+/// closure is attributed to the host.
 #[test]
 fn velocity_that_contradicts_position_is_the_hosts_own() {
     for (position_m_s, velocity_m_s) in [(5.0, 0.0), (0.0, 5.0), (5.0, -5.0)] {
@@ -31,7 +31,7 @@ fn velocity_that_contradicts_position_is_the_hosts_own() {
         );
         assert_eq!(closure.inconsistent_samples, 6000);
         let expected = (velocity_m_s - position_m_s) * 60.0;
-        // Schuler's pendulum takes (t/806 s)²/6 of it.
+        // Schuler's pendulum reduces the expected error by (t/806 s)²/6.
         assert!((closure.position_n.y / expected - 1.0).abs() < 2e-3, "{}", closure.position_n);
         assert!(
             (closure.host_position_n.y / closure.position_n.y - 1.0).abs() < 2e-3,
@@ -41,8 +41,8 @@ fn velocity_that_contradicts_position_is_the_hosts_own() {
     }
 }
 
-/// A log rounded to 1e-7° and 1 cm, or to single precision: with velocities its positions cost what they are off themselves,
-/// without them the velocity is made of them.
+/// A log rounded to 1e-7° and 1 cm, or to single precision: with velocities the positions cost only their own rounding,
+/// without velocities the velocity is derived from the positions.
 #[test]
 fn a_log_of_seven_decimals_and_centimetres() {
     let flight = patrol(1200.0);
@@ -97,9 +97,9 @@ fn a_log_of_seven_decimals_and_centimetres() {
     }
 }
 
-/// Exact positions alone: the first velocity is the mean over the first interval. What it misses lasts no longer than an interval
-/// T, so that the INS is off by at most T δv, which swings with ω² = g/R; the velocity that it is compared with has roundings of
-/// the position over T besides.
+/// Exact positions alone: the first velocity is the mean over the first interval. Its error δv lasts no longer than an interval
+/// T, so that the INS is off by at most T δv, which swings with ω² = g/R. The velocity of comparison also has roundings of the
+/// position over T.
 #[test]
 fn positions_alone_miss_the_first_velocity() {
     let flight = patrol(1200.0);
@@ -158,7 +158,7 @@ fn a_gap_in_positions_alone_costs_what_their_noise_does() {
     }
 }
 
-/// Only positions: what leaps is refused, whether by 11 m at 100 Hz or by more, and what is fast is not; 8 km/s as at 5 m/s.
+/// Positions alone: a leap is refused, whether by 11 m at 100 Hz or by more; a high speed is not, 8 km/s like 5 m/s.
 #[test]
 fn without_velocities_leaps_are_refused_and_speed_is_none() {
     let with_step = |speed_m_s: f64, rate_hz: f64, leap_m: f64, leaps_at: u32| -> Result<f64, Error> {
@@ -177,9 +177,9 @@ fn without_velocities_leaps_are_refused_and_speed_is_none() {
     for rate_hz in [1.0, 10.0, 100.0] {
         for speed in [0.0, 5.0, 250.0, 8000.0] {
             let found = with_step(speed, rate_hz, 0.0, 0).unwrap();
-            // The cubic's own on a circle, and 1 nm over an interval.
+            // The cubic's own error on a circle, and 1 nm over an interval.
             assert!((found - speed).abs() < 1e-6 * speed + 7e-9 * rate_hz, "{found} {speed}");
-            // What 2000 m/s² make of the time, up to three intervals in the mean velocity, is not a leap.
+            // The path that 2000 m/s² makes in the time, up to three intervals in the mean velocity, is not a leap.
             let slack_m = 10.0 + 3000.0 / (rate_hz * rate_hz);
             for leaps_at in [2, 3, 4, 10] {
                 for leap_m in [1.1 * slack_m, 20.0 * slack_m, -1.1 * slack_m] {
@@ -188,7 +188,7 @@ fn without_velocities_leaps_are_refused_and_speed_is_none() {
                 }
             }
         }
-        // Faster than anything, from the first interval on.
+        // A speed beyond the limit is refused, from the first interval on.
         assert_eq!(with_step(21e3, rate_hz, 0.0, 0).unwrap_err().kind, ErrorKind::Discontinuity);
     }
 }

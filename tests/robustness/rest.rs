@@ -12,19 +12,19 @@ use crate::support::{self, options_at, resting_sample};
 
 const LONG: bool = cfg!(feature = "long-tests");
 
-/// Tilted: at simple attitudes rounding errors vanish that elsewhere add up.
+/// Tilted, because at simple attitudes rounding errors vanish that add up elsewhere.
 fn tilted(time_s: f64) -> FlightSample {
     let euler = Euler { roll: 0.03, pitch: -0.05, heading: 0.7 };
     FlightSample { euler, ..resting_sample(time_s) }
 }
 
-/// Position [m], velocity [m/s] and misalignment [rad] after each of `hours`; the norm and the clock on the way.
+/// Errors of position [m], velocity [m/s] and misalignment [rad] after each of `hours`. Norm and clock are checked on the way.
 fn closure(options: &Options, rate_hz: f64, first_s: f64, hours: &[u32]) -> Vec<[f64; 3]> {
     let mut simulator = Simulator::new(options).unwrap();
     let mut figures = Vec::new();
     let intervals = |hour: u32| (f64::from(hour) * 3600.0 * rate_hz) as u64;
     for k in 0..=intervals(hours[hours.len() - 1]) {
-        // Of the host's clock, whose stamps are rounded where it counts from 1970.
+        // Time of the host's clock, whose stamps are rounded where it counts from 1970.
         simulator.push_sample(&tilted(first_s + k as f64 / rate_hz)).unwrap();
         simulator.step().unwrap();
         if k % 100_000 == 0 || hours.iter().any(|&hour| intervals(hour) == k) {
@@ -47,7 +47,7 @@ fn closure(options: &Options, rate_hz: f64, first_s: f64, hours: &[u32]) -> Vec<
     figures
 }
 
-/// What is left is rounding: the scheme's own swing is below 1e-10 m.
+/// Only rounding remains: the scheme's own swing is below 1e-10 m.
 #[test]
 fn closure_after_1_6_24_and_48_hours() {
     let hours: &[u32] = if LONG { &[1, 6, 24, 48] } else { &[1, 6] };
@@ -68,7 +68,7 @@ fn assert_rounding([position_m, velocity_m_s, misalignment_rad]: [f64; 3], hour:
     assert!(misalignment_rad < rounding.misalignment_rad, "{misalignment_rad:e} {rounding:?}");
 }
 
-/// A clock that counts from 1970 is known to 2.4e-7 s: the intervals are the stamps' own differences, and telescope.
+/// A clock that counts from 1970 is known to 2.4e-7 s: the intervals are differences of the stamps, so their sum telescopes.
 #[test]
 fn stamps_since_1970_cost_nothing() {
     for (label, options) in [
@@ -81,10 +81,10 @@ fn stamps_since_1970_cost_nothing() {
     }
 }
 
-/// What the exact scheme's own error amounts to at rest [m], at an interval of `t` [s]. It takes gravity where the force of the
-/// start alone would carry the INS, W g cos L T³/12 to the east, and so it leans by that over the radius: a Schuler swing of up to
-/// twice that, whatever the radius. And of the Earth's turn in ∫ v dt the second order lacks 5/24 (W T)² g T cos L: its share to
-/// the north is another swing, its Coriolis acceleration another lean. None of it grows.
+/// Error of the exact scheme itself at rest [m], at an interval of `t` [s]. The scheme takes gravity where the force of the start
+/// alone would carry the INS, W g cos L T³/12 to the east. The INS leans by this distance over the radius: a Schuler swing of up
+/// to twice the distance, for any radius. The Earth's turn in ∫ v dt lacks 5/24 (W T)² g T cos L in the second order: its share to
+/// the north is another swing, its Coriolis acceleration another lean. None of these errors grows.
 fn swing_at_rest_m(t: f64) -> f64 {
     let (w, g, schuler) = (7.292_115e-5_f64, 9.802, (9.802 / 6.37e6_f64).sqrt());
     let (sin, cos) = (39.9 * support::DEG).sin_cos();
@@ -94,7 +94,7 @@ fn swing_at_rest_m(t: f64) -> f64 {
         + 2.0 * 2.0 * w * missing_m_s / schuler.powi(2)
 }
 
-/// 30 days: each stays within the swing of the algorithm's own error.
+/// 30 days: each day stays within the swing of the algorithm's own error.
 #[test]
 fn a_month() {
     let rate_hz = if LONG { 10.0 } else { 1.0 };
@@ -120,7 +120,7 @@ fn a_month() {
         solution.q_nb.norm() - 1.0
     );
     for (day, worst) in worst.into_iter().enumerate() {
-        // The sensed rate is that of the Earth to two ulps, 2.7e-20 rad/s: in 30 days 7e-14 rad, 4.5e-7 m of the Earth's radius.
+        // The sensed rate is the Earth's to two ulps, 2.7e-20 rad/s: in 30 days 7e-14 rad, 4.5e-7 m of the Earth's radius.
         let drift = 4.5e-7 * (day + 1) as f64 / 30.0;
         // Three roundings of Earth-fixed coordinates.
         let rounding = 3.0 * 6.4e6 * f64::EPSILON;
@@ -131,7 +131,7 @@ fn a_month() {
     assert!((solution.q_nb.norm() - 1.0).abs() < 1e-15);
 }
 
-/// The clock of a navigator alone adds up intervals of 0.01 s, and has the last bit right after each of a million.
+/// The clock of a navigator alone adds intervals of 0.01 s, and its last bit is right after each of a million.
 #[test]
 fn the_navigators_clock_does_not_drift() {
     let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
@@ -143,7 +143,7 @@ fn the_navigators_clock_does_not_drift() {
     let part = simulator.imu().unwrap().ideal;
     simulator.reset();
     simulator.start_navigation(1000.0, &start).unwrap();
-    // 0.01 is not a hundredth but so many 2^-59; k times that is a whole number, rounded once.
+    // The double 0.01 is not a hundredth but a whole number of 2^-59; k times this number is whole too, rounded once.
     let scale = (1_u64 << 59) as f64;
     let part_of_scale = (0.01 * scale) as u64;
     assert_eq!(part_of_scale as f64 / scale, 0.01);

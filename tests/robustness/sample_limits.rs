@@ -1,4 +1,4 @@
-//! What is accepted of a host and what is refused: each refusal names field, value and limit, and changes nothing.
+//! Samples of a host that are accepted or refused: each refusal names field, value and limit, and changes nothing.
 
 use nalgebra::Vector3;
 use sins::truth::{FlightSample, IntakeLimits};
@@ -88,8 +88,8 @@ fn time_goes_forward() {
     }
 }
 
-/// With a stated period stamps only order and check: the time base is exact however they drift, and a lost sample is known
-/// as one.
+/// With a stated period stamps only order and check the samples: the time base is exact for any drift of the stamps, and a
+/// lost sample is detected.
 #[test]
 fn a_stated_period_is_the_time_base() {
     let options = options_at(100.0);
@@ -128,7 +128,7 @@ fn jumps_of_truth_are_refused() {
         assert_eq!(error.kind, ErrorKind::Discontinuity, "{error}");
         assert!(error.field.contains(what), "{error}");
     }
-    // The host may say what it calls a jump.
+    // The host may define what a jump is.
     let mut strict = options;
     strict.intake.max_acceleration_m_s2 = 50.0;
     let mut hard = north(0.01);

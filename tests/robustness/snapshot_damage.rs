@@ -1,5 +1,5 @@
-//! Damaged snapshots are refused and change nothing; forged ones, with the right checksum, are refused too, or are a simulator
-//! that works.
+//! Damaged snapshots are refused and change nothing. Forged snapshots with the right checksum are refused too, or give a
+//! simulator that works.
 
 use sins::math::mix;
 use sins::snapshot::{SnapshotOf, seal};
@@ -46,7 +46,7 @@ fn an_altered_or_cut_snapshot_is_refused_and_changes_nothing() {
     assert!(snapshot(&simulator) == good);
 }
 
-/// The words behind the header.
+/// Words of a snapshot after its header.
 fn words(snapshot: &[u8]) -> Vec<u64> {
     let mut rest = &snapshot[24..];
     let mut words = Vec::new();
@@ -63,7 +63,7 @@ fn words(snapshot: &[u8]) -> Vec<u64> {
     words
 }
 
-/// A snapshot of words, with its checksum.
+/// A snapshot made of `words`, with its checksum.
 fn forged(words: &[u64]) -> Vec<u8> {
     let mut bytes = vec![0; 24];
     for group in words.chunks(8) {
@@ -98,7 +98,7 @@ impl Draws {
     }
 }
 
-/// What a forger would put in place of a word.
+/// A value that a forger would put in place of a word.
 fn wild(draws: &mut Draws, word: u64) -> u64 {
     let value = f64::from_bits(word);
     match draws.below(16) {
@@ -121,7 +121,7 @@ fn wild(draws: &mut Draws, word: u64) -> u64 {
     }
 }
 
-/// Whatever is in it: nothing panics, hangs or overflows, reads give finite numbers or errors, and the next snapshot is one.
+/// For any content: nothing panics, hangs or overflows, and a new snapshot that loads gives the same bytes again.
 fn works(simulator: &mut Simulator, run: &Run, from: usize) {
     reads(simulator);
     for call in run.calls[from..].iter().take(12) {
@@ -179,19 +179,19 @@ fn forged_snapshots_are_refused_or_work() {
         }
     }
     println!("{accepted} of {all} accepted");
-    // Other values of a state in flight are as good as the true ones.
+    // Other values of a state in flight are as valid as the true ones.
     assert!(accepted > all / 10 && accepted < all * 9 / 10, "{accepted} of {all}");
 }
 
-/// Whatever is read is a number.
+/// Asserts that everything that is read is a number.
 fn finite(simulator: &Simulator, who: impl FnOnce() -> String) {
     let read = reads(simulator);
     assert!(!read.contains("NaN") && !read.contains("inf"), "{}: {read}", who());
 }
 
-/// Each word of each run's snapshot, flown and with its parameters, in turn: not a number, infinite, of the other sign, huge, zero. What
-/// is taken is a simulator: it reads numbers, flies on, reads numbers, and its snapshot loads. A quarter of these numbers in each run's
-/// word, another one in the next run's; all of them with `--features long-tests`.
+/// Each word of each run's snapshot, flown and with its parameters, is forged in turn: not a number, infinite, of the other sign,
+/// huge, zero. An accepted snapshot is a simulator: it reads numbers, flies on and reads numbers. Each word of a run gets a quarter
+/// of these values, in the next run another quarter; all of them with `--features long-tests`.
 #[test]
 fn each_word_forged_is_refused_or_a_simulator_of_numbers() {
     let wild = |word: u64| {
@@ -248,7 +248,7 @@ fn each_word_forged_is_refused_or_a_simulator_of_numbers() {
     assert!(accepted > all / 20 && accepted < all * 9 / 10, "{accepted} of {all}");
 }
 
-/// Bytes that are none of the format, with a good header.
+/// Random bytes that are not of the format, with a good header.
 #[test]
 fn noise_with_a_good_header_is_refused() {
     let mut draws = Draws(1 << 32);
@@ -258,7 +258,7 @@ fn noise_with_a_good_header_is_refused() {
         let mut bytes: Vec<u8> = (0..length).map(|_| draws.next() as u8).collect();
         seal(&mut bytes, SnapshotOf::Simulator);
         refused(&mut simulator, &bytes);
-        // And a piece of a good one that ends too early.
+        // A piece of a good snapshot that ends too early.
         let mut piece = good[..length].to_vec();
         seal(&mut piece, SnapshotOf::Simulator);
         refused(&mut simulator, &piece);

@@ -1,4 +1,4 @@
-//! Each field of each struct that comes in from C, as a number that is none: refused, and the outputs are the same to the bit.
+//! Each field of each struct that comes in from C, set to an invalid number: refused, and the outputs are the same to the bit.
 
 use std::cell::Cell;
 use std::collections::BTreeSet;
@@ -8,11 +8,11 @@ use sins::abi::*;
 
 use crate::support;
 
-/// A struct as the 8-byte words that it is made of: the size and flags, then numbers or pairs of integers.
+/// A struct as its 8-byte words: the size and flags, then numbers or pairs of integers.
 struct Words(Vec<u64>);
 
 impl Words {
-    /// All zero but for size and flags.
+    /// All zero, except for size and flags.
     fn new<T>(flags: u32) -> Self {
         let mut words = vec![0; size_of::<T>() / 8];
         words[0] = size_of::<T>() as u64 | u64::from(flags) << 32;
@@ -24,7 +24,7 @@ impl Words {
         self
     }
 
-    /// Two integers in a word.
+    /// Puts two integers into a word.
     fn with_pair(mut self, word: usize, low: u32, high: u32) -> Self {
         self.0[word] = u64::from(low) | u64::from(high) << 32;
         self
@@ -61,7 +61,7 @@ fn outputs(sim: *mut sins_sim) -> Vec<u64> {
     all
 }
 
-/// The sentence of the last failure is made of what the struct says.
+/// Asserts that the sentence of the last failure agrees with the error struct.
 fn sentence_and_struct_agree(sim: *const sins_sim) {
     let mut info = output::<sins_error_info>();
     let mut text = [0_u8; 512];
@@ -102,7 +102,7 @@ fn sentence_and_struct_agree(sim: *const sins_sim) {
     assert_eq!(info.sample >= 0, sentence.contains(" (samples["), "{sentence}");
 }
 
-/// The structs that were tried, and how many bad values were refused.
+/// The structs that were tried, and the number of bad values that were refused.
 #[derive(Default)]
 struct Tried {
     structs: BTreeSet<String>,
@@ -110,8 +110,9 @@ struct Tried {
 }
 
 impl Tried {
-    /// Puts no number, infinity and the largest numbers into each word of `good`, a `T`, but the first and those `free` to hold
-    /// anything: refused, and `read` gives the same. The simulator `remembers` why, or if it is null the thread.
+    /// Puts not-a-number, infinity and the largest numbers into each word of `good`, a `T`, except for the first word and the
+    /// `free` words, which may hold anything: each is refused, and `read` gives the same. The simulator `remembers` keeps the
+    /// reason, or the thread if `remembers` is null.
     fn each_word<T>(
         &mut self,
         good: &Words,
@@ -154,11 +155,11 @@ fn sample(time_s: f64) -> Words {
     Words::new::<sins_flight_sample>(flags).with(1, time_s).with(2, 0.7).with(16, 9.8)
 }
 
-/// What sets a simulator up, moves it and makes it fail.
+/// Structs that set a simulator up, move it and make it fail.
 fn simulators(tried: &mut Tried) {
     let sim = created();
     let read = || outputs(sim);
-    // SAFETY: of all calls: words are as many as the struct has, handles are of this test.
+    // SAFETY: for all calls: the words have the size of the struct, the handles belong to this test.
     unsafe {
         for k in 0..3 {
             assert_eq!(sins_push_sample(sim, sample(f64::from(k)).pointer()), SINS_OK);
@@ -196,7 +197,7 @@ fn simulators(tried: &mut Tried) {
         tried.each_word(&good, &[], &read, sim, &|words| sins_set_mounting(sim, words));
         let good = Words::new::<sins_gravity_params>(0);
         tried.each_word(&good, &[], &read, sim, &|words| sins_set_gravity_disturbance(sim, words));
-        // Its angles are not read.
+        // The angles of the start are not read.
         let start = Words::new::<sins_navigation>(0).with(2, 0.7).with(11, 1.0);
         tried.each_word(&start, &[8, 9, 10], &read, sim, &|words| sins_start_navigation(sim, words));
         let parts = Words::new::<sins_imu_increment>(0).with(1, 0.01).with_pair(2, 5, 0);
@@ -212,7 +213,7 @@ fn simulators(tried: &mut Tried) {
     }
 }
 
-/// Where an embedded flight begins, and each kind of manoeuvre.
+/// Structs of the start of an embedded flight and of each kind of manoeuvre.
 fn flights(tried: &mut Tried) {
     // Latitude, longitude, height, speed.
     let start = |speed_m_s: f64| Words::new::<sins_flight_start>(0).with(1, 0.7).with(4, speed_m_s);
@@ -245,7 +246,7 @@ fn flights(tried: &mut Tried) {
         unsafe { sins_flight_create(start, manoeuvre, 1, made.as_ptr()) }
     };
     let destroy = || {
-        // SAFETY: of this test.
+        // SAFETY: the handle belongs to this test.
         assert_eq!(unsafe { sins_flight_destroy(made.replace(null_mut())) }, SINS_OK);
     };
     for (kind, manoeuvre) in good.iter().enumerate() {
@@ -257,7 +258,7 @@ fn flights(tried: &mut Tried) {
     destroy();
 }
 
-/// What options and budgets are asked for with.
+/// Structs with which options and budgets are requested.
 fn questions(tried: &mut Tried) {
     let samples: Vec<u64> = (0..20).flat_map(|k| sample(f64::from(k)).0).collect();
     let (samples, count) = (samples.as_ptr().cast::<sins_flight_sample>(), 20);
@@ -268,7 +269,7 @@ fn questions(tried: &mut Tried) {
     let answer = || [&options, &cost].into_iter().flat_map(copied).collect::<Vec<u64>>();
     tried.each_word(&requirement, &[], &answer, null(), &|words| {
         written(&options, |options| {
-            // SAFETY: as many samples; outputs of their structs' sizes.
+            // SAFETY: the number of samples is `count`; outputs of their structs' sizes.
             written(&cost, |cost| unsafe {
                 sins_recommend(null(), samples, count, words, options.cast(), cost.cast())
             })
@@ -281,7 +282,7 @@ fn questions(tried: &mut Tried) {
     let answer = || [&rows, &budget].into_iter().flat_map(copied).collect::<Vec<u64>>();
     tried.each_word(&request, &[], &answer, null(), &|words| {
         written(&rows, |rows| {
-            // SAFETY: as above; what may be null is.
+            // SAFETY: as above; only pointers that may be null are null.
             written(&budget, |budget| unsafe {
                 sins_error_budget(null(), samples, count, words, rows.cast(), 1, null_mut(), budget.cast())
             })
@@ -289,7 +290,7 @@ fn questions(tried: &mut Tried) {
     });
 }
 
-/// What a scene takes beside the structs of the simulator's own functions.
+/// Structs that a scene takes beside those of the simulator's own functions.
 #[cfg(feature = "scenes")]
 fn scenes(tried: &mut Tried) {
     let mut scene = null_mut();
@@ -314,7 +315,7 @@ fn scenes(tried: &mut Tried) {
     }
 }
 
-/// Gives `call` the words to write to.
+/// Calls `call` with the words as its output.
 fn written(words: &Cell<Vec<u64>>, call: impl FnOnce(*mut u64) -> sins_status) -> sins_status {
     let mut inside = words.take();
     let status = call(inside.as_mut_ptr());
@@ -328,7 +329,7 @@ fn copied(words: &Cell<Vec<u64>>) -> Vec<u64> {
     inside
 }
 
-/// The structs that some function of the header takes.
+/// The structs that any function of the header takes.
 fn structs_that_come_in() -> BTreeSet<String> {
     let header = std::fs::read_to_string(support::project_file("include/sins.h")).unwrap();
     let name = |text: &str| text.split(|c: char| c != '_' && !c.is_alphanumeric()).next().unwrap().to_owned();
@@ -348,9 +349,9 @@ fn every_field_of_every_struct() {
     if cfg!(not(feature = "scenes")) {
         expected.retain(|name| !["sins_scene_setup", "sins_planned_failure"].contains(&name.as_str()));
     }
-    // Integers alone: c/ensemble.c and statistics.rs damage it.
+    // sins_statistics has integers alone: c/ensemble.c and statistics.rs damage it.
     assert!(expected.remove("sins_statistics"));
-    // Written as a line, whatever their numbers are: interface/scene_records.rs.
+    // These are written as a line, with any numbers: interface/scene_records.rs.
     assert!(expected.remove("sins_record") && expected.remove("sins_covariance"));
     assert_eq!(tried.structs, expected);
 }

@@ -1,5 +1,5 @@
-//! The estimator recovers the noise parameters that were set from the Allan variances of what the sensors measure: a simulator at
-//! rest, all six axes.
+//! The estimator recovers the noise parameters of a simulator at rest from the Allan variances of its measured signals, on all
+//! six axes.
 
 use nalgebra::Vector3;
 use sins::allan::{Estimator, Point, TERMS, Term};
@@ -12,13 +12,13 @@ use sins::{Options, Simulator};
 const DT: f64 = 0.01;
 const COUNT: usize = if cfg!(feature = "long-tests") { 24 * 360_000 } else { 360_000 };
 
-/// Chance leaves an interval of this confidence once in ten thousand times.
+/// Confidence of an interval that the true value leaves by chance once in ten thousand times.
 const CERTAIN: f64 = 0.9999;
 
 const AXES: [&str; 6] =
     ["gyro x", "gyro y", "gyro z", "accelerometer x", "accelerometer y", "accelerometer z"];
 
-/// Angles and velocities over the intervals that sensors with these parameters measure at rest, gyros before accelerometers.
+/// Angles and velocities that sensors with these parameters measure over intervals at rest, gyros before accelerometers.
 fn measured(gyro: &TriadParameters, accel: &TriadParameters) -> [Vec<f64>; 6] {
     let mut options = Options::default();
     options.intake.period_s = Some(DT);
@@ -49,7 +49,7 @@ fn squares(triad: &TriadParameters) -> [[f64; TERMS]; 3] {
     })
 }
 
-/// Each coefficient that was set lies in its interval, and is significantly above zero if `resolved`.
+/// Asserts that each coefficient that was set is in its interval, and is significantly above zero if `resolved`.
 fn recovers(
     name: &str,
     estimator: &Estimator,
@@ -60,7 +60,7 @@ fn recovers(
     let put_in = [squares(gyro), squares(accel)].concat();
     for ((axis, increments), put_in) in AXES.iter().zip(&measured(gyro, accel)).zip(&put_in) {
         if *put_in == [0.0; TERMS] {
-            // Nothing but rounding: a hundred operations on increments of 9.8 m/s² times the step.
+            // Only rounding: a hundred operations on increments of 9.8 m/s² times the step.
             let deviation = estimator.variances(increments).unwrap()[0].sqrt();
             println!("{name}, {axis}: nothing set, {deviation:.1e}");
             assert!(deviation < 100.0 * f64::EPSILON * 9.8, "{name}, {axis}: {deviation}");
@@ -84,10 +84,10 @@ fn each_random_effect_is_recovered_and_nothing_else() {
     let estimator = Estimator::new(COUNT, DT).unwrap();
     let each = Vector3::repeat;
     let noise = TriadParameters { random_walk: each(1.5e-6), ..Default::default() };
-    // Over a step the noise moves by 1.5 pulses: what is rounded off is uniform within exp(-2π² 1.5²) and white.
+    // The noise moves the integral by 1.5 pulses in a step: the rounding error is uniform within exp(-2π² 1.5²) and white.
     let quantized = TriadParameters { quantization: each(1e-7), ..noise };
-    // Below 1 s, its band's end, flicker lacks up to 0.44 B² of the variance: with this N 0.2 % of the whole at 0.1 s, whose
-    // estimate has 0.8 % in an hour and 0.2 % in a day.
+    // Below 1 s, the end of its band, flicker lacks up to 0.44 B² of the variance. With this N it is 0.2 % of the whole at
+    // 0.1 s; the estimate there is uncertain by 0.8 % in an hour and 0.2 % in a day.
     let flicker = TriadParameters { random_walk: each(5e-6), flicker: each(1e-6), ..Default::default() };
     let walking = TriadParameters { rate_random_walk: each(1e-7), ..noise };
     let ramping = TriadParameters { ramp: each(4e-9), ..noise };
@@ -112,14 +112,14 @@ fn each_preset_is_recovered() {
         Grade::PaperSimulation2,
     ] {
         let (gyro, mut accel) = grade.parameters();
-        // The source of one states no white noise, which hides the end of its flicker's band, as above.
+        // The source of one accelerometer states no white noise, which hides the end of its flicker's band, as above.
         accel.random_walk =
             accel.random_walk.zip_map(&accel.flicker, |noise, flicker| noise.max(5.0 * flicker));
         recovers(&format!("{grade:?}"), &estimator, &gyro, &accel, false);
     }
 }
 
-/// A Gauss-Markov bias is none of the five terms: its deviations are compared with their closed form, on white noise.
+/// A Gauss-Markov bias is not one of the five terms: its deviations are compared with their closed form, on white noise.
 #[test]
 fn a_gauss_markov_bias_has_its_curve() {
     let (n, sigma, time_s) = (1.5e-6, 1e-6, 20.0);
@@ -136,7 +136,7 @@ fn a_gauss_markov_bias_has_its_curve() {
             2.0 * sigma * sigma / a * (1.0 - (3.0 - 4.0 * (-a).exp() + (-2.0 * a).exp()) / (2.0 * a));
         n * n / tau_s + markov
     };
-    // Covariance of the integrals: minus half the variance of what they change.
+    // Covariance of the integrals: minus half the variance of their change.
     let covariance = |t_s: f64| {
         let a = t_s.abs() / time_s;
         Term::RandomWalk.covariance(t_s) * n * n - (sigma * time_s).powi(2) * (a + (-a).exp_m1())

@@ -1,4 +1,4 @@
-//! Records that are made from the definitions of the noises: intervals hold the truth as often as they say.
+//! Records that are made from the definitions of the noises: intervals contain the truth as often as they claim.
 
 use sins::allan::{Estimator, TERMS, Term, total};
 
@@ -6,7 +6,7 @@ use super::noises::{Coefficients, Normal, increments};
 
 const NONE: Coefficients = Coefficients { q: 0.0, n: 0.0, b: 0.0, k: 0.0, r: 0.0 };
 
-/// Samples of a record, an interval of 1 s apart.
+/// Number of samples of a record, at intervals of 1 s.
 const COUNT: usize = 4096;
 
 const RUNS: u32 = if cfg!(feature = "long-tests") { 10_000 } else { 500 };
@@ -15,7 +15,7 @@ const RUNS: u32 = if cfg!(feature = "long-tests") { 10_000 } else { 500 };
 const LEAST: f64 = 0.93;
 const MOST: f64 = 0.985;
 
-/// Checks how often an interval held the truth, within five binomial standard deviations of what is claimed.
+/// Checks how often an interval contained the truth, within five binomial standard deviations of the claim.
 fn assert_coverage(label: &str, held: u32, may_be_long: bool) {
     let share = f64::from(held) / f64::from(RUNS);
     let scatter = |p: f64| 5.0 * (p * (1.0 - p) / f64::from(RUNS)).sqrt();
@@ -24,8 +24,8 @@ fn assert_coverage(label: &str, held: u32, may_be_long: bool) {
 }
 
 /// Each noise alone, mixtures of two, and all five: every deviation, and every coefficient that is not zero. Intervals may be
-/// long with a ramp, which counts as random walk, and with quantization: rounding errors are uniform, and their squares scatter
-/// less than those of normal numbers.
+/// too long with a ramp, which counts as random walk, and with quantization: rounding errors are uniform, and their squares
+/// scatter less than those of normal numbers.
 #[test]
 fn intervals_hold_the_truth_as_often_as_they_say() {
     let estimator = Estimator::new(COUNT, 1.0).unwrap();
@@ -67,7 +67,7 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     }
 }
 
-/// The interval of a coefficient that is zero contains zero at least as often as it says.
+/// The interval of a coefficient that is zero contains zero at least as often as it claims.
 #[test]
 fn what_is_not_there_is_seldom_seen() {
     let estimator = Estimator::new(COUNT, 1.0).unwrap();
@@ -88,7 +88,7 @@ fn what_is_not_there_is_seldom_seen() {
     }
 }
 
-/// A long record of all five, each within an interval that chance misses once in ten thousand times, and each seen.
+/// A long record of all five noises: each coefficient is within an interval that chance misses once in ten thousand times.
 #[test]
 fn all_five_are_recovered_from_one_record() {
     let (count, dt) = (1 << 20, 0.1);
@@ -106,7 +106,7 @@ fn all_five_are_recovered_from_one_record() {
         );
         assert!(found.interval(Term::ALL[term], 0.9999).contains(square), "{letter}");
     }
-    // Q, N and B make most of the deviation somewhere.
+    // Q, N and B each make most of the deviation somewhere, so they are resolved.
     for term in 0..3 {
         assert!(found.interval(Term::ALL[term], 0.95).low > 0.0, "{term} is not resolved");
     }

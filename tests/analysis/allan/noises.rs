@@ -55,7 +55,7 @@ pub fn increments(c: &Coefficients, count: usize, dt: f64, normal: &mut Normal) 
     sum
 }
 
-/// A walk of ten steps of quantization at a time, rounded to whole steps, less itself: Q is step / √12.
+/// Rounding errors of a random walk of ten quantization steps at a time, as increments: Q is step / √12.
 fn quantization(q: f64, count: usize, normal: &mut Normal) -> Vec<f64> {
     let (mut angle, mut last) = (0.0, 0.0);
     let mut next = || {
@@ -81,8 +81,8 @@ fn rate_random_walk(k: f64, count: usize, dt: f64, normal: &mut Normal) -> Vec<f
     (0..count).map(|_| next()).collect()
 }
 
-/// The spectrum B² / 2πf as a sum of Gauss-Markov processes, their correlation times T apart by a factor of 2, from a
-/// fiftieth of a step to fifty records; those below are white together, with the density 2 σ² (T/2 + T/4 + ...).
+/// The spectrum B² / 2πf as a sum of Gauss-Markov processes. Their correlation times T differ by factors of 2, from a
+/// fiftieth of a step to fifty records; shorter ones are together white, with the density 2 σ² (T/2 + T/4 + ...).
 ///
 /// Each has the spectrum 2 σ² T / (1 + (2πfT)²) = σ² sech(ln 2πfT) / 2πf. Hyperbolic secants at distances of ln 2 add up to
 /// π / ln 2, within 2 sech(π² / ln 2) = 3e-6 of that (Poisson's sum): σ² = B² ln 2 / π.
@@ -111,7 +111,7 @@ fn flicker(b: f64, count: usize, dt: f64, normal: &mut Normal) -> Vec<f64> {
     sum
 }
 
-/// 2a - 3 + 4e^-a - e^-2a; its series 2a³/3 - a⁴/2 + 7a⁵/30 where it cancels, good to 1e-4 of itself at a hundredth.
+/// 2a - 3 + 4e^-a - e^-2a; where it cancels, its series 2a³/3 - a⁴/2 + 7a⁵/30, true to 1e-4 of itself at a hundredth.
 fn integral_variance(a: f64) -> f64 {
     if a < 0.01 {
         return a.powi(3) * (2.0 / 3.0 - a * (0.5 - a * 7.0 / 30.0));

@@ -1,4 +1,4 @@
-//! At rest over a day.
+//! The covariance at rest over a day.
 
 use nalgebra::{SMatrix, Vector3};
 use sins::earth::Earth;
@@ -16,7 +16,7 @@ const LATITUDE: f64 = 39.9 * DEG;
 /// north, and one spare.
 type System = SMatrix<f64, 13, 13>;
 
-/// The error equations at rest at height 0, level and heading north (Titterton and Weston 2004, §12.3), by themselves.
+/// The error equations alone, at rest at height 0, level and heading north (Titterton and Weston 2004, §12.3).
 fn at_rest() -> System {
     let earth = Earth::new(Default::default(), Default::default());
     let (sin, cos) = LATITUDE.sin_cos();
@@ -69,7 +69,7 @@ fn options() -> Options {
     }
 }
 
-/// Flies at rest and gives sigmas of φ, δv and δr, horizontal, at each hour.
+/// Flies at rest and returns the sigmas of φ, horizontal δv and horizontal δr at each hour.
 fn hours_at_rest(simulator: &mut Simulator, hours: usize) -> Vec<[f64; 7]> {
     let mut found = Vec::new();
     for k in 0..=2 * 3600 * hours {
@@ -85,7 +85,7 @@ fn hours_at_rest(simulator: &mut Simulator, hours: usize) -> Vec<[f64; 7]> {
 }
 
 fn agree(found: &[[f64; 7]], variance: impl Fn(f64) -> [f64; 7]) {
-    // Of each quantity the largest on the way: a sigma that swings through 0 has no relative error there.
+    // The scale of each quantity is its largest value on the way: a sigma that swings through 0 has no relative error there.
     let expected: Vec<_> =
         (1..=found.len()).map(|hour| variance(3600.0 * hour as f64).map(f64::sqrt)).collect();
     for k in 0..7 {
@@ -96,7 +96,7 @@ fn agree(found: &[[f64; 7]], variance: impl Fn(f64) -> [f64; 7]) {
     }
 }
 
-/// A constant drawn once a run, by the response to 1 sigma.
+/// A constant is drawn once a run: the sigma is the response to 1 sigma of it.
 #[test]
 fn turn_on_biases_and_initial_tilt_at_rest_over_a_day() {
     for input in 0..6 {

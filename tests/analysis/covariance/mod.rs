@@ -1,5 +1,5 @@
 //! The covariance of the navigation errors: at rest against a matrix exponential of the textbook's equations, against single runs
-//! where one draw is all that is random, and over starts, reads and slews.
+//! with one random draw, and over starts, reads and slews.
 
 mod at_rest;
 mod single_runs;
@@ -9,5 +9,5 @@ use crate::support::G;
 
 const MICRO_G: f64 = 1e-6 * G;
 
-/// A stretch of the propagation is a second, in which the Earth turns by 7.3e-5 rad: what one may lose.
+/// Relative error that the propagation may have: one stretch of it is a second, in which the Earth turns by 7.3e-5 rad.
 const MODEL: f64 = 7.3e-5;

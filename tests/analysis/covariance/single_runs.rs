@@ -1,4 +1,4 @@
-//! Against single runs in flight, where one draw is all that is random.
+//! The covariance against single runs in flight with one random draw.
 
 use nalgebra::Vector3;
 use sins::mechanization::{Frame, VerticalMode};
@@ -9,9 +9,9 @@ use sins::{ErrorParameters, ErrorSource, Options, Simulator};
 use super::{MICRO_G, MODEL};
 use crate::support::{self, DEG_PER_HOUR};
 
-/// What each of the effects that are drawn once a run does: the error of a run (error data 1, which is linear) over its draw is
-/// the sigma. The draw is not asked for: it is one number for all errors at all times. Stretches of a second are told from
-/// intervals by (1 s/t)² of what came in the first t = 20 s: 2e-3.
+/// For each effect that is drawn once a run, the error of a run (error data 1, which is linear) over its draw is the sigma. The
+/// draw itself is not needed: it is one number for all errors at all times. Stretches of a second differ from intervals by
+/// (1 s/t)² of the error of the first t = 20 s: 2e-3.
 #[test]
 fn a_single_draw_is_the_error_of_a_run_over_its_sigma() {
     let mut count = 0;
@@ -39,7 +39,7 @@ fn a_single_draw_is_the_error_of_a_run_over_its_sigma() {
                     ..Default::default()
                 }),
             ),
-            // Very long: as good as constant.
+            // A very long correlation time: practically constant.
             (
                 true,
                 of(TriadParameters {
@@ -73,7 +73,7 @@ fn a_single_draw_is_the_error_of_a_run_over_its_sigma() {
                 for (k, sample) in samples.iter().enumerate() {
                     simulator.push_sample(sample).unwrap();
                     simulator.step().unwrap();
-                    // At moments that are no ends of stretches too.
+                    // Also at moments that are not ends of stretches.
                     if k > 1000 && k % 997 == 0 {
                         errors.push(nine(&simulator, ErrorSource::Model));
                         sigmas.push(simulator.covariance().unwrap().unwrap().1.sigma());
@@ -111,7 +111,7 @@ fn flights() -> [(&'static str, Vec<FlightSample>); 2] {
     ]
 }
 
-/// An effect by its constant, by its standard deviation, and how large.
+/// An effect with its constant, its standard deviation and its size.
 struct Effect {
     name: &'static str,
     constant: fn(&mut ErrorParameters) -> &mut f64,
@@ -145,8 +145,8 @@ const EFFECTS: [Effect; 11] = {
     ]
 };
 
-/// A draw of one sigma is a given error of this size: half the difference of the navigation of two runs, with it and with its
-/// opposite, is the sigma of each of the nine errors. So the covariance is held to the navigation itself, and in absolute size.
+/// A draw of one sigma is a given error of this size: half the difference of the navigation of two runs, one with this error, one
+/// with its opposite, is the sigma of each of the nine errors. This compares the covariance with the navigation in absolute size.
 #[test]
 fn a_sigma_is_half_the_difference_of_two_runs() {
     for (name, samples) in &flights() {

@@ -1,4 +1,4 @@
-//! What starts, reads, slews and resets make of it.
+//! The effect of starts, reads, slews and resets on the covariance.
 
 use nalgebra::Vector3;
 use sins::sensors::{InitialErrorParameters, TriadParameters};
@@ -33,7 +33,7 @@ fn sigma(simulator: &mut Simulator) -> [f64; 9] {
     simulator.covariance().unwrap().unwrap().1.sigma()
 }
 
-/// Before the first step it is that of the start; a read changes nothing; other outputs have the same bits with and without it.
+/// Before the first step the covariance is that of the start. A read changes nothing. Other outputs have the same bits without it.
 #[test]
 fn it_begins_as_the_start_and_changes_nothing() {
     let flight = support::patrol(60.0);
@@ -62,11 +62,11 @@ fn it_begins_as_the_start_and_changes_nothing() {
     }
     assert_eq!(support::bits(&with), support::bits(&without));
     assert_eq!(with.covariance(), unread.covariance());
-    // What is random has a variance, and nothing is negative.
+    // All nine errors are random here: each sigma is above zero.
     assert!(sigma(&mut with).iter().all(|sigma| *sigma > 0.0));
 }
 
-/// A slew keeps the standard deviations; a reposition starts anew, with walks that go on; a reset takes them back.
+/// A slew keeps the standard deviations. A reposition starts anew, with walks that continue. A reset restarts the walks too.
 #[test]
 fn slews_keep_it_and_starts_begin_it_anew() {
     let flight = support::patrol(60.0);

@@ -1,7 +1,7 @@
-//! The covariance against ensembles: the spread of many runs with other draws is what it says, by chi-square; and one of other
-//! densities by 10 % is found out.
+//! The covariance against ensembles: the spread of many runs with other draws equals the covariance, by chi-square, and a
+//! covariance of densities that are wrong by 10 % is detected.
 //!
-//! The ordinary test flies 200 runs, and an hour of the patrol; `--features long-tests` 2000 runs, and all of its 48 hours.
+//! The ordinary test flies 200 runs and an hour of the patrol; `--features long-tests` flies 2000 runs and all of its 48 hours.
 
 mod scenes;
 
@@ -46,14 +46,14 @@ fn chi_square_bounds(n: f64, z: f64) -> (f64, f64) {
 
 /// Mean squares of a scene's runs, each over its expectation.
 struct Found {
-    /// Of each error at each instant.
+    /// Mean square of each error at each instant.
     sigmas: Vec<[f64; 9]>,
-    /// The normalized square of the nine, over nine.
+    /// The normalized square of the nine errors, over nine.
     nees: Vec<f64>,
 }
 
 impl Scene {
-    /// Whether sample `k` is one of the instants that are looked at.
+    /// Whether sample `k` is one of the instants that are evaluated.
     fn is_looked_at(&self, k: usize) -> bool {
         let every = (self.samples.len() - 1) / INSTANTS;
         k > 0 && k.is_multiple_of(every) && k / every <= INSTANTS
@@ -82,8 +82,8 @@ impl Scene {
             ensemble.push_sample(sample).unwrap();
             ensemble.step().unwrap();
             if self.is_looked_at(k) {
-                // At a pole east and north of the navigation are not those of the truth: there the error equations of the same
-                // draws.
+                // At a pole east and north of the navigation differ from those of the truth. The error equations of the same
+                // draws are used there.
                 let is_near_pole = ensemble.truth().unwrap().near_pole;
                 let source = if is_near_pole { ErrorSource::Model } else { ErrorSource::Navigation };
                 statistics.push(ensemble.statistics(source).unwrap());
@@ -92,7 +92,7 @@ impl Scene {
         statistics
     }
 
-    /// The same of the runs 0 to `runs` - 1, block by block on all cores.
+    /// Statistics of the runs 0 to `runs` - 1 at each instant, block by block on all cores.
     fn statistics_of_blocks(&self, runs: u64) -> Vec<Statistics> {
         let next = AtomicU64::new(0);
         let of_thread = || {
@@ -115,7 +115,7 @@ impl Scene {
         sums
     }
 
-    /// Flies `runs` runs.
+    /// Flies `runs` runs and compares them with the covariance.
     fn fly(&self, runs: u64) -> Found {
         let mut found = Found { sigmas: Vec::new(), nees: Vec::new() };
         for (covariance, statistics) in self.covariances().iter().zip(self.statistics_of_blocks(runs)) {
@@ -138,7 +138,7 @@ fn merge(sums: &mut [Statistics], more: &[Statistics]) {
     sums.iter_mut().zip(more).for_each(|(sum, more)| sum.merge(more).unwrap());
 }
 
-/// How many of all figures of the scenes are outside of their intervals of 99.9 %, corrected for their number (Bonferroni).
+/// Number of figures of the scenes that are outside of their intervals of 99.9 %, corrected for their number (Bonferroni).
 fn outside(scenes: &[Scene], runs: u64) -> usize {
     let tests = scenes.len() * INSTANTS * 10;
     let z = quantile(0.001 / 2.0 / tests as f64);
@@ -179,7 +179,7 @@ fn the_spread_of_many_runs_is_the_covariance() {
     assert_eq!(outside(&scenes(is_long), if is_long { 2000 } else { 200 }), 0);
 }
 
-/// White noise alone, the covariance told of a spectral density that is 10 % larger: the same test fails.
+/// White noise alone, with a covariance from a spectral density that is 10 % larger: the same test fails.
 #[test]
 fn a_density_that_is_wrong_by_a_tenth_is_found() {
     let everything = everything();

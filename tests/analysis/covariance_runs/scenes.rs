@@ -1,4 +1,4 @@
-//! The scenes, and what is random in them.
+//! The scenes and their random errors.
 
 use nalgebra::{SMatrix, Vector3};
 use sins::flight::{Flight, FlightStart, Manoeuvre};
@@ -13,7 +13,7 @@ use crate::support::{self, DEG, DEG_PER_HOUR, G};
 
 const MICRO_G: f64 = 1e-6 * G;
 
-/// Everything that is random, of navigation grade.
+/// All random errors, of navigation grade.
 pub fn everything() -> ErrorParameters {
     let off_diagonal = |size| SMatrix::from_fn(|row, column| if row == column { 0.0 } else { size });
     let triad = |unit: f64, walk: f64| TriadParameters {
@@ -52,12 +52,12 @@ pub fn everything() -> ErrorParameters {
     }
 }
 
-/// A flight with what is looked at.
+/// A flight, with the errors of its runs and of its covariance.
 pub struct Scene {
     pub name: &'static str,
     pub samples: Vec<FlightSample>,
     pub setting: ErrorParameters,
-    /// What the covariance is told, which is `setting` unless it is to be wrong.
+    /// Errors that the covariance assumes: `setting`, unless the covariance is to be wrong.
     pub believed: ErrorParameters,
 }
 
@@ -92,7 +92,7 @@ pub fn built_in(name: &str, length_s: f64, period_s: f64) -> Vec<FlightSample> {
     sampled(&sins::scene::builtin(name).unwrap().flight().unwrap(), length_s, period_s)
 }
 
-/// Turns, climbs and stops of a small aircraft.
+/// Straight legs, turns and climbs of a small aircraft.
 fn drone() -> Flight {
     let start = FlightStart { latitude_rad: 0.8, height_m: 100.0, speed_m_s: 15.0, ..Default::default() };
     let turn = |heading_change_rad| Manoeuvre::Turn { heading_change_rad, bank_rad: 0.5, ramp_s: 0.5 };

@@ -1,4 +1,4 @@
-//! The C function has the same answer.
+//! The C function gives the same answer.
 
 use nalgebra::Vector3;
 use sins::abi::{

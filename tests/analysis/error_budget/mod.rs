@@ -1,4 +1,4 @@
-//! Contributions of effects are their closed forms, the remainder is of second order, and what may be left out is left out.
+//! Contributions of effects are their closed forms, the remainder is of second order, and marked effects can be left out.
 
 mod interface;
 mod mounting_and_gravity;
@@ -42,7 +42,7 @@ fn limits(position_m: f64, velocity_m_s: f64, attitude_rad: f64) -> BudgetReques
     BudgetRequest { limits: SolutionError { position_m, velocity_m_s, attitude_rad }, ..Default::default() }
 }
 
-/// An hour at rest, level, heading north, with a drift of 0.01 °/h east, and apart from it 1e-5 g north: Schuler's loop.
+/// An hour at rest, level, heading north, with a drift of 0.01 °/h east, and separately 1e-5 g north: Schuler's loop.
 #[test]
 fn biases_contribute_their_closed_forms() {
     let samples = at_rest(HOUR_S, 10.0);
@@ -64,13 +64,13 @@ fn biases_contribute_their_closed_forms() {
     }
     assert_eq!((budget.rows.len(), budget.runs, budget.flights), (2, 1, 4));
     assert!((budget.span_s - 3599.9).abs() < 1e-9);
-    // Nothing set leaves less than a micrometre. Of second order: the tilt of one times the way of the other.
+    // With nothing set less than a micrometre is left. The remainder is of second order: one's tilt times the other's way.
     let drift = &row(&budget, "gyro.bias_rad_s").worst;
     assert!(budget.own.0.position_m < 1e-6, "{budget:?}");
     assert!(budget.remainder.position_m < drift.position_m * drift.attitude_rad, "{budget:?}");
 }
 
-/// z = v0 e^{-iWst} sin(wf t)/wf, its largest v0/wf; no gyro errs, so the misalignment is that of the place.
+/// z = v0 e^{-iWst} sin(wf t)/wf, its largest v0/wf. No gyro errs, so the misalignment comes from the place.
 #[test]
 fn an_initial_velocity_error_contributes_its_closed_form() {
     let v0 = 0.1;
@@ -93,7 +93,7 @@ fn an_initial_velocity_error_contributes_its_closed_form() {
     assert_like(&row(&budget, "initial.velocity_enu_m_s").worst, &expected);
 }
 
-/// Levelled and gyrocompassed with an accelerometer that errs by b east: φ = (0, b/g, tan L b/g), and no acceleration is left.
+/// Levelled and gyrocompassed with an accelerometer that errs by b east: φ = (0, b/g, tan L b/g), and no acceleration remains.
 #[test]
 fn an_effect_brings_its_alignment_along() {
     let b = 1e-4 * G;
@@ -104,12 +104,12 @@ fn an_effect_brings_its_alignment_along() {
     let worst = &budget.rows[0].worst;
     // Gravity at 40° differs by 5e-4 from standard gravity.
     assert!((worst.attitude_rad / expected - 1.0).abs() < 1e-3, "{worst:?}");
-    // Unaligned it were b t = 0.06 m/s.
+    // Without the alignment it would be b t = 0.06 m/s.
     assert!(budget.rows.len() == 1 && worst.velocity_m_s < 1e-3 * b * 60.0, "{worst:?}");
 }
 
-/// A minute at rest: N √t in each axis, σ t of a turn-on bias, and σ g t where accelerometers lean. Schuler's loop takes
-/// (t/806 s)² < 0.6 %.
+/// A minute at rest: N √t in each axis, σ t of a turn-on bias, and σ g t where accelerometers lean. Schuler's loop reduces
+/// them by (t/806 s)² < 0.6 %.
 #[test]
 fn random_effects_have_their_standard_deviations() {
     let (t, runs): (f64, u64) = (60.0, 8);
@@ -157,7 +157,7 @@ fn flown(options: &Options, samples: &[FlightSample], parameters: &ErrorParamete
     errors
 }
 
-/// The runs are those of the options' seed, from their run number on: the same figure from single runs.
+/// The runs have the seed of the options and begin at their run number: single runs give the same figure.
 #[test]
 fn runs_are_those_of_the_options() {
     let samples = &turning()[..400];
@@ -181,7 +181,7 @@ fn runs_are_those_of_the_options() {
     assert!((found / worst - 1.0).abs() < 1e-12, "{found:e} {worst:e}");
 }
 
-/// Half the sizes, a quarter of the remainder: errors of 1 % and less, so that the third order is as much of it.
+/// Half the sizes give a quarter of the remainder. Errors are 1 % and less, so the third order is 1 % of it and less.
 #[test]
 fn the_remainder_is_of_second_order() {
     let samples = turning();
@@ -209,15 +209,15 @@ fn the_remainder_is_of_second_order() {
     }
     // Of a first order of 2 % rad against themselves.
     assert!(whole.remainder.attitude_rad < 0.02 * whole.total.attitude_rad, "{whole:?}");
-    // What does add up: the first order halves.
+    // The first order, which does add up, halves.
     assert!((whole.total.attitude_rad / half.total.attitude_rad / 2.0 - 1.0).abs() < 0.02);
 }
 
 const LIMIT_M: f64 = 8.0;
 const LIMIT_RAD: f64 = 5e-4;
 
-/// Marked effects are really left out, in runs of another seed; what that changes stays below the limits. The largest 1σ out of
-/// 64 other runs may be 4/√(2·64) above the true one.
+/// Marked effects are left out in runs of another seed; the change stays below the limits. The largest 1σ of 64 other runs may
+/// be 4/√(2·64) above the true one.
 #[test]
 fn what_is_marked_can_be_left_out() {
     let samples = turning();
@@ -271,11 +271,11 @@ fn what_is_marked_can_be_left_out() {
         position_m < LIMIT_M * chance && attitude_rad < LIMIT_RAD * chance,
         "{position_m} {attitude_rad}"
     );
-    // And of the same size as told: 64 runs against 16.
+    // The change has the reported size: 64 runs against 16.
     assert!((position_m / budget.left_out.position_m - 1.0).abs() < 4.0 / (2.0f64 * 16.0).sqrt());
 }
 
-/// A range that a bias alone drives the signal into: alone it does nothing, but it cannot be left out.
+/// A range that the signal reaches only with a bias: alone the range does nothing, but it cannot be left out.
 #[test]
 fn what_matters_only_with_others_is_not_left_out() {
     let parameters = ErrorParameters {
@@ -291,9 +291,9 @@ fn what_matters_only_with_others_is_not_left_out() {
     assert!(range.worst.velocity_m_s == 0.0 && !range.can_be_left_out, "{budget:?}");
     assert!(budget.rows.iter().all(|row| !row.can_be_left_out));
     assert_eq!(budget.left_out, SolutionError::default());
-    // Told by the remainder: a third of 0.5 m/s² is cut off.
+    // The remainder shows it: a third of 0.5 m/s² is cut off.
     assert!(budget.remainder.velocity_m_s > 0.01);
-    // Where it is out of reach, it is of no use.
+    // A range that is out of reach can be left out.
     let far = ErrorParameters { accel: triad(|accel| accel.range = Vector3::repeat(100.0)), ..parameters };
     let budget = budget_of(&options, &at_rest(60, 10.0), &far, &limits(0.0, 0.01, 0.0));
     assert!(row(&budget, "accel.range_m_s2").can_be_left_out);

@@ -1,4 +1,4 @@
-//! What the INS believes wrongly of its mounting and of gravity contributes its closed forms.
+//! Errors in the mounting and the gravity that the INS assumes contribute their closed forms.
 
 use nalgebra::Vector3;
 use sins::budget::{BudgetRequest, ErrorParameters};
@@ -33,8 +33,8 @@ fn field(mean: f64) -> GravityField {
     GravityField { mean, ..Default::default() }
 }
 
-/// An hour at rest with a deflection of 10" in the meridian, and apart from it of 6" in the prime vertical: accelerometers that
-/// err by g ξ north, g η east.
+/// An hour at rest with a deflection of 10" in the meridian, and separately of 6" in the prime vertical: they act like
+/// accelerometers that err by g ξ north, g η east.
 #[test]
 fn deflections_contribute_their_closed_forms() {
     let (xi, eta) = (10.0 * ARCSEC, 6.0 * ARCSEC);
@@ -59,7 +59,7 @@ fn deflections_contribute_their_closed_forms() {
         assert!(!row.effect.is_random);
     }
     assert_eq!((budget.rows.len(), budget.runs, budget.flights), (2, 1, 4));
-    // They add up but for the second order: the tilt of one times the way of the other, either way round.
+    // They add up, except for the second order: the tilt of one times the way of the other, and the reverse.
     let tilt = row(&budget, "gravity.deflection_north_rad").worst.attitude_rad;
     assert!(budget.remainder.position_m < 2.0 * tilt * budget.total.position_m, "{budget:?}");
 }
@@ -78,8 +78,8 @@ fn an_anomaly_contributes_a_height() {
     assert!((end.velocity_m_s / (anomaly * 60.0) - 1.0).abs() < 2.5e-3, "{end:?}");
 }
 
-/// Flown at v the field has the correlation time T = D/v, so that var v = 2 (g σ T)² (t/T - 1 + e^{-t/T}) while Schuler's
-/// cos 1.24e-3 t is 1 within 0.8 %. Out of N runs the 1σ is uncertain by 1/√(2N), of which four (6e-5) are allowed.
+/// At the speed v the field has the correlation time T = D/v, so that var v = 2 (g σ T)² (t/T - 1 + e^{-t/T}) while Schuler's
+/// cos 1.24e-3 t is 1 within 0.8 %. With N runs the 1σ is uncertain by 1/√(2N), of which four (6e-5) are allowed.
 #[test]
 fn a_random_deflection_contributes_its_closed_form() {
     let (sigma, correlation_s, t, runs) = (10.0 * ARCSEC, 20.0, 100.0, 200);
@@ -99,8 +99,9 @@ fn a_random_deflection_contributes_its_closed_form() {
     assert!(row.effect.is_random && budget.rows.len() == 1 && budget.runs == runs);
 }
 
-/// In straight flight a believed heading of the block that is wrong by b turns the attitude by b, and the place of the reference
-/// point about the block, at the end of the true arm; an arm that is wrong by d moves it by d. The true mounting has no row.
+/// In straight flight a heading of the block that the INS assumes wrong by b turns the attitude by b. It also turns the place of
+/// the reference point about the block, at the end of the true arm; an arm that is wrong by d moves it by d. The true mounting
+/// has no row.
 #[test]
 fn a_mounting_contributes_as_it_is_believed() {
     let (b, arm) = (1e-3, 4.0);
@@ -114,9 +115,9 @@ fn a_mounting_contributes_as_it_is_believed() {
     let parameters = ErrorParameters { mounting, ..Default::default() };
     let budget = budget_of(&options_at(50.0), &straight(60, 50.0), &parameters, &Default::default());
     let boresight = row(&budget, "mounting.boresight_error_rad").worst;
-    // The vertical where the INS believes to be leans by 4 m · b over the Earth's radius: 6e-10 rad.
+    // The vertical at the position that the INS finds leans by 4 m · b over the Earth's radius: 6e-10 rad.
     assert!((boresight.attitude_rad - b).abs() < 1e-9, "{boresight:?}");
-    // The chord of b at the arm's end, and what the Earth's curvature and the mechanization's own leave.
+    // The chord of b at the arm's end; the Earth's curvature and the mechanization's own error remain.
     assert!((boresight.position_m - 2.0 * arm * (0.5 * b).sin()).abs() < 1e-6, "{boresight:?}");
     let lever_arm = row(&budget, "mounting.lever_arm_error_m").worst;
     assert!((lever_arm.position_m - wrong.norm()).abs() < 1e-6, "{lever_arm:?}");
@@ -126,9 +127,9 @@ fn a_mounting_contributes_as_it_is_believed() {
     let turned = north.hypot(east / LATITUDE_RAD.cos()) / sphere(Vector3::zeros(), Vector3::zeros()).r;
     assert!((lever_arm.attitude_rad / turned - 1.0).abs() < 5e-3, "{lever_arm:?}");
     assert_eq!((budget.rows.len(), budget.flights), (2, 4));
-    // With the true mounting, believed, the mechanization errs by its own.
+    // With the true mounting only the mechanization's own error is left.
     assert!(budget.own.0.position_m < 1e-6 && budget.own.0.attitude_rad < 1e-9, "{budget:?}");
-    // What they do to each other: the wrong arm turned by b.
+    // The effect of both errors on each other: the wrong arm turned by b.
     let turned = 2.0 * wrong.norm() * (0.5 * b).sin();
     assert!((budget.remainder.position_m - turned).abs() < 1e-6, "{budget:?}");
 }

@@ -1,4 +1,4 @@
-//! What two minutes predict for an hour.
+//! Two minutes of a flight predict the errors of an hour.
 
 use sins::flight::{Channel, Flight, Manoeuvre};
 use sins::mechanization::VerticalMode;
@@ -9,9 +9,9 @@ use sins::{Options, Simulator};
 use super::{CRUISE, REST, navigated, navigated_by, reference, samples, sinusoids, told, worst_difference};
 use crate::support::{DEG_PER_HOUR, G, options_at};
 
-/// The errors that those of a piece, of length T, become in D = N T as steady rates of the worst signs where nothing brings them
-/// back: attitude N a, velocity N (v + p/T) + g N a D + V' (N - 1) a, position N p + D times that. Schuler's pendulum only makes
-/// them smaller; a free vertical channel multiplies by no more than e^(κD), κ² = 2 g/R.
+/// Errors in D = N T that follow from those of a piece of length T as steady rates of the worst signs, without Schuler's
+/// restoring effect: attitude N a, velocity N (v + p/T) + g N a D + V' (N - 1) a, position N p + D times this velocity.
+/// Schuler's pendulum only reduces them; a free vertical channel multiplies by no more than e^(κD), κ² = 2 g/R.
 fn without_schuler(
     piece: &Piece,
     duration_s: f64,
@@ -20,7 +20,7 @@ fn without_schuler(
 ) -> SolutionError {
     let SolutionError { position_m, velocity_m_s, attitude_rad } = *error;
     let pieces = (duration_s / piece.duration_s).round();
-    // Gravity and κ above those of any place.
+    // Gravity and κ are above those of any place.
     let tilted_m_s = 9.84 * pieces * attitude_rad * duration_s;
     let turned_m_s = piece.velocity_change_m_s * (pieces - 1.0) * attitude_rad;
     let velocity = pieces * (velocity_m_s + position_m / piece.duration_s) + tilted_m_s + turned_m_s;
@@ -35,16 +35,16 @@ fn without_schuler(
     }
 }
 
-/// Not so of infinity, and of what is no number.
+/// Whether `error` is within `bound` in every part; false for infinity and for what is not a number.
 fn exceeds_nowhere(error: &SolutionError, bound: &SolutionError) -> bool {
-    // Sums of a few terms in another order.
+    // Sums of a few terms may be rounded in another order.
     let within = |value: f64, bound: f64| value.is_finite() && value <= bound * (1.0 + 8.0 * f64::EPSILON);
     within(error.position_m, bound.position_m)
         && within(error.velocity_m_s, bound.velocity_m_s)
         && within(error.attitude_rad, bound.attitude_rad)
 }
 
-/// Position, velocity and attitude predicted over those that came.
+/// Predicted position, velocity and attitude errors over the actual ones.
 fn factors(predicted: &SolutionError, actual: &SolutionError) -> [f64; 3] {
     [
         predicted.position_m / actual.position_m,
@@ -53,9 +53,9 @@ fn factors(predicted: &SolutionError, actual: &SolutionError) -> [f64; 3] {
     ]
 }
 
-/// Two minutes against the hour that follows from them: never less, and no more than without Schuler. An algorithm's errors at
-/// rest and straight on are steady, so each is counted at most twice (see `Growth`) where it stands above the reference's
-/// uncertainty; on the move they turn with the vehicle. The largest factors are the README's.
+/// Two minutes against the hour that follows from them: the prediction is never less, and no more than without Schuler. An
+/// algorithm's errors at rest and straight on are steady, so each is counted at most twice (see `Growth`) where it exceeds the
+/// reference's uncertainty; on the move they turn with the vehicle. The largest factors are the README's.
 #[test]
 fn two_minutes_predict_an_hour() {
     let rocking = [
@@ -64,7 +64,7 @@ fn two_minutes_predict_an_hour() {
         (Channel::Course, 0.3, 1.0 / 120.0, 0.3),
     ];
     let (rate_hz, hour_s) = (10.0, 3600.0);
-    // Of weaving in position and velocity: bounded and free vertical channel.
+    // Largest factors of the rocking flight in position and velocity: bounded and free vertical channel.
     let (mut bounded, mut free) = ([0.0_f64; 2], [0.0_f64; 2]);
     for (name, start, manoeuvre) in [
         ("rest", REST, Manoeuvre::Rest { duration_s: hour_s }),
@@ -105,7 +105,7 @@ fn two_minutes_predict_an_hour() {
     assert_eq!([bounded, free].map(|largest| largest.map(f64::round)), [[160.0, 150.0], [333.0, 610.0]]);
 }
 
-/// The same of single causes, which no algorithm has so pure: a sensor's bias along each axis, at rest.
+/// The same prediction for single causes, which no algorithm has so pure: a sensor's bias along each axis, at rest.
 #[test]
 fn seconds_and_minutes_of_a_bias_predict_an_hour() {
     let (rate_hz, hour_s) = (10.0, 3600.0);
@@ -136,13 +136,13 @@ fn seconds_and_minutes_of_a_bias_predict_an_hour() {
                     "{vertical:?} axis {axis}, {count} samples: {}, factors {factors:.3?}",
                     told(&actual)
                 );
-                // A millionth for what is not linear, as the solution moves away.
+                // A millionth covers what is not linear, as the solution moves away.
                 let least = if axis < 3 { 3 } else { 2 };
                 assert!(
                     factors[..least].iter().all(|factor| *factor >= 1.0 - 1e-6),
                     "{vertical:?} {axis}: {factors:?}"
                 );
-                // What a turn about the vertical does to velocity is not steady: the Earth's rotation is felt more and more.
+                // A turn about the vertical does not act on velocity steadily: the Earth's rotation acts more and more.
                 if vertical == VerticalMode::FollowTruth && axis != 2 {
                     assert!(factors[0] < 2.0 && factors[1] < 2.0, "axis {axis}: {factors:?}");
                 }
@@ -153,7 +153,7 @@ fn seconds_and_minutes_of_a_bias_predict_an_hour() {
     }
 }
 
-/// Over a piece of a flight without end its errors are those of the piece; a longer duration never has smaller ones.
+/// Up to the duration of the piece the errors are those of the piece; a longer duration never has smaller ones.
 #[test]
 fn errors_are_the_pieces_own_at_first_and_only_grow() {
     let piece = Piece { duration_s: 120.0, speed_m_s: 200.0, velocity_change_m_s: 50.0 };

@@ -12,7 +12,7 @@ use super::{
 };
 use crate::support::options_at;
 
-/// The best there is, and told so: nothing cheaper takes up as small a share of the requirement, nothing at all a smaller one.
+/// The answer is the best one, and is reported so: no cheaper options use as small a share of the requirement, none a smaller one.
 #[test]
 fn an_impossible_requirement_gets_the_best_there_is() {
     let requirement = Requirement { attitude_rad: 1e-16, position_m: 1e-10, ..Default::default() };
@@ -28,7 +28,7 @@ fn an_impossible_requirement_gets_the_best_there_is() {
         let reference = reference(&options, samples);
         let shares = ladder.iter().map(|rung| {
             let error = worst_difference(&navigated(&rung.applied_to(&options), samples), &reference);
-            // Over the piece itself nothing grows.
+            // Over the piece itself the errors do not grow.
             requirement.share(&error.plus(&answer.uncertainty))
         });
         let rounding = 1e-12 * answer.share;
@@ -46,8 +46,8 @@ fn an_impossible_requirement_gets_the_best_there_is() {
     }
 }
 
-/// Nothing meets a limit beyond all rounding, down to the smallest of numbers. The best there is does not depend on how small it is,
-/// and what is told of it are numbers, after the fastest growth and with the largest margin too.
+/// No options meet a limit below all rounding, down to the smallest of numbers. The best answer does not depend on how small the
+/// limit is, and its figures are finite, also after the fastest growth and with the largest margin.
 #[test]
 fn the_smallest_limits_get_the_best_there_is() {
     let Scene { options, samples, .. } = scenes().swap_remove(2);
@@ -71,7 +71,7 @@ fn the_smallest_limits_get_the_best_there_is() {
     assert!(!answer.met && answer.share.is_finite(), "{answer:?}");
 }
 
-/// A requirement that the margin alone decides: with more of it the answer costs more.
+/// A requirement that the margin alone decides: a larger margin makes the answer more expensive.
 #[test]
 fn the_margin_is_kept() {
     let Scene { options, samples, .. } = scenes().swap_remove(1);

@@ -1,4 +1,4 @@
-//! The recommended options meet the requirement, and no cheaper ones do; what is predicted for hours holds.
+//! The recommended options meet the requirement, and no cheaper ones do; the predictions for hours hold.
 
 mod growth;
 mod limits;
@@ -152,7 +152,7 @@ fn scenes() -> Vec<Scene> {
     ]
 }
 
-/// The navigated states, one a step; on the public simulator alone.
+/// The navigated states, one for each step, by the public simulator alone.
 fn navigated(options: &Options, samples: &[FlightSample]) -> Vec<EarthFixedState> {
     navigated_by(&mut Simulator::new(options).unwrap(), samples)
 }
@@ -192,7 +192,7 @@ fn worst_difference(states: &[EarthFixedState], reference: &[EarthFixedState]) -
     worst
 }
 
-/// Without any margin: the answer is within the requirement, everything cheaper is beyond it.
+/// Without any margin the answer is within the requirement, and everything cheaper is beyond it.
 #[test]
 fn the_answer_meets_the_requirement_and_nothing_cheaper_does() {
     let mut answers: Vec<Rung> = Vec::new();
@@ -216,7 +216,7 @@ fn the_answer_meets_the_requirement_and_nothing_cheaper_does() {
         assert_eq!(updates as usize, answer.rung.updates_per_sample);
         assert_eq!(cost.position_m, answer.predicted.position_m);
         assert_eq!(cost.tried, answer.tried as u64);
-        // Told no less than what it is.
+        // The prediction is no less than the actual error.
         assert!(own.position_m <= answer.predicted.position_m);
         assert!(own.velocity_m_s <= answer.predicted.velocity_m_s);
         assert!(own.attitude_rad <= answer.predicted.attitude_rad);
@@ -248,7 +248,7 @@ fn the_same_piece_has_the_same_answer() {
     let Scene { options, samples, requirement, .. } = scenes().swap_remove(2);
     let first = recommend(&options.into(), &samples, &requirement).unwrap();
     assert_eq!(recommend(&options.into(), &samples, &requirement), Ok(first));
-    // What is replaced, what draws and what would hide the error takes no part.
+    // Options that are replaced, that draw, or that would hide the error have no effect.
     let other = Options {
         scheme: Scheme::Paper,
         subsamples: 5,
@@ -261,7 +261,7 @@ fn the_same_piece_has_the_same_answer() {
     assert_eq!(recommend(&other.into(), &samples, &requirement), Ok(first));
 }
 
-/// Nothing to do with a margin of noise: sixteen times the updates take longer.
+/// The test does not depend on timing noise: sixteen times the updates take longer.
 #[test]
 fn more_work_takes_more_time() {
     let Scene { options, samples, .. } = scenes().swap_remove(1);

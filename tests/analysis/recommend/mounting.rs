@@ -1,4 +1,4 @@
-//! Where the sensor block sits decides what its algorithm has to integrate.
+//! The place of the sensor block decides what its algorithm has to integrate.
 
 use nalgebra::Vector3;
 use sins::abi::SINS_OK;
@@ -20,7 +20,7 @@ const REQUIREMENT: Requirement =
     Requirement { duration_s: 0.0, position_m: 0.02, velocity_m_s: 0.0, attitude_rad: 0.0, margin: 2.0 };
 
 /// A light twin's take-off. At 1.3 s a jolt of the undercarriage pitches it by exp(-x²/2) of 0.2 rad, x in 0.05 s: at up to
-/// 2.4 rad/s about the reference point, which feels nothing of it.
+/// 2.4 rad/s about the reference point, which senses nothing of it.
 fn take_off() -> Vec<FlightSample> {
     let start = FlightStart { speed_m_s: 0.0, height_m: 300.0, pitch_rad: 0.03, ..CRUISE };
     let manoeuvres = [
@@ -49,7 +49,7 @@ fn mounted(setup: &Setup) -> Simulator {
     simulator
 }
 
-/// How far the navigation of an INS with ideal sensors gets from the truth [m].
+/// Largest distance from the truth to the navigation of an INS with ideal sensors [m].
 fn flown(setup: &Setup, samples: &[FlightSample]) -> f64 {
     let mut simulator = mounted(setup);
     let mut worst = 0.0;
@@ -63,9 +63,8 @@ fn flown(setup: &Setup, samples: &[FlightSample]) -> f64 {
     worst
 }
 
-/// Asked with the mounting, the answer leaves what was predicted, by the triangle inequality to what the reference itself is
-/// off the truth and uncertain by; everything cheaper leaves more than is allowed. Asked without it, it leaves 30 times the
-/// limit.
+/// With the mounting the error of the answer is the predicted one, by the triangle inequality up to the reference's own error and
+/// uncertainty; everything cheaper errs by more than is allowed. Without the mounting the answer errs by 30 times the limit.
 #[test]
 fn the_answer_for_a_block_off_the_reference_point_holds_there() {
     let (samples, setup) = (take_off(), off_centre());
@@ -100,7 +99,7 @@ fn the_answer_for_a_block_off_the_reference_point_holds_there() {
     assert_eq!([scheme, subsamples, updates], [best as i32, of as i32, updates_per_sample as i32]);
 }
 
-/// A simulator with errors of everything, before a flight and in one, gives the same answer as one that has none.
+/// A simulator with errors in everything, before a flight and in one, gives the same answer as one without errors.
 #[test]
 fn what_errs_in_a_configured_simulator_takes_no_part() {
     let (samples, setup) = (take_off(), off_centre());

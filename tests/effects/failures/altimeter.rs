@@ -1,4 +1,4 @@
-//! Failures of the altimeter, and of what it aids.
+//! Failures of the altimeter, and their effect on the vertical channel that it aids.
 
 use sins::mechanization::VerticalMode;
 use sins::sensors::{Altimeter, AltimeterParameters, Failure, SensorOutput, StreamKey};
@@ -7,7 +7,7 @@ use sins::{Options, Simulator};
 use super::{DT, in_flight, noisy};
 use crate::support::{bits, options_at, sensed};
 
-/// Damped by an altimeter that is dead, or loses every sample, the vertical channel is a free one, to the bit, and flagged so.
+/// If the altimeter is dead or loses every sample, a damped vertical channel is a free one, to the bit, and is flagged so.
 #[test]
 fn without_an_altimeter_the_vertical_channel_is_free() {
     let options = Options { vertical: VerticalMode::Damped, ..options_at(1.0 / DT) };
@@ -29,14 +29,14 @@ fn without_an_altimeter_the_vertical_channel_is_free() {
     ] {
         assert_eq!(fly_with(&options, Some(failure)), (free.clone(), true), "{failure:?}");
     }
-    // A bias step is a bias, to the bit.
+    // A bias step acts as a bias, except for rounding.
     let mut biased = Simulator::new(&options).unwrap();
     biased.set_accel(&noisy()).unwrap();
     biased.set_altimeter(&AltimeterParameters { bias_m: 64.0, ..Default::default() }).unwrap();
     sensed(&mut biased, in_flight(0..1000));
     let (stepped, is_unaided) = fly_with(&options, Some(Failure::BiasStep { size: 64.0 }));
     let height = |bits: &[u64]| f64::from_bits(bits[2]);
-    // size dt / dt rounds as the bias does not: by an ulp of 64 m in each of a thousand samples, damped.
+    // size dt / dt is rounded, a bias is not: an ulp of 64 m in each of a thousand samples, damped.
     assert!((height(&stepped) - height(&bits(&biased))).abs() < 1e-11 && !is_unaided);
 }
 
@@ -59,7 +59,7 @@ fn an_altimeter_sticks_at_its_last_height_and_spikes_by_their_mean() {
     assert_eq!(shown, [Some(4.0), Some(0.0), Some(4.0), Some(0.0)]);
 }
 
-/// The true height of the start was never shown.
+/// The true height of the start is no output: the altimeter never showed it.
 #[test]
 fn an_altimeter_that_showed_nothing_sticks_at_the_first_value_it_shows() {
     let mut altimeter = Altimeter::new(StreamKey::default(), 100.0);

@@ -10,7 +10,7 @@ use sins::{ErrorKind, ErrorSource, ImuFlags, Options, Simulator, Step};
 use super::{DT, EPS, INVALID_GYRO, in_flight, noisy_simulator, rest, simulator};
 use crate::support::{G, bits, resting_sample, sensed};
 
-/// One of each kind, of a size that lets the solution live.
+/// One failure of each kind, small enough that the solution stays within its range.
 const EVERY_KIND: [Failure; 7] = [
     Failure::Stuck,
     Failure::Dead,
@@ -21,8 +21,8 @@ const EVERY_KIND: [Failure; 7] = [
     Failure::PeriodicDropOuts { interval_s: 0.05 },
 ];
 
-/// Whatever fails, in whatever kind: other axes are untouched all the time, and after it is cleared the signals are those of
-/// sound sensors, to the bit - noise has run on behind it, and no draw has moved.
+/// For each kind of failure the other axes never change. After the failure is cleared, the signals are those of sound
+/// sensors, to the bit: the noise has continued during the failure, and no draw has moved.
 #[test]
 fn a_cleared_failure_leaves_the_unfailed_draws() {
     let expected = sensed(&mut noisy_simulator(), in_flight(0..150));
@@ -51,12 +51,12 @@ fn a_cleared_failure_leaves_the_unfailed_draws() {
             differing[0] += usize::from(angle.y != expected.measured.angle.y);
             differing[1] += usize::from(velocity.x != expected.measured.velocity.x);
         }
-        // Least often the spikes: two in half a second, each within an interval or astride two.
+        // Spikes differ least often: two in half a second, each within one interval or across two.
         assert!(differing[0] >= 2 && differing[1] >= 2, "{failure:?}: {differing:?}");
     }
 }
 
-/// Of two failures of one output the last stands; a dead output that sticks is stuck at 0.
+/// A new failure replaces the previous one of the same output; a dead output that then sticks is stuck at 0.
 #[test]
 fn the_last_failure_replaces_the_one_before() {
     let output = SensorOutput::Gyro(Axis::Y);
@@ -72,8 +72,8 @@ fn the_last_failure_replaces_the_one_before() {
     assert_eq!((imu.measured.angle.y, imu.flags), (0.0, ImuFlags::default()));
 }
 
-/// Each kind, on a gyro and on an accelerometer: error data 1 follows error data 2 within the terms of second order and what an
-/// error does within an interval beyond its mean and first moment.
+/// Each kind, on a gyro and on an accelerometer: error data 1 follows error data 2, except for terms of second order and for
+/// what an error does within an interval beyond its mean and first moment.
 #[test]
 fn both_error_data_hear_of_failures() {
     for failure in EVERY_KIND {
@@ -96,8 +96,8 @@ fn both_error_data_hear_of_failures() {
     }
 }
 
-/// A reset is a new exercise with sound sensors; the same failures at the same intervals give the same bits. A reposition mends
-/// nothing.
+/// A reset starts a new exercise with sound sensors; the same failures at the same intervals give the same bits. A reposition
+/// clears no failure.
 #[test]
 fn a_reset_clears_failures_and_a_reposition_keeps_them() {
     let exercise = |simulator: &mut Simulator| {
@@ -121,8 +121,8 @@ fn a_reset_clears_failures_and_a_reposition_keeps_them() {
     assert!(sensed(&mut simulator, in_flight(501..510)).iter().all(|imu| imu.flags == INVALID_GYRO));
 }
 
-/// A failure that throws the solution away is told, with the last good solution; once it is cleared the same interval can be
-/// flown.
+/// A failure that makes the solution diverge is reported, and the last good solution stays. After the failure is cleared, the
+/// same interval can be flown.
 #[test]
 fn a_failure_can_diverge_and_be_cleared() {
     let mut simulator = Simulator::new(&Options::default()).unwrap();
@@ -137,7 +137,7 @@ fn a_failure_can_diverge_and_be_cleared() {
             Err(error) => break error,
         }
     };
-    // 9 km/s a step: the eleventh leads to 99 km/s, the twelfth would beyond 100.
+    // 9 km/s a step: the eleventh step leads to 99 km/s, the twelfth would exceed 100 km/s.
     assert_eq!((error.kind, steps), (ErrorKind::Diverged, 11));
     let good = bits(&simulator);
     assert!(simulator.step().is_err() && bits(&simulator) == good);
@@ -145,7 +145,7 @@ fn a_failure_can_diverge_and_be_cleared() {
     assert_eq!(simulator.step().unwrap(), Step::Done);
 }
 
-/// On increments of the host failures act as on samples; a dead gyro is flagged, and a stuck one shows the interval before.
+/// Failures act on the host's increments as on samples: a dead gyro is flagged, a stuck gyro repeats the previous interval.
 #[test]
 fn a_navigator_alone_fails_too() {
     let mut simulator = Simulator::new(&Options::default()).unwrap();

@@ -17,7 +17,7 @@ fn simulator() -> Simulator {
     Simulator::new(&Options { error_model: true, ..options_at(1.0 / DT) }).unwrap()
 }
 
-/// Effects that draw in each interval or remember the one before.
+/// Effects that draw in each interval or depend on the previous one.
 fn noisy() -> TriadParameters {
     let one = Vector3::repeat(1.0);
     TriadParameters {
@@ -54,7 +54,7 @@ const INVALID_GYRO: ImuFlags =
     ImuFlags { gyro_saturated: false, accel_saturated: false, gyro_invalid: true, accel_invalid: false };
 
 /// A dead gyro at rest gives 0 where the Earth's rate should be, and so drifts by -Ω cos L: in a minute the misalignment about
-/// north is Ω cos L t, but for terms of Ω² t². The differential equations hear of it.
+/// north is Ω cos L t, except for terms of Ω² t². The differential equations include the failure.
 #[test]
 fn a_dead_gyro_at_rest_drifts_by_the_earths_rate() {
     let mut simulator = simulator();
@@ -69,15 +69,15 @@ fn a_dead_gyro_at_rest_drifts_by_the_earths_rate() {
     }
     for source in [ErrorSource::Navigation, ErrorSource::Model] {
         let (_, errors) = simulator.errors(source).unwrap().unwrap();
-        // φ' = -eps, and φ turns with the Earth; the tilt's velocity error moves it by the Schuler rate, (t/806 s)²/2.
+        // φ' = -eps, and φ turns with the Earth. The tilt's velocity error changes φ at the Schuler rate, by (t/806 s)²/2.
         let expected = north * seconds;
         let second_order = expected * (EARTH_RATE * seconds + 0.5 * (seconds / 806.0).powi(2));
         assert!((errors.misalignment_n.y - expected).abs() < second_order, "{errors:?}");
     }
 }
 
-/// Before a bias step every bit is that of sound sensors; from the next interval on the difference is size × time, and when it
-/// is cleared the measured signals are again those of sound sensors, to the bit.
+/// Before a bias step the signals are those of sound sensors, to the bit. From the next interval on the difference is
+/// size × time. After the step is cleared, the measured signals are again those of sound sensors, to the bit.
 #[test]
 fn a_bias_step_begins_with_the_next_interval_and_goes_without_a_trace() {
     let mut sound = noisy_simulator();
@@ -108,7 +108,7 @@ fn a_bias_step_begins_with_the_next_interval_and_goes_without_a_trace() {
     }
 }
 
-/// Pulses of 20 ms each half second: in ten seconds 20 of them, in two intervals each, 0.02 s × size apiece.
+/// Pulses of 20 ms each half second: 20 pulses in ten seconds. Each fills two intervals and has the area 0.02 s × size.
 #[test]
 fn a_spike_train_has_its_count_and_area() {
     let size = 0.125;
@@ -121,12 +121,12 @@ fn a_spike_train_has_its_count_and_area() {
         .collect();
     let area: f64 = errors.iter().sum();
     assert!((area - 20.0 * 0.02 * size).abs() < 1000.0 * EPS * size, "{area}");
-    // Ends of pulses and of intervals coincide but for the rounding of a thousand sums of time.
+    // Ends of pulses and of intervals coincide, except for the rounding of a thousand sums of time.
     let spiked: Vec<usize> = (0..1000).filter(|&k| errors[k] > 0.5 * size * DT).collect();
     let expected: Vec<usize> = (0..1000).filter(|k| k % 50 < 2).collect();
     assert_eq!(spiked, expected);
 
-    // Nothing in step with the intervals, some pulses within a sub-increment: after each interval the area is the closed form's.
+    // Pulses out of step with the intervals, some within a sub-increment: after each interval the area follows the closed form.
     simulator.set_failure(SensorOutput::Accelerometer(Axis::Y), train(0.0137, 0.0011)).unwrap();
     let mut area = 0.0;
     for (k, imu) in sensed(&mut simulator, rest(1001..2001)).iter().enumerate() {
@@ -138,8 +138,8 @@ fn a_spike_train_has_its_count_and_area() {
     }
 }
 
-/// The sum of squares of n increments of added noise is N² Σdt times a chi-square number of n degrees of freedom; its own draws are
-/// those of no other axis and sensor.
+/// The sum of squares of n increments of added noise is N² Σdt times a chi-square number of n degrees of freedom. Each axis of each
+/// sensor has draws of its own.
 #[test]
 fn a_noise_burst_has_its_density() {
     let density = 1e-4;
@@ -171,7 +171,7 @@ fn a_noise_burst_has_its_density() {
             assert!(product.abs() < 5.0 * f64::from(n).sqrt(), "{i}: {product}");
         }
     }
-    // A second burst is not the first again.
+    // A second burst continues with new draws: it does not repeat the first.
     let mut again = noisy_simulator();
     let mut first = Vec::new();
     for samples in [0..101, 101..201] {
@@ -190,8 +190,8 @@ fn found_with(outputs: &[SensorOutput], density: f64, intervals: u32) -> Vec<Imu
     sensed(&mut simulator, rest(0..intervals + 1))
 }
 
-/// What drop-outs of the upper accelerometer lose at rest is g T an interval; one each 0.25 s is 40 in ten seconds, the first at
-/// once, and a probability loses its share within five standard deviations. A lost interval is 0 and flagged, no other is.
+/// At rest each drop-out of the vertical accelerometer loses g T. Drop-outs each 0.25 s are 40 in ten seconds, the first at
+/// once. Random drop-outs are the given share, within five standard deviations. Only a lost interval is 0 and flagged.
 #[test]
 fn drop_outs_lose_their_mass() {
     let n = 1000;
@@ -216,7 +216,7 @@ fn drop_outs_lose_their_mass() {
             velocity += imu.measured.velocity.z - imu.ideal.velocity.z;
             g_t = imu.ideal.velocity.z;
         }
-        // Gravity at rest is the same in each interval but for the rounding of the generator.
+        // Gravity at rest is the same in each interval, except for the rounding of the generator.
         assert!((velocity + lost as f64 * g_t).abs() < 1e-12 * n as f64 * g_t, "{failure:?}: {velocity}");
         if failure == (Failure::PeriodicDropOuts { interval_s: 0.25 }) {
             assert!(intervals.iter().enumerate().all(|(k, imu)| imu.flags.accel_invalid == (k % 25 == 0)));
@@ -224,7 +224,7 @@ fn drop_outs_lose_their_mass() {
     }
 }
 
-/// A stuck output shows what it showed last, in each interval; before there is anything, what it shows first. Not flagged.
+/// A stuck output repeats the last value that it showed; without one, the first value that it shows. It is not flagged.
 #[test]
 fn a_stuck_output_holds_the_last_value() {
     let mut simulator = noisy_simulator();
@@ -243,7 +243,7 @@ fn a_stuck_output_holds_the_last_value() {
     assert!(first != 0.0 && stuck.iter().all(|imu| imu.measured.velocity.y == first));
 }
 
-/// Bias steps go through the range and pulses of the quantization; what replaces the output does not.
+/// Bias steps pass through the range and the quantization; a failure that replaces the output does not.
 #[test]
 fn failures_act_in_their_place_in_the_order() {
     let one = Vector3::repeat(1.0);
@@ -256,6 +256,6 @@ fn failures_act_in_their_place_in_the_order() {
     let imu = sensed(&mut simulator, rest(0..2))[0];
     assert!(imu.flags.gyro_saturated && imu.flags.gyro_invalid);
     let pulses = imu.measured.angle.z * 2.0_f64.powi(12);
-    // Half a rad/s for 10 ms are 20.48 pulses, each half of it 10.24: the rest is carried.
+    // Half a rad/s for 10 ms is 20.48 pulses, 10.24 in each half of the interval: the rest is carried over.
     assert_eq!((pulses, imu.measured.angle.x), (20.0, 0.0));
 }

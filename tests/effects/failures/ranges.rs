@@ -1,4 +1,4 @@
-//! What is no failure: refused by field, value and limit.
+//! Failures outside their ranges are refused by field, value and limit.
 
 use sins::ImuFlags;
 use sins::sensors::{Axis, Failure, SensorOutput};
@@ -50,7 +50,7 @@ fn failures_have_ranges() {
     ] {
         assert_eq!(simulator.set_failure(output, Some(failure)).unwrap_err().to_string(), sentence);
     }
-    // Nothing has failed.
+    // No failure is set.
     let imu = sensed(&mut simulator, rest(0..2))[0];
     assert_eq!((imu.measured, imu.flags), (imu.ideal, ImuFlags::default()));
 }

@@ -1,4 +1,4 @@
-//! What the INS believes wrongly of its mounting comes out as in closed form, in both error data.
+//! Errors in the mounting that the INS assumes appear as in closed form, in both error data.
 
 use nalgebra::Vector3;
 use sins::flight::Manoeuvre;
@@ -11,8 +11,8 @@ use sins::{ErrorSource, Options};
 use super::{aerobatics, flight, mounted, samples, wrongly_believed};
 use crate::support::{DEG_PER_HOUR, G, errors, options_at, step};
 
-/// In straight flight a block that is believed to be turned right by b more than it is makes the vehicle's heading
-/// come out b to the left, and nothing else: the block itself is navigated without error. The arm swings by b times its length.
+/// In straight flight, if the INS assumes the block turned right by b more than it is, the vehicle's heading comes out b to the
+/// left. Nothing else errs: the block itself is navigated without error. The end of the arm swings by b times the arm's length.
 #[test]
 fn a_boresight_error_is_an_attitude_error() {
     let b = 1e-3;
@@ -29,20 +29,20 @@ fn a_boresight_error_is_an_attitude_error() {
     let heading = simulator.truth().unwrap().unwrap().navigation.euler.heading;
     for source in [ErrorSource::Navigation, ErrorSource::Model] {
         let errors = errors(&simulator, source);
-        // The vertical where the INS believes to be leans by 4 m · b over the Earth's radius: 6e-10 rad.
+        // The vertical at the position that the INS finds leans by 4 m · b over the Earth's radius: 6e-10 rad.
         assert!((errors.heading_rad + b).abs() < 1e-9, "{source:?} {errors:?}");
         assert!(errors.roll_rad.abs() < 1e-9 && errors.pitch_rad.abs() < 1e-9, "{errors:?}");
         // C~ = (I - [φ×]) C: φ up turns the computed body to the right.
         assert!((errors.misalignment_n - Vector3::new(0.0, 0.0, errors.heading_rad)).norm() < 1e-9);
-        // The INS looks for the reference point 4 m behind the block, along b to the left of the true heading: it
-        // finds it 4 m · b to the right. The linear model drops 4 m · b²/2.
+        // The INS assumes the reference point 4 m behind the block, along a heading b to the left of the true heading: it
+        // finds the point 4 m · b to the right. The linear model drops 4 m · b²/2.
         let right = Vector3::new(heading.cos(), -heading.sin(), 0.0);
         assert!((errors.position_n - right * (4.0 * b)).norm() < 4.0 * b * b, "{source:?} {errors:?}");
         assert!(errors.velocity_n.norm() < 1e-6, "{errors:?}");
     }
 }
 
-/// In a coordinated turn an arm that is believed longer by d leaves the position by -C d and the velocity by -C (ω×d).
+/// In a coordinated turn an arm that the INS assumes longer by d changes the position by -C d and the velocity by -C (ω×d).
 #[test]
 fn a_lever_arm_error_goes_round_with_the_turn() {
     let error = Vector3::new(0.1, -0.3, 0.2);
@@ -54,12 +54,12 @@ fn a_lever_arm_error_goes_round_with_the_turn() {
     let turn_rate = G * 1.0f64.tan() / 180.0;
     for sample in samples(&turn, 100.0) {
         step(&mut simulator, &sample);
-        // Once rolled in, and before rolling out.
+        // After the roll-in and before the roll-out.
         if !(4.0..turn.duration_s() - 4.0).contains(&sample.time_s) {
             continue;
         }
         let q_nb = simulator.truth().unwrap().unwrap().navigation.q_nb;
-        // To the right: against the vertical.
+        // A right turn: its rate points down.
         let omega_b = rotate_inverse(&q_nb, &Vector3::new(0.0, 0.0, -turn_rate));
         let position_n = -rotate(&q_nb, &error);
         let velocity_n = -rotate(&q_nb, &omega_b.cross(&error));
@@ -76,8 +76,8 @@ fn a_lever_arm_error_goes_round_with_the_turn() {
     }
 }
 
-/// Error data 1 of everything at once: sensors that err in the axes of the block, an INS with initial errors, a
-/// mounting that it believes wrongly.
+/// Error data 1 with all errors at once: sensors that err in the axes of the block, an INS with initial errors, and a
+/// mounting that the INS assumes wrongly.
 #[test]
 fn both_error_data_hear_of_the_mounting() {
     for (frame, vertical) in [
@@ -125,15 +125,15 @@ fn both_error_data_hear_of_the_mounting() {
     }
 }
 
-/// The vertical channel's aid is about the reference point: there it holds, whatever the INS believes of the arm.
+/// The vertical channel's aid acts on the reference point and holds there, whatever arm the INS assumes.
 #[test]
 fn the_aided_height_is_that_of_the_reference_point() {
     let mut simulator = mounted(&options_at(50.0), &wrongly_believed());
     for (k, sample) in samples(&aerobatics(), 50.0).iter().enumerate() {
         step(&mut simulator, sample);
         let errors = errors(&simulator, ErrorSource::Navigation);
-        // Roundings of a position in Earth-fixed axes; the vertical at the arm's other end leans by 9e-7 rad, and with it the
-        // horizontal velocity that the correction has: 1e-5 m/s at the most.
+        // Rounding of a position in Earth-fixed axes. The vertical at the other end of the arm leans by 9e-7 rad, and with it
+        // the horizontal velocity of the correction: 1e-5 m/s at the most.
         assert!(k == 0 || errors.position_n.z.abs() < 8e-9, "{errors:?}");
         assert!(k == 0 || errors.velocity_n.z.abs() < 1e-11, "{errors:?}");
     }

@@ -49,7 +49,7 @@ fn off_centre() -> MountingParameters {
     }
 }
 
-/// What a careless installation leaves: 7 cm and some arc minutes.
+/// Errors of a careless installation: 7 cm and some arc minutes.
 fn wrongly_believed() -> MountingParameters {
     MountingParameters {
         lever_arm_error_m: Vector3::new(0.03, -0.05, 0.04),
@@ -64,7 +64,7 @@ fn mounted(options: &Options, mounting: &MountingParameters) -> Simulator {
     simulator
 }
 
-/// No mounting is no mounting: to the bit. A reset and a reposition keep it.
+/// A mounting of zero changes nothing, to the bit. A reset and a reposition keep the mounting.
 #[test]
 fn zero_is_off_and_the_mounting_stays() {
     let samples = samples(&flight(&[Manoeuvre::Roll { duration_s: 5.0, turns: 1.0 }]), 50.0);

@@ -17,12 +17,12 @@ fn worst(options: &Options, rate_hz: f64, mounting: &MountingParameters) -> Wors
     fly(&mut mounted(options, mounting), samples(&aerobatics(), rate_hz).into_iter(), 1)
 }
 
-/// An error of fourth order with a mounting, over that without: the arm's ω² l = 2.8² · 5.4 m/s² = 4 g stand beside the flight's
-/// 5 g, at up to twice its frequency.
+/// Ratio of the fourth-order error with a mounting to the error without: the arm's ω² l = 2.8² · 5.4 m/s² = 4 g adds to the
+/// flight's 5 g, at up to twice its frequency.
 const SHARE_OF_THE_ARM: f64 = 1.0 + 4.0 / 5.0 * 16.0;
 
-/// The arm's acceleration is integrated by the mechanization like any other: what that leaves is of its own order, the fourth,
-/// and of the size of what it leaves of the flight itself. The block's signals and the way back add nothing.
+/// The mechanization integrates the arm's acceleration like any other: the error is of the same order, the fourth, and of the
+/// size of the error in the flight itself. The block's signals and the way back to the reference point add no error.
 #[test]
 fn perfect_sensors_navigate_to_the_truth_as_without_a_mounting() {
     for (frame, vertical) in
@@ -46,7 +46,7 @@ fn perfect_sensors_navigate_to_the_truth_as_without_a_mounting() {
     }
 }
 
-/// An algorithm of higher order leaves what the block's signals and the way back add: gravitation along the arm, 5.4 m · 3e-6 /s²,
+/// An algorithm of higher order shows what the block's signals and the way back add: gravitation along the arm, 5.4 m · 3e-6 /s²,
 /// is taken in the middle of each increment, with an error of θ²/24 at θ = 2.8/800 rad: 9e-12 m/s² for 97 s.
 #[test]
 fn the_blocks_signals_are_those_of_a_rigid_arm() {
@@ -56,7 +56,7 @@ fn the_blocks_signals_are_those_of_a_rigid_arm() {
     assert!(worst.position_m < 4e-8 && worst.velocity_m_s < 9e-10, "{worst:?}");
 }
 
-/// A boresight alone turns the increments and nothing else, exactly: to rounding the same navigation.
+/// A boresight alone turns the increments and nothing else: the navigation is the same to rounding.
 #[test]
 fn a_boresight_alone_turns_the_increments() {
     for axes in [BodyAxes::RightForwardUp, BodyAxes::ForwardRightDown] {
@@ -64,7 +64,7 @@ fn a_boresight_alone_turns_the_increments() {
         let boresight = MountingParameters { lever_arm_m: Vector3::zeros(), ..off_centre() };
         let mut alone = Simulator::new(&options).unwrap();
         let mut turned = mounted(&options, &boresight);
-        // The block's axes in those of the vehicle, which both conventions take from the attitude right-forward-up.
+        // Attitude of the block's axes in the vehicle's axes; both conventions derive it from the attitude right-forward-up.
         let q_rfu = attitude_from_euler(&boresight.boresight);
         let exchange = axes.exchange(&Quaternion::identity());
         let q_bs = exchange.conjugate() * q_rfu * exchange;
@@ -82,7 +82,7 @@ fn a_boresight_alone_turns_the_increments() {
     }
 }
 
-/// On a carousel of ω = 1 rad/s about the vertical, an arm of 2 m feels the centripetal ω² l = 2 m/s² inwards.
+/// On a carousel of ω = 1 rad/s about the vertical, an arm of 2 m senses the centripetal ω² l = 2 m/s² inwards.
 #[test]
 fn a_steady_turn_feels_centripetal_force() {
     let rate = 1.0;
@@ -99,7 +99,7 @@ fn a_steady_turn_feels_centripetal_force() {
         let (Some(imu), Some(alone)) = (simulator.imu(), alone.imu()) else { continue };
         let felt = (imu.ideal.velocity - alone.ideal.velocity) / imu.interval_s;
         let total = rate + EARTH_RATE * (39.9 * DEG).sin();
-        // Along the arm also gravitation's gradient, 1.5e-6 /s² · 2 m; the Earth's north rate couples with 1e-4 of the rate.
+        // The gradient of gravitation adds 1.5e-6 /s² · 2 m along the arm; the Earth's north rate couples with 1e-4 of the rate.
         assert!((felt.x + total * total * 2.0).abs() < 1e-5, "{felt:?}");
         assert!(felt.yz().norm() < 3e-4, "{felt:?}");
     }
@@ -107,8 +107,8 @@ fn a_steady_turn_feels_centripetal_force() {
     assert!(errors.position_n.norm() < 1e-8 && errors.velocity_n.norm() < 1e-8, "{errors:?}");
 }
 
-/// The host's angular rate and specific force are those of the reference point along the body axes: with them perfect sensors
-/// navigate to the truth too.
+/// The host gives angular rate and specific force of the reference point along the body axes: with these signals, perfect
+/// sensors navigate to the truth as well.
 #[test]
 fn the_hosts_own_signals_are_moved_to_the_block() {
     let flight = aerobatics();
@@ -118,8 +118,8 @@ fn the_hosts_own_signals_are_moved_to_the_block() {
     for (k, sample) in fine.iter().enumerate() {
         step(&mut host, sample);
         if let (Some(imu), true) = (host.imu(), k % 8 == 4) {
-            // Means over 2.5 ms, centred 1.25 ms before: the rate and force of the sample half an interval back are not at hand,
-            // so the host's flight is sampled where these belong.
+            // Means over 2.5 ms, centred 1.25 ms before the sample. No sample has the rate and the force of half an interval
+            // before it, so the host's flight is sampled at the centre.
             let time_s = sample.time_s - 0.5 * imu.interval_s;
             given.push(FlightSample {
                 omega_ib_b: Some(imu.ideal.angle / imu.interval_s),
@@ -139,7 +139,7 @@ fn the_hosts_own_signals_are_moved_to_the_block() {
 /// The closed loop holds the block to the truth, so that its reference point stays there.
 #[test]
 fn the_closed_loop_holds_a_mounted_block() {
-    // Its trim counts from ten time constants on: for half of the flight.
+    // The trim counts after ten time constants: for half of the flight.
     let intake = IntakeLimits { max_gap_s: 1.0, ..options_at(50.0).intake };
     let options = Options { closed_loop_time_s: Some(5.0), intake, ..options_at(50.0) };
     let trimmed = |mounting: &MountingParameters| {
@@ -150,15 +150,15 @@ fn the_closed_loop_holds_a_mounted_block() {
     let open = worst(&options_at(50.0), 50.0, &off_centre());
     let (closed, trim) = trimmed(&off_centre());
     assert!(closed.position_m < 0.5 * open.position_m, "{closed:?} {open:?}");
-    // With a mounting that it believes wrongly the INS errs, and the shadow does not: the same trim, to the bit.
+    // With a mounting that the INS assumes wrongly the INS errs and the shadow does not: the trim is the same, to the bit.
     let (erring, same) = trimmed(&wrongly_believed());
     assert!(erring.position_m > 10.0 * closed.position_m, "{erring:?}");
     assert!(trim.force_m_s2 > 0.0 && trim.rate_rad_s > 0.0, "{trim:?}");
     assert_eq!(same, trim);
 }
 
-/// Before the first step the solution is that of the step to come: the rate of a vehicle that starts in a roll is that of its
-/// first two samples. What more samples tell of it the block's velocity follows, in truth and in the solution: nothing is left.
+/// Before the first step the solution is that of the coming step: a vehicle that starts in a roll has the rate of its first two
+/// samples. Later samples correct the rate; the block's velocity follows, in the truth and in the solution, without an error.
 #[test]
 fn a_start_in_a_roll_has_the_blocks_velocity() {
     let flight = flight(&[Manoeuvre::Roll { duration_s: 5.0, turns: 1.0 }]);

@@ -19,7 +19,7 @@ fn rate_table() {
     let mut gyro = triad(Sensor::Gyro, &parameters);
     for (rate, dt) in [(3.0, 0.01), (-3.0, 0.01), (0.5, 0.0025), (-0.5, 0.02), (0.0, 0.01)] {
         let sensed = gyro.sense(&steady(Vector3::repeat(rate), Vector3::zeros(), dt), dt).x;
-        // K w, half the difference to each side, c w |w|.
+        // Scale factor K w, half of the asymmetry on each side, nonlinearity c w |w|.
         let expected = rate + 1e-4 * rate + 3e-5 * f64::abs(rate) + 2e-5 * rate * f64::abs(rate);
         assert!((sensed - expected * dt).abs() <= 4.0 * EPS * f64::abs(rate) * dt, "{rate}: {sensed}");
     }
@@ -51,9 +51,9 @@ fn tumbling() {
     }
 }
 
-/// g²-sensitivity k [deg/h/g²]: on a centrifuge each gyro drifts by k f² of the force f along its own axis, with the same sign at both
-/// signs of the force; a vibration of amplitude A about 1 g makes a drift of k (g² + A²/2), of which increments at ten a period see
-/// the vibration's part times (sin x / x)².
+/// g²-sensitivity k [deg/h/g²]: on a centrifuge each gyro drifts by k f² of the force f along its own axis, with the same sign at
+/// both signs of the force. A vibration of amplitude A about 1 g makes a drift of k (g² + A²/2); with ten increments in a period
+/// the vibration's part is multiplied by (sin x / x)².
 #[test]
 fn g2_sensitivity_on_a_centrifuge_and_a_vibration_table() {
     let k = Vector3::new(0.5, -0.2, 2.0) * (DEG_PER_HOUR / (G * G));
@@ -80,12 +80,12 @@ fn g2_sensitivity_on_a_centrifuge_and_a_vibration_table() {
     }
     let x = 0.5 * turn * dt;
     let expected = k * (G * G + 0.5 * amplitude * amplitude * (x.sin() / x).powi(2));
-    // Of an increment of at most 0.6 m/s as a difference of integrals up to 100 m/s, squared.
+    // Rounding of the square of an increment of at most 0.6 m/s, which is a difference of integrals up to 100 m/s.
     let bound = k.amax() * 2.0 * 0.6 / dt * EPS * 100.0 / dt;
     assert!((sum / (1000.0 * dt) - expected).amax() < bound, "{sum:?} {expected:?}");
 }
 
-/// Centrifuge: 30 g along each accelerometer, and what arms to the arm's axis add.
+/// Centrifuge: 30 g along each accelerometer, in both directions.
 #[test]
 fn centrifuge() {
     let parameters = TriadParameters {
@@ -101,8 +101,8 @@ fn centrifuge() {
     }
 }
 
-/// Vibration of amplitude A about 1 g: the g² term makes a bias of k (g² + A²/2), of which increments at ten a period see
-/// the vibration's part times (sin x / x)².
+/// Vibration of amplitude A about 1 g: the g² term makes a bias of k (g² + A²/2); with ten increments in a period the
+/// vibration's part is multiplied by (sin x / x)².
 #[test]
 fn vibration_table() {
     let (amplitude, frequency, dt) = (50.0, 10.0, 0.01);
@@ -124,20 +124,20 @@ fn vibration_table() {
     assert!((0.96..0.97).contains(&seen), "3 % less at ten increments a period");
     let bias = sum / (f64::from(n) * dt);
     let expected = k * (G * G + 0.5 * amplitude * amplitude * seen);
-    // Each error is a difference of increments of 0.5 m/s, each of those one of integrals up to 100 m/s.
+    // Each error is a difference of increments of 0.5 m/s, each increment is a difference of integrals up to 100 m/s.
     assert!((bias - expected).abs() < EPS * 100.0 / dt, "{bias} {expected}");
 }
 
-/// A vibration A sin Ωt in increments of dt, x = Ω dt/2: what acts on their means sees A sin x / x, so that of squares
-/// 1 - (sin x / x)² is lost, and where the sign changes in the middle of an increment 1 - cos x of the size. At a tenth of the sample
-/// rate with two increments an interval, and with one.
+/// A vibration A sin Ωt in increments of dt, x = Ω dt/2: an effect that acts on the means of increments gets A sin x / x. Squares
+/// lose 1 - (sin x / x)²; where the sign changes in the middle of an increment, the absolute value loses 1 - cos x. The vibration
+/// is at a tenth of the sample rate, with two increments an interval and with one.
 #[test]
 fn what_acts_on_the_mean_of_an_increment_loses_of_a_vibration() {
     let (amplitude, turn) = (50.0, 20.0 * std::f64::consts::PI);
     for (per_period, of_square, of_size) in [(20, 0.0082, 0.0123), (10, 0.0325, 0.0489)] {
         let dt = 0.1 / f64::from(per_period);
         let x = 0.5 * turn * dt;
-        // Over half a period, and so many increments later: what the accelerometers give too much.
+        // Excess of the accelerometers' output over half a period that begins at `start` [s].
         let error = |parameters: &TriadParameters, start: f64| -> f64 {
             let mut accel = triad(Sensor::Accelerometer, parameters);
             let integral = |t: f64| -amplitude / turn * (turn * t).cos();

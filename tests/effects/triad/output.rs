@@ -26,7 +26,7 @@ fn bandwidth_against_the_step_response() {
     }
 }
 
-/// -3 dB at the bandwidth with a quarter period of delay, 1/√(1 + 2⁴) at twice that; and a constant signal goes through from
+/// -3 dB at the bandwidth with a delay of a quarter period, 1/√(1 + 2⁴) at twice the bandwidth. A constant signal passes from
 /// the first increment on.
 #[test]
 fn bandwidth_against_the_frequency_response() {
@@ -50,11 +50,11 @@ fn bandwidth_against_the_frequency_response() {
         }
         let period = f64::from(per_period) * dt;
         let found = 2.0 * sine.hypot(cosine) / period;
-        // Mean over an increment, held over it, mean again: sin x / x each; images of that go through the filter by 1e-7.
+        // Mean over an increment, hold over it, mean again: a factor sin x / x each. The filter passes images of the hold by 1e-7.
         let x = std::f64::consts::PI / f64::from(per_period);
         assert!((found / gain - (x.sin() / x).powi(3)).abs() < 1e-7, "{found}");
         if ratio == 1.0 {
-            // A quarter period late; means held over their own increment are not late themselves.
+            // The output is a quarter period late; a mean held over its own increment adds no delay.
             assert!(cosine < 0.0 && (sine / cosine).abs() < 1e-7, "{sine:e} {cosine:e}");
         }
     }
@@ -111,7 +111,7 @@ fn dead_zone_and_range_of_a_swept_rate() {
     }
 }
 
-/// Whole pulses, and never more than half a pulse lost of the integral: behind noise, at any increments.
+/// Output in whole pulses, with noise and at any increments: never more than half a pulse of the integral is missing.
 #[test]
 fn quantization_carries_what_is_left() {
     let pulse = 2.5e-6;

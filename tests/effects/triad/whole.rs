@@ -1,5 +1,5 @@
-//! A triad as a whole: ideal to the bit, effects in the order that is stated, draws that do not move each other, errors in the units of
-//! the parameters.
+//! A triad as a whole: an ideal one is transparent to the bit, effects act in the stated order, effects do not move each other's
+//! draws, errors have the units of the parameters.
 
 use nalgebra::{Matrix3, Vector3};
 use sins::sensors::{Sensor, StreamKey, Triad, TriadParameters};
@@ -37,7 +37,7 @@ fn switching_an_effect_leaves_the_draws_of_the_others() {
     let zero = Increment::ZERO;
     for step in 0..100 {
         if step == 50 {
-            // In flight: the other process goes on as if nothing had happened.
+            // In flight: the other process continues unchanged.
             both.set(&TriadParameters { random_walk: Vector3::zeros(), ..noisy() });
         }
         let sum = both.sense(&zero, dt);
@@ -65,7 +65,7 @@ fn errors_are_in_the_units_of_the_parameters() {
     assert_eq!(error, Vector3::new(0.2, 0.5, 0.02));
 }
 
-/// The order along the path of the signal, each pair of neighbours where it matters: exact numbers with one order only.
+/// The order of the effects along the path of the signal: for each pair of neighbours only this order gives the exact numbers.
 #[test]
 fn effects_act_in_the_order_stated() {
     let one = Vector3::repeat(1.0);
@@ -76,7 +76,7 @@ fn effects_act_in_the_order_stated() {
     let arms = Matrix3::new(0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     let parameters = TriadParameters { lever_arm_m: arms, scale_factor: one * 0.5, ..Default::default() };
     assert_eq!(sense(Sensor::Accelerometer, &parameters, force(1.0)).x, -1.5);
-    // Scale-type errors of the same felt signal, not of each other: 2 (1 + 0.5) + 0.25 × 4 + 0.125 × 4 + 0.1 × 2/2.
+    // Scale-type errors multiply the same sensed signal, not each other: 2 (1 + 0.5) + 0.25 × 4 + 0.125 × 4 + 0.1 × 2/2.
     let parameters = TriadParameters {
         scale_factor: one * 0.5,
         scale_factor_nonlinearity: one * 0.25,
@@ -85,18 +85,18 @@ fn effects_act_in_the_order_stated() {
         ..Default::default()
     };
     assert_eq!(sense(Sensor::Accelerometer, &parameters, force(2.0)).y, 3.0 + 1.0 + 0.5 + 0.5);
-    // Bias behind them, and before the dead zone: 0.5 + 0.5 is within 1; 1.5 is not.
+    // Bias after the scale-type errors and before the dead zone: 0.5 + 0.5 is within 1; 1.5 is not.
     let parameters =
         TriadParameters { bias: one * 0.5, dead_zone: one, scale_factor: one, ..Default::default() };
     assert_eq!(sense(Sensor::Accelerometer, &parameters, force(0.25)).z, 0.0);
     assert_eq!(sense(Sensor::Accelerometer, &parameters, force(0.5)).z, 1.5);
-    // Range behind the bias, quantization behind the range: 3 + 0.5 is cut to 3.1, which is 10 pulses of 0.3.
+    // Range after the bias, quantization after the range: 3 + 0.5 is cut to 3.1, which is 10 pulses of 0.3.
     let parameters =
         TriadParameters { bias: one * 0.5, range: one * 3.1, quantization: one * 0.3, ..Default::default() };
     assert_eq!(sense(Sensor::Accelerometer, &parameters, force(3.0)).z, 10.0 * 0.3);
 }
 
-/// Four random effects at once are the sum of each alone; one that is switched off in flight leaves the draws of the others.
+/// Four random effects together give the sum of each alone; one that is switched off in flight leaves the others' draws.
 #[test]
 fn random_effects_do_not_move_each_others_draws() {
     let ones = Vector3::repeat(1.0);

@@ -7,8 +7,8 @@ use sins::{ErrorKind, Options, Simulator};
 use super::errors;
 use crate::support::{options_at, patrol};
 
-/// The trim is that of an error-free navigator: neither sensor errors nor when they come can move it, to the bit; and what it
-/// adds to the errors of the sensors is nothing.
+/// The trim is that of an error-free navigator: neither the sensor errors nor their time changes it, to the bit. It adds
+/// nothing to the errors of the sensors.
 #[test]
 fn the_closed_loop_does_not_see_the_sensors() {
     let flight = patrol(600.0);

@@ -1,4 +1,4 @@
-//! What physics and the conventions demand of any run.
+//! Properties that physics and the conventions demand of any run.
 
 mod closed_loop;
 mod refusals;
@@ -22,8 +22,8 @@ fn resting(rate_hz: f64, seconds: f64) -> impl Iterator<Item = FlightSample> {
     (0..=(seconds * rate_hz) as u64).map(move |k| resting_sample(k as f64 / rate_hz))
 }
 
-/// A level error swings with 2π √(R/g) = 84.4 min (the north channel's radius, Foucault's turn taken out by the size of the
-/// horizontal vector).
+/// A level error swings with 2π √(R/g) = 84.4 min (R is the north channel's radius; the size of the horizontal vector removes
+/// Foucault's turn).
 #[test]
 fn a_velocity_error_swings_with_schulers_period() {
     let mut simulator = Simulator::new(&options_at(10.0)).unwrap();
@@ -40,7 +40,7 @@ fn a_velocity_error_swings_with_schulers_period() {
         }
         last = [last[1], speed];
     }
-    // The speed is smallest a quarter and three quarters through.
+    // The speed is smallest at a quarter and at three quarters of the period.
     let period = 2.0 * (minima[1] - minima[0]);
     let earth = simulator.options().earth();
     let radius = earth.radii((39.9 * DEG).sin()).meridian_m;
@@ -57,7 +57,7 @@ fn the_attitude_quaternion_keeps_its_norm() {
     assert!((q.norm() - 1.0).abs() < 1e-15, "{:e}", q.norm() - 1.0);
 }
 
-/// The damped channel: an accelerometer bias is found and taken out, a barometer bias is followed.
+/// The damped channel estimates and removes an accelerometer bias; it follows a barometer bias.
 #[test]
 fn the_damped_channel_follows_the_barometer_and_finds_the_bias() {
     let options = Options { vertical: VerticalMode::Damped, ..options_at(10.0) };
@@ -72,11 +72,11 @@ fn the_damped_channel_follows_the_barometer_and_finds_the_bias() {
         highest = highest.max(errors(&simulator).position_n.z);
     }
     let error = errors(&simulator);
-    // Coriolis made a Schuler swing of the climb, 1e-2 m/s; it comes back as 2 W v over the loop's λ² = 1e-4.
+    // Coriolis made a Schuler swing of the climb, 1e-2 m/s; it acts back as 2 W v over the loop's λ² = 1e-4.
     assert!((error.position_n.z - 20.0).abs() < 1.5e-4 * 1e-2 / 1e-4, "{}", error.position_n.z);
-    // The bias is found and taken out; Coriolis, 2 W v of the swing, is within the tolerance.
+    // The bias is estimated and removed; Coriolis, 2 W v of the swing, is within the tolerance.
     assert!(error.velocity_n.z.abs() < 1e-5, "{}", error.velocity_n.z);
-    // On the way the bias pulled it above the barometer.
+    // On the way the bias raised the channel above the barometer.
     assert!(highest > 25.0, "{highest}");
 }
 
@@ -146,7 +146,7 @@ fn perfect_sensors_at_rest_sense_the_earth() {
     assert!((force - Vector3::new(0.0, 0.0, 9.793_247_2)).norm() < 1e-6, "{force}");
 }
 
-/// Levelling and gyrocompassing with biased sensors: the misalignment that holds the errors at rest still.
+/// Levelling and gyrocompassing with biased sensors gives the misalignment at which the errors at rest do not grow.
 #[test]
 fn an_alignment_with_the_sensors_leaves_them_balanced() {
     let mut simulator = Simulator::new(&options_at(10.0)).unwrap();
@@ -162,10 +162,10 @@ fn an_alignment_with_the_sensors_leaves_them_balanced() {
     let north = 7.292_115e-5 * (39.9 * DEG).cos();
     let level = 1e-4 * G / 9.801_6;
     let drift = 0.01 * DEG_PER_HOUR;
-    // The levelled rates: those of the gyros, and the upward one's share by the tilt.
+    // The levelled rates are those of the gyros and the tilt's share of the upward rate.
     let of_up = (north * (39.9 * DEG).tan() + drift) * level;
     let azimuth = -(drift - of_up).atan2(north + drift + of_up);
-    // Level first, then azimuth: as one rotation vector half the product turns the tilt.
+    // Level first, then azimuth: in one rotation vector half of their product turns the tilt.
     assert!(
         (error.misalignment_n.xy() - Vector3::repeat(level).xy()).norm() < 1e-8 + level * azimuth.abs(),
         "{}",
@@ -173,13 +173,13 @@ fn an_alignment_with_the_sensors_leaves_them_balanced() {
     );
     let off = (error.misalignment_n.z - azimuth).abs();
     assert!(off < 1e-8 + level * level, "{} {azimuth}", error.misalignment_n.z);
-    // In balance: after a minute the velocity is that of the north gyro's drift alone, g·eps·t²/2 = 0.9 mm/s; out of
-    // balance 1e-4 g would make 60 mm/s of it.
+    // In balance: after a minute the velocity is that of the north gyro's drift alone, g·eps·t²/2 = 0.9 mm/s. Out of balance
+    // 1e-4 g would make it 60 mm/s.
     fly_through(&mut simulator, resting(10.0, 60.0).skip(1));
     assert!(errors(&simulator).velocity_n.xy().norm() < 1.5e-3, "{}", errors(&simulator).velocity_n);
 }
 
-/// A gyro that is wrong by more than half a turn an update: the attitude is nonsense, but remains one.
+/// A gyro that is wrong by more than half a turn an update: the attitude has no meaning, but it keeps its norm.
 #[test]
 fn turns_beyond_half_a_turn_an_update_keep_the_norm() {
     for (scheme, frame) in [

@@ -1,4 +1,4 @@
-//! What is refused leaves no trace.
+//! Refused calls leave no trace.
 
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
@@ -24,7 +24,7 @@ fn navigation_alone_and_flight_do_not_mix() {
     assert!(simulator.navigation().unwrap().unwrap().vertical_unaided);
 }
 
-/// A step beyond the limits is refused before anything has changed: the solution, and the draws of its noise.
+/// A step beyond the limits is refused before the solution or the draws of its noise have changed.
 #[test]
 fn a_step_out_of_range_is_not_made() {
     let wild = TriadParameters {

@@ -19,7 +19,7 @@ fn posed(time_s: f64, euler: Euler) -> FlightSample {
     FlightSample { euler, ..resting_sample(time_s) }
 }
 
-/// The worst misalignment and position error on the way, and the fastest that the gyros sensed [rad/s].
+/// Largest misalignment [rad] and position error [m] on the way, and the largest rate that the gyros sensed [rad/s].
 fn pose(rate_hz: f64, count: u32, euler: impl Fn(f64) -> Euler) -> (f64, f64, f64) {
     let mut simulator = Simulator::new(&options_at(rate_hz)).unwrap();
     let (mut misalignment, mut position, mut rate): (f64, f64, f64) = (0.0, 0.0, 0.0);
@@ -37,8 +37,8 @@ fn pose(rate_hz: f64, count: u32, euler: impl Fn(f64) -> Euler) -> (f64, f64, f6
     (misalignment, position, rate)
 }
 
-/// Through the zenith and the nadir at 0.01 °/s, and at rest there, where roll and heading are one angle and a host splits it as
-/// it likes: what is sensed is the slow turn and the Earth's, and the attitude stays right.
+/// Through the zenith and the nadir at 0.01 °/s, and at rest there, where roll and heading are one angle that a host may split
+/// in any way. The gyros sense the slow turn and the Earth's rate, and the attitude stays right.
 #[test]
 fn pitch_through_90_degrees_slowly_and_at_rest_there() {
     for sign in [1.0, -1.0] {
@@ -49,7 +49,7 @@ fn pitch_through_90_degrees_slowly_and_at_rest_there() {
         // Differences of attitudes are rounded: an ulp of the half angles over 0.02 s.
         let rounding = 4.0 * f64::EPSILON * 50.0;
         assert!(rate < 0.01 * DEG + EARTH_RATE + rounding, "{rate}");
-        // Each sample's attitude is rounded by an ulp or two; nothing of it stays but √1000 of the gyros' sums.
+        // Each sample's attitude is rounded by an ulp or two. This does not add up; √1000 roundings of the gyros' sums do.
         assert!(
             misalignment < 2.0 * 1000f64.sqrt() * f64::EPSILON && position < 1e-8,
             "{misalignment:e} {position:e}"
@@ -57,7 +57,7 @@ fn pitch_through_90_degrees_slowly_and_at_rest_there() {
 
         let at_rest = |time_s: f64| {
             let split = (time_s * 700.0).sin() * 3.0;
-            // At the zenith heading less roll is what is defined, at the nadir their sum.
+            // At the zenith only heading less roll is defined, at the nadir only their sum.
             Euler { roll: split, pitch: sign * FRAC_PI_2, heading: 2.0 + sign * split }
         };
         let (misalignment, position, rate) = pose(50.0, 5000, at_rest);
@@ -70,8 +70,8 @@ fn pitch_through_90_degrees_slowly_and_at_rest_there() {
     }
 }
 
-/// An hour of 4 g loops, 180 times through both: the error is the algorithm's, in attitude of the fourth order, in position of the
-/// third at least (where gravity is taken within an update), and no passage adds to it.
+/// An hour of 4 g loops, 180 times through zenith and nadir: the error is the algorithm's, in attitude of the fourth order, in
+/// position of the third at least (where gravity is taken within an update). No passage adds to the error.
 #[test]
 fn loops_for_an_hour() {
     let start = FlightStart {
@@ -108,11 +108,11 @@ fn spun(alpha: f64, time_s: f64) -> f64 {
     let (top, hold_s) = (40.0 * PI, 0.5);
     let ramp_s = top / alpha;
     let up = |t: f64| 0.5 * alpha * t.clamp(0.0, ramp_s).powi(2) + top * (t - ramp_s).max(0.0);
-    // The way back is the ramp taken away again.
+    // The way back subtracts the ramp again.
     up(time_s) - up(time_s - ramp_s - hold_s)
 }
 
-/// From rest to 20 rev/s and back at up to 1e5 °/s²: the gyros sense every degree of it.
+/// From rest to 20 rev/s and back at up to 1e5 °/s²: the gyros sense every degree of the turn.
 #[test]
 fn angular_acceleration_of_1e5_degrees_a_second_squared() {
     for (alpha_deg, rate_hz) in [(1e5, 50.0), (1e5, 100.0), (1e5, 1000.0), (2e4, 50.0)] {
@@ -137,18 +137,18 @@ fn angular_acceleration_of_1e5_degrees_a_second_squared() {
             (sensed - expected) / expected,
             expected / (2.0 * PI)
         );
-        // Along its own axis a turn is sensed exactly but for the Earth's.
+        // Along its own axis a turn is sensed exactly, except for the Earth's rate.
         assert!(
             (sensed - expected).abs() < EARTH_RATE * time_s + intervals * 4.0 * f64::EPSILON * PI,
             "{sensed} {expected}"
         );
-        // About the spinning axes the Earth's rate turns too: a cubic misses of it the third order of the turn in a sample.
+        // The Earth's rate turns about the spinning axes: a cubic misses the third order of the turn in a sample.
         let missed = EARTH_RATE * time_s * (40.0 / rate_hz).powi(3);
         assert!(off < missed + intervals * 8.0 * f64::EPSILON, "{off:e}");
     }
 }
 
-/// Flies a roll of `angle(k)` at sample k: flown to the end with every turn sensed, or refused as a discontinuity.
+/// Flies a roll by `angle`: None if flown to the end with every turn sensed, else the sample refused as a discontinuity.
 fn roll_through(
     count: u32,
     rate_hz: f64,
@@ -178,35 +178,36 @@ fn roll_through(
     None
 }
 
-/// The limit, stated: 169° a sample are right, 171° refused. Beyond, a spin-up is refused as long as the turn grows by less than
-/// 180° a sample; the host's angular rates tell more whole turns than that, from the first interval on.
+/// The stated limit: 169° a sample are right, 171° are refused. Beyond it, a spin-up is refused as long as the turn grows by
+/// less than 180° a sample. With the host's angular rates larger turns are detected too, from the first interval on.
 #[test]
 fn whole_turns_are_right_or_refused() {
     let steady = |degrees: f64| move |time_s: f64| degrees * DEG * 100.0 * time_s;
-    // But for the Earth's turn in a sample and an ulp of the last angle.
+    // Except for the Earth's turn in a sample and an ulp of the last angle.
     let exact = 0.01 * EARTH_RATE + 50.0 * PI * f64::EPSILON;
     assert_eq!(roll_through(50, 100.0, None, exact, steady(169.0)), None);
     assert_eq!(roll_through(50, 100.0, None, exact, steady(-169.0)), None);
     assert_eq!(roll_through(50, 100.0, None, exact, steady(171.0)), Some(1));
-    // The cubic's own, at 170° a sample; whole turns lost would be 6.28.
+    // The cubic's own error, at 170° a sample; lost whole turns would be 6.28.
     let cubic = 1e-2;
-    // α T² from 1° to 179°, so that every turn from below to beyond half of one is met at some time.
+    // α T² from 1° to 179°, so that every step from below to beyond half a turn occurs at some time.
     let mut refused = 0;
     for growth_deg in 1..180 {
         let growth = f64::from(growth_deg) * DEG;
-        let told = roll_through(400, 100.0, None, cubic, |time_s| 0.5 * growth * (100.0 * time_s).powi(2));
-        assert!(told.is_some(), "{growth_deg}");
+        let reported =
+            roll_through(400, 100.0, None, cubic, |time_s| 0.5 * growth * (100.0 * time_s).powi(2));
+        assert!(reported.is_some(), "{growth_deg}");
         refused += 1;
     }
     println!(
         "spin-ups by 1° to 179° a sample: {refused} of 179 flown right up to 170° a sample, then refused"
     );
-    // 20 rev/s sampled at 19, 20 and 21 Hz looks like a slow turn; with rates it is known for what it is.
+    // 20 rev/s sampled at 19, 20 and 21 Hz looks like a slow turn; with rates the spin is detected.
     for rate_hz in [19.0, 20.0, 21.0] {
-        let told = roll_through(5, rate_hz, Some(|_| 40.0 * PI), cubic, |time_s| 40.0 * PI * time_s);
-        assert_eq!(told, Some(1), "{rate_hz}");
+        let reported = roll_through(5, rate_hz, Some(|_| 40.0 * PI), cubic, |time_s| 40.0 * PI * time_s);
+        assert_eq!(reported, Some(1), "{rate_hz}");
     }
-    // Two of ten samples lost at 72° a sample: 216° are not -144°.
+    // Two samples are lost at 72° a sample: 216° are not taken for -144°.
     let mut simulator = Simulator::new(&Options::default()).unwrap();
     let spin =
         |k: i32| posed(f64::from(k) / 100.0, Euler { roll: 0.4 * PI * f64::from(k), ..Default::default() });
@@ -219,7 +220,7 @@ fn whole_turns_are_right_or_refused() {
     simulator.push_sample(&spin(10)).unwrap();
 }
 
-/// Foreign increments: of nearly half a turn right, of half a turn and more refused.
+/// Increments of the host: nearly half a turn is right, half a turn and more is refused.
 #[test]
 fn increments_of_nearly_half_a_turn() {
     for parts in [1, 2] {

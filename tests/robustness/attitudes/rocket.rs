@@ -11,8 +11,8 @@ use sins::{Options, Simulator};
 use crate::support::orbits::{Apart, about, navigated, sample_of};
 use crate::support::{EARTH_RATE, options_at};
 
-/// A rocket from rest: straight up its own axis `up` in Earth-fixed axes at 50 g, spinning at 20 rev/s about an axis in the
-/// body that is 0.1 rad off the thrust.
+/// A rocket from rest: along a fixed axis in Earth-fixed axes at 50 g, spinning at 20 rev/s about this axis. At the start its
+/// attitude is 0.1 rad off the local axes.
 fn rocket(time_s: f64) -> EarthFixedState {
     let place = Geodetic { latitude_rad: 0.6, longitude_rad: 1.0, height_m: 100.0 };
     let earth = Earth::default();
@@ -28,10 +28,10 @@ fn rocket(time_s: f64) -> EarthFixedState {
     }
 }
 
-/// What a scheme of `n` subsamples makes of a vector that stands still while the body spins by `turn` = a [rad] in an update, less
-/// the vector, over its length: of a force, and of a slow rate.
+/// Error that a scheme of `n` subsamples makes of a vector that is fixed in space while the body spins by `turn` = a [rad] in an
+/// update, over the vector's length: of a force, and of a slow rate.
 ///
-/// With x + iy across the spin, in the body it is e^(-iau), u = 0..1 over the update, of which the integrals over the parts are
+/// With x + iy across the spin, the vector in the body is e^(-iau), u = 0..1 over the update. Its integrals over the parts are
 /// sensed. The truth is ∫ e^(iau) e^(-iau) du = 1.
 fn missed_of_a_steady_vector(scheme: Scheme, n: usize, turn: f64) -> [f64; 2] {
     let turned = |u: f64| Complex::new((turn * u).cos(), (turn * u).sin());
@@ -41,7 +41,7 @@ fn missed_of_a_steady_vector(scheme: Scheme, n: usize, turn: f64) -> [f64; 2] {
     if scheme == Scheme::Exact {
         assert_eq!(n, 2);
         let (sum, change) = (sensed(1.0), sensed(1.0) - sensed(0.5) * 2.0);
-        // V + (1 - cos a)/a iV - (1 - sin a/a) V, coning and sculling 2/3 · a/2 i(V2 - V1), and of the force a²/2 (V2 - V1)/3 off.
+        // V + (1 - cos a)/a iV - (1 - sin a/a) V, plus coning and sculling 2/3 · a/2 i(V2 - V1); the force less a²/2 (V2 - V1)/3.
         let coning = change * ia / 3.0;
         let force =
             sum * Complex::new(turn.sin(), 1.0 - turn.cos()) / turn + coning - change * (turn * turn / 6.0);
@@ -49,7 +49,7 @@ fn missed_of_a_steady_vector(scheme: Scheme, n: usize, turn: f64) -> [f64; 2] {
         let rate = (sum + coning) * (turned(1.0) - 1.0) / ia;
         return [(force - 1.0).norm_sqr().sqrt(), (rate - 1.0).norm_sqr().sqrt()];
     }
-    // The integral of the polynomial, through its values after each part (Lagrange); then by parts, and Simpson's rule.
+    // Integral of the polynomial through its values after each part (Lagrange), then integration by parts with Simpson's rule.
     let integral = |u: f64| {
         (0..=n).fold(Complex::from(0.0), |sum, k| {
             let others = (0..=n).filter(|&j| j != k);
@@ -65,12 +65,12 @@ fn missed_of_a_steady_vector(scheme: Scheme, n: usize, turn: f64) -> [f64; 2] {
         area += turned(u) * integral(u) * (weight / f64::from(6 * steps));
     }
     let missed = (turned(1.0) * integral(1.0) - ia * area - 1.0).norm_sqr().sqrt();
-    // Magnus' series to the sixth order drops B6/6! a^6 = a^6/30240; its quadrature and the generator as much again.
+    // Magnus' series to the sixth order drops B6/6! a^6 = a^6/30240; its quadrature and the generator each drop as much again.
     [missed, missed + 3.0 * turn.powi(6) / 30_240.0]
 }
 
-/// 20 rev/s under 50 g for 20 s, to 98 km and 9.8 km/s, at 200 Hz: 36° a sample. The spin's own axis is that of the thrust, so
-/// what a scheme misses is gravity's share and Coriolis' across it, steady for 20 s, and of the Earth's rate, which tilts the 50 g.
+/// 20 rev/s under 50 g for 20 s, to 98 km and 9.8 km/s, at 200 Hz: 36° a sample. The spin is about the axis of the thrust. A scheme
+/// errs in the shares of gravity and Coriolis across this axis, steady for 20 s, and in the Earth's rate, which tilts the 50 g.
 #[test]
 fn spin_of_20_revolutions_a_second_under_50_g() {
     let (end_s, thrust) = (20.0, 50.0 * 9.806_65);
@@ -84,7 +84,7 @@ fn spin_of_20_revolutions_a_second_under_50_g() {
         }
         let apart = Apart::new(&navigated(&simulator), &rocket(end_s));
         let [of_force, of_rate] = missed_of_a_steady_vector(scheme, subsamples, 20.0 * 2.0 * PI / 200.0);
-        // The axis leans by atan |(0.5, 0.2)|; Coriolis grows with the speed, in the second integral as a third.
+        // The axis leans by atan |(0.5, 0.2)|. Coriolis grows with the speed: it counts a third in the second integral.
         let gravity = 9.8 * (0.29_f64 / 1.29).sqrt();
         let force = of_force * (gravity + 2.0 * EARTH_RATE * thrust * end_s / 3.0);
         let rate = of_rate * EARTH_RATE;

@@ -7,7 +7,7 @@ use sins::{ErrorKind, Simulator};
 use super::SUBNORMAL;
 use crate::support::{options_at, resting_sample};
 
-/// How errors name a parameter with these sensors, and whether it may be negative.
+/// Name of a parameter in the errors of these sensors, and whether it may be negative.
 fn name_and_sign(parameter: &Parameter, sensor: Sensor) -> (&'static str, bool) {
     parameter.of(sensor).map_or((parameter.name, true), |field| (field.path, field.range.ends().0 < 0.0))
 }
@@ -21,8 +21,8 @@ fn the_table_has_every_number_of_a_triad() {
     assert!(numbers.into_iter().eq(PARAMETERS.iter().map(|parameter| parameter.shape.count())));
 }
 
-/// Each field: not a number, infinite, beyond its range or of the wrong sign is refused by its name, element and value;
-/// subnormal numbers pass or are refused as too small, and where they pass they change nothing visible.
+/// Each field: a value that is not a number, infinite, beyond its range or of the wrong sign is refused with name, element
+/// and value. Subnormal numbers pass or are refused as too small; where they pass they change nothing visible.
 #[test]
 fn each_field_of_a_triad_at_its_ends() {
     for (row, parameter) in PARAMETERS.iter().enumerate() {

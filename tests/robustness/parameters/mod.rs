@@ -35,7 +35,7 @@ impl Random {
         values[self.below(values.len())]
     }
 
-    /// Mostly off; else any size within the limits.
+    /// Mostly zero; otherwise any size within the limits.
     fn vector(&mut self, low: f64, high: f64) -> Vector3<f64> {
         if self.below(3) > 0 {
             return Vector3::zeros();
@@ -154,8 +154,8 @@ fn readings(simulator: &Simulator) -> Vec<f64> {
     all
 }
 
-/// Whatever the parameters: all that is read is a number, until the solution leaves its range; that is told, and the step that
-/// would have led there has changed nothing: not what is read, not a byte of a snapshot, and not the way on with other sensors.
+/// With any parameters, all that is read is a number until the solution leaves its range. This end is reported, and the refused
+/// step has changed nothing: not what is read, not a byte of a snapshot, and not the next step with other sensors.
 #[test]
 fn any_parameters_are_bounded_or_refused() {
     let mut random = Random(88_172_645_463_325_252);
@@ -202,7 +202,7 @@ fn any_parameters_are_bounded_or_refused() {
 }
 
 /// Correlation times of 1e-6 of a step, where the process is white with the density 2σ²τ, to 1e12 s, where it is a constant: the
-/// variance of its mean over a step is the theory's, and the second draw is as good as the first.
+/// variance of its mean over a step is that of the theory, and the second draw is as good as the first.
 #[test]
 fn correlation_times_from_a_millionth_of_a_step_to_1e12_seconds() {
     let dt = 0.01;
@@ -229,7 +229,7 @@ fn correlation_times_from_a_millionth_of_a_step_to_1e12_seconds() {
         }
         let a: f64 = dt / time_s;
         if a < 1e-6 {
-            // A constant but for σ √(2 t/τ) after t = 200 s; five standard deviations along each axis.
+            // A constant, except for σ √(2 t/τ) after t = 200 s; five standard deviations along each axis.
             let change = 1e-3 * (2.0 * 200.0 / time_s).sqrt();
             println!(
                 "correlation time {time_s:e} s: changed by {:.0e} of itself",
@@ -239,8 +239,8 @@ fn correlation_times_from_a_millionth_of_a_step_to_1e12_seconds() {
             assert!(first.amax() > 0.0 && first.amax() < 5.0 * 1e-3, "{first}");
             continue;
         }
-        // Means over steps: variance 2σ²(a - 1 + e^-a)/a², correlation (1 - e^-a)²/(2(a - 1 + e^-a)) of neighbours, e^-a of
-        // that with each step more; a sum of squares has a variance by the sum of the correlations' squares.
+        // Means over steps have the variance 2σ²(a - 1 + e^-a)/a². Neighbours correlate by (1 - e^-a)²/(2(a - 1 + e^-a));
+        // each further step multiplies this by e^-a. A sum of squares has a variance by the sum of the correlations' squares.
         let mean = a + (-a).exp_m1();
         let neighbours = (-a).exp_m1().powi(2) / (2.0 * mean);
         let independent = count / (1.0 - 2.0 * neighbours.powi(2) / (-2.0 * a).exp_m1());
