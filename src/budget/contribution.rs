@@ -1,4 +1,4 @@
-//! How large a contribution is, over the runs in which it was seen.
+//! The size of a contribution over the runs.
 
 use super::flight::Deviation;
 use crate::error::Error;
@@ -13,14 +13,14 @@ pub(super) struct Contribution {
 }
 
 impl Contribution {
-    /// Of no run yet.
+    /// The sums without runs.
     pub fn new(instants: usize) -> Result<Self, Error> {
         let mut squares = room(instants)?;
         squares.resize(instants, [0.0; 3]);
         Ok(Self { squares, runs: 0 })
     }
 
-    /// Takes a run in, of which `deviations` are at the instants.
+    /// Adds a run with `deviations` at the instants.
     pub fn add(&mut self, deviations: impl Iterator<Item = Deviation>) {
         self.runs += 1;
         for (squares, deviation) in self.squares.iter_mut().zip(deviations) {

@@ -1,4 +1,4 @@
-//! What the effects cost on this machine, today.
+//! Computing time of the effects on this machine.
 
 use super::{Effect, Scene};
 use crate::error::Error;
@@ -6,25 +6,25 @@ use crate::memory::room;
 use crate::recommend::round_ns;
 use crate::simulator::{ErrorParameters, Options};
 
-/// Rounds, of which the fastest counts.
+/// Number of rounds; the result is the fastest.
 const ROUNDS: usize = 61;
-/// Steps of a round, where the scene has so many; a short one is flown again, but not without end.
+/// Number of steps of a round. A shorter scene is flown again, up to a limit.
 const STEPS: usize = 250;
 const REPEATS: usize = 5;
 
 /// Times of a step, push and step over the first samples [ns].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Costs {
-    /// With nothing set.
+    /// With no effect set.
     pub own_ns: f64,
-    /// With all.
+    /// With all effects.
     pub total_ns: f64,
-    /// What is saved without each of the effects that were asked about.
+    /// Time saved without each of the effects.
     pub saved_ns: Vec<f64>,
 }
 
-/// Times a step with all that `parameters` set, with nothing, and without each of `effects`; in turns, so that a busy moment
-/// of the machine meets all alike.
+/// Times a step with all that `parameters` set, with no effect, and without each of `effects`. The rounds alternate, so a busy
+/// moment of the machine affects all alike.
 ///
 /// The fastest of 61 rounds of 250 steps each, which are shorter than a turn of the scheduler. Uncertain by 1 to 5 % of a
 /// step, more on a busy machine, so that a small effect may come out negative.
@@ -51,7 +51,7 @@ pub fn step_costs_ns<'a>(
     let repeats = (STEPS / stretch.len().max(2)).clamp(1, REPEATS);
     let count = simulators.len();
     for round in 0..ROUNDS {
-        // Each is the first in its turn: what the scheduler does in step with a round hits none of them always.
+        // Each is the first of a round in turn, so no one is always hit by what the scheduler does at the same point of a round.
         for place in (0..count).map(|place| (round + place) % count) {
             fastest[place] = fastest[place].min(round_ns(&mut simulators[place][0], &stretch, repeats)?);
         }

@@ -4,10 +4,10 @@ use crate::joined::{joined, total};
 use crate::sensors::{PARAMETERS, Sensor};
 use crate::simulator::ErrorParameters;
 
-/// An effect that can be set, and left out, by itself.
+/// An effect that can be set and left out alone.
 #[derive(Debug, Clone, Copy)]
 pub struct Effect {
-    /// What it is called.
+    /// Name of the effect.
     pub name: &'static str,
     /// The field of the interface that sets it; 0 there leaves it out.
     pub field: &'static str,
@@ -21,7 +21,7 @@ pub struct Effect {
 enum Place {
     /// A row of the table of sensor parameters, with these sensors.
     Parameter(Sensor, usize),
-    /// Whether it is set, and what copies it with what else belongs to it.
+    /// Whether it is set, and a function that copies it with everything that belongs to it.
     At { is_set: fn(&ErrorParameters) -> bool, copy: fn(&ErrorParameters, &mut ErrorParameters) },
 }
 

@@ -20,12 +20,12 @@ pub const MAX_SAMPLES: usize = 1_000_000_000;
 /// Largest number of instants at which a flight is evaluated.
 const INSTANTS: usize = 1000;
 
-/// Samples that are fetched as they are flown: a long scene need not lie in memory.
+/// Samples that are computed when they are flown, so that a long scene needs no memory for them.
 #[derive(Clone, Copy)]
 pub struct Scene<'a> {
     /// How many.
     pub count: usize,
-    /// The sample of an index, the same each time it is asked for.
+    /// The sample of an index: the same in each call.
     pub sample: &'a dyn Fn(usize) -> Result<FlightSample, Error>,
 }
 
@@ -55,7 +55,7 @@ impl Scene<'_> {
 /// Position [m], velocity [m/s] and misalignment [rad], or differences of them.
 pub(super) type Deviation = SVector<f64, 9>;
 
-/// `errors` - `from`; of the misalignments the rotation vector between the two attitudes, which no half turn makes jump.
+/// `errors` - `from`; for misalignments the rotation vector between the two attitudes, which does not jump at half a turn.
 pub(super) fn difference(errors: &Deviation, from: &Deviation) -> Deviation {
     let attitude =
         |errors: &Deviation| rotation_quaternion(&errors.fixed_rows::<3>(MISALIGNMENT).into_owned());
@@ -76,7 +76,7 @@ pub(super) struct Track {
     pub errors: Vec<Deviation>,
 }
 
-/// What is looked at in a flight.
+/// The quantity that is read in a flight.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Look {
     /// Errors of the navigation.

@@ -1,4 +1,4 @@
-//! How well so many runs know a 1σ.
+//! The uncertainty of a 1σ from a number of runs.
 
 use crate::math::wilson_hilferty;
 

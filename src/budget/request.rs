@@ -1,14 +1,14 @@
-//! What a budget is asked for.
+//! The request for a budget.
 
 use crate::error::{Error, check_integer, check_range};
 use crate::recommend::SolutionError;
 
-/// How many runs, and how much may be left out.
+/// Number of runs, and limits of what may be left out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BudgetRequest {
     /// Runs of each random effect, within the limits [`Self::RUNS`].
     pub runs: u64,
-    /// What may be left out together, at any time of the scene; each 0 if it is not asked about.
+    /// Limits of the error that all left-out effects may cause together, at any time of the scene; 0: no limit.
     pub limits: SolutionError,
 }
 
@@ -19,7 +19,7 @@ impl Default for BudgetRequest {
 }
 
 impl BudgetRequest {
-    /// Fewest runs, below which a 1σ says little, and most.
+    /// Least number of runs, below which a 1σ is too uncertain, and largest number.
     pub const RUNS: (u64, u64) = (8, 1000);
 
     /// Checks every field.
@@ -35,7 +35,7 @@ impl BudgetRequest {
         self.limits != SolutionError::default()
     }
 
-    /// The largest share of a limit that `error` takes up; 0 without limits.
+    /// The largest ratio of `error` to a limit; 0 without limits.
     pub fn share(&self, error: &SolutionError) -> f64 {
         error.share_of(&self.limits)
     }

@@ -1,9 +1,9 @@
-//! Which effects can be left out.
+//! The effects that can be left out.
 
 use super::BudgetRequest;
 use crate::recommend::SolutionError;
 
-/// What is left out so far: deterministic contributions add up by their sizes, random ones by their squares.
+/// The effects left out so far: the sizes of deterministic contributions are added, and the squares of random ones.
 #[derive(Debug, Clone, Copy, Default)]
 struct Together {
     sums: [f64; 3],

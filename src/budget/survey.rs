@@ -11,7 +11,7 @@ use crate::memory::room;
 use crate::recommend::{Refusal, SolutionError};
 use crate::simulator::{ErrorParameters, Options};
 
-/// What an effect contributes.
+/// The contribution of an effect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BudgetRow {
     /// Which.
@@ -20,7 +20,7 @@ pub struct BudgetRow {
     pub worst: SolutionError,
     /// At the end of the scene.
     pub end: SolutionError,
-    /// The largest share of a limit that `worst` takes up; 0 without limits.
+    /// The largest ratio of `worst` to a limit; 0 without limits.
     pub share: f64,
     /// Whether it is one of those that can be left out together.
     pub can_be_left_out: bool,
@@ -29,28 +29,28 @@ pub struct BudgetRow {
 /// The budget of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Budget {
-    /// Time that was looked at, from the end of the first interval to that of the last [s].
+    /// Time over which errors were read, from the end of the first interval to the end of the last [s].
     pub span_s: f64,
-    /// What the mechanization and the samples themselves leave with nothing set: the worst of the scene and its end.
+    /// Error of the mechanization and of the samples, with no effect set: the largest of the scene, and at its end.
     pub own: (SolutionError, SolutionError),
     /// The effects that are set, the largest share of a limit first; without limits the largest position, then velocity,
     /// then attitude.
     pub rows: Vec<BudgetRow>,
-    /// All together, navigation minus truth, root mean square over the runs: the worst of the scene.
+    /// Error with all effects, navigation minus truth, root mean square over the runs: the largest of the scene.
     pub total: SolutionError,
-    /// What is left of that without the mechanization's own and the sum of all contributions, draw by draw: what is not linear.
+    /// That error less the mechanization's own error and less the sum of all contributions, run by run: the nonlinear part.
     pub remainder: SolutionError,
-    /// What all together change by without the marked rows, flown: the worst of the scene.
+    /// Change of the error with all effects if the marked rows are left out, from flights: the largest of the scene.
     pub left_out: SolutionError,
     /// Number of runs with all effects together; 1 if nothing is random.
     pub runs: u64,
-    /// The 95 % interval of the root mean square of what is random in all together; 1 and 1 if nothing is.
+    /// The 95 % interval of the root mean square of the random part of the error with all effects; 1 and 1 if nothing is random.
     pub interval: Interval,
     /// Number of flights that the call made.
     pub flights: u64,
 }
 
-/// What was flown, with a count of it.
+/// The flights, and their number.
 struct Flights<'a> {
     options: &'a Options,
     scene: &'a Scene<'a>,
@@ -90,7 +90,7 @@ pub fn error_budget(
     let runs = if is_random { request.runs } else { 1 };
     let interval = if is_random { Interval::of(runs) } else { Interval { low: 1.0, high: 1.0 } };
 
-    // What each contributes.
+    // The contribution of each effect.
     let mut contributions = contributions_of(parameters, instants)?;
     let mut steady = copy(&own)?;
     for (effect, contribution) in contributions.iter_mut().filter(|(effect, _)| !effect.is_random) {
@@ -101,7 +101,7 @@ pub fn error_budget(
     for (effect, contribution) in contributions.iter_mut().filter(|(effect, _)| effect.is_random) {
         contribution.add(flights.track(&effect.alone(parameters), 0, Look::Sigma)?.errors.into_iter());
     }
-    // All together, and what is left of that: the sum of the random contributions of a run is linear in its draws.
+    // All effects together, and the remainder: the sum of the random contributions of a run is linear in its draws.
     let random = Effect::random_of(parameters);
     let (mut total, mut remainder) = (Contribution::new(instants)?, Contribution::new(instants)?);
     let mut all = room(runs as usize)?;
@@ -191,7 +191,7 @@ fn mark(rows: &mut [BudgetRow], request: &BudgetRequest) -> Result<(), Error> {
     Ok(())
 }
 
-/// Flies without the marked rows, and takes the mark of the largest away until what that changes of `all` is within limits.
+/// Flies without the marked rows, and removes the mark of the largest until the change of `all` is within the limits.
 fn verify(
     flights: &mut Flights<'_>,
     parameters: &ErrorParameters,

@@ -1,4 +1,4 @@
-//! What an alignment makes of random errors of the sensors.
+//! Random errors of an alignment, caused by random errors of the sensors.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -8,7 +8,7 @@ use crate::errors::column::At;
 use crate::sensors::GravityDisturbance;
 use crate::truth::TruthPoint;
 
-/// Misalignment that an alignment finds by steady errors, east-north-up, and what the sensors sense then, sensor axes.
+/// Misalignment of an alignment with steady errors, east-north-up, and what the sensors sense then, sensor axes.
 pub(crate) struct Alignment {
     pub by_rate: Matrix3<f64>,
     pub by_force: Matrix3<f64>,
@@ -20,7 +20,7 @@ pub(crate) struct Alignment {
 }
 
 impl Alignment {
-    /// Misalignment by a source of 1, east-north-up [rad].
+    /// Misalignment caused by a source of 1, east-north-up [rad].
     pub(super) fn by(&self, earth: &Earth, first: &TruthPoint, input: Input) -> Vector3<f64> {
         match input {
             Input::Axis(axis) => self.of(axis < 3) * self.axes.column(axis % 3),

@@ -8,8 +8,8 @@ pub const ROWS: usize = 11;
 /// Smaller errors count as zero, because a number divided by them can be infinite.
 const NOTHING: f64 = 1e-250;
 
-/// Makes of the columns A the lower triangular L with L Lᵀ = A Aᵀ, in the first columns, by Householder reflections from the
-/// right: no difference of squares, so that L Lᵀ cannot become negative. The others are used up.
+/// Turns the columns A into the lower triangular L with L Lᵀ = A Aᵀ, in the first columns; the other columns are overwritten.
+/// Householder reflections from the right form no difference of squares, so L Lᵀ cannot become negative.
 pub fn triangularize(columns: &mut [Column]) {
     for row in 0..ROWS.min(columns.len()) {
         let rest = &mut columns[row..];
@@ -20,11 +20,11 @@ pub fn triangularize(columns: &mut [Column]) {
         }
         let norm = largest
             * rest.iter().map(|column| (column[row] / largest) * (column[row] / largest)).sum::<f64>().sqrt();
-        // The reflection v of the row onto its first element, away from it: no cancellation.
+        // The reflection v of the row onto its first element, with the sign that avoids cancellation.
         let first = rest[0][row];
         let end = if first > 0.0 { -norm } else { norm };
         rest[0][row] = first - end;
-        // v·v / 2, in shares of the largest: squares of tiny numbers vanish otherwise.
+        // v·v / 2, relative to the largest element, because squares of tiny numbers would become 0.
         let half_square = (norm / largest) * ((norm + first.abs()) / largest);
         for lower in row + 1..ROWS {
             let product: f64 = rest.iter().map(|column| column[row] / largest * column[lower]).sum();

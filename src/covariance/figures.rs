@@ -1,4 +1,4 @@
-//! What is read of a covariance: 1 sigma, error ellipse, CEP50 and R95.
+//! Figures of a covariance: 1 sigma, error ellipse, CEP50 and R95.
 
 use core::f64::consts::PI;
 
@@ -12,11 +12,12 @@ pub type Matrix9 = SMatrix<f64, 9, 9>;
 /// Covariance of the navigation errors, computed less true.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NavigationCovariance {
-    /// Of position [m], velocity [m/s], misalignment φ [rad], each east, north, up, as in [`NavigationErrors`](crate::errors::NavigationErrors).
+    /// Covariance of position [m], velocity [m/s], misalignment φ [rad], each east, north, up, as in
+    /// [`NavigationErrors`](crate::errors::NavigationErrors).
     pub matrix: Matrix9,
-    /// Of the horizontal position.
+    /// Error ellipse of the horizontal position.
     pub ellipse: ErrorEllipse,
-    /// A standard deviation has outgrown what the linear equations drop.
+    /// Whether a standard deviation is so large that the terms neglected by the linear equations matter.
     pub outside_validity: bool,
 }
 
@@ -39,13 +40,13 @@ impl NavigationCovariance {
 }
 
 impl ErrorEllipse {
-    /// Of the variances east and north and their covariance [m²].
+    /// The ellipse of the variances east and north and their covariance [m²].
     pub fn new(east: f64, north: f64, both: f64) -> Self {
         let mean = 0.5 * (east + north);
         let half_difference = 0.5 * (north - east);
         let radius = (half_difference * half_difference + both * both).sqrt();
         let major = mean + radius;
-        // By the determinant: the difference of two large numbers has lost a small one.
+        // By the determinant, because the difference of two large numbers loses a small result.
         let minor = if major > 0.0 { ((east * north - both * both) / major).max(0.0) } else { 0.0 };
         let azimuth = 0.5 * atan2(both, half_difference);
         Self {
@@ -60,18 +61,15 @@ impl ErrorEllipse {
         self.radius_m(0.5, (CIRCLE_50, LINE_50))
     }
 
-    /// The same with the probability 0.95 [m].
+    /// Radius of the circle about the truth in which the position lies with the probability 0.95 [m].
     pub fn radial_95_m(&self) -> f64 {
         self.radius_m(0.95, (CIRCLE_95, LINE_95))
     }
 
-    /// The radius of the probability `wanted`, of the ellipse that is a circle or a line of semi-axis 1 those of `ends`: by the
-    /// integral of the normal density over the circle,
-    /// ```text
-    /// P(R) = 1 - 1/2π ∫ exp(-R²/(2 (σ1² cos²θ + σ2² sin²θ))) dθ
-    /// ```
-    /// in the polar coordinates that make the ellipse a circle. The integrand is smooth and periodic: the sum of equal steps is
-    /// exact to rounding.
+    /// The radius of the probability `wanted`. `ends` are the radii for a line and for a circle of semi-axis 1. It is computed from
+    /// the integral of the normal density over the circle, ```text P(R) = 1 - 1/2π ∫ exp(-R²/(2 (σ1² cos²θ + σ2² sin²θ))) dθ ``` in
+    /// polar coordinates in which the ellipse is a circle. The integrand is smooth and periodic, so a sum of equal steps is exact
+    /// to rounding.
     fn radius_m(&self, wanted: f64, (circle, line): (f64, f64)) -> f64 {
         if self.major_m == 0.0 {
             return 0.0;
@@ -97,7 +95,7 @@ impl ErrorEllipse {
             } else {
                 high = radius
             }
-            // Newton's step, or the middle where it leaves the bracket.
+            // Newton's step, or the middle of the bracket if the step leaves it.
             let newton = radius + missing / density;
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
             if (next - radius).abs() < 1e-14 * radius || missing == 0.0 {
@@ -109,7 +107,7 @@ impl ErrorEllipse {
     }
 }
 
-/// Steps of a quarter.
+/// Number of steps in a quarter turn.
 const STEPS: usize = 32;
 
 /// √(2 ln 2) and √(2 ln 20), of Rayleigh's distribution; 50 % and 95 % of the normal one.

@@ -1,20 +1,16 @@
 //! Linear covariance analysis: the covariance of the navigation errors along the truth, by the equations of error data 1.
 //!
 //! The errors x are those of the linear model in Earth-fixed axes, ψ, δv, δr, with the two states of the vertical loop; local
-//! terms of either frame follow from them. What is random in a run drives them: initial errors, with what an alignment makes of
-//! the sensors'; constants drawn once a run; Gauss-Markov processes, of which flicker is a sum; random walks; white noise. Each
-//! process is independent of the others, so that only x and its covariance with each process need to be propagated:
-//! ```text
-//! x = S β + L ξ        β processes of unit variance, ξ what was random before
-//! β⁺ = a β + s w       a² + s² = 1, exact for any step
-//! x⁺ = Φ x + γ β + δ w + noise
-//! S⁺ = a (Φ S + γ) + s δ
-//! L⁺ of [Φ L, s (Φ S + γ) - a δ, noise]     by reflections
-//! ```
-//! Φ, γ and δ come of the linear model itself, run on unit columns over stretches of up to a second: the truth between is
-//! integrated sample by sample.
+//! terms of either frame follow from them. They are driven by the random quantities of a run: initial errors, among them those that
+//! an alignment derives from the sensor errors; constants drawn once a run; Gauss-Markov processes, of which flicker is a sum;
+//! random walks; white noise. Each process is independent of the others, so that only x and its covariance with each process need
+//! to be propagated: ```text x = S β + L ξ        β processes of unit variance, ξ what was random before β⁺ = a β + s w       a² +
+//! s² = 1, exact for any step x⁺ = Φ x + γ β + δ w + noise S⁺ = a (Φ S + γ) + s δ L⁺ of [Φ L, s (Φ S + γ) - a δ, noise]     by
+//! reflections ``` Φ, γ and δ are computed with the linear model itself, on unit columns, over stretches of up to a second. Within
+//! a stretch the truth is integrated sample by sample.
 //!
-//! It is the covariance about the mean: what is given (biases, failures, gravity's constant parts) is not in it.
+//! It is the covariance about the mean, so it does not contain constant errors (given biases, failures, the constant parts of
+//! gravity).
 
 mod alignment;
 mod factor;

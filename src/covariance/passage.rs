@@ -14,7 +14,7 @@ use crate::mechanization::{VerticalLoop, VerticalMode};
 use crate::signal::MotionNode;
 use crate::truth::TruthPoint;
 
-/// From the start of a stretch to its end.
+/// The passage from the start of a stretch to its end.
 pub(super) struct Passage<'a> {
     pub earth: &'a Earth,
     pub vertical: VerticalMode,
@@ -32,7 +32,7 @@ struct Model<'a> {
     channel: VerticalLoop,
 }
 
-/// The columns that are new, of which a root is made.
+/// The new columns, from which a root is computed.
 struct Columns<'a> {
     all: &'a mut [Column],
     used: usize,
@@ -55,7 +55,7 @@ impl Columns<'_> {
 }
 
 impl Model<'_> {
-    /// What becomes of a column with the sensor errors `errors_e`, and of the vertical loop.
+    /// The column at the end, with the sensor errors `errors_e`, and the vertical loop at the end.
     fn over(&self, column: &Column, errors_e: &[VectorPair; 3]) -> (Column, VerticalLoop) {
         let (mut column, mut channel) = (*column, self.channel);
         let Passage { earth, stretch, at, .. } = self.passage;
@@ -64,7 +64,7 @@ impl Model<'_> {
         (column, channel)
     }
 
-    /// What becomes of errors of 1, column by column, and of the vertical loop.
+    /// The columns at the end for errors of 1, and the vertical loop at the end.
     fn transition(&self) -> (Transition, VerticalLoop) {
         let mut transition = Transition::zeros();
         let mut channel = self.channel;
@@ -78,13 +78,13 @@ impl Model<'_> {
         (transition, channel)
     }
 
-    /// What comes of errors of an axis that have these sizes at the nodes.
+    /// The column caused by errors of an axis that have these sizes at the nodes.
     fn by_axis(&self, axis: usize, sizes: [f64; 3]) -> Column {
         let at = |node: usize| errors_of(axis < 3, self.axes[node].column(axis % 3) * sizes[node]);
         self.over(&Column::zeros(), &[at(0), at(1), at(2)]).0
     }
 
-    /// What comes of an input of 1 throughout; of the altimeter at the end, where it is read.
+    /// The column caused by a constant input of 1; for the altimeter, by an input of 1 at the end, where it is read.
     fn by(&self, input: Input) -> Column {
         let Passage { earth, stretch, at, truth, .. } = self.passage;
         let errors_e = match input {
@@ -105,7 +105,7 @@ impl Model<'_> {
 }
 
 impl Passage<'_> {
-    /// Brings `root` from the start of the stretch to its end; `work` is room for the columns.
+    /// Propagates `root` from the start of the stretch to its end. `work` is memory for the columns.
     pub fn go(&self, root: &mut Root, work: &mut [Column], parameters: &Parameters<'_>) {
         let is_aided = self.vertical != VerticalMode::Damped || self.stretch.aided > 0;
         let mode = if is_aided { self.vertical } else { VerticalMode::Free };
@@ -125,7 +125,7 @@ impl Passage<'_> {
         root.columns_mut().for_each(keep_within);
     }
 
-    /// The processes: S⁺ = a (Φ S + γ) + s δ, and what the errors no longer share with them.
+    /// The processes: S⁺ = a (Φ S + γ) + s δ, and the part of the errors that is no longer correlated with them.
     fn add_processes(
         &self,
         root: &mut Root,
@@ -167,8 +167,8 @@ impl Passage<'_> {
         }
     }
 
-    /// What is new in every stretch: of white noise its mean, of variance N²/T, and its slope, of 12 N²/T; quantization; the
-    /// altimeter's noise.
+    /// The noise that is new in every stretch: the mean of the white noise, of variance N²/T, and its slope, of variance 12 N²/T;
+    /// quantization; the altimeter's noise.
     fn add_noise(&self, columns: &mut Columns<'_>, model: &Model<'_>, parameters: &Parameters<'_>) {
         for axis in 0..AXES {
             let triad = parameters.of_axis(axis);
@@ -189,8 +189,8 @@ impl Passage<'_> {
         }
     }
 
-    /// What comes of the rest e that quantization carries, of variance q²/12 and new with each increment: ψ has -C e and δv C e
-    /// while it lasts, of which f×ψ and the turn of the axes make a random walk.
+    /// The effect of the remainder e that quantization carries; it has the variance q²/12 and is new with each increment. While it
+    /// lasts ψ contains -C e and δv contains C e. Through f×ψ and the rotation of the axes they cause a random walk.
     fn quantization(&self, axis: usize, pulse: f64, f_e: &Vector3<f64>, axes: &Matrix3<f64>) -> Column {
         let t = self.stretch.length_s;
         let size = pulse * t / (12.0 * self.stretch.increments as f64).sqrt();

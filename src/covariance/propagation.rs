@@ -21,8 +21,8 @@ use crate::signal::{Increment, IntervalMotion};
 use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
-/// Columns that a stretch makes at the most: the root, what the processes lose and have of their own, mean and slope of the noise
-/// of the axes, their quantization, the altimeter's noise.
+/// Largest number of columns of a stretch: the root, the lost correlation and the own part of the processes, mean and slope of the
+/// noise of each axis, their quantization, the altimeter's noise.
 const WORK: usize = ROWS + 2 * COUNT + 3 * AXES + 1;
 
 /// The propagation.
@@ -31,9 +31,9 @@ pub(crate) struct Propagation {
     earth: Earth,
     vertical: VerticalMode,
     pub(super) root: Root,
-    /// Since the root was brought up to date.
+    /// The stretch since the last update of the root.
     pub(super) stretch: Stretch,
-    /// To look ahead in, and to work in.
+    /// Memory for a look ahead, and for the work.
     ahead: Root,
     work: Box<[Column]>,
 }
@@ -49,8 +49,8 @@ pub(crate) struct Flown<'a> {
     pub block: Option<&'a Block>,
 }
 
-/// The errors at the start: those of position, velocity and misalignment that are drawn, and what an alignment makes of steady
-/// errors of rate [rad/s] and force [m/s²].
+/// The errors at the start: the drawn errors of position, velocity and misalignment, and the misalignment that an alignment derives
+/// from steady errors of rate [rad/s] and force [m/s²].
 pub(crate) struct StartErrors<'a> {
     pub first: &'a TruthPoint,
     /// True velocity of the sensors [m/s].
@@ -61,8 +61,8 @@ pub(crate) struct StartErrors<'a> {
 }
 
 impl Propagation {
-    /// None if it is not wanted: a slice of one or of none, which unlike a `Box` can be made without aborting. Its memory is
-    /// allocated here.
+    /// A slice of one propagation, or of none if the covariance is off. Its memory is allocated here; unlike that of a `Box` it can
+    /// be missing without the end of the process.
     pub fn new(is_on: bool, earth: Earth, vertical: VerticalMode) -> Result<Box<[Self]>, Error> {
         let mut memory = room(usize::from(is_on))?;
         if is_on {
@@ -78,20 +78,20 @@ impl Propagation {
         Ok(memory.into_boxed_slice())
     }
 
-    /// Before a run.
+    /// Returns to the state before a run.
     pub fn reset(&mut self) {
         self.root.walks = [0.0; AXES];
         self.clear();
     }
 
-    /// Before a flight: the processes go on, nothing has come of them.
+    /// Returns to the state before a flight: the processes continue, the errors are 0.
     fn clear(&mut self) {
         self.root.columns_mut().for_each(|column| *column = Column::zeros());
         self.root.channel = VerticalLoop::new();
         self.stretch = Stretch::EMPTY;
     }
 
-    /// A flight begins.
+    /// Begins a flight.
     pub fn start(&mut self, start: &StartErrors<'_>, parameters: &Parameters<'_>) {
         self.clear();
         let at = At::new(&self.earth, start.first, None);
@@ -137,7 +137,7 @@ impl Propagation {
         }
     }
 
-    /// Takes in an interval that was flown.
+    /// Adds an interval that was flown.
     pub fn advance(&mut self, flown: &Flown<'_>, parameters: &Parameters<'_>) {
         let piece = Piece {
             motion: flown.motion,
@@ -164,7 +164,7 @@ impl Propagation {
         self.stretch = Stretch::EMPTY;
     }
 
-    /// The truth jumps, from and to a vertical, a velocity of the sensors and whether it is near a pole.
+    /// Follows a jump of the truth. Each of its ends has a vertical, a velocity of the sensors, and whether it is near a pole.
     pub fn move_truth(
         &mut self,
         (truth, block): (&TruthPoint, Option<&Block>),
@@ -181,7 +181,7 @@ impl Propagation {
         self.root.bound();
     }
 
-    /// The covariance at `truth`, the last point that was flown to; nothing changes but scratch.
+    /// The covariance at `truth`, the last point that was flown to. Only working memory changes.
     pub fn read(
         &mut self,
         truth: &TruthPoint,

@@ -1,4 +1,4 @@
-//! The covariance of the errors in local terms, of its root.
+//! The covariance of the errors in local terms, from its root.
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
@@ -44,7 +44,7 @@ pub(super) fn covariance_of(
         add(&errors);
     }
     root.factor.iter().for_each(|column| add(&at.errors(column)));
-    // The noise of the rate of the last interval, by the arm.
+    // The noise of the rate of the last interval, times the lever arm.
     if block.is_some() {
         let t = truth.interval_s;
         for axis in (0..3).filter(|_| t > 0.0) {
@@ -54,7 +54,7 @@ pub(super) fn covariance_of(
             add(&StateErrors { velocity_n, ..StateErrors::NONE });
         }
     }
-    // What quantization carries now: while it lasts.
+    // The remainder that quantization carries now.
     for axis in 0..AXES {
         let triad = parameters.of_axis(axis);
         let pulse = triad.quantization[axis % 3];

@@ -10,8 +10,8 @@ use crate::memory::room;
 /// Largest number of the root. It is far beyond any error that linear equations describe, and its square is finite.
 pub(super) const LARGEST: f64 = 1e30;
 
-/// The errors x = S β + L ξ: β the processes of unit variance as they are now, ξ normal numbers that have no name any more.
-/// Of the covariance of x and β this is a square root, so that no rounding makes it negative.
+/// The errors x = S β + L ξ: β are the present values of the processes of unit variance, ξ are independent normal numbers. This is
+/// a square root of the covariance of x and β, so rounding cannot make the covariance negative.
 #[derive(Debug, Clone)]
 pub(super) struct Root {
     /// S, of each process.
@@ -58,7 +58,7 @@ impl Root {
     }
 }
 
-/// As many columns of zeros.
+/// This number of columns of zeros.
 pub(super) fn zeros(count: usize) -> Result<Box<[Column]>, Error> {
     let mut columns = room(count)?;
     columns.resize(count, Column::zeros());

@@ -1,4 +1,4 @@
-//! What a snapshot keeps of the propagation.
+//! The part of the propagation that a snapshot keeps.
 
 use super::propagation::Propagation;
 use super::root::{LARGEST, Root};
@@ -6,7 +6,7 @@ use super::stretch::Stretch;
 use crate::error::Error;
 use crate::snapshot::{Numbers, Reader, Stored, Writer};
 
-/// Before a flight nothing but the walks goes on.
+/// Before a flight only the walks continue.
 impl Propagation {
     pub fn save_waiting(&self, to: &mut Writer<'_>) {
         Numbers::save(&self.root.walks, to);

@@ -1,4 +1,4 @@
-//! What is random in a run, each a process of unit variance.
+//! The random quantities of a run, each as a process of unit variance.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -6,7 +6,7 @@ use crate::sensors::{
     AltimeterParameters, FLICKER_PROCESSES, GravityDisturbanceParameters, MarkovStep, TriadParameters,
 };
 
-/// What the host has set of the random errors.
+/// The random errors that the host has set.
 #[derive(Clone, Copy)]
 pub(crate) struct Parameters<'a> {
     pub gyro: &'a TriadParameters,
@@ -16,7 +16,7 @@ pub(crate) struct Parameters<'a> {
 }
 
 impl Parameters<'_> {
-    /// The triad that an axis is of.
+    /// The triad of an axis.
     pub fn of_axis(&self, axis: usize) -> &TriadParameters {
         if axis < 3 { self.gyro } else { self.accel }
     }
@@ -40,10 +40,10 @@ pub const ELEMENTS: usize = 18;
 /// Gravity's deflections north and east, and its anomaly.
 pub const FIELDS: usize = 3;
 
-/// All processes that there can be.
+/// Number of possible processes.
 pub const COUNT: usize = 3 * AXES + FLICKER * AXES + ELEMENTS + FIELDS + 1;
 
-/// What a process adds to.
+/// The quantity to which a process adds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Input {
     /// The signal of a sensor axis.
@@ -56,7 +56,7 @@ pub enum Input {
     Altimeter,
 }
 
-/// How a process goes on.
+/// The evolution of a process.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kind {
     /// Drawn once a run.
@@ -69,7 +69,8 @@ pub enum Kind {
     Walk(f64),
 }
 
-/// A process: what it adds to, how it goes on, and its standard deviation, of a walk that of 1 s.
+/// A process: the quantity to which it adds, its evolution, and its standard deviation; for a walk the standard deviation after 1
+/// s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Source {
     pub input: Input,
@@ -77,8 +78,8 @@ pub struct Source {
     pub sigma: f64,
 }
 
-/// Over an interval: the process at its end is `decay` β + `diffusion` w of β at its start and a draw w; its mean, in units of
-/// what it adds, has these shares of β, of w, and of a draw of its own.
+/// Over an interval: the process at its end is `decay` β + `diffusion` w, with β at its start and a draw w. The mean over the
+/// interval, in units of the quantity, has these shares of β, of w, and of a further draw.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Advance {
     pub decay: f64,
@@ -87,7 +88,7 @@ pub struct Advance {
 }
 
 impl Source {
-    /// The process at `place` of [`COUNT`]; those that nothing calls for have a sigma of 0.
+    /// The process at `place` of [`COUNT`]; unused processes have a sigma of 0.
     pub fn at(place: usize, parameters: &Parameters<'_>) -> Self {
         let triad = |axis: usize| parameters.of_axis(axis);
         let constant = |input, sigma| Self { input, kind: Kind::Constant, sigma };
@@ -133,8 +134,8 @@ impl Source {
         Self { input: Input::Altimeter, kind: Kind::Markov(markov_time_s), sigma: markov_sigma_m }
     }
 
-    /// How it goes on over `t` [s] and `ground_m` [m] over ground; `walk` is the variance [u²] of a walk at the start, which
-    /// becomes that at the end.
+    /// Its evolution over `t` [s] and `ground_m` [m] over ground. `walk` is the variance [u²] of a walk: that at the start, then
+    /// that at the end.
     pub fn advance(&self, t: f64, ground_m: f64, walk: &mut f64) -> Advance {
         let still = Advance { decay: 1.0, diffusion: 0.0, mean: [self.sigma, 0.0, 0.0] };
         match self.kind {
@@ -174,7 +175,7 @@ impl Source {
         }
     }
 
-    /// Standard deviation now, of a walk of the variance `walk` [u²].
+    /// Present standard deviation; `walk` is the variance of a walk [u²].
     pub fn deviation(&self, walk: f64) -> f64 {
         match self.kind {
             Kind::Walk(_) => walk.sqrt(),

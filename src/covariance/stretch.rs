@@ -1,4 +1,4 @@
-//! The true motion over several intervals, as far as the propagation of errors needs it.
+//! The true motion over several intervals: the integrals that the propagation of errors needs.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -8,8 +8,8 @@ use crate::mounting::Block;
 use crate::signal::{Increment, IntervalMotion, MotionNode};
 use crate::snapshot::{COUNT, SIGNALS, stored};
 
-/// Longest stretch [s], where the intervals are shorter, and largest turn within one [rad]: what turns further loses
-/// (0.3)⁴/720 = 1e-5 of the noise that it integrates.
+/// Longest stretch [s], if the intervals are shorter, and largest rotation within a stretch [rad]. With a rotation of 0.3 rad,
+/// (0.3)⁴/720 = 1e-5 of the integrated noise is lost.
 const LONGEST_S: f64 = 1.0;
 const LARGEST_TURN: f64 = 0.3;
 
@@ -19,7 +19,7 @@ pub struct Stretch {
     pub length_s: f64,
     turn_rad: f64,
     pub intervals: u64,
-    /// Those with a height of the altimeter.
+    /// Number of intervals with a height of the altimeter.
     pub aided: u64,
     /// Increments of the sensors.
     pub increments: u64,
@@ -28,7 +28,7 @@ pub struct Stretch {
     /// Integral of the specific force [m/s], and of its product with the time since the start [m], Earth-fixed axes.
     force: Vector3<f64>,
     force_moment: Vector3<f64>,
-    /// The same of the sensor axes in Earth-fixed axes.
+    /// The same integrals of the sensor axes in Earth-fixed axes.
     axes: Matrix3<f64>,
     axes_moment: Matrix3<f64>,
     /// Position at the start [m].
@@ -75,7 +75,7 @@ pub struct Piece<'a> {
 }
 
 impl Stretch {
-    /// Nothing yet.
+    /// An empty stretch.
     pub const EMPTY: Self = Self {
         length_s: 0.0,
         turn_rad: 0.0,
@@ -104,7 +104,7 @@ impl Stretch {
         !self.is_empty() && self.length_s + t > LONGEST_S * (1.0 + 1e-6)
     }
 
-    /// Adds an interval; whether the stretch has become long enough.
+    /// Adds an interval. Returns whether the stretch is long enough.
     pub fn add(&mut self, piece: &Piece<'_>) -> bool {
         let motion = piece.motion;
         let t = motion.interval_s;
@@ -144,11 +144,11 @@ impl Stretch {
         self.intervals += 1;
         self.aided += u64::from(piece.is_aided);
         self.increments += piece.ideal.len() as u64;
-        // With another interval like this one.
+        // Its length with another interval like this one.
         self.has_no_room_for(t) || self.turn_rad + turn > LARGEST_TURN
     }
 
-    /// The motion as straight lines of the same integrals and first moments: its nodes, and the sensor axes there.
+    /// The motion as straight lines that have the same integrals and first moments: its nodes, and the sensor axes there.
     pub fn lines(&self) -> ([MotionNode; 3], [Matrix3<f64>; 3]) {
         let t = self.length_s;
         let middle = (self.start_e + self.end_e) * 0.5;
@@ -177,7 +177,7 @@ impl Stretch {
         self.angle / self.length_s
     }
 
-    /// What an element of scale factor and misalignment of 1 adds to the signals, at the nodes, in Earth-fixed axes [u].
+    /// Signals that an element of scale factor and misalignment of 1 adds, at the nodes, in Earth-fixed axes [u].
     pub fn by_element(&self, element: usize) -> [Vector3<f64>; 3] {
         let (signal, row) = (element / 3, element % 3);
         let (mean, half) = line(&self.elements[signal], &self.elements_moment[signal], self.length_s);

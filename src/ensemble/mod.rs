@@ -1,4 +1,4 @@
-//! Ensembles: many runs of one simulator over the same truth, which differ in their random draws alone.
+//! Ensembles: many runs of one simulator over the same truth. The runs differ only in their random draws.
 //!
 //! Run k of an ensemble is, to the bit, the [`Simulator`] with `options.key.run = first_run + k`.
 
@@ -14,22 +14,22 @@ use crate::simulator::{Options, Simulator, Step};
 use crate::truth::{FlightSample, Pushed};
 use part::{PART_RUNS, Part};
 
-/// Runs of an ensemble at the most.
+/// Largest number of runs of an ensemble.
 pub const MAX_RUNS: u32 = u32::MAX;
 
-/// Samples that a part flies before the next one does.
+/// Number of samples that a part flies before the next part flies.
 const TOGETHER: usize = 32;
 
 /// Runs `first_run` to `first_run + runs - 1` of one simulator over the same samples.
 ///
-/// A run whose step fails where the truth's own could be made is a diverged one: it stays as it was before that step, takes no
-/// further part, and is reported by [`Self::diverged`]. The truth and the other runs go on, even if no run is left: what an
-/// ensemble does never depends on which other runs are in it.
+/// A run diverges if its step fails although the step of the truth succeeds. It keeps the state before that step, is not flown any
+/// further, and is reported by [`Self::diverged`]. The truth and the other runs continue, even if all runs have diverged: the
+/// results of a run never depend on the other runs of the ensemble.
 #[derive(Debug)]
 pub struct Ensemble {
     first_run: u64,
     options: Options,
-    /// All but the last have [`PART_RUNS`] runs.
+    /// Parts of [`PART_RUNS`] runs; the last one may have fewer.
     first: Part,
     others: Vec<Part>,
 }
@@ -41,7 +41,7 @@ impl Ensemble {
         Self::of_width(template, first_run, runs, usize::MAX)
     }
 
-    /// The same with instructions for up to `width` numbers at a time: to compare their bits and their times.
+    /// As [`Self::new`], with instructions for up to `width` numbers at a time, to compare their bits and times.
     #[doc(hidden)]
     pub fn of_width(template: &Simulator, first_run: u64, runs: usize, width: usize) -> Result<Self, Error> {
         let set = InstructionSet::up_to(width);
@@ -72,7 +72,7 @@ impl Ensemble {
         self.first_run
     }
 
-    /// How many runs.
+    /// Number of runs.
     pub fn runs(&self) -> usize {
         self.parts().map(|part| part.runs.runs()).sum()
     }
@@ -81,7 +81,7 @@ impl Ensemble {
         core::iter::once(&self.first).chain(&self.others)
     }
 
-    /// Lets all parts do the same. Their truth is the same, and so is the answer.
+    /// Does the same with all parts. Their truth is the same, so the answer is the same.
     fn each<T>(&mut self, mut act: impl FnMut(&mut Part) -> T) -> T {
         let answer = act(&mut self.first);
         for part in &mut self.others {
@@ -90,18 +90,19 @@ impl Ensemble {
         answer
     }
 
-    /// Takes one flight-control sample in, for all runs.
+    /// Pushes one flight sample, for all runs.
     pub fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         self.each(|part| part.push_sample(sample))
     }
 
-    /// Flies one sample interval with all runs that have not diverged. An error is one of the truth, and then nothing has changed.
+    /// Flies one sample interval with all runs that have not diverged. An error is an error of the truth; then nothing has changed.
     pub fn step(&mut self) -> Result<Step, Error> {
         self.each(Part::step)
     }
 
-    /// Pushes and steps `count` samples, which `sample` gives: to the same bits as single calls, and faster where the runs are more
-    /// than a core's cache. Whether a sample ended a gap; else the error with the index of its sample, before which all were flown.
+    /// Pushes and steps `count` samples, which `sample` gives. The bits are those of single calls; it is faster if the runs need
+    /// more than the cache of a core. Returns whether a sample ended a gap; or the error with the index of its sample, before which
+    /// all samples were flown.
     pub fn run<E: From<Error>>(
         &mut self,
         count: usize,
@@ -123,12 +124,12 @@ impl Ensemble {
         Ok(has_gap)
     }
 
-    /// The truth jumps to `sample`: every run starts again there, the diverged ones too; noise goes on.
+    /// Follows a jump of the truth to `sample`: every run starts again there, diverged ones too; noise continues.
     pub fn reposition(&mut self, sample: &FlightSample) -> Result<(), Error> {
         self.each(|part| part.reposition(sample))
     }
 
-    /// Back to before the first sample: same parameters, seed and draws, no failures, no run diverged.
+    /// Returns to the state before the first sample: same parameters, seed and draws, no failures, no diverged run.
     pub fn reset(&mut self) {
         self.each(Part::reset);
     }
@@ -140,13 +141,13 @@ impl Ensemble {
         Ok(())
     }
 
-    /// Bytes that each run takes.
+    /// Size of a run [bytes].
     #[doc(hidden)]
     pub fn bytes_of_run(&self) -> usize {
         self.first.runs.bytes_of_run()
     }
 
-    /// Intervals flown since the start or the last reposition.
+    /// Number of intervals flown since the start or the last reposition.
     pub fn intervals(&self) -> u64 {
         self.first.intervals
     }

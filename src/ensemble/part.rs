@@ -1,4 +1,4 @@
-//! Runs that are flown together: as many as a core's cache keeps.
+//! Runs that are flown together: as many as fit into the cache of a core.
 
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
@@ -6,10 +6,10 @@ use crate::sensors::{Failure, SensorOutput};
 use crate::simulator::{Options, SideBySide, Simulator, Step};
 use crate::truth::{FlightSample, Intake, Pushed};
 
-/// Runs in a part at the most: 0.3 MB that a step needs.
+/// Largest number of runs in a part; a step uses 0.3 MB of them.
 pub(super) const PART_RUNS: usize = 512;
 
-/// Runs and their truth, which goes on whatever becomes of them and is the same in all parts of an ensemble.
+/// Runs and their truth. The truth continues if runs diverge, and is the same in all parts of an ensemble.
 #[derive(Debug)]
 pub(super) struct Part {
     pub intake: Intake,

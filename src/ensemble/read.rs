@@ -1,4 +1,4 @@
-//! What is read of an ensemble.
+//! Reads of an ensemble.
 
 use super::Ensemble;
 use super::part::{PART_RUNS, Part};
@@ -32,7 +32,7 @@ impl Ensemble {
         Ok(self.errors_and_pole(run, source)?.map(|(time_s, errors, _)| (time_s, errors)))
     }
 
-    /// The same, with whether the truth is near a pole.
+    /// Time [s] and errors as [`Self::errors`], and whether the truth is near a pole.
     pub(crate) fn errors_and_pole(
         &self,
         run: u64,
@@ -64,7 +64,8 @@ impl Ensemble {
         Ok(statistics)
     }
 
-    /// The same, added to `statistics`, which may be empty. On an error they are of no use.
+    /// Adds the statistics of all runs at this moment to `statistics`, which may be empty. After an error `statistics` is not
+    /// usable.
     pub(crate) fn add_to(&self, statistics: &mut Statistics, source: ErrorSource) -> Result<(), Error> {
         for place in 0..self.runs() {
             if self.diverged_s(place).is_some() {
@@ -86,7 +87,7 @@ impl Ensemble {
         Ok(())
     }
 
-    /// The failure of an output, which all runs share; `None`: it is sound.
+    /// The failure of an output, which all runs share; `None`: no failure.
     pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
         self.first.runs.failure(output)
     }
@@ -121,7 +122,7 @@ impl Ensemble {
         (part, place % PART_RUNS)
     }
 
-    /// Where a run is, unless it has diverged.
+    /// The place of a run, unless the run has diverged.
     fn place_of(&self, run: u64) -> Result<usize, Error> {
         let place = run.checked_sub(self.first_run).and_then(|place| usize::try_from(place).ok());
         let Some(place) = place.filter(|&place| place < self.runs()) else {

@@ -21,7 +21,7 @@ impl Ensemble {
         fitting(self.write_snapshot(buffer), capacity)
     }
 
-    /// Becomes the ensemble of a snapshot, whatever this one was: the runs go on to the same bits. Allocates.
+    /// Replaces this ensemble by that of a snapshot. The runs continue to the same bits. Allocates.
     ///
     /// [`crate::ErrorKind::Snapshot`]: not a snapshot of an ensemble, not whole, altered, or of a newer release; then nothing
     /// has changed.
@@ -30,7 +30,7 @@ impl Ensemble {
         Ok(())
     }
 
-    /// The length of the snapshot, of which as much is written as `buffer` has room for.
+    /// Writes as much of the snapshot as fits into `buffer`. Returns the length of the whole snapshot.
     fn write_snapshot(&self, buffer: &mut [u8]) -> usize {
         let Self { first_run, options, first: Part { intake, intervals, .. }, .. } = self;
         let mut to = Writer::new(buffer, SnapshotOf::Ensemble);
@@ -60,7 +60,7 @@ impl Ensemble {
         Numbers::load(&mut intervals, from, COUNT)?;
         from.enter("snapshot: Ensemble.runs");
         let count = from.count(super::MAX_RUNS as usize)?;
-        // As much memory as there are bytes for, whatever the number says.
+        // Memory only for the bytes that there are, because the number of runs may be false.
         let fits =
             (1..=from.bytes_left()).contains(&count) && first_run.checked_add(count as u64 - 1).is_some();
         from.require(fits, count as f64, "is not a valid number of runs")?;
@@ -92,7 +92,7 @@ impl Ensemble {
     }
 }
 
-/// Whether a simulator has the options of run `run`, and unless it has diverged flies the ensemble's samples.
+/// Whether a simulator has the options of run `run`, and, unless it has diverged, flies the samples of the ensemble.
 fn same_flight(
     simulator: &Simulator,
     options: &Options,

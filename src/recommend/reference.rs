@@ -1,4 +1,4 @@
-//! What an algorithm leaves: its solution against that of the same signals navigated far more finely.
+//! The error of an algorithm: its solution less a far more accurate solution on the same signals.
 
 use core::ops::ControlFlow;
 
@@ -11,15 +11,15 @@ use crate::simulator::{MAX_UPDATES, Simulator, Step};
 use crate::state::EarthFixedState;
 use crate::truth::FlightSample;
 
-/// The error of a solution, the worst over the instants at which it was looked at.
+/// The largest error of a solution over the instants at which it was compared.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SolutionError {
     /// Distance [m].
     pub position_m: f64,
     /// Speed of the difference in velocity against the Earth [m/s].
     pub velocity_m_s: f64,
-    /// Angle between the attitudes against the Earth [rad]. Roll, pitch and heading turn with the place as well: by the error
-    /// of position over the Earth's radius.
+    /// Angle between the attitudes against the Earth [rad]. Roll, pitch and heading also differ by the position error over the
+    /// Earth's radius.
     pub attitude_rad: f64,
 }
 
@@ -45,7 +45,7 @@ impl SolutionError {
         self.with(other, |one, other| one + other)
     }
 
-    /// So many times it.
+    /// This error times a factor.
     pub fn times(&self, factor: f64) -> Self {
         self.with(self, |one, _| one * factor)
     }
@@ -55,15 +55,15 @@ impl SolutionError {
         self.with(other, f64::max)
     }
 
-    /// The largest share of a limit that it takes up, of those that are not 0.
+    /// The largest ratio of the error to a limit, of the limits that are not 0.
     ///
-    /// A limit below 1e-100 counts as 1e-100: no solution is so good, and the share of the largest predicted error stays finite.
+    /// A limit below 1e-100 counts as 1e-100: no solution is as good, and the ratio of the largest predicted error stays finite.
     pub fn share_of(&self, limits: &Self) -> f64 {
         let share = |error: f64, limit: f64| if limit > 0.0 { error / limit.max(1e-100) } else { 0.0 };
         self.with(limits, share).parts().into_iter().fold(0.0, f64::max)
     }
 
-    /// Takes the difference of `state` from `reference` in, if it is worse.
+    /// Keeps the difference of `state` from `reference` if it is larger.
     fn include(&mut self, state: &EarthFixedState, reference: &EarthFixedState) {
         let rotation = rotation_vector(&relative_rotation(&reference.q_eb, &state.q_eb));
         self.position_m = self.position_m.max((state.r_e - reference.r_e).norm_squared().sqrt());
@@ -80,7 +80,7 @@ pub struct Track {
 }
 
 impl Track {
-    /// The worst difference from `other`, which has the same instants.
+    /// The largest difference from `other`, which has the same instants.
     pub fn minus(&self, other: &Self) -> SolutionError {
         let mut worst = SolutionError::default();
         for (state, other) in self.states.iter().zip(&other.states) {
@@ -90,7 +90,7 @@ impl Track {
     }
 }
 
-/// Flies `samples` and looks at the simulator after each step, of the sample that ends it, until told to stop.
+/// Flies `samples`. Calls `look` after each step, with the index of the sample that ended the step and the simulator, until it breaks.
 pub(crate) fn fly_looking(
     simulator: &mut Simulator,
     samples: impl Iterator<Item = Result<FlightSample, Error>>,
@@ -132,13 +132,13 @@ pub fn track(
     Ok(Track { states })
 }
 
-/// A solution that is far better than those it judges.
+/// A solution that is far more accurate than the solutions that are compared with it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
     /// The solution.
     pub track: Track,
-    /// What half as many updates change of it, and the rounding of a solution that is read: its own error is smaller by the
-    /// scheme's order, down to that rounding.
+    /// The change with half as many updates, plus the rounding of a solution that is read. The error of the reference is smaller by
+    /// the scheme's order, down to that rounding.
     pub uncertainty: SolutionError,
 }
 
@@ -150,7 +150,7 @@ impl Reference {
     /// The polynomial scheme with the most subsamples and updates in Earth-fixed axes, on the physical signals; only mounting,
     /// sensor axes, Earth, gravity, vertical channel and time base of `setup` count.
     ///
-    /// In geographic axes the same comes out within the uncertainty, at 1.3 times the cost.
+    /// Geographic axes give the same solution within the uncertainty, at 1.3 times the cost.
     pub fn new(setup: &Setup, samples: &[FlightSample], instants: &[usize]) -> Result<Self, Refusal> {
         let finest =
             Rung { scheme: Scheme::Polynomial, subsamples: MAX_SUBSAMPLES, updates_per_sample: MAX_UPDATES };

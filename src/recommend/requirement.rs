@@ -1,12 +1,12 @@
-//! What a host asks of the navigation.
+//! The requirement of a host.
 
 use super::SolutionError;
 use crate::error::{Error, Rule, check_range};
 
-/// Largest error at any time within a duration that the algorithm itself may make, each 0 if it does not matter.
+/// Largest error that the algorithm itself may cause at any time within a duration; 0: no limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Requirement {
-    /// For how long, up to [`Self::MAX_DURATION_S`] [s]; 0, or less than that of the piece: for the piece.
+    /// Duration, up to [`Self::MAX_DURATION_S`] [s]; 0, or less than the duration of the piece: that of the piece.
     pub duration_s: f64,
     /// Distance [m].
     pub position_m: f64,
@@ -14,7 +14,7 @@ pub struct Requirement {
     pub velocity_m_s: f64,
     /// Angle between the attitudes against the Earth [rad].
     pub attitude_rad: f64,
-    /// How many times the predicted error has to fit into the required one, at least 1.
+    /// Margin: least ratio of the required error to the predicted error, at least 1.
     pub margin: f64,
 }
 
@@ -41,7 +41,7 @@ impl Requirement {
         check_range("requirement.margin", self.margin, 1.0, 1e6)
     }
 
-    /// The share of the requirement that an error takes up with the margin, the largest of the three; met up to 1.
+    /// The largest of the three ratios of an error, times the margin, to its limit. The requirement is met up to 1.
     pub fn share(&self, error: &SolutionError) -> f64 {
         error.times(self.margin).share_of(&self.limits())
     }

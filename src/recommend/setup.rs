@@ -5,11 +5,11 @@ use crate::error::Error;
 use crate::mounting::MountingParameters;
 use crate::simulator::{Options, Simulator, heap_simulator};
 
-/// Options and mounting: they decide which motion is integrated, and how. A block away from the reference point measures
-/// every jolt of the attitude as specific force.
+/// Options and mounting: they decide which motion is integrated, and how. A block away from the reference point measures each
+/// angular acceleration as specific force.
 ///
-/// Errors of sensors, altimeter, start and believed mounting, and the gravity disturbance, are not part of it. They act
-/// alike on an algorithm's solution and on its reference; the difference of the two changes only in second order.
+/// Errors of sensors, altimeter, start and believed mounting, and the gravity disturbance, are not part of it. They act on an
+/// algorithm's solution and on its reference in the same way, so the difference of the two changes only in second order.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Setup {
     /// Options, of which the algorithm is replaced.
@@ -19,7 +19,7 @@ pub struct Setup {
 }
 
 impl Setup {
-    /// That of a simulator, at any moment of its life.
+    /// The setup of a simulator, at any moment.
     pub fn of(simulator: &Simulator) -> Self {
         Self { options: *simulator.options(), mounting: *simulator.mounting() }
     }

@@ -1,4 +1,4 @@
-//! What a step takes on this machine, today.
+//! Time of a step on this machine.
 
 use std::time::{Duration, Instant};
 
@@ -7,14 +7,14 @@ use crate::error::Error;
 use crate::simulator::Simulator;
 use crate::truth::FlightSample;
 
-/// Rounds, of which the median counts.
+/// Number of rounds; the result is their median.
 const ROUNDS: usize = 9;
 /// Least number of steps of a round.
 const STEPS: usize = 1000;
 
 /// Time of a step of the whole chain with ideal sensors, push and step, over the first samples [ns].
 ///
-/// The one figure here that is not the same every time.
+/// This is the only figure of a recommendation that differs from call to call.
 #[inline(never)]
 pub fn step_time_ns(setup: &Setup, samples: &[FlightSample]) -> Result<f64, Error> {
     let stretch = &samples[..samples.len().min(STEPS + 1)];
@@ -28,7 +28,7 @@ pub fn step_time_ns(setup: &Setup, samples: &[FlightSample]) -> Result<f64, Erro
     Ok(rounds[ROUNDS / 2])
 }
 
-/// Mean time of a push and step over `stretch`, flown so many times from its start [ns].
+/// Mean time of a push and step over `stretch`, flown `repeats` times from its start [ns].
 pub(crate) fn round_ns(
     simulator: &mut Simulator,
     stretch: &[FlightSample],

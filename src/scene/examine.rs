@@ -123,7 +123,7 @@ impl Reader<'_> {
         self.faults.add_about(span, sentence(&error, key), about);
     }
 
-    /// The flight, as far as it can be checked without integrating it.
+    /// Checks the flight, without integrating it.
     fn check_flight(&mut self, scene: &Scene) {
         if scene.is_log() {
             return;

@@ -1,11 +1,11 @@
-//! Whether statistics that came from elsewhere can be.
+//! Checks of statistics that come from elsewhere.
 
 use super::wide::at;
 use super::{LAYOUT, PRODUCTS, STATE_BITS, STATES, Statistics, check_runs};
 use crate::error::{Error, Rule, Value};
 
 impl Statistics {
-    /// Refuses what no runs give: another layout, counts that contradict each other, sums out of their range.
+    /// Rejects statistics that no runs can give: another layout, counts that contradict each other, sums out of their range.
     pub fn check(&self) -> Result<(), Error> {
         let size = size_of::<Self>();
         if self.struct_size as usize != size {

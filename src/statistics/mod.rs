@@ -17,7 +17,7 @@ use crate::math::nearest_integer;
 use radial::bucket_of;
 use wide::{add, at};
 
-/// Runs in statistics at the most: with more of them the sums could overflow.
+/// Largest number of runs in statistics: with more runs the sums could overflow.
 pub const MAX_RUNS: u32 = u32::MAX;
 
 /// Version of the layout that this release writes and reads.
@@ -29,13 +29,13 @@ const STATES: usize = 9;
 /// Products of two states, each pair once.
 const PRODUCTS: usize = STATES * (STATES + 1) / 2;
 
-/// Resolution of each state is 2 to the power of less this [m, m/s, rad]; its range is 2^47 resolutions.
+/// The resolution of each state is 2 to the power of minus this number [m, m/s, rad]; its range is 2^47 resolutions.
 const FRACTION_BITS: [u32; STATES] = [22, 22, 22, 29, 29, 29, 45, 45, 45];
 
 /// Bits of the largest state.
 const STATE_BITS: u32 = 47;
 
-/// The resolution of a state of so many bits behind the point.
+/// The resolution of a state with `bits` bits behind the binary point.
 fn resolution(bits: u32) -> f64 {
     1.0 / (1_u64 << bits) as f64
 }
@@ -68,7 +68,7 @@ impl Statistics {
         self.runs.saturating_sub(self.diverged).saturating_sub(self.out_of_range)
     }
 
-    /// Adds a run with these errors. What is out of range is counted and left out of the sums.
+    /// Adds a run with these errors. A run that is out of range is counted and left out of the sums.
     ///
     /// [`ErrorKind::InvalidArgument`]: there are [`MAX_RUNS`] already.
     pub fn add(&mut self, errors: &NavigationErrors) -> Result<(), Error> {

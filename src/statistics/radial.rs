@@ -3,7 +3,7 @@
 
 use super::{FRACTION_BITS, STATE_BITS, Statistics, resolution};
 
-/// Half a bucket over the values in it at the most: the relative error of a radius that is read from the histogram, from 2^-10 m up.
+/// Largest relative error of a radius from the histogram, from 2^-10 m on: half a bucket over the values in it.
 pub const RADIAL_ERROR: f64 = 0.5 / PARTS as f64;
 
 /// Bits of the first radius beyond bucket 0: 2^-10 m.
