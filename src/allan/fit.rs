@@ -94,7 +94,7 @@ impl Equations {
     /// The solution with the least squares among those of the 31 sets of terms, if none of its coefficients is negative.
     fn constrained(&self) -> [f64; TERMS] {
         let candidates = (1..1_usize << TERMS).filter_map(|set| self.solved(set));
-        // The sum of squares is that without any term, less the inner product with the right side.
+        // The sum of squared residuals is the sum without any term, less the inner product with the right side.
         let best = candidates
             .filter(|x| x.min() >= 0.0)
             .max_by(|a, b| a.dot(&self.right).total_cmp(&b.dot(&self.right)));
