@@ -11,9 +11,9 @@ const LEAST_SLOPE: f64 = 0.1;
 
 /// Errors of a solution, as [`navigation_minus_truth`](super::navigation_minus_truth) returns them, but of any size and everywhere.
 ///
-/// Velocity and attitude of the solution are in the solution's own axes east-north-up, those of the truth in the truth's axes. Near
-/// a pole the two sets of axes differ by any angle. There the solution's axes are the truth's axes, turned to the solution's
-/// vertical by the shortest rotation.
+/// Velocity and attitude are compared between the solution in its own axes east-north-up and the truth in its axes. Near a pole the
+/// two sets of axes differ by any angle. There the solution's axes are the truth's axes, turned to the solution's vertical by the
+/// shortest rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CarriedErrors {
     /// Straight displacement, components along the truth's east, north, up [m].

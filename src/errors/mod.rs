@@ -23,7 +23,7 @@ pub struct NavigationErrors {
     pub latitude_rad: f64,
     /// Longitude [rad]; has no meaning near a pole.
     pub longitude_rad: f64,
-    /// Velocity [m/s]: components of each solution in its own east-north-up, differenced.
+    /// Velocity [m/s]: difference of the components, each solution in its own axes east-north-up.
     pub velocity_n: Vector3<f64>,
     /// Misalignment φ [rad]: computed C = (I - [φ×]) C for the attitude of sensor axes in east-north-up.
     pub misalignment_n: Vector3<f64>,

@@ -4,7 +4,7 @@ use core::ops::{Add, Mul, Sub};
 
 use nalgebra::SVector;
 
-/// Sum of two numbers and the rounding error of that sum, exactly (Knuth).
+/// Sum of two numbers and the exact rounding error of the sum (Knuth).
 #[inline]
 pub fn two_sum<T: Copy + Add<Output = T> + Sub<Output = T>>(a: T, b: T) -> (T, T) {
     let s = a + b;
@@ -12,7 +12,7 @@ pub fn two_sum<T: Copy + Add<Output = T> + Sub<Output = T>>(a: T, b: T) -> (T, T
     (s, (a - (s - t)) + (b - t))
 }
 
-/// Product of two numbers and the rounding error of that product, exactly (Dekker, Veltkamp splitting).
+/// Product of two numbers and the exact rounding error of the product (Dekker, Veltkamp splitting).
 /// Valid while neither factor exceeds 2^995.
 #[inline]
 pub fn two_product<T>(a: T, b: T) -> (T, T)

@@ -9,7 +9,7 @@ use super::sine::sin_cos_each;
 use super::transcendental::wrap_angle;
 use super::two::Two;
 
-/// Attitude angles of body axes right-forward-up against east-north-up [rad].
+/// Attitude angles of body axes right-forward-up relative to east-north-up [rad].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Euler {
     /// Right wing down positive, -π..π.

@@ -114,7 +114,7 @@ impl ErrorModel {
     }
 
     /// Advances the model over the interval of `motion`, which ends at `truth`, with the sensor errors `errors`. Then corrects the
-    /// vertical channel with its aid, as the mechanization does. With a mounting the sensors are those of `block`.
+    /// vertical channel with its aid, as the mechanization does. With a mounting the sensors belong to `block`.
     pub fn advance(
         &mut self,
         motion: &IntervalMotion<'_>,
