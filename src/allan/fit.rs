@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn no_coefficient_is_negative() {
-        // The variances are below white noise at long averaging times: the free fit has a negative term, the constrained fit has none.
+        // The variances are below white noise at long averaging times: the free fit has a negative term, the constrained one none.
         let fit = fitted([0.0, 1e-10, -1e-13, 0.0, 0.0]);
         assert!(fit.free[2] < -0.99e-13, "{:?}", fit.free);
         assert!(fit.squares.iter().all(|square| *square >= 0.0), "{:?}", fit.squares);

@@ -40,7 +40,7 @@ impl CarriedErrors {
         }
     }
 
-    /// Solution with these errors at another `truth`; `None` if no place with this displacement has the required height there.
+    /// Solution with these errors at another `truth`; `None` if the displacement cannot have this height error there.
     pub fn at(&self, earth: &Earth, truth: &Navigation) -> Option<EarthFixedState> {
         let true_place = earth.to_earth_fixed(&truth.place);
         let true_axes = navigation_axes(truth.place.latitude_rad, truth.place.longitude_rad);
