@@ -1,4 +1,4 @@
-//! Errors as data: which field, which value, which limit. The sentence is made when somebody reads it.
+//! Errors as data: field, value and limit. The sentence is made only when the error is displayed.
 
 use core::fmt;
 
@@ -9,57 +9,57 @@ use crate::units::TEMPERATURE_RANGE_C;
 pub enum ErrorKind {
     /// A value out of its range.
     InvalidArgument,
-    /// Right call, wrong moment.
+    /// A call that is right, but at the wrong moment.
     BadState,
-    /// A sample that is not later than the one before, or off its stated period.
+    /// A sample that is not later than the previous sample, or off the stated sample period.
     TimeOrder,
-    /// Truth jumped: a gap in time, a teleport, half a turn in one interval.
+    /// A jump of the truth: a gap in time, a teleport, half a turn in one interval.
     Discontinuity,
     /// No room for another sample before the next step.
     QueueFull,
     /// The solution left its representable range.
     Diverged,
-    /// The geographic mechanization came within reach of a pole.
+    /// The geographic mechanization came too close to a pole.
     Singular,
-    /// No memory for what was asked.
+    /// Not enough memory for the request.
     OutOfMemory,
-    /// A snapshot that is damaged, foreign or newer.
+    /// A snapshot that is damaged, of another release or another kind, or bytes that are no snapshot.
     Snapshot,
-    /// No room for what was asked.
+    /// A buffer of the caller with too little room for the result.
     BufferTooSmall,
 }
 
-/// The limit that a value has to keep.
+/// The limit that a value must satisfy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rule {
-    /// Not a number, or infinite.
+    /// The value is finite: not NaN, not infinite.
     Finite,
     /// `low` ≤ value ≤ `high`.
     Between(f64, f64),
-    /// 0, which means none, or `low` ≤ value ≤ `high`.
+    /// value = 0, which means none, or `low` ≤ value ≤ `high`.
     OffOr(f64, f64),
     /// `low` ≤ value ≤ `high`, because the named field is not 0.
     NeededBy(f64, f64, &'static str),
     /// value < limit.
     Below(f64),
-    /// value ≥ limit: words that the limit ends.
+    /// value ≥ limit: words before the limit, and the limit.
     AtLeast(&'static str, f64),
-    /// value ≤ limit: words that the limit ends.
+    /// value ≤ limit: words before the limit, and the limit.
     AtMost(&'static str, f64),
-    /// value = limit: words that the limit ends.
+    /// value = limit: words before the limit, and the limit.
     Exactly(&'static str, f64),
-    /// value = 0: what follows "must be 0".
+    /// value = 0: words that follow "must be 0".
     Zero(&'static str),
     /// A value of this enumeration of the C interface: all integers from the first to the last.
     OneOf(&'static str, i32, i32),
-    /// A limit in a sentence.
+    /// A sentence that describes the limit.
     Sentence(&'static str),
-    /// A sentence that ends with a number, which is not itself the limit of the value.
+    /// A sentence that ends with a number. The number is not itself the limit of the value.
     SentenceWith(&'static str, f64),
 }
 
 impl Rule {
-    /// The least and the greatest value, where the rule has them. The limit of [`Rule::Below`] is no value itself.
+    /// The smallest and the largest value, if the rule has them. The limit of [`Rule::Below`] itself is not allowed.
     pub fn limits(&self) -> (Option<f64>, Option<f64>) {
         match *self {
             Self::Finite | Self::Sentence(_) | Self::SentenceWith(..) => (None, None),
@@ -75,14 +75,14 @@ impl Rule {
     }
 }
 
-/// A value at fault, with every digit of an integer.
+/// A rejected value. Integers keep every digit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Value {
-    /// Of a field that is a floating-point number.
+    /// Value of a floating-point field.
     Real(f64),
-    /// Of an integer field.
+    /// Value of a signed integer field.
     Signed(i64),
-    /// Of an integer field without sign.
+    /// Value of an unsigned integer field.
     Unsigned(u64),
 }
 
@@ -92,7 +92,7 @@ impl Value {
         !matches!(self, Self::Real(_))
     }
 
-    /// The nearest floating-point number.
+    /// The nearest floating-point number to the value.
     pub fn as_f64(self) -> f64 {
         match self {
             Self::Real(value) => value,
@@ -126,13 +126,13 @@ value_from!(
 pub struct Error {
     /// The kind of the error.
     pub kind: ErrorKind,
-    /// The field at fault, as it is spelled in the interface; empty if it is the call itself.
+    /// The field with the error, as it is spelled in the interface; empty if the call itself is the error.
     pub field: &'static str,
-    /// Place in the field, if that is an array.
+    /// Index of the element, if the field is an array.
     pub index: Option<usize>,
-    /// The value at fault, if it is one.
+    /// The rejected value, if a value is the error.
     pub value: Option<Value>,
-    /// The limit.
+    /// The limit that was violated.
     pub rule: Rule,
 }
 
@@ -142,12 +142,12 @@ impl Error {
         Self { kind, field, index: None, value: Some(value.into()), rule }
     }
 
-    /// A value out of its range.
+    /// An error about a value out of its range.
     pub fn invalid(field: &'static str, value: impl Into<Value>, rule: Rule) -> Self {
         Self::of(ErrorKind::InvalidArgument, field, value, rule)
     }
 
-    /// A call at the wrong moment.
+    /// An error about a call at the wrong moment.
     pub fn bad_state(why: &'static str) -> Self {
         Self { kind: ErrorKind::BadState, field: "", index: None, value: None, rule: Rule::Sentence(why) }
     }
@@ -205,7 +205,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// Every digit of an integer; very large and very small numbers with an exponent.
+/// Number to display: an integer with every digit, a very large or very small number with an exponent.
 struct Number {
     number: f64,
     is_integer: bool,
@@ -223,7 +223,7 @@ impl fmt::Display for Number {
     }
 }
 
-/// Checks that an integer is one from `low` to `high`.
+/// Checks that an integer is from `low` to `high`.
 pub(crate) fn check_integer(
     field: &'static str,
     value: impl Into<Value>,

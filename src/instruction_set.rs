@@ -1,16 +1,16 @@
-//! The instruction sets of a processor, chosen when an ensemble is made and at each read of a simulator.
+//! The instruction sets of a processor. One is chosen when an ensemble is made and at each read of a simulator.
 //!
-//! A loop over many runs, and the long formulas of a read, are compiled once for each set: [`InstructionSet::run`] calls the work in a
-//! function that may use its instructions, and all that is inlined into that function may, too. No set fuses or reorders operations:
-//! the bits are the same.
+//! A loop over many runs, and the long formulas of a read, are compiled once for each set. [`InstructionSet::run`] calls the work
+//! in a function that may use the instructions of the set. All code that is inlined into that function may use them, too. No set
+//! fuses or reorders operations: the bits are the same.
 
-/// Vector instructions that some work may use, of those that this processor has.
+/// Vector instructions of this processor that a piece of work may use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct InstructionSet(Kind);
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
-    /// Those of the build: two numbers at a time with SSE2 and NEON.
+    /// The instructions of the build: two numbers at a time with SSE2 and NEON.
     Baseline,
     /// Four numbers at a time.
     #[cfg(target_arch = "x86_64")]
@@ -20,9 +20,9 @@ enum Kind {
     Avx512,
 }
 
-/// Work that is compiled for each set. `run` and what it calls have to be inlined.
+/// Work that is compiled for each set. `run` and the functions that it calls have to be inlined.
 pub(crate) trait Work {
-    /// Whether it gains from eight numbers at a time.
+    /// Whether the work is faster with eight numbers at a time.
     #[cfg_attr(not(target_arch = "x86_64"), expect(dead_code, reason = "one instruction set"))]
     const IN_EIGHTS: bool = false;
 
@@ -30,7 +30,7 @@ pub(crate) trait Work {
 }
 
 impl InstructionSet {
-    /// The widest that this processor has for up to `width` numbers at a time.
+    /// The widest set of this processor for up to `width` numbers at a time.
     pub fn up_to(width: usize) -> Self {
         #[cfg(target_arch = "x86_64")]
         {
@@ -51,10 +51,10 @@ impl InstructionSet {
     pub fn run<W: Work>(self, work: W) {
         match self.0 {
             Kind::Baseline => baseline(work),
-            // SAFETY: made by `up_to` alone, where the processor has these instructions.
+            // SAFETY: only `up_to` makes this set, and only where the processor has these instructions.
             #[cfg(target_arch = "x86_64")]
             Kind::Avx512 if W::IN_EIGHTS => unsafe { avx512(work) },
-            // SAFETY: as above; whatever has AVX-512 has AVX2.
+            // SAFETY: as above; for AVX-512 `up_to` requires AVX2 as well.
             #[cfg(target_arch = "x86_64")]
             Kind::Avx2 | Kind::Avx512 => unsafe { avx2(work) },
         }

@@ -10,7 +10,7 @@ pub const fn total<T>(parts: &[&[T]]) -> usize {
     count
 }
 
-/// The elements of all parts, of which the first has some, one after the other; N is their [`total`].
+/// The elements of all parts, one part after the other. The first part must not be empty. N is the [`total`] of the parts.
 pub const fn joined<T: Copy, const N: usize>(parts: &[&[T]]) -> [T; N] {
     let mut all = [parts[0][0]; N];
     let (mut part, mut place) = (0, 0);

@@ -1,23 +1,23 @@
-//! Memory that may be missing: an error instead of the end of the process.
+//! Memory that may not be available: a lack of memory is an error, and does not end the process.
 
 use crate::error::{Error, ErrorKind, Rule};
 
-/// Room for `count` elements.
+/// Empty vector with room for `count` elements.
 pub(crate) fn room<T>(count: usize) -> Result<Vec<T>, Error> {
     let mut vector = Vec::new();
     vector.try_reserve_exact(count).map_err(|_| missing(count))?;
     Ok(vector)
 }
 
-/// Room for one more, in steps that grow with the vector.
+/// Makes room for one more element, in steps that grow with the vector.
 pub(crate) fn room_for_one_more<T>(vector: &mut Vec<T>) -> Result<(), Error> {
     vector.try_reserve(1).map_err(|_| missing(vector.len() + 1))
 }
 
-/// Whether that many bytes of memory are available now. For code that cannot report a lack of memory, such as parsers of
-/// other crates: without this it ends the process, with it only where memory runs out in between.
+/// Checks that `bytes` bytes of memory are available now. For code that cannot report a lack of memory, such as parsers of other
+/// crates. Without this check a lack ends the process; with it, only if memory runs out after the check.
 pub(crate) fn probe(bytes: usize) -> Result<(), Error> {
-    // Used, or the optimizer takes the allocation away.
+    // The memory is used, because the optimizer would otherwise remove the allocation.
     room::<u8>(bytes).map(|memory| drop(core::hint::black_box(memory)))
 }
 

@@ -1,4 +1,4 @@
-//! Files of records: truth, navigation, both error data and the errors of the sensors, a line for each instant.
+//! Files of records: truth, navigation, both error data and the errors of the sensors, with one line for each instant.
 
 /// Columns of a file of records.
 pub const COLUMNS: [&str; 51] = [
@@ -55,7 +55,7 @@ pub const COLUMNS: [&str; 51] = [
     "accel_error_z_m_s2",
 ];
 
-/// Columns behind them where the covariance is on: standard deviations of the errors.
+/// Columns after `COLUMNS` if the covariance is on: standard deviations of the errors.
 pub const SIGMA_COLUMNS: [&str; 9] = [
     "sigma_position_east_m",
     "sigma_position_north_m",
@@ -68,18 +68,18 @@ pub const SIGMA_COLUMNS: [&str; 9] = [
     "sigma_misalignment_up_rad",
 ];
 
-/// The first line of a file, without its end.
+/// The first line of a file, without the line end.
 pub fn head(has_sigmas: bool) -> String {
     let sigmas = if has_sigmas { &SIGMA_COLUMNS[..] } else { &[] };
     [&COLUMNS, sigmas].concat().join(",")
 }
 
-/// A line of a file, without its end.
+/// A line of a file, without the line end.
 pub fn line(values: impl IntoIterator<Item = f64>) -> String {
     values.into_iter().map(number).collect::<Vec<_>>().join(",")
 }
 
-/// The shortest text that reads back to the bit.
+/// The shortest text that gives the same bits when it is read.
 pub fn number(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || (1e-5..1e15).contains(&size) { value.to_string() } else { format!("{value:e}") }

@@ -1,4 +1,4 @@
-//! Position, velocity and attitude of a vehicle: Earth-fixed, as the blocks compute with it, and geographic, as it is
+//! Position, velocity and attitude of a vehicle in two forms: Earth-fixed, with which the blocks compute, and geographic, which is
 //! read.
 
 use nalgebra::{Quaternion, Vector3};
@@ -10,10 +10,10 @@ use crate::snapshot::codes;
 /// Distance from the Earth's axis [m] below which longitude, heading, east and north turn fast: at a pole they are undefined.
 pub const NEAR_POLE_M: f64 = 20e3;
 
-/// How the sensor axes lie in the vehicle.
+/// Orientation of the sensor axes in the vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BodyAxes {
-    /// x right, y forward, z up: the paper's.
+    /// x right, y forward, z up, as in the paper.
     #[default]
     RightForwardUp,
     /// x forward, y right, z down: the aerospace convention.
@@ -23,8 +23,9 @@ pub enum BodyAxes {
 codes!(BodyAxes { RightForwardUp = 0, ForwardRightDown = 1 });
 
 impl BodyAxes {
-    /// Attitude of the sensor axes for the attitude `q` of the axes right-forward-up; its own inverse, as the two
-    /// differ by half a turn about the bisector of x and y. Products with √½ alone: no component is lost.
+    /// Attitude of the sensor axes for the attitude `q` of the axes right-forward-up. The function is its own inverse, because the
+    /// two sets of axes differ by half a turn about the bisector of x and y. It needs only products with √½, so that it loses no
+    /// component.
     pub fn exchange(self, q: &Quaternion<f64>) -> Quaternion<f64> {
         match self {
             Self::RightForwardUp => *q,
@@ -35,7 +36,7 @@ impl BodyAxes {
         }
     }
 
-    /// A rotation within the vehicle, given in axes right-forward-up, in these axes.
+    /// Converts a rotation within the vehicle from axes right-forward-up to these axes.
     pub fn in_vehicle(self, q: &Quaternion<f64>) -> Quaternion<f64> {
         match self {
             Self::RightForwardUp => *q,
@@ -44,12 +45,12 @@ impl BodyAxes {
     }
 }
 
-/// Where a body is, how it moves and how it lies, in Earth-fixed axes: regular everywhere.
+/// Position, velocity and attitude of a body in Earth-fixed axes: regular everywhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EarthFixedState {
     /// Position [m].
     pub r_e: Vector3<f64>,
-    /// Velocity against the Earth [m/s].
+    /// Velocity relative to the Earth [m/s].
     pub v_e: Vector3<f64>,
     /// Attitude: rotates sensor axes to Earth-fixed axes.
     pub q_eb: Quaternion<f64>,
@@ -60,7 +61,7 @@ pub struct EarthFixedState {
 pub struct Navigation {
     /// Latitude, longitude (-π..π), height.
     pub place: Geodetic,
-    /// Velocity against the Earth, east-north-up [m/s].
+    /// Velocity relative to the Earth, east-north-up [m/s].
     pub v_n: Vector3<f64>,
     /// Attitude: rotates sensor axes to east-north-up.
     pub q_nb: Quaternion<f64>,
@@ -89,12 +90,12 @@ impl StateErrors {
 }
 
 impl EarthFixedState {
-    /// The geographic view.
+    /// The state in geographic terms.
     pub fn navigation(&self, earth: &Earth, axes: BodyAxes) -> Navigation {
         self.navigation_inlined(earth, axes)
     }
 
-    /// The same without a call.
+    /// `navigation` without a call.
     #[inline(always)]
     pub(crate) fn navigation_inlined(&self, earth: &Earth, axes: BodyAxes) -> Navigation {
         let place = earth.to_geodetic(&self.r_e);
@@ -105,16 +106,16 @@ impl EarthFixedState {
 }
 
 impl Navigation {
-    /// Fills in the attitude angles, and brings the longitude to -π..π.
+    /// Computes the attitude angles, and wraps the longitude to -π..π.
     #[inline(always)]
     pub fn new(place: Geodetic, v_n: Vector3<f64>, q_nb: Quaternion<f64>, axes: BodyAxes) -> Self {
         let place = Geodetic { longitude_rad: wrap_angle(place.longitude_rad), ..place };
-        // Angle by angle: the compiler then keeps the rest in registers, not in memory.
+        // The angles are copied one by one: the compiler then keeps the other values in registers, not in memory.
         let Euler { roll, pitch, heading } = euler_from_attitude(&axes.exchange(&q_nb));
         Self { place, v_n, q_nb, euler: Euler { roll, pitch, heading } }
     }
 
-    /// The Earth-fixed view.
+    /// The state in Earth-fixed axes.
     pub fn earth_fixed(&self, earth: &Earth) -> EarthFixedState {
         let q_en = navigation_axes(self.place.latitude_rad, self.place.longitude_rad);
         EarthFixedState {
@@ -141,7 +142,7 @@ mod tests {
             let navigation =
                 Navigation::new(place, Vector3::new(100.0, -200.0, 3.0), q_nb, BodyAxes::default());
             let back = navigation.earth_fixed(&earth).navigation(&earth, BodyAxes::default());
-            // Where the axis is near, longitude and heading share an error of 1 nm over the distance to it.
+            // Near the axis, longitude and heading have a common error of 1 nm over the distance to the axis.
             let angle = 4e-16 + 2e-9 / earth.distance_from_axis(navigation.place);
             assert!((back.place.latitude_rad - latitude_rad).abs() < 4e-16);
             assert!((back.place.longitude_rad + 2.9).abs() < angle + 4e-16);

@@ -8,7 +8,7 @@ use super::terms::{NOISES, TERMS, Term};
 /// Quadratic form in the squares of the coefficients.
 pub type Form = SMatrix<f64, TERMS, TERMS>;
 
-/// Second differences d of Gaussian noise with the covariance c between them and the means µ of a ramp have squares with the
+/// Let second differences of Gaussian noise have the covariance c, and with a ramp the means µ and µ'. Then their squares have the
 /// covariance 2 c² + 4 µ µ' c. An Allan variance is the mean of M of these squares, halved:
 /// ```text
 /// cov(σ²(τ), σ²(τ')) = Σ times(l) (2 c(l)² + 4 µ µ' c(l)) / (4 M M')
@@ -76,7 +76,8 @@ fn of_differences(pair: &Pair, interval_s: f64, samples: f64, covariance: impl F
     sum / (pair.a as f64 * pair.b as f64 * interval_s * interval_s)
 }
 
-/// The smooth noises by their integrals over the lags, the white error of quantization where its points meet.
+/// Covariance of two Allan variances as a quadratic form. The smooth noises enter by their integrals over the lags, the white error
+/// of quantization only at the distances at which its points meet.
 fn form(pair: Pair, interval_s: f64) -> Form {
     const RAMP: usize = NOISES;
     const QUANTIZATION: usize = 0;
@@ -121,8 +122,8 @@ mod tests {
     use super::super::deviation::factors;
     use super::*;
 
-    /// Degrees of freedom 2 σ⁴ / var of pure noise against the approximations of NIST SP 1065, table 5 (Howe, Allan and Barnes
-    /// 1981), n points of the integral; they are good to a few per cent.
+    /// Degrees of freedom 2 σ⁴ / var of pure noise, compared with the approximations of NIST SP 1065, table 5 (Howe, Allan and
+    /// Barnes 1981), for n points of the integral. The approximations are good to a few per cent.
     #[test]
     fn degrees_of_freedom_are_those_of_sp_1065() {
         let count = 1000;
@@ -156,7 +157,7 @@ mod tests {
         }
     }
 
-    /// The definition, with all pairs of differences: for every two noises and the ramp, at equal and unequal times.
+    /// Compared with the definition, a sum over all pairs of differences, for all noises and the ramp, at equal and unequal times.
     #[test]
     fn sums_over_lags_are_those_over_all_pairs() {
         let (count, interval_s) = (120, 0.5);

@@ -23,8 +23,8 @@ pub fn factors(count: usize) -> Vec<usize> {
     factors
 }
 
-/// θ: running sums of `increments`, one more than there are increments. The mean of the increments is subtracted first, which
-/// changes no second difference and keeps the digits of small ones.
+/// θ: running sums of `increments`, one more than there are increments. The mean of the increments is subtracted first. This
+/// changes no second difference, and small second differences keep their digits.
 pub fn integral(increments: &[f64]) -> Vec<f64> {
     let mean = increments.iter().sum::<f64>() / increments.len() as f64;
     let mut sum = 0.0;
@@ -67,7 +67,7 @@ mod tests {
         }
     }
 
-    /// Second differences of k³/6 with the step m are m² (k + m): the sum of their squares is in closed form.
+    /// Second differences of k³/6 with the step m are m² (k + m): the sum of their squares has a closed form.
     #[test]
     fn a_parabolic_rate_has_its_closed_form() {
         let (count, interval_s) = (100, 0.5);

@@ -91,10 +91,10 @@ impl Equations {
         Self { rows, scale, normal, right, deviations: deviations.to_vec() }
     }
 
-    /// The solution with the least squares among those of the 31 sets of terms, if none of its coefficients is negative.
+    /// The solution with the least squares among the solutions with the 31 sets of terms that have no negative coefficient.
     fn constrained(&self) -> [f64; TERMS] {
         let candidates = (1..1_usize << TERMS).filter_map(|set| self.solved(set));
-        // The sum of squares is that without any term, less the inner product with the right side.
+        // The sum of squared residuals is the sum without any term, less the inner product with the right side.
         let best = candidates
             .filter(|x| x.min() >= 0.0)
             .max_by(|a, b| a.dot(&self.right).total_cmp(&b.dot(&self.right)));
@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn no_coefficient_is_negative() {
-        // Below white noise at long averaging times: the free fit wants a negative term, the constrained one has none.
+        // The variances are below white noise at long averaging times: the free fit has a negative term, the constrained one none.
         let fit = fitted([0.0, 1e-10, -1e-13, 0.0, 0.0]);
         assert!(fit.free[2] < -0.99e-13, "{:?}", fit.free);
         assert!(fit.squares.iter().all(|square| *square >= 0.0), "{:?}", fit.squares);

@@ -58,7 +58,7 @@ pub fn degrees_of_freedom(fit: &Fit, covariance: &Covariance, i: usize, tau_s: f
 }
 
 /// Interval of the square x of coefficient `term`, by the fit without constraint: all x for which the square that was found is
-/// neither below the quantile of the probability `low` nor above that of `high`.
+/// neither below the quantile of the probability `low` nor above the quantile of the probability `high`.
 ///
 /// The fit without constraint is linear in the variances. So its variance follows from their covariances: v(x) = v₀ + v₁ x +
 /// v₂ x², where v₂ x² is due to the noise of this term itself. That part has nearly a χ² distribution with ν = 2 / v₂ degrees of
@@ -88,9 +88,9 @@ fn of_free_square(fit: &Fit, term: usize, (low, high): (f64, f64)) -> Interval {
     Interval { low: lower, high: bisected(found, above, |x| quantile(x, low) < found) }
 }
 
-/// Interval of the square of coefficient `term`. Its upper end is the lower of two: that of the fit, and the largest square with
-/// which this term alone makes no more than the whole variance, at the averaging time where that bound is closest. The fit
-/// chooses this time, because the lowest of the measured variances would be too low. Each of the two ends is exceeded with a
+/// Interval of the square of coefficient `term`. Its upper end is the lower of two: the upper end of the fit, and the largest
+/// square with which this term alone makes no more than the whole variance, at the averaging time where that bound is closest. The
+/// fit chooses this time, because the lowest of the measured variances would be too low. Each of the two ends is exceeded with a
 /// quarter of the probability left out, so both together with at most half of it.
 pub fn of_square(fit: &Fit, term: usize, points: &[Point], confidence: f64) -> Interval {
     let left_out = 1.0 - confidence;
@@ -107,7 +107,7 @@ pub fn of_square(fit: &Fit, term: usize, points: &[Point], confidence: f64) -> I
     Interval { low: free.low.min(reported), high: free.high.min(bound).max(reported) }
 }
 
-/// Where `is_below` turns false between `low` and `high`.
+/// Place between `low` and `high` where `is_below` turns false.
 fn bisected(mut low: f64, mut high: f64, is_below: impl Fn(f64) -> bool) -> f64 {
     while high - low > 1e-10 * low.abs().max(high.abs()) {
         let middle = 0.5 * (low + high);
@@ -122,7 +122,7 @@ fn bisected(mut low: f64, mut high: f64, is_below: impl Fn(f64) -> bool) -> f64 
 
 /// Quantile of Pearson's third distribution with mean 0, variance 1 and this skewness.
 fn pearson(skewness: f64, probability: f64) -> f64 {
-    // Below it differs from a normal one by less than 1e-4.
+    // Below this skewness the distribution differs from a normal one by less than 1e-4.
     if skewness < 1e-4 {
         return normal_quantile(probability);
     }

@@ -8,13 +8,13 @@ const SUMMED: i64 = 16;
 /// Second differences with steps of `a` and of `b` samples in one record.
 #[derive(Debug, Clone, Copy)]
 pub struct Pair {
-    /// Samples of the record; its integral has one more.
+    /// Number of samples of the record. Its integral has one sample more.
     pub count: usize,
     pub a: usize,
     pub b: usize,
 }
 
-/// A distance in samples from the start of the first difference to that of the second, and its weight in a sum.
+/// A distance in samples from the start of the first difference to the start of the second, and its weight in a sum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lag {
     pub samples: f64,
@@ -33,12 +33,12 @@ impl Pair {
         ((first as f64).min(second as f64 - lag) - (-lag).max(0.0)).max(0.0)
     }
 
-    /// Places and weights that give Σ times(l) f(l) over all integers l. f is a square of covariances of noise: smooth except at the
-    /// distances at which two points of the differences meet, and decreasing to zero beyond the differences.
+    /// Places and weights that give Σ times(l) f(l) over all integers l. f is a square of covariances of noise: smooth except at
+    /// the distances at which two points of the differences meet, and decreasing to zero beyond the differences.
     pub fn lags(&self) -> Vec<Lag> {
         let (a, b) = (self.a as i64, self.b as i64);
         let (first, second) = (self.starts().0 as i64, self.starts().1 as i64);
-        // A covariance of flicker falls with the square of the distance: what is left out is 2e-4 of the sum.
+        // A covariance of flicker falls with the square of the distance: the part that is left out is 2e-4 of the sum.
         let (middle, reach) = (a - b, 3 * (a + b));
         let (low, high) = ((middle - reach).max(-first), (middle + reach).min(second));
         let mut corners = vec![low, high, 0, second - first];
@@ -60,7 +60,7 @@ impl Pair {
         (0..9_usize).map(move |k| (k as i64 / 3 * a - k as i64 % 3 * b, FACTORS[k / 3] * FACTORS[k % 3]))
     }
 
-    /// The sum from corner to corner, half of each: term by term, or as an integral.
+    /// Adds the places and weights from corner to corner, with half the weight at each corner: term by term, or as an integral.
     fn piece(&self, from: i64, to: i64, lags: &mut Vec<Lag>) {
         let mut push = |samples: f64, weight: f64| {
             lags.push(Lag { samples, weight: weight * self.times(samples) });
@@ -98,8 +98,8 @@ mod tests {
         }
     }
 
-    /// Against the sum term by term, for the squared covariance of a triangle, as that of white noise is; the integral leaves
-    /// out 1/12 of the jumps of slope, less than 1 / SUMMED².
+    /// Compared with the sum term by term, for a squared triangular covariance, as white noise has it. The integral leaves out 1/12
+    /// of the jumps of slope, less than 1 / SUMMED².
     #[test]
     fn pieces_make_the_whole_sum() {
         for (count, a, b) in [(100, 1, 1), (100, 2, 5), (2000, 30, 200), (2000, 200, 200), (1000, 111, 90)] {

@@ -87,7 +87,7 @@ impl Estimator {
     /// A record without noise is rejected: all its increments are equal, or a variance is not from 1e-70 to 1e70.
     pub fn estimate(&self, increments: &[f64]) -> Result<Estimate, Error> {
         let variances = self.variances(increments)?;
-        // The mean that is subtracted leaves rounding errors where nothing moves.
+        // Equal increments can have a variance above 0: subtracting their mean leaves rounding errors.
         let first = increments[0];
         if increments.iter().all(|increment| *increment == first) {
             return Err(Error::invalid(

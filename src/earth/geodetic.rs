@@ -9,7 +9,7 @@ use super::position::Direction;
 use crate::math::{Two, atan2_of_two, hypot, sin_cos, sin_cos_each};
 use crate::snapshot::{ANY, stored};
 
-/// A place by its geodetic coordinates.
+/// Geodetic coordinates of a place.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Geodetic {
     /// Geodetic latitude, -π/2 to π/2 [rad].
@@ -22,7 +22,7 @@ pub struct Geodetic {
 
 stored!(Geodetic { latitude_rad: ANY, longitude_rad: ANY, height_m: ANY });
 
-/// The vertical at a place: the normal of the ellipsoid, free of latitude and longitude, and the height along it.
+/// The vertical at a place: the normal of the ellipsoid, given without latitude and longitude, and the height along it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vertical {
     /// Unit vector up, Earth-fixed axes. Its z component is the sine of the latitude.
@@ -31,8 +31,8 @@ pub struct Vertical {
     pub height_m: f64,
 }
 
-/// What is kept from one position to the next to find the vertical in one pass: the centre of curvature of the meridian,
-/// below the equator and from the axis [m].
+/// Centre of curvature of the meridian, below the equator and from the axis [m]. It is kept from one position to the next, to find
+/// the vertical in one pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VerticalTrack {
     centre_z: f64,
@@ -42,20 +42,20 @@ pub struct VerticalTrack {
 stored!(VerticalTrack { centre_z: 1e6, centre_p: 1e6 });
 
 impl VerticalTrack {
-    /// Made of what [`Self::numbers`] gives.
+    /// Track made of the numbers that [`Self::numbers`] returns.
     #[inline(always)]
     pub(crate) fn from_numbers([centre_z, centre_p]: [f64; 2]) -> Self {
         Self { centre_z, centre_p }
     }
 
-    /// The numbers of which it is made.
+    /// The numbers that define the track.
     #[inline(always)]
     pub(crate) fn numbers(&self) -> [f64; 2] {
         [self.centre_z, self.centre_p]
     }
 }
 
-/// Sine and cosine of a latitude; the solution of the meridian ellipse keeps to them, so that nothing is singular.
+/// Sine and cosine of a latitude. The solution of the meridian ellipse uses only these, so that nothing is singular.
 #[derive(Debug, Clone, Copy)]
 struct Latitude {
     sin: f64,
@@ -85,7 +85,7 @@ impl Earth {
         let angles = atan2_of_two(Two::new(latitude.sin, r_e.y), Two::new(latitude.cos, r_e.x));
         let (latitude_rad, longitude_rad) = (angles.first(), angles.second());
         let mut place = Geodetic { latitude_rad, longitude_rad, height_m };
-        // One Newton step on the position in twice the precision takes out what rounding left: up to 3 nm.
+        // One Newton step on the position in twice the precision removes the rounding error, which is up to 3 nm.
         let direction = Direction::of(&place);
         let position = self.position(&direction, height_m);
         let xy = (Two::new(r_e.x, r_e.y) - position.xy.0) - position.xy.1;
@@ -103,7 +103,7 @@ impl Earth {
         place
     }
 
-    /// Distance of a place from the axis of the Earth [m]; near a pole, where it is small, longitude and heading lose meaning.
+    /// Distance of a place from the axis of the Earth [m]. Near a pole, where it is small, longitude and heading lose meaning.
     #[cold]
     #[inline(never)]
     pub fn distance_from_axis(&self, place: Geodetic) -> f64 {
@@ -118,7 +118,7 @@ impl Earth {
         vertical_of(r_e, p, latitude, height_m)
     }
 
-    /// The vertical at an Earth-fixed position [m] at most some kilometres from the last one that `track` followed.
+    /// The vertical at an Earth-fixed position [m] at most some kilometres from the previous position that `track` followed.
     #[inline(always)]
     pub fn follow(&self, track: &mut VerticalTrack, r_e: &Vector3<f64>) -> Vertical {
         let p = hypot(r_e.x, r_e.y);
@@ -137,7 +137,7 @@ impl Earth {
         self.centre(latitude, w2 * w2.sqrt())
     }
 
-    /// Centre of curvature of the meridian at `latitude`, of which `w3` = (1 - e² sin²L)^1.5.
+    /// Centre of curvature of the meridian at `latitude`, with `w3` = (1 - e² sin²L)^1.5 there.
     #[inline]
     fn centre(&self, latitude: Latitude, w3: f64) -> VerticalTrack {
         let (scale_z, scale_p) = self.centre_scales(w3);
@@ -155,8 +155,8 @@ impl Earth {
         (scale * flattened, scale)
     }
 
-    /// Latitude and height of a point of the meridian plane, `p` from the axis and `z` above the equator; the height free of
-    /// a division, h = p cos L + z sin L - a sqrt(1 - e² sin²L).
+    /// Latitude and height of a point of the meridian plane, `p` from the axis and `z` above the equator. The height needs no
+    /// division: h = p cos L + z sin L - a sqrt(1 - e² sin²L).
     #[inline(always)]
     fn meridian(&self, p: f64, z: f64) -> (Latitude, f64) {
         let place = Two::new(z, p);
@@ -171,7 +171,7 @@ impl Earth {
     }
 
     /// Bowring's step: the normal through the centre of curvature that belongs to the latitude `guess`. The centre
-    /// moves along the normal itself, so the error squares at each step (times e² h/a).
+    /// moves along the normal itself. So each step squares the error (times e² h/a).
     #[inline(always)]
     fn bowring(&self, place: Two, guess: Two) -> Two {
         let sin = guess.first();

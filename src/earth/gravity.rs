@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::Earth;
 use crate::snapshot::codes;
 
-/// Which normal field.
+/// Model of the normal gravity field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum GravityModel {
     /// Closed form at any height, with its north component (Heiskanen and Moritz 1967, §6-2).
@@ -82,7 +82,7 @@ impl NormalField {
     }
 
     /// Closed form in ellipsoidal-harmonic coordinates u, β: `r_e` = (v cos β cos λ, v cos β sin λ, u sin β) with
-    /// v² = u² + E². cos β cos λ = x/v and sin β = z/u put it into Cartesian components that are regular on
+    /// v² = u² + E². With cos β cos λ = x/v and sin β = z/u the Cartesian components are regular on
     /// the axis.
     #[inline(always)]
     fn closed_form(&self, r_e: &Vector3<f64>) -> Vector3<f64> {
@@ -111,7 +111,7 @@ impl NormalField {
 
 impl Earth {
     /// Gravity (attraction and centrifugal acceleration) at the Earth-fixed position `r_e` [m], in Earth-fixed axes
-    /// [m/s²]. The one gravity function of the simulator: signal generator and mechanization both call it.
+    /// [m/s²]. It is the only gravity function of the simulator: signal generator and mechanization both call it.
     #[inline]
     pub fn gravity(&self, r_e: &Vector3<f64>) -> Vector3<f64> {
         match self.gravity_model {
@@ -139,8 +139,9 @@ impl Earth {
         surface * (1.0 - 2.0 / a * (1.0 + f + self.field.m - 2.0 * f * sin2) * h + 3.0 * h * h / (a * a))
     }
 
-    /// Gradient of [`Earth::gravity`] in Earth-fixed axes [1/s²], for the error equations. The closed form by its
-    /// zonal harmonics of degree two and four, true to 1e-6 of itself; Somigliana's formula exactly.
+    /// Gradient of [`Earth::gravity`] in Earth-fixed axes [1/s²], for the error equations. The gradient of the closed form is
+    /// computed by its zonal harmonics of degree two and four, with a relative error of 1e-6. The gradient of Somigliana's formula
+    /// is exact.
     pub fn gravity_gradient(&self, r_e: &Vector3<f64>) -> Matrix3<f64> {
         match self.gravity_model {
             GravityModel::Normal => self.normal_gradient(r_e),
@@ -148,8 +149,8 @@ impl Earth {
         }
     }
 
-    /// Attraction g_x = x F, g_y = y F with F a function of r² and s = z²/r²; the rest follows, the attraction being
-    /// free of curl and of divergence.
+    /// Gradient of [`GravityModel::Normal`]. Attraction is g_x = x F, g_y = y F, where F is a function of r² and s = z²/r². The
+    /// other components follow, because the attraction has no curl and no divergence.
     fn normal_gradient(&self, r_e: &Vector3<f64>) -> Matrix3<f64> {
         let field = &self.field;
         let inverse_r2 = 1.0 / r_e.norm_squared();
@@ -258,7 +259,7 @@ mod tests {
         }
     }
 
-    /// The gradient against central differences of the field: the truncated harmonics (1e-6) and, of the
+    /// Compares the gradient with central differences of the field. Errors: the truncated harmonics (1e-6) and, in the
     /// differences, d²/r² of the third derivative and the rounding 1e-15/d.
     #[test]
     fn gradient_is_the_derivative_of_gravity() {

@@ -40,9 +40,9 @@ pub struct Earth {
     pub eccentricity2: f64,
     /// Polar radius b = a (1 - f) [m].
     pub polar_radius_m: f64,
-    /// Earth rate W against inertial space [rad/s].
+    /// Earth rate W relative to inertial space [rad/s].
     pub rate_rad_s: f64,
-    /// The field that [`Earth::gravity`] gives.
+    /// Model of the field that [`Earth::gravity`] returns.
     pub gravity_model: GravityModel,
     field: NormalField,
 }
@@ -50,9 +50,9 @@ pub struct Earth {
 /// Radii of curvature of the ellipsoid at a latitude [m].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Radii {
-    /// In the meridian, RM = a (1 - e²) / (1 - e² sin²L)^1.5.
+    /// Radius in the meridian, RM = a (1 - e²) / (1 - e² sin²L)^1.5.
     pub meridian_m: f64,
-    /// In the prime vertical, RN = a / sqrt(1 - e² sin²L).
+    /// Radius in the prime vertical, RN = a / sqrt(1 - e² sin²L).
     pub transverse_m: f64,
 }
 

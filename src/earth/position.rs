@@ -24,7 +24,7 @@ impl Direction {
         Self::new(Two::new(sl, so), Two::new(cl, co))
     }
 
-    /// Unit vectors, Earth-fixed axes.
+    /// Unit vectors east, north and up, Earth-fixed axes.
     #[inline(always)]
     fn east_north_up(&self) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
         let (cl, sl) = (self.latitude.first(), self.latitude.second());
@@ -47,7 +47,7 @@ impl Position {
     }
 }
 
-/// The product of an unevaluated sum of two doubles and a factor, as such a sum.
+/// Product of an unevaluated sum of two doubles and a factor, also as an unevaluated sum of two doubles.
 #[inline(always)]
 fn times((high, low): (Two, Two), factor: Two) -> (Two, Two) {
     let (product, error) = two_product(high, factor);
@@ -55,7 +55,7 @@ fn times((high, low): (Two, Two), factor: Two) -> (Two, Two) {
 }
 
 impl Earth {
-    /// Earth-fixed position [m] of a place, to half a unit in the last place and the rounding of the sines.
+    /// Earth-fixed position [m] of a place. Its error is half a unit in the last place and the rounding of the sines.
     pub fn to_earth_fixed(&self, place: &Geodetic) -> Vector3<f64> {
         self.to_earth_fixed_with_axes(place).0
     }
@@ -66,8 +66,8 @@ impl Earth {
         (self.position(&direction, place.height_m).rounded(), direction.east_north_up().into())
     }
 
-    /// Displacement [m] to a place, Earth-fixed axes, and the unit vectors east, north and up at the place that it begins `at`. As
-    /// `position`, with the two places side by side.
+    /// Displacement [m] from the place `at` to the place `to`, Earth-fixed axes, and the unit vectors east, north and up at `at`.
+    /// The computation is that in `position`, with the two places side by side.
     #[inline(always)]
     pub fn displacement(&self, to: &Geodetic, at: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
         let ([sl0, sl1, so0, so1], [cl0, cl1, co0, co1]) =
@@ -91,7 +91,7 @@ impl Earth {
         (displacement, here.east_north_up().into())
     }
 
-    /// RN - a at a place is small and comes without cancellation: RN = a + a e² s² / (w (1 + w)), w² = 1 - e² s².
+    /// RN - a at a place. It is small, and is computed without cancellation: RN = a + a e² s² / (w (1 + w)), w² = 1 - e² s².
     #[inline(always)]
     fn excess(&self, sin_latitude: Two) -> Two {
         let bulge = sin_latitude * self.eccentricity2 * sin_latitude;
@@ -105,7 +105,7 @@ impl Earth {
         excess * (1.0 - self.eccentricity2) - Two::both(self.equatorial_radius_m * self.eccentricity2)
     }
 
-    /// Earth-fixed position of a place: x and y side by side, as are their distance from the axis and z.
+    /// Earth-fixed position of a place. x and y are computed side by side, and so are the distance from the axis and z.
     #[inline(always)]
     pub(super) fn position(&self, direction: &Direction, height_m: f64) -> Position {
         let Direction { latitude, longitude } = *direction;

@@ -1,4 +1,4 @@
-//! Accuracy figures of one run, in the language of data sheets. One run is no ensemble.
+//! Accuracy figures of one run, as in data sheets. One run is no ensemble.
 
 use nalgebra::Vector3;
 
@@ -11,10 +11,10 @@ const RADIAL_CEP: f64 = 0.832_554_611_157_697_8;
 /// R95 = 1.7308 √(mean RER²): 95 % of the radial errors, circular normal distribution (√ln 20).
 const RADIAL_95: f64 = 1.730_818_382_602_285;
 
-/// Time since the start before which the radial error rate is not taken [s]: as t → 0 it is initial error over nothing.
+/// Start of the window of the radial error rate, as time since the start [s]: as t → 0 the rate is the initial error divided by 0.
 const WINDOW_START_S: f64 = 300.0;
 
-/// Errors are sampled this far apart at the least [s].
+/// Shortest interval between two samples of the errors [s].
 const SAMPLE_INTERVAL_S: f64 = 1.0;
 
 /// Sums over the run so far.
@@ -46,22 +46,22 @@ stored!(Accuracy {
         from.require(square >= 0.0, square, NO_SQUARE)?;
     }
     from.require(n == sums.windowed as f64, n, "must be the number of samples in the window")?;
-    // Two samples are an interval of the sampling apart, more have a wider spread.
+    // Two samples are one sampling interval apart, and more samples have a larger spread.
     let spread = n * t2 - t * t;
     from.require(n < 2.0 || spread > 0.5 * SAMPLE_INTERVAL_S * SAMPLE_INTERVAL_S, spread, "is no spread of times")
 });
 
-/// No sum over a run is as large: of squares of 1e9 m/s or m, or times of 2e10 s, as often as there can be samples.
+/// Bound of the sums over a run: no run has enough samples for it, with squares of 1e9 m/s or m, or times of 2e10 s.
 const SUMS: f64 = 1e40;
 
-/// The figures.
+/// Accuracy figures of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AccuracyFigures {
     /// Time since the navigation started [s].
     pub duration_s: f64,
-    /// Where the window of the radial error rate begins, in time since the start [s].
+    /// Start of the window of the radial error rate, as time since the start [s].
     pub window_start_s: f64,
-    /// Samples in the window; the rates are 0 while there is none.
+    /// Number of samples in the window. While it is 0, the rates are 0.
     pub window_samples: u64,
     /// √(mean RER²), RER = radial position error / time since the start [m/s].
     pub radial_error_rate_rms_m_s: f64,
@@ -91,7 +91,7 @@ impl Accuracy {
         time_s >= self.next_s
     }
 
-    /// Adds the errors at `time_s` [s]. Near a pole those of the velocity are left out: at the pole itself east and north of
+    /// Adds the errors at `time_s` [s]. Near a pole the velocity errors are left out: at the pole itself the east and north axes of
     /// truth and solution differ by any angle, and a perfect run at 250 m/s would show 6 m/s.
     pub fn add(&mut self, time_s: f64, errors: &NavigationErrors, near_pole: bool) {
         self.next_s = time_s + SAMPLE_INTERVAL_S * (1.0 - 1e-6);
@@ -110,7 +110,7 @@ impl Accuracy {
         }
     }
 
-    /// The clock of the run has been moved by `shift_s` [s].
+    /// Follows a clock of the run that was moved by `shift_s` [s].
     pub(crate) fn move_time(&mut self, shift_s: f64) {
         self.start_s = moved_clock(self.start_s, shift_s);
         self.next_s = moved_clock(self.next_s, shift_s);

@@ -1,4 +1,4 @@
-//! Errors that stay with a navigator where its truth jumps.
+//! Errors that a navigator keeps when its truth jumps.
 
 use nalgebra::{Quaternion, Vector3};
 
@@ -6,16 +6,17 @@ use crate::earth::{Earth, navigation_axes};
 use crate::math::{rotate, rotate_inverse, rotated_z};
 use crate::state::{EarthFixedState, NEAR_POLE_M, Navigation};
 
-/// Cosine of the angle between two verticals below which a height is not to be found along the other one: 84°.
+/// Smallest cosine of the angle between two verticals at which a height along the other vertical is searched for: 84°.
 const LEAST_SLOPE: f64 = 0.1;
 
-/// Errors of a solution: what [`navigation_minus_truth`](super::navigation_minus_truth) tells, at any size and everywhere.
+/// Errors of a solution, as [`navigation_minus_truth`](super::navigation_minus_truth) returns them, but of any size and everywhere.
 ///
-/// Velocity and attitude are compared in the solution's own axes east-north-up with those of the truth. Near a pole, where these
-/// differ by any angle, the solution's axes are the truth's, turned to the solution's vertical by the shortest way.
+/// Velocity and attitude are compared between the solution in its own axes east-north-up and the truth in its axes. Near a pole the
+/// two sets of axes differ by any angle. There the solution's axes are the truth's axes, turned to the solution's vertical by the
+/// shortest rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CarriedErrors {
-    /// Straight displacement along the truth's east, north, up [m].
+    /// Straight displacement, components along the truth's east, north, up [m].
     displacement_n: Vector3<f64>,
     /// Difference of the heights [m].
     height_m: f64,
@@ -39,7 +40,7 @@ impl CarriedErrors {
         }
     }
 
-    /// The solution with these errors at another `truth`; `None` where the displacement has no such height there.
+    /// Solution with these errors at another `truth`; `None` if the displacement cannot have this height error there.
     pub fn at(&self, earth: &Earth, truth: &Navigation) -> Option<EarthFixedState> {
         let true_place = earth.to_earth_fixed(&truth.place);
         let true_axes = navigation_axes(truth.place.latitude_rad, truth.place.longitude_rad);
@@ -53,7 +54,7 @@ impl CarriedErrors {
         })
     }
 
-    /// The place of the same displacement along east and north whose height has the same error: by Newton's rule along up.
+    /// Place with the same displacement along east and north and the same height error, by Newton's method along up.
     fn place(
         &self,
         earth: &Earth,
@@ -77,12 +78,12 @@ impl CarriedErrors {
             }
             r_e += up_e * (miss_m / slope);
         }
-        // Heights are exact to a nanometre, and to the last place of far ones.
+        // Heights are exact to a nanometre, or to their last digit far from the Earth.
         (miss_m.abs() < 1e-7).then_some(r_e)
     }
 }
 
-/// Axes east-north-up of a solution at `r_e` with the truth at `true_place`, whose axes are `true_axes`; and its height [m].
+/// Axes east-north-up and height [m] of a solution at `r_e`. The truth is at `true_place` and has the axes `true_axes`.
 fn axes_and_height(
     earth: &Earth,
     r_e: &Vector3<f64>,
@@ -98,7 +99,7 @@ fn axes_and_height(
     let (from, to) = (rotated_z(true_axes), rotated_z(&own));
     let lean = Quaternion::from_parts(1.0 + from.dot(&to), from.cross(&to));
     let norm2 = lean.norm_squared();
-    // Verticals that are opposite have no shortest way.
+    // Between opposite verticals no rotation is the shortest.
     let axes = if norm2 > 1e-6 { lean / norm2.sqrt() * true_axes } else { own };
     (axes, place.height_m)
 }

@@ -5,15 +5,15 @@ use crate::earth::Earth;
 use crate::math::{rotation_vector, wrap_angle};
 use crate::state::Navigation;
 
-/// Errors of `navigation` against `truth`. Position is differenced in Earth-fixed axes and attitude as a rotation vector:
-/// no wrap of longitude or heading, no gimbal lock and no pole spoils them.
+/// Errors of `navigation` against `truth`. Position is differenced in Earth-fixed axes and attitude as a rotation vector, so that
+/// no wrap of longitude or heading, no gimbal lock and no pole disturbs these errors.
 #[inline(always)]
 pub fn navigation_minus_truth(
     earth: &Earth,
     navigation: &Navigation,
     truth: &Navigation,
 ) -> NavigationErrors {
-    // What may call a function first: nothing else is to be put aside for it.
+    // Terms that can call a function come first, so that the calls need not save other values.
     let longitude_rad = wrap_angle(navigation.place.longitude_rad - truth.place.longitude_rad);
     let roll_rad = wrap_angle(navigation.euler.roll - truth.euler.roll);
     let heading_rad = wrap_angle(navigation.euler.heading - truth.euler.heading);

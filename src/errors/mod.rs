@@ -1,5 +1,5 @@
 //! The two error outputs: navigation minus truth (the paper's error data 2), and the error differential equations driven
-//! by the same sensor errors (error data 1); and the accuracy figures made of the first.
+//! by the same sensor errors (error data 1); and the accuracy figures computed from navigation minus truth.
 
 mod accuracy;
 mod carried;
@@ -21,18 +21,18 @@ pub struct NavigationErrors {
     pub position_n: Vector3<f64>,
     /// Latitude [rad].
     pub latitude_rad: f64,
-    /// Longitude [rad]; without meaning near a pole.
+    /// Longitude [rad]; has no meaning near a pole.
     pub longitude_rad: f64,
-    /// Velocity [m/s], difference of the components in each solution's own east-north-up.
+    /// Velocity [m/s]: difference of the components, each solution in its own axes east-north-up.
     pub velocity_n: Vector3<f64>,
     /// Misalignment φ [rad]: computed C = (I - [φ×]) C for the attitude of sensor axes in east-north-up.
     pub misalignment_n: Vector3<f64>,
-    /// Roll, pitch, heading [rad].
+    /// Roll [rad].
     pub roll_rad: f64,
-    /// See `roll_rad`.
+    /// Pitch [rad].
     pub pitch_rad: f64,
-    /// See `roll_rad`.
+    /// Heading [rad].
     pub heading_rad: f64,
-    /// Linear model: its states have outgrown what it drops.
+    /// Whether the states of the linear model are so large that the terms that it drops are no longer small.
     pub outside_validity: bool,
 }

@@ -1,14 +1,14 @@
-//! Arc tangent, of several points at once: the very bits of the `libm` crate's (FreeBSD msun, e_atan2.c and s_atan.c).
+//! Arc tangent of several points at once, with the same bits as in the `libm` crate (FreeBSD msun, e_atan2.c and s_atan.c).
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use core::ops::{Add, Div, Mul, Sub};
 
 use super::two::Two;
 
-/// π less its double.
+/// π less its value as a double.
 const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
 
-/// Ratios beyond which, as for what is no number, the library itself is asked: it has its own rules there.
+/// Largest ratio that is computed here. For larger ratios and NaN the library is called, which has special rules for them.
 const MAX_RATIO: f64 = (1_u64 << 60) as f64;
 
 /// atan t = atan s + atan r, r = (c t - d)/(c + d t), s = d/c.
@@ -16,12 +16,12 @@ const MAX_RATIO: f64 = (1_u64 << 60) as f64;
 struct Reduction {
     c: f64,
     d: f64,
-    /// atan s, and what its double lacks.
+    /// atan s as a double, and the rest that the double lacks.
     high: f64,
     rest: f64,
 }
 
-/// s = 0, 1/2, 1, 3/2, ∞.
+/// Reductions with s = 0, 1/2, 1, 3/2, ∞.
 const REDUCTIONS: [Reduction; 5] = [
     Reduction { c: 1.0, d: 0.0, high: 0.0, rest: 0.0 },
     Reduction { c: 2.0, d: 1.0, high: 4.636_476_090_008_061e-1, rest: 2.269_877_745_296_168_7e-17 },
@@ -30,8 +30,8 @@ const REDUCTIONS: [Reduction; 5] = [
     Reduction { c: 0.0, d: 1.0, high: FRAC_PI_2, rest: 6.123_233_995_736_766e-17 },
 ];
 
-/// They begin at t = 0, 7/16, 11/16, 19/16, 39/16. So the nearest integer to 8 t tells which: where t is a bound, the even one of
-/// two that are as near is above.
+/// Reduction for each nearest integer to 8 t. The reductions begin at t = 0, 7/16, 11/16, 19/16, 39/16. At these bounds (except for
+/// 0) 8 t is halfway between two integers, and the even integer, to which it is rounded, is the upper one.
 static BY_EIGHTHS: [Reduction; 32] = {
     let mut by_eighths = [REDUCTIONS[4]; 32];
     let mut eighths = 0;
@@ -44,10 +44,10 @@ static BY_EIGHTHS: [Reduction; 32] = {
 };
 const LAST_BEGINS: usize = 20;
 
-/// Added, it leaves the nearest integer in the last bits.
+/// Adding it leaves the nearest integer in the last bits.
 const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 · 2^52
 
-/// (r - atan r)/r as a polynomial in r², in two: odd and even powers of r².
+/// (r - atan r)/r as a polynomial in r², in two parts: odd and even powers of r².
 const ODD: [f64; 6] = [
     3.333_333_333_333_293e-1,
     1.428_571_427_250_346_6e-1,
@@ -68,7 +68,7 @@ const EVEN: [f64; 5] = [
 trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
     fn of(x: f64) -> Self;
 
-    /// c and d, high and rest of the reductions that belong to these ratios.
+    /// c, d, high and rest of the reductions for these ratios.
     fn reductions(self) -> [Self; 4];
 }
 
@@ -133,7 +133,7 @@ pub fn atan2_of_two(y: Two, x: Two) -> Two {
     if !t.at_most(MAX_RATIO) {
         return Two::new(of_special(y.first(), x.first()), of_special(y.second(), x.second()));
     }
-    // For a negative x, π - (atan t - rest of π); atan t - 0 + 0 keeps the bits of the others.
+    // For a negative x the angle is π - (atan t - rest of π). For other x, atan t - 0 + 0 keeps the bits of atan t.
     let (behind, sign) = (x.less(Two::both(0.0)), Two::both(-0.0));
     let less_rest = of_ratio(t) - (Two::both(PI_REST) & behind);
     let turned = (less_rest ^ (x & sign)) + (Two::both(PI) & behind);
@@ -144,7 +144,7 @@ pub fn atan2_of_two(y: Two, x: Two) -> Two {
 #[inline(always)]
 pub fn atan2_of_positive(y: f64, x: f64) -> f64 {
     let t = y / x;
-    // False for NaN too.
+    // The comparison is also false for NaN.
     if t <= MAX_RATIO { of_ratio(t) } else { of_special(y, x) }
 }
 
@@ -159,7 +159,7 @@ mod tests {
     use super::*;
     use crate::math::{SPLIT_MIX_STEP, mix};
 
-    /// Against the library's, bit for bit; what is no number has any bits.
+    /// Compares with the library's result bit for bit. A NaN may have any bits.
     fn check_one(found: f64, y: f64, x: f64) {
         let expected = libm::atan2(y, x);
         let same = found.to_bits() == expected.to_bits() || found.is_nan() && expected.is_nan();
@@ -186,7 +186,7 @@ mod tests {
             mix(state)
         };
         for _ in 0..1_000_000 {
-            // Any bits; ratios near 1; ratios of all sizes that are no special ones.
+            // Any bits; ratios near 1; ratios of all sizes that are not special.
             check(f64::from_bits(random()), f64::from_bits(random()));
             let [y, x] = [random(), random()].map(|bits| bits.cast_signed() as f64);
             check(y, x);

@@ -9,7 +9,7 @@ use super::sine::sin_cos_each;
 use super::transcendental::wrap_angle;
 use super::two::Two;
 
-/// Attitude angles of body axes right-forward-up against east-north-up [rad].
+/// Attitude angles of body axes right-forward-up relative to east-north-up [rad].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Euler {
     /// Right wing down positive, -π..π.
@@ -37,8 +37,8 @@ pub fn attitude_from_half_angles(&[sr, sp, sh]: &[f64; 3], &[cr, cp, ch]: &[f64;
     )
 }
 
-/// Attitude angles of `q_nb`, by the sum and the difference of heading and roll, so that near pitch ±90° the one
-/// that is still defined keeps all its digits.
+/// Attitude angles of `q_nb`, by the sum and the difference of heading and roll. Near pitch ±90° only one of these two is
+/// defined, and it keeps all its digits.
 #[inline(always)]
 pub fn euler_from_attitude(q: &Quaternion<f64>) -> Euler {
     // The points (w + x, -(y + z)) and (w - x, y - z).

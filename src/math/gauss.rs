@@ -1,17 +1,17 @@
 //! Gauss-Legendre quadrature on 0..1: nodes in rising order, each with its weight. A rule of n nodes integrates polynomials of
 //! degree 2n - 1 exactly.
 
-/// Two nodes.
+/// Rule of two nodes.
 pub const GAUSS_2: [(f64, f64); 2] = [(0.211_324_865_405_187_1, 0.5), (0.788_675_134_594_812_9, 0.5)];
 
-/// Three nodes.
+/// Rule of three nodes.
 pub const GAUSS_3: [(f64, f64); 3] = [
     (0.112_701_665_379_258_31, 0.277_777_777_777_777_8),
     (0.5, 0.444_444_444_444_444_4),
     (0.887_298_334_620_741_7, 0.277_777_777_777_777_8),
 ];
 
-/// Four nodes.
+/// Rule of four nodes.
 pub const GAUSS_4: [(f64, f64); 4] = [
     (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
     (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
@@ -19,7 +19,7 @@ pub const GAUSS_4: [(f64, f64); 4] = [
     (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
 
-/// Five nodes.
+/// Rule of five nodes.
 pub const GAUSS_5: [(f64, f64); 5] = [
     (0.046_910_077_030_668_004, 0.118_463_442_528_094_54),
     (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
@@ -28,7 +28,7 @@ pub const GAUSS_5: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_094_54),
 ];
 
-/// Eight nodes.
+/// Rule of eight nodes.
 pub const GAUSS_8: [(f64, f64); 8] = [
     (0.019_855_071_751_231_884, 0.050_614_268_145_188_13),
     (0.101_666_761_293_186_64, 0.111_190_517_226_687_24),
@@ -44,7 +44,7 @@ pub const GAUSS_8: [(f64, f64); 8] = [
 mod tests {
     use super::*;
 
-    /// ∫ u^k du = 1/(k + 1); nodes and weights are rounded, which k nodes' powers multiply by k.
+    /// ∫ u^k du = 1/(k + 1). Nodes and weights are rounded, and the power k of a node multiplies its rounding error by k.
     #[test]
     fn each_rule_is_exact_to_its_degree_and_no_further() {
         for rule in [&GAUSS_2[..], &GAUSS_3, &GAUSS_4, &GAUSS_5, &GAUSS_8] {

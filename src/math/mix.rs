@@ -3,7 +3,7 @@
 /// Step of SplitMix64: 2^64 over the golden ratio.
 pub const SPLIT_MIX_STEP: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// Step and finalizer of SplitMix64 (Steele, Lea and Flood 2014): one to one, and every bit of the input moves every bit of
+/// Step and finalizer of SplitMix64 (Steele, Lea and Flood 2014): one to one, and every bit of the input affects every bit of
 /// the output.
 #[inline]
 pub fn mix(x: u64) -> u64 {

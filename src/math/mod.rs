@@ -1,5 +1,5 @@
-//! The mathematics under every block: rotations, compensated sums, derivative stencils, and the one place
-//! where a transcendental function is called.
+//! The mathematics that every block uses: rotations, compensated sums, derivative stencils, and the only place
+//! where transcendental functions are called.
 
 mod arc_tangent;
 mod axis;

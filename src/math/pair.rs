@@ -1,5 +1,5 @@
-//! Two numbers, and two vectors, that go through the same formula at once: the compiler makes one instruction of the two
-//! where the processor has such (SSE2, NEON), and the bits are those of the plain formula everywhere.
+//! Two numbers, and two vectors, that go through the same formula at once. The compiler computes both with one instruction where
+//! the processor has such instructions (SSE2, NEON). The bits are everywhere the same as with the plain formula.
 
 use core::ops::{Add, AddAssign, Div, Mul, Sub};
 
@@ -10,28 +10,28 @@ use nalgebra::{Matrix3, Vector3};
 pub struct Pair(pub [f64; 2]);
 
 impl Pair {
-    /// Both 0.
+    /// Pair of two zeros.
     pub const ZERO: Self = Self([0.0; 2]);
 
-    /// Both numbers of the pair are `x`.
+    /// Pair of which both numbers are `x`.
     #[inline(always)]
     pub fn both(x: f64) -> Self {
         Self([x; 2])
     }
 
-    /// The larger of the two.
+    /// The larger of the two numbers.
     #[inline(always)]
     pub fn max(self) -> f64 {
         if self.0[0] > self.0[1] { self.0[0] } else { self.0[1] }
     }
 
-    /// The square roots.
+    /// The square root of each number.
     #[inline(always)]
     pub fn sqrt(self) -> Self {
         Self([self.0[0].sqrt(), self.0[1].sqrt()])
     }
 
-    /// The first and the second, added.
+    /// The sum of the two numbers.
     #[inline(always)]
     pub fn sum(self) -> f64 {
         self.0[0] + self.0[1]
@@ -71,50 +71,50 @@ impl Mul<f64> for Pair {
 /// Two vectors side by side, component by component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VectorPair {
-    /// Their x components.
+    /// The x components of the two vectors.
     pub x: Pair,
-    /// Their y components.
+    /// The y components of the two vectors.
     pub y: Pair,
-    /// Their z components.
+    /// The z components of the two vectors.
     pub z: Pair,
 }
 
 impl VectorPair {
-    /// Both 0.
+    /// Pair of two zero vectors.
     pub const ZERO: Self = Self { x: Pair::ZERO, y: Pair::ZERO, z: Pair::ZERO };
 
-    /// Two vectors.
+    /// Pair of the vectors `first` and `second`.
     #[inline(always)]
     pub fn new(first: &Vector3<f64>, second: &Vector3<f64>) -> Self {
         let pair = |i: usize| Pair([first[i], second[i]]);
         Self { x: pair(0), y: pair(1), z: pair(2) }
     }
 
-    /// Both vectors of the pair are `v`.
+    /// Pair of which both vectors are `v`.
     #[inline(always)]
     pub fn both(v: &Vector3<f64>) -> Self {
         Self::new(v, v)
     }
 
-    /// The first of the two.
+    /// The first vector.
     #[inline(always)]
     pub fn first(&self) -> Vector3<f64> {
         Vector3::new(self.x.0[0], self.y.0[0], self.z.0[0])
     }
 
-    /// The second of the two.
+    /// The second vector.
     #[inline(always)]
     pub fn second(&self) -> Vector3<f64> {
         Vector3::new(self.x.0[1], self.y.0[1], self.z.0[1])
     }
 
-    /// The sum of the two.
+    /// The sum of the two vectors.
     #[inline(always)]
     pub fn sum(&self) -> Vector3<f64> {
         Vector3::new(self.x.sum(), self.y.sum(), self.z.sum())
     }
 
-    /// The matrix times each.
+    /// The matrix times each vector.
     #[inline(always)]
     pub fn of_matrix(matrix: &Matrix3<f64>, pair: &Self) -> Self {
         let row = |i: usize| {
@@ -125,13 +125,13 @@ impl VectorPair {
         Self { x: row(0), y: row(1), z: row(2) }
     }
 
-    /// Each times the number of its place.
+    /// The first vector times the first factor, and the second vector times the second factor.
     #[inline(always)]
     pub fn times(&self, factors: Pair) -> Self {
         Self { x: self.x * factors, y: self.y * factors, z: self.z * factors }
     }
 
-    /// The cross product of the firsts, and of the seconds.
+    /// The cross product of the first vectors, and of the second vectors.
     #[inline(always)]
     pub fn cross(&self, other: &Self) -> Self {
         Self {
@@ -141,7 +141,7 @@ impl VectorPair {
         }
     }
 
-    /// The scalar product of the firsts, and of the seconds.
+    /// The scalar product of the first vectors, and of the second vectors.
     #[inline(always)]
     pub fn dot(&self, other: &Self) -> Pair {
         self.x * other.x + self.y * other.y + self.z * other.z

@@ -4,8 +4,8 @@ use core::f64::consts::{PI, SQRT_2};
 
 use super::transcendental::{erfc, exp, ln, ln_gamma};
 
-/// With more degrees of freedom the approximation of Wilson and Hilferty stands alone: its error is below 2e-4 of the quantile
-/// there, from 0.1 % to 99.9 %.
+/// Number of degrees of freedom above which the approximation of Wilson and Hilferty is used alone. There its error is below 2e-4
+/// of the quantile, from 0.1 % to 99.9 %.
 const MANY: f64 = 300.0;
 
 /// z with Φ(z) = `probability`, for a probability between 0 and 1.
@@ -30,14 +30,14 @@ pub fn wilson_hilferty(z: f64, degrees: f64) -> f64 {
     root * root * root
 }
 
-/// The value that χ² with ν = `degrees` of freedom, any positive number, stays below with `probability`; to 1e-9 of itself
-/// up to 300 degrees.
+/// Value below which χ² is with the given `probability`, for ν = `degrees` of freedom, any positive number. Its relative error is
+/// 1e-9 up to 300 degrees.
 pub fn chi_square_quantile(probability: f64, degrees: f64) -> f64 {
     let approximate = degrees * wilson_hilferty(normal_quantile(probability), degrees);
     if degrees > MANY {
         return approximate;
     }
-    // The logarithm of P is concave over that of x: Newton's steps reach the root from any start.
+    // ln P is a concave function of ln x, so that Newton's steps reach the root from any start.
     let a = 0.5 * degrees;
     let mut logarithm = ln((0.5 * approximate).max(1e-3 * a));
     for _ in 0..100 {
@@ -53,7 +53,7 @@ pub fn chi_square_quantile(probability: f64, degrees: f64) -> f64 {
     2.0 * exp(logarithm)
 }
 
-/// Incomplete gamma function P(a, x): its series for small x, Lentz's continued fraction of 1 - P for large x (Abramowitz and
+/// Incomplete gamma function P(a, x): by its series for small x, by Lentz's continued fraction of 1 - P for large x (Abramowitz and
 /// Stegun 6.5.29, 6.5.31).
 fn lower_gamma(a: f64, x: f64) -> f64 {
     if x <= 0.0 {
@@ -116,7 +116,7 @@ mod tests {
         }
     }
 
-    /// Two degrees of freedom are an exponential distribution.
+    /// With two degrees of freedom χ² has an exponential distribution.
     #[test]
     fn two_degrees_are_in_closed_form() {
         for probability in [1e-9, 1e-4, 0.3, 0.7, 0.9999] {

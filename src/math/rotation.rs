@@ -28,8 +28,8 @@ impl RotationSeries {
     /// The coefficients for a squared angle `n2` [rad²] that is not short.
     #[inline(never)]
     fn long(n2: f64) -> Self {
-        // Taylor series: the closed forms cancel at 0. Dropped terms are below 1e-17 of the sum: n² / 16! in the long one,
-        // up to 0.5 rad, n² / 10! in the short one, up to 0.06 rad, which most intervals need.
+        // Taylor series, because the closed forms cancel at 0. Dropped terms are below 1e-17 of the sum: n² / 16! in the long
+        // series, up to 0.5 rad, and n² / 10! in the short series, up to 0.06 rad, which is enough for most intervals.
         let x = n2;
         if n2 < 0.25 {
             let tail = 1.0 / 3_628_800.0
@@ -62,7 +62,7 @@ impl RotationSeries {
         }
     }
 
-    /// `square` and `cubic` for two squared angles [rad²]: together, where the short series holds for both.
+    /// `square` and `cubic` for two squared angles [rad²]. They are computed together if the short series holds for both.
     #[inline(always)]
     pub fn of_pair(n2: Pair) -> (Pair, Pair) {
         if n2.max() < SHORT_SERIES {
@@ -104,7 +104,7 @@ pub fn rotated_z(q: &Quaternion<f64>) -> Vector3<f64> {
     Vector3::new(2.0 * (x * z + w * y), 2.0 * (y * z - w * x), (w * w + z * z) - (x * x + y * y))
 }
 
-/// Matrix of the unit quaternion `q`: cheaper than [`rotate`] from three vectors on.
+/// Matrix of the unit quaternion `q`: cheaper than [`rotate`] for three vectors or more.
 #[inline]
 pub fn rotation_matrix(q: &Quaternion<f64>) -> Matrix3<f64> {
     let (w, x, y, z) = (q.w, q.i, q.j, q.k);
@@ -133,7 +133,7 @@ pub struct AxisTurn {
 }
 
 impl AxisTurn {
-    /// By `angle` [rad].
+    /// Turn by `angle` [rad].
     #[inline]
     pub fn new(angle: f64) -> Self {
         let h = 0.5 * angle;
@@ -148,7 +148,7 @@ impl AxisTurn {
         Self { sine, cosine_less_one }
     }
 
-    /// (q_z - 1) `q`: what the turn adds to `q`.
+    /// (q_z - 1) `q`: the increment that the turn adds to `q`.
     #[inline(always)]
     pub fn increment(&self, q: &Quaternion<f64>) -> Quaternion<f64> {
         let Self { sine, cosine_less_one } = *self;
@@ -167,7 +167,7 @@ pub fn rotation_increment(phi: &Vector3<f64>) -> Quaternion<f64> {
     rotation_increment_by(phi, RotationSeries::new)
 }
 
-/// The same with the coefficients that `series` gives.
+/// [`rotation_increment`] with the coefficients that `series` gives.
 #[inline(always)]
 pub fn rotation_increment_by(
     phi: &Vector3<f64>,
@@ -195,7 +195,7 @@ pub fn rotation_quaternion(phi: &Vector3<f64>) -> Quaternion<f64> {
 
 /// Rotation vector [rad] of the quaternion `q`, of length 0 to π. The norm of `q` cancels.
 ///
-/// The arc tangent of vector over scalar part; 2 acos(w) would give 0 for rotations below 1e-8 rad.
+/// It is the arc tangent of the vector part over the scalar part; 2 acos(w) would give 0 for rotations below 1e-8 rad.
 #[inline]
 pub fn rotation_vector(q: &Quaternion<f64>) -> Vector3<f64> {
     // Of q and -q, the one with a scalar part that is not negative.
@@ -216,9 +216,9 @@ pub fn rotation_vector(q: &Quaternion<f64>) -> Vector3<f64> {
     }
 }
 
-/// q0* q1 of two unit quaternions, the rotation from one attitude to the other, formed from their difference: exactly none
-/// where they are equal. A product would leave 5e-17 rad of rounding each time: 5e-15 rad/s at 100 Hz, and at rest always in
-/// the same sense, 5 mm after 48 h.
+/// q0* q1 of two unit quaternions, the rotation from one attitude to the other. It is computed from their difference, so that equal
+/// attitudes give exactly the identity. A product would leave 5e-17 rad of rounding each time: 5e-15 rad/s at 100 Hz. At rest this
+/// rounding always has the same sense: 5 mm after 48 h.
 #[inline]
 pub fn relative_rotation(from: &Quaternion<f64>, to: &Quaternion<f64>) -> Quaternion<f64> {
     let to = if from.dot(to) < 0.0 { -to } else { *to };
@@ -268,7 +268,7 @@ mod tests {
         for angle in [0.0, 1e-300, 1e-16, 1e-9, 1e-3, 0.12, 0.499_999, 0.500_001, 1.0, 3.0, PI - 1e-3] {
             let phi = axis * angle;
             let back = rotation_vector(&rotation_quaternion(&phi));
-            // cos(n/2) near π/2 and sin near 0 hold 1e-16 absolute; the arc tangent spreads it evenly.
+            // cos(n/2) near π/2 and sin near 0 have an absolute error of 1e-16, which the arc tangent spreads evenly.
             assert!((back - phi).norm() <= 8.0 * f64::EPSILON * angle, "{angle}: {}", (back - phi).norm());
         }
     }
@@ -290,7 +290,7 @@ mod tests {
         for edge in [0.003_6, 0.25] {
             let below = RotationSeries::new(edge - 1e-16);
             let above = RotationSeries::new(edge);
-            // The closed form of the cubic loses n / n³ of its digits.
+            // In the closed form of `cubic`, cancellation enlarges the rounding error by n / n³.
             assert!((below.square - above.square).abs() < 4.0 * f64::EPSILON);
             assert!((below.cubic - above.cubic).abs() < 4.0 * f64::EPSILON / edge);
         }

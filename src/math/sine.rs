@@ -2,21 +2,21 @@
 
 use core::f64::consts::FRAC_2_PI;
 
-/// π/2 in three parts: 33 bits, 33 bits, the rest. Their product with a number of quarter turns below 2^20 is exact in the
-/// first two.
+/// π/2 as the sum of three parts: 33 bits, 33 bits, the rest. The product of each of the first two parts with a number of quarter
+/// turns below 2^20 is exact.
 const HALF_PI: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
 
-/// Added and taken away again, it leaves the nearest integer, which stands in the last bits meanwhile.
+/// Adding and then subtracting it leaves the nearest integer. After the addition this integer is in the last bits.
 const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 · 2^52
 
-/// The nearest integer to `x`, of two the even one, for sizes up to 2^51. Not `f64::round_ties_even`, which calls the platform's
-/// `rint`: that of mingw rounds with the x87 unit, as the host has set it.
+/// Nearest integer to `x`, ties to even, for |x| up to 2^51. Not `f64::round_ties_even`, which calls the platform's `rint`: the
+/// `rint` of mingw rounds with the x87 unit, in the mode that the host has set.
 #[inline]
 pub fn nearest_integer(x: f64) -> f64 {
     (x + ROUND) - ROUND
 }
 
-/// Angles beyond which the reduction is no longer exact [rad].
+/// Size of an angle above which the reduction is no longer exact [rad].
 const MAX_ANGLE: f64 = 1e5;
 
 /// (sin r - r)/r³ and (cos r - 1 + r²/2)/r⁴ as polynomials in r² for |r| ≤ π/4, to 2^-58 (FreeBSD msun, k_sin.c, k_cos.c).
@@ -37,21 +37,21 @@ const COSINE: [f64; 6] = [
     -1.135_964_755_778_819_5e-11,
 ];
 
-/// Sines and cosines of `angles` [rad], to an ulp. Without a branch on the angles, so that the compiler computes two at a
-/// time: five take as long as one and a half by themselves.
+/// Sines and cosines of `angles` [rad], to an ulp. There is no branch on each angle, so that the compiler computes two at a
+/// time: five angles take as long as one and a half single calls.
 #[inline(never)]
 pub fn sin_cos_each<const N: usize>(angles: &[f64; N]) -> ([f64; N], [f64; N]) {
     sin_cos_each_inlined(angles)
 }
 
-/// The same without a call: for work that is compiled for each instruction set.
+/// `sin_cos_each` without a call, for code that is compiled for each instruction set.
 #[inline(always)]
 pub fn sin_cos_each_inlined<const N: usize>(angles: &[f64; N]) -> ([f64; N], [f64; N]) {
     let mut sizes = [0.0; 2];
     for i in 0..N {
         sizes[i % 2] += angles[i].abs();
     }
-    // Most often their sum shows that all are in range: one comparison.
+    // Most often the sum of the sizes shows that all angles are in range: one comparison.
     let are_in_range = sizes[0] + sizes[1] < MAX_ANGLE || angles.iter().all(|angle| angle.abs() < MAX_ANGLE);
     if !are_in_range {
         return sin_cos_of_large(angles);
@@ -72,7 +72,7 @@ pub fn sin_cos_each_inlined<const N: usize>(angles: &[f64; N]) -> ([f64; N], [f6
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
     for i in 0..N {
         let (sine, cosine) = (sine_of_rest(rest[i], tail[i]), cosine_of_rest(rest[i], tail[i]));
-        // Odd quarters exchange the two; the sine changes sign in the quarters 2 and 3, the cosine in 1 and 2.
+        // Odd quarters exchange sine and cosine. The sine changes sign in the quarters 2 and 3, the cosine in 1 and 2.
         let odd = 0u64.wrapping_sub(quarter[i] & 1);
         let exchange = (sine.to_bits() ^ cosine.to_bits()) & odd;
         sines[i] = f64::from_bits(sine.to_bits() ^ exchange ^ ((quarter[i] & 2) << 62));
@@ -102,7 +102,7 @@ fn cosine_of_rest(r: f64, t: f64) -> f64 {
     let [c1, c2, c3, c4, c5, c6] = COSINE;
     let z = r * r;
     let higher = z * (c1 + z * (c2 + z * (c3 + z * (c4 + z * (c5 + z * c6)))));
-    // 1 - z/2 with what its rounding drops.
+    // 1 - z/2, and the part that its rounding drops.
     let half = 0.5 * z;
     let high = 1.0 - half;
     high + (((1.0 - high) - half) + (z * higher - r * t))
@@ -118,7 +118,7 @@ mod tests {
         (found - expected).abs() / (expected.abs() * f64::EPSILON).max(f64::MIN_POSITIVE)
     }
 
-    /// Against the library's, which is within an ulp of the truth itself.
+    /// Compared with the library's functions, which are themselves within an ulp of the truth.
     #[test]
     fn within_an_ulp_from_nothing_to_the_limit() {
         let check = |angle: f64| {
@@ -131,7 +131,7 @@ mod tests {
             let turns = f64::from(k - 100_000);
             check(turns * 1e-4);
             check(turns * 0.998);
-            // Beside the multiples of a quarter turn, where one of the two is all rounding.
+            // At and near the multiples of a quarter turn, where sine or cosine consists of rounding errors only.
             let quarter = f64::from(k % 60_000 - 30_000) * FRAC_PI_2;
             check(quarter);
             check(quarter * (1.0 + 3.0 * f64::EPSILON));

@@ -1,6 +1,6 @@
-//! Every transcendental function of the crate goes through here, on the `libm` crate or this one's sine and arc tangent: the same bits on
-//! every operating system, processor and word size. `f64::sin` and its kin call the platform's library and are
-//! forbidden elsewhere (`clippy.toml`).
+//! All transcendental functions of the crate. They use the `libm` crate, or the sine and the arc tangent of this crate, and so
+//! give the same bits on every operating system, processor and word size. `f64::sin` and similar functions call the platform's
+//! library and are forbidden elsewhere (`clippy.toml`).
 
 use core::f64::consts::{PI, TAU};
 
@@ -73,23 +73,23 @@ pub fn tanh(x: f64) -> f64 {
     libm::tanh(x)
 }
 
-/// Length of (`x`, `y`), for arguments whose squares neither overflow nor vanish: Earth-fixed coordinates.
+/// Length of (`x`, `y`), for arguments whose squares neither overflow nor underflow, such as Earth-fixed coordinates.
 #[inline]
 pub fn hypot(x: f64, y: f64) -> f64 {
     (x * x + y * y).sqrt()
 }
 
-/// Below 3π: an angle up to here is off by one turn at the most.
+/// Limit below 3π: an angle below it is wrapped by at most one turn.
 const BELOW_THREE_HALVES: f64 = 9.0;
 
-/// `angle` [rad] brought to -π..π by an exact remainder.
+/// `angle` [rad] wrapped to -π..π by an exact remainder.
 #[inline]
 pub fn wrap_angle(angle: f64) -> f64 {
     let size = angle.abs();
     if size <= PI {
         angle
     } else if size < BELOW_THREE_HALVES {
-        // Exact: the two differ by less than twofold.
+        // The subtraction is exact, because the two numbers differ by less than a factor of two.
         if angle < 0.0 { -(size - TAU) } else { size - TAU }
     } else {
         many_turns(angle)

@@ -1,4 +1,4 @@
-//! One column of the linear error model in Earth-fixed axes: what a covariance is propagated with.
+//! One column of the linear error model in Earth-fixed axes, with which a covariance is propagated.
 
 use nalgebra::{SVector, Vector3};
 
@@ -16,7 +16,7 @@ use crate::truth::TruthPoint;
 /// ψ [rad], δv [m/s], δr [m] in Earth-fixed axes, then the vertical loop's estimate [m/s²] and last residual [m].
 pub(crate) type Column = SVector<f64, 11>;
 
-/// Place of the two states of the vertical loop in a column.
+/// Rows of the two states of the vertical loop in a column.
 const LOOP: [usize; 2] = [9, 10];
 
 fn form_of(column: &Column) -> EarthFixedForm {
@@ -30,7 +30,7 @@ fn set_form(column: &mut Column, form: &EarthFixedForm) {
     }
 }
 
-/// Moves a column on by `t` [s] without the vertical channel, as error data 1 does.
+/// Advances a column by `t` [s] as error data 1 does, without the vertical channel.
 pub(crate) fn advance(
     column: &mut Column,
     earth: &Earth,
@@ -48,7 +48,7 @@ pub(crate) fn keep_within(column: &mut Column) {
     column.apply(|error| *error = if error.is_nan() { LARGEST } else { error.clamp(-LARGEST, LARGEST) });
 }
 
-/// A column where the truth has jumped: see [`ErrorModel::moved`].
+/// Moves a column to the truth after a jump: see [`ErrorModel::moved`].
 pub(crate) fn moved(
     column: &mut Column,
     earth: &Earth,
@@ -67,7 +67,7 @@ pub(crate) struct At<'a> {
     earth: &'a Earth,
     truth: &'a TruthPoint,
     local: LocalGeometry,
-    /// The block of the sensors, with what its arm alone makes of its errors.
+    /// Sensor block, and its mounting errors with only the arm kept: all errors of the mounting itself are zero.
     block: Option<(&'a Block, MountingErrors)>,
 }
 
@@ -83,14 +83,14 @@ impl<'a> At<'a> {
         Self { earth, truth, local, block: block.map(arm_of) }
     }
 
-    /// The column of the sensors' own errors `start` at the true velocity `v_e` [m/s].
+    /// Column with the errors `start` of the sensors' own state, at the true velocity `v_e` [m/s].
     pub fn column(&self, v_e: &Vector3<f64>, start: &StateErrors) -> Column {
         let mut column = Column::zeros();
         set_form(&mut column, &EarthFixedForm::new(&self.local, v_e, start));
         column
     }
 
-    /// A column in local terms, of the reference point.
+    /// Errors of the reference point in local terms, for a column.
     pub fn errors(&self, column: &Column) -> StateErrors {
         let form = form_of(column);
         match &self.block {
@@ -106,18 +106,19 @@ impl<'a> At<'a> {
         }
     }
 
-    /// Velocity of the reference point that the gyro errors `gyro_e` [rad/s] make by the block's arm [m/s], Earth-fixed axes.
+    /// Velocity error [m/s] of the reference point that the gyro errors `gyro_e` [rad/s] cause by the block's arm, Earth-fixed
+    /// axes.
     pub fn velocity_by_arm(&self, gyro_e: &Vector3<f64>) -> Vector3<f64> {
         self.block
             .as_ref()
             .map_or(Vector3::zeros(), |(_, arm)| -gyro_e.cross(&(self.truth.to_earth * arm.arm_b)))
     }
 
-    /// Keeps the vertical channel of a column over `t` [s], with an altimeter that shows `altimeter_m` [m] too much. `channel` is
-    /// the loop of the stretch before, and becomes that of this; it acts every `interval_s` [s], so that the correction of the
-    /// velocity has grown over the rest of the stretch.
+    /// Corrects the vertical channel of a column over a stretch of `t` [s], with an altimeter that shows `altimeter_m` [m] too
+    /// much. `channel` is the loop of the previous stretch, and becomes the loop of this stretch. The loop acts every `interval_s`
+    /// [s], so that the correction of the velocity has grown over the rest of the stretch.
     ///
-    /// Evidence: without that an accelerometer bias of 1e-5 g up costs 4 mm in the horizontal by stretches of a second.
+    /// Evidence: without this growth an accelerometer bias of 1e-5 g up costs 4 mm in the horizontal by stretches of a second.
     pub fn correct_vertical(
         &self,
         column: &mut Column,

@@ -24,16 +24,16 @@ pub(super) struct EarthFixedForm {
 
 stored!(EarthFixedForm { psi: ERRORS, dv: ERRORS, dr: ERRORS });
 
-/// What a step needs of the truth.
+/// Data of the truth that a step needs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Coefficients<'a> {
     /// Length [s].
     pub t: f64,
     /// Earth rate [rad/s].
     pub w: f64,
-    /// Of gravity in the middle [1/s²].
+    /// Gradient of gravity in the middle [1/s²].
     pub gradient: Matrix3<f64>,
-    /// At the start, in the middle and at the end.
+    /// Motion at the start, in the middle and at the end.
     pub nodes: &'a [MotionNode; 3],
 }
 
@@ -56,13 +56,13 @@ impl EarthFixedForm {
         }
     }
 
-    /// A step of length `t` [s], with the gyros' and the accelerometers' errors `errors_e` in Earth-fixed axes.
+    /// Advances by a step of length `t` [s], with the gyros' and the accelerometers' errors `errors_e` in Earth-fixed axes.
     pub fn advance(&mut self, earth: &Earth, t: f64, nodes: &[MotionNode; 3], errors_e: &[VectorPair; 3]) {
         self.advance_by(&Coefficients::new(earth, t, nodes), errors_e);
     }
 
-    /// A step of classical Runge-Kutta. ψ does without the rest, and for δv and δr the system matrix B does not change within
-    /// the interval, so that with the forcing c = f×ψ + C nabla of each stage the step is
+    /// Advances by a step of classical Runge-Kutta. ψ does not depend on δv and δr. For δv and δr the system matrix B does not
+    /// change within the interval, so that with the forcing c = f×ψ + C nabla of each stage the step is
     /// y + T (B y + (c1 + 2 c2 + 2 c3 + c4)/6 + T/6 B (k1 + k2 + k3)).
     #[inline(always)]
     pub fn advance_by(&mut self, coefficients: &Coefficients<'_>, errors_e: &[VectorPair; 3]) {
@@ -84,7 +84,7 @@ impl EarthFixedForm {
         let c3 = middle.f_e.cross(&psi3) + accel[1];
         let c4 = end.f_e.cross(&psi4) + accel[2];
 
-        // The rows of δv'; those of δr' are δv.
+        // The rows of δv'. The rows of δr' are δv.
         let row_v = |dv: &Vector3<f64>, dr: &Vector3<f64>| {
             gradient * dr + Vector3::new(2.0 * w * dv.y, -2.0 * w * dv.x, 0.0)
         };
@@ -128,7 +128,7 @@ impl EarthFixedForm {
         }
     }
 
-    /// In local terms: φ = ψ + dth, δv_n = δv - dth×v.
+    /// Errors in local terms: φ = ψ + dth, δv_n = δv - dth×v.
     #[inline(always)]
     pub fn errors(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> StateErrors {
         let [position_n, dv_n] = local.two_in_local_axes(&self.dr, &self.dv);

@@ -1,4 +1,4 @@
-//! The error equations in geographic axes: the paper's (4)-(6) with their misprints mended.
+//! The error equations in geographic axes: the paper's (4)-(6) with their misprints corrected.
 
 use nalgebra::Vector3;
 
@@ -25,7 +25,7 @@ pub(super) struct GeographicForm {
 
 stored!(GeographicForm { phi: ERRORS, dv: ERRORS, d_place: ERRORS });
 
-/// The coefficients at an instant.
+/// Coefficients of the error equations at an instant.
 pub(super) struct Coefficients {
     local: LocalGeometry,
     /// Tangent and secant of latitude.
@@ -81,7 +81,7 @@ impl Coefficients {
             dn: radii.transverse_m * e2 * s * c / w2,
             north_h: local.north.dot(&by_up),
             up_h: local.up.dot(&by_up),
-            // North and up themselves turn with latitude.
+            // The north and up axes turn with latitude.
             north_l: local.north.dot(&by_north) - local.up.dot(&gravity),
             up_l: local.up.dot(&by_north) + local.north.dot(&gravity),
             local,
@@ -98,7 +98,7 @@ impl GeographicForm {
         }
     }
 
-    /// Over `t` [s], with the gyros' and the accelerometers' errors `errors_e` in Earth-fixed axes.
+    /// Advances by `t` [s], with the gyros' and the accelerometers' errors `errors_e` in Earth-fixed axes.
     pub fn advance(&mut self, earth: &Earth, t: f64, nodes: &[MotionNode; 3], errors_e: &[VectorPair; 3]) {
         let at = |i: usize| Coefficients::at(earth, &nodes[i], &errors_e[i]);
         let coefficients = [at(0), at(1), at(2)];

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use crate::earth::{Earth, Vertical};
 use crate::math::Two;
 
-/// Cosines of latitude below this are taken as this: tan L stays finite at a pole, where it has no meaning.
+/// Lower limit of the cosine of latitude: tan L stays finite at a pole, where it has no meaning.
 const MIN_COS: f64 = 1e-9;
 
 /// East, north, up and the radii at a position.
@@ -21,7 +21,7 @@ pub(super) struct LocalGeometry {
     pub n: f64,
 }
 
-/// East at a pole. It is a call, so that the usual case does not select between two vectors component by component.
+/// East at a pole. A call, so that the usual case does not select between two vectors component by component.
 #[cold]
 #[inline(never)]
 fn east_at_pole() -> Vector3<f64> {
@@ -50,12 +50,12 @@ impl LocalGeometry {
         }
     }
 
-    /// Earth-fixed to local components.
+    /// Local components of a vector in Earth-fixed axes.
     pub fn in_local_axes(&self, v: &Vector3<f64>) -> Vector3<f64> {
         Vector3::new(self.east.dot(v), self.north.dot(v), self.up.dot(v))
     }
 
-    /// The same of two vectors.
+    /// Local components of two vectors in Earth-fixed axes.
     #[inline(always)]
     pub fn two_in_local_axes(&self, one: &Vector3<f64>, other: &Vector3<f64>) -> [Vector3<f64>; 2] {
         let two = |i: usize| Two::new(one[i], other[i]);
@@ -65,7 +65,7 @@ impl LocalGeometry {
         [Vector3::new(x.first(), y.first(), z.first()), Vector3::new(x.second(), y.second(), z.second())]
     }
 
-    /// Local to Earth-fixed components.
+    /// Earth-fixed components of a vector in local axes.
     pub fn in_earth_axes(&self, v: &Vector3<f64>) -> Vector3<f64> {
         self.east * v.x + self.north * v.y + self.up * v.z
     }

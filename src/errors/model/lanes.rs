@@ -1,5 +1,5 @@
-//! Error models of many runs side by side: what follows the truth is made once an interval, the rest in loops over the runs, as
-//! those of the [navigators](crate::mechanization).
+//! Error models of many runs side by side. What depends only on the truth is computed once per interval, the rest in loops over the
+//! runs, as for the [navigators](crate::mechanization).
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -15,7 +15,7 @@ use crate::signal::{
 };
 use crate::truth::TruthPoint;
 
-/// Models of one frame that get the same intervals.
+/// Models of one frame that advance over the same intervals.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
 pub(crate) struct ModelBlock {
@@ -25,7 +25,7 @@ pub(crate) struct ModelBlock {
     vertical: VerticalRows,
 }
 
-/// An interval, which ends at `next`, and what it brings to the models of all runs alike.
+/// Interval that ends at `next`, with the quantities that are the same for the models of all runs.
 #[derive(Debug)]
 pub(crate) struct ModelInterval<'a> {
     earth: &'a Earth,
@@ -62,12 +62,12 @@ impl ModelInterval<'_> {
 }
 
 impl ModelBlock {
-    /// A block of models that nothing is known of yet.
+    /// Block of models that are not set yet.
     pub fn new(frame: Frame) -> Self {
         Self { frame, state: [[0.0; RUNS]; 9], vertical: VerticalRows::new() }
     }
 
-    /// Takes `model` in.
+    /// Sets the model at `lane` to `model`.
     pub fn put(&mut self, lane: usize, model: &ErrorModel) {
         let mut model = *model;
         self.put_state(lane, model.state());
@@ -84,7 +84,7 @@ impl ModelBlock {
         ErrorModel { earth: *earth, form, vertical: self.vertical.get(lane) }
     }
 
-    /// The model at `lane` goes back to what it was in `before`.
+    /// Sets the model at `lane` back to its state in `before`.
     pub fn go_back(&mut self, lane: usize, before: &Self) {
         self.state.iter_mut().zip(&before.state).for_each(|(row, before)| row[lane] = before[lane]);
         self.vertical.go_back(lane, &before.vertical);
@@ -110,7 +110,8 @@ impl ModelBlock {
         EarthFixedForm { psi, dv, dr }
     }
 
-    /// The models `before` over an interval with these increments, as [`ErrorModel::advance`]. What was here is overwritten.
+    /// Overwrites this block with the models `before`, advanced over an interval with these increments as by
+    /// [`ErrorModel::advance`].
     #[inline(always)]
     pub fn advance(
         &mut self,
@@ -126,7 +127,7 @@ impl ModelBlock {
         let &ModelInterval { earth, motion, ideal, nodes, gradient, turn, .. } = interval;
         let coefficients =
             Coefficients { t: motion.interval_s, w: earth.rate_rad_s, gradient, nodes: &nodes };
-        // By value, or the compiler fears that the rows lie over them.
+        // By value: otherwise the compiler cannot assume that the rows do not overlap them.
         let ends = turn.ends();
         let turn = turn.with(&ends);
         let mut sums = SumRows([[0.0; RUNS]; 12]);
@@ -156,7 +157,7 @@ impl ModelBlock {
         }
     }
 
-    /// The same with sensor errors and the block of each run.
+    /// Overwrites this block with the models `before`, advanced one by one with the sensor errors and the mounting of each run.
     #[cold]
     #[inline(never)]
     pub fn advance_one_by_one(
@@ -185,7 +186,7 @@ impl ModelBlock {
     #[inline(always)]
     fn correct_vertical(&mut self, interval: &ModelInterval<'_>, aid: &AidOfEach<'_>) {
         let &ModelInterval { earth, next, motion, .. } = interval;
-        // By value, or the compiler fears that the rows lie over it.
+        // By value: otherwise the compiler cannot assume that the rows do not overlap it.
         let (truth, t) = (*next, motion.interval_s);
         match *aid {
             _ if !self.vertical.are_alike() => self.correct_one_by_one(interval, aid),
@@ -215,7 +216,7 @@ impl ModelBlock {
         });
     }
 
-    /// Keeps the vertical channels by barometric heights.
+    /// Corrects the vertical channels with barometric heights.
     #[inline(always)]
     fn follow(&mut self, earth: &Earth, truth: &TruthPoint, t: f64, height_m: impl Fn(usize) -> f64) {
         let beginning = self.vertical.begin(t);

@@ -1,7 +1,7 @@
-//! Error data 1: the error differential equations (the paper's (4)-(6), misprints mended), by classical fourth-order
-//! Runge-Kutta, driven by the sensor errors that the mechanization receives and kept by the same vertical channel.
+//! Error data 1: the error differential equations (the paper's (4)-(6), misprints corrected), integrated by classical fourth-order
+//! Runge-Kutta. The sensor errors that the mechanization receives drive them, and the same vertical channel corrects them.
 //!
-//! Two forms of the same equations: Earth-fixed, which no pole disturbs, and the paper's geographic one.
+//! The equations have two forms: Earth-fixed, which no pole disturbs, and geographic, as in the paper.
 
 pub(crate) mod column;
 mod earth_fixed;
@@ -28,18 +28,18 @@ use geometry::LocalGeometry;
 pub(crate) use lanes::{ModelBlock, ModelInterval};
 pub use sensor_errors::SensorErrors;
 
-/// Misalignment [rad] and displacement [m] beyond which the terms that the linear model drops are no longer small:
-/// 1e-3 of the solution.
+/// Misalignment [rad] and displacement [m] above which the terms that the linear model drops are no longer small:
+/// more than 1e-3 of the solution.
 pub(crate) const VALID_MISALIGNMENT_RAD: f64 = 0.035;
 pub(crate) const VALID_DISPLACEMENT_M: f64 = 100e3;
 
-/// Errors at which the linear model stops [rad, m/s, m]: it goes on to grow where a solution turns or diverges.
+/// Errors at which the linear model stops [rad, m/s, m]. It grows without limit where a solution turns or diverges.
 const LARGEST: f64 = 1e20;
 
-/// For errors that a snapshot has: more than an interval makes of [`LARGEST`], with squares that are finite.
+/// Bound of the errors in a snapshot: larger than an interval makes of [`LARGEST`], and its square is finite.
 const ERRORS: f64 = 1e140;
 
-/// Whether a displacement is one that the model goes on with; of no number it is not.
+/// Whether the model continues with this displacement; false for NaN.
 #[inline(always)]
 fn is_within(displacement: &Vector3<f64>) -> bool {
     displacement.norm_squared() < LARGEST * LARGEST
@@ -80,9 +80,9 @@ impl ErrorModel {
         Self { earth, form, vertical: VerticalLoop::new() }
     }
 
-    /// The same errors in local terms at another truth; each is given by its vertical, its velocity `v_e` [m/s] and whether it
-    /// is near a pole. There they are told in the truth's own axes, those elsewhere in the solution's, which are turned about the
-    /// vertical by the displacement.
+    /// Model with the same errors in local terms at another truth. Each truth is given by its vertical, its velocity `v_e` [m/s]
+    /// and whether it is near a pole. Near a pole the errors are expressed in the truth's own axes. Elsewhere they are expressed in
+    /// the solution's axes, which the displacement turns about the vertical.
     pub(crate) fn moved(
         &self,
         from: &(Vertical, Vector3<f64>, bool),
@@ -113,8 +113,8 @@ impl ErrorModel {
         moved
     }
 
-    /// Over the interval of `motion`, which ends at `truth`, with the sensor errors `errors`; then the vertical channel as
-    /// the mechanization has it, with its aid. The sensors are those of `block` where there is a mounting.
+    /// Advances the model over the interval of `motion`, which ends at `truth`, with the sensor errors `errors`. Then corrects the
+    /// vertical channel with its aid, as the mechanization does. With a mounting the sensors belong to `block`.
     pub fn advance(
         &mut self,
         motion: &IntervalMotion<'_>,
@@ -133,7 +133,7 @@ impl ErrorModel {
         self.keep_within();
     }
 
-    /// Stops where the errors are beyond [`LARGEST`].
+    /// Stops the model if the displacement is beyond [`LARGEST`].
     #[inline(always)]
     fn keep_within(&mut self) {
         let [.., displacement] = self.state();
@@ -142,12 +142,12 @@ impl ErrorModel {
         }
     }
 
-    /// Keeps the errors within [`LARGEST`].
+    /// Limits the errors to [`LARGEST`] and resets the vertical loop.
     #[cold]
     #[inline(never)]
     fn stop(&mut self) {
         for errors in self.state() {
-            // Out of an overflow it can be no number.
+            // After an overflow an error can be NaN.
             errors.apply(|error| {
                 *error = if error.is_nan() { LARGEST } else { error.clamp(-LARGEST, LARGEST) };
             });
@@ -164,7 +164,7 @@ impl ErrorModel {
         }
     }
 
-    /// Keeps the vertical channel over an interval of `t` [s].
+    /// Corrects the vertical channel over an interval of `t` [s].
     #[inline(always)]
     fn correct_vertical(&mut self, t: f64, truth: &TruthPoint, aid: &VerticalAid, block: Option<&Block>) {
         let correction = match *aid {
@@ -210,7 +210,7 @@ impl ErrorModel {
         }
     }
 
-    /// In local terms, at the true velocity `v_e` [m/s].
+    /// Errors in local terms, at the true velocity `v_e` [m/s].
     fn in_local_terms(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> StateErrors {
         match &self.form {
             Form::EarthFixed(form) => form.errors(local, v_e),
@@ -218,7 +218,7 @@ impl ErrorModel {
         }
     }
 
-    /// In local terms, of the reference point. It has its own geometry: that of the caller stays in registers.
+    /// Errors of the reference point in local terms. Computes its own geometry, so that the caller's geometry stays in registers.
     #[inline(never)]
     fn state_errors(&self, point: &TruthPoint, block: Option<&Block>) -> StateErrors {
         match block {
@@ -229,8 +229,8 @@ impl ErrorModel {
         }
     }
 
-    /// The errors at the truth `point`, which is `truth` in geographic terms; of the reference point, where the sensors are
-    /// those of `block`.
+    /// Errors at the truth `point`, which is `truth` in geographic terms. With the sensors of `block` they are the errors of the
+    /// reference point.
     #[inline(always)]
     pub fn errors(
         &self,
@@ -250,7 +250,7 @@ impl ErrorModel {
         let change = local.change_of_place(&position_n);
         let displacement = position_n.norm_squared().sqrt();
         let misalignment = misalignment_n.norm_squared().sqrt();
-        // Near a pole the local axes turn by the displacement over the distance to it, whatever its direction.
+        // Near a pole the local axes turn by the displacement over the distance to the pole, in whatever direction.
         let turn = displacement * local.sin.abs() / (local.n * local.cos);
         NavigationErrors {
             position_n,

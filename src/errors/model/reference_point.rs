@@ -1,4 +1,4 @@
-//! Errors of the reference point, from those of a sensor block that is mounted off it.
+//! Errors of the reference point, from the errors of a sensor block that is mounted away from it.
 
 use nalgebra::Vector3;
 
@@ -11,18 +11,19 @@ use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 impl ErrorModel {
-    /// With the believed arm l~ and its velocity u~ against inertial axes, and what the mounting has wrong by itself (`_m`),
+    /// Errors of the reference point, with the believed arm l~, its velocity u~ relative to inertial axes, and the errors of the
+    /// mounting itself (`_m`):
     /// ```text
     /// δr = δr_s + ψ×l~ + δr_m
     /// δv = δv_s + ψ×u~ + δv_m - W×(δr - δr_s)
     /// ψ  = ψ_s + ψ_m
     /// ```
-    /// in Earth-fixed terms: the local axes that belong to a solution lean with its position.
+    /// in Earth-fixed terms, because the local axes of a solution lean with its position.
     pub(super) fn of_reference_point(&self, truth: &TruthPoint, block: &Block) -> StateErrors {
         self.of_reference_point_by(truth, block, &block.errors())
     }
 
-    /// The same with what `mounting` has wrong.
+    /// Errors of the reference point with the mounting errors `mounting`.
     pub(super) fn of_reference_point_by(
         &self,
         truth: &TruthPoint,

@@ -1,4 +1,4 @@
-//! What the error model is driven by.
+//! Sensor errors that drive the error model.
 
 use nalgebra::Vector3;
 
@@ -7,8 +7,8 @@ use crate::mounting::Block;
 use crate::signal::Increment;
 
 /// Errors of gyros [rad/s] and accelerometers [m/s²] over an interval, measured less ideal, sensor axes: a straight line in
-/// u = 0..1, of the same mean and first moment as those that the mechanization receives. The moment matters: noise of the
-/// first subsample tilts the force for longer than that of the last.
+/// u = 0..1, with the mean and the first moment of the errors that the mechanization receives. The moment matters: noise of the
+/// first subsample tilts the force for longer than noise of the last subsample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SensorErrors {
     /// Mean, gyros [rad/s].
@@ -30,14 +30,14 @@ impl SensorErrors {
         accel_change_b: Vector3::new(0.0, 0.0, 0.0),
     };
 
-    /// From the increments of an interval of length `t` [s], in parts of equal length.
+    /// Errors of the `measured` increments of an interval of length `t` [s], in parts of equal length.
     #[inline(always)] // 30 instructions less in each step
     pub fn between(ideal: &[Increment], measured: &[Increment], t: f64) -> Self {
         let errors = ideal.iter().zip(measured).map(|(ideal, measured)| measured.minus(ideal));
         Self::of_increments(errors, t)
     }
 
-    /// From the errors of these increments.
+    /// Sensor errors from the errors of the increments of an interval of length `t` [s].
     #[inline(always)]
     pub fn of_increments(errors: impl ExactSizeIterator<Item = Increment>, t: f64) -> Self {
         let mut sums = ErrorSums::NONE;
@@ -48,7 +48,7 @@ impl SensorErrors {
         sums.errors(t)
     }
 
-    /// Both together.
+    /// Sum of both sensor errors.
     pub fn plus(&self, other: &Self) -> Self {
         Self {
             gyro_b: self.gyro_b + other.gyro_b,
@@ -77,7 +77,7 @@ impl SensorErrors {
     }
 }
 
-/// Errors of the increments of an interval, summed up, and their first moment about the middle.
+/// Sum of the errors of the increments of an interval, and their first moment about the middle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ErrorSums {
     pub sum: Increment,
@@ -87,7 +87,7 @@ pub(super) struct ErrorSums {
 impl ErrorSums {
     pub const NONE: Self = Self { sum: Increment::ZERO, moment: Increment::ZERO };
 
-    /// Where increment `i` lies, which is the share `part` of the interval: -½ to ½.
+    /// Position of increment `i` in the interval, from the middle: -½ to ½. Each increment is the share `part` of the interval.
     #[inline(always)]
     pub fn from_middle(i: usize, part: f64) -> f64 {
         (i as f64 + 0.5) * part - 0.5
@@ -101,7 +101,7 @@ impl ErrorSums {
         self.moment.velocity += error.velocity * from_middle;
     }
 
-    /// Over an interval of length `t` [s]. The first moment of a line about the middle is a twelfth of its change.
+    /// Sensor errors over an interval of length `t` [s]. The first moment of a line about the middle is a twelfth of its change.
     #[inline(always)]
     pub fn errors(&self, t: f64) -> SensorErrors {
         let rate = 1.0 / t;
