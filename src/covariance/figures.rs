@@ -66,10 +66,13 @@ impl ErrorEllipse {
         self.radius_m(0.95, (CIRCLE_95, LINE_95))
     }
 
-    /// The radius of the probability `wanted`. `ends` are the radii for a line and for a circle of semi-axis 1. It is computed from
-    /// the integral of the normal density over the circle, ```text P(R) = 1 - 1/2π ∫ exp(-R²/(2 (σ1² cos²θ + σ2² sin²θ))) dθ ``` in
-    /// polar coordinates in which the ellipse is a circle. The integrand is smooth and periodic, so a sum of equal steps is exact
-    /// to rounding.
+    /// The radius of the probability `wanted`. The two further radii are those of a circle and of a line of semi-axis 1. It is computed
+    /// from the integral of the normal density over the circle,
+    /// ```text
+    /// P(R) = 1 - 1/2π ∫ exp(-R²/(2 (σ1² cos²θ + σ2² sin²θ))) dθ
+    /// ```
+    /// in polar coordinates in which the ellipse is a circle. The integrand is smooth and periodic, so a sum of equal steps is exact to
+    /// rounding.
     fn radius_m(&self, wanted: f64, (circle, line): (f64, f64)) -> f64 {
         if self.major_m == 0.0 {
             return 0.0;

@@ -4,10 +4,16 @@
 //! terms of either frame follow from them. They are driven by the random quantities of a run: initial errors, among them those that
 //! an alignment derives from the sensor errors; constants drawn once a run; Gauss-Markov processes, of which flicker is a sum;
 //! random walks; white noise. Each process is independent of the others, so that only x and its covariance with each process need
-//! to be propagated: ```text x = S β + L ξ        β processes of unit variance, ξ what was random before β⁺ = a β + s w       a² +
-//! s² = 1, exact for any step x⁺ = Φ x + γ β + δ w + noise S⁺ = a (Φ S + γ) + s δ L⁺ of [Φ L, s (Φ S + γ) - a δ, noise]     by
-//! reflections ``` Φ, γ and δ are computed with the linear model itself, on unit columns, over stretches of up to a second. Within
-//! a stretch the truth is integrated sample by sample.
+//! to be propagated:
+//! ```text
+//! x = S β + L ξ        β processes of unit variance, ξ what was random before
+//! β⁺ = a β + s w       a² + s² = 1, exact for any step
+//! x⁺ = Φ x + γ β + δ w + noise
+//! S⁺ = a (Φ S + γ) + s δ
+//! L⁺ of [Φ L, s (Φ S + γ) - a δ, noise]     by reflections
+//! ```
+//! Φ, γ and δ are computed with the linear model itself, on unit columns, over stretches of up to a second. Within a stretch the truth
+//! is integrated sample by sample.
 //!
 //! It is the covariance about the mean, so it does not contain constant errors (given biases, failures, the constant parts of
 //! gravity).

@@ -77,8 +77,9 @@ impl VerticalAid {
 ///
 /// In steps of any length t: between two samples the navigator is free, and e'' = κ e + d, if d is its only error. The residuals e0
 /// and e1 at both ends give e' at the start. From there the loop would move (e, e', d) by Φ of its poles, and the free channel
-/// moves them by F. The correction is Φ - F applied to (e0, e0'), less the effect of d: ```text F = | C    S  |    Φ = exp(-x) | 1
-/// - 2 x + x²/2    t (1 - x/2) |    e0' = (e1 - C e0 - d (C - 1)/κ)/S
+/// moves them by F. The correction is Φ - F applied to (e0, e0'), less the effect of d:
+/// ```text
+/// F = | C    S  |    Φ = exp(-x) | 1 - 2 x + x²/2    t (1 - x/2) |    e0' = (e1 - C e0 - d (C - 1)/κ)/S
 ///     | κ S  C  |                | (x² - 3 x)/τ      1 + x - x²  |    by d: d (C - 1)/κ in height,
 ///     | 0    0  |                | (x - x²/2)/τ²     x²/(2 τ)    |          d S in velocity
 /// ```
