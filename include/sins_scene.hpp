@@ -1,0 +1,174 @@
+/* A part of sins.hpp: scenes and flight logs. */
+
+#ifndef SINS_SCENE_HPP
+#define SINS_SCENE_HPP
+
+#include "sins.hpp"
+
+namespace sins {
+
+/* A scene. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
+class Scene : public detail::Owner<sins_scene> {
+public:
+    /* The default scene. */
+    Scene() : Scene(detail::given<sins_scene *>(nullptr, sins_scene_create)) {}
+
+    /* The scene of a text. If the text has faults, only faults() can be used. */
+    explicit Scene(const std::string &text)
+        : Scene(detail::given<sins_scene *>(nullptr, sins_scene_parse, text.data(), text.size())) {}
+
+    /* A built-in scene by its name. */
+    static Scene builtin(const std::string &name) {
+        return Scene(detail::given<sins_scene *>(nullptr, sins_scene_create_builtin, name.c_str()));
+    }
+
+    /* The names of the built-in scenes. */
+    static std::vector<std::string> builtin_names() {
+        std::vector<std::string> names;
+        char name[64];
+        while (sins_scene_builtin_name(names.size(), name, sizeof name, nullptr) == SINS_OK)
+            names.push_back(name);
+        return names;
+    }
+
+    /* The faults of the text, or of the last set_values() or set_items(); empty if that call succeeded. */
+    std::vector<sins_fault> faults() const { return detail::all(make<sins_fault>(), sins_scene_get_fault, handle_); }
+
+    /* The scene as TOML. */
+    std::string write() const { return detail::text(sins_scene_write, handle_); }
+
+    /* The value at a path, "gyro.bias_deg_h[1]", as it stands in the text of a scene; or all lines of an item, "failure[0]". */
+    std::string value(const std::string &path) const {
+        return detail::text(sins_scene_get_value, handle_, path.c_str());
+    }
+
+    /* Sets values. Each line is path = value. False: the scene stays as it was, and faults() has the reasons. */
+    bool set_values(const std::string &values) { return changed(sins_scene_set_values(handle_, values.c_str())); }
+
+    /* Sets all items of a list, "manoeuvre" or "failure", by their text. False: as set_values(). */
+    bool set_items(const std::string &list, const std::string &items) {
+        return changed(sins_scene_set_items(handle_, list.c_str(), items.c_str()));
+    }
+
+    /* The keys of the scene format. */
+    static std::vector<sins_scene_key> keys() { return detail::all(make<sins_scene_key>(), sins_scene_get_key); }
+
+    /* Every section and key of a scene, one in a line. */
+    static std::string write_keys() { return detail::text(sins_scene_write_keys); }
+
+    /* Describes the samples that the scene flies. If the flight of the scene is a log, give that log; otherwise nothing. */
+    sins_scene_samples samples(const sins_log *log = nullptr) const {
+        return detail::filled<sins_scene_samples>(nullptr, sins_scene_get_samples, handle_, log);
+    }
+
+    Simulator create_simulator() const {
+        return Simulator(detail::given<sins_sim *>(nullptr, sins_scene_create_simulator, handle_));
+    }
+
+    Flight create_flight() const {
+        return Flight(detail::given<sins_flight *>(nullptr, sins_scene_create_flight, handle_));
+    }
+
+    void prepare(Simulator &sim, double flight_start_s, sins_flight_sample &sample) const {
+        done(sins_scene_prepare(handle_, sim.handle(), flight_start_s, &sample));
+    }
+
+    void prepare(Ensemble &ensemble, double flight_start_s, sins_flight_sample &sample) const {
+        done(sins_scene_prepare_ensemble(handle_, ensemble.handle(), flight_start_s, &sample));
+    }
+
+    sins_options options() const { return read_back<sins_options>(sins_scene_get_options); }
+    sins_gyro_params gyro() const { return read_back<sins_gyro_params>(sins_scene_get_gyro); }
+    sins_accel_params accel() const { return read_back<sins_accel_params>(sins_scene_get_accel); }
+    sins_altimeter_params altimeter() const { return read_back<sins_altimeter_params>(sins_scene_get_altimeter); }
+    sins_initial_errors initial_errors() const { return read_back<sins_initial_errors>(sins_scene_get_initial_errors); }
+    sins_mounting mounting() const { return read_back<sins_mounting>(sins_scene_get_mounting); }
+    sins_gravity_params gravity_disturbance() const {
+        return read_back<sins_gravity_params>(sins_scene_get_gravity_disturbance);
+    }
+    /*
+     * The manoeuvres of the flight. start, with struct_size set, gets the start of the flight, and repeat how many times all
+     * manoeuvres are flown.
+     */
+    std::vector<sins_manoeuvre> manoeuvres(sins_flight_start &start, std::size_t &repeat) const {
+        std::size_t count = 0;
+        done(sins_scene_get_manoeuvres(handle_, nullptr, nullptr, 0, &count, nullptr));
+        std::vector<sins_manoeuvre> manoeuvres(count, make<sins_manoeuvre>());
+        done(sins_scene_get_manoeuvres(handle_, &start, manoeuvres.data(), count, &count, &repeat));
+        return manoeuvres;
+    }
+    void set_manoeuvres(const sins_flight_start &start, const std::vector<sins_manoeuvre> &manoeuvres,
+                        std::size_t repeat = 1) {
+        done(sins_scene_set_manoeuvres(handle_, &start, manoeuvres.data(), manoeuvres.size(), repeat));
+    }
+
+    sins_scene_setup setup() const { return read_back<sins_scene_setup>(sins_scene_get_setup); }
+
+    void set_options(const sins_options &options) { done(sins_scene_set_options(handle_, &options)); }
+    void set_gyro(const sins_gyro_params &params) { done(sins_scene_set_gyro(handle_, &params)); }
+    void set_accel(const sins_accel_params &params) { done(sins_scene_set_accel(handle_, &params)); }
+    void set_altimeter(const sins_altimeter_params &params) { done(sins_scene_set_altimeter(handle_, &params)); }
+    void set_initial_errors(const sins_initial_errors &errors) {
+        done(sins_scene_set_initial_errors(handle_, &errors));
+    }
+    void set_mounting(const sins_mounting &mounting) { done(sins_scene_set_mounting(handle_, &mounting)); }
+    void set_gravity_disturbance(const sins_gravity_params &params) {
+        done(sins_scene_set_gravity_disturbance(handle_, &params));
+    }
+    void set_setup(const sins_scene_setup &setup) { done(sins_scene_set_setup(handle_, &setup)); }
+
+    /* which is of enum sins_scene_text. */
+    std::string text(int32_t which) const { return detail::text(sins_scene_get_text, handle_, which); }
+    void set_text(int32_t which, const std::string &text) { done(sins_scene_set_text(handle_, which, text.c_str())); }
+
+    std::vector<sins_planned_failure> failures() const {
+        std::size_t count = 0;
+        done(sins_scene_get_failure_count(handle_, &count));
+        std::vector<sins_planned_failure> failures(count, make<sins_planned_failure>());
+        for (std::size_t index = 0; index < count; index++)
+            done(sins_scene_get_failure(handle_, index, &failures[index]));
+        return failures;
+    }
+    void add_failure(const sins_planned_failure &failure) { done(sins_scene_add_failure(handle_, &failure)); }
+    void clear_failures() { done(sins_scene_clear_failures(handle_)); }
+
+private:
+    explicit Scene(sins_scene *scene) noexcept : Owner(scene) {}
+
+    bool changed(sins_status status) const {
+        return !(status == SINS_ERROR_INVALID_ARGUMENT && !faults().empty()) && detail::done(status, nullptr);
+    }
+
+    static void done(sins_status status) { detail::done(status, nullptr); }
+
+    template <class Params> Params read_back(sins_status(SINS_CALL *get)(const sins_scene *, Params *)) const {
+        return detail::filled<Params>(nullptr, get, handle_);
+    }
+};
+
+/* A flight log in memory. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
+class Log : public detail::Owner<sins_log> {
+public:
+    /* The log of a text. If the text has faults, what() of the error has the first one and its place. */
+    explicit Log(const std::string &text) : Owner(parsed(text)) {}
+
+    sins_log_info info() const { return detail::filled<sins_log_info>(nullptr, sins_log_get_info, handle_); }
+
+    /* line, if not NULL, gets the line of the text on which the sample stands. */
+    sins_flight_sample sample(std::size_t index, uint64_t *line = nullptr) const {
+        sins_flight_sample sample = make<sins_flight_sample>();
+        detail::done(sins_log_get_sample(handle_, index, &sample, line), nullptr);
+        return sample;
+    }
+
+private:
+    static sins_log *parsed(const std::string &text) {
+        sins_log *log = nullptr;
+        detail::done(sins_log_parse(text.data(), text.size(), &log, nullptr), nullptr);
+        return log;
+    }
+};
+
+} // namespace sins
+
+#endif /* SINS_SCENE_HPP */
