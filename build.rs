@@ -1,4 +1,4 @@
-//! Writes the structs of the table of sensor parameters, and what hosts are told of the interface.
+//! Writes the structs of the table of sensor parameters, and the header with its counterparts in other languages.
 //!
 //! `SINS_WRITE_HEADER=1 cargo build` renews the committed files: `include/sins.h` and those for other languages. They go to the
 //! build's own folder too, where a test compares them with the committed ones.

@@ -1,4 +1,4 @@
-//! What a budget takes of the error parameters: those of one sensor, and none.
+//! The error parameters that a budget needs: those of one sensor, or none.
 
 use crate::sensors::{Sensor, TriadParameters};
 use crate::simulator::ErrorParameters;

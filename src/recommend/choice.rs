@@ -53,7 +53,7 @@ pub fn recommend(
     let mut tried = 0;
     for rung in ladder(setup.options.frame) {
         tried += 1;
-        // No better than what there is: neither an answer nor the best.
+        // Not better than the best so far: it is neither the answer nor the best.
         let bound = best.map_or(f64::INFINITY, |best| best.share);
         let error = reference.error_of(&setup.with(&rung), samples, |error| share(error) >= bound);
         let error = match error {

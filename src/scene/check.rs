@@ -24,7 +24,7 @@ impl Output {
 }
 
 impl Draft {
-    /// Checks the values of a section by themselves; the items of lists are checked as a whole.
+    /// Checks each value of a section alone; an item of a list is checked as a whole.
     pub(super) fn validate(&self, section: Section) -> Result<(), Error> {
         let errors = &self.scene.errors;
         match section {

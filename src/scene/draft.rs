@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
 use crate::sensors::{Axis, FAILURE_KIND_COUNT, Failure, FailureFields, SensorOutput};
 
-/// A scene in the making. A number that may be missing is NaN.
+/// A scene while it is read or written. A number that may be missing is NaN.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Draft {
     pub scene: Scene,

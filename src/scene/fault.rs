@@ -19,11 +19,11 @@ pub struct Fault {
     pub column: usize,
     /// Sentence that names key, value and limit.
     pub sentence: String,
-    /// What it is about.
+    /// The value, section or item that the fault concerns.
     pub about: About,
 }
 
-/// What a fault of a scene is about, for programs.
+/// The value, section or item that a fault of a scene concerns, for programs.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct About {
     /// Path of the value, as [`Scene::value`](super::Scene::value) takes it, or of the section or the item; empty: of none.
@@ -32,7 +32,7 @@ pub struct About {
     pub value: Option<f64>,
     /// Least value, in the unit of the key, if there is one.
     pub minimum: Option<f64>,
-    /// Greatest value, likewise.
+    /// Greatest value, in the unit of the key, if there is one.
     pub maximum: Option<f64>,
 }
 
@@ -47,7 +47,7 @@ impl fmt::Display for Fault {
 pub struct Faults<'a> {
     text: &'a str,
     found: Vec<(usize, String, About)>,
-    /// What stands where: places in the text, each with its section or item, and its key.
+    /// Contents of the text: each place with its section or item, and its key.
     names: Vec<(usize, Site, Option<usize>)>,
 }
 
@@ -62,17 +62,17 @@ impl<'a> Faults<'a> {
         start..start
     }
 
-    /// Notes what stands at `span` [bytes]: a key, or a section or an item.
+    /// Records the key, section or item at `span` [bytes].
     pub fn name(&mut self, span: &Range<usize>, site: Site, key: Option<usize>) {
         self.names.push((span.start, site, key));
     }
 
-    /// Notes a fault of what stands at `span` [bytes].
+    /// Reports a fault of the key, section or item at `span` [bytes].
     pub fn add(&mut self, span: &Range<usize>, sentence: impl Into<String>) {
         self.add_about(span, sentence, About::default());
     }
 
-    /// Notes a fault at `span` [bytes], and what it is about.
+    /// Reports a fault at `span` [bytes], and what it concerns.
     pub fn add_about(&mut self, span: &Range<usize>, sentence: impl Into<String>, about: About) {
         if !self.are_many() {
             self.found.push((span.start, sentence.into(), about));

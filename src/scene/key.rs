@@ -1,4 +1,4 @@
-//! What a key of a scene file is: name, unit, place in the scene, meaning. The keys themselves are in [`super::table`].
+//! The description of a key of a scene file: name, unit, place in the scene, meaning. The keys themselves are in [`super::table`].
 
 use nalgebra::Vector3;
 
