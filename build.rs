@@ -19,28 +19,6 @@ use std::{env, fs};
 
 use interface::sensor_structs;
 
-/// Effects of the sensors that the library can be built without, to show what their being off costs: benches/effects.sh.
-const EFFECTS: [&str; 18] = [
-    "size_effect",
-    "bandwidth",
-    "linear",
-    "asymmetry",
-    "quadratic",
-    "g_sensitivity",
-    "temperature",
-    "bias",
-    "gauss_markov",
-    "flicker",
-    "rate_random_walk",
-    "ramp",
-    "random_walk",
-    "failures",
-    "dead_zone",
-    "range",
-    "quantization",
-    "altimeter",
-];
-
 fn main() {
     println!("cargo:rerun-if-changed=src/abi");
     for source in [
@@ -54,12 +32,11 @@ fn main() {
     }
     println!("cargo:rerun-if-env-changed=SINS_WRITE_HEADER");
 
-    let names = format!("{EFFECTS:?}");
-    println!("cargo:rustc-check-cfg=cfg(sins_without, values({}))", names.trim_matches(['[', ']']));
-    println!("cargo:rerun-if-env-changed=SINS_WITHOUT");
-    for effect in env::var("SINS_WITHOUT").unwrap_or_default().split_whitespace() {
-        assert!(EFFECTS.contains(&effect), "SINS_WITHOUT: {effect} is none of {names}");
-        println!("cargo:rustc-cfg=sins_without=\"{effect}\"");
+    // A library without any effect of the sensors shows what effects cost that are off: benches/effects.sh.
+    println!("cargo:rustc-check-cfg=cfg(sins_bare)");
+    println!("cargo:rerun-if-env-changed=SINS_BARE");
+    if env::var_os("SINS_BARE").is_some() {
+        println!("cargo:rustc-cfg=sins_bare");
     }
 
     let root = PathBuf::from(variable("CARGO_MANIFEST_DIR"));

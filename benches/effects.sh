@@ -1,11 +1,8 @@
 #!/usr/bin/env bash
 # Cost of the effects of the sensors, in instructions by callgrind, which do not depend on the speed of the machine.
 #   effects.sh            prints the table: the cost that each effect adds to a step, with times; as Markdown
-#   effects.sh --check    checks that an effect that is off costs nothing: in each scene without the effect, a step takes as
-#                         many instructions as with a library that is built without the effect, within 0.5 %; each effect
-#                         alone, and all at once (twenty minutes)
-#   effects.sh --check A,B C   checks with a library without A and B, and with one without C ("all": all effects; "catalogue":
-#                              all effects that simulation 2 does not have)
+#   effects.sh --check    checks that effects that are off cost nothing: with ideal sensors, a step takes as many instructions as
+#                         with a library that is built without any effect, within 0.5 %
 set -euo pipefail
 cd "$(dirname "$0")"
 source counting.sh
@@ -21,9 +18,6 @@ table() {
     target/release/effects table target/effects.txt
 }
 
-paper="bias random_walk"
-catalogue="size_effect bandwidth linear asymmetry quadratic g_sensitivity temperature failures gauss_markov flicker
-    rate_random_walk ramp dead_zone range quantization altimeter"
 limit=0.5
 
 # counts SCENE...: instructions of a step in each scene, with the library that was built last.
@@ -36,40 +30,26 @@ counts() {
 }
 
 check() {
-    local build effects scenes status=0 scene off without
+    local status=0 scene off without
     cargo build --release --quiet --bin steps
-    counts simulation2 reads ideal free >target/off.txt
-    printf '%-20s %-12s %10s %10s %8s\n' "built without" scene off without %
-    for build in "$@"; do
-        case $build in
-        all) effects="$catalogue $paper" ;;
-        catalogue) effects=$catalogue ;;
-        *) effects=${build//,/ } ;;
-        esac
-        # Simulation 2 has the effects of the paper, so a library without one of them flies only the scenes with ideal sensors.
-        scenes="ideal free"
-        grep -Eq "(^| )(${paper// /|})( |$)" <<<"$effects" || scenes="simulation2 reads $scenes"
-        SINS_WITHOUT=$effects cargo build --release --quiet --bin steps
-        counts $scenes >target/without.txt
-        while read -r scene without; do
-            off=$(sed -n "s/^$scene //p" target/off.txt)
-            awk -v build="$build" -v scene="$scene" -v off="$off" -v without="$without" -v limit=$limit 'BEGIN {
-                excess = 100 * (off - without) / without
-                printf "%-20s %-12s %10d %10d %8.2f\n", build, scene, off, without, excess
-                exit (excess > limit || excess < -limit)
-            }' || status=1
-        done <target/without.txt
-    done
-    [ $status -eq 0 ] || echo "an effect that is off costs more than $limit %" >&2
+    counts ideal free >target/off.txt
+    SINS_BARE=1 cargo build --release --quiet --bin steps
+    counts ideal free >target/bare.txt
+    printf '%-12s %10s %10s %8s\n' scene off bare %
+    while read -r scene without; do
+        off=$(sed -n "s/^$scene //p" target/off.txt)
+        awk -v scene="$scene" -v off="$off" -v without="$without" -v limit=$limit 'BEGIN {
+            excess = 100 * (off - without) / without
+            printf "%-12s %10d %10d %8.2f\n", scene, off, without, excess
+            exit (excess > limit || excess < -limit)
+        }' || status=1
+    done <target/bare.txt
+    [ $status -eq 0 ] || echo "effects that are off cost more than $limit %" >&2
     return $status
 }
 
 case ${1:-} in
---check)
-    shift
-    [ $# -gt 0 ] || set -- all catalogue $paper $catalogue
-    check "$@"
-    ;;
+--check) check ;;
 "") table ;;
 *)
     sed -n '2,/^set/{/^#/p}' "$0" >&2

@@ -1,8 +1,8 @@
 //! The barometric altimeter that damps the vertical channel.
 
+use super::effects::MarkovStep;
 use super::failing::FailingOutput;
 use super::failure::{Failure, SensorOutput};
-use super::gauss_markov::MarkovStep;
 use super::kept::Kept;
 use super::stream::{MAX_NORMAL, Purpose, Source, Stream, StreamKey};
 use super::validation::check_correlation_time;
@@ -188,7 +188,7 @@ impl Altimeter {
     #[inline]
     pub fn sense(&mut self, height_m: f64, dt: f64) -> Option<f64> {
         self.heights.keep();
-        if !self.is_ideal && !cfg!(sins_without = "altimeter") {
+        if !self.is_ideal && !cfg!(sins_bare) {
             return self.indicated(height_m, dt);
         }
         let indicated_m = Some(height_m);

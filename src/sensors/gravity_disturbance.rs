@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::gauss_markov::MarkovStep;
+use super::effects::MarkovStep;
 use super::kept::Kept;
 use super::stream::{MAX_NORMAL, Purpose, Source, Stream, StreamKey};
 use crate::earth::Earth;

@@ -3,7 +3,7 @@
 //!
 //! # Effects
 //!
-//! Each effect is one unit with its own random streams. When parameters are set, a triad makes a plan of the effects that they call
+//! Each effect is one file in `effects`, with its own random streams. When parameters are set, a triad makes a plan of the effects that they call
 //! for, and does no work for the others. The effects act along the path of the signal, in this order:
 //!
 //! | | effect | error |
@@ -31,56 +31,34 @@
 
 mod alignment;
 mod altimeter;
-mod asymmetry;
-mod bandwidth;
-mod bias;
-mod dead_zone;
 mod draw;
+mod effects;
 mod failing;
 mod failure;
 mod failure_fields;
-mod flicker;
-mod g_sensitivity;
-mod gauss_markov;
 mod gravity_disturbance;
 mod initial;
-mod input;
 mod kept;
-mod linear;
-mod outputs;
 mod parameter;
 mod parameters;
-mod plan;
 mod preset;
-mod quadratic;
-mod quantization;
-mod ramp;
-mod random_walk;
-mod range;
-mod rate_random_walk;
-mod size_effect;
-mod states;
 mod stream;
 mod table;
-mod temperature;
 mod triad;
 mod validation;
 mod xoshiro;
 
 pub use alignment::{Aligned, Sensed, level_and_gyrocompass};
 pub use altimeter::{Altimeter, AltimeterParameters};
+pub(crate) use effects::{FLICKER_PROCESSES, MarkovStep, SharedInput, StateRows};
 pub(crate) use failing::FailingTriad;
 pub use failure::{Axis, Failure, SensorOutput};
 pub(crate) use failure_fields::{FAILURE_KIND_COUNT, FailureFields};
-pub(crate) use flicker::PROCESSES as FLICKER_PROCESSES;
-pub(crate) use gauss_markov::MarkovStep;
 pub use gravity_disturbance::{GravityDisturbance, GravityDisturbanceParameters, GravityField};
 pub use initial::{Alignment, InitialErrorParameters};
 pub use parameter::{Field, Parameter, Range as ParameterRange, Shape as ParameterShape};
 pub use parameters::{Sensor, TriadParameters};
 pub use preset::{Grade, paper_simulation2};
-pub(crate) use states::StateRows;
 pub use stream::StreamKey;
 pub use table::PARAMETERS;
-pub(crate) use triad::SharedInput;
 pub use triad::Triad;

@@ -1,35 +1,17 @@
 //! Three sensors and the effects that are active in them.
 
-mod runs;
-mod sense;
-mod steady;
+use core::slice::{from_mut, from_ref};
 
-pub(crate) use runs::SharedInput;
+use nalgebra::Vector3;
 
-use super::asymmetry::Asymmetry;
-use super::bandwidth::Bandwidth;
-use super::bias::Bias;
-use super::dead_zone::DeadZone;
+use super::effects::{BlockOutputs, Conditions, Count, Effects, From, Into, Outputs, SharedInput, StateRows};
 use super::failing::FailingTriad;
 use super::failure::{Axis, Failure, SensorOutput};
-use super::flicker::Flicker;
-use super::g_sensitivity::GSensitivity;
-use super::gauss_markov::GaussMarkov;
 use super::kept::Kept;
-use super::linear::Linear;
 use super::parameters::{Sensor, TriadParameters};
-use super::plan::{Effect, Plan};
-use super::quadratic::Quadratic;
-use super::quantization::Quantization;
-use super::ramp::Ramp;
-use super::random_walk::RandomWalk;
-use super::range::Range;
-use super::rate_random_walk::RateRandomWalk;
-use super::size_effect::SizeEffect;
 use super::stream::StreamKey;
-use super::temperature::Temperature;
 use crate::error::Error;
-use crate::signal::{MAX_INCREMENTS, Turning};
+use crate::signal::{Increment, IncrementRows, MAX_INCREMENTS, RUNS, Turning};
 use crate::snapshot::{Reader, Stored, stored};
 use crate::truth::INTERVALS_S;
 
@@ -37,43 +19,16 @@ use crate::truth::INTERVALS_S;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Triad {
     sensor: Sensor,
-    size_effect: SizeEffect,
-    bandwidth: Bandwidth,
-    linear: Linear,
-    asymmetry: Asymmetry,
-    quadratic: Quadratic,
-    g_sensitivity: GSensitivity,
-    temperature: Temperature,
-    bias: Bias,
-    gauss_markov: GaussMarkov,
-    flicker: Flicker,
-    rate_random_walk: RateRandomWalk,
-    ramp: Ramp,
-    random_walk: RandomWalk,
-    dead_zone: DeadZone,
-    range: Range,
-    quantization: Quantization,
+    effects: Effects,
     failing: Kept<FailingTriad>,
-    plan: Plan,
+    /// Whether a failure adds to an output, and whether one replaces an output.
+    adds: bool,
+    replaces: bool,
     /// Length of the increments for which the effects are prepared [s]; 0: not prepared yet.
     dt: Kept<f64>,
-    /// Whether an output has been beyond the range since the flag was taken.
-    saturated: bool,
 }
 
-stored!(Triad {
-    size_effect,
-    bandwidth,
-    gauss_markov,
-    flicker,
-    rate_random_walk,
-    ramp,
-    random_walk,
-    quantization,
-    dt: INTERVALS_S.1,
-} rebuilt {
-    sensor, linear, asymmetry, quadratic, g_sensitivity, bias, dead_zone, range, plan, saturated, temperature, failing,
-} then |triad, from| {
+stored!(Triad { effects, dt: INTERVALS_S.1 } rebuilt { sensor, failing, adds, replaces } then |triad, from| {
     let shortest_s = INTERVALS_S.0 / MAX_INCREMENTS as f64;
     from.require(*triad.dt == 0.0 || *triad.dt >= shortest_s, *triad.dt, "is no length of an increment")?;
     triad.set_interval(*triad.dt);
@@ -85,52 +40,20 @@ impl Triad {
     pub fn new(key: StreamKey, sensor: Sensor) -> Self {
         Self {
             sensor,
-            size_effect: SizeEffect::new(),
-            bandwidth: Bandwidth::new(),
-            linear: Linear::new(key, sensor),
-            asymmetry: Asymmetry::new(),
-            quadratic: Quadratic::new(),
-            g_sensitivity: GSensitivity::new(),
-            temperature: Temperature::new(),
-            bias: Bias::new(key, sensor),
-            gauss_markov: GaussMarkov::new(key, sensor),
-            flicker: Flicker::new(key, sensor),
-            rate_random_walk: RateRandomWalk::new(key, sensor),
-            ramp: Ramp::new(),
-            random_walk: RandomWalk::new(key, sensor),
-            dead_zone: DeadZone::new(),
-            range: Range::new(),
-            quantization: Quantization::new(),
+            effects: Effects::new(key, sensor),
             failing: Kept::new(FailingTriad::new(key, sensor.source())),
-            plan: Plan::IDEAL,
+            adds: false,
+            replaces: false,
             dt: Kept::new(0.0),
-            saturated: false,
         }
     }
 
     /// Takes validated parameters, and decides which effects act on each increment from now on. Processes that were active continue
     /// from their current states.
     pub fn set(&mut self, parameters: &TriadParameters) {
-        self.plan = Plan::new(&[
-            (Effect::Size, self.size_effect.set(parameters)),
-            (Effect::Bandwidth, self.bandwidth.set(parameters)),
-            (Effect::Linear, self.linear.set(parameters)),
-            (Effect::Asymmetry, self.asymmetry.set(parameters)),
-            (Effect::Quadratic, self.quadratic.set(parameters)),
-            (Effect::GSensitivity, self.g_sensitivity.set(parameters)),
-            (Effect::Temperature, self.temperature.set(parameters)),
-            (Effect::Bias, self.bias.set(parameters)),
-            (Effect::GaussMarkov, self.gauss_markov.set(parameters)),
-            (Effect::Flicker, self.flicker.set(parameters)),
-            (Effect::RateRandomWalk, self.rate_random_walk.set(parameters)),
-            (Effect::Ramp, self.ramp.set(parameters)),
-            (Effect::RandomWalk, self.random_walk.set(parameters)),
-            (Effect::AddedFailure, self.failing.any_adds()),
-            (Effect::DeadZone, self.dead_zone.set(parameters)),
-            (Effect::Range, self.range.set(parameters)),
-            (Effect::Quantization, self.quantization.set(parameters)),
-            (Effect::Outage, self.failing.any_replaces()),
-        ]);
+        self.effects.set(parameters);
+        self.adds = self.failing.any_adds();
+        self.replaces = self.failing.any_replaces();
         self.set_interval(*self.dt);
     }
 
@@ -168,7 +91,7 @@ impl Triad {
 
     /// Whether an axis has a failure.
     pub fn has_failed(&self) -> bool {
-        self.failing.any_adds() || self.failing.any_replaces()
+        self.adds || self.replaces
     }
 
     /// Whether an axis has no signal in this interval: dead, or dropped out.
@@ -179,7 +102,7 @@ impl Triad {
 
     /// Whether an accelerometer is away from the block's own point.
     pub fn has_size_effect(&self) -> bool {
-        self.size_effect.is_active()
+        self.effects.size_effect.is_active()
     }
 
     /// Begins a sample interval of `t` [s]. `ends_c` are the temperatures at its ends [°C], and `turning` is the motion that its
@@ -188,19 +111,159 @@ impl Triad {
     pub fn begin_interval(&mut self, t: f64, ends_c: Option<[f64; 2]>, turning: Option<Turning>) {
         self.failing.keep();
         self.failing.begin_interval(t);
-        self.size_effect.begin_interval(turning);
-        if let Some(ends_c) = ends_c {
-            self.temperature.begin_interval(ends_c);
-        }
+        self.effects.begin_interval(&Conditions { ends_c, turning });
     }
 
-    /// Whether no effect is active.
+    /// Whether nothing changes the increments.
     pub fn is_ideal(&self) -> bool {
-        self.plan.is_ideal()
+        self.effects.are_none() && !self.has_failed()
     }
 
     /// Follows a jump of the signals: filters settle at once at the next signals. Noise continues.
     pub fn reposition(&mut self) {
-        self.bandwidth.reposition();
+        self.effects.reposition();
+    }
+
+    /// The triad's output for one ideal increment over `dt` [s].
+    pub fn sense(&mut self, ideal: &Increment, dt: f64) -> Vector3<f64> {
+        let mut measured = *ideal;
+        self.sense_each(from_ref(ideal), dt, from_mut(&mut measured));
+        match self.sensor {
+            Sensor::Gyro => measured.angle,
+            Sensor::Accelerometer => measured.velocity,
+        }
+    }
+
+    /// Turns the triad's part of `measured` into the triad's outputs. Before the call, this part equals the same part of the
+    /// increments `ideal`, each over `dt` [s]. The active effects act one after the other, each on all increments. [`Self::undo`]
+    /// can undo the interval.
+    #[inline]
+    pub fn sense_each(&mut self, ideal: &[Increment], dt: f64, measured: &mut [Increment]) {
+        self.dt.keep();
+        self.follow_length(dt);
+        self.effects.act_on_signal(ideal, dt, self.sensor, measured);
+        self.effects.add(dt, self.sensor, measured);
+        if self.adds {
+            Outputs::new(self.sensor, measured).iter_mut().for_each(|output| self.failing.add(dt, output));
+        }
+        self.effects.finish(dt, self.sensor, measured);
+        if self.replaces {
+            Outputs::new(self.sensor, measured)
+                .iter_mut()
+                .for_each(|output| self.failing.replace(dt, output));
+        }
+    }
+
+    /// Takes the length `dt` [s] of the increments, if it differs. Time stamps differ in their last digits; the effect of this on a
+    /// variance is far too small to be visible.
+    #[inline]
+    fn follow_length(&mut self, dt: f64) {
+        if (dt - *self.dt).abs() > 1e-7 * dt {
+            self.set_interval(dt);
+        }
+    }
+
+    /// Takes the length of the increments to come [s]; 0: not known yet.
+    #[cold]
+    fn set_interval(&mut self, dt: f64) {
+        *self.dt = dt;
+        if dt != 0.0 {
+            self.effects.set_interval(dt);
+        }
+    }
+
+    /// Whether an output has been beyond the range since the last call.
+    #[inline]
+    pub fn take_saturated(&mut self) -> bool {
+        self.effects.range.take_saturated()
+    }
+
+    /// Undoes the last interval: restores what [`Self::begin_interval`] and [`Self::sense_each`] changed.
+    #[cold]
+    pub fn undo(&mut self) {
+        self.effects.undo();
+        if self.has_failed() {
+            self.failing.undo();
+        }
+        self.dt.undo();
+        self.set_interval(*self.dt);
+    }
+
+    /// The error [u] that an alignment at this moment would have at the angular rate `rate` [rad/s], the specific force `force`
+    /// [m/s²] and the temperature `temperature_c` [°C]; `None`: the reference temperature. It excludes white noise and
+    /// quantization, because an alignment averages them out, and failures, because they come after it.
+    pub fn steady_error(
+        &self,
+        rate: &Vector3<f64>,
+        force: &Vector3<f64>,
+        temperature_c: Option<f64>,
+    ) -> Vector3<f64> {
+        self.effects.steady_error(self.sensor, rate, force, temperature_c)
+    }
+}
+
+/// The triads of many runs. One triad has the parameters and states that all runs share; rows have the states of each run.
+impl Triad {
+    /// Rows for the states of runs with these parameters.
+    pub(crate) fn rows(&mut self) -> Result<StateRows, Error> {
+        let mut count = Count::default();
+        self.effects.visit(&mut count);
+        count.rows()
+    }
+
+    /// Copies the states of this run into a lane.
+    pub(crate) fn put_into(&mut self, rows: &mut StateRows, lane: usize) {
+        self.effects.visit(&mut Into { rows, lane, next: Count::default() });
+    }
+
+    /// Copies the states of this run from a lane.
+    pub(crate) fn take_from(&mut self, rows: &StateRows, lane: usize) {
+        self.effects.visit(&mut From { rows, lane, next: Count::default() });
+    }
+
+    /// Takes over the states of the failures of another run, which has the same failures.
+    pub(crate) fn take_failures(&mut self, failures: &FailingTriad) {
+        (*self.failing).clone_from(failures);
+    }
+
+    /// Takes the states that depend on the signals from `other`, which had the same signals.
+    pub(crate) fn follow_as(&mut self, other: &Self) {
+        self.effects.follow(&other.effects);
+        self.dt.clone_from(&other.dt);
+        self.set_interval(*other.dt);
+    }
+
+    /// Computes in `shared` what is the same for all runs in an interval with the increments `ideal`, each over `dt`
+    /// [s].
+    pub(crate) fn share(&mut self, ideal: &[Increment], dt: f64, shared: &mut SharedInput) {
+        self.follow_length(dt);
+        self.effects.share(ideal, dt, self.sensor, shared);
+    }
+
+    /// Computes the outputs of the runs of a block in the interval that was [shared](Self::share): the triad's part of
+    /// `increments`. Each run has its own failures; copies of the last run have no failures. Runs beyond the range are
+    /// marked in `saturated`. `before` gets the state of `rows` before the interval.
+    #[inline(always)]
+    pub(crate) fn sense_block(
+        &self,
+        shared: &SharedInput,
+        dt: f64,
+        (rows, before): (&mut StateRows, &mut StateRows),
+        failures: &mut [FailingTriad],
+        increments: &mut [IncrementRows],
+        saturated: &mut [u64; RUNS],
+    ) {
+        let mut states = rows.states(before);
+        let mut outputs = BlockOutputs { sensor: self.sensor, dt, increments, saturated };
+        self.effects.act_on_signal_each(shared, &mut states, &mut outputs);
+        self.effects.add_each(&mut states, &mut outputs);
+        let count = failures.len();
+        if self.adds {
+            outputs.each_run(count, |lane, output, _| failures[lane].add(dt, output));
+        }
+        self.effects.finish_each(&mut states, &mut outputs);
+        if self.replaces {
+            outputs.each_run(count, |lane, output, _| failures[lane].replace(dt, output));
+        }
     }
 }

@@ -23,6 +23,7 @@ macro_rules! stored {
         $(rebuilt { $($rebuilt:ident),* $(,)? })?
         $(then $then:expr)?
     ) => {
+        #[allow(unused_variables, reason = "a part may keep nothing")]
         impl $crate::snapshot::Stored for $type {
             fn save(&self, to: &mut $crate::snapshot::Writer<'_>) {
                 let Self { $($field,)* $($($rebuilt: _,)*)? } = self;

@@ -4,6 +4,7 @@
 mod support;
 
 mod alignment;
+mod every_parameter;
 mod failures;
 mod gravity_disturbance;
 mod in_flight;

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use sins::earth::{Earth, Geodetic};
 use sins::errors::NavigationErrors;
 use sins::math::Euler;
-use sins::sensors::{PARAMETERS, ParameterShape, Sensor, TriadParameters};
+use sins::sensors::{PARAMETERS, Parameter, ParameterShape, Sensor, TriadParameters};
 use sins::signal::Increment;
 use sins::state::{BodyAxes, EarthFixedState};
 use sins::truth::{FlightSample, Intake, IntakeLimits};
@@ -31,14 +31,17 @@ pub const MILLIGAL: f64 = 1e-5;
 /// Earth rate [rad/s].
 pub const EARTH_RATE: f64 = 7.292_115e-5;
 
-/// Each sensor parameter except for those of temperature: one data-sheet unit times `scale`, times 1, -0.7 and 0.4 along x, y and
-/// z. Tests use them for the parameters that they do not name.
+/// Each sensor parameter except for those of temperature, as by [`one_unit_of`]. Tests use them for the parameters that they do not
+/// name.
 pub fn one_unit_of_each(sensor: Sensor, scale: f64) -> TriadParameters {
+    one_unit_of(sensor, scale, |parameter| !parameter.name.contains("temperature"))
+}
+
+/// The chosen sensor parameters: one data-sheet unit times `scale`, times 1, -0.7 and 0.4 along x, y and z.
+pub fn one_unit_of(sensor: Sensor, scale: f64, chosen: impl Fn(&Parameter) -> bool) -> TriadParameters {
     let mut triad = TriadParameters::default();
-    for (parameter, numbers) in PARAMETERS.iter().zip(triad.numbers_mut()) {
-        let Some(field) = parameter.of(sensor).filter(|_| !parameter.name.contains("temperature")) else {
-            continue;
-        };
+    for (parameter, numbers) in PARAMETERS.iter().zip(triad.numbers_mut()).filter(|(row, _)| chosen(row)) {
+        let Some(field) = parameter.of(sensor) else { continue };
         let has_diagonal = !matches!(parameter.shape, ParameterShape::OffDiagonal(_));
         for index in (0..numbers.len()).filter(|index| has_diagonal || index % 4 != 0) {
             let size = field.key_si * scale * [1.0, -0.7, 0.4][index % 3];

@@ -2,8 +2,10 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::kept::Kept;
-use super::parameters::TriadParameters;
+use super::super::kept::Kept;
+use super::effect::{Conditions, Effect, OnInput};
+use super::super::parameters::{Sensor, TriadParameters};
+use super::super::stream::StreamKey;
 use crate::mounting::{centripetal, lever_arm_velocity};
 use crate::signal::{MAX_INCREMENTS, Turning};
 use crate::snapshot::{SIGNALS, stored};
@@ -18,7 +20,7 @@ use crate::truth::INTERVALS_S;
 /// h³ω'''/4. The velocity has this error once and does not accumulate it. The error in the centripetal part is of fourth order. At
 /// the start the cubic is replaced by a polynomial through the angles that exist: a constant rate has no transient.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct SizeEffect {
+pub(in crate::sensors) struct SizeEffect {
     /// Row = place of an accelerometer [m].
     arms: Matrix3<f64>,
     /// Motion that the increments of the interval belong to, and the share of the motion that is past; `None` for foreign
@@ -45,8 +47,8 @@ stored!(Past { dt: INTERVALS_S.1, mean: SIGNALS } then |past, from| {
     from.require(past.dt >= shortest_s, past.dt, "is no length of an increment")
 });
 
-impl SizeEffect {
-    pub fn new() -> Self {
+impl Effect for SizeEffect {
+    fn new(_: StreamKey, _: Sensor) -> Self {
         Self {
             arms: Matrix3::zeros(),
             turning: None,
@@ -55,8 +57,7 @@ impl SizeEffect {
         }
     }
 
-    /// Sets the parameters. Returns whether they call for the effect.
-    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+    fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.arms = parameters.lever_arm_m;
         if !self.is_active() {
             *self.past = [None; 2];
@@ -64,32 +65,27 @@ impl SizeEffect {
         self.is_active()
     }
 
-    /// Whether an accelerometer is away from the block's own point.
-    pub fn is_active(&self) -> bool {
-        self.arms != Matrix3::zeros()
-    }
-
-    /// Begins an interval in which the block turns as `turning`. [`Self::undo`] can undo it.
-    pub fn begin_interval(&mut self, turning: Option<Turning>) {
+    fn begin_interval(&mut self, conditions: &Conditions) {
         if !self.is_active() {
             return;
         }
         self.past.keep();
         self.rate.keep();
-        if let Some(turning) = &turning {
+        if let Some(turning) = &conditions.turning {
             *self.rate = turning.angular_rate(0.0);
         }
-        self.turning = turning.map(|turning| (turning, 0.0));
+        self.turning = conditions.turning.map(|turning| (turning, 0.0));
     }
 
-    /// Error [m/s²] at the constant angular rate `rate` [rad/s].
-    pub fn steady_error(&self, rate: &Vector3<f64>) -> Vector3<f64> {
-        self.along_axes(|arm| centripetal(rate, arm))
+    fn undo(&mut self) {
+        self.past.undo();
+        self.rate.undo();
     }
+}
 
-    /// Adds the error over an increment of the angle `angle` [rad] in `dt` [s].
+impl OnInput for SizeEffect {
     #[inline]
-    pub fn apply(&mut self, angle: &Vector3<f64>, dt: f64, input: &mut Vector3<f64>) {
+    fn apply(&mut self, angle: &Vector3<f64>, dt: f64, input: &mut Vector3<f64>) {
         let mean = angle / dt;
         let change = match &mut self.turning {
             Some((turning, past)) => {
@@ -102,6 +98,17 @@ impl SizeEffect {
         *input += self.along_axes(|arm| lever_arm_velocity(&change, &mean, dt, arm));
     }
 
+    fn steady_change(&self, rate: &Vector3<f64>) -> Vector3<f64> {
+        self.along_axes(|arm| centripetal(rate, arm))
+    }
+}
+
+impl SizeEffect {
+    /// Whether an accelerometer is away from the block's own point.
+    pub fn is_active(&self) -> bool {
+        self.arms != Matrix3::zeros()
+    }
+
     /// Change of ω over the foreign increment `now`, which follows only from this increment and the increments before it.
     fn change_of_foreign(&mut self, now: Past) -> Vector3<f64> {
         let end = self.rate_at_end(&now);
@@ -109,12 +116,6 @@ impl SizeEffect {
         *self.past = [Some(now), self.past[0]];
         *self.rate = end;
         end - start
-    }
-
-    /// Undoes the last interval.
-    pub fn undo(&mut self) {
-        self.past.undo();
-        self.rate.undo();
     }
 
     /// ω at the end of the increment `now`, by Newton's divided differences of the angle.

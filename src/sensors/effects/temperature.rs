@@ -2,15 +2,17 @@
 
 use nalgebra::Vector3;
 
-use super::input::Input;
-use super::parameters::TriadParameters;
+use super::effect::{Conditions, Effect, Input, OfInput};
+use super::super::parameters::{Sensor, TriadParameters};
+use super::super::stream::StreamKey;
+use crate::snapshot::stored;
 
 /// With θ = T - T_ref, bias b1 θ + b2 θ² and scale factor error s1 θ + s2 θ² (thermal coefficients, IEEE Std 952 and 1293).
 ///
 /// T is linear from one sample to the next. Over an interval in which T changes by d and θ has the mean m, the mean of θ² is
 /// m² + d²/12. The integral of the bias is exact. The integral of the scale factor error is exact for a constant signal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Temperature {
+pub(in crate::sensors) struct Temperature {
     /// T_ref [°C].
     reference_c: f64,
     /// b1 [u/K], b2 [u/K²].
@@ -48,37 +50,41 @@ impl TriadParameters {
     }
 }
 
-impl Temperature {
-    pub fn new() -> Self {
+stored!(Temperature {} rebuilt { reference_c, bias, scale_factor, mean });
+
+impl Effect for Temperature {
+    fn new(_: StreamKey, _: Sensor) -> Self {
         let zero = [Vector3::zeros(); 2];
         Self { reference_c: 0.0, bias: zero, scale_factor: zero, mean: Errors::NONE }
     }
 
-    /// Sets the parameters. Returns whether they call for the effect.
-    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+    fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.reference_c = parameters.reference_temperature_c;
         self.bias = [parameters.bias_temperature, parameters.bias_temperature2];
         self.scale_factor = [parameters.scale_factor_temperature, parameters.scale_factor_temperature2];
         parameters.depend_on_temperature()
     }
 
-    /// Takes the temperatures [°C] at the ends of the interval to come.
-    pub fn begin_interval(&mut self, ends_c: [f64; 2]) {
-        let change = ends_c[1] - ends_c[0];
-        self.mean = self.errors(ends_c[0] + 0.5 * change, change * change / 12.0);
+    fn begin_interval(&mut self, conditions: &Conditions) {
+        if let Some(ends_c) = conditions.ends_c {
+            let change = ends_c[1] - ends_c[0];
+            self.mean = self.errors(ends_c[0] + 0.5 * change, change * change / 12.0);
+        }
+    }
+}
+
+impl OfInput for Temperature {
+    fn steady_error(&self, input: &Input, temperature_c: Option<f64>) -> Vector3<f64> {
+        temperature_c.map(|c| self.errors(c, 0.0).integral(input)).unwrap_or_default()
     }
 
-    /// Error [u s] at the temperature `temperature_c` [°C].
-    pub fn steady_error(&self, temperature_c: f64, input: &Input) -> Vector3<f64> {
-        self.errors(temperature_c, 0.0).integral(input)
-    }
-
-    /// Error [u s] in the interval that began last.
     #[inline]
-    pub fn error(&self, input: &Input) -> Vector3<f64> {
+    fn error(&self, input: &Input) -> Vector3<f64> {
         self.mean.integral(input)
     }
+}
 
+impl Temperature {
     /// Errors at the mean temperature `mean_c` [°C] with the variance `variance` [K²] about it.
     fn errors(&self, mean_c: f64, variance: f64) -> Errors {
         let mean = mean_c - self.reference_c;

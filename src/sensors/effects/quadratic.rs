@@ -2,8 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::input::Input;
-use super::parameters::TriadParameters;
+use super::effect::{Effect, Input, OfInput};
+use super::super::parameters::{Sensor, TriadParameters};
+use super::super::stream::StreamKey;
+use crate::snapshot::stored;
 
 /// δ = c s|s| + k s². The first term is odd: the nonlinearity c is a scale factor that grows with the size of the
 /// signal s. The second term is even: the vibration rectification k turns vibration of RMS r into a bias of k r² (K_oq
@@ -13,26 +15,28 @@ use super::parameters::TriadParameters;
 /// assumption a sine of frequency f loses the share 1 - (sin x / x)², x = π f dt, of its mean square: 3 % at ten
 /// increments a period.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Quadratic {
+pub(in crate::sensors) struct Quadratic {
     odd: Vector3<f64>,
     even: Vector3<f64>,
 }
 
-impl Quadratic {
-    pub fn new() -> Self {
+stored!(Quadratic {} rebuilt { odd, even });
+
+impl Effect for Quadratic {
+    fn new(_: StreamKey, _: Sensor) -> Self {
         Self { odd: Vector3::zeros(), even: Vector3::zeros() }
     }
 
-    /// Sets the parameters. Returns whether they call for the effect.
-    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+    fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.odd = parameters.scale_factor_nonlinearity;
         self.even = parameters.vibration_rectification_s2_m;
         self.odd != Vector3::zeros() || self.even != Vector3::zeros()
     }
+}
 
-    /// Error [u s].
+impl OfInput for Quadratic {
     #[inline]
-    pub fn error(&self, input: &Input) -> Vector3<f64> {
+    fn error(&self, input: &Input) -> Vector3<f64> {
         let signal = &input.signal;
         let sizes = self.odd.component_mul(&signal.abs()) + self.even.component_mul(signal);
         sizes.component_mul(signal) / input.dt

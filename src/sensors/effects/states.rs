@@ -2,8 +2,8 @@
 
 use core::mem::take;
 
-use super::draw::normal_each;
-use super::stream::Stream;
+use super::super::draw::normal_each;
+use super::super::stream::Stream;
 use crate::error::Error;
 use crate::memory::room;
 use crate::signal::{RUNS, Row};
@@ -11,7 +11,7 @@ use crate::signal::{RUNS, Row};
 /// One stream for each run of a block. The words of the generators are in rows.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
-pub(super) struct StreamRows([[u64; RUNS]; 4]);
+pub(in crate::sensors) struct StreamRows([[u64; RUNS]; 4]);
 
 impl StreamRows {
     /// The next normal number of each run.
@@ -31,7 +31,7 @@ pub(crate) struct StateRows {
 }
 
 /// Visits each part of the state of an effect of one run.
-pub(super) trait Visitor {
+pub(in crate::sensors) trait Visitor {
     fn constant(&mut self, number: &mut f64);
     fn number(&mut self, number: &mut f64);
     fn stream(&mut self, stream: &mut Stream);
@@ -47,7 +47,7 @@ pub(super) trait Visitor {
 
 /// Counts constants, numbers and streams.
 #[derive(Default)]
-pub(super) struct Count {
+pub(in crate::sensors) struct Count {
     constants: usize,
     numbers: usize,
     streams: usize,
@@ -86,7 +86,7 @@ impl Count {
 }
 
 /// Copies constants, numbers and streams into a lane.
-pub(super) struct Into<'a> {
+pub(in crate::sensors) struct Into<'a> {
     pub rows: &'a mut StateRows,
     pub lane: usize,
     pub next: Count,
@@ -111,7 +111,7 @@ impl Visitor for Into<'_> {
 }
 
 /// Copies constants, numbers and streams from a lane.
-pub(super) struct From<'a> {
+pub(in crate::sensors) struct From<'a> {
     pub rows: &'a StateRows,
     pub lane: usize,
     pub next: Count,
@@ -154,7 +154,7 @@ impl StateRows {
     /// The rows, which the effects take one after the other. `before` has the same number of rows, and gets a copy of each row that
     /// is taken.
     #[inline(always)]
-    pub(super) fn states<'a>(&'a mut self, before: &'a mut Self) -> States<'a> {
+    pub(in crate::sensors) fn states<'a>(&'a mut self, before: &'a mut Self) -> States<'a> {
         States {
             constants: &self.constants,
             numbers: (&mut self.numbers, &mut before.numbers),
@@ -164,7 +164,7 @@ impl StateRows {
 }
 
 /// The rows that are not taken yet, and room for their copies.
-pub(super) struct States<'a> {
+pub(in crate::sensors) struct States<'a> {
     constants: &'a [Row],
     numbers: (&'a mut [Row], &'a mut [Row]),
     streams: (&'a mut [StreamRows], &'a mut [StreamRows]),

@@ -2,23 +2,27 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::input::Input;
-use super::parameters::{Sensor, TriadParameters};
+use super::effect::{DrawnOfInput, Effect, Input, OfInput};
+use super::outputs::BlockOutputs;
+use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
-use super::stream::{Purpose, Stream, StreamKey};
-use crate::signal::{IncrementRows, RUNS};
+use super::super::stream::{Purpose, Stream, StreamKey};
+use crate::signal::RUNS;
+use crate::snapshot::stored;
 
 /// δ = K ideal, K = diag(scale factor) + misalignment (dKG, dKA of the paper's equations (2) and (3)). Each element has an
 /// additional σ z, with z drawn once a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Linear {
+pub(in crate::sensors) struct Linear {
     /// z, one standard normal number an element.
     turn_on: Matrix3<f64>,
     matrix: Matrix3<f64>,
 }
 
-impl Linear {
-    pub fn new(key: StreamKey, sensor: Sensor) -> Self {
+stored!(Linear {} rebuilt { turn_on, matrix });
+
+impl Effect for Linear {
+    fn new(key: StreamKey, sensor: Sensor) -> Self {
         let mut scale_factors = Stream::triad(key, sensor.source(), Purpose::ScaleFactor);
         let mut misalignments = Stream::triad(key, sensor.source(), Purpose::Misalignment);
         let turn_on = Matrix3::from_fn(|row, column| {
@@ -28,48 +32,45 @@ impl Linear {
         Self { turn_on, matrix: Matrix3::zeros() }
     }
 
-    /// Sets the parameters. Returns whether they call for the effect.
-    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+    fn set(&mut self, parameters: &TriadParameters) -> bool {
         let given = parameters.misalignment + Matrix3::from_diagonal(&parameters.scale_factor);
         let sigma = parameters.misalignment_sigma + Matrix3::from_diagonal(&parameters.scale_factor_sigma);
         self.matrix = given + sigma.component_mul(&self.turn_on);
         self.matrix != Matrix3::zeros()
     }
 
-    /// Error [u s].
-    #[inline]
-    pub fn error(&self, input: &Input) -> Vector3<f64> {
-        Self::error_by(&self.matrix, input)
-    }
-
-    #[inline(always)]
-    fn error_by(matrix: &Matrix3<f64>, input: &Input) -> Vector3<f64> {
-        matrix * input.signal
-    }
-
-    /// Visits the state of a run.
-    pub fn visit(&mut self, visitor: &mut impl Visitor) {
+    fn visit(&mut self, visitor: &mut impl Visitor) {
         visitor.constants(self.matrix.iter_mut());
     }
+}
 
-    /// Adds [`Self::error`] of the inputs of the increments, for the runs of a block.
+impl OfInput for Linear {
+    #[inline]
+    fn error(&self, input: &Input) -> Vector3<f64> {
+        Self::error_by(&self.matrix, input)
+    }
+}
+
+impl DrawnOfInput for Linear {
     #[inline(always)]
-    pub fn apply_each(
-        states: &mut States<'_>,
-        inputs: &[Input],
-        outputs: &mut [IncrementRows],
-        first: usize,
-    ) {
+    fn apply_each(states: &mut States<'_>, inputs: &[Input], outputs: &mut BlockOutputs<'_>) {
         let matrices = states.constants::<9>();
-        for (input, output) in inputs.iter().zip(outputs) {
+        for (input, output) in inputs.iter().zip(outputs.iter_mut()) {
             for lane in 0..RUNS {
                 // The rows keep the matrix column by column.
                 let matrix = Matrix3::from_fn(|row, column| matrices[3 * column + row][lane]);
                 let error = Self::error_by(&matrix, input);
                 for axis in 0..3 {
-                    output[first + axis][lane] += error[axis];
+                    output[axis][lane] += error[axis];
                 }
             }
         }
+    }
+}
+
+impl Linear {
+    #[inline(always)]
+    fn error_by(matrix: &Matrix3<f64>, input: &Input) -> Vector3<f64> {
+        matrix * input.signal
     }
 }

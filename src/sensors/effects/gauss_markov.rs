@@ -2,13 +2,14 @@
 
 use nalgebra::Vector3;
 
-use super::kept::Kept;
-use super::outputs::Outputs;
-use super::parameters::{Sensor, TriadParameters};
+use super::super::kept::Kept;
+use super::effect::{Added, Effect};
+use super::outputs::{BlockOutputs, Outputs};
+use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
-use super::stream::{MAX_NORMAL, Purpose, Stream, StreamKey};
+use super::super::stream::{MAX_NORMAL, Purpose, Stream, StreamKey};
 use crate::math::{exp_m1, tanh};
-use crate::signal::{IncrementRows, RUNS};
+use crate::signal::RUNS;
 use crate::snapshot::stored;
 
 /// Exact discretisation of x' = -x/τ + white noise, stationary variance 1, over a step of a = dt/τ:
@@ -64,7 +65,7 @@ impl MarkovStep {
 
     /// Moves `x` on by one step with two draws. Returns the integral of `x` over the step.
     #[inline(always)]
-    pub(super) fn advance_integral(&self, x: &mut f64, [n1, n2]: [f64; 2]) -> f64 {
+    pub(in crate::sensors) fn advance_integral(&self, x: &mut f64, [n1, n2]: [f64; 2]) -> f64 {
         self.advance_shared(x, n1) + self.integral_own * n2
     }
 
@@ -90,14 +91,14 @@ impl MarkovStep {
 
     /// Moves `x` on by one step.
     #[inline]
-    pub(super) fn advance(&self, x: &mut f64, stream: &mut Stream) {
+    pub(in crate::sensors) fn advance(&self, x: &mut f64, stream: &mut Stream) {
         *x = self.decay * *x + self.diffusion * stream.normal();
     }
 }
 
 /// ε_r of the paper's equation (2), stationary from the first sample on.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct GaussMarkov {
+pub(in crate::sensors) struct GaussMarkov {
     sigma: Vector3<f64>,
     time_s: Vector3<f64>,
     /// Processes of unit variance.
@@ -108,36 +109,40 @@ pub(super) struct GaussMarkov {
 
 stored!(GaussMarkov { x: MAX_NORMAL, streams } rebuilt { sigma, time_s, steps });
 
-impl GaussMarkov {
-    pub fn new(key: StreamKey, sensor: Sensor) -> Self {
+impl Effect for GaussMarkov {
+    fn new(key: StreamKey, sensor: Sensor) -> Self {
         let mut streams = Stream::triad(key, sensor.source(), Purpose::GaussMarkov);
         let x = Vector3::from_fn(|axis, _| streams[axis].normal());
         let (x, streams) = (Kept::new(x), streams.map(Kept::new));
         Self { sigma: Vector3::zeros(), time_s: Vector3::zeros(), x, steps: [MarkovStep::NONE; 3], streams }
     }
 
-    /// Sets the parameters. Returns whether they call for the effect.
-    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+    fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.sigma = parameters.markov_sigma;
         self.time_s = parameters.markov_time_s;
         self.sigma != Vector3::zeros()
     }
 
-    /// Takes the length of the increments to come [s].
-    pub fn set_interval(&mut self, dt: f64) {
+    fn set_interval(&mut self, dt: f64) {
         for axis in (0..3).filter(|&axis| self.sigma[axis] != 0.0) {
             self.steps[axis] = MarkovStep::new(dt, self.time_s[axis]);
         }
     }
 
-    /// The current bias [u].
-    pub fn value(&self) -> Vector3<f64> {
-        self.sigma.component_mul(&self.x)
+    fn undo(&mut self) {
+        self.x.undo();
+        self.streams.iter_mut().for_each(Kept::undo);
     }
 
-    /// Adds the integral over each increment of an interval, which [`Self::undo`] can undo.
+    fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.numbers(self.x.iter_mut());
+        self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
+    }
+}
+
+impl Added for GaussMarkov {
     #[inline(never)]
-    pub fn apply(&mut self, mut outputs: Outputs<'_>) {
+    fn apply(&mut self, _dt: f64, mut outputs: Outputs<'_>) {
         self.x.keep();
         for axis in 0..3 {
             let (sigma, step, mut stream) = (self.sigma[axis], self.steps[axis], self.streams[axis].kept());
@@ -151,15 +156,8 @@ impl GaussMarkov {
         }
     }
 
-    /// Visits the state of a run.
-    pub fn visit(&mut self, visitor: &mut impl Visitor) {
-        visitor.numbers(self.x.iter_mut());
-        self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
-    }
-
-    /// [`Self::apply`] for the runs of a block.
     #[inline(always)]
-    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize) {
+    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
         let (x, streams) = (states.numbers::<3>(), states.streams::<3>());
         for axis in 0..3 {
             let (sigma, step) = (self.sigma[axis], self.steps[axis]);
@@ -168,17 +166,15 @@ impl GaussMarkov {
                     let (n1, n2) = (streams[axis].normal(), streams[axis].normal());
                     for lane in 0..RUNS {
                         let integral = step.advance_integral(&mut x[axis][lane], [n1[lane], n2[lane]]);
-                        output[first + axis][lane] += sigma * integral;
+                        output[axis][lane] += sigma * integral;
                     }
                 }
             }
         }
     }
 
-    /// Undoes the last interval.
-    pub fn undo(&mut self) {
-        self.x.undo();
-        self.streams.iter_mut().for_each(Kept::undo);
+    fn value(&self) -> Vector3<f64> {
+        self.sigma.component_mul(&self.x)
     }
 }
 

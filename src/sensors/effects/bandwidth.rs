@@ -2,8 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::kept::Kept;
-use super::parameters::TriadParameters;
+use super::super::kept::Kept;
+use super::effect::{Effect, OnInput};
+use super::super::parameters::{Sensor, TriadParameters};
+use super::super::stream::StreamKey;
 use crate::error::Error;
 use crate::math::{exp, sin_cos};
 use crate::snapshot::{Reader, SIGNALS, Stored, Writer, stored};
@@ -19,7 +21,7 @@ use crate::snapshot::{Reader, SIGNALS, Stored, Writer, stored};
 /// The last line is the integrated differential equation: the filter outputs later what it holds back, so no angle is lost. The
 /// filter starts in the steady state of its first increment.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Bandwidth {
+pub(in crate::sensors) struct Bandwidth {
     axes: [Option<Filter>; 3],
 }
 
@@ -79,13 +81,12 @@ impl Filter {
     }
 }
 
-impl Bandwidth {
-    pub fn new() -> Self {
+impl Effect for Bandwidth {
+    fn new(_: StreamKey, _: Sensor) -> Self {
         Self { axes: [None; 3] }
     }
 
-    /// Sets the parameters. Returns whether they call for the effect. A new bandwidth continues from the state of the old one.
-    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+    fn set(&mut self, parameters: &TriadParameters) -> bool {
         for (filter, &bandwidth_hz) in self.axes.iter_mut().zip(parameters.bandwidth_hz.iter()) {
             let state = filter.map_or(Kept::new(None), |filter| filter.state);
             *filter = (bandwidth_hz != 0.0).then(|| Filter { state, ..Filter::new(bandwidth_hz) });
@@ -93,19 +94,26 @@ impl Bandwidth {
         self.axes.iter().any(Option::is_some)
     }
 
-    /// Takes the length of the increments to come [s].
-    pub fn set_interval(&mut self, dt: f64) {
+    fn set_interval(&mut self, dt: f64) {
         self.axes.iter_mut().flatten().for_each(|filter| filter.set_interval(dt));
     }
 
-    /// Follows a jump of the signal: the filter starts again in the steady state of the next increment.
-    pub fn reposition(&mut self) {
-        self.axes.iter_mut().flatten().for_each(|filter| *filter.state = None);
+    fn undo(&mut self) {
+        self.axes.iter_mut().flatten().for_each(|filter| filter.state.undo());
     }
 
-    /// Acts on an increment over `dt` [s].
+    fn reposition(&mut self) {
+        self.axes.iter_mut().flatten().for_each(|filter| *filter.state = None);
+    }
+}
+
+impl OnInput for Bandwidth {
+    fn keep(&mut self) {
+        self.axes.iter_mut().flatten().for_each(|filter| filter.state.keep());
+    }
+
     #[inline]
-    pub fn apply(&mut self, dt: f64, input: &mut Vector3<f64>) {
+    fn apply(&mut self, _: &Vector3<f64>, dt: f64, input: &mut Vector3<f64>) {
         for (filter, input) in self.axes.iter_mut().zip(input.iter_mut()) {
             if let Some(filter) = filter {
                 *input = filter.filtered(dt, *input);
@@ -113,13 +121,7 @@ impl Bandwidth {
         }
     }
 
-    /// Begins an interval, which [`Self::undo`] can undo.
-    pub fn keep(&mut self) {
-        self.axes.iter_mut().flatten().for_each(|filter| filter.state.keep());
-    }
-
-    /// Undoes the last interval.
-    pub fn undo(&mut self) {
-        self.axes.iter_mut().flatten().for_each(|filter| filter.state.undo());
+    fn steady_change(&self, _: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::zeros()
     }
 }

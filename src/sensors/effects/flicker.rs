@@ -3,11 +3,13 @@
 use nalgebra::Vector3;
 
 use super::gauss_markov::MarkovStep;
-use super::kept::Kept;
-use super::parameters::{Sensor, TriadParameters};
+use super::super::kept::Kept;
+use super::effect::{Added, Effect};
+use super::outputs::{BlockOutputs, Outputs};
+use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
-use super::stream::{MAX_NORMAL, Purpose, Stream, StreamKey};
-use crate::signal::{IncrementRows, RUNS};
+use super::super::stream::{MAX_NORMAL, Purpose, Stream, StreamKey};
+use crate::signal::RUNS;
 use crate::snapshot::stored;
 
 /// Correlation times of the processes [s], one process per decade.
@@ -43,7 +45,7 @@ pub(crate) const PROCESSES: [(f64, f64); TIMES_S.len()] = {
 /// Each process has its own draw for its step. The parts of the integrals that do not follow from the ends of the steps have one
 /// draw for all processes.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Flicker {
+pub(in crate::sensors) struct Flicker {
     /// B [u].
     instability: Vector3<f64>,
     /// Processes of unit variance, by axis.
@@ -56,22 +58,20 @@ pub(super) struct Flicker {
 
 stored!(Flicker { x: MAX_NORMAL, streams } rebuilt { instability, steps, own });
 
-impl Flicker {
-    pub fn new(key: StreamKey, sensor: Sensor) -> Self {
+impl Effect for Flicker {
+    fn new(key: StreamKey, sensor: Sensor) -> Self {
         let mut streams = Stream::triad(key, sensor.source(), Purpose::Flicker);
         let x = core::array::from_fn(|axis| core::array::from_fn(|_| streams[axis].normal()));
         let (x, streams) = (Kept::new(x), Kept::new(streams));
         Self { instability: Vector3::zeros(), x, steps: [MarkovStep::NONE; TIMES_S.len()], own: 0.0, streams }
     }
 
-    /// Sets the parameters. Returns whether they call for the effect.
-    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+    fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.instability = parameters.flicker;
         self.instability != Vector3::zeros()
     }
 
-    /// Takes the length of the increments to come [s].
-    pub fn set_interval(&mut self, dt: f64) {
+    fn set_interval(&mut self, dt: f64) {
         if self.instability == Vector3::zeros() {
             return;
         }
@@ -80,37 +80,37 @@ impl Flicker {
         self.own = own.map(|own| own * own).sum::<f64>().sqrt();
     }
 
-    /// The bias now [u].
-    pub fn value(&self) -> Vector3<f64> {
-        let sum = |axis: usize| DEVIATIONS.iter().zip(&self.x[axis]).map(|(d, x)| d * x).sum::<f64>();
-        Vector3::from_fn(|axis, _| self.instability[axis] * sum(axis))
+    fn undo(&mut self) {
+        self.x.undo();
+        self.streams.undo();
     }
 
-    /// Adds the integral over one increment.
-    #[inline]
-    pub fn apply(&mut self, measured: &mut Vector3<f64>) {
-        for axis in 0..3 {
-            if self.instability[axis] != 0.0 {
-                let stream = &mut self.streams[axis];
+    fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.numbers(self.x.as_flattened_mut());
+        self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
+    }
+}
+
+impl Added for Flicker {
+    #[inline(never)]
+    fn apply(&mut self, _dt: f64, mut outputs: Outputs<'_>) {
+        self.x.keep();
+        self.streams.keep();
+        for axis in (0..3).filter(|&axis| self.instability[axis] != 0.0) {
+            let stream = &mut self.streams[axis];
+            for output in outputs.iter_mut() {
                 let own = self.own * stream.normal();
                 let processes = DEVIATIONS.iter().zip(&self.steps).zip(&mut self.x[axis]);
                 let integral = processes.fold(own, |integral, ((deviation, step), x)| {
                     integral + deviation * step.advance_shared(x, stream.normal())
                 });
-                measured[axis] += self.instability[axis] * integral;
+                output[axis] += self.instability[axis] * integral;
             }
         }
     }
 
-    /// Visits the state of a run.
-    pub fn visit(&mut self, visitor: &mut impl Visitor) {
-        visitor.numbers(self.x.as_flattened_mut());
-        self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
-    }
-
-    /// [`Self::apply`] for each increment of the runs of a block.
     #[inline(always)]
-    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize) {
+    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
         let streams = states.streams::<3>();
         for axis in 0..3 {
             let x = states.numbers::<{ TIMES_S.len() }>();
@@ -124,24 +124,16 @@ impl Flicker {
                         }
                     }
                     for lane in 0..RUNS {
-                        output[first + axis][lane] += self.instability[axis] * integrals[lane];
+                        output[axis][lane] += self.instability[axis] * integrals[lane];
                     }
                 }
             }
         }
     }
 
-    /// Begins an interval, which [`Self::undo`] can undo.
-    #[inline]
-    pub fn keep(&mut self) {
-        self.x.keep();
-        self.streams.keep();
-    }
-
-    /// Undoes the last interval.
-    pub fn undo(&mut self) {
-        self.x.undo();
-        self.streams.undo();
+    fn value(&self) -> Vector3<f64> {
+        let sum = |axis: usize| DEVIATIONS.iter().zip(&self.x[axis]).map(|(d, x)| d * x).sum::<f64>();
+        Vector3::from_fn(|axis, _| self.instability[axis] * sum(axis))
     }
 }
 

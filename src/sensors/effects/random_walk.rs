@@ -2,18 +2,19 @@
 
 use nalgebra::Vector3;
 
-use super::kept::Kept;
-use super::outputs::Outputs;
-use super::parameters::{Sensor, TriadParameters};
+use super::super::kept::Kept;
+use super::effect::{Added, Effect};
+use super::outputs::{BlockOutputs, Outputs};
+use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
-use super::stream::{Purpose, Stream, StreamKey};
-use crate::signal::{IncrementRows, RUNS};
+use super::super::stream::{Purpose, Stream, StreamKey};
+use crate::signal::RUNS;
 use crate::snapshot::stored;
 
 /// White noise w. Its integral over dt is N √dt n, where n is standard normal and independent from one increment to the
 /// next. The density N [u √s] does not depend on the sampling rate.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct RandomWalk {
+pub(in crate::sensors) struct RandomWalk {
     density: Vector3<f64>,
     /// N √dt [u s]
     step: Vector3<f64>,
@@ -22,8 +23,8 @@ pub(super) struct RandomWalk {
 
 stored!(RandomWalk { streams } rebuilt { density, step });
 
-impl RandomWalk {
-    pub fn new(key: StreamKey, sensor: Sensor) -> Self {
+impl Effect for RandomWalk {
+    fn new(key: StreamKey, sensor: Sensor) -> Self {
         Self {
             density: Vector3::zeros(),
             step: Vector3::zeros(),
@@ -31,20 +32,27 @@ impl RandomWalk {
         }
     }
 
-    /// Sets the parameters. Returns whether they call for the effect.
-    pub fn set(&mut self, parameters: &TriadParameters) -> bool {
+    fn set(&mut self, parameters: &TriadParameters) -> bool {
         self.density = parameters.random_walk;
         self.density != Vector3::zeros()
     }
 
-    /// Takes the length of the increments to come [s].
-    pub fn set_interval(&mut self, dt: f64) {
+    fn set_interval(&mut self, dt: f64) {
         self.step = self.density * dt.sqrt();
     }
 
-    /// Adds the noise of each increment of an interval, which [`Self::undo`] can undo.
+    fn undo(&mut self) {
+        self.streams.iter_mut().for_each(Kept::undo);
+    }
+
+    fn visit(&mut self, visitor: &mut impl Visitor) {
+        self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
+    }
+}
+
+impl Added for RandomWalk {
     #[inline(never)]
-    pub fn apply(&mut self, mut outputs: Outputs<'_>) {
+    fn apply(&mut self, _dt: f64, mut outputs: Outputs<'_>) {
         for axis in 0..3 {
             let step = self.step[axis];
             let mut stream = self.streams[axis].kept();
@@ -55,14 +63,8 @@ impl RandomWalk {
         }
     }
 
-    /// Visits the state of a run.
-    pub fn visit(&mut self, visitor: &mut impl Visitor) {
-        self.streams.iter_mut().for_each(|stream| visitor.stream(stream));
-    }
-
-    /// [`Self::apply`] for the runs of a block.
     #[inline(always)]
-    pub fn apply_each(&self, states: &mut States<'_>, outputs: &mut [IncrementRows], first: usize) {
+    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
         let streams = states.streams::<3>();
         for axis in 0..3 {
             let step = self.step[axis];
@@ -70,15 +72,14 @@ impl RandomWalk {
                 for output in outputs.iter_mut() {
                     let draws = streams[axis].normal();
                     for lane in 0..RUNS {
-                        output[first + axis][lane] += step * draws[lane];
+                        output[axis][lane] += step * draws[lane];
                     }
                 }
             }
         }
     }
 
-    /// Undoes the last interval.
-    pub fn undo(&mut self) {
-        self.streams.iter_mut().for_each(Kept::undo);
+    fn value(&self) -> Vector3<f64> {
+        Vector3::zeros()
     }
 }

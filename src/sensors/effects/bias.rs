@@ -1,0 +1,63 @@
+//! Bias: a given constant and one drawn at turn-on.
+
+use nalgebra::Vector3;
+
+use super::effect::{Added, Effect};
+use super::outputs::{BlockOutputs, Outputs};
+use super::super::parameters::{Sensor, TriadParameters};
+use super::states::{States, Visitor};
+use super::super::stream::{Purpose, Stream, StreamKey};
+use crate::signal::RUNS;
+use crate::snapshot::stored;
+
+/// ε_b = bias + σ z, z drawn once a run (the paper's random constant).
+///
+/// Departure: the paper prints ε_b = 0 for its derivative.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::sensors) struct Bias {
+    /// z, one standard normal number an axis.
+    turn_on: Vector3<f64>,
+    value: Vector3<f64>,
+}
+
+stored!(Bias {} rebuilt { turn_on, value });
+
+impl Effect for Bias {
+    fn new(key: StreamKey, sensor: Sensor) -> Self {
+        let [mut x, mut y, mut z] = Stream::triad(key, sensor.source(), Purpose::TurnOnBias);
+        Self { turn_on: Vector3::new(x.normal(), y.normal(), z.normal()), value: Vector3::zeros() }
+    }
+
+    fn set(&mut self, parameters: &TriadParameters) -> bool {
+        self.value = parameters.bias + parameters.bias_sigma.component_mul(&self.turn_on);
+        self.value != Vector3::zeros()
+    }
+
+    fn visit(&mut self, visitor: &mut impl Visitor) {
+        visitor.constants(self.value.iter_mut());
+    }
+}
+
+impl Added for Bias {
+    #[inline]
+    fn apply(&mut self, dt: f64, mut outputs: Outputs<'_>) {
+        let integral = self.value * dt;
+        outputs.iter_mut().for_each(|output| *output += integral);
+    }
+
+    #[inline(always)]
+    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
+        let (value, dt) = (states.constants::<3>(), outputs.dt);
+        for output in outputs.iter_mut() {
+            for axis in 0..3 {
+                for lane in 0..RUNS {
+                    output[axis][lane] += value[axis][lane] * dt;
+                }
+            }
+        }
+    }
+
+    fn value(&self) -> Vector3<f64> {
+        self.value
+    }
+}

@@ -1,0 +1,64 @@
+//! The effects of a triad. An effect is a row of the table below, and a file whose name is the row's field.
+//!
+//! The file has the equation of the effect, its state, and what it does at its stage: [`effect`]. Everything that concerns all
+//! effects follows from the table: the order in which they act, what is set, drawn, saved and undone, how a single run, the runs
+//! of an ensemble and an alignment sense.
+
+mod effect;
+mod outputs;
+mod plan;
+mod rows;
+mod sense;
+mod states;
+
+use nalgebra::Vector3;
+
+use super::parameters::{Sensor, TriadParameters};
+use super::stream::StreamKey;
+use crate::signal::Increment;
+use crate::snapshot::stored;
+use effect::{Added, DrawnOfInput, Effect, OfInput, OnInput, OnOutput};
+pub(super) use effect::{Conditions, Input};
+pub(super) use outputs::{BlockOutputs, Outputs};
+use plan::{Plan, Stage};
+use rows::effects;
+pub(crate) use sense::SharedInput;
+pub(crate) use states::StateRows;
+pub(super) use states::{Count, From, Into, States, Visitor};
+
+pub(crate) use flicker::PROCESSES as FLICKER_PROCESSES;
+pub(crate) use gauss_markov::MarkovStep;
+
+effects! {
+    // Change the input of the sensors.
+    OnInput {
+        size_effect: SizeEffect,
+        bandwidth: Bandwidth,
+    }
+    // Errors that depend on the input, and differ from run to run.
+    DrawnOfInput {
+        linear: Linear,
+    }
+    // Errors that depend on the input, and are the same in all runs.
+    OfInput {
+        asymmetry: Asymmetry,
+        quadratic: Quadratic,
+        g_sensitivity: GSensitivity,
+        temperature: Temperature,
+    }
+    // Errors that do not depend on the input.
+    Added {
+        bias: Bias,
+        gauss_markov: GaussMarkov,
+        flicker: Flicker,
+        rate_random_walk: RateRandomWalk,
+        ramp: Ramp,
+        random_walk: RandomWalk,
+    }
+    // Act on the output.
+    OnOutput {
+        dead_zone: DeadZone,
+        range: Range,
+        quantization: Quantization,
+    }
+}
