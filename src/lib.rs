@@ -187,7 +187,6 @@ pub mod mounting;
 pub mod recommend;
 #[forbid(unsafe_code)]
 pub mod records;
-mod register;
 #[cfg(feature = "scenes")]
 #[forbid(unsafe_code)]
 pub mod scene;

@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::Earth;
 use super::position::Direction;
-use crate::math::{Two, atan2_of_two, hypot, sin_cos, sin_cos_each};
+use crate::math::{Pair, atan2_of_two, hypot, sin_cos, sin_cos_each};
 use crate::snapshot::{ANY, stored};
 
 /// Geodetic coordinates of a place.
@@ -64,8 +64,8 @@ struct Latitude {
 
 /// The vector of length 1 along `v`.
 #[inline(always)]
-fn unit(v: Two) -> Two {
-    v * (Two::both(1.0) / (v * v).sums().sqrt())
+fn unit(v: Pair) -> Pair {
+    v * (Pair::both(1.0) / (v * v).sums().sqrt())
 }
 
 impl Latitude {
@@ -82,13 +82,13 @@ impl Earth {
     pub fn to_geodetic(&self, r_e: &Vector3<f64>) -> Geodetic {
         let p = hypot(r_e.x, r_e.y);
         let (latitude, height_m) = self.meridian(p, r_e.z);
-        let angles = atan2_of_two(Two::new(latitude.sin, r_e.y), Two::new(latitude.cos, r_e.x));
+        let angles = atan2_of_two(Pair::new(latitude.sin, r_e.y), Pair::new(latitude.cos, r_e.x));
         let (latitude_rad, longitude_rad) = (angles.first(), angles.second());
         let mut place = Geodetic { latitude_rad, longitude_rad, height_m };
         // One Newton step on the position in twice the precision removes the rounding error, which is up to 3 nm.
         let direction = Direction::of(&place);
         let position = self.position(&direction, height_m);
-        let xy = (Two::new(r_e.x, r_e.y) - position.xy.0) - position.xy.1;
+        let xy = (Pair::new(r_e.x, r_e.y) - position.xy.0) - position.xy.1;
         let z = (r_e.z - position.z.0) - position.z.1;
         let (cl, sl) = (direction.latitude.first(), direction.latitude.second());
         let north = (direction.longitude * -sl * xy).sum() + z * cl;
@@ -159,25 +159,25 @@ impl Earth {
     /// division: h = p cos L + z sin L - a sqrt(1 - e² sin²L).
     #[inline(always)]
     fn meridian(&self, p: f64, z: f64) -> (Latitude, f64) {
-        let place = Two::new(z, p);
-        let mut latitude = unit(Two::new(z, p * (1.0 - self.eccentricity2)));
+        let place = Pair::new(z, p);
+        let mut latitude = unit(Pair::new(z, p * (1.0 - self.eccentricity2)));
         for _ in 0..3 {
             latitude = self.bowring(place, latitude);
         }
         let (sin, cos) = (latitude.first(), latitude.second());
         let w2 = 1.0 - self.eccentricity2 * sin * sin;
-        let height_m = (latitude * Two::new(z, p)).sum() - self.equatorial_radius_m * w2.sqrt();
+        let height_m = (latitude * Pair::new(z, p)).sum() - self.equatorial_radius_m * w2.sqrt();
         (Latitude { sin, cos }, height_m)
     }
 
     /// Bowring's step: the normal through the centre of curvature that belongs to the latitude `guess`. The centre
     /// moves along the normal itself. So each step squares the error (times e² h/a).
     #[inline(always)]
-    fn bowring(&self, place: Two, guess: Two) -> Two {
+    fn bowring(&self, place: Pair, guess: Pair) -> Pair {
         let sin = guess.first();
         let w2 = 1.0 - self.eccentricity2 * sin * sin;
         let (scale_z, scale_p) = self.centre_scales(w2 * w2.sqrt());
-        unit(place + Two::new(scale_z, -scale_p) * guess * guess * guess)
+        unit(place + Pair::new(scale_z, -scale_p) * guess * guess * guess)
     }
 
     /// Derivative of the up vector with respect to position, Earth-fixed axes [rad/m]:

@@ -3,25 +3,25 @@
 use nalgebra::Vector3;
 
 use super::{Earth, Geodetic};
-use crate::math::{Two, sin_cos_each_inlined, two_product, two_sum};
+use crate::math::{Pair, sin_cos_each_inlined, two_product, two_sum};
 
 /// Cosine and sine of the latitude and of the longitude of a place.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Direction {
-    pub latitude: Two,
-    pub longitude: Two,
+    pub latitude: Pair,
+    pub longitude: Pair,
 }
 
 impl Direction {
     #[inline(always)]
-    fn new(sines: Two, cosines: Two) -> Self {
+    fn new(sines: Pair, cosines: Pair) -> Self {
         Self { latitude: cosines.firsts(sines), longitude: cosines.seconds(sines) }
     }
 
     #[inline(always)]
     pub fn of(place: &Geodetic) -> Self {
         let ([sl, so], [cl, co]) = sin_cos_each_inlined(&[place.latitude_rad, place.longitude_rad]);
-        Self::new(Two::new(sl, so), Two::new(cl, co))
+        Self::new(Pair::new(sl, so), Pair::new(cl, co))
     }
 
     /// Unit vectors east, north and up, Earth-fixed axes.
@@ -35,7 +35,7 @@ impl Direction {
 
 /// An Earth-fixed position [m], each component an unevaluated sum of two doubles.
 pub(super) struct Position {
-    pub xy: (Two, Two),
+    pub xy: (Pair, Pair),
     pub z: (f64, f64),
 }
 
@@ -49,7 +49,7 @@ impl Position {
 
 /// Product of an unevaluated sum of two doubles and a factor, also as an unevaluated sum of two doubles.
 #[inline(always)]
-fn times((high, low): (Two, Two), factor: Two) -> (Two, Two) {
+fn times((high, low): (Pair, Pair), factor: Pair) -> (Pair, Pair) {
     let (product, error) = two_product(high, factor);
     (product, error + low * factor)
 }
@@ -72,13 +72,13 @@ impl Earth {
     pub fn displacement(&self, to: &Geodetic, at: &Geodetic) -> (Vector3<f64>, [Vector3<f64>; 3]) {
         let ([sl0, sl1, so0, so1], [cl0, cl1, co0, co1]) =
             sin_cos_each_inlined(&[to.latitude_rad, at.latitude_rad, to.longitude_rad, at.longitude_rad]);
-        let (sin_latitude, cos_latitude) = (Two::new(sl0, sl1), Two::new(cl0, cl1));
-        let (sin_longitude, cos_longitude) = (Two::new(so0, so1), Two::new(co0, co1));
-        let (a, excess) = (Two::both(self.equatorial_radius_m), self.excess(sin_latitude));
-        let height_m = Two::new(to.height_m, at.height_m);
+        let (sin_latitude, cos_latitude) = (Pair::new(sl0, sl1), Pair::new(cl0, cl1));
+        let (sin_longitude, cos_longitude) = (Pair::new(so0, so1), Pair::new(co0, co1));
+        let (a, excess) = (Pair::both(self.equatorial_radius_m), self.excess(sin_latitude));
+        let height_m = Pair::new(to.height_m, at.height_m);
         let p = times(two_sum(a, excess + height_m), cos_latitude);
         let flattened = self.flattened(excess) + height_m;
-        let difference = |(high, low): (Two, Two)| {
+        let difference = |(high, low): (Pair, Pair)| {
             let sum = high + low;
             sum.first() - sum.second()
         };
@@ -87,31 +87,31 @@ impl Earth {
             difference(times(p, sin_longitude)),
             difference(times(two_sum(a, flattened), sin_latitude)),
         );
-        let here = Direction { latitude: Two::new(cl1, sl1), longitude: Two::new(co1, so1) };
+        let here = Direction { latitude: Pair::new(cl1, sl1), longitude: Pair::new(co1, so1) };
         (displacement, here.east_north_up().into())
     }
 
     /// RN - a at a place. It is small, and is computed without cancellation: RN = a + a e² s² / (w (1 + w)), w² = 1 - e² s².
     #[inline(always)]
-    fn excess(&self, sin_latitude: Two) -> Two {
+    fn excess(&self, sin_latitude: Pair) -> Pair {
         let bulge = sin_latitude * self.eccentricity2 * sin_latitude;
-        let w = (Two::both(1.0) - bulge).sqrt();
-        Two::both(self.equatorial_radius_m) * bulge / (w * (Two::both(1.0) + w))
+        let w = (Pair::both(1.0) - bulge).sqrt();
+        Pair::both(self.equatorial_radius_m) * bulge / (w * (Pair::both(1.0) + w))
     }
 
     /// RN (1 - e²) - a at a place.
     #[inline(always)]
-    fn flattened(&self, excess: Two) -> Two {
-        excess * (1.0 - self.eccentricity2) - Two::both(self.equatorial_radius_m * self.eccentricity2)
+    fn flattened(&self, excess: Pair) -> Pair {
+        excess * (1.0 - self.eccentricity2) - Pair::both(self.equatorial_radius_m * self.eccentricity2)
     }
 
     /// Earth-fixed position of a place. x and y are computed side by side, and so are the distance from the axis and z.
     #[inline(always)]
     pub(super) fn position(&self, direction: &Direction, height_m: f64) -> Position {
         let Direction { latitude, longitude } = *direction;
-        let a = Two::both(self.equatorial_radius_m);
+        let a = Pair::both(self.equatorial_radius_m);
         let excess = self.excess(latitude.seconds(latitude));
-        let radii = two_sum(a, excess.firsts(self.flattened(excess)) + Two::both(height_m));
+        let radii = two_sum(a, excess.firsts(self.flattened(excess)) + Pair::both(height_m));
         let (high, low) = times(radii, latitude);
         let z = (high.second(), low.second());
         Position { xy: times((high.firsts(high), low.firsts(low)), longitude), z }

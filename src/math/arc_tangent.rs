@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use core::ops::{Add, Div, Mul, Sub};
 
-use super::two::Two;
+use super::pair::Pair;
 
 /// π less its value as a double.
 const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
@@ -87,7 +87,7 @@ impl Number for f64 {
     }
 }
 
-impl Number for Two {
+impl Number for Pair {
     #[inline(always)]
     fn of(x: f64) -> Self {
         Self::both(x)
@@ -128,15 +128,15 @@ fn of_ratio<T: Number>(t: T) -> T {
 
 /// Angles of two points (`x`, `y`) [rad], -π to π.
 #[inline(always)]
-pub fn atan2_of_two(y: Two, x: Two) -> Two {
+pub fn atan2_of_two(y: Pair, x: Pair) -> Pair {
     let t = (y / x).abs();
     if !t.at_most(MAX_RATIO) {
-        return Two::new(of_special(y.first(), x.first()), of_special(y.second(), x.second()));
+        return Pair::new(of_special(y.first(), x.first()), of_special(y.second(), x.second()));
     }
     // For a negative x the angle is π - (atan t - rest of π). For other x, atan t - 0 + 0 keeps the bits of atan t.
-    let (behind, sign) = (x.less(Two::both(0.0)), Two::both(-0.0));
-    let less_rest = of_ratio(t) - (Two::both(PI_REST) & behind);
-    let turned = (less_rest ^ (x & sign)) + (Two::both(PI) & behind);
+    let (behind, sign) = (x.less(Pair::both(0.0)), Pair::both(-0.0));
+    let less_rest = of_ratio(t) - (Pair::both(PI_REST) & behind);
+    let turned = (less_rest ^ (x & sign)) + (Pair::both(PI) & behind);
     turned.abs() ^ (y & sign)
 }
 
@@ -167,7 +167,7 @@ mod tests {
     }
 
     fn check_two(y: [f64; 2], x: [f64; 2]) {
-        let found = atan2_of_two(Two::new(y[0], y[1]), Two::new(x[0], x[1]));
+        let found = atan2_of_two(Pair::new(y[0], y[1]), Pair::new(x[0], x[1]));
         check_one(found.first(), y[0], x[0]);
         check_one(found.second(), y[1], x[1]);
     }

@@ -5,9 +5,9 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use nalgebra::Quaternion;
 
 use super::arc_tangent::{atan2_of_positive, atan2_of_two};
+use super::pair::Pair;
 use super::sine::sin_cos_each;
 use super::transcendental::wrap_angle;
-use super::two::Two;
 
 /// Attitude angles of body axes right-forward-up relative to east-north-up [rad].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -42,8 +42,8 @@ pub fn attitude_from_half_angles(&[sr, sp, sh]: &[f64; 3], &[cr, cp, ch]: &[f64;
 #[inline(always)]
 pub fn euler_from_attitude(q: &Quaternion<f64>) -> Euler {
     // The points (w + x, -(y + z)) and (w - x, y - z).
-    let along = Two::both(q.w) + Two::new(q.i, -q.i);
-    let across = Two::new(-q.j, q.j) - Two::both(q.k);
+    let along = Pair::both(q.w) + Pair::new(q.i, -q.i);
+    let across = Pair::new(-q.j, q.j) - Pair::both(q.k);
     let sizes = (along * along + across * across).sqrt();
     let halves = atan2_of_two(across, along);
     let (half_difference, half_sum) = (halves.first(), halves.second());

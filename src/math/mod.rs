@@ -13,7 +13,6 @@ mod rotation;
 mod sine;
 mod stencil;
 mod transcendental;
-mod two;
 
 pub use arc_tangent::atan2_of_two;
 pub use axis::axis_cross;
@@ -31,4 +30,3 @@ pub use rotation::{
 pub use sine::{nearest_integer, sin_cos_each, sin_cos_each_inlined};
 pub use stencil::end_derivative_weights;
 pub use transcendental::{asin, atan, atan2, exp, exp_m1, hypot, ln, sin_cos, tan, tanh, wrap_angle};
-pub use two::Two;

@@ -1,11 +1,11 @@
-//! Two numbers, and two vectors, that go through the same formula at once. The compiler computes both with one instruction where
+//! Pair numbers, and two vectors, that go through the same formula at once. The compiler computes both with one instruction where
 //! the processor has such instructions (SSE2, NEON). The bits are everywhere the same as with the plain formula.
 
-use core::ops::{Add, AddAssign, Div, Mul, Sub};
+use core::ops::{Add, AddAssign, BitAnd, BitXor, Div, Mul, Sub};
 
 use nalgebra::{Matrix3, Vector3};
 
-/// Two numbers side by side.
+/// Pair numbers side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair(pub [f64; 2]);
 
@@ -17,6 +17,68 @@ impl Pair {
     #[inline(always)]
     pub fn both(x: f64) -> Self {
         Self([x; 2])
+    }
+
+    /// The numbers `first` and `second`.
+    #[inline(always)]
+    pub fn new(first: f64, second: f64) -> Self {
+        Self([first, second])
+    }
+
+    /// The first number.
+    #[inline(always)]
+    pub fn first(self) -> f64 {
+        self.0[0]
+    }
+
+    /// The second number.
+    #[inline(always)]
+    pub fn second(self) -> f64 {
+        self.0[1]
+    }
+
+    /// The first number of this and of `other`.
+    #[inline(always)]
+    pub fn firsts(self, other: Self) -> Self {
+        Self([self.0[0], other.0[0]])
+    }
+
+    /// The second number of this and of `other`.
+    #[inline(always)]
+    pub fn seconds(self, other: Self) -> Self {
+        Self([self.0[1], other.0[1]])
+    }
+
+    /// The sum of the two numbers, in both places.
+    #[inline(always)]
+    pub fn sums(self) -> Self {
+        self + Self([self.0[1], self.0[0]])
+    }
+
+    /// The absolute value of each number.
+    #[inline(always)]
+    pub fn abs(self) -> Self {
+        Self([self.0[0].abs(), self.0[1].abs()])
+    }
+
+    /// The smaller number in each place; the number of `limit` if one of them is NaN.
+    #[inline(always)]
+    pub fn min(self, limit: Self) -> Self {
+        let of = |x: f64, limit: f64| if x < limit { x } else { limit };
+        Self([of(self.0[0], limit.0[0]), of(self.0[1], limit.0[1])])
+    }
+
+    /// All bits set in each place where this is less than `other`, otherwise no bit.
+    #[inline(always)]
+    pub fn less(self, other: Self) -> Self {
+        let of = |x: f64, y: f64| f64::from_bits(u64::from(x < y).wrapping_neg());
+        Self([of(self.0[0], other.0[0]), of(self.0[1], other.0[1])])
+    }
+
+    /// Whether both numbers are at most `limit`; false if one is NaN.
+    #[inline(always)]
+    pub fn at_most(self, limit: f64) -> bool {
+        self.0[0] <= limit && self.0[1] <= limit
     }
 
     /// The larger of the two numbers.
@@ -38,6 +100,16 @@ impl Pair {
     }
 }
 
+#[inline(always)]
+fn both_bits(x: f64, y: f64) -> f64 {
+    f64::from_bits(x.to_bits() & y.to_bits())
+}
+
+#[inline(always)]
+fn other_bits(x: f64, y: f64) -> f64 {
+    f64::from_bits(x.to_bits() ^ y.to_bits())
+}
+
 macro_rules! operators {
     ($($trait:ident $method:ident of $type:ident: |$one:ident, $other:ident| $value:expr;)*) => {$(
         impl $trait for $type {
@@ -56,6 +128,9 @@ operators! {
     Sub sub of Pair: |a, b| Self([a.0[0] - b.0[0], a.0[1] - b.0[1]]);
     Mul mul of Pair: |a, b| Self([a.0[0] * b.0[0], a.0[1] * b.0[1]]);
     Div div of Pair: |a, b| Self([a.0[0] / b.0[0], a.0[1] / b.0[1]]);
+    // Of the bits.
+    BitAnd bitand of Pair: |a, b| Self([both_bits(a.0[0], b.0[0]), both_bits(a.0[1], b.0[1])]);
+    BitXor bitxor of Pair: |a, b| Self([other_bits(a.0[0], b.0[0]), other_bits(a.0[1], b.0[1])]);
     Add add of VectorPair: |a, b| Self { x: a.x + b.x, y: a.y + b.y, z: a.z + b.z };
     Sub sub of VectorPair: |a, b| Self { x: a.x - b.x, y: a.y - b.y, z: a.z - b.z };
 }

@@ -6,7 +6,6 @@ use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::pair::Pair;
 use super::transcendental::{atan2, sin_cos};
-use super::two::Two;
 
 /// The two coefficients from which every rotation formula is built, for a rotation angle n:
 /// R(φ) = I + (1 - n² `cubic`) [φ×] + `square` [φ×]², right Jacobian = I - `square` [φ×] + `cubic` [φ×]².
@@ -199,8 +198,8 @@ pub fn rotation_quaternion(phi: &Vector3<f64>) -> Quaternion<f64> {
 #[inline]
 pub fn rotation_vector(q: &Quaternion<f64>) -> Vector3<f64> {
     // Of q and -q, the one with a scalar part that is not negative.
-    let sign = Two::both(q.w).less(Two::both(0.0)) & Two::both(-0.0);
-    let (xy, zw) = (Two::new(q.i, q.j) ^ sign, Two::new(q.k, q.w) ^ sign);
+    let sign = Pair::both(q.w).less(Pair::both(0.0)) & Pair::both(-0.0);
+    let (xy, zw) = (Pair::new(q.i, q.j) ^ sign, Pair::new(q.k, q.w) ^ sign);
     let (u, w) = (Vector3::new(xy.first(), xy.second(), zw.first()), zw.second().abs());
     let n2 = u.norm_squared();
     // atan(√t)/√t by its series for t = n²/w² < 4e-3; the first dropped term is below 1e-18 of it.

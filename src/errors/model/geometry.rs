@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::earth::{Earth, Vertical};
-use crate::math::Two;
+use crate::math::Pair;
 
 /// Lower limit of the cosine of latitude: tan L stays finite at a pole, where it has no meaning.
 const MIN_COS: f64 = 1e-9;
@@ -33,7 +33,7 @@ impl LocalGeometry {
         let up = vertical.up_e;
         let cos = (up.x * up.x + up.y * up.y).sqrt();
         let east = if cos > 0.0 {
-            let east = Two::new(-up.y, up.x) / Two::both(cos);
+            let east = Pair::new(-up.y, up.x) / Pair::both(cos);
             Vector3::new(east.first(), east.second(), 0.0)
         } else {
             east_at_pole()
@@ -58,7 +58,7 @@ impl LocalGeometry {
     /// Local components of two vectors in Earth-fixed axes.
     #[inline(always)]
     pub fn two_in_local_axes(&self, one: &Vector3<f64>, other: &Vector3<f64>) -> [Vector3<f64>; 2] {
-        let two = |i: usize| Two::new(one[i], other[i]);
+        let two = |i: usize| Pair::new(one[i], other[i]);
         let (x, y, z) = (two(0), two(1), two(2));
         let along = |axis: &Vector3<f64>| x * axis.x + y * axis.y + z * axis.z;
         let (x, y, z) = (along(&self.east), along(&self.north), along(&self.up));
