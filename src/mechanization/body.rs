@@ -102,7 +102,7 @@ fn first_moment(increments: &[Increment]) -> Increment {
 
 impl BodyMotion {
     /// The body part by `scheme`.
-    #[inline]
+    #[inline(always)]
     pub fn of(scheme: Scheme, increments: &[Increment]) -> Self {
         match scheme {
             Scheme::Exact => Self::exact(increments),

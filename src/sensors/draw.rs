@@ -1,26 +1,31 @@
-//! Random numbers from the words of a generator: uniform numbers, and normal numbers by the ziggurat method.
+//! Normal numbers by the ziggurat method.
+
+use rand::distr::Open01;
+use rand::{Rng, RngExt};
+use rand_distr::Distribution;
 
 use super::xoshiro::Xoshiro256PlusPlus;
 use crate::math::{exp, ln};
 use crate::signal::{RUNS, Row};
 
-/// Uniform number from 0 up to but excluding 1, in steps of 2^-53.
-#[inline]
-pub(super) fn even(word: u64) -> f64 {
-    (word >> 11) as f64 * (0.5 * f64::EPSILON)
-}
-
-/// Uniform number from `power`, a power of two, up to but excluding its double. It is made of the upper 52 bits of the word.
-#[inline(always)]
-fn octave(power: f64, word: u64) -> f64 {
-    f64::from_bits(power.to_bits() | (word >> 12))
-}
-
 /// Normal with mean 0 and variance 1: Doornik, "An Improved Ziggurat Method to Generate Normal Random Samples", 2005 (ZIGNOR),
-/// with the widths and bits of `rand_distr`.
+/// with the widths and bits of [`rand_distr::StandardNormal`].
 ///
-/// Departure: this is not `rand_distr` itself, which uses the logarithm and the exponential of the platform as soon as any crate of
-/// the build asks `num-traits` for its `std`.
+/// Departure: it is not that distribution itself, which uses the logarithm and the exponential of the platform as soon as any crate of
+/// the build asks `num-traits` for its `std`. Ensembles need the same numbers for the runs of a block.
+#[derive(Debug, Clone, Copy)]
+pub struct StandardNormal;
+
+impl Distribution<f64> for StandardNormal {
+    #[inline]
+    fn sample<R: Rng + ?Sized>(&self, generator: &mut R) -> f64 {
+        let word = generator.next_u64();
+        let (x, is_inside) = of_word(word);
+        if is_inside { x } else { at_an_edge(word, generator) }
+    }
+}
+
+/// [`StandardNormal`] of a stream.
 #[inline]
 pub(super) fn normal(generator: &mut Xoshiro256PlusPlus) -> f64 {
     let word = generator.next_u64();
@@ -29,9 +34,21 @@ pub(super) fn normal(generator: &mut Xoshiro256PlusPlus) -> f64 {
         return x;
     }
     // The generator is passed by value. By reference, the state of the generator would be in memory throughout.
-    let (x, later) = at_an_edge(word, generator.clone());
+    let (x, later) = passed_on(word, generator.clone());
     *generator = later;
     x
+}
+
+#[cold]
+#[inline(never)]
+fn passed_on(word: u64, mut generator: Xoshiro256PlusPlus) -> (f64, Xoshiro256PlusPlus) {
+    (at_an_edge(word, &mut generator), generator)
+}
+
+/// From 2 up to but excluding 4, of the upper 52 bits of the word.
+#[inline(always)]
+fn from_two(word: u64) -> f64 {
+    f64::from_bits(2.0f64.to_bits() | (word >> 12))
 }
 
 /// The number that one word gives, and whether this word alone decides it.
@@ -76,7 +93,7 @@ fn at_the_edges(
 ) {
     for lane in (0..RUNS).filter(|&lane| is_at_edge[lane] != 0) {
         let generator = Xoshiro256PlusPlus::of_words([0, 1, 2, 3].map(|i: usize| states[i][lane]));
-        let (x, later) = at_an_edge(words[lane], generator);
+        let (x, later) = passed_on(words[lane], generator);
         numbers[lane] = x;
         for (row, word) in states.iter_mut().zip(later.words()) {
             row[lane] = word;
@@ -87,24 +104,22 @@ fn at_the_edges(
 /// A layer, and a position in it as a share of its half width, from -1 up to but excluding 1.
 #[inline(always)]
 fn layer_and_share(word: u64) -> (usize, f64) {
-    ((word & 0xff) as usize, octave(2.0, word) - 3.0)
+    ((word & 0xff) as usize, from_two(word) - 3.0)
 }
 
-/// The number for a first word that does not decide it, and the generator after the last word used. This happens in one draw of 67.
-#[cold]
-#[inline(never)]
-fn at_an_edge(word: u64, mut generator: Xoshiro256PlusPlus) -> (f64, Xoshiro256PlusPlus) {
+/// The number for a first word that does not decide it. This happens in one draw of 67.
+fn at_an_edge<R: Rng + ?Sized>(word: u64, generator: &mut R) -> f64 {
     let (mut layer, mut u) = layer_and_share(word);
     loop {
         let x = u * X[layer];
         if x.abs() < X[layer + 1] {
-            return (x, generator);
+            return x;
         }
         if layer == 0 {
-            return (tail(&mut generator).copysign(u), generator);
+            return tail(generator).copysign(u);
         }
-        if under_the_curve(x, layer, even(generator.next_u64())) {
-            return (x, generator);
+        if under_the_curve(x, layer, generator.random()) {
+            return x;
         }
         (layer, u) = layer_and_share(generator.next_u64());
     }
@@ -112,12 +127,11 @@ fn at_an_edge(word: u64, mut generator: Xoshiro256PlusPlus) -> (f64, Xoshiro256P
 
 /// A number of the tail, which is the part of the lowest layer beyond X[1] (Marsaglia 1964): x from X[1] on, with the density
 /// exp(-x²/2).
-fn tail(generator: &mut Xoshiro256PlusPlus) -> f64 {
-    // Uniform between 0 and 1, excluding both.
-    let mut between = || octave(1.0, generator.next_u64()) - (1.0 - 0.5 * f64::EPSILON);
+fn tail<R: Rng + ?Sized>(generator: &mut R) -> f64 {
     loop {
-        let beyond = -ln(between()) / X[1];
-        if -2.0 * ln(between()) >= beyond * beyond {
+        let beyond = -ln(generator.sample(Open01)) / X[1];
+        let height: f64 = generator.sample(Open01);
+        if -2.0 * ln(height) >= beyond * beyond {
             return X[1] + beyond;
         }
     }
@@ -190,9 +204,7 @@ static X: [f64; 257] = [
 
 #[cfg(test)]
 mod tests {
-    use core::convert::Infallible;
-    use rand_distr::{Distribution, StandardNormal};
-    use rand_xoshiro::rand_core::TryRng;
+    use rand::SeedableRng;
 
     use super::*;
 
@@ -202,7 +214,7 @@ mod tests {
     /// differs. A crate of the build that asks a dependency for the platform's logarithm must not change the numbers.
     #[test]
     fn the_tail_has_the_portable_logarithm() {
-        let mut seed = Xoshiro256PlusPlus::seeded(1);
+        let mut seed = Xoshiro256PlusPlus::seed_from_u64(1);
         for k in 0..1_000_000 {
             // The lowest layer, at either of its ends.
             let word = [0, !0xff][k % 2];
@@ -224,30 +236,11 @@ mod tests {
         }
     }
 
-    /// The generator for `rand_distr`.
-    struct Words(Xoshiro256PlusPlus);
-
-    impl TryRng for Words {
-        type Error = Infallible;
-
-        fn try_next_u32(&mut self) -> Result<u32, Infallible> {
-            unreachable!("a normal number takes whole words")
-        }
-
-        fn try_next_u64(&mut self) -> Result<u64, Infallible> {
-            Ok(self.0.next_u64())
-        }
-
-        fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Infallible> {
-            unreachable!("a normal number takes whole words")
-        }
-    }
-
     /// `rand_distr` makes the same number from the same words. Numbers of the tail are compared to within rounding, because its
     /// logarithm may differ: by an ulp of the logarithm, the division and the addition.
     #[test]
     fn it_is_the_ziggurat_of_the_reference() {
-        let mut seed = Xoshiro256PlusPlus::seeded(2);
+        let mut seed = Xoshiro256PlusPlus::seed_from_u64(2);
         for k in 0..4_000_000 {
             let mut ours = seed.clone();
             if k % 2 == 0 {
@@ -255,11 +248,12 @@ mod tests {
                 let end = seed.next_u64() >> 8;
                 ours = Xoshiro256PlusPlus::about_to_give([end, !end][k / 2 % 2], &mut seed);
             }
-            let mut theirs = Words(ours.clone());
+            let (mut theirs, mut of_trait) = (ours.clone(), ours.clone());
             let x = normal(&mut ours);
-            let expected: f64 = StandardNormal.sample(&mut theirs);
+            let expected: f64 = rand_distr::StandardNormal.sample(&mut theirs);
             assert!(x == expected || (x - expected).abs() <= 2.0 * EPS * x.abs() && x.abs() > X[1]);
-            assert_eq!(ours, theirs.0);
+            assert_eq!(ours, theirs);
+            assert_eq!((StandardNormal.sample(&mut of_trait), of_trait), (x, ours));
             seed.next_u64();
         }
     }

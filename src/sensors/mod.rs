@@ -50,6 +50,7 @@ mod xoshiro;
 
 pub use alignment::{Aligned, Sensed, level_and_gyrocompass};
 pub use altimeter::{Altimeter, AltimeterParameters};
+pub use draw::StandardNormal;
 pub(crate) use effects::{FLICKER_PROCESSES, MarkovStep, SharedInput, StateRows};
 pub(crate) use failing::FailingTriad;
 pub use failure::{Axis, Failure, SensorOutput};
@@ -62,3 +63,4 @@ pub use preset::{Grade, paper_simulation2};
 pub use stream::StreamKey;
 pub use table::PARAMETERS;
 pub use triad::Triad;
+pub use xoshiro::Xoshiro256PlusPlus;

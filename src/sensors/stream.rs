@@ -1,6 +1,8 @@
 //! Random streams: one for each (seed, run, sensor, axis, effect), so that no effect changes the draws of another one.
 
-use super::draw::{even, normal};
+use rand::{RngExt, SeedableRng};
+
+use super::draw::normal;
 use super::xoshiro::Xoshiro256PlusPlus;
 use crate::math::mix;
 use crate::snapshot::{ANY, stored};
@@ -13,6 +15,7 @@ pub(super) enum Source {
     Altimeter = 2,
     InitialErrors = 3,
     Gravity = 16,
+    Host = 64,
 }
 
 /// Purpose of the draws. The numbers are part of the bit-for-bit guarantee: never reuse one.
@@ -43,6 +46,30 @@ pub struct StreamKey {
 
 stored!(StreamKey { seed: ANY, run: ANY });
 
+impl StreamKey {
+    /// A stream for the host's own random numbers in this run, independent of the library's streams and of those with another
+    /// `number`.
+    ///
+    /// ```
+    /// use rand::RngExt;
+    /// use rand_distr::Distribution;
+    /// use sins::sensors::{StandardNormal, StreamKey};
+    ///
+    /// let mut stream = StreamKey { seed: 1, run: 0 }.host_stream(0);
+    /// let uniform: f64 = stream.random();
+    /// let normal = StandardNormal.sample(&mut stream);
+    /// assert!((0.0..1.0).contains(&uniform) && normal.abs() < 10.0);
+    /// ```
+    pub fn host_stream(self, number: u64) -> Xoshiro256PlusPlus {
+        self.generator([Source::Host as u64, 0, number])
+    }
+
+    fn generator(self, words: [u64; 3]) -> Xoshiro256PlusPlus {
+        let seed = [self.seed, self.run].into_iter().chain(words).fold(0, |hash, word| mix(hash ^ word));
+        Xoshiro256PlusPlus::seed_from_u64(seed)
+    }
+}
+
 /// Size that a standard normal number never reaches [1].
 pub(super) const MAX_NORMAL: f64 = 100.0;
 
@@ -56,9 +83,7 @@ stored!(Stream { generator });
 
 impl Stream {
     pub fn new(key: StreamKey, source: Source, axis: usize, purpose: Purpose) -> Self {
-        let words = [key.seed, key.run, source as u64, axis as u64, purpose as u64];
-        let seed = words.into_iter().fold(0, |hash, word| mix(hash ^ word));
-        Self { generator: Xoshiro256PlusPlus::seeded(seed) }
+        Self { generator: key.generator([source as u64, axis as u64, purpose as u64]) }
     }
 
     /// Streams of the three axes.
@@ -80,7 +105,7 @@ impl Stream {
 
     /// The next uniform number from 0 up to but excluding 1, in steps of 2^-53.
     pub fn uniform(&mut self) -> f64 {
-        even(self.generator.next_u64())
+        self.generator.random()
     }
 
     /// The next normal number with mean 0 and variance 1.
