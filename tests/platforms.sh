@@ -3,6 +3,10 @@
 # of ensembles compared with single simulators, and the programs of tests/c. ARM is emulated. 32-bit x86 runs on the machine itself
 # if its kernel allows it, because the emulator raises no floating-point exceptions. This machine runs the library as released, also
 # on an emulated processor without AVX, and without optimisation. Tests that could not run are reported at the end.
+#
+#     tests/platforms.sh          all: i686, aarch64, and this machine
+#     tests/platforms.sh i686     some of: i686 aarch64 here
+#
 # SINS_LIB_DIR: a folder with a libsins.so to use for this machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -40,23 +44,35 @@ other() {
     tests/loading.sh "$compiler -std=c99" "target/$target/debug/deps/libsins.so" "$@"
 }
 
+i686() {
+    local loader=/usr/i686-linux-gnu/lib/ld-linux.so.2
+    need libc6-i386-cross "$loader"
+    if "$loader" --version >/dev/null 2>&1; then
+        other i686 i386 "$loader" --library-path /usr/i686-linux-gnu/lib:. # tests/loading.sh has its library in the current folder
+    else
+        could_not "unmasked floating-point exceptions and x87 on 32-bit x86" "the kernel runs no 32-bit programs; emulated"
+        other i686 i386 qemu-i386 -L /usr/i686-linux-gnu
+    fi
+}
+
+aarch64() {
+    other aarch64 arm64 qemu-aarch64 -L /usr/aarch64-linux-gnu
+}
+
+here() {
+    echo "== here, as released, without AVX, and without optimisation"
+    programs=digests
+    build_library
+    fly gcc "$built/libsins.so"
+    fly gcc "$built/libsins.so" qemu-x86_64 -cpu Nehalem
+    cargo build --quiet --profile unoptimised
+    fly gcc target/unoptimised/libsins.so
+}
+
 need g++ c++
 need qemu-user qemu-aarch64
-need libc6-i386-cross /usr/i686-linux-gnu/lib/ld-linux.so.2
-loader=/usr/i686-linux-gnu/lib/ld-linux.so.2
-if "$loader" --version >/dev/null 2>&1; then
-    other i686 i386 "$loader" --library-path /usr/i686-linux-gnu/lib:. # tests/loading.sh has its library in the current folder
-else
-    could_not "unmasked floating-point exceptions and x87 on 32-bit x86" "the kernel runs no 32-bit programs; emulated"
-    other i686 i386 qemu-i386 -L /usr/i686-linux-gnu
-fi
-other aarch64 arm64 qemu-aarch64 -L /usr/aarch64-linux-gnu
-
-echo "== here, as released, without AVX, and without optimisation"
-programs=digests
-build_library
-fly gcc "$built/libsins.so"
-fly gcc "$built/libsins.so" qemu-x86_64 -cpu Nehalem
-cargo build --quiet --profile unoptimised
-fly gcc target/unoptimised/libsins.so
+[ $# -gt 0 ] || set -- i686 aarch64 here
+for platform in "$@"; do
+    $platform
+done
 report_not_run
