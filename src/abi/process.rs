@@ -23,14 +23,10 @@ mod system {
         lose_what_others_use();
     }
 
-    type Handler = Option<extern "C" fn()>;
-
     #[cfg(not(target_env = "gnu"))]
     pub fn prepare() -> bool {
-        unsafe extern "C" {
-            safe fn pthread_atfork(prepare: Handler, parent: Handler, child: Handler) -> i32;
-        }
-        pthread_atfork(None, None, Some(in_child)) == 0
+        // SAFETY: the handler lives as long as this library, which systems without glibc do not unload.
+        unsafe { libc::pthread_atfork(None, None, Some(in_child)) == 0 }
     }
 
     #[cfg(target_env = "gnu")]
@@ -43,8 +39,11 @@ mod system {
         use core::ffi::c_void;
         use core::ptr::from_ref;
 
-        use super::{Handler, in_child};
+        use super::in_child;
 
+        type Handler = Option<extern "C" fn()>;
+
+        // glibc has these functions for compilers; the crate libc does not declare them.
         unsafe extern "C" {
             safe fn __register_atfork(
                 prepare: Handler,
@@ -79,8 +78,13 @@ mod system {
 /// library takes its indexes when it is loaded, and stays loaded from then on.
 #[cfg(all(windows, target_env = "gnu"))]
 mod system {
-    use core::ffi::c_void;
-    use core::ptr::from_ref;
+    use core::ptr::{from_ref, null_mut};
+
+    use windows_sys::Win32::System::LibraryLoader::{
+        GET_MODULE_HANDLE_EX_FLAG_FROM_ADDRESS as FROM_ADDRESS, GET_MODULE_HANDLE_EX_FLAG_PIN as PIN,
+        GetModuleHandleExW,
+    };
+    use windows_sys::Win32::System::Threading::{TLS_OUT_OF_INDEXES, TlsAlloc, TlsFree};
 
     use crate::abi::thread_locals::touch_thread_locals;
     use crate::memory::room;
@@ -88,18 +92,8 @@ mod system {
     /// Rust 1.95 needs one for the library's own variable, one for the current thread, one or two for its number, and one for the count
     /// of panics, which the first panic takes. The rest is for a later Rust.
     const INDEXES: usize = 8;
-    const OUT_OF_INDEXES: u32 = u32::MAX;
     /// Upper bound of the memory that the standard library allocates for them.
     const MEMORY: usize = 4096;
-    const PIN: u32 = 1;
-    const FROM_ADDRESS: u32 = 4;
-
-    #[link(name = "kernel32")]
-    unsafe extern "system" {
-        safe fn TlsAlloc() -> u32;
-        safe fn TlsFree(index: u32) -> i32;
-        fn GetModuleHandleExW(flags: u32, address: *const c_void, module: *mut *mut c_void) -> i32;
-    }
 
     /// Run by the C library when this module is loaded.
     #[used]
@@ -111,7 +105,7 @@ mod system {
     }
 
     pub fn prepare() -> bool {
-        let mut module = core::ptr::null_mut();
+        let mut module = null_mut();
         // SAFETY: an address within this module, and a place for the answer.
         let pinned = unsafe {
             GetModuleHandleExW(PIN | FROM_ADDRESS, from_ref(&AT_LOAD).cast(), &raw mut module) != 0
@@ -125,11 +119,14 @@ mod system {
     }
 
     fn indexes_are_left() -> bool {
-        let indexes = [(); INDEXES].map(|()| TlsAlloc());
-        for index in indexes.into_iter().filter(|&index| index != OUT_OF_INDEXES) {
-            TlsFree(index);
+        // SAFETY: each index that is taken is freed once.
+        unsafe {
+            let indexes = [(); INDEXES].map(|()| TlsAlloc());
+            for index in indexes.into_iter().filter(|&index| index != TLS_OUT_OF_INDEXES) {
+                TlsFree(index);
+            }
+            !indexes.contains(&TLS_OUT_OF_INDEXES)
         }
-        !indexes.contains(&OUT_OF_INDEXES)
     }
 }
 

@@ -11,15 +11,11 @@ pub(super) use waiting::Waiters;
 
 #[cfg(unix)]
 mod system {
-    unsafe extern "C" {
-        // A pointer, or a number as large, on all that this builds for.
-        safe fn pthread_self() -> usize;
-    }
-
     /// The name of the calling thread, even and not 0: where its control block lies.
     #[inline(always)]
     pub fn this_thread() -> usize {
-        pthread_self()
+        // SAFETY: it has no conditions.
+        unsafe { libc::pthread_self() as usize }
     }
 
     /// Whether a thread was terminated. This system has no call that tells it of a thread that may be gone: always false.
@@ -30,34 +26,28 @@ mod system {
 
 #[cfg(windows)]
 mod system {
-    use core::ffi::c_void;
-
-    const SYNCHRONIZE: u32 = 0x0010_0000;
-    const ERROR_INVALID_PARAMETER: i32 = 87;
-    const WAIT_OBJECT_0: u32 = 0;
-
-    #[link(name = "kernel32")]
-    unsafe extern "system" {
-        safe fn GetCurrentThreadId() -> u32;
-        safe fn OpenThread(access: u32, inherit: i32, thread: u32) -> *mut c_void;
-        fn WaitForSingleObject(object: *mut c_void, milliseconds: u32) -> u32;
-        fn CloseHandle(object: *mut c_void) -> i32;
-    }
+    use windows_sys::Win32::Foundation::{
+        CloseHandle, ERROR_INVALID_PARAMETER, FALSE, GetLastError, WAIT_OBJECT_0,
+    };
+    use windows_sys::Win32::System::Threading::{
+        GetCurrentThreadId, OpenThread, THREAD_SYNCHRONIZE, WaitForSingleObject,
+    };
 
     /// The name of the calling thread, even and not 0: twice its number.
     #[inline(always)]
     pub fn this_thread() -> usize {
-        (GetCurrentThreadId() as usize) << 1
+        // SAFETY: it has no conditions.
+        unsafe { (GetCurrentThreadId() as usize) << 1 }
     }
 
     /// Whether a thread was terminated.
     pub fn has_ended(thread: usize) -> bool {
-        let object = OpenThread(SYNCHRONIZE, 0, (thread >> 1) as u32);
-        if object.is_null() {
-            return std::io::Error::last_os_error().raw_os_error() == Some(ERROR_INVALID_PARAMETER);
-        }
-        // SAFETY: an object of ours, not used again.
+        // SAFETY: the object that is opened is closed, and not used again.
         unsafe {
+            let object = OpenThread(THREAD_SYNCHRONIZE, FALSE, (thread >> 1) as u32);
+            if object.is_null() {
+                return GetLastError() == ERROR_INVALID_PARAMETER;
+            }
             let ended = WaitForSingleObject(object, 0) == WAIT_OBJECT_0;
             CloseHandle(object);
             ended
@@ -69,21 +59,12 @@ mod system {
 #[cfg(target_os = "linux")]
 mod waiting {
     use super::AtomicUsize;
-    use core::ffi::{c_int, c_long};
     use core::ptr::{from_ref, null};
 
-    #[cfg(target_arch = "x86_64")]
-    const SYS_FUTEX: c_long = 202;
-    #[cfg(target_arch = "x86")]
-    const SYS_FUTEX: c_long = 240;
-    #[cfg(target_arch = "aarch64")]
-    const SYS_FUTEX: c_long = 98;
-    const WAIT_PRIVATE: c_int = 128;
-    const WAKE_PRIVATE: c_int = 128 | 1;
+    use libc::{FUTEX_PRIVATE_FLAG, FUTEX_WAIT, FUTEX_WAKE, SYS_futex, syscall};
 
-    unsafe extern "C" {
-        fn syscall(number: c_long, ...) -> c_long;
-    }
+    const WAIT_PRIVATE: i32 = FUTEX_WAIT | FUTEX_PRIVATE_FLAG;
+    const WAKE_PRIVATE: i32 = FUTEX_WAKE | FUTEX_PRIVATE_FLAG;
 
     /// The half that the kernel compares, which holds `WAITED_FOR`. Two threads that are named alike in it do no harm: who
     /// waits for the one is woken by the other as well.
@@ -103,14 +84,14 @@ mod waiting {
         /// Returns true when the word may have changed.
         pub fn wait_while(&self, word: &AtomicUsize, value: usize) -> bool {
             // SAFETY: the word lives; no timeout is stated.
-            unsafe { syscall(SYS_FUTEX, half(word), WAIT_PRIVATE, value as u32, null::<u8>()) };
+            unsafe { syscall(SYS_futex, half(word), WAIT_PRIVATE, value as u32, null::<u8>()) };
             true
         }
 
         /// Wakes one of them.
         pub fn wake(&self, word: &AtomicUsize) {
             // SAFETY: nothing but the address of the word is used.
-            unsafe { syscall(SYS_FUTEX, half(word), WAKE_PRIVATE, 1_u32) };
+            unsafe { syscall(SYS_futex, half(word), WAKE_PRIVATE, 1_u32) };
         }
     }
 }
@@ -124,18 +105,11 @@ mod waiting {
     use core::ptr::{null, null_mut};
     use core::sync::atomic::{AtomicPtr, Ordering, fence};
 
+    use windows_sys::Win32::Foundation::{CloseHandle, FALSE, WAIT_OBJECT_0};
+    use windows_sys::Win32::System::Threading::{CreateEventW, SetEvent, Sleep, WaitForSingleObject};
+
     /// Time after which a waiting thread checks whether the owner still exists.
     const PATIENCE_MS: u32 = 100;
-    const WAIT_OBJECT_0: u32 = 0;
-
-    #[link(name = "kernel32")]
-    unsafe extern "system" {
-        fn CreateEventW(security: *const u8, manual: i32, signalled: i32, name: *const u16) -> *mut c_void;
-        fn SetEvent(event: *mut c_void) -> i32;
-        fn WaitForSingleObject(object: *mut c_void, milliseconds: u32) -> u32;
-        fn CloseHandle(object: *mut c_void) -> i32;
-        safe fn Sleep(milliseconds: u32);
-    }
 
     /// The threads that wait for a word. The first of them makes the event, which is signalled until one thread has seen it.
     pub struct Waiters(AtomicPtr<c_void>);
@@ -153,7 +127,7 @@ mod waiting {
             }
             // SAFETY: neither security nor name; an object that another thread was faster to make is closed by its only owner.
             unsafe {
-                let made = CreateEventW(null(), 0, 0, null());
+                let made = CreateEventW(null(), FALSE, FALSE, null());
                 match self.0.compare_exchange(null_mut(), made, Ordering::AcqRel, Ordering::Acquire) {
                     Ok(_) => made,
                     Err(found) => {
@@ -174,7 +148,8 @@ mod waiting {
                 return true;
             }
             if event.is_null() {
-                Sleep(PATIENCE_MS);
+                // SAFETY: it has no conditions.
+                unsafe { Sleep(PATIENCE_MS) };
                 return false;
             }
             // SAFETY: the event lives as long as these waiters.

@@ -83,6 +83,17 @@ impl Imperfections {
         Ok(memory.into_boxed_slice())
     }
 
+    /// Becomes a copy of `other`: the models one after the other, to save stack.
+    pub fn copy_from(&mut self, other: &Self) {
+        let Self { gyro, accel, altimeter, gravity, .. } = other;
+        self.gyro.clone_from(gyro);
+        self.accel.clone_from(accel);
+        self.altimeter.clone_from(altimeter);
+        self.gravity.clone_from(gravity);
+        self.set = other.set;
+        self.update_summary();
+    }
+
     /// Takes the states that depend on the signals from `other`, whose sensors had the same signals.
     pub fn follow_as(&mut self, other: &Self) {
         self.gyro.follow_as(&other.gyro);

@@ -34,7 +34,9 @@ macro_rules! effects {
         stored!(Effects { $($($field,)*)* } rebuilt { plan });
 
         impl Effects {
-            /// No effects. Random effects, if ever switched on, draw from the streams of `key`.
+            /// No effects. Random effects, if ever switched on, draw from the streams of `key`. Inlined, to save stack: the value is
+            /// made in its final place.
+            #[inline(always)]
             pub fn new(key: StreamKey, sensor: Sensor) -> Self {
                 Self { plan: Plan::IDEAL, $($($field: $Type::new(key, sensor),)*)* }
             }

@@ -76,11 +76,11 @@ impl Disturbed {
     }
 
     pub fn put(&mut self, imperfections: &Imperfections) {
-        self.imperfections.clone_from(imperfections);
+        self.imperfections.copy_from(imperfections);
     }
 
     pub fn take(&self, imperfections: &mut Imperfections) {
-        imperfections.clone_from(&self.imperfections);
+        imperfections.copy_from(&self.imperfections);
     }
 
     pub fn reposition(&mut self, height_m: f64) {
