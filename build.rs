@@ -1,15 +1,42 @@
 //! Writes the structs of the table of sensor parameters, and the header with its counterparts in other languages.
 //!
-//! `SINS_WRITE_HEADER=1 cargo build` renews the committed files: `include/sins.h` and those for other languages. They go to the
-//! build's own folder too, where a test compares them with the committed ones.
+//! `SINS_WRITE_HEADER=1 cargo check --features header` renews the committed headers; without the variable it compares them with the
+//! sources. The files for other languages go to the folder `bindings` beside the library.
 
-#[path = "src/abi/interface/mod.rs"]
+#[path = "build/ada.rs"]
+mod ada;
+#[path = "build/c_functions.rs"]
+mod c_functions;
+#[cfg(feature = "header")]
+#[path = "build/c_header.rs"]
+mod c_header;
+#[path = "build/c_types.rs"]
+mod c_types;
+#[path = "build/fortran.rs"]
+mod fortran;
+#[path = "build/header_units.rs"]
+mod header_units;
+#[path = "build/interface.rs"]
 mod interface;
+#[path = "build/model.rs"]
+mod model;
 #[allow(dead_code, reason = "the crate uses the rest")]
 #[path = "src/sensors/parameter.rs"]
 mod parameter;
+#[path = "build/python.rs"]
+mod python;
+#[path = "build/read.rs"]
+mod read;
+#[path = "build/sensor_structs.rs"]
+mod sensor_structs;
+#[path = "build/sizes.rs"]
+mod sizes;
 #[path = "src/sensors/table.rs"]
 mod table;
+#[path = "build/template.rs"]
+mod template;
+#[path = "build/text.rs"]
+mod text;
 #[allow(dead_code, reason = "the crate uses the rest")]
 #[path = "src/units.rs"]
 mod units;
@@ -17,12 +44,11 @@ mod units;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use interface::sensor_structs;
-
 fn main() {
-    println!("cargo:rerun-if-changed=src/abi");
     for source in [
         "build.rs",
+        "build",
+        "src/abi",
         "src/statistics/layout.rs",
         "src/sensors/parameter.rs",
         "src/sensors/table.rs",
@@ -45,16 +71,31 @@ fn main() {
     write(&out.join("triad_parameters.rs"), &sensor_structs::triad());
     write(&out.join("sensor_params.rs"), &sensor_params);
 
-    let (outputs, size_checks) = interface::generate(&root.join("src/abi"), &sensor_params);
-    write(&out.join("sizes.rs"), &size_checks);
+    let outputs = interface::generate(&root.join("src/abi"), &sensor_params, &out.join("declarations"));
+    write(&out.join("sizes.rs"), &outputs.size_checks);
+    let renews = env::var_os("SINS_WRITE_HEADER").is_some();
+    assert!(!renews || cfg!(feature = "header"), "SINS_WRITE_HEADER needs --features header");
     let generated = out.join("generated");
-    for (path, text) in outputs {
+    for (path, text) in outputs.headers {
         write(&generated.join(path), &text);
-        if env::var_os("SINS_WRITE_HEADER").is_some() {
-            write(&root.join(path), &text);
+        let committed = root.join(path);
+        if renews {
+            write(&committed, &text);
+        } else if cfg!(feature = "header") {
+            let is_same = fs::read_to_string(&committed).is_ok_and(|old| old == text);
+            assert!(
+                is_same,
+                "{path} is not what src/abi declares: SINS_WRITE_HEADER=1 cargo check --features header"
+            );
         }
     }
     println!("cargo:rustc-env=SINS_GENERATED={}", generated.display());
+    // OUT_DIR is PROFILE/build/sins-.../out, and the libraries are in PROFILE.
+    let bindings = out.ancestors().nth(3).expect("cargo's folder of a profile").join("bindings");
+    for (name, text) in outputs.bindings {
+        write(&bindings.join(name), &text);
+    }
+    println!("cargo:rustc-env=SINS_BINDINGS={}", bindings.display());
 }
 
 fn variable(name: &str) -> String {

@@ -5,7 +5,7 @@
 #include <exception>
 #include <string>
 
-#include "sins.hpp"
+#include "sins_scene.hpp"
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sins.h"
+#include "sins_scene.h"
 
 /* Number of runs in a block, and of rows of the table after the first row: the numbers that sins ensemble uses. */
 #define BLOCK 64

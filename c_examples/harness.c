@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sins.h"
+#include "sins_scene.h"
 
 /* Time stamps are rounded. A difference of less than this part of an interval is rounding. */
 #define ROUNDING 1e-6

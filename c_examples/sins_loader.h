@@ -11,8 +11,8 @@
  *       sins_loader_close(&sins);                  after the last call of the last thread
  *   }
  *
- * For C99, C++98 and later. Copy it into your program; it needs sins.h and sins_functions.h. On Linux with a C library older
- * than glibc 2.34 link with -ldl.
+ * For C99, C++98 and later. Copy it into your program; it needs the headers *.h of include. On Linux with a C library older than
+ * glibc 2.34 link with -ldl.
  */
 
 #ifndef SINS_LOADER_H
@@ -31,7 +31,6 @@ typedef void *sins_loader_library;
 typedef void *sins_loader_address;
 #endif
 
-#include "sins.h"
 #include "sins_functions.h"
 
 #if defined(_MSC_VER) && _MSC_VER < 1900 /* Visual Studio 2013 and before */

@@ -1,170 +1,57 @@
 /*
  * sins.h - strapdown inertial navigation system (SINS) simulator, C interface.
  *
- * The host gives the truth as flight samples (position, velocity, attitude). The library computes from them what perfect gyros
- * and accelerometers would measure, adds the sensor errors that are set, navigates on the result, and reports the errors of
- * that navigation:
+ * A flight simulator gives the library the true position, velocity and attitude as samples. The library computes what perfect
+ * gyros and accelerometers would measure, adds the sensor errors that are set, navigates on the result, and reports the errors
+ * of that navigation. One object, nine functions. They are all in this program, which prints "-145 m east":
  *
- *   sins_sim *sim = NULL;
- *   sins_create(NULL, &sim);                       recommended options; the error model is off
- *   sins_set_gyro(sim, &gyro);                     errors of the gyros; without this call they are ideal
- *   while (...) {
- *       sins_push_sample(sim, &sample);            one sample of the flight simulator
- *       if (sins_step(sim) == SINS_OK)             one interval; after the first sample: SINS_NEED_SAMPLE
- *           sins_get_navigation(sim, &navigation);
- *   }
- *   sins_destroy(sim);
+ *     #include <stdio.h>
+ *     #include "sins.h"
  *
- * Structs. A parameter of 0 is off, or has the default that its comment gives, such as "0: 2.5 s". (In a flight sample 0 is a
- *   value.) Every struct (except the parts of a sins_record) begins with struct_size, which the caller sets to the sizeof of
- *   the struct, and a second 32-bit integer, which is 0 unless its comment says otherwise. So "sins_gyro_params gyro = { sizeof
- *   gyro };" is an ideal gyro. SINS_INIT(gyro) sets the same content. Use it if your compiler warns of missing initializers.
- *   The caller sets struct_size of output structs too. Structs grow only at their end, so old hosts run on new libraries, and
- *   new hosts on old libraries. A newer host may pass a struct with fields that an older library does not know. In an output
- *   struct the library leaves these fields unchanged. In an input struct they must be 0, or the call returns
- *   SINS_ERROR_STRUCT_SIZE.
- * Units are SI and radians, as the name of each field says. The macros below convert the units of data sheets:
- *   gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR.
+ *     int main(void)
+ *     {
+ *         sins_sim *sim = NULL;
+ *         sins_gyro_params gyro;
+ *         sins_accel_params accel;
+ *         sins_flight_sample sample;
+ *         sins_navigation navigation;
+ *         sins_errors errors;
+ *         char reason[256] = "";
+ *
+ *         SINS_INIT(gyro); SINS_INIT(accel); SINS_INIT(sample); SINS_INIT(navigation); SINS_INIT(errors);
+ *         gyro.bias_rad_s[0] = 0.01 * SINS_DEG_PER_HOUR;
+ *         sample.latitude_rad = 39.9 * SINS_DEG;
+ *         sins_create(NULL, &sim);
+ *         sins_set_gyro(sim, &gyro);
+ *         sins_set_accel(sim, &accel);
+ *         for (; sample.time_s <= 3600.0; sample.time_s += 1.0)
+ *             if (sins_push_sample(sim, &sample) < 0 || sins_step(sim) < 0)
+ *                 break;
+ *         sins_get_navigation(sim, &navigation);
+ *         if (sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors) < 0)
+ *             sins_last_error(sim, reason, sizeof reason, NULL);
+ *         printf("%.0f m east%s\n", errors.position_enu_m[0], reason);
+ *         return sins_destroy(sim);
+ *     }
+ *
+ * Structs: SINS_INIT first. A parameter of 0 is off, or has the default that its comment gives, such as "0: 2.5 s". (In a flight
+ *   sample 0 is a value.) Units are SI and radians, as the name of each field says; macros convert from data sheets.
  * Constants are enumerations. Fields and arguments hold them as 32-bit integers, whose size does not depend on the compiler.
  * Frames. Navigation axes are east-north-up. Roll is positive right wing down, pitch nose up, heading clockwise from true
  *   north; the rotation sequence is heading, pitch, roll (aerospace). Body axes are right-forward-up, or forward-right-down by
  *   sins_options.axes. Sensor axes are the axes of the sensor block: the body axes, unless sins_mounting sets a boresight.
  *   Latitude is geodetic, height is above the ellipsoid.
- * Errors. A function that can fail returns a sins_status, and gives data through pointers. A function that cannot fail returns
- *   its value directly.
- *   After an error nothing has changed: no state, no output, and no random number was drawn. (Exceptions: after
- *   SINS_ERROR_INTERNAL the handle cannot be used any more. sins_run() and sins_ensemble_run() keep the intervals that they
- *   flew before the error; sins_run() also keeps their records, and sets written. If a buffer is too small, functions that
- *   write a text cut it and report the size that is needed; sins_error_budget() and sins_scene_get_manoeuvres() report the
- *   number of elements that is needed. sins_log_parse(), sins_scene_set_values() and sins_scene_set_items() report faults.)
- *   Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, every function with a handle
- *   SINS_ERROR_BAD_HANDLE, and every function with a struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can
- *   return SINS_ERROR_INTERNAL. The other errors of a function are listed at the function. Threads and Unloading describe
- *   further causes of SINS_ERROR_BAD_STATE and SINS_ERROR_OUT_OF_MEMORY. A positive status is not an error. With
- *   SINS_NEED_SAMPLE the output is unchanged. With SINS_REQUIREMENT_NOT_MET the output is written. With SINS_SCENE_HAS_FAULTS a
- *   handle was made. With SINS_GAP the call did everything. Test for errors by status < 0. sins_last_error() gives a sentence
- *   that names field, value and limit. sins_last_error_info() gives the same as a struct, sins_status_string() the name of the
- *   status.
- * Threads. Any function may be called from any thread. Calls on one handle wait for each other; calls on different handles never
- *   do. A call takes less than 48 KB of stack, so a thread with a stack of 64 KB is enough.
- *   Nested calls: if a thread is inside a call on a handle, and calls another function with the same handle, the second call
- *     returns SINS_ERROR_BAD_STATE, and sins_last_error(NULL, ...) has the sentence. This happens to a signal handler that
- *     interrupted a call on that handle. A signal handler may call every function that takes a simulator, except those that use
- *     the allocator: sins_destroy(), sins_snapshot_load(), sins_ensemble_create(), sins_recommend() and sins_error_budget().
- *   Abandoned calls: a call does not return if siglongjmp() leaves it, or if its thread is cancelled or terminated. It then
- *     holds its handle for ever, and the memory of the handle is never freed. Further calls of its own thread with this handle
- *     return SINS_ERROR_BAD_STATE. Calls of other threads with this handle wait for ever. On Windows, if the thread of the
- *     abandoned call was terminated, these calls return SINS_ERROR_BAD_STATE instead. The first of them returns after 0.1 s. An
- *     abandoned call does not restore the host's floating-point state.
- *   fork(): if another thread of the parent is inside a call on a handle, every call on this handle in the child returns
- *     SINS_ERROR_BAD_STATE. All other handles work in the child. A process made in another way, such as by vfork() or clone(),
- *     must make no call.
- * Unloading. Destroy every handle first, and let every call return. On Windows, a DLL that was built for windows-gnu is never
- *   unloaded: FreeLibrary() succeeds, the DLL stays in memory, and LoadLibrary() gives the same module again. The same holds
- *   for a DLL that contains the static library. The reason: Rust never frees the three or four TLS indexes (thread-local
- *   storage) that it takes when the DLL is loaded. Load the library early, before other modules have used up the indexes. At
- *   the load eight indexes must be free, because a later Rust may take more. Otherwise functions without a handle return
- *   SINS_ERROR_OUT_OF_MEMORY until eight are free. If no index is free, Windows may abort the process when a thread or the
- *   process ends.
- * Real time. Push, step, run, the reads (except sins_record_line()), the setters, reset, reposition, sins_move_time(),
- *   sins_move_truth() and sins_snapshot_save() make no allocation and no system call, unless the handle is in use in another
- *   thread. This also holds for the same functions of ensembles, and for the functions of statistics. The library prints
- *   nothing, and reads no environment variable and no file. It leaves the host's floating-point control state and x87 registers
- *   as it found them.
- * Host time. The time in a run comes from the time stamps of its samples, or from sample_period_s if it is stated. The library
- *   reads a clock only in three places: sins_recommend() and sins_error_budget() measure computing times, and the first create
- *   draws handle numbers from the clock.
- *   Pause: simply make no calls while paused. A push of the same sample again returns SINS_ERROR_TIME_ORDER and changes
- *     nothing. If the host's clock stopped during the pause, there is nothing to do. If the clock ran on, call sins_move_time()
- *     before the next push. Give it the time that the clock shows at the end of the pause. The newest accepted sample gets this
- *     time stamp, and the next sample must be later. The flight then continues as if there had been no pause. Without that
- *     call, the first push after a pause of more than max_gap_s returns SINS_ERROR_DISCONTINUITY, and so does each later one. A
- *     shorter pause is flown as motion: the vehicle moves by its velocity times the length of the pause. The push after such a
- *     pause returns SINS_GAP if the interval is a gap.
- *   Gaps: an interval is a gap if it is more than 2.5 times each of the two before it. A gap of up to max_gap_s is flown on a
- *     smooth path between its two ends: velocity and rotation are cubic polynomials of time, with the values and derivatives at
- *     the ends. The mechanization updates in the gap are as long as before the gap. If this would need more than 80 subsamples
- *     (see sins_options), the updates are longer. Attitude and velocity are correct immediately after the gap. From then on the
- *     navigated position has an additional error: the difference between the true path and the assumed path. In steady flight
- *     this difference is 0. In a weave of 4 g with a period of 8 s, sampled at 100 Hz, it is 4 cm if 1 s is lost, and 3 m if
- *     2.5 s are lost. If the samples have no velocities, the error is larger: up to 5 n^2 times the error of a sample's
- *     position, where n is the number of lost intervals. If 1 s is lost in straight flight at 50 Hz, with positions accurate to
- *     1 cm, this bound is 125 m; the error in a test is 23 m. If such an error is too large, set a smaller max_gap_s: longer
- *     gaps are then rejected.
- *   Faster or slower than real time: give samples that are farther apart in simulated time (for example ten times the interval,
- *     up to max_gap_s) or closer together (down to 5e-5 s). If sample_period_s is 0, the spacing may change from one sample to
- *     the next. If it is stated, each spacing must be a whole number of periods. Each interval is integrated as a whole. So the
- *     accuracy depends on the actual sample rate. A turn of 170 degrees or more between two samples is rejected. The library
- *     scales the random sensor noise with the length of the interval, so the density of the noise stays the same. Two
- *     parameters do not depend on the length of the interval: noise_m of the altimeter applies to each sample, and the
- *     probability of drop-outs applies to each interval.
- *   Slew: sins_move_truth() moves the vehicle to another place, and keeps the errors of the INS. sins_reposition() starts the
- *     INS anew at a place and discards its errors: it is for a flight that is reloaded, not for a pause. sins_reset() repeats
- *     the flight with the same random numbers. sins_snapshot_load() returns to a saved moment.
- * Same bits. The same options, seed, samples and settings, each set before the same interval, give the same outputs bit for bit
- *   on every platform. Reads, and the way in which samples are split into calls, do not change them. The exceptions are times:
- *   ns_per_step of sins_cost, sins_budget and sins_budget_row. Each random effect has its own stream, so switching one effect
- *   on or off leaves the random numbers of all others unchanged.
+ * Errors: a status below 0. The call has then changed nothing; the exceptions are under "Statuses".
+ * Threads. Any function may be called from any thread. Calls on one handle wait for each other. A call takes less than 48 KB of
+ *   stack. docs/threads.md: nested calls, signal handlers, abandoned calls, fork().
+ * Unloading. Destroy every handle first, and let every call return. docs/threads.md: what a DLL leaves behind.
+ * Real time. Push, step, reads and setters make no allocation and no system call. docs/threads.md has the list.
+ * Host time. The time comes from the samples. docs/host_time.md: pauses, slews, gaps, faster than real time.
+ * Same bits. The same options, seed, samples and settings give the same outputs bit for bit on every platform, however the
+ *   samples are split into calls (times excepted, as ns_per_step of sins_cost). Each random effect has its own stream.
  *
- * Scenes and logs. A scene describes a flight, the settings of the simulator, and the planned failures of the sensors. Its text
- *   form is TOML. A log is a flight as a table of samples, also as text. The host reads the files; the library parses their
- *   bytes:
- *
- *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() gives each fault and its place
- *     sins_scene_create_simulator(scene, &sim);      options, sensor errors, initial errors, mounting, gravity disturbance
- *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
- *     while (...) {
- *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
- *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures; 0.0: time stamp of the first sample
- *         sins_push_sample(sim, &sample);
- *         sins_step(sim);
- *     }
- *
- *   A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_.... A program that
- *   calls them directly does not link with such a library, or does not start. A program that loads the library at run time looks
- *   up sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
- *
- * Functions by subject, in the order of this file:
- *
- *   Version and statuses: sins_abi_version, sins_version_string, sins_status_string
- *   Simulator: sins_create, sins_destroy, sins_get_options, sins_push_sample, sins_step, sins_move_time,
- *     sins_move_truth, sins_reposition, sins_reset
- *   Why a call failed: sins_last_error, sins_last_error_info
- *   Sensor errors: sins_set_gyro, sins_get_gyro, sins_set_accel, sins_get_accel, sins_set_altimeter,
- *     sins_get_altimeter
- *   Failures of sensors: sins_set_failure, sins_get_failure
- *   Start, mounting, gravity: sins_set_initial_errors, sins_get_initial_errors, sins_set_mounting,
- *     sins_get_mounting, sins_set_gravity_disturbance, sins_get_gravity_disturbance
- *   Many samples in one call: sins_run
- *   Reads: sins_get_truth, sins_get_navigation, sins_get_imu, sins_get_errors, sins_get_accuracy,
- *     sins_get_truth_summary, sins_get_covariance, sins_get_record, sins_record_line
- *   Navigation on increments: sins_start_navigation, sins_push_imu
- *   Snapshots: sins_snapshot_size, sins_snapshot_save, sins_snapshot_load
- *   Ensembles and statistics: sins_ensemble_create, sins_ensemble_destroy, sins_ensemble_push_sample,
- *     sins_ensemble_step, sins_ensemble_run, sins_ensemble_reposition, sins_ensemble_reset,
- *     sins_ensemble_set_failure, sins_ensemble_get_runs, sins_ensemble_get_truth, sins_ensemble_get_navigation,
- *     sins_ensemble_get_errors, sins_ensemble_get_imu, sins_ensemble_get_diverged, sins_ensemble_get_statistics,
- *     sins_statistics_merge, sins_statistics_figures, sins_ensemble_snapshot_size, sins_ensemble_snapshot_save,
- *     sins_ensemble_snapshot_load
- *   Presets of sensors: sins_gyro_preset, sins_accel_preset
- *   Embedded flights: sins_flight_create, sins_flight_duration, sins_flight_sample_at, sins_flight_destroy
- *   Scenes: sins_scene_create, sins_scene_parse, sins_scene_get_fault, sins_scene_create_builtin,
- *     sins_scene_builtin_name, sins_scene_write, sins_scene_write_keys, sins_scene_create_simulator,
- *     sins_scene_create_flight, sins_scene_destroy, sins_scene_prepare, sins_scene_prepare_ensemble,
- *     sins_scene_get_options, sins_scene_set_options, sins_scene_get_gyro, sins_scene_set_gyro, sins_scene_get_accel,
- *     sins_scene_set_accel, sins_scene_get_altimeter, sins_scene_set_altimeter, sins_scene_get_initial_errors,
- *     sins_scene_set_initial_errors, sins_scene_get_mounting, sins_scene_set_mounting,
- *     sins_scene_get_gravity_disturbance, sins_scene_set_gravity_disturbance, sins_scene_get_setup,
- *     sins_scene_set_setup, sins_scene_get_manoeuvres, sins_scene_set_manoeuvres, sins_scene_get_text,
- *     sins_scene_set_text, sins_scene_get_failure_count, sins_scene_get_failure, sins_scene_add_failure,
- *     sins_scene_clear_failures
- *   Values of a scene by their paths: sins_scene_get_key, sins_scene_get_value, sins_scene_set_values,
- *     sins_scene_set_items
- *   Flight logs, and the samples of a scene: sins_log_parse, sins_log_get_info, sins_log_get_sample,
- *     sins_log_destroy, sins_scene_get_samples
- *   Which options, which effects matter: sins_recommend, sins_error_budget
- *
- * This file is written by build.rs from the Rust sources; do not edit it.
+ * Ensembles of runs are in sins_ensemble.h, scenes and flight logs in sins_scene.h, classes for C++ in sins.hpp and its kin, a
+ * table of all functions for hosts that look them up in sins_functions.h. build/ writes the *.h files; do not edit them.
  */
 
 #ifndef SINS_H
@@ -194,7 +81,7 @@ typedef unsigned __int64 uint64_t;
 #define SINS_API
 #endif
 
-/* Sets a struct to zero, and struct_size to its size: all effects are off, all options have their defaults. */
+/** Sets a struct to zero, and struct_size to its size: all effects are off, all options have their defaults. */
 #define SINS_INIT(object) (memset(&(object), 0, sizeof(object)), (void)((object).struct_size = sizeof(object)))
 
 /* Units: multiply by them to convert to SI, divide to convert back. */
@@ -215,594 +102,187 @@ typedef unsigned __int64 uint64_t;
 extern "C" {
 #endif
 
-/*
- * A simulator. This type and the next four are handles. A handle is a key, not an address, and every call checks it. A call
- * with a handle that is null, made up, destroyed or of another kind returns SINS_ERROR_BAD_HANDLE, unless the function says
- * what null means. No key is ever used again.
- */
-typedef struct sins_sim sins_sim;
-/* An embedded flight: the library computes its samples from manoeuvres. */
-typedef struct sins_flight sins_flight;
-/* An ensemble: many runs of one simulator over the same samples. */
-typedef struct sins_ensemble sins_ensemble;
-/* A scene: a flight, the settings of the simulator, and the planned failures of the sensors. */
-typedef struct sins_scene sins_scene;
-/* A flight log: a table of samples. */
-typedef struct sins_log sins_log;
+/* Version. */
 
-/* Values of a sins_status: 0 is success, a negative status is an error, a positive status is neither. */
-enum sins_status_code {
-    /* The call did what it says. */
-    SINS_OK = 0,
-    /* There is no sample yet, or no complete interval: push the next sample. */
-    SINS_NEED_SAMPLE = 1,
-    /* sins_recommend(): no options meet the requirement. The outputs hold the options that come closest. */
-    SINS_REQUIREMENT_NOT_MET = 2,
-    /* The text of a scene has faults. The handle was made, but only sins_scene_get_fault() and sins_scene_destroy() accept it. */
-    SINS_SCENE_HAS_FAULTS = 3,
-    /*
-     * The sample was accepted, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times
-     * each of the two before it. The library assumes that the vehicle moved during the gap: 213 m in 1 s at 213 m/s. If the
-     * vehicle stood still while the host's clock ran on, this is wrong: see sins_move_time().
-     */
-    SINS_GAP = 4,
-    /* A pointer is null where null is not allowed. */
-    SINS_ERROR_NULL_POINTER = -1,
-    /* The handle is null, made up, destroyed, or of another kind. */
-    SINS_ERROR_BAD_HANDLE = -2,
-    /* A struct_size that no release knows, or a struct of a newer release that sets a field which this release lacks. */
-    SINS_ERROR_STRUCT_SIZE = -3,
-    /* A value out of its range; sins_last_error() names field, value and limit. */
-    SINS_ERROR_INVALID_ARGUMENT = -4,
-    /* A call at the wrong moment, a nested call, or a call on a handle that an abandoned call holds (see Threads). */
-    SINS_ERROR_BAD_STATE = -5,
-    /* A sample that is not later than the one before, or off the stated sample period. */
-    SINS_ERROR_TIME_ORDER = -6,
-    /*
-     * The truth jumped: a gap of more than max_gap_s, a jump of position, velocity or attitude, or a turn of 170 degrees or more
-     * between two samples. See sins_move_truth().
-     */
-    SINS_ERROR_DISCONTINUITY = -7,
-    /* The queue of samples is full: step first. */
-    SINS_ERROR_QUEUE_FULL = -8,
-    /*
-     * The solution diverged: it left its limits. The last good solution of a simulator stays readable; that of a run of an
-     * ensemble does not.
-     */
-    SINS_ERROR_DIVERGED = -9,
-    /* Too close to a pole: the mechanization in geographic axes, or within 64 km an alignment by gyrocompassing. */
-    SINS_ERROR_SINGULAR = -10,
-    /* A buffer is too small for the result. */
-    SINS_ERROR_BUFFER_TOO_SMALL = -11,
-    /* No memory, or no free handle; on Windows too few TLS indexes (see Unloading). */
-    SINS_ERROR_OUT_OF_MEMORY = -12,
-    /* The bytes are not a snapshot, or are one that is damaged or of a newer release. */
-    SINS_ERROR_SNAPSHOT = -13,
-    /* A defect inside the library was caught. This handle returns this status from now on; other handles still work. */
-    SINS_ERROR_INTERNAL = -99
-};
-
-/* Axes in which the mechanization integrates. */
-enum sins_frame {
-    /* Navigation in Earth-fixed axes: regular everywhere, poles included. */
-    SINS_FRAME_EARTH_FIXED = 0,
-    /*
-     * Navigation in east-north-up, as in the paper. The mechanization returns SINS_ERROR_SINGULAR within 6.4 km of a pole. It
-     * also returns this error if the vehicle moves in one update by more than 1 % of its distance to the pole. For example, at
-     * 250 m/s with updates of 1 s this is within 25 km.
-     */
-    SINS_FRAME_GEOGRAPHIC = 1
-};
-
-/* Algorithms of the mechanization. */
-enum sins_scheme {
-    /* Coning, sculling and exact rotation compensation; Earth terms from the middle of the update. */
-    SINS_SCHEME_EXACT = 0,
-    /* The paper's equations (7)-(24), misprints corrected, approximations kept. */
-    SINS_SCHEME_PAPER = 1,
-    /* As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update. */
-    SINS_SCHEME_POLYNOMIAL = 2
-};
-
-/* What stabilizes the vertical channel. */
-enum sins_vertical {
-    /*
-     * Third-order loop on a barometric height, time constant 100 s. The response differs from the response of a continuous loop
-     * by the fraction 3.5e-5 at a sample rate of 1 Hz, and 3.5e-7 at 10 Hz. The difference is of second order in the sample
-     * interval.
-     */
-    SINS_VERTICAL_DAMPED = 0,
-    /* Height and vertical velocity set to the truth at each sample. */
-    SINS_VERTICAL_FOLLOW_TRUTH = 1,
-    /* Nothing stabilizes the vertical channel: any error grows e-fold every 569 s. */
-    SINS_VERTICAL_FREE = 2
-};
-
-/* Whether the error differential equations are integrated. */
-enum sins_error_model {
-    /* No error differential equations: SINS_ERRORS_MODEL is not available. */
-    SINS_ERROR_MODEL_OFF = 0,
-    /* The error differential equations (error data 1) by fourth-order Runge-Kutta. */
-    SINS_ERROR_MODEL_RK4 = 1
-};
-
-/* Whether the library summarizes the true motion. */
-enum sins_summary {
-    /* sins_get_truth_summary() is not available. */
-    SINS_SUMMARY_OFF = 0,
-    /* sins_get_truth_summary() is available. The other outputs have the same bits as without. */
-    SINS_SUMMARY_ON = 1
-};
-
-/* Whether the covariance of the navigation errors is propagated. */
-enum sins_covariance_mode {
-    /* sins_get_covariance() is not available. */
-    SINS_COVARIANCE_OFF = 0,
-    /* The covariance is propagated along the truth; the other outputs have the same bits. */
-    SINS_COVARIANCE_ON = 1
-};
-
-/* Ellipsoids. */
-enum sins_earth {
-    /* World Geodetic System 1984. */
-    SINS_EARTH_WGS84 = 0,
-    /* China Geodetic Coordinate System 2000. */
-    SINS_EARTH_CGCS2000 = 1,
-    /* Geodetic Reference System 1980. */
-    SINS_EARTH_GRS80 = 2,
-    /* Krassovsky 1940; Earth rate and gravitational constant as WGS-84. */
-    SINS_EARTH_KRASSOVSKY1940 = 3
-};
-
-/* Formulas of normal gravity. */
-enum sins_gravity {
-    /* Normal gravity in closed form at any height, with its north component. */
-    SINS_GRAVITY_NORMAL = 0,
-    /* Somigliana's formula with the second-order height term, along the ellipsoid normal, as in most tools. */
-    SINS_GRAVITY_SOMIGLIANA = 1
-};
-
-/* Directions of the sensor axes. */
-enum sins_axes {
-    /* Sensor axes: x right, y forward, z up (the paper's). */
-    SINS_AXES_RIGHT_FORWARD_UP = 0,
-    /* Sensor axes: x forward, y right, z down. */
-    SINS_AXES_FORWARD_RIGHT_DOWN = 1
-};
-
-/* Ideal signals. */
-enum sins_signal {
-    /*
-     * Ideal signals are the integrals of the true angular rate and specific force, so the navigation shows the mechanization's
-     * own error.
-     */
-    SINS_SIGNAL_PHYSICAL = 0,
-    /*
-     * As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
-     * free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
-     * trim. If the initial state, a sensor or gravity has errors, the library also runs a second navigator without errors to
-     * compute the trim. A step then takes longer.
-     */
-    SINS_SIGNAL_CLOSED_LOOP = 1
-};
-
-/* Flags of a sins_error_info. */
-enum sins_error_info_flags {
-    /* The field value holds the value at fault. */
-    SINS_ERROR_INFO_VALUE = 1,
-    /* The field minimum holds the least allowed value. */
-    SINS_ERROR_INFO_MINIMUM = 2,
-    /* The field maximum holds the greatest allowed value. */
-    SINS_ERROR_INFO_MAXIMUM = 4,
-    /* The field is an integer. */
-    SINS_ERROR_INFO_INTEGER = 8
-};
-
-/* Sensors that can fail. */
-enum sins_sensor {
-    /* The gyros. */
-    SINS_SENSOR_GYRO = 0,
-    /* The accelerometers. */
-    SINS_SENSOR_ACCEL = 1,
-    /* The altimeter. Give 0 for the argument axis. */
-    SINS_SENSOR_ALTIMETER = 2
-};
-
-/* Kinds of failure. */
-enum sins_failure_kind {
-    /* No failure: clears the failure that is set. */
-    SINS_FAILURE_NONE = 0,
-    /*
-     * The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
-     * its first value. It is not flagged, because it looks like valid data.
-     */
-    SINS_FAILURE_STUCK = 1,
-    /*
-     * No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
-     * altimeter nothing stabilizes the vertical channel of SINS_VERTICAL_DAMPED; this is flagged
-     * SINS_NAVIGATION_VERTICAL_UNAIDED.
-     */
-    SINS_FAILURE_DEAD = 2,
-    /* An additional bias; its value is in the field `size`. Not flagged. */
-    SINS_FAILURE_BIAS_STEP = 3,
-    /*
-     * Rectangular pulses. The field `size` is their height, duration_s their length. A pulse starts every interval_s; the first
-     * starts immediately. A sample of the altimeter shows the mean of the pulses over the sample interval. A gyro or an
-     * accelerometer is flagged only if a pulse saturates it.
-     */
-    SINS_FAILURE_SPIKES = 4,
-    /*
-     * Additional white noise; its density is in the field `density`. A sample of the altimeter shows the mean of the noise over
-     * the sample interval. Not flagged.
-     */
-    SINS_FAILURE_NOISE = 5,
-    /*
-     * Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
-     * independently with the probability in the field `probability`, or one interval is lost every interval_s, the first
-     * immediately.
-     */
-    SINS_FAILURE_DROP_OUTS = 6
-};
-
-/* How the INS finds its attitude at the start. */
-enum sins_alignment {
-    /* The INS starts with the true attitude, turned by the given and the drawn misalignment. */
-    SINS_ALIGNMENT_GIVEN = 0,
-    /*
-     * The library computes the attitude that levelling and gyrocompassing at rest would find with the sensor errors at the
-     * start. It does so even if the flight starts in motion. The INS starts with this attitude, turned by the given and the
-     * drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense no horizontal force.
-     * Gyrocompassing then finds the heading at which the horizontal gyro rates point north. SINS_NAVIGATION_NORTH_UNKNOWN is set
-     * if the sensor errors hide north. Within 64 km of a pole the start returns SINS_ERROR_SINGULAR.
-     */
-    SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1
-};
-
-/* Flags of a sins_flight_sample. */
-enum sins_sample_flags {
-    /* The sample carries angular_rate_rad_s. */
-    SINS_SAMPLE_ANGULAR_RATE = 1,
-    /* The sample carries specific_force_m_s2. */
-    SINS_SAMPLE_SPECIFIC_FORCE = 2,
-    /*
-     * The sample has no velocity. The library derives it from positions. The noise of this velocity is 2 to 4 times the position
-     * noise of a sample, divided by the interval.
-     */
-    SINS_SAMPLE_NO_VELOCITY = 4,
-    /* The sample carries temperature_c. */
-    SINS_SAMPLE_TEMPERATURE = 8
-};
-
-/* Flags of a sins_navigation. */
-enum sins_navigation_flags {
-    /*
-     * Within 20 km of the Earth's axis: longitude and heading change fast there, and at the pole they are undefined.
-     * Quaternion, height and the errors in metres stay correct.
-     */
-    SINS_NAVIGATION_NEAR_POLE = 1,
-    /*
-     * Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
-     * every 569 s.
-     */
-    SINS_NAVIGATION_VERTICAL_UNAIDED = 2,
-    /*
-     * A flag of the truth. Let d be the displacement computed from the velocities. The flag is set if the displacement of the
-     * positions since the previous sample differs from d by more than sqrt((0.01 d)^2 + (1 cm)^2).
-     */
-    SINS_NAVIGATION_INCONSISTENT = 4,
-    /*
-     * The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
-     * force, or the error of the horizontal gyro rates is at least as large as the north component of the Earth rate. (If it is
-     * smaller, the heading error is below 90 degrees.) The flag stays until the INS starts again. Note: a real INS does not know
-     * this error. It can be sure that it has not found north only if its horizontal gyro rate is more than twice the north
-     * component of the Earth rate.
-     */
-    SINS_NAVIGATION_NORTH_UNKNOWN = 8
-};
-
-/* Flags of a sins_imu. */
-enum sins_imu_flags {
-    /* The mean rate of a subsample was beyond the range of a gyro. */
-    SINS_IMU_GYRO_SATURATED = 1,
-    /* The mean force of a subsample was beyond the range of an accelerometer. */
-    SINS_IMU_ACCEL_SATURATED = 2,
-    /* A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with the output 0 of this gyro. */
-    SINS_IMU_GYRO_INVALID = 4,
-    /*
-     * An accelerometer had no signal in the interval: dead, or dropped out. The mechanization continues with the output 0 of
-     * this accelerometer.
-     */
-    SINS_IMU_ACCEL_INVALID = 8
-};
-
-/* The two sources of errors. */
-enum sins_errors_source {
-    /* Navigation minus truth: the paper's error data 2. */
-    SINS_ERRORS_NAVIGATION = 0,
-    /* The error differential equations: the paper's error data 1 (sins_options.error_model). */
-    SINS_ERRORS_MODEL = 1
-};
-
-/* Flags of a sins_errors. */
-enum sins_errors_flags {
-    /*
-     * The truth is within 20 km of the Earth's axis: the errors of longitude and heading, the up misalignment, and the east and
-     * north components of the velocity error have no meaning.
-     */
-    SINS_ERRORS_NEAR_POLE = 1,
-    /*
-     * A flag of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
-     * position error is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
-     */
-    SINS_ERRORS_OUTSIDE_VALIDITY = 2,
-    /* In a sins_record: not computed, all zero. */
-    SINS_ERRORS_NOT_COMPUTED = 4
-};
-
-/* Grades of sensors. */
-enum sins_grade {
-    /*
-     * Strategic: gyro bias 0.001 deg/h and accelerometer bias 1e-6 g, each 1 sigma (El-Sheimy and Youssef 2020, table 1, upper
-     * ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
-     */
-    SINS_GRADE_STRATEGIC = 1,
-    /* Navigation: Honeywell HG9900, brochure N61-1638. It states no accelerometer noise, so the preset has none: set your own. */
-    SINS_GRADE_NAVIGATION = 2,
-    /* Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated. */
-    SINS_GRADE_TACTICAL = 3,
-    /*
-     * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D. It states no accelerometer noise, so the preset
-     * has none: set your own. The range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by
-     * 0.1 deg, 1 sigma.
-     */
-    SINS_GRADE_INDUSTRIAL = 4,
-    /* Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma. */
-    SINS_GRADE_CONSUMER = 5,
-    /*
-     * The paper's simulation 2: constant gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), constant accelerometer
-     * bias 1e-5 g and white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper
-     * states none).
-     */
-    SINS_GRADE_PAPER_SIMULATION2 = 6
-};
-
-/* Kinds of manoeuvre. */
-enum sins_manoeuvre_kind {
-    /* At rest for duration_s; the speed must be 0. */
-    SINS_MANOEUVRE_REST = 0,
-    /* Along a geodesic at constant speed and height for duration_s. */
-    SINS_MANOEUVRE_STRAIGHT = 1,
-    /* Changes the speed by speed_change_m_s in duration_s. */
-    SINS_MANOEUVRE_ACCELERATE = 2,
-    /* Changes the height by height_change_m in duration_s. Uses ramp_s. */
-    SINS_MANOEUVRE_CLIMB = 3,
-    /*
-     * Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
-     * duration follows from these.
-     */
-    SINS_MANOEUVRE_TURN = 4,
-    /* Whole rolls along a straight path in duration_s; the field turns is their number (positive: right wing down). */
-    SINS_MANOEUVRE_ROLL = 5,
-    /* Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s. */
-    SINS_MANOEUVRE_LOOP = 6,
-    /*
-     * The course swings by heading_change_rad to both sides, first to the right if it is positive. The field turns is the number
-     * of swings in duration_s. A swing is a full period: to one side, to the other side, and back. Uses ramp_s.
-     */
-    SINS_MANOEUVRE_S_TURN = 7,
-    /* Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s. */
-    SINS_MANOEUVRE_SINUSOIDS = 8
-};
-
-/* What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves. */
-enum sins_channel {
-    /* The sinusoid moves the course [rad], with the bank of a coordinated turn. */
-    SINS_CHANNEL_COURSE = 0,
-    /* The sinusoid moves the climb angle [rad]. */
-    SINS_CHANNEL_CLIMB = 1,
-    /* The sinusoid moves the speed [m/s]. */
-    SINS_CHANNEL_SPEED = 2,
-    /* The sinusoid moves roll alone [rad]. */
-    SINS_CHANNEL_ROLL = 3,
-    /* The sinusoid moves pitch alone [rad]. */
-    SINS_CHANNEL_PITCH = 4,
-    /* The sinusoid moves heading alone [rad]. */
-    SINS_CHANNEL_HEADING = 5
-};
-
-/* Where the flight of a scene comes from: sins_scene_setup.flight. */
-enum sins_scene_flight {
-    /* The flight is composed of manoeuvres. */
-    SINS_SCENE_FLIGHT_MANOEUVRES = 0,
-    /* The flight is that of a built-in scene, named by SINS_SCENE_TEXT_BUILTIN. */
-    SINS_SCENE_FLIGHT_BUILTIN = 1,
-    /* The flight is a log, named by SINS_SCENE_TEXT_LOG. */
-    SINS_SCENE_FLIGHT_LOG = 2
-};
-
-/* The texts of a scene: sins_scene_get_text(), sins_scene_set_text(). */
-enum sins_scene_text {
-    /* Title: the scene in a few words. */
-    SINS_SCENE_TEXT_TITLE = 0,
-    /* Path of the flight log, relative to the scene's own folder. Setting it makes the flight a log. */
-    SINS_SCENE_TEXT_LOG = 1,
-    /* Name of the built-in scene whose flight is flown. Setting it selects that flight. */
-    SINS_SCENE_TEXT_BUILTIN = 2,
-    /* Folder of the output files of a program. */
-    SINS_SCENE_TEXT_FOLDER = 3,
-    /* Base name of the output files. */
-    SINS_SCENE_TEXT_NAME = 4,
-    /* Name of the file for the measured increments. */
-    SINS_SCENE_TEXT_IMU = 5
-};
-
-/* What kind of value a key of a scene takes. */
-enum sins_scene_key_kind {
-    /* Numbers; elements says how many. */
-    SINS_SCENE_KEY_NUMBERS = 0,
-    /* A whole number, not negative. */
-    SINS_SCENE_KEY_WHOLE = 1,
-    /* One of several words. */
-    SINS_SCENE_KEY_WORD = 2,
-    /* A text. */
-    SINS_SCENE_KEY_TEXT = 3,
-    /* true or false. */
-    SINS_SCENE_KEY_FLAG = 4
-};
-
-/* Flags of a sins_scene_key. */
-enum sins_scene_key_flags {
-    /* The key belongs to the items of a list: its section stands in double brackets. */
-    SINS_SCENE_KEY_IN_LIST = 1,
-    /*
-     * The fields minimum and maximum are the limits of each number. Without this flag there are no limits, or the limits depend
-     * on other values.
-     */
-    SINS_SCENE_KEY_LIMITS = 2,
-    /* 0 is allowed in addition to the values within the limits. It switches the quantity off. */
-    SINS_SCENE_KEY_ZERO_IS_OFF = 4
-};
-
-/* Flags of a sins_budget_row. */
-enum sins_budget_flags {
-    /* The figures of the row are standard deviations (1 sigma), from linear error equations. */
-    SINS_BUDGET_RANDOM = 1,
-    /* The effect can be left out, together with all others that have this flag. */
-    SINS_BUDGET_CAN_BE_LEFT_OUT = 2
-};
-
-/*
+/**
  * Version of the interface that this header declares: a host compares it with what sins_abi_version() gives. The number
  * changes if a part of the interface is removed or changes its meaning. Additions at the end do not change it.
  */
 #define SINS_HEADER_ABI 1
 
-/* Major number of this release of the library, by semantic versioning. */
+/** Major number of this release of the library, by semantic versioning. */
 #define SINS_VERSION_MAJOR 0
-/* Minor number of this release. */
+
+/** Minor number of this release. */
 #define SINS_VERSION_MINOR 1
-/* Patch number of this release. */
+
+/** Patch number of this release. */
 #define SINS_VERSION_PATCH 0
 
-/*
- * A buffer of this size holds every snapshot of a simulator that this release saves. For a library newer than this header
- * ask sins_snapshot_size(); for an ensemble ask sins_ensemble_snapshot_size().
- */
-#define SINS_SNAPSHOT_MAX_SIZE 20480
+/** Returns the version of the interface of the loaded library: compare it with SINS_HEADER_ABI. */
+SINS_API uint32_t SINS_CALL sins_abi_version(void);
+
+/** Returns the release of the loaded library as text, such as "0.1.0". The text lives as long as the library is loaded. */
+SINS_API const char *SINS_CALL sins_version_string(void);
 
 /*
+ * Statuses. A function that can fail returns a sins_status, and gives data through pointers. A function that cannot fail
+ * returns its value directly. Test for errors by status < 0. After an error nothing has changed: no state, no output, and no
+ * random number was drawn. Exceptions: after SINS_ERROR_INTERNAL the handle cannot be used any more. sins_run() and
+ * sins_ensemble_run() keep the intervals that they flew before the error; sins_run() also keeps their records, and sets
+ * written. If a buffer is too small, functions that write a text cut it and report the size that is needed;
+ * sins_error_budget() and sins_scene_get_manoeuvres() report the number of elements that is needed. sins_log_parse(),
+ * sins_scene_set_values() and sins_scene_set_items() report faults.
+ *
+ * A positive status is not an error. With SINS_NEED_SAMPLE the output is unchanged. With SINS_REQUIREMENT_NOT_MET the output is
+ * written. With SINS_SCENE_HAS_FAULTS a handle was made. With SINS_GAP the call did everything.
+ *
+ * Every function with a pointer argument can return SINS_ERROR_NULL_POINTER, every function with a handle
+ * SINS_ERROR_BAD_HANDLE, and every function with a struct SINS_ERROR_STRUCT_SIZE. Every function that returns a status can
+ * return SINS_ERROR_INTERNAL. The other errors of a function are listed at the function. docs/threads.md describes further
+ * causes of SINS_ERROR_BAD_STATE and SINS_ERROR_OUT_OF_MEMORY. sins_last_error() gives a sentence that names field, value and
+ * limit, sins_last_error_info() the same as a struct, sins_status_string() the name of the status.
+ */
+
+/** Values of a sins_status: 0 is success, a negative status is an error, a positive status is neither. */
+typedef enum sins_status_code {
+    /** The call did what it says. */
+    SINS_OK = 0,
+    /** There is no sample yet, or no complete interval: push the next sample. */
+    SINS_NEED_SAMPLE = 1,
+    /** sins_recommend(): no options meet the requirement. The outputs hold the options that come closest. */
+    SINS_REQUIREMENT_NOT_MET = 2,
+    /** The text of a scene has faults. The handle was made, but only sins_scene_get_fault() and sins_scene_destroy() accept it. */
+    SINS_SCENE_HAS_FAULTS = 3,
+    /**
+     * The sample was accepted, or all samples of the run were flown, but there is a gap: an interval of more than 2.5 times
+     * each of the two before it. The library assumes that the vehicle moved during the gap: 213 m in 1 s at 213 m/s. If the
+     * vehicle stood still while the host's clock ran on, this is wrong: see sins_move_time().
+     */
+    SINS_GAP = 4,
+    /** A pointer is null where null is not allowed. */
+    SINS_ERROR_NULL_POINTER = -1,
+    /** The handle is null, made up, destroyed, or of another kind. */
+    SINS_ERROR_BAD_HANDLE = -2,
+    /** A struct_size that no release knows, or a struct of a newer release that sets a field which this release lacks. */
+    SINS_ERROR_STRUCT_SIZE = -3,
+    /** A value out of its range; sins_last_error() names field, value and limit. */
+    SINS_ERROR_INVALID_ARGUMENT = -4,
+    /** A call at the wrong moment, a nested call, or a call on a handle that an abandoned call holds (see Threads). */
+    SINS_ERROR_BAD_STATE = -5,
+    /** A sample that is not later than the one before, or off the stated sample period. */
+    SINS_ERROR_TIME_ORDER = -6,
+    /**
+     * The truth jumped: a gap of more than max_gap_s, a jump of position, velocity or attitude, or a turn of 170 degrees or more
+     * between two samples. See sins_move_truth().
+     */
+    SINS_ERROR_DISCONTINUITY = -7,
+    /** The queue of samples is full: step first. */
+    SINS_ERROR_QUEUE_FULL = -8,
+    /**
+     * The solution diverged: it left its limits. The last good solution of a simulator stays readable; that of a run of an
+     * ensemble does not.
+     */
+    SINS_ERROR_DIVERGED = -9,
+    /** Too close to a pole: the mechanization in geographic axes, or within 64 km an alignment by gyrocompassing. */
+    SINS_ERROR_SINGULAR = -10,
+    /** A buffer is too small for the result. */
+    SINS_ERROR_BUFFER_TOO_SMALL = -11,
+    /** No memory, or no free handle; on Windows too few TLS indexes (see Unloading). */
+    SINS_ERROR_OUT_OF_MEMORY = -12,
+    /** The bytes are not a snapshot, or are one that is damaged or of a newer release. */
+    SINS_ERROR_SNAPSHOT = -13,
+    /** A defect inside the library was caught. This handle returns this status from now on; other handles still work. */
+    SINS_ERROR_INTERNAL = -99
+} sins_status_code;
+
+/**
  * Result of a call: SINS_OK is 0, a negative status is an error, a positive status is neither. After an error nothing has
- * changed, with the exceptions under Errors.
+ * changed, with the exceptions under Statuses.
  */
 typedef int32_t sins_status;
 
-/* Options of a simulator. All zero (except struct_size) is the recommended simulator. */
-typedef struct sins_options {
-    /* sizeof(sins_options) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Axes of the mechanization, of enum sins_frame. */
-    int32_t frame;
-    /* Algorithm of the mechanization, of enum sins_scheme. */
-    int32_t scheme;
-    /*
-     * Number of subsamples of a mechanization update, 1 to 5; 0: 2. A subsample is one of the equal parts of the update; the
-     * sensors give one increment for each.
-     */
-    int32_t subsamples;
-    /* Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above). */
-    int32_t updates_per_sample;
-    /* Vertical channel, of enum sins_vertical. */
-    int32_t vertical;
-    /* Error differential equations, of enum sins_error_model. */
-    int32_t error_model;
-    /* Ellipsoid, of enum sins_earth. */
-    int32_t earth;
-    /* Normal gravity, of enum sins_gravity. */
-    int32_t gravity;
-    /* Directions of the body axes and of the sensor axes, of enum sins_axes. */
-    int32_t axes;
-    /* Ideal signals, of enum sins_signal. */
-    int32_t signal;
-    /* Seed of all random streams. */
-    uint64_t seed;
-    /* Run number. The same seed with another run number gives other random numbers. Run k of an ensemble has the number k. */
-    uint64_t run;
-    /*
-     * Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s, for which max_gap_s
-     * must be at most 7.5 s. Must be 0 with another signal.
-     */
-    double closed_loop_time_s;
-    /*
-     * Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a stated period, each
-     * sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
-     * samples: each must be within 0.4 of a period of its multiple.
-     */
-    double sample_period_s;
-    /*
-     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Use intervals of minutes only for a vehicle at rest.
-     * Even at rest the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with
-     * intervals of 10 s, and 91 m with intervals of 100 s.
-     */
-    double max_gap_s;
-    /*
-     * Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
-     * the truth.
-     */
-    double max_acceleration_m_s2;
-    /* Summary of the true motion, of enum sins_summary. */
-    int32_t truth_summary;
-    /* Covariance of the navigation errors, of enum sins_covariance_mode. */
-    int32_t covariance;
-} sins_options;
+/**
+ * Returns the name of a status code, such as "SINS_OK", or "unknown status" for any other number. The text lives as long
+ * as the library is loaded.
+ */
+SINS_API const char *SINS_CALL sins_status_string(sins_status status);
 
 /*
+ * Structs. Every struct (except the parts of a sins_record) begins with struct_size, which the caller sets to the sizeof of the
+ * struct, and a second 32-bit integer, which is 0 unless its comment says otherwise. So "sins_gyro_params gyro = { sizeof gyro
+ * };" is an ideal gyro. SINS_INIT(gyro) sets the same content. The caller sets struct_size of output structs too. Structs grow
+ * only at their end, so old hosts run on new libraries, and new hosts on old libraries. A newer host may pass a struct with
+ * fields that an older library does not know. In an output struct the library leaves these fields unchanged. In an input
+ * struct they must be 0, or the call returns SINS_ERROR_STRUCT_SIZE.
+ *
+ * Handles. A handle is a key, not an address, and every call checks it. A call with a handle that is null, made up, destroyed
+ * or of another kind returns SINS_ERROR_BAD_HANDLE, unless the function says what null means. No key is ever used again.
+ */
+
+/* Samples, options, and the simulator. */
+
+/** Flags of a sins_flight_sample. */
+typedef enum sins_sample_flags {
+    /** The sample carries angular_rate_rad_s. */
+    SINS_SAMPLE_ANGULAR_RATE = 1,
+    /** The sample carries specific_force_m_s2. */
+    SINS_SAMPLE_SPECIFIC_FORCE = 2,
+    /**
+     * The sample has no velocity. The library derives it from positions. The noise of this velocity is 2 to 4 times the position
+     * noise of a sample, divided by the interval.
+     */
+    SINS_SAMPLE_NO_VELOCITY = 4,
+    /** The sample carries temperature_c. */
+    SINS_SAMPLE_TEMPERATURE = 8
+} sins_sample_flags;
+
+/**
  * True motion of the vehicle at an instant, as a flight simulator gives it. The ideal signals are computed from velocity and
  * attitude, and from angular rate and specific force if the sample carries them. Position enters only through gravity and
  * curvature, unless the samples have no velocity: then the velocity is derived from the positions. Vibration above a tenth
  * of the sample rate cannot be recovered from samples; give angular rate and specific force if you have them.
  */
 typedef struct sins_flight_sample {
-    /* sizeof(sins_flight_sample) */
+    /** sizeof(sins_flight_sample) */
     uint32_t struct_size;
-    /* Flags of enum sins_sample_flags, or'ed. */
+    /** Flags of enum sins_sample_flags, or'ed. */
     uint32_t flags;
-    /*
+    /**
      * Time stamp, -1e10 to 1e10 [s], later than the sample before by 5e-5 s to sins_options.max_gap_s. Large stamps are coarse
      * (1.2e-7 s at 1e9 s): state sins_options.sample_period_s with them.
      */
     double time_s;
-    /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
+    /** Geodetic latitude, -pi/2 to pi/2 [rad]. */
     double latitude_rad;
-    /* Longitude, east positive, -100 to 100 [rad]; whole turns do not matter. */
+    /** Longitude, east positive, -100 to 100 [rad]; whole turns do not matter. */
     double longitude_rad;
-    /* Height above the ellipsoid, -2e4 to 2e6 [m]. */
+    /** Height above the ellipsoid, -2e4 to 2e6 [m]. */
     double height_m;
-    /* Velocity against the Earth, east-north-up, each -2e4 to 2e4 [m/s]. */
+    /** Velocity against the Earth, east-north-up, each -2e4 to 2e4 [m/s]. */
     double velocity_enu_m_s[3];
-    /* Roll, right wing down positive, -1e4 to 1e4 [rad]; whole turns do not matter. */
+    /** Roll, right wing down positive, -1e4 to 1e4 [rad]; whole turns do not matter. */
     double roll_rad;
-    /*
+    /**
      * Pitch, nose up positive, -1e4 to 1e4 [rad]; it may go beyond 90 degrees. From one sample to the next the attitude must
      * turn by less than 170 degrees. The library predicts this turn from the angular rates of the samples, or, without
      * rates, from the previous interval. The turn must differ from the prediction by less than 180 degrees. Additional whole
      * turns between two samples cannot be detected.
      */
     double pitch_rad;
-    /* Heading, clockwise from true north, -1e4 to 1e4 [rad]; whole turns do not matter. */
+    /** Heading, clockwise from true north, -1e4 to 1e4 [rad]; whole turns do not matter. */
     double heading_rad;
-    /*
+    /**
      * With SINS_SAMPLE_ANGULAR_RATE: angular rate of the vehicle against inertial space along the body axes at this instant,
      * each -1000 to 1000 [rad/s].
      */
     double angular_rate_rad_s[3];
-    /*
+    /**
      * With SINS_SAMPLE_SPECIFIC_FORCE: specific force at the reference point along the body axes at this instant, each -1e5
      * to 1e5 [m/s2].
      */
     double specific_force_m_s2[3];
-    /*
+    /**
      * With SINS_SAMPLE_TEMPERATURE: temperature of the gyros and accelerometers at this instant, -273.15 to 1000 [deg C]; linear
      * from one sample to the next. Needed while temperature coefficients are set: the push of a sample without it then returns
      * SINS_ERROR_INVALID_ARGUMENT, because a forgotten flag would silently disable the effect.
@@ -810,1411 +290,179 @@ typedef struct sins_flight_sample {
     double temperature_c;
 } sins_flight_sample;
 
-/* Why a call failed: the data of which the sentence of sins_last_error() is made. */
-typedef struct sins_error_info {
-    /* sizeof(sins_error_info) */
+/** Axes in which the mechanization integrates. */
+typedef enum sins_frame {
+    /** Navigation in Earth-fixed axes: regular everywhere, poles included. */
+    SINS_FRAME_EARTH_FIXED = 0,
+    /**
+     * Navigation in east-north-up, as in the paper. The mechanization returns SINS_ERROR_SINGULAR within 6.4 km of a pole. It
+     * also returns this error if the vehicle moves in one update by more than 1 % of its distance to the pole. For example, at
+     * 250 m/s with updates of 1 s this is within 25 km.
+     */
+    SINS_FRAME_GEOGRAPHIC = 1
+} sins_frame;
+
+/** Algorithms of the mechanization. */
+typedef enum sins_scheme {
+    /** Coning, sculling and exact rotation compensation; Earth terms from the middle of the update. */
+    SINS_SCHEME_EXACT = 0,
+    /** The paper's equations (7)-(24), misprints corrected, approximations kept. */
+    SINS_SCHEME_PAPER = 1,
+    /** As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update. */
+    SINS_SCHEME_POLYNOMIAL = 2
+} sins_scheme;
+
+/** What stabilizes the vertical channel. */
+typedef enum sins_vertical {
+    /**
+     * Third-order loop on a barometric height, time constant 100 s. The response differs from the response of a continuous loop
+     * by the fraction 3.5e-5 at a sample rate of 1 Hz, and 3.5e-7 at 10 Hz. The difference is of second order in the sample
+     * interval.
+     */
+    SINS_VERTICAL_DAMPED = 0,
+    /** Height and vertical velocity set to the truth at each sample. */
+    SINS_VERTICAL_FOLLOW_TRUTH = 1,
+    /** Nothing stabilizes the vertical channel: any error grows e-fold every 569 s. */
+    SINS_VERTICAL_FREE = 2
+} sins_vertical;
+
+/** Whether the error differential equations are integrated. */
+typedef enum sins_error_model {
+    /** No error differential equations: SINS_ERRORS_MODEL is not available. */
+    SINS_ERROR_MODEL_OFF = 0,
+    /** The error differential equations (error data 1) by fourth-order Runge-Kutta. */
+    SINS_ERROR_MODEL_RK4 = 1
+} sins_error_model;
+
+/** Whether the library summarizes the true motion. */
+typedef enum sins_summary {
+    /** sins_get_truth_summary() is not available. */
+    SINS_SUMMARY_OFF = 0,
+    /** sins_get_truth_summary() is available. The other outputs have the same bits as without. */
+    SINS_SUMMARY_ON = 1
+} sins_summary;
+
+/** Whether the covariance of the navigation errors is propagated. */
+typedef enum sins_covariance_mode {
+    /** sins_get_covariance() is not available. */
+    SINS_COVARIANCE_OFF = 0,
+    /** The covariance is propagated along the truth; the other outputs have the same bits. */
+    SINS_COVARIANCE_ON = 1
+} sins_covariance_mode;
+
+/** Ellipsoids. */
+typedef enum sins_earth {
+    /** World Geodetic System 1984. */
+    SINS_EARTH_WGS84 = 0,
+    /** China Geodetic Coordinate System 2000. */
+    SINS_EARTH_CGCS2000 = 1,
+    /** Geodetic Reference System 1980. */
+    SINS_EARTH_GRS80 = 2,
+    /** Krassovsky 1940; Earth rate and gravitational constant as WGS-84. */
+    SINS_EARTH_KRASSOVSKY1940 = 3
+} sins_earth;
+
+/** Formulas of normal gravity. */
+typedef enum sins_gravity {
+    /** Normal gravity in closed form at any height, with its north component. */
+    SINS_GRAVITY_NORMAL = 0,
+    /** Somigliana's formula with the second-order height term, along the ellipsoid normal, as in most tools. */
+    SINS_GRAVITY_SOMIGLIANA = 1
+} sins_gravity;
+
+/** Directions of the sensor axes. */
+typedef enum sins_axes {
+    /** Sensor axes: x right, y forward, z up (the paper's). */
+    SINS_AXES_RIGHT_FORWARD_UP = 0,
+    /** Sensor axes: x forward, y right, z down. */
+    SINS_AXES_FORWARD_RIGHT_DOWN = 1
+} sins_axes;
+
+/** Ideal signals. */
+typedef enum sins_signal {
+    /**
+     * Ideal signals are the integrals of the true angular rate and specific force, so the navigation shows the mechanization's
+     * own error.
+     */
+    SINS_SIGNAL_PHYSICAL = 0,
+    /**
+     * As SINS_SIGNAL_PHYSICAL, plus a small trim that keeps an error-free navigator at the truth for any time, even with a
+     * free vertical channel. It is for hosts that want the errors of the sensors only. sins_accuracy reports the size of the
+     * trim. If the initial state, a sensor or gravity has errors, the library also runs a second navigator without errors to
+     * compute the trim. A step then takes longer.
+     */
+    SINS_SIGNAL_CLOSED_LOOP = 1
+} sins_signal;
+
+/** Options of a simulator. All zero (except struct_size) is the recommended simulator. */
+typedef struct sins_options {
+    /** sizeof(sins_options) */
     uint32_t struct_size;
-    /* Flags of enum sins_error_info_flags, or'ed. */
-    uint32_t flags;
-    /* Status that the failed call returned, of enum sins_status_code; SINS_OK if no call failed. */
-    sins_status status;
-    /* 0 */
+    /** Must be 0. */
     uint32_t reserved;
-    /*
-     * Name of the field or argument at fault, such as "gyro.markov_time_s", or of a computed quantity at fault, such as
-     * "navigated position error [m]"; terminated. Empty if the call itself is at fault.
+    /** Axes of the mechanization, of enum sins_frame. */
+    int32_t frame;
+    /** Algorithm of the mechanization, of enum sins_scheme. */
+    int32_t scheme;
+    /**
+     * Number of subsamples of a mechanization update, 1 to 5; 0: 2. A subsample is one of the equal parts of the update; the
+     * sensors give one increment for each.
      */
-    char field[96];
-    /* Element of the field, from 0; -1: the field is not an array, or the whole field is at fault. */
-    int64_t index;
-    /* Index of the sample in the array of the call, from 0; -1: no sample is at fault. */
-    int64_t sample;
-    /* With SINS_ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the nearest double. */
-    double value;
-    /*
-     * With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence of sins_last_error() says "more than", the limit itself
-     * is not allowed.
-     */
-    double minimum;
-    /*
-     * With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence of sins_last_error() says "less than", the limit
-     * itself is not allowed.
-     */
-    double maximum;
-} sins_error_info;
-
-/*
- * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
- * triad. Signal: the angular rate. Densities do not depend on the sample rate.
- *
- * Effects act in this order, along the path of the signal: bandwidth; then errors that depend on the signal (scale factor,
- * misalignment, asymmetry, nonlinearity), on the true specific force (g-sensitivity, g2-sensitivity) and on temperature; then
- * biases and noise; then dead zone, range, quantization.
- *
- * Asymmetry, nonlinearity, dead zone and range, g2-sensitivity of the gyros, and vibration rectification of the accelerometers
- * act on the mean signal of a subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the
- * effect of a vibration of frequency f. With x = pi f dt, nonlinearity and rectification are too small by the fraction 1 - (sin
- * x / x)^2. Asymmetry is too small by up to the fraction 1 - cos x, if the vibration changes the sign of the signal. If f is a
- * tenth of the sample rate, these fractions are 0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with one.
- */
-typedef struct sins_gyro_params {
-    /* sizeof(sins_gyro_params) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Constant bias, measured less true [rad/s], -100 to 100. */
-    double bias_rad_s[3];
-    /* Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100. */
-    double bias_sigma_rad_s[3];
-    /*
-     * Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from
-     * the first sample on.
-     */
-    double markov_sigma_rad_s[3];
-    /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0. */
-    double markov_time_s[3];
-    /*
-     * White noise N: angle random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral density of
-     * the noise, in the unit of the signal per sqrt(Hz).
-     */
-    double random_walk_rad_sqrt_s[3];
-    /* Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
-    double rate_random_walk_rad_s_sqrt_s[3];
-    /*
-     * Ramp R: bias that grows with time [rad/s2], -100 to 100. The bias starts at 0 when the ramp is switched on,
-     * and at sins_reset(). If R is changed in flight, the bias continues from its present value.
-     */
-    double rate_ramp_rad_s2[3];
-    /*
-     * Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
-     * Allan deviation is flat at 0.664 B from 2 s to 50 h.
-     */
-    double flicker_rad_s[3];
-    /* Scale factor error [1], -1 to 1. */
-    double scale_factor[3];
-    /*
-     * Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
-     * scale_factor.
-     */
-    double scale_factor_sigma[3];
-    /*
-     * Scale factor error for positive signals less that for negative signals [1], -1 to 1. The error of a signal s
-     * is half of this times |s|.
-     */
-    double scale_factor_asymmetry[3];
-    /*
-     * Scale factor error that grows with the size of the signal [s/rad], -1 to 1. The error of a signal s is this
-     * times s |s|.
-     */
-    double scale_factor_nonlinearity_s_rad[3];
-    /*
-     * Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The error of sensor i is the
-     * sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.
-     */
-    double misalignment_rad[9];
-    /*
-     * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
-     * misalignment_rad. The diagonal must be 0.
-     */
-    double misalignment_sigma_rad[9];
-    /*
-     * Drift caused by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)],
-     * -1 to 1. The error of a gyro is the sum over the three axes of its row times the true specific force along
-     * them.
-     */
-    double g_sensitivity_rad_s_per_m_s2[9];
-    /*
-     * Drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
-     * -1 to 1. The rate error of gyro i is element i times the square of the true specific force along sensor axis
-     * i, at the point of the sensor block (see sins_mounting). So a positive element makes a drift in the positive
-     * sense about the axis, whatever the sign of the force. The mean force of a subsample is squared, as with
-     * nonlinearity.
-     */
-    double g2_sensitivity_rad_s_per_m2_s4[3];
-    /*
-     * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
-     * sins_flight_sample.temperature_c less this temperature. If one of the coefficients is not 0, every sample
-     * needs a temperature, and sins_push_imu() is not available.
-     */
-    double reference_temperature_c;
-    /* Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this coefficient times T. */
-    double bias_temperature_rad_s_per_k[3];
-    /* Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this coefficient times T squared. */
-    double bias_temperature2_rad_s_per_k2[3];
-    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this coefficient times T. */
-    double scale_factor_temperature_per_k[3];
-    /*
-     * Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this coefficient times T
-     * squared.
-     */
-    double scale_factor_temperature2_per_k2[3];
-    /*
-     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts in its
-     * steady state, so there is no transient in the first interval.
-     */
-    double bandwidth_hz[3];
-    /* Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100. */
-    double dead_zone_rad_s[3];
-    /* Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
-    double range_rad_s[3];
-    /*
-     * Quantum (pulse weight) of the output increments [rad], 1e-15 to 1; 0: none. The remainder goes into the next
-     * increment. The quantization noise Q is quantum/sqrt(12).
-     */
-    double quantization_rad[3];
-} sins_gyro_params;
-
-/*
- * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
- * an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
- *
- * Effects act in this order, along the path of the signal: size effect, bandwidth; then errors that depend on the signal (scale
- * factor, misalignment, asymmetry, nonlinearity, vibration rectification) and on temperature; then biases and noise; then dead
- * zone, range, quantization. sins_gyro_params describes the effects that act on the mean of a subsample.
- */
-typedef struct sins_accel_params {
-    /* sizeof(sins_accel_params) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Constant bias, measured less true [m/s2], -10000 to 10000. */
-    double bias_m_s2[3];
-    /* Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000. */
-    double bias_sigma_m_s2[3];
-    /*
-     * Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from
-     * the first sample on.
-     */
-    double markov_sigma_m_s2[3];
-    /* Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0. */
-    double markov_time_s[3];
-    /*
-     * White noise N: velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the spectral
-     * density of the noise, in the unit of the signal per sqrt(Hz).
-     */
-    double velocity_random_walk_m_s_sqrt_s[3];
-    /* Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
-    double acceleration_random_walk_m_s2_sqrt_s[3];
-    /*
-     * Ramp R: bias that grows with time [m/s3], -10000 to 10000. The bias starts at 0 when the ramp is switched
-     * on, and at sins_reset(). If R is changed in flight, the bias continues from its present value.
-     */
-    double ramp_m_s3[3];
-    /*
-     * Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on:
-     * the Allan deviation is flat at 0.664 B from 2 s to 50 h.
-     */
-    double flicker_m_s2[3];
-    /* Scale factor error [1], -1 to 1. */
-    double scale_factor[3];
-    /*
-     * Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
-     * scale_factor.
-     */
-    double scale_factor_sigma[3];
-    /*
-     * Scale factor error for positive signals less that for negative signals [1], -1 to 1. The error of a signal s
-     * is half of this times |s|.
-     */
-    double scale_factor_asymmetry[3];
-    /*
-     * Scale factor error that grows with the size of the signal [s2/m], -1 to 1. The error of a signal s is this
-     * times s |s|.
-     */
-    double scale_factor_nonlinearity_s2_m[3];
-    /*
-     * Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The error of sensor i is the
-     * sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.
-     */
-    double misalignment_rad[9];
-    /*
-     * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
-     * misalignment_rad. The diagonal must be 0.
-     */
-    double misalignment_sigma_rad[9];
-    /*
-     * Vibration rectification, the g2 term [s2/m], -1 to 1. The error is this times the square of the mean force
-     * of a subsample. So a vibration with the root mean square r causes a bias of this times r squared.
-     */
-    double vibration_rectification_s2_m[3];
-    /*
-     * Lever arm of each accelerometer from the point of the sensor block, sensor axes, row = sensor (size effect)
-     * [m], -100 to 100. The point of the sensor block is where the lever arm of sins_mounting ends. If a flight
-     * starts in motion, samples without an angular rate do not show the angular acceleration of the first interval
-     * (see sins_mounting). The measured velocity is then wrong for the rest of the flight: it lacks the lever arm
-     * times the change of the angular rate in the first interval. With sins_push_imu() the angular acceleration
-     * follows from the previous increments.
-     */
-    double lever_arm_m[9];
-    /*
-     * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
-     * sins_flight_sample.temperature_c less this temperature. If one of the coefficients is not 0, every sample
-     * needs a temperature, and sins_push_imu() is not available.
-     */
-    double reference_temperature_c;
-    /* Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this coefficient times T. */
-    double bias_temperature_m_s2_per_k[3];
-    /* Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this coefficient times T squared. */
-    double bias_temperature2_m_s2_per_k2[3];
-    /* Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this coefficient times T. */
-    double scale_factor_temperature_per_k[3];
-    /*
-     * Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this coefficient times T
-     * squared.
-     */
-    double scale_factor_temperature2_per_k2[3];
-    /*
-     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts in its
-     * steady state, so there is no transient in the first interval.
-     */
-    double bandwidth_hz[3];
-    /* Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000. */
-    double dead_zone_m_s2[3];
-    /* Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
-    double range_m_s2[3];
-    /*
-     * Quantum (pulse weight) of the output increments [m/s], 1e-15 to 1; 0: none. The remainder goes into the next
-     * increment. The quantization noise Q is quantum/sqrt(12).
-     */
-    double quantization_m_s[3];
-} sins_accel_params;
-
-/* Errors of the barometric altimeter, whose height damps the vertical channel. All zero is an ideal altimeter. */
-typedef struct sins_altimeter_params {
-    /* sizeof(sins_altimeter_params) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Constant bias, -1e5 to 1e5 [m]. */
-    double bias_m;
-    /* Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, 0 to 1e5 [m]. */
-    double markov_sigma_m;
-    /* Correlation time of the Gauss-Markov error, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0. */
-    double markov_time_s;
-    /* Standard deviation of the independent error of each sample, 0 to 1e5 [m]. */
-    double noise_m;
-    /* Scale factor error of the height [1], -1 to 1. */
-    double scale_factor;
-    /* Time constant of the first-order lag of the static pressure, 0 to 1e6 [s]. */
-    double lag_s;
-} sins_altimeter_params;
-
-/*
- * A failure of one output of a sensor. All zero is no failure. Fields that the kind does not use must be 0. The unit u is
- * rad/s for a gyro, m/s2 for an accelerometer, m for the altimeter.
- */
-typedef struct sins_failure {
-    /* sizeof(sins_failure) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Kind of the failure, of enum sins_failure_kind. */
-    int32_t kind;
-    /* Must be 0. */
-    uint32_t reserved2;
-    /* Bias step, spikes: size, up to 100 rad/s for a gyro, 1e4 m/s2 for an accelerometer, 1e5 m for the altimeter [u]. */
-    double size;
-    /*
-     * Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
-     * [u sqrt(s)].
-     */
-    double density;
-    /*
-     * Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]; 0 for drop-outs with a
-     * probability.
-     */
-    double interval_s;
-    /* Spikes: length of one spike, 1e-9 s to interval_s [s]. */
-    double duration_s;
-    /* Drop-outs, if interval_s is 0: probability that an interval is lost, 0 to 1. */
-    double probability;
-} sins_failure;
-
-/*
- * Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
- * (sigma) are drawn once a run and added. A reset and a reposition use the same random numbers again. With
- * SINS_VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0. Limits: position errors 1e6 m, velocity
- * errors 1e4 m/s, their standard deviations 1e5 m and 1e3 m/s.
- */
-typedef struct sins_initial_errors {
-    /* sizeof(sins_initial_errors) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Position error [m]. */
-    double position_enu_m[3];
-    /* Velocity error [m/s]. */
-    double velocity_enu_m_s[3];
-    /*
-     * Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C0. C turns vectors from sensor
-     * axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, C0 is the C that the alignment
-     * finds.
-     */
-    double misalignment_enu_rad[3];
-    /* Standard deviation of the position error [m]. */
-    double position_sigma_enu_m[3];
-    /* Standard deviation of the velocity error [m/s]. */
-    double velocity_sigma_enu_m_s[3];
-    /* Standard deviation of the misalignment, 0 to 1 [rad]. */
-    double misalignment_sigma_enu_rad[3];
-    /* Alignment at the start, of enum sins_alignment. */
-    int32_t alignment;
-    /* Must be 0. */
-    uint32_t reserved2;
-} sins_initial_errors;
-
-/*
- * Position and attitude of the sensor block relative to the reference point of the flight samples, and the errors of what
- * the INS believes about them: believed = true + error, component by component. All zero is a block at the reference
- * point, along the body axes.
- *
- * The ideal sensors measure the motion of the block, and sensor errors act in the axes of the block: sins_imu describes
- * the block. The INS navigates the block, and converts its solution to the reference point with the mounting that it
- * believes: sins_navigation and sins_errors describe the reference point. Initial errors apply to the solution for the
- * block, so at the start sins_errors can differ from them. Angular rate and specific force of a sample are those of the
- * reference point, along body axes. The barometric height is that of the reference point too.
- *
- * Start in motion: at the start of a moving flight, and after a reposition, samples without an angular rate do not show
- * the angular acceleration of the first interval. The specific force of a block away from the reference point then lacks
- * the term angular acceleration times lever arm. In the second interval this term is correct to first order in the
- * interval's length, in the third to second order, later to third order. The navigation is not affected, because the INS
- * starts with the velocity that the block has at the mean angular rate of the first interval. With SINS_SAMPLE_ANGULAR_RATE
- * no term is missing.
- */
-typedef struct sins_mounting {
-    /* sizeof(sins_mounting) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m]. */
-    double lever_arm_m[3];
-    /*
-     * Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined like the
-     * attitude angles of the body: positive roll right side down, positive pitch nose up, positive heading nose to the
-     * right. Each is -1e4 to 1e4; whole turns do not matter.
-     */
-    double boresight_rad[3];
-    /* Believed less true lever arm, -100 to 100 [m]. */
-    double lever_arm_error_m[3];
-    /*
-     * Believed less true boresight angles, -pi to pi [rad]. If the believed heading is too large, the heading that the INS
-     * reports is too small by the same amount.
-     */
-    double boresight_error_rad[3];
-} sins_mounting;
-
-/*
- * Gravity disturbance: true gravity less the normal gravity that the INS computes, at the same point. The horizontal part is
- * the deflection of the vertical. The vertical part is called anomaly here. Each has a constant part and a random part. The
- * random part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown
- * over ground. At rest it does not change. All zero is normal gravity.
- *
- * Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
- * accelerometer error. At rest, without a levelled start, a deflection xi makes the position error oscillate between 0 and 2
- * R xi, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) is tilted by the deflection.
- */
-typedef struct sins_gravity_params {
-    /* sizeof(sins_gravity_params) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /*
-     * Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. If positive, the true
-     * zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g times this to the north.
-     */
-    double deflection_north_rad;
-    /* Standard deviation of the random part of the deflection in the meridian, 0 to 0.01 [rad]. */
-    double deflection_north_sigma_rad;
-    /* Correlation distance D of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
-    double deflection_north_distance_m;
-    /*
-     * Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
-     * 0.01 [rad]. If positive, the true zenith lies east of the ellipsoid's normal.
-     */
-    double deflection_east_rad;
-    /* Standard deviation of the random part of the deflection in the prime vertical, 0 to 0.01 [rad]. */
-    double deflection_east_sigma_rad;
-    /* Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
-    double deflection_east_distance_m;
-    /* Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2. */
-    double anomaly_m_s2;
-    /* Standard deviation of the random part of the anomaly, 0 to 0.1 [m/s2]. */
-    double anomaly_sigma_m_s2;
-    /* Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
-    double anomaly_distance_m;
-} sins_gravity_params;
-
-/* A solution within a sins_record; never grows. Fields as in sins_navigation. */
-typedef struct sins_record_solution {
-    /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
-    double latitude_rad;
-    /* Longitude, east positive, -pi to pi [rad]. */
-    double longitude_rad;
-    /* Height above the ellipsoid [m]. */
-    double height_m;
-    /* Velocity against the Earth, east-north-up [m/s]. */
-    double velocity_enu_m_s[3];
-    /* Roll, right wing down positive, -pi to pi [rad]. */
-    double roll_rad;
-    /* Pitch, nose up positive, -pi/2 to pi/2 [rad]. */
-    double pitch_rad;
-    /* Heading, clockwise from true north, 0 to 2 pi [rad]. */
-    double heading_rad;
-    /*
-     * Attitude quaternion, scalar first: rotates from body axes to east-north-up; from sensor axes while navigating on
-     * increments.
-     */
-    double quaternion_nb[4];
-    /* Flags of enum sins_navigation_flags, or'ed. */
-    int32_t flags;
-    /* 0 */
-    uint32_t reserved2;
-} sins_record_solution;
-
-/* Errors within a sins_record; never grows. Fields as in sins_errors. */
-typedef struct sins_record_errors {
-    /* Position error: displacement from truth along true east and north, and difference of heights [m]. */
-    double position_enu_m[3];
-    /* Error of latitude [rad]. */
-    double latitude_rad;
-    /* Error of longitude, wrapped to -pi to pi [rad]. */
-    double longitude_rad;
-    /* Error of height [m]. */
-    double height_m;
-    /*
-     * Velocity error [m/s]: components of the computed velocity in the east-north-up axes at the computed position, less
-     * components of the true velocity in the axes at the true position.
-     */
-    double velocity_enu_m_s[3];
-    /*
-     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
-     * east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
-     */
-    double misalignment_enu_rad[3];
-    /* Error of roll, wrapped to -pi to pi [rad]. */
-    double roll_rad;
-    /* Error of pitch [rad]. */
-    double pitch_rad;
-    /* Error of heading, wrapped to -pi to pi [rad]. */
-    double heading_rad;
-    /* Flags of enum sins_errors_flags, or'ed. */
-    int32_t flags;
-    /* 0 */
-    uint32_t reserved2;
-} sins_record_errors;
-
-/* Truth, navigation and both errors at one instant. */
-typedef struct sins_record {
-    /* sizeof(sins_record); in an array only that of the first element must be set. */
-    uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
-    /* Time [s]. */
-    double time_s;
-    /* The truth, as sins_get_truth() gives it. */
-    struct sins_record_solution truth;
-    /* The navigated solution, as sins_get_navigation() gives it. */
-    struct sins_record_solution navigation;
-    /* Error data 2, as sins_get_errors() gives it with SINS_ERRORS_NAVIGATION. */
-    struct sins_record_errors navigation_errors;
-    /*
-     * Error data 1, as sins_get_errors() gives it with SINS_ERRORS_MODEL; flagged SINS_ERRORS_NOT_COMPUTED while the model
-     * is off.
-     */
-    struct sins_record_errors model_errors;
-} sins_record;
-
-/* A solution: the truth or the navigated one. */
-typedef struct sins_navigation {
-    /* sizeof(sins_navigation) */
-    uint32_t struct_size;
-    /* 0 (must be 0 where it is an input). */
-    uint32_t reserved;
-    /* Time [s]. */
-    double time_s;
-    /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
-    double latitude_rad;
-    /* Longitude, east positive, -pi to pi [rad]. */
-    double longitude_rad;
-    /* Height above the ellipsoid [m]. */
-    double height_m;
-    /* Velocity against the Earth, east-north-up [m/s]. */
-    double velocity_enu_m_s[3];
-    /* Roll, right wing down positive, -pi to pi [rad]. */
-    double roll_rad;
-    /* Pitch, nose up positive, -pi/2 to pi/2 [rad]. */
-    double pitch_rad;
-    /* Heading, clockwise from true north, 0 to 2 pi [rad]. */
-    double heading_rad;
-    /*
-     * Attitude quaternion, scalar first: rotates from body axes to east-north-up; from sensor axes while navigating on
-     * increments.
-     */
-    double quaternion_nb[4];
-    /* Flags of enum sins_navigation_flags, or'ed. */
-    int32_t flags;
-    /* 0 */
-    uint32_t reserved2;
-} sins_navigation;
-
-/* Ideal and measured signals of the last interval, sensor axes. */
-typedef struct sins_imu {
-    /* sizeof(sins_imu) */
-    uint32_t struct_size;
-    /* Flags of enum sins_imu_flags, or'ed. */
-    uint32_t flags;
-    /* Time of the end of the interval [s]. */
-    double time_s;
-    /* Length of the interval [s]. */
-    double interval_s;
-    /* Integral of the angular rate against inertial space, as perfect gyros measure it [rad]. */
-    double ideal_angle_rad[3];
-    /* Integral of the specific force, as perfect accelerometers measure it [m/s]. */
-    double ideal_velocity_m_s[3];
-    /* Integral of the angular rate that the modelled gyros measure [rad]. */
-    double measured_angle_rad[3];
-    /* Integral of the specific force that the modelled accelerometers measure [m/s]. */
-    double measured_velocity_m_s[3];
-    /* Mean angular rate of perfect gyros: ideal_angle_rad divided by interval_s [rad/s]. */
-    double ideal_rate_rad_s[3];
-    /* Mean specific force of perfect accelerometers: ideal_velocity_m_s divided by interval_s [m/s2]. */
-    double ideal_force_m_s2[3];
-    /* Mean angular rate of the modelled gyros: measured_angle_rad divided by interval_s [rad/s]. */
-    double measured_rate_rad_s[3];
-    /* Mean specific force of the modelled accelerometers: measured_velocity_m_s divided by interval_s [m/s2]. */
-    double measured_force_m_s2[3];
-} sins_imu;
-
-/* Errors of the navigated solution, computed less true. */
-typedef struct sins_errors {
-    /* sizeof(sins_errors) */
-    uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
-    /* Time [s]. */
-    double time_s;
-    /* Position error: displacement from truth along true east and north, and difference of heights [m]. */
-    double position_enu_m[3];
-    /* Error of latitude [rad]. */
-    double latitude_rad;
-    /* Error of longitude, wrapped to -pi to pi [rad]. */
-    double longitude_rad;
-    /* Error of height [m]. */
-    double height_m;
-    /*
-     * Velocity error [m/s]: components of the computed velocity in the east-north-up axes at the computed position, less
-     * components of the true velocity in the axes at the true position.
-     */
-    double velocity_enu_m_s[3];
-    /*
-     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
-     * east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
-     */
-    double misalignment_enu_rad[3];
-    /* Error of roll, wrapped to -pi to pi [rad]. */
-    double roll_rad;
-    /* Error of pitch [rad]. */
-    double pitch_rad;
-    /* Error of heading, wrapped to -pi to pi [rad]. */
-    double heading_rad;
-    /* Flags of enum sins_errors_flags, or'ed. */
-    int32_t flags;
-    /* 0 */
-    uint32_t reserved2;
-} sins_errors;
-
-/*
- * Running figures of the flight since its start or last reposition; sins_move_time() and sins_move_truth() do not restart
- * them. The figures use the errors once a second. They describe one run, not an ensemble. To get nautical miles per hour,
- * divide a rate by SINS_NMI_PER_HOUR.
- */
-typedef struct sins_accuracy {
-    /* sizeof(sins_accuracy) */
-    uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
-    /* Time [s]. */
-    double time_s;
-    /* Time since the start [s]. */
-    double duration_s;
-    /*
-     * Start of the window of the radial error rates, as time since the start: 300 [s]. Earlier rates would be initial errors
-     * divided by a very short time.
-     */
-    double window_start_s;
-    /* Number of errors (one a second) in the window of the radial error rates. While it is 0, the rates are 0. */
-    uint64_t window_samples;
-    /*
-     * Root mean square of the radial error rate, sqrt(mean RER^2), with RER = horizontal position error / time since the
-     * start [m/s].
-     */
-    double radial_error_rate_rms_m_s;
-    /* R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s]. */
-    double cep_rate_m_s;
-    /* R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s]. */
-    double radial_95_rate_m_s;
-    /* Slope of the least-squares line (with an intercept) through the horizontal position errors of the window [m/s]. */
-    double radial_error_slope_m_s;
-    /*
-     * Root mean square velocity error since the start, east-north-up; samples within 20 km of the Earth's axis, where east
-     * and north turn fast, are left out [m/s].
-     */
-    double velocity_rms_enu_m_s[3];
-    /* Position closure: the position error now, navigation minus truth [m]. */
-    double closure_position_enu_m[3];
-    /* Velocity closure: the velocity error now, navigation minus truth [m/s]. */
-    double closure_velocity_enu_m_s[3];
-    /*
-     * Part of the horizontal position error that the host causes, because its velocities contradict its positions [m]. Let d
-     * be the displacement from the velocities less the displacement from the positions. The field is the response of a
-     * Schuler oscillator to d; up is 0. The rest of the position error is caused by the simulator and the sensors.
-     */
-    double host_position_enu_m[3];
-    /* Part of the horizontal velocity error that the host causes in this way; up is 0 [m/s]. */
-    double host_velocity_enu_m_s[3];
-    /* Displacement from the host's velocities less displacement from its positions, summed over the flight [m]. */
-    double inconsistency_enu_m[3];
-    /*
-     * Largest difference, in one interval, between the displacement from the host's velocities and the displacement from its
-     * positions [m].
-     */
-    double inconsistency_max_m;
-    /* Number of samples flagged SINS_NAVIGATION_INCONSISTENT. */
-    uint64_t inconsistent_samples;
-    /* Number of intervals flown since the start or the last reposition. */
-    uint64_t intervals;
-    /*
-     * Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times closed_loop_time_s after the
-     * start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
-     */
-    double trim_rate_max_rad_s;
-    /* Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2]. */
-    double trim_force_max_m_s2;
-} sins_accuracy;
-
-/*
- * Extreme values of the true motion over all intervals since the create or the last sins_reset(). Wrong units and exchanged
- * axes give values that no vehicle has, so these figures reveal them. Attitudes in degrees turn 57 times too fast, and give
- * arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead
- * of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are
- * means from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
- * samples. Each ..._at_s is the time stamp of the sample at which the value was found.
- */
-typedef struct sins_truth_summary {
-    /* sizeof(sins_truth_summary) */
-    uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
-    /* Number of intervals flown. */
-    uint64_t intervals;
-    /* Number of intervals that are gaps (see SINS_GAP). */
-    uint64_t gaps;
-    /* Number of samples with a speed of more than 30 m/s. Sideslip and angle of attack are taken from these only. */
-    uint64_t fast_samples;
-    /* Sum of the lengths of the intervals [s]. */
-    double flown_s;
-    /* Time stamp of the first sample [s]. */
-    double first_s;
-    /* Time stamp of the last sample [s]. */
-    double last_s;
-    /* Longest interval [s]. */
-    double interval_max_s;
-    /* Time stamp of interval_max_s [s]. */
-    double interval_max_at_s;
-    /* Largest rotation in an interval [rad]. */
-    double turn_max_rad;
-    /* Time stamp of turn_max_rad [s]. */
-    double turn_max_at_s;
-    /* Largest angular rate: from the attitudes against the Earth, or the samples' own rate [rad/s]. */
-    double rate_max_rad_s;
-    /* Time stamp of rate_max_rad_s [s]. */
-    double rate_max_at_s;
-    /* Largest acceleration against the Earth, from the velocities [m/s2]. */
-    double acceleration_max_m_s2;
-    /* Time stamp of acceleration_max_m_s2 [s]. */
-    double acceleration_max_at_s;
-    /* Largest specific force: from the velocities and gravity, or the samples' own force [m/s2]. */
-    double force_max_m_s2;
-    /* Time stamp of force_max_m_s2 [s]. */
-    double force_max_at_s;
-    /*
-     * Largest difference, in one interval, between the displacement from the positions and the displacement from the
-     * velocities (the mean of the velocities at the two ends, times the length of the interval) [m].
-     */
-    double inconsistency_max_m;
-    /* Time stamp of inconsistency_max_m [s]. */
-    double inconsistency_max_at_s;
-    /* Largest speed against the Earth [m/s]. */
-    double speed_max_m_s;
-    /* Time stamp of speed_max_m_s [s]. */
-    double speed_max_at_s;
-    /*
-     * Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, positive to the right;
-     * includes wind [rad].
-     */
-    double sideslip_max_rad;
-    /* Time stamp of sideslip_max_rad [s]. */
-    double sideslip_max_at_s;
-    /*
-     * Angle of attack of the largest size, from the velocity against the Earth up to the forward axis, in the plane of
-     * symmetry [rad].
-     */
-    double attack_max_rad;
-    /* Time stamp of attack_max_rad [s]. */
-    double attack_max_at_s;
-    /* Lowest height [m]. */
-    double height_min_m;
-    /* Time stamp of height_min_m [s]. */
-    double height_min_at_s;
-    /* Highest height [m]. */
-    double height_max_m;
-    /* Time stamp of height_max_m [s]. */
-    double height_max_at_s;
-} sins_truth_summary;
-
-/*
- * Covariance of the navigation errors over all runs of the flight, with its standard deviations and its error ellipse. The errors
- * are those of sins_errors: east, north, up of position [m], velocity [m/s] and misalignment [rad], in this order.
- *
- * The covariance is propagated along the truth with the linear error equations (error data 1). Both values of
- * sins_options.frame use the equations in Earth-fixed axes; the result is the same. The covariance is taken about the mean
- * error of all runs. It does not depend on the random numbers of this run. It contains: random initial errors; the
- * misalignment that the alignment at the start derives from sensor errors; turn-on biases, scale factors and misalignments;
- * Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the altimeter's Gauss-Markov error
- * and noise; quantization, as white noise of the same variance. It does not contain: constant errors and failures, which
- * change only the mean; dead zones and ranges, which are not linear. One step of the propagation is one second of flight. A
- * parameter that is set in flight takes effect from the start of the current second. A second with at least one height of
- * the altimeter counts as aided throughout, so drop-outs shorter than a second have no effect on the covariance. The
- * standard deviations of the propagation are limited to 1e30 in SI units, so all outputs are finite.
- */
-typedef struct sins_covariance {
-    /* sizeof(sins_covariance) */
-    uint32_t struct_size;
-    /*
-     * Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, and SINS_ERRORS_OUTSIDE_VALIDITY if a standard
-     * deviation exceeds the limits of that flag.
-     */
-    int32_t flags;
-    /* Time [s]. */
-    double time_s;
-    /* Covariance, 9 by 9, row by row. It is symmetric, and rounding cannot make a variance negative. */
-    double covariance[81];
-    /* Standard deviation of the position error [m]. */
-    double position_sigma_enu_m[3];
-    /* Standard deviation of the velocity error [m/s]. */
-    double velocity_sigma_enu_m_s[3];
-    /* Standard deviation of the misalignment [rad]. */
-    double misalignment_sigma_enu_rad[3];
-    /* Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m]. */
-    double ellipse_major_m;
-    /* Semi-minor axis of that ellipse [m]. */
-    double ellipse_minor_m;
-    /* Azimuth of the major axis, from north to the east, 0 up to pi [rad]. */
-    double ellipse_azimuth_rad;
-    /*
-     * Radius of the circle that contains the horizontal error with a probability of 50 % [m]. The error has the normal
-     * distribution of this ellipse, with the mean 0.
-     */
-    double cep50_m;
-    /* Radius of the circle that contains the horizontal error with a probability of 95 % [m]. */
-    double radial_95_m;
-} sins_covariance;
-
-/*
- * Increments of an inertial measurement unit over an interval. The interval is divided into parts of equal length; the
- * field count is their number.
- */
-typedef struct sins_imu_increment {
-    /* sizeof(sins_imu_increment) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Length of the whole interval, 5e-5 to 10 [s]. */
-    double interval_s;
-    /* Number of parts, 1 to 5. */
-    int32_t count;
-    /* Must be 0. */
-    uint32_t reserved2;
-    /*
-     * Integral of the angular rate against inertial space over each part: x, y, z of the first part, x, y, z of the second
-     * part, and so on [rad]. The rotation in each part, and in the interval, must be less than half a turn.
-     */
-    double angle_rad[15];
-    /* Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s]. */
-    double velocity_m_s[15];
-} sins_imu_increment;
-
-/*
- * Statistics of the errors of many runs at one instant. All numbers are integers, so that the same runs give the same bits however
- * they were split and in whatever order the parts were merged. A plain struct of 14.6 KiB without pointers: send it, store it,
- * compare its bytes. Its numbers have the byte order of the machine. A struct that is zero except for struct_size holds no
- * runs. sins_statistics_figures() computes means, covariances and radii.
- *
- * The nine states are the errors of position east, north, up, of velocity east, north, up, and the misalignment about east, north,
- * up, as in sins_errors. Each is rounded to the nearest multiple of its resolution: 2^-22 m (0.24 um), 2^-29 m/s (1.9 nm/s),
- * 2^-45 rad (2.8e-14 rad). A state is in range up to 2^25 m (33554 km), 2^18 m/s (262 km/s) and 4 rad, which are 2^47 resolutions;
- * the horizontal radial position error is in range below 2^25 m. There are at most 4294967295 runs, so the sums cannot
- * overflow. Integers of 128 bits are two words, the low one first, in two's complement.
- */
-typedef struct sins_statistics {
-    /* sizeof(sins_statistics) */
-    uint32_t struct_size;
-    /* Version of the layout of the fields below: 1; 0 while there is no run. */
-    uint32_t layout;
-    /* Number of runs, including those that are left out of the sums. */
-    uint64_t runs;
-    /* Number of runs that have diverged. They are left out of the sums. */
-    uint64_t diverged;
-    /* Number of runs with a state or a horizontal radial position error outside its range. They are left out of the sums. */
-    uint64_t out_of_range;
-    /* Number of runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY. They are in the sums. */
-    uint64_t outside_validity;
-    /* Largest horizontal radial position error, rounded down [2^-22 m]. */
-    uint64_t largest_radial;
-    /* Sum of each state, integers of 128 bits. */
-    uint64_t sums[18];
-    /* Sums of the products of two states, integers of 128 bits: the upper triangle of the matrix, row by row. */
-    uint64_t products[90];
-    /*
-     * Numbers of runs by their horizontal radial position error. Element 0 counts those below 2^-10 m (1 mm). Element 1 +
-     * 100 i + k, with i from 0 to 34 and k from 0 to 99, counts those from 2^(i-10) (1 + k/100) m up to 2^(i-10) (1 +
-     * (k+1)/100) m.
-     */
-    uint32_t histogram[3501];
-    /* 0 */
-    uint32_t reserved;
-} sins_statistics;
-
-/*
- * Figures that are computed from a sins_statistics. If there is no run, all figures are 0. If there is one run, its
- * covariance is 0.
- */
-typedef struct sins_figures {
-    /* sizeof(sins_figures) */
-    uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
-    /* Number of runs, including those that are left out of the other figures. */
-    uint64_t runs;
-    /* Number of runs that have diverged. They are left out. */
-    uint64_t diverged;
-    /* Number of runs with an error outside its range. They are left out. */
-    uint64_t out_of_range;
-    /* Number of runs whose error model is flagged SINS_ERRORS_OUTSIDE_VALIDITY. They are not left out. */
-    uint64_t outside_validity;
-    /* Mean position error [m]. */
-    double mean_position_enu_m[3];
-    /* Mean velocity error [m/s]. */
-    double mean_velocity_enu_m_s[3];
-    /* Mean misalignment [rad]. */
-    double mean_misalignment_enu_rad[3];
-    /* Standard deviation of the position error, with the divisor n - 1 [m]. */
-    double sigma_position_enu_m[3];
-    /* Standard deviation of the velocity error [m/s]. */
-    double sigma_velocity_enu_m_s[3];
-    /* Standard deviation of the misalignment [rad]. */
-    double sigma_misalignment_enu_rad[3];
-    /* Root mean square of the position error [m]. */
-    double rms_position_enu_m[3];
-    /* Root mean square of the velocity error [m/s]. */
-    double rms_velocity_enu_m_s[3];
-    /* Root mean square of the misalignment [rad]. */
-    double rms_misalignment_enu_rad[3];
-    /*
-     * Covariance of the nine states of sins_statistics, with the divisor n - 1, row by row: element 9 i + j is the
-     * covariance of the states i and j, in m, m/s and rad.
-     */
-    double covariance[81];
-    /* Root mean square of the horizontal radial position error [m]. */
-    double rms_radial_m;
-    /*
-     * Horizontal radius that contains the positions of half of the runs [m]. It is read from the histogram, to 0.5 % of its
-     * value, or to 0.5 mm if it is below 1 mm.
-     */
-    double cep50_m;
-    /* Horizontal radius that contains the positions of 95 % of the runs [m]. It is read from the histogram as cep50_m is. */
-    double r95_m;
-    /* Largest horizontal radial position error [m]. */
-    double largest_radial_m;
-} sins_figures;
-
-/* Start of an embedded flight, level and straight. */
-typedef struct sins_flight_start {
-    /* sizeof(sins_flight_start) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Geodetic latitude, -pi/2 to pi/2 [rad]. */
-    double latitude_rad;
-    /* Longitude, east positive, -100 to 100 [rad]. */
-    double longitude_rad;
-    /* Height above the ellipsoid, -2e4 to 2e6 [m]. */
-    double height_m;
-    /* Speed against the Earth, 0 to 1e4 [m/s]. */
-    double speed_m_s;
-    /* Course and heading, -100 to 100 [rad]. */
-    double heading_rad;
-    /* Roll of the body relative to the axes of the path, throughout the flight, -pi to pi [rad]. */
-    double roll_rad;
-    /*
-     * Pitch of the body relative to the axes of the path, throughout the flight, -pi/2 to pi/2: angle of attack, or tilt
-     * at rest [rad].
-     */
-    double pitch_rad;
-    /* Ellipsoid, of enum sins_earth, as in the options of the simulator that will fly it. */
+    int32_t subsamples;
+    /** Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (docs/host_time.md). */
+    int32_t updates_per_sample;
+    /** Vertical channel, of enum sins_vertical. */
+    int32_t vertical;
+    /** Error differential equations, of enum sins_error_model. */
+    int32_t error_model;
+    /** Ellipsoid, of enum sins_earth. */
     int32_t earth;
-    /* Must be 0. */
-    uint32_t reserved2;
-} sins_flight_start;
+    /** Normal gravity, of enum sins_gravity. */
+    int32_t gravity;
+    /** Directions of the body axes and of the sensor axes, of enum sins_axes. */
+    int32_t axes;
+    /** Ideal signals, of enum sins_signal. */
+    int32_t signal;
+    /** Seed of all random streams. */
+    uint64_t seed;
+    /** Run number. The same seed with another run number gives other random numbers. Run k of an ensemble has the number k. */
+    uint64_t run;
+    /**
+     * Time constant of SINS_SIGNAL_CLOSED_LOOP, 1 to 1e4, at least four times max_gap_s [s]; 0: 30 s, for which max_gap_s
+     * must be at most 7.5 s. Must be 0 with another signal.
+     */
+    double closed_loop_time_s;
+    /**
+     * Stated sample period, 5e-5 to max_gap_s [s]; 0: the samples' own time stamps count. With a stated period, each
+     * sample is at an exact multiple of the period from the first. The time stamps then serve only to order and to check the
+     * samples: each must be within 0.4 of a period of its multiple.
+     */
+    double sample_period_s;
+    /**
+     * Longest interval between samples, 5e-5 to 1000 [s]; 0: 2.5 s. Use intervals of minutes only for a vehicle at rest.
+     * Even at rest the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with
+     * intervals of 10 s, and 91 m with intervals of 100 s.
+     */
+    double max_gap_s;
+    /**
+     * Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
+     * the truth.
+     */
+    double max_acceleration_m_s2;
+    /** Summary of the true motion, of enum sins_summary. */
+    int32_t truth_summary;
+    /** Covariance of the navigation errors, of enum sins_covariance_mode. */
+    int32_t covariance;
+} sins_options;
 
-/* One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use must be 0. */
-typedef struct sins_manoeuvre {
-    /* sizeof(sins_manoeuvre); in an array it is enough to set it in the first element and 0 in the others. */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Kind of the manoeuvre, of enum sins_manoeuvre_kind. */
-    int32_t kind;
-    /* Number of sinusoids, 1 to 6. */
-    int32_t sinusoid_count;
-    /* Duration, 1e-3 to 1e8 [s]. */
-    double duration_s;
-    /*
-     * Time in which the manoeuvre builds up, and time in which it dies out, 1e-3 to 1e8; 0: 5 s [s]. If it is longer than
-     * half of the duration, half of the duration is used.
-     */
-    double ramp_s;
-    /* Change of speed; the speed must stay between 0 and 10 km/s [m/s]. */
-    double speed_change_m_s;
-    /* Change of height; the climb angle must stay below 64 degrees [m]. */
-    double height_change_m;
-    /* Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad]. */
-    double heading_change_rad;
-    /*
-     * Bank of a turn, 1e-3 to 1.5 [rad]. If the heading change is too small to reach this bank, the turn uses a smaller
-     * bank.
-     */
-    double bank_rad;
-    /* Number of rolls or loops, a whole number from -1e4 to 1e4, not 0; or number of swings of an S-turn, 0 to 1e6. */
-    double turns;
-    /* What each sinusoid moves, of enum sins_channel. */
-    int32_t channel[6];
-    /*
-     * Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; for the climb angle up to 1.5 rad; for the speed, the sum of the
-     * amplitudes is at most the speed.
-     */
-    double amplitude[6];
-    /* Frequency of each sinusoid, 0 to 1000 [Hz]. */
-    double frequency_hz[6];
-    /* Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), with t since the start of the manoeuvre [rad]. */
-    double phase_rad[6];
-} sins_manoeuvre;
-
-/* A fault of the text of a scene or of a flight log. */
-typedef struct sins_fault {
-    /* sizeof(sins_fault) */
-    uint32_t struct_size;
-    /* Flags of enum sins_error_info_flags, or'ed: which of value, minimum and maximum there are. */
-    uint32_t flags;
-    /* Number of faults that are reported: at most the first 200 of the text. */
-    uint64_t count;
-    /* Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call. */
-    uint64_t line;
-    /*
-     * Column, in characters from 1. For a flight log: number of the column of the table, from 1. 0: the same meaning as 0 in
-     * line.
-     */
-    uint64_t column;
-    /* The value at fault, in the unit of the key that path names. */
-    double value;
-    /* Least allowed value, in that unit; if the sentence says "more than", the limit itself is not allowed. */
-    double minimum;
-    /* Greatest allowed value, in that unit; if the sentence says "less than", the limit itself is not allowed. */
-    double maximum;
-    /*
-     * Path of the value at fault, for sins_scene_get_value(). It can also be the name of a section, such as "gyro", or of an
-     * item, such as "failure[0]". Terminated. Empty for a flight log, and if the text itself is at fault.
-     */
-    char path[96];
-    /*
-     * Sentence that names key, value and limit, and the key that was probably meant; UTF-8, terminated, cut if it is
-     * longer.
-     */
-    char sentence[256];
-} sins_fault;
-
-/* Settings of a scene for its flight and its output. */
-typedef struct sins_scene_setup {
-    /* sizeof(sins_scene_setup) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Kind of the flight, of enum sins_scene_flight; read only: sins_scene_set_setup() ignores it. */
-    int32_t flight;
-    /* 1: samples get the temperature below; 0: samples get no temperature. */
-    int32_t has_temperature;
-    /* 1: a program shows neither progress nor summary; 0: it does. */
-    int32_t quiet;
-    /* Must be 0. */
-    uint32_t reserved2;
-    /* Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s]. */
-    double duration_s;
-    /*
-     * Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s). 0 also if duration_s is longer
-     * than the flight: sins_scene_write() rejects such a scene.
-     */
-    double flown_s;
-    /* Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz]. */
-    double rate_hz;
-    /* Temperature of the sensors at the start of the flight, -273.15 to 1000; 0 if has_temperature is 0 [deg C]. */
-    double temperature_c;
-    /* Rate of change of the temperature, -277 to 277 [deg C/s]. */
-    double temperature_change_c_s;
-    /* Spacing of the records of a program, 5e-5 to 1e7; 0: the program's choice [s]. */
-    double every_s;
-} sins_scene_setup;
-
-/* A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE. */
-typedef struct sins_planned_failure {
-    /* sizeof(sins_planned_failure) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Sensor that fails, of enum sins_sensor. */
-    int32_t sensor;
-    /* Axis that fails: 0, 1, 2 for x, y, z of the sensor axes; 0 for the altimeter. */
-    int32_t axis;
-    /* Start of the failure, 0 to 1e9 since the start of the flight [s]. */
-    double from_s;
-    /* End of the failure, likewise; 0: the end of the flight [s]. */
-    double until_s;
-    /* Kind of the failure, of enum sins_failure_kind. */
-    int32_t kind;
-    /* Must be 0. */
-    uint32_t reserved2;
-    /* Bias step, spikes: size, up to 100 rad/s for a gyro, 1e4 m/s2 for an accelerometer, 1e5 m for the altimeter [u]. */
-    double size;
-    /*
-     * Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
-     * [u sqrt(s)].
-     */
-    double density;
-    /*
-     * Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]; 0 for drop-outs with a
-     * probability.
-     */
-    double interval_s;
-    /* Spikes: length of one spike, 1e-9 s to interval_s [s]. */
-    double duration_s;
-    /* Drop-outs, if interval_s is 0: probability that an interval is lost, 0 to 1. */
-    double probability;
-} sins_planned_failure;
-
-/* A key of the scene format. */
-typedef struct sins_scene_key {
-    /* sizeof(sins_scene_key) */
-    uint32_t struct_size;
-    /* Flags of enum sins_scene_key_flags, or'ed. */
-    uint32_t flags;
-    /* Number of keys of the format. */
-    uint64_t count;
-    /* Kind of the value, of enum sins_scene_key_kind. */
-    int32_t kind;
-    /* Number of numbers: 1; 3 for x, y, z; 9 for a matrix row by row; 0 for the other kinds. */
-    int32_t elements;
-    /*
-     * A single number may be given in the place of all elements if this is not 0. It sets element k if bit k is set, and the other
-     * elements are 0. 0: all elements must be given.
-     */
-    uint32_t spread;
-    /* 0 */
-    uint32_t reserved;
-    /* Factor from the unit of the key to SI. It is 1 if the value is not a number. */
-    double si_per_unit;
-    /*
-     * Least allowed value of each number, in the unit of name. If the kinds of items have different limits, it is the widest.
-     * Other values of the scene may narrow the limits.
-     */
-    double minimum;
-    /* Greatest allowed value, likewise. */
-    double maximum;
-    /* Section, such as "gyro" or "manoeuvre.sinusoid"; terminated, as all texts here. */
-    char section[24];
-    /* Name, such as "bias_deg_h": its value is in the unit of data sheets. */
-    char name[40];
-    /* Name of the key that takes the same quantity in SI, such as "bias_rad_s"; empty: name is that key. */
-    char si_name[40];
-    /* Unit of name, such as "deg/h"; empty: a pure number, or no number. */
-    char unit[24];
-    /* Unit of si_name, such as "rad/s". */
-    char si_unit[24];
-    /* Value in a scene that does not set the key, as sins_scene_get_value() gives it; empty: no value. */
-    char default_value[32];
-    /* Words that a key of SINS_SCENE_KEY_WORD takes, such as "exact|paper|polynomial". */
-    char words[128];
-    /*
-     * Items of the list that use the key. "kind=turn|s_turn" means the items in which the value of the key `kind` is one of
-     * these words. If there are several conditions, with a space between them, an item must meet all. Empty: all items.
-     */
-    char condition[96];
-    /* Meaning, without unit. */
-    char meaning[128];
-} sins_scene_key;
-
-/* Contents of a flight log. */
-typedef struct sins_log_info {
-    /* sizeof(sins_log_info) */
-    uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
-    /* Number of samples. */
-    uint64_t samples;
-    /* Duration from the first to the last sample [s]. */
-    double duration_s;
-    /* The comment in the first line of the log, UTF-8, terminated; empty: none. */
-    char title[192];
-} sins_log_info;
-
-/* The samples that a scene flies. */
-typedef struct sins_scene_samples {
-    /* sizeof(sins_scene_samples) */
-    uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
-    /* Number of samples. */
-    uint64_t count;
-    /*
-     * Number of sample intervals between two records of the program sins, at least 1. It follows from sins_scene_setup.every_s;
-     * if every_s is 0, there are about 2000 records.
-     */
-    uint64_t record_every;
-    /* Time stamp of the first sample [s]. */
-    double start_s;
-    /* Time between two samples [s]; of a log, the mean. */
-    double period_s;
-    /* Time from the first to the last sample [s]. */
-    double duration_s;
-} sins_scene_samples;
-
-/*
- * Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.
- * At least one limit is needed.
+/**
+ * A simulator. A handle is a checked key, never an address: a null, made-up or destroyed one is answered
+ * SINS_ERROR_BAD_HANDLE. Any function may be called from any thread; calls on one handle wait for each other, calls on
+ * different handles never do.
  */
-typedef struct sins_requirement {
-    /* sizeof(sins_requirement) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /*
-     * Duration for which the limits hold, 0 to 1e6 [s]. If it is shorter than the piece of flight that is given to
-     * sins_recommend(), it is the length of that piece.
-     */
-    double duration_s;
-    /* Limit of the position error of the algorithm: distance from the reference (see sins_recommend()) [m]; 0: none. */
-    double position_m;
-    /* Limit of the velocity error of the algorithm: length of the difference from the reference [m/s]; 0: none. */
-    double velocity_m_s;
-    /*
-     * Limit of the attitude error of the algorithm: angle between its attitude relative to the Earth and that of the
-     * reference [rad]; 0: none.
-     */
-    double attitude_rad;
-    /* Margin: each limit must be at least this many times the predicted error, 1 to 1e6; 0: 2. */
-    double margin;
-} sins_requirement;
+typedef struct sins_sim sins_sim;
 
-/* Accuracy and cost of the recommended options. */
-typedef struct sins_cost {
-    /* sizeof(sins_cost) */
-    uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
-    /* Duration for which the errors are predicted [s]. */
-    double duration_s;
-    /* Predicted position error, the largest within the duration [m]. */
-    double position_m;
-    /* Predicted velocity error, the largest within the duration [m/s]. */
-    double velocity_m_s;
-    /* Predicted attitude error against the Earth, the largest within the duration [rad]. */
-    double attitude_rad;
-    /* Part of position_m that is the uncertainty of the reference [m]. */
-    double reference_position_m;
-    /* Part of velocity_m_s that is the uncertainty of the reference [m/s]. */
-    double reference_velocity_m_s;
-    /* Part of attitude_rad that is the uncertainty of the reference [rad]. */
-    double reference_attitude_rad;
-    /*
-     * Predicted error times margin divided by its limit, the largest of the three. The requirement is met if this is at most
-     * 1. A limit below 1e-100 counts as 1e-100.
-     */
-    double share;
-    /*
-     * Processor instructions of the part of a step that depends on the algorithm: a figure that is the same on every
-     * machine. The algorithms are ordered by this figure.
-     */
-    double instructions_per_step;
-    /*
-     * Time of push and step of one sample, measured in this call on this machine, with the recommended options, the
-     * mounting, and ideal sensors [ns].
-     */
-    double ns_per_step;
-    /* Number of algorithms that were tried, including the recommended one. */
-    uint64_t tried;
-} sins_cost;
-
-/* Request for an error budget. All zero is 16 runs and no limits. */
-typedef struct sins_budget_request {
-    /* sizeof(sins_budget_request) */
-    uint32_t struct_size;
-    /* Must be 0. */
-    uint32_t reserved;
-    /* Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16. */
-    uint64_t runs;
-    /*
-     * Limit of the change of the position error, at any time of the flight, by all effects that are left out together [m];
-     * 0: none.
-     */
-    double position_m;
-    /* Limit of the change of the velocity error, likewise [m/s]; 0: none. */
-    double velocity_m_s;
-    /* Limit of the change of the misalignment, likewise [rad]; 0: none. */
-    double attitude_rad;
-} sins_budget_request;
-
-/*
- * An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and of the
- * samples, with no effect set.
- */
-typedef struct sins_budget_row {
-    /* sizeof(sins_budget_row) */
-    uint32_t struct_size;
-    /* Flags of enum sins_budget_flags, or'ed. */
-    uint32_t flags;
-    /* Name of the effect, such as "gyro turn-on bias", terminated; in the first row "mechanization". */
-    char effect[32];
-    /*
-     * The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
-     * out. Empty in the first row.
-     */
-    char field[48];
-    /* Length of the contribution to the position error, the largest at up to 1000 instants of the flight [m]. */
-    double position_m;
-    /* Length of the contribution to the velocity error, the largest at these instants [m/s]. */
-    double velocity_m_s;
-    /* Length of the contribution to the misalignment, the largest at these instants [rad]. */
-    double attitude_rad;
-    /* Length of the contribution to the position error at the end of the flight [m]. */
-    double end_position_m;
-    /* Length of the contribution to the velocity error at the end of the flight [m/s]. */
-    double end_velocity_m_s;
-    /* Length of the contribution to the misalignment at the end of the flight [rad]. */
-    double end_attitude_rad;
-    /* The contribution divided by its limit, the largest of the three; 0 without limits. */
-    double share;
-    /*
-     * Time of a step with all effects, less that of a step without this one; in the first row, time of a step with no effect
-     * set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may be
-     * negative.
-     */
-    double ns_per_step;
-} sins_budget_row;
-
-/* Figures of a budget as a whole. */
-typedef struct sins_budget {
-    /* sizeof(sins_budget) */
-    uint32_t struct_size;
-    /* 0 */
-    uint32_t reserved;
-    /* Duration of the evaluation: from the end of the first interval to the end of the last [s]. */
-    double duration_s;
-    /* Number of runs with all effects together; 1 if nothing is random. */
-    uint64_t runs;
-    /* Number of flights that the call made. */
-    uint64_t flights;
-    /*
-     * Lower end of the 95 % confidence interval of the root mean square of the random errors, divided by the root mean
-     * square over the flown runs. The fewer the runs, the wider the interval. 1 if nothing is random.
-     */
-    double sigma_low;
-    /* Upper end of that interval, divided likewise; 1 if nothing is random. */
-    double sigma_high;
-    /* Position error with all effects together, root mean square over the runs, the largest in the flight [m]. */
-    double position_m;
-    /* Velocity error with all effects together, likewise [m/s]. */
-    double velocity_m_s;
-    /* Misalignment with all effects together, likewise [rad]. */
-    double attitude_rad;
-    /* Part of the position error that the sum of all rows does not explain [m]. */
-    double remainder_position_m;
-    /* Part of the velocity error that the sum of all rows does not explain [m/s]. */
-    double remainder_velocity_m_s;
-    /* Part of the misalignment that the sum of all rows does not explain [rad]. */
-    double remainder_attitude_rad;
-    /*
-     * Change of the position error if the marked effects (SINS_BUDGET_CAN_BE_LEFT_OUT) are left out, from flights of all runs
-     * without them [m].
-     */
-    double left_out_position_m;
-    /* Change of the velocity error if the marked effects are left out, likewise [m/s]. */
-    double left_out_velocity_m_s;
-    /* Change of the misalignment if the marked effects are left out, likewise [rad]. */
-    double left_out_attitude_rad;
-    /* Time of a step with all effects, measured in this call on this machine [ns]. */
-    double ns_per_step;
-} sins_budget;
-
-/* Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
-enum sins_sizeof {
-    SINS_SIZEOF_OPTIONS = 104,
-    SINS_SIZEOF_FLIGHT_SAMPLE = 144,
-    SINS_SIZEOF_ERROR_INFO = 152,
-    SINS_SIZEOF_GYRO_PARAMS = 736,
-    SINS_SIZEOF_ACCEL_PARAMS = 736,
-    SINS_SIZEOF_ALTIMETER_PARAMS = 56,
-    SINS_SIZEOF_FAILURE = 56,
-    SINS_SIZEOF_INITIAL_ERRORS = 160,
-    SINS_SIZEOF_MOUNTING = 104,
-    SINS_SIZEOF_GRAVITY_PARAMS = 80,
-    SINS_SIZEOF_RECORD_SOLUTION = 112,
-    SINS_SIZEOF_RECORD_ERRORS = 128,
-    SINS_SIZEOF_RECORD = 496,
-    SINS_SIZEOF_NAVIGATION = 128,
-    SINS_SIZEOF_IMU = 216,
-    SINS_SIZEOF_ERRORS = 144,
-    SINS_SIZEOF_ACCURACY = 256,
-    SINS_SIZEOF_TRUTH_SUMMARY = 232,
-    SINS_SIZEOF_COVARIANCE = 776,
-    SINS_SIZEOF_IMU_INCREMENT = 264,
-    SINS_SIZEOF_STATISTICS = 14920,
-    SINS_SIZEOF_FIGURES = 936,
-    SINS_SIZEOF_FLIGHT_START = 72,
-    SINS_SIZEOF_MANOEUVRE = 240,
-    SINS_SIZEOF_FAULT = 408,
-    SINS_SIZEOF_SCENE_SETUP = 72,
-    SINS_SIZEOF_PLANNED_FAILURE = 80,
-    SINS_SIZEOF_SCENE_KEY = 592,
-    SINS_SIZEOF_LOG_INFO = 216,
-    SINS_SIZEOF_SCENE_SAMPLES = 48,
-    SINS_SIZEOF_REQUIREMENT = 48,
-    SINS_SIZEOF_COST = 96,
-    SINS_SIZEOF_BUDGET_REQUEST = 40,
-    SINS_SIZEOF_BUDGET_ROW = 152,
-    SINS_SIZEOF_BUDGET = 128
-};
-
-/* Returns the version of the interface of the loaded library: compare it with SINS_HEADER_ABI. */
-SINS_API uint32_t SINS_CALL sins_abi_version(void);
-
-/* Returns the release of the loaded library as text, such as "0.1.0". The text lives as long as the library is loaded. */
-SINS_API const char *SINS_CALL sins_version_string(void);
-
-/*
- * Returns the name of a status code, such as "SINS_OK", or "unknown status" for any other number. The text lives as long
- * as the library is loaded.
- */
-SINS_API const char *SINS_CALL sins_status_string(sins_status status);
-
-/*
+/**
  * Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.
  *
  * On an error *sim is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time
@@ -2222,9 +470,9 @@ SINS_API const char *SINS_CALL sins_status_string(sins_status status);
  *
  * SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
  */
-SINS_API sins_status SINS_CALL sins_create(const struct sins_options *options, sins_sim **sim);
+SINS_API sins_status SINS_CALL sins_create(const sins_options *options, sins_sim **sim);
 
-/*
+/**
  * Waits until the calls of other threads on this handle have returned, and destroys the simulator. The handle is never used
  * again.
  *
@@ -2232,10 +480,10 @@ SINS_API sins_status SINS_CALL sins_create(const struct sins_options *options, s
  */
 SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
 
-/* Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0. */
-SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_options *options);
+/** Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0. */
+SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, sins_options *options);
 
-/*
+/**
  * Puts one flight sample into the queue (16 samples). Each sample is checked by itself and against the one before.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or no temperature while temperature coefficients are set.
@@ -2251,9 +499,9 @@ SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, struct sins_optio
  * SINS_ERROR_QUEUE_FULL: step first.
  * SINS_ERROR_BAD_STATE: navigating on increments.
  */
-SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins_flight_sample *sample);
+SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const sins_flight_sample *sample);
 
-/*
+/**
  * Flies one sample interval: truth, ideal signals, sensors, mechanization, errors. The first step needs two samples, each
  * later step one more. No allocation, no system call. An interval in which the host paused and its clock ran on is flown
  * like any other: the vehicle moves by its velocity times the length of the interval. sins_push_sample() returns SINS_GAP if
@@ -2272,7 +520,7 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const struct sins
  */
 SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
-/*
+/**
  * Moves the time after a pause in which the host's clock ran on: the newest accepted sample gets the time stamp time_s [s], and
  * later samples must have later stamps. time_s is the time that the clock shows when the vehicle moves again. Everything else
  * stays: errors, noise, waiting samples, sensor processes, failures and running figures. The grid of a stated period moves
@@ -2286,7 +534,7 @@ SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
  */
 SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
 
-/*
+/**
  * Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous
  * sample to this one, so the errors do not change at the slew. For both values of source, sins_get_errors() reports the same
  * errors before and after it: position error in metres (along the truth's east and north, and in height), velocity error
@@ -2311,9 +559,9 @@ SINS_API sins_status SINS_CALL sins_move_time(sins_sim *sim, double time_s);
  * SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is about a quarter of the Earth's
  * circumference or more, so that no place at the sample has this error.
  */
-SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const struct sins_flight_sample *sample);
+SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const sins_flight_sample *sample);
 
-/*
+/**
  * Restarts the INS after the flight simulator was reloaded: the truth jumps to the sample, and the INS starts again there
  * with its initial errors. The initial errors have the same random numbers as at the first start. The previous errors of the
  * INS are lost; to keep them, call sins_move_truth() (slew) or sins_move_time() (pause) instead. Noise and failures
@@ -2328,16 +576,63 @@ SINS_API sins_status SINS_CALL sins_move_truth(sins_sim *sim, const struct sins_
  * This call returns SINS_OK even if no INS can start at the sample. The reads and the next step then return
  * SINS_ERROR_SINGULAR (too close to a pole, in geographic axes or for gyrocompassing) or SINS_ERROR_DIVERGED.
  */
-SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const struct sins_flight_sample *sample);
+SINS_API sins_status SINS_CALL sins_reposition(sins_sim *sim, const sins_flight_sample *sample);
 
-/*
+/**
  * Returns to the state before the first sample: the same options, the parameters as they were set last, no failures, and
  * the random streams at their start. So the same samples and settings give the same bits. For other random numbers, create
  * a simulator with another seed or run. To return to a moment in flight, see sins_snapshot_save().
  */
 SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
 
-/*
+/* Why a call failed. */
+
+/** Flags of a sins_error_info. */
+typedef enum sins_error_info_flags {
+    /** The field value holds the value at fault. */
+    SINS_ERROR_INFO_VALUE = 1,
+    /** The field minimum holds the least allowed value. */
+    SINS_ERROR_INFO_MINIMUM = 2,
+    /** The field maximum holds the greatest allowed value. */
+    SINS_ERROR_INFO_MAXIMUM = 4,
+    /** The field is an integer. */
+    SINS_ERROR_INFO_INTEGER = 8
+} sins_error_info_flags;
+
+/** Why a call failed: the data of which the sentence of sins_last_error() is made. */
+typedef struct sins_error_info {
+    /** sizeof(sins_error_info) */
+    uint32_t struct_size;
+    /** Flags of enum sins_error_info_flags, or'ed. */
+    uint32_t flags;
+    /** Status that the failed call returned, of enum sins_status_code; SINS_OK if no call failed. */
+    sins_status status;
+    /** 0 */
+    uint32_t reserved;
+    /**
+     * Name of the field or argument at fault, such as "gyro.markov_time_s", or of a computed quantity at fault, such as
+     * "navigated position error [m]"; terminated. Empty if the call itself is at fault.
+     */
+    char field[96];
+    /** Element of the field, from 0; -1: the field is not an array, or the whole field is at fault. */
+    int64_t index;
+    /** Index of the sample in the array of the call, from 0; -1: no sample is at fault. */
+    int64_t sample;
+    /** With SINS_ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the nearest double. */
+    double value;
+    /**
+     * With SINS_ERROR_INFO_MINIMUM: the least value. If the sentence of sins_last_error() says "more than", the limit itself
+     * is not allowed.
+     */
+    double minimum;
+    /**
+     * With SINS_ERROR_INFO_MAXIMUM: the greatest value. If the sentence of sins_last_error() says "less than", the limit
+     * itself is not allowed.
+     */
+    double maximum;
+} sins_error_info;
+
+/**
  * Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
  * always terminated; it is "no error" if no call failed. With a NULL handle the function gives the last failed call of this
  * thread that was made without a simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend,
@@ -2349,10 +644,248 @@ SINS_API sins_status SINS_CALL sins_reset(sins_sim *sim);
  */
 SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer, size_t capacity, size_t *needed);
 
-/* Gives the same failure as sins_last_error(), as a struct. */
-SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct sins_error_info *info);
+/** Gives the same failure as sins_last_error(), as a struct. */
+SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, sins_error_info *info);
 
-/*
+/* Sensor errors. */
+
+/**
+ * Errors of the gyros; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is an ideal
+ * triad. Signal: the angular rate. Densities do not depend on the sample rate.
+ *
+ * Effects act in this order, along the path of the signal: bandwidth; then errors that depend on the signal (scale factor,
+ * misalignment, asymmetry, nonlinearity), on the true specific force (g-sensitivity, g2-sensitivity) and on temperature; then
+ * biases and noise; then dead zone, range, quantization.
+ *
+ * Asymmetry, nonlinearity, dead zone and range, g2-sensitivity of the gyros, and vibration rectification of the accelerometers
+ * act on the mean signal of a subsample, whose length is dt = interval / (updates_per_sample * subsamples). The mean reduces the
+ * effect of a vibration of frequency f. With x = pi f dt, nonlinearity and rectification are too small by the fraction 1 - (sin
+ * x / x)^2. Asymmetry is too small by up to the fraction 1 - cos x, if the vibration changes the sign of the signal. If f is a
+ * tenth of the sample rate, these fractions are 0.8 % and 1.2 % with two subsamples per interval, 3.2 % and 4.9 % with one.
+ */
+typedef struct sins_gyro_params {
+    /** sizeof(sins_gyro_params) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Constant bias, measured less true [rad/s], -100 to 100. */
+    double bias_rad_s[3];
+    /** Standard deviation of the turn-on bias, drawn once a run [rad/s], 0 to 100. */
+    double bias_sigma_rad_s[3];
+    /**
+     * Standard deviation of the first-order Gauss-Markov bias [rad/s], 0 to 100. The process is stationary from
+     * the first sample on.
+     */
+    double markov_sigma_rad_s[3];
+    /** Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_rad_s is not 0. */
+    double markov_time_s[3];
+    /**
+     * White noise N: angle random walk [rad/sqrt(s)], 0 to 100. It is the square root of the spectral density of
+     * the noise, in the unit of the signal per sqrt(Hz).
+     */
+    double random_walk_rad_sqrt_s[3];
+    /** Rate random walk K [(rad/s)/sqrt(s)], 0 to 100. It starts at 0 at the start of a run. */
+    double rate_random_walk_rad_s_sqrt_s[3];
+    /**
+     * Ramp R: bias that grows with time [rad/s2], -100 to 100. The bias starts at 0 when the ramp is switched on,
+     * and at sins_reset(). If R is changed in flight, the bias continues from its present value.
+     */
+    double rate_ramp_rad_s2[3];
+    /**
+     * Flicker noise, bias instability B [rad/s], 0 to 100. The process is stationary from the first sample on: the
+     * Allan deviation is flat at 0.664 B from 2 s to 50 h.
+     */
+    double flicker_rad_s[3];
+    /** Scale factor error [1], -1 to 1. */
+    double scale_factor[3];
+    /**
+     * Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+     * scale_factor.
+     */
+    double scale_factor_sigma[3];
+    /**
+     * Scale factor error for positive signals less that for negative signals [1], -1 to 1. The error of a signal s
+     * is half of this times |s|.
+     */
+    double scale_factor_asymmetry[3];
+    /**
+     * Scale factor error that grows with the size of the signal [s/rad], -1 to 1. The error of a signal s is this
+     * times s |s|.
+     */
+    double scale_factor_nonlinearity_s_rad[3];
+    /**
+     * Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The error of sensor i is the
+     * sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.
+     */
+    double misalignment_rad[9];
+    /**
+     * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+     * misalignment_rad. The diagonal must be 0.
+     */
+    double misalignment_sigma_rad[9];
+    /**
+     * Drift caused by specific force, g-sensitivity: row = gyro, column = axis of the force [(rad/s)/(m/s2)],
+     * -1 to 1. The error of a gyro is the sum over the three axes of its row times the true specific force along
+     * them.
+     */
+    double g_sensitivity_rad_s_per_m_s2[9];
+    /**
+     * Drift caused by the square of the specific force along the gyro's own axis, g2-sensitivity [(rad/s)/(m/s2)^2],
+     * -1 to 1. The rate error of gyro i is element i times the square of the true specific force along sensor axis
+     * i, at the point of the sensor block (see sins_mounting). So a positive element makes a drift in the positive
+     * sense about the axis, whatever the sign of the force. The mean force of a subsample is squared, as with
+     * nonlinearity.
+     */
+    double g2_sensitivity_rad_s_per_m2_s4[3];
+    /**
+     * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+     * sins_flight_sample.temperature_c less this temperature. If one of the coefficients is not 0, every sample
+     * needs a temperature, and sins_push_imu() is not available.
+     */
+    double reference_temperature_c;
+    /** Bias per kelvin [(rad/s)/K], -100 to 100. The bias is this coefficient times T. */
+    double bias_temperature_rad_s_per_k[3];
+    /** Bias per kelvin squared [(rad/s)/K2], -100 to 100. The bias is this coefficient times T squared. */
+    double bias_temperature2_rad_s_per_k2[3];
+    /** Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this coefficient times T. */
+    double scale_factor_temperature_per_k[3];
+    /**
+     * Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this coefficient times T
+     * squared.
+     */
+    double scale_factor_temperature2_per_k2[3];
+    /**
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts in its
+     * steady state, so there is no transient in the first interval.
+     */
+    double bandwidth_hz[3];
+    /** Half the dead zone: signals up to this size give 0 [rad/s], 0 to 100. */
+    double dead_zone_rad_s[3];
+    /** Range, where the output saturates [rad/s], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
+    double range_rad_s[3];
+    /**
+     * Quantum (pulse weight) of the output increments [rad], 1e-15 to 1; 0: none. The remainder goes into the next
+     * increment. The quantization noise Q is quantum/sqrt(12).
+     */
+    double quantization_rad[3];
+} sins_gyro_params;
+
+/**
+ * Errors of the accelerometers; each array is x, y, z of the sensor axes (sins_options.axes), each matrix row by row. All zero is
+ * an ideal triad. Signal: the specific force. Densities do not depend on the sample rate.
+ *
+ * Effects act in this order, along the path of the signal: size effect, bandwidth; then errors that depend on the signal (scale
+ * factor, misalignment, asymmetry, nonlinearity, vibration rectification) and on temperature; then biases and noise; then dead
+ * zone, range, quantization. sins_gyro_params describes the effects that act on the mean of a subsample.
+ */
+typedef struct sins_accel_params {
+    /** sizeof(sins_accel_params) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Constant bias, measured less true [m/s2], -10000 to 10000. */
+    double bias_m_s2[3];
+    /** Standard deviation of the turn-on bias, drawn once a run [m/s2], 0 to 10000. */
+    double bias_sigma_m_s2[3];
+    /**
+     * Standard deviation of the first-order Gauss-Markov bias [m/s2], 0 to 10000. The process is stationary from
+     * the first sample on.
+     */
+    double markov_sigma_m_s2[3];
+    /** Correlation time of the Gauss-Markov bias [s], 1e-9 to 1e15; needed where markov_sigma_m_s2 is not 0. */
+    double markov_time_s[3];
+    /**
+     * White noise N: velocity random walk [(m/s)/sqrt(s)], 0 to 10000. It is the square root of the spectral
+     * density of the noise, in the unit of the signal per sqrt(Hz).
+     */
+    double velocity_random_walk_m_s_sqrt_s[3];
+    /** Acceleration random walk K [(m/s2)/sqrt(s)], 0 to 10000. It starts at 0 at the start of a run. */
+    double acceleration_random_walk_m_s2_sqrt_s[3];
+    /**
+     * Ramp R: bias that grows with time [m/s3], -10000 to 10000. The bias starts at 0 when the ramp is switched
+     * on, and at sins_reset(). If R is changed in flight, the bias continues from its present value.
+     */
+    double ramp_m_s3[3];
+    /**
+     * Flicker noise, bias instability B [m/s2], 0 to 10000. The process is stationary from the first sample on:
+     * the Allan deviation is flat at 0.664 B from 2 s to 50 h.
+     */
+    double flicker_m_s2[3];
+    /** Scale factor error [1], -1 to 1. */
+    double scale_factor[3];
+    /**
+     * Standard deviation of the turn-on scale factor error, drawn once a run [1], 0 to 1. It is added to
+     * scale_factor.
+     */
+    double scale_factor_sigma[3];
+    /**
+     * Scale factor error for positive signals less that for negative signals [1], -1 to 1. The error of a signal s
+     * is half of this times |s|.
+     */
+    double scale_factor_asymmetry[3];
+    /**
+     * Scale factor error that grows with the size of the signal [s2/m], -1 to 1. The error of a signal s is this
+     * times s |s|.
+     */
+    double scale_factor_nonlinearity_s2_m[3];
+    /**
+     * Misalignment: row = sensor, column = axis it should not sense [rad], -1 to 1. The error of sensor i is the
+     * sum over j of element (i, j) times the true signal along axis j. The diagonal must be 0.
+     */
+    double misalignment_rad[9];
+    /**
+     * Standard deviation of each turn-on misalignment, drawn once a run [rad], 0 to 1. It is added to
+     * misalignment_rad. The diagonal must be 0.
+     */
+    double misalignment_sigma_rad[9];
+    /**
+     * Vibration rectification, the g2 term [s2/m], -1 to 1. The error is this times the square of the mean force
+     * of a subsample. So a vibration with the root mean square r causes a bias of this times r squared.
+     */
+    double vibration_rectification_s2_m[3];
+    /**
+     * Lever arm of each accelerometer from the point of the sensor block, sensor axes, row = sensor (size effect)
+     * [m], -100 to 100. The point of the sensor block is where the lever arm of sins_mounting ends. If a flight
+     * starts in motion, samples without an angular rate do not show the angular acceleration of the first interval
+     * (see sins_mounting). The measured velocity is then wrong for the rest of the flight: it lacks the lever arm
+     * times the change of the angular rate in the first interval. With sins_push_imu() the angular acceleration
+     * follows from the previous increments.
+     */
+    double lever_arm_m[9];
+    /**
+     * Temperature at which the four temperature coefficients have no effect [deg C], -273.15 to 1000. T is
+     * sins_flight_sample.temperature_c less this temperature. If one of the coefficients is not 0, every sample
+     * needs a temperature, and sins_push_imu() is not available.
+     */
+    double reference_temperature_c;
+    /** Bias per kelvin [(m/s2)/K], -10000 to 10000. The bias is this coefficient times T. */
+    double bias_temperature_m_s2_per_k[3];
+    /** Bias per kelvin squared [(m/s2)/K2], -10000 to 10000. The bias is this coefficient times T squared. */
+    double bias_temperature2_m_s2_per_k2[3];
+    /** Scale factor error per kelvin [1/K], -1 to 1. The scale factor error is this coefficient times T. */
+    double scale_factor_temperature_per_k[3];
+    /**
+     * Scale factor error per kelvin squared [1/K2], -1 to 1. The scale factor error is this coefficient times T
+     * squared.
+     */
+    double scale_factor_temperature2_per_k2[3];
+    /**
+     * Bandwidth, -3 dB of a second-order Butterworth filter [Hz], 1e-3 to 1e6; 0: none. The filter starts in its
+     * steady state, so there is no transient in the first interval.
+     */
+    double bandwidth_hz[3];
+    /** Half the dead zone: signals up to this size give 0 [m/s2], 0 to 10000. */
+    double dead_zone_m_s2[3];
+    /** Range, where the output saturates [m/s2], 1e-9 to 1e6; 0: none. Saturation is flagged in sins_imu. */
+    double range_m_s2[3];
+    /**
+     * Quantum (pulse weight) of the output increments [m/s], 1e-15 to 1; 0: none. The remainder goes into the next
+     * increment. The quantization noise Q is quantum/sqrt(12).
+     */
+    double quantization_m_s[3];
+} sins_accel_params;
+
+/**
  * Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
  * effects do not change. Random processes that were active continue.
  *
@@ -2360,118 +893,636 @@ SINS_API sins_status SINS_CALL sins_last_error_info(const sins_sim *sim, struct 
  * SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
  * increments.
  */
-SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const struct sins_gyro_params *params);
+SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const sins_gyro_params *params);
 
-/*
+/**
  * Reads the gyro errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
  * snapshot.
  */
-SINS_API sins_status SINS_CALL sins_get_gyro(sins_sim *sim, struct sins_gyro_params *params);
+SINS_API sins_status SINS_CALL sins_get_gyro(sins_sim *sim, sins_gyro_params *params);
 
-/*
+/**
  * Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers of
  * other effects do not change. Random processes that were active continue.
  *
  * SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
  */
-SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const struct sins_accel_params *params);
+SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const sins_accel_params *params);
 
-/*
+/**
  * Reads the accelerometer errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
  * snapshot.
  */
-SINS_API sins_status SINS_CALL sins_get_accel(sins_sim *sim, struct sins_accel_params *params);
+SINS_API sins_status SINS_CALL sins_get_accel(sins_sim *sim, sins_accel_params *params);
 
-/*
+/** Errors of the barometric altimeter, whose height damps the vertical channel. All zero is an ideal altimeter. */
+typedef struct sins_altimeter_params {
+    /** sizeof(sins_altimeter_params) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Constant bias, -1e5 to 1e5 [m]. */
+    double bias_m;
+    /** Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, 0 to 1e5 [m]. */
+    double markov_sigma_m;
+    /** Correlation time of the Gauss-Markov error, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0. */
+    double markov_time_s;
+    /** Standard deviation of the independent error of each sample, 0 to 1e5 [m]. */
+    double noise_m;
+    /** Scale factor error of the height [1], -1 to 1. */
+    double scale_factor;
+    /** Time constant of the first-order lag of the static pressure, 0 to 1e6 [s]. */
+    double lag_s;
+} sins_altimeter_params;
+
+/**
  * Sets the errors of the barometric altimeter, whose height damps the vertical channel (SINS_VERTICAL_DAMPED), from the next
  * interval on.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  */
-SINS_API sins_status SINS_CALL sins_set_altimeter(sins_sim *sim, const struct sins_altimeter_params *params);
+SINS_API sins_status SINS_CALL sins_set_altimeter(sins_sim *sim, const sins_altimeter_params *params);
 
-/*
+/**
  * Reads the errors of the altimeter that are set. May be called at any moment. After sins_snapshot_load() they are those of
  * the snapshot.
  */
-SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, struct sins_altimeter_params *params);
+SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, sins_altimeter_params *params);
 
-/*
- * Sets a failure of one output, as an instructor's station does: before the first sample or in flight, from the next
- * interval on. It lasts until SINS_FAILURE_NONE clears it, or another failure of the same output replaces it. Several
- * outputs may fail at the same time.
+/** Grades of sensors. */
+typedef enum sins_grade {
+    /**
+     * Strategic: gyro bias 0.001 deg/h and accelerometer bias 1e-6 g, each 1 sigma (El-Sheimy and Youssef 2020, table 1, upper
+     * ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200).
+     */
+    SINS_GRADE_STRATEGIC = 1,
+    /** Navigation: Honeywell HG9900, brochure N61-1638. It states no accelerometer noise, so the preset has none: set your own. */
+    SINS_GRADE_NAVIGATION = 2,
+    /** Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated. */
+    SINS_GRADE_TACTICAL = 3,
+    /**
+     * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D. It states no accelerometer noise, so the preset
+     * has none: set your own. The range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by
+     * 0.1 deg, 1 sigma.
+     */
+    SINS_GRADE_INDUSTRIAL = 4,
+    /** Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma. */
+    SINS_GRADE_CONSUMER = 5,
+    /**
+     * The paper's simulation 2: constant gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), constant accelerometer
+     * bias 1e-5 g and white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper
+     * states none).
+     */
+    SINS_GRADE_PAPER_SIMULATION2 = 6
+} sins_grade;
+
+/**
+ * Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are
+ * drawn at turn-on with the standard deviations that the source of the grade states; errors that it does not state are 0.
  *
- * sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
- * zone, range and quantization. SINS_FAILURE_STUCK, SINS_FAILURE_DEAD and SINS_FAILURE_DROP_OUTS replace the output. The
- * random numbers of other effects do not change. Sensor processes continue during a failure, and act on the output again
- * when it is cleared. A failure acts on error data 1 and on error data 2. It does not act on the alignment at the start.
- * sins_reposition() keeps failures. sins_reset() clears all failures, so an exercise starts again with working sensors;
- * failures that are set again at the same intervals give the same bits.
+ * SINS_ERROR_INVALID_ARGUMENT: no such grade.
+ */
+SINS_API sins_status SINS_CALL sins_gyro_preset(int32_t grade, sins_gyro_params *params);
+
+/**
+ * Fills params with the accelerometer errors of a grade, as sins_gyro_preset().
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
- * solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
+ * SINS_ERROR_INVALID_ARGUMENT: no such grade.
  */
-SINS_API sins_status SINS_CALL sins_set_failure(
-    sins_sim *sim, int32_t sensor, int32_t axis, const struct sins_failure *failure);
+SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, sins_accel_params *params);
 
-/*
- * Reads the failure of one output. May be called at any moment. After sins_snapshot_load() it is that of the snapshot.
- * SINS_FAILURE_NONE: the output has no failure. sensor and axis as in sins_set_failure().
+/* Reads. */
+
+/** Flags of a sins_navigation. */
+typedef enum sins_navigation_flags {
+    /**
+     * Within 20 km of the Earth's axis: longitude and heading change fast there, and at the pole they are undefined.
+     * Quaternion, height and the errors in metres stay correct.
+     */
+    SINS_NAVIGATION_NEAR_POLE = 1,
+    /**
+     * Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
+     * every 569 s.
+     */
+    SINS_NAVIGATION_VERTICAL_UNAIDED = 2,
+    /**
+     * A flag of the truth. Let d be the displacement computed from the velocities. The flag is set if the displacement of the
+     * positions since the previous sample differs from d by more than sqrt((0.01 d)^2 + (1 cm)^2).
+     */
+    SINS_NAVIGATION_INCONSISTENT = 4,
+    /**
+     * The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
+     * force, or the error of the horizontal gyro rates is at least as large as the north component of the Earth rate. (If it is
+     * smaller, the heading error is below 90 degrees.) The flag stays until the INS starts again. Note: a real INS does not know
+     * this error. It can be sure that it has not found north only if its horizontal gyro rate is more than twice the north
+     * component of the Earth rate.
+     */
+    SINS_NAVIGATION_NORTH_UNKNOWN = 8
+} sins_navigation_flags;
+
+/** A solution: the truth or the navigated one. */
+typedef struct sins_navigation {
+    /** sizeof(sins_navigation) */
+    uint32_t struct_size;
+    /** 0 (must be 0 where it is an input). */
+    uint32_t reserved;
+    /** Time [s]. */
+    double time_s;
+    /** Geodetic latitude, -pi/2 to pi/2 [rad]. */
+    double latitude_rad;
+    /** Longitude, east positive, -pi to pi [rad]. */
+    double longitude_rad;
+    /** Height above the ellipsoid [m]. */
+    double height_m;
+    /** Velocity against the Earth, east-north-up [m/s]. */
+    double velocity_enu_m_s[3];
+    /** Roll, right wing down positive, -pi to pi [rad]. */
+    double roll_rad;
+    /** Pitch, nose up positive, -pi/2 to pi/2 [rad]. */
+    double pitch_rad;
+    /** Heading, clockwise from true north, 0 to 2 pi [rad]. */
+    double heading_rad;
+    /**
+     * Attitude quaternion, scalar first: rotates from body axes to east-north-up; from sensor axes while navigating on
+     * increments.
+     */
+    double quaternion_nb[4];
+    /** Flags of enum sins_navigation_flags, or'ed. */
+    int32_t flags;
+    /** 0 */
+    uint32_t reserved2;
+} sins_navigation;
+
+/** A solution within a sins_record; never grows. Fields as in sins_navigation. */
+typedef struct sins_record_solution {
+    /** Geodetic latitude, -pi/2 to pi/2 [rad]. */
+    double latitude_rad;
+    /** Longitude, east positive, -pi to pi [rad]. */
+    double longitude_rad;
+    /** Height above the ellipsoid [m]. */
+    double height_m;
+    /** Velocity against the Earth, east-north-up [m/s]. */
+    double velocity_enu_m_s[3];
+    /** Roll, right wing down positive, -pi to pi [rad]. */
+    double roll_rad;
+    /** Pitch, nose up positive, -pi/2 to pi/2 [rad]. */
+    double pitch_rad;
+    /** Heading, clockwise from true north, 0 to 2 pi [rad]. */
+    double heading_rad;
+    /**
+     * Attitude quaternion, scalar first: rotates from body axes to east-north-up; from sensor axes while navigating on
+     * increments.
+     */
+    double quaternion_nb[4];
+    /** Flags of enum sins_navigation_flags, or'ed. */
+    int32_t flags;
+    /** 0 */
+    uint32_t reserved2;
+} sins_record_solution;
+
+/**
+ * Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples have no
+ * velocity, the velocity at the first one is 0 until the second one is pushed.
  *
- * SINS_ERROR_INVALID_ARGUMENT: no such output.
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
  */
-SINS_API sins_status SINS_CALL sins_get_failure(
-    sins_sim *sim, int32_t sensor, int32_t axis, struct sins_failure *failure);
+SINS_API sins_status SINS_CALL sins_get_truth(sins_sim *sim, sins_navigation *truth);
 
-/*
- * Sets the errors with which the navigation starts. Allowed before the first step, and after a reset or a reposition until
- * the next step. After a reposition they apply to the start at its sample.
+/**
+ * Reads the navigated solution for the same instant as sins_get_truth().
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- * SINS_ERROR_BAD_STATE: steps have been made.
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the first sample with these options
+ * and initial errors.
  */
-SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const struct sins_initial_errors *errors);
+SINS_API sins_status SINS_CALL sins_get_navigation(sins_sim *sim, sins_navigation *navigation);
 
-/*
- * Reads the set errors with which the navigation starts. May be called at any moment. After sins_snapshot_load() they are
- * those of the snapshot.
- */
-SINS_API sins_status SINS_CALL sins_get_initial_errors(sins_sim *sim, struct sins_initial_errors *errors);
+/** The two sources of errors. */
+typedef enum sins_errors_source {
+    /** Navigation minus truth: the paper's error data 2. */
+    SINS_ERRORS_NAVIGATION = 0,
+    /** The error differential equations: the paper's error data 1 (sins_options.error_model). */
+    SINS_ERRORS_MODEL = 1
+} sins_errors_source;
 
-/*
- * Sets the mounting of the sensor block. Allowed before the first step, and after a reset or a reposition until the next
- * step. A reset and a reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is
- * that of the block.
+/** Flags of a sins_errors. */
+typedef enum sins_errors_flags {
+    /**
+     * The truth is within 20 km of the Earth's axis: the errors of longitude and heading, the up misalignment, and the east and
+     * north components of the velocity error have no meaning.
+     */
+    SINS_ERRORS_NEAR_POLE = 1,
+    /**
+     * A flag of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
+     * position error is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
+     */
+    SINS_ERRORS_OUTSIDE_VALIDITY = 2,
+    /** In a sins_record: not computed, all zero. */
+    SINS_ERRORS_NOT_COMPUTED = 4
+} sins_errors_flags;
+
+/** Errors of the navigated solution, computed less true. */
+typedef struct sins_errors {
+    /** sizeof(sins_errors) */
+    uint32_t struct_size;
+    /** 0 */
+    uint32_t reserved;
+    /** Time [s]. */
+    double time_s;
+    /** Position error: displacement from truth along true east and north, and difference of heights [m]. */
+    double position_enu_m[3];
+    /** Error of latitude [rad]. */
+    double latitude_rad;
+    /** Error of longitude, wrapped to -pi to pi [rad]. */
+    double longitude_rad;
+    /** Error of height [m]. */
+    double height_m;
+    /**
+     * Velocity error [m/s]: components of the computed velocity in the east-north-up axes at the computed position, less
+     * components of the true velocity in the axes at the true position.
+     */
+    double velocity_enu_m_s[3];
+    /**
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
+     * east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
+     */
+    double misalignment_enu_rad[3];
+    /** Error of roll, wrapped to -pi to pi [rad]. */
+    double roll_rad;
+    /** Error of pitch [rad]. */
+    double pitch_rad;
+    /** Error of heading, wrapped to -pi to pi [rad]. */
+    double heading_rad;
+    /** Flags of enum sins_errors_flags, or'ed. */
+    int32_t flags;
+    /** 0 */
+    uint32_t reserved2;
+} sins_errors;
+
+/** Errors within a sins_record; never grows. Fields as in sins_errors. */
+typedef struct sins_record_errors {
+    /** Position error: displacement from truth along true east and north, and difference of heights [m]. */
+    double position_enu_m[3];
+    /** Error of latitude [rad]. */
+    double latitude_rad;
+    /** Error of longitude, wrapped to -pi to pi [rad]. */
+    double longitude_rad;
+    /** Error of height [m]. */
+    double height_m;
+    /**
+     * Velocity error [m/s]: components of the computed velocity in the east-north-up axes at the computed position, less
+     * components of the true velocity in the axes at the true position.
+     */
+    double velocity_enu_m_s[3];
+    /**
+     * Misalignment phi, a rotation vector [rad]: computed C = exp(-[phi x]) true C, where C turns vectors from body axes to
+     * east-north-up. In the error model it is of first order: computed C = (I - [phi x]) true C.
+     */
+    double misalignment_enu_rad[3];
+    /** Error of roll, wrapped to -pi to pi [rad]. */
+    double roll_rad;
+    /** Error of pitch [rad]. */
+    double pitch_rad;
+    /** Error of heading, wrapped to -pi to pi [rad]. */
+    double heading_rad;
+    /** Flags of enum sins_errors_flags, or'ed. */
+    int32_t flags;
+    /** 0 */
+    uint32_t reserved2;
+} sins_record_errors;
+
+/**
+ * Reads the errors of the navigated solution; source is of enum sins_errors_source.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- * SINS_ERROR_BAD_STATE: steps have been made.
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_INVALID_ARGUMENT: no such source.
+ * SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
+ * sins_options.error_model), or navigating on increments.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
  */
-SINS_API sins_status SINS_CALL sins_set_mounting(sins_sim *sim, const struct sins_mounting *mounting);
+SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, sins_errors *errors);
 
-/*
- * Reads the mounting of the sensor block that is set. May be called at any moment. After sins_snapshot_load() it is that of
- * the snapshot.
- */
-SINS_API sins_status SINS_CALL sins_get_mounting(sins_sim *sim, struct sins_mounting *mounting);
+/** Flags of a sins_imu. */
+typedef enum sins_imu_flags {
+    /** The mean rate of a subsample was beyond the range of a gyro. */
+    SINS_IMU_GYRO_SATURATED = 1,
+    /** The mean force of a subsample was beyond the range of an accelerometer. */
+    SINS_IMU_ACCEL_SATURATED = 2,
+    /** A gyro had no signal in the interval: dead, or dropped out. The mechanization continues with the output 0 of this gyro. */
+    SINS_IMU_GYRO_INVALID = 4,
+    /**
+     * An accelerometer had no signal in the interval: dead, or dropped out. The mechanization continues with the output 0 of
+     * this accelerometer.
+     */
+    SINS_IMU_ACCEL_INVALID = 8
+} sins_imu_flags;
 
-/*
- * Sets the gravity disturbance, true gravity less normal gravity. Allowed before the first step, and after a reset or a
- * reposition until the next step. A reset brings the same field back; after a reposition the field continues from its
- * current values. The disturbance does not affect a navigator on increments, because the host's increments already contain
- * its effect.
+/** Ideal and measured signals of the last interval, sensor axes. */
+typedef struct sins_imu {
+    /** sizeof(sins_imu) */
+    uint32_t struct_size;
+    /** Flags of enum sins_imu_flags, or'ed. */
+    uint32_t flags;
+    /** Time of the end of the interval [s]. */
+    double time_s;
+    /** Length of the interval [s]. */
+    double interval_s;
+    /** Integral of the angular rate against inertial space, as perfect gyros measure it [rad]. */
+    double ideal_angle_rad[3];
+    /** Integral of the specific force, as perfect accelerometers measure it [m/s]. */
+    double ideal_velocity_m_s[3];
+    /** Integral of the angular rate that the modelled gyros measure [rad]. */
+    double measured_angle_rad[3];
+    /** Integral of the specific force that the modelled accelerometers measure [m/s]. */
+    double measured_velocity_m_s[3];
+    /** Mean angular rate of perfect gyros: ideal_angle_rad divided by interval_s [rad/s]. */
+    double ideal_rate_rad_s[3];
+    /** Mean specific force of perfect accelerometers: ideal_velocity_m_s divided by interval_s [m/s2]. */
+    double ideal_force_m_s2[3];
+    /** Mean angular rate of the modelled gyros: measured_angle_rad divided by interval_s [rad/s]. */
+    double measured_rate_rad_s[3];
+    /** Mean specific force of the modelled accelerometers: measured_velocity_m_s divided by interval_s [m/s2]. */
+    double measured_force_m_s2[3];
+} sins_imu;
+
+/**
+ * Reads ideal and measured signals of the last interval.
  *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- * SINS_ERROR_BAD_STATE: steps have been made.
+ * SINS_NEED_SAMPLE: no interval yet.
  */
-SINS_API sins_status SINS_CALL sins_set_gravity_disturbance(sins_sim *sim, const struct sins_gravity_params *params);
+SINS_API sins_status SINS_CALL sins_get_imu(sins_sim *sim, sins_imu *imu);
 
-/*
- * Reads the parameters of the gravity disturbance that are set. May be called at any moment. After sins_snapshot_load() they
- * are those of the snapshot.
+/**
+ * Running figures of the flight since its start or last reposition; sins_move_time() and sins_move_truth() do not restart
+ * them. The figures use the errors once a second. They describe one run, not an ensemble. To get nautical miles per hour,
+ * divide a rate by SINS_NMI_PER_HOUR.
  */
-SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struct sins_gravity_params *params);
+typedef struct sins_accuracy {
+    /** sizeof(sins_accuracy) */
+    uint32_t struct_size;
+    /** 0 */
+    uint32_t reserved;
+    /** Time [s]. */
+    double time_s;
+    /** Time since the start [s]. */
+    double duration_s;
+    /**
+     * Start of the window of the radial error rates, as time since the start: 300 [s]. Earlier rates would be initial errors
+     * divided by a very short time.
+     */
+    double window_start_s;
+    /** Number of errors (one a second) in the window of the radial error rates. While it is 0, the rates are 0. */
+    uint64_t window_samples;
+    /**
+     * Root mean square of the radial error rate, sqrt(mean RER^2), with RER = horizontal position error / time since the
+     * start [m/s].
+     */
+    double radial_error_rate_rms_m_s;
+    /** R50 = 0.8326 sqrt(mean RER^2): CEP rate for a circular normal distribution [m/s]. */
+    double cep_rate_m_s;
+    /** R95 = 1.7308 sqrt(mean RER^2): 95 % for a circular normal distribution [m/s]. */
+    double radial_95_rate_m_s;
+    /** Slope of the least-squares line (with an intercept) through the horizontal position errors of the window [m/s]. */
+    double radial_error_slope_m_s;
+    /**
+     * Root mean square velocity error since the start, east-north-up; samples within 20 km of the Earth's axis, where east
+     * and north turn fast, are left out [m/s].
+     */
+    double velocity_rms_enu_m_s[3];
+    /** Position closure: the position error now, navigation minus truth [m]. */
+    double closure_position_enu_m[3];
+    /** Velocity closure: the velocity error now, navigation minus truth [m/s]. */
+    double closure_velocity_enu_m_s[3];
+    /**
+     * Part of the horizontal position error that the host causes, because its velocities contradict its positions [m]. Let d
+     * be the displacement from the velocities less the displacement from the positions. The field is the response of a
+     * Schuler oscillator to d; up is 0. The rest of the position error is caused by the simulator and the sensors.
+     */
+    double host_position_enu_m[3];
+    /** Part of the horizontal velocity error that the host causes in this way; up is 0 [m/s]. */
+    double host_velocity_enu_m_s[3];
+    /** Displacement from the host's velocities less displacement from its positions, summed over the flight [m]. */
+    double inconsistency_enu_m[3];
+    /**
+     * Largest difference, in one interval, between the displacement from the host's velocities and the displacement from its
+     * positions [m].
+     */
+    double inconsistency_max_m;
+    /** Number of samples flagged SINS_NAVIGATION_INCONSISTENT. */
+    uint64_t inconsistent_samples;
+    /** Number of intervals flown since the start or the last reposition. */
+    uint64_t intervals;
+    /**
+     * Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the angular rate, later than ten times closed_loop_time_s after the
+     * start [rad/s]. It shows the error of the signal generator and the mechanization themselves. 0 with physical signals.
+     */
+    double trim_rate_max_rad_s;
+    /** Largest trim that SINS_SIGNAL_CLOSED_LOOP added to the specific force, likewise [m/s2]. */
+    double trim_force_max_m_s2;
+} sins_accuracy;
 
-/*
+/**
+ * Reads the running accuracy figures.
+ *
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+ */
+SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, sins_accuracy *accuracy);
+
+/**
+ * Extreme values of the true motion over all intervals since the create or the last sins_reset(). Wrong units and exchanged
+ * axes give values that no vehicle has, so these figures reveal them. Attitudes in degrees turn 57 times too fast, and give
+ * arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead
+ * of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are
+ * means from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
+ * samples. Each ..._at_s is the time stamp of the sample at which the value was found.
+ */
+typedef struct sins_truth_summary {
+    /** sizeof(sins_truth_summary) */
+    uint32_t struct_size;
+    /** 0 */
+    uint32_t reserved;
+    /** Number of intervals flown. */
+    uint64_t intervals;
+    /** Number of intervals that are gaps (see SINS_GAP). */
+    uint64_t gaps;
+    /** Number of samples with a speed of more than 30 m/s. Sideslip and angle of attack are taken from these only. */
+    uint64_t fast_samples;
+    /** Sum of the lengths of the intervals [s]. */
+    double flown_s;
+    /** Time stamp of the first sample [s]. */
+    double first_s;
+    /** Time stamp of the last sample [s]. */
+    double last_s;
+    /** Longest interval [s]. */
+    double interval_max_s;
+    /** Time stamp of interval_max_s [s]. */
+    double interval_max_at_s;
+    /** Largest rotation in an interval [rad]. */
+    double turn_max_rad;
+    /** Time stamp of turn_max_rad [s]. */
+    double turn_max_at_s;
+    /** Largest angular rate: from the attitudes against the Earth, or the samples' own rate [rad/s]. */
+    double rate_max_rad_s;
+    /** Time stamp of rate_max_rad_s [s]. */
+    double rate_max_at_s;
+    /** Largest acceleration against the Earth, from the velocities [m/s2]. */
+    double acceleration_max_m_s2;
+    /** Time stamp of acceleration_max_m_s2 [s]. */
+    double acceleration_max_at_s;
+    /** Largest specific force: from the velocities and gravity, or the samples' own force [m/s2]. */
+    double force_max_m_s2;
+    /** Time stamp of force_max_m_s2 [s]. */
+    double force_max_at_s;
+    /**
+     * Largest difference, in one interval, between the displacement from the positions and the displacement from the
+     * velocities (the mean of the velocities at the two ends, times the length of the interval) [m].
+     */
+    double inconsistency_max_m;
+    /** Time stamp of inconsistency_max_m [s]. */
+    double inconsistency_max_at_s;
+    /** Largest speed against the Earth [m/s]. */
+    double speed_max_m_s;
+    /** Time stamp of speed_max_m_s [s]. */
+    double speed_max_at_s;
+    /**
+     * Sideslip of the largest size, from the plane of symmetry to the velocity against the Earth, positive to the right;
+     * includes wind [rad].
+     */
+    double sideslip_max_rad;
+    /** Time stamp of sideslip_max_rad [s]. */
+    double sideslip_max_at_s;
+    /**
+     * Angle of attack of the largest size, from the velocity against the Earth up to the forward axis, in the plane of
+     * symmetry [rad].
+     */
+    double attack_max_rad;
+    /** Time stamp of attack_max_rad [s]. */
+    double attack_max_at_s;
+    /** Lowest height [m]. */
+    double height_min_m;
+    /** Time stamp of height_min_m [s]. */
+    double height_min_at_s;
+    /** Highest height [m]. */
+    double height_max_m;
+    /** Time stamp of height_max_m [s]. */
+    double height_max_at_s;
+} sins_truth_summary;
+
+/**
+ * Reads the extreme values of the true motion. sins_reposition() and sins_move_truth() do not restart them.
+ *
+ * SINS_NEED_SAMPLE: no interval yet.
+ * SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, without a truth.
+ */
+SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, sins_truth_summary *summary);
+
+/**
+ * Covariance of the navigation errors over all runs of the flight, with its standard deviations and its error ellipse. The errors
+ * are those of sins_errors: east, north, up of position [m], velocity [m/s] and misalignment [rad], in this order.
+ *
+ * The covariance is propagated along the truth with the linear error equations (error data 1). Both values of
+ * sins_options.frame use the equations in Earth-fixed axes; the result is the same. The covariance is taken about the mean
+ * error of all runs. It does not depend on the random numbers of this run. It contains: random initial errors; the
+ * misalignment that the alignment at the start derives from sensor errors; turn-on biases, scale factors and misalignments;
+ * Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the altimeter's Gauss-Markov error
+ * and noise; quantization, as white noise of the same variance. It does not contain: constant errors and failures, which
+ * change only the mean; dead zones and ranges, which are not linear. One step of the propagation is one second of flight. A
+ * parameter that is set in flight takes effect from the start of the current second. A second with at least one height of
+ * the altimeter counts as aided throughout, so drop-outs shorter than a second have no effect on the covariance. The
+ * standard deviations of the propagation are limited to 1e30 in SI units, so all outputs are finite.
+ */
+typedef struct sins_covariance {
+    /** sizeof(sins_covariance) */
+    uint32_t struct_size;
+    /**
+     * Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, and SINS_ERRORS_OUTSIDE_VALIDITY if a standard
+     * deviation exceeds the limits of that flag.
+     */
+    int32_t flags;
+    /** Time [s]. */
+    double time_s;
+    /** Covariance, 9 by 9, row by row. It is symmetric, and rounding cannot make a variance negative. */
+    double covariance[81];
+    /** Standard deviation of the position error [m]. */
+    double position_sigma_enu_m[3];
+    /** Standard deviation of the velocity error [m/s]. */
+    double velocity_sigma_enu_m_s[3];
+    /** Standard deviation of the misalignment [rad]. */
+    double misalignment_sigma_enu_rad[3];
+    /** Semi-major axis of the error ellipse (one standard deviation) of the horizontal position [m]. */
+    double ellipse_major_m;
+    /** Semi-minor axis of that ellipse [m]. */
+    double ellipse_minor_m;
+    /** Azimuth of the major axis, from north to the east, 0 up to pi [rad]. */
+    double ellipse_azimuth_rad;
+    /**
+     * Radius of the circle that contains the horizontal error with a probability of 50 % [m]. The error has the normal
+     * distribution of this ellipse, with the mean 0.
+     */
+    double cep50_m;
+    /** Radius of the circle that contains the horizontal error with a probability of 95 % [m]. */
+    double radial_95_m;
+} sins_covariance;
+
+/**
+ * Reads the covariance of the navigation errors at the end of the last interval; before the first step, that of the start.
+ *
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: no INS can start at the first sample.
+ */
+SINS_API sins_status SINS_CALL sins_get_covariance(sins_sim *sim, sins_covariance *covariance);
+
+/** Truth, navigation and both errors at one instant. */
+typedef struct sins_record {
+    /** sizeof(sins_record); in an array only that of the first element must be set. */
+    uint32_t struct_size;
+    /** 0 */
+    uint32_t reserved;
+    /** Time [s]. */
+    double time_s;
+    /** The truth, as sins_get_truth() gives it. */
+    sins_record_solution truth;
+    /** The navigated solution, as sins_get_navigation() gives it. */
+    sins_record_solution navigation;
+    /** Error data 2, as sins_get_errors() gives it with SINS_ERRORS_NAVIGATION. */
+    sins_record_errors navigation_errors;
+    /**
+     * Error data 1, as sins_get_errors() gives it with SINS_ERRORS_MODEL; flagged SINS_ERRORS_NOT_COMPUTED while the model
+     * is off.
+     */
+    sins_record_errors model_errors;
+} sins_record;
+
+/**
+ * Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first sample.
+ *
+ * SINS_NEED_SAMPLE: no sample yet.
+ * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+ */
+SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, sins_record *record);
+
+/**
+ * Writes a record as one line of comma-separated values, without the newline. The program sins writes its files of records
+ * in this format. If record is NULL, the line has the names of the columns. The decimal numbers are exact: reading them
+ * gives the same doubles. sensor_errors is an array of count = 6 numbers: x, y, z of the mean gyro error [rad/s], then x, y,
+ * z of the mean accelerometer error [m/s2], since the previous record. NULL with count 0: all are 0. covariance adds columns
+ * of standard deviations; NULL: none. buffer, capacity and needed as in sins_last_error(); a line has at most 1600 bytes.
+ * Not for a real-time frame: it allocates.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
+ */
+SINS_API sins_status SINS_CALL sins_record_line(const sins_record *record, const double *sensor_errors, size_t count,
+    const sins_covariance *covariance, char *buffer, size_t capacity, size_t *needed);
+
+/* Many samples in one call. */
+
+/**
  * Pushes and steps an array of count samples. Writes a record after each `every` intervals, counted as in
  * sins_accuracy.intervals. There is no record for the first sample. Any split of a flight into calls gives the same bits and
  * the same records as pushing and stepping sample by sample.
@@ -2491,97 +1542,319 @@ SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, struc
  * intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
  * sins_reset() empty the queue.
  */
-SINS_API sins_status SINS_CALL sins_run(
-    sins_sim *sim, const struct sins_flight_sample *samples, size_t count, size_t every, struct sins_record *records,
-    size_t capacity, size_t *written);
+SINS_API sins_status SINS_CALL sins_run(sins_sim *sim, const sins_flight_sample *samples, size_t count, size_t every,
+    sins_record *records, size_t capacity, size_t *written);
 
-/*
- * Reads the truth at the end of the last interval; before the first step, that of the first sample. If the samples have no
- * velocity, the velocity at the first one is 0 until the second one is pushed.
- *
- * SINS_NEED_SAMPLE: no sample yet.
- * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
+/* Failures of sensors. */
+
+/** Sensors that can fail. */
+typedef enum sins_sensor {
+    /** The gyros. */
+    SINS_SENSOR_GYRO = 0,
+    /** The accelerometers. */
+    SINS_SENSOR_ACCEL = 1,
+    /** The altimeter. Give 0 for the argument axis. */
+    SINS_SENSOR_ALTIMETER = 2
+} sins_sensor;
+
+/** Kinds of failure. */
+typedef enum sins_failure_kind {
+    /** No failure: clears the failure that is set. */
+    SINS_FAILURE_NONE = 0,
+    /**
+     * The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
+     * its first value. It is not flagged, because it looks like valid data.
+     */
+    SINS_FAILURE_STUCK = 1,
+    /**
+     * No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
+     * altimeter nothing stabilizes the vertical channel of SINS_VERTICAL_DAMPED; this is flagged
+     * SINS_NAVIGATION_VERTICAL_UNAIDED.
+     */
+    SINS_FAILURE_DEAD = 2,
+    /** An additional bias; its value is in the field `size`. Not flagged. */
+    SINS_FAILURE_BIAS_STEP = 3,
+    /**
+     * Rectangular pulses. The field `size` is their height, duration_s their length. A pulse starts every interval_s; the first
+     * starts immediately. A sample of the altimeter shows the mean of the pulses over the sample interval. A gyro or an
+     * accelerometer is flagged only if a pulse saturates it.
+     */
+    SINS_FAILURE_SPIKES = 4,
+    /**
+     * Additional white noise; its density is in the field `density`. A sample of the altimeter shows the mean of the noise over
+     * the sample interval. Not flagged.
+     */
+    SINS_FAILURE_NOISE = 5,
+    /**
+     * Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
+     * independently with the probability in the field `probability`, or one interval is lost every interval_s, the first
+     * immediately.
+     */
+    SINS_FAILURE_DROP_OUTS = 6
+} sins_failure_kind;
+
+/**
+ * A failure of one output of a sensor. All zero is no failure. Fields that the kind does not use must be 0. The unit u is
+ * rad/s for a gyro, m/s2 for an accelerometer, m for the altimeter.
  */
-SINS_API sins_status SINS_CALL sins_get_truth(sins_sim *sim, struct sins_navigation *truth);
+typedef struct sins_failure {
+    /** sizeof(sins_failure) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Kind of the failure, of enum sins_failure_kind. */
+    int32_t kind;
+    /** Must be 0. */
+    uint32_t reserved2;
+    /** Bias step, spikes: size, up to 100 rad/s for a gyro, 1e4 m/s2 for an accelerometer, 1e5 m for the altimeter [u]. */
+    double size;
+    /**
+     * Noise: root of the spectral density, up to 100 for a gyro, 1e4 for an accelerometer, 1e5 for the altimeter
+     * [u sqrt(s)].
+     */
+    double density;
+    /**
+     * Spikes, drop-outs: time from the start of one to the start of the next, 1e-4 to 1e9 [s]; 0 for drop-outs with a
+     * probability.
+     */
+    double interval_s;
+    /** Spikes: length of one spike, 1e-9 s to interval_s [s]. */
+    double duration_s;
+    /** Drop-outs, if interval_s is 0: probability that an interval is lost, 0 to 1. */
+    double probability;
+} sins_failure;
 
-/*
- * Reads the navigated solution for the same instant as sins_get_truth().
+/**
+ * Sets a failure of one output, as an instructor's station does: before the first sample or in flight, from the next
+ * interval on. It lasts until SINS_FAILURE_NONE clears it, or another failure of the same output replaces it. Several
+ * outputs may fail at the same time.
  *
- * SINS_NEED_SAMPLE: no sample yet.
- * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the first sample with these options
- * and initial errors.
- */
-SINS_API sins_status SINS_CALL sins_get_navigation(sins_sim *sim, struct sins_navigation *navigation);
-
-/*
- * Reads ideal and measured signals of the last interval.
+ * sensor is of enum sins_sensor; axis 0, 1, 2 is x, y, z of the sensor axes. Bias steps, spikes and noise act before dead
+ * zone, range and quantization. SINS_FAILURE_STUCK, SINS_FAILURE_DEAD and SINS_FAILURE_DROP_OUTS replace the output. The
+ * random numbers of other effects do not change. Sensor processes continue during a failure, and act on the output again
+ * when it is cleared. A failure acts on error data 1 and on error data 2. It does not act on the alignment at the start.
+ * sins_reposition() keeps failures. sins_reset() clears all failures, so an exercise starts again with working sensors;
+ * failures that are set again at the same intervals give the same bits.
  *
- * SINS_NEED_SAMPLE: no interval yet.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
+ * solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
  */
-SINS_API sins_status SINS_CALL sins_get_imu(sins_sim *sim, struct sins_imu *imu);
+SINS_API sins_status SINS_CALL sins_set_failure(sins_sim *sim, int32_t sensor, int32_t axis,
+    const sins_failure *failure);
 
-/*
- * Reads the errors of the navigated solution; source is of enum sins_errors_source.
+/**
+ * Reads the failure of one output. May be called at any moment. After sins_snapshot_load() it is that of the snapshot.
+ * SINS_FAILURE_NONE: the output has no failure. sensor and axis as in sins_set_failure().
  *
- * SINS_NEED_SAMPLE: no sample yet.
- * SINS_ERROR_INVALID_ARGUMENT: no such source.
- * SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
- * sins_options.error_model), or navigating on increments.
- * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+ * SINS_ERROR_INVALID_ARGUMENT: no such output.
  */
-SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, struct sins_errors *errors);
+SINS_API sins_status SINS_CALL sins_get_failure(sins_sim *sim, int32_t sensor, int32_t axis, sins_failure *failure);
 
-/*
- * Reads the running accuracy figures.
+/* Start, mounting, gravity. */
+
+/** How the INS finds its attitude at the start. */
+typedef enum sins_alignment {
+    /** The INS starts with the true attitude, turned by the given and the drawn misalignment. */
+    SINS_ALIGNMENT_GIVEN = 0,
+    /**
+     * The library computes the attitude that levelling and gyrocompassing at rest would find with the sensor errors at the
+     * start. It does so even if the flight starts in motion. The INS starts with this attitude, turned by the given and the
+     * drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense no horizontal force.
+     * Gyrocompassing then finds the heading at which the horizontal gyro rates point north. SINS_NAVIGATION_NORTH_UNKNOWN is set
+     * if the sensor errors hide north. Within 64 km of a pole the start returns SINS_ERROR_SINGULAR.
+     */
+    SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1
+} sins_alignment;
+
+/**
+ * Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
+ * (sigma) are drawn once a run and added. A reset and a reposition use the same random numbers again. With
+ * SINS_VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0. Limits: position errors 1e6 m, velocity
+ * errors 1e4 m/s, their standard deviations 1e5 m and 1e3 m/s.
+ */
+typedef struct sins_initial_errors {
+    /** sizeof(sins_initial_errors) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Position error [m]. */
+    double position_enu_m[3];
+    /** Velocity error [m/s]. */
+    double velocity_enu_m_s[3];
+    /**
+     * Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C0. C turns vectors from sensor
+     * axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, C0 is the C that the alignment
+     * finds.
+     */
+    double misalignment_enu_rad[3];
+    /** Standard deviation of the position error [m]. */
+    double position_sigma_enu_m[3];
+    /** Standard deviation of the velocity error [m/s]. */
+    double velocity_sigma_enu_m_s[3];
+    /** Standard deviation of the misalignment, 0 to 1 [rad]. */
+    double misalignment_sigma_enu_rad[3];
+    /** Alignment at the start, of enum sins_alignment. */
+    int32_t alignment;
+    /** Must be 0. */
+    uint32_t reserved2;
+} sins_initial_errors;
+
+/**
+ * Sets the errors with which the navigation starts. Allowed before the first step, and after a reset or a reposition until
+ * the next step. After a reposition they apply to the start at its sample.
  *
- * SINS_NEED_SAMPLE: no sample yet.
- * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
- * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: steps have been made.
  */
-SINS_API sins_status SINS_CALL sins_get_accuracy(sins_sim *sim, struct sins_accuracy *accuracy);
+SINS_API sins_status SINS_CALL sins_set_initial_errors(sins_sim *sim, const sins_initial_errors *errors);
 
-/*
- * Reads the extreme values of the true motion. sins_reposition() and sins_move_truth() do not restart them.
+/**
+ * Reads the set errors with which the navigation starts. May be called at any moment. After sins_snapshot_load() they are
+ * those of the snapshot.
+ */
+SINS_API sins_status SINS_CALL sins_get_initial_errors(sins_sim *sim, sins_initial_errors *errors);
+
+/**
+ * Position and attitude of the sensor block relative to the reference point of the flight samples, and the errors of what
+ * the INS believes about them: believed = true + error, component by component. All zero is a block at the reference
+ * point, along the body axes.
  *
- * SINS_NEED_SAMPLE: no interval yet.
- * SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, without a truth.
- */
-SINS_API sins_status SINS_CALL sins_get_truth_summary(sins_sim *sim, struct sins_truth_summary *summary);
-
-/*
- * Reads the covariance of the navigation errors at the end of the last interval; before the first step, that of the start.
+ * The ideal sensors measure the motion of the block, and sensor errors act in the axes of the block: sins_imu describes
+ * the block. The INS navigates the block, and converts its solution to the reference point with the mounting that it
+ * believes: sins_navigation and sins_errors describe the reference point. Initial errors apply to the solution for the
+ * block, so at the start sins_errors can differ from them. Angular rate and specific force of a sample are those of the
+ * reference point, along body axes. The barometric height is that of the reference point too.
  *
- * SINS_NEED_SAMPLE: no sample yet.
- * SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
- * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: no INS can start at the first sample.
+ * Start in motion: at the start of a moving flight, and after a reposition, samples without an angular rate do not show
+ * the angular acceleration of the first interval. The specific force of a block away from the reference point then lacks
+ * the term angular acceleration times lever arm. In the second interval this term is correct to first order in the
+ * interval's length, in the third to second order, later to third order. The navigation is not affected, because the INS
+ * starts with the velocity that the block has at the mean angular rate of the first interval. With SINS_SAMPLE_ANGULAR_RATE
+ * no term is missing.
  */
-SINS_API sins_status SINS_CALL sins_get_covariance(sins_sim *sim, struct sins_covariance *covariance);
+typedef struct sins_mounting {
+    /** sizeof(sins_mounting) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m]. */
+    double lever_arm_m[3];
+    /**
+     * Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined like the
+     * attitude angles of the body: positive roll right side down, positive pitch nose up, positive heading nose to the
+     * right. Each is -1e4 to 1e4; whole turns do not matter.
+     */
+    double boresight_rad[3];
+    /** Believed less true lever arm, -100 to 100 [m]. */
+    double lever_arm_error_m[3];
+    /**
+     * Believed less true boresight angles, -pi to pi [rad]. If the believed heading is too large, the heading that the INS
+     * reports is too small by the same amount.
+     */
+    double boresight_error_rad[3];
+} sins_mounting;
 
-/*
- * Reads truth, navigation and both errors of this moment in one call; before the first step, those at the first sample.
+/**
+ * Sets the mounting of the sensor block. Allowed before the first step, and after a reset or a reposition until the next
+ * step. A reset and a reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is
+ * that of the block.
  *
- * SINS_NEED_SAMPLE: no sample yet.
- * SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
- * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: steps have been made.
  */
-SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, struct sins_record *record);
+SINS_API sins_status SINS_CALL sins_set_mounting(sins_sim *sim, const sins_mounting *mounting);
 
-/*
- * Writes a record as one line of comma-separated values, without the newline. The program sins writes its files of records
- * in this format. If record is NULL, the line has the names of the columns. The decimal numbers are exact: reading them
- * gives the same doubles. sensor_errors is an array of count = 6 numbers: x, y, z of the mean gyro error [rad/s], then x, y,
- * z of the mean accelerometer error [m/s2], since the previous record. NULL with count 0: all are 0. covariance adds columns
- * of standard deviations; NULL: none. buffer, capacity and needed as in sins_last_error(); a line has at most 1600 bytes.
- * Not for a real-time frame: it allocates.
+/**
+ * Reads the mounting of the sensor block that is set. May be called at any moment. After sins_snapshot_load() it is that of
+ * the snapshot.
+ */
+SINS_API sins_status SINS_CALL sins_get_mounting(sins_sim *sim, sins_mounting *mounting);
+
+/**
+ * Gravity disturbance: true gravity less the normal gravity that the INS computes, at the same point. The horizontal part is
+ * the deflection of the vertical. The vertical part is called anomaly here. Each has a constant part and a random part. The
+ * random part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown
+ * over ground. At rest it does not change. All zero is normal gravity.
  *
- * SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
- * SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
+ * Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
+ * accelerometer error. At rest, without a levelled start, a deflection xi makes the position error oscillate between 0 and 2
+ * R xi, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS) is tilted by the deflection.
  */
-SINS_API sins_status SINS_CALL sins_record_line(
-    const struct sins_record *record, const double *sensor_errors, size_t count,
-    const struct sins_covariance *covariance, char *buffer, size_t capacity, size_t *needed);
+typedef struct sins_gravity_params {
+    /** sizeof(sins_gravity_params) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /**
+     * Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. If positive, the true
+     * zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g times this to the north.
+     */
+    double deflection_north_rad;
+    /** Standard deviation of the random part of the deflection in the meridian, 0 to 0.01 [rad]. */
+    double deflection_north_sigma_rad;
+    /** Correlation distance D of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
+    double deflection_north_distance_m;
+    /**
+     * Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
+     * 0.01 [rad]. If positive, the true zenith lies east of the ellipsoid's normal.
+     */
+    double deflection_east_rad;
+    /** Standard deviation of the random part of the deflection in the prime vertical, 0 to 0.01 [rad]. */
+    double deflection_east_sigma_rad;
+    /** Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
+    double deflection_east_distance_m;
+    /** Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2. */
+    double anomaly_m_s2;
+    /** Standard deviation of the random part of the anomaly, 0 to 0.1 [m/s2]. */
+    double anomaly_sigma_m_s2;
+    /** Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
+    double anomaly_distance_m;
+} sins_gravity_params;
 
-/*
+/**
+ * Sets the gravity disturbance, true gravity less normal gravity. Allowed before the first step, and after a reset or a
+ * reposition until the next step. A reset brings the same field back; after a reposition the field continues from its
+ * current values. The disturbance does not affect a navigator on increments, because the host's increments already contain
+ * its effect.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ * SINS_ERROR_BAD_STATE: steps have been made.
+ */
+SINS_API sins_status SINS_CALL sins_set_gravity_disturbance(sins_sim *sim, const sins_gravity_params *params);
+
+/**
+ * Reads the parameters of the gravity disturbance that are set. May be called at any moment. After sins_snapshot_load() they
+ * are those of the snapshot.
+ */
+SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, sins_gravity_params *params);
+
+/* Navigation on increments, without a truth. */
+
+/**
+ * Increments of an inertial measurement unit over an interval. The interval is divided into parts of equal length; the
+ * field count is their number.
+ */
+typedef struct sins_imu_increment {
+    /** sizeof(sins_imu_increment) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Length of the whole interval, 5e-5 to 10 [s]. */
+    double interval_s;
+    /** Number of parts, 1 to 5. */
+    int32_t count;
+    /** Must be 0. */
+    uint32_t reserved2;
+    /**
+     * Integral of the angular rate against inertial space over each part: x, y, z of the first part, x, y, z of the second
+     * part, and so on [rad]. The rotation in each part, and in the interval, must be less than half a turn.
+     */
+    double angle_rad[15];
+    /** Integral of the specific force over each part, up to 1e4 m/s, likewise [m/s]. */
+    double velocity_m_s[15];
+} sins_imu_increment;
+
+/**
  * Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
  * gives the start: time, position, velocity and attitude (quaternion_nb; the angles and the flags are not read). Ranges are
  * those of a flight sample; the norm of the quaternion must be 1 within 1e-3. Initial errors that are set do not apply.
@@ -2593,9 +1866,9 @@ SINS_API sins_status SINS_CALL sins_record_line(
  * coefficients are set, but increments have no temperature.
  * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
  */
-SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct sins_navigation *navigation);
+SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const sins_navigation *navigation);
 
-/*
+/**
  * Navigates over one interval on the host's increments. Sensor errors that are set are added to the increments. The time
  * advances by interval_s. sins_get_imu() reports the host's increments as the ideal ones. sins_options.subsamples and
  * updates_per_sample do not apply: the parts of the increment are the subsamples of one update.
@@ -2605,9 +1878,17 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const struct
  * SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
  * readable, and sins_reset() and sins_start_navigation() start anew.
  */
-SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_imu_increment *increment);
+SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const sins_imu_increment *increment);
 
-/*
+/* Snapshots. */
+
+/**
+ * A buffer of this size holds every snapshot of a simulator that this release saves. For a library newer than this header
+ * ask sins_snapshot_size(); for an ensemble ask sins_ensemble_snapshot_size().
+ */
+#define SINS_SNAPSHOT_MAX_SIZE 20480
+
+/**
  * Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. These sizes
  * are without waiting samples. Without sensor errors it is 1.3 to 2.1 KiB, by the options. With every error of gyros,
  * accelerometers and altimeter it is up to 4.5 KiB. With mounting, gravity, temperature and failures too it is up to 5.25
@@ -2615,7 +1896,7 @@ SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const struct sins_im
  */
 SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
 
-/*
+/**
  * Saves the whole simulator, at any moment: options, parameters, waiting samples, the state of every stage, and the position
  * of each random stream. written (may be NULL) gets the size. The bytes mean the same on every platform and hold no address,
  * so they can be kept in a file or sent to another machine. The same state gives the same bytes. No allocation, no system
@@ -2628,7 +1909,7 @@ SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
  */
 SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, size_t capacity, size_t *written);
 
-/*
+/**
  * Replaces the simulator by the saved one, including its options (see sins_get_options()). So a fresh handle of
  * sins_create(NULL, ...) is enough. The run continues to the same bits as the saved one. size is the size that
  * sins_snapshot_save() wrote. Not for a real-time frame: it allocates.
@@ -2640,205 +1921,128 @@ SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, s
  */
 SINS_API sins_status SINS_CALL sins_snapshot_load(sins_sim *sim, const void *snapshot, size_t size);
 
-/*
- * Creates an ensemble of the runs first_run to first_run + runs - 1. configured is a simulator on which options, sensor
- * errors, initial errors, mounting, gravity disturbance and failures are set, and to which no sample was pushed. The call
- * copies it, and does not change it. Run k of the ensemble gives the same bits as a simulator with the same settings and
- * sins_options.run = k. Three options of configured have no effect: run, truth_summary and covariance.
- *
- * No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
- * statistics can be merged. The library starts no thread.
- *
- * What all runs share is computed once a step, and runs are flown side by side: a run takes a fraction of the time of a
- * simulator, and 1.7 to 2.6 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
- *
- * After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
- *
- * SINS_ERROR_BAD_STATE: configured has taken a sample since it was created or reset, or navigates on increments.
- * SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to 4294967295, or first_run + runs - 1 above 2^64 - 1.
- * SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles exist.
- */
-SINS_API sins_status SINS_CALL sins_ensemble_create(
-    const sins_sim *configured, uint64_t first_run, size_t runs, sins_ensemble **ensemble);
+/* Embedded flights: the library computes the samples from manoeuvres. */
 
-/*
- * Waits until the calls of other threads on this handle have returned, and destroys the ensemble. The handle is never used
- * again.
- *
- * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
- */
-SINS_API sins_status SINS_CALL sins_ensemble_destroy(sins_ensemble *ensemble);
+/** Kinds of manoeuvre. */
+typedef enum sins_manoeuvre_kind {
+    /** At rest for duration_s; the speed must be 0. */
+    SINS_MANOEUVRE_REST = 0,
+    /** Along a geodesic at constant speed and height for duration_s. */
+    SINS_MANOEUVRE_STRAIGHT = 1,
+    /** Changes the speed by speed_change_m_s in duration_s. */
+    SINS_MANOEUVRE_ACCELERATE = 2,
+    /** Changes the height by height_change_m in duration_s. Uses ramp_s. */
+    SINS_MANOEUVRE_CLIMB = 3,
+    /**
+     * Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
+     * duration follows from these.
+     */
+    SINS_MANOEUVRE_TURN = 4,
+    /** Whole rolls along a straight path in duration_s; the field turns is their number (positive: right wing down). */
+    SINS_MANOEUVRE_ROLL = 5,
+    /** Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s. */
+    SINS_MANOEUVRE_LOOP = 6,
+    /**
+     * The course swings by heading_change_rad to both sides, first to the right if it is positive. The field turns is the number
+     * of swings in duration_s. A swing is a full period: to one side, to the other side, and back. Uses ramp_s.
+     */
+    SINS_MANOEUVRE_S_TURN = 7,
+    /** Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s. */
+    SINS_MANOEUVRE_SINUSOIDS = 8
+} sins_manoeuvre_kind;
 
-/*
- * Puts one flight sample into the queue (16 samples) of all runs.
- *
- * SINS_GAP and the errors: as sins_push_sample().
- */
-SINS_API sins_status SINS_CALL sins_ensemble_push_sample(
-    sins_ensemble *ensemble, const struct sins_flight_sample *sample);
+/** What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves. */
+typedef enum sins_channel {
+    /** The sinusoid moves the course [rad], with the bank of a coordinated turn. */
+    SINS_CHANNEL_COURSE = 0,
+    /** The sinusoid moves the climb angle [rad]. */
+    SINS_CHANNEL_CLIMB = 1,
+    /** The sinusoid moves the speed [m/s]. */
+    SINS_CHANNEL_SPEED = 2,
+    /** The sinusoid moves roll alone [rad]. */
+    SINS_CHANNEL_ROLL = 3,
+    /** The sinusoid moves pitch alone [rad]. */
+    SINS_CHANNEL_PITCH = 4,
+    /** The sinusoid moves heading alone [rad]. */
+    SINS_CHANNEL_HEADING = 5
+} sins_channel;
 
-/*
- * Flies one sample interval with all runs that have not diverged. No allocation, no system call.
- *
- * A run has diverged if its solution leaves its limits (SINS_ERROR_DIVERGED of sins_step()), or comes too close to a pole in
- * geographic axes (SINS_ERROR_SINGULAR). A diverged run is not flown any further, and its reads return SINS_ERROR_DIVERGED.
- * sins_ensemble_get_diverged() reports it, and sins_ensemble_get_statistics() counts it. The other runs and the truth
- * continue, even if all runs have diverged. sins_ensemble_reposition() and sins_ensemble_reset() start all runs again.
- *
- * SINS_NEED_SAMPLE: no complete interval is waiting. SINS_ERROR_SINGULAR: the truth is too close to a pole, in geographic
- * axes or for an alignment by gyrocompassing; the step is made for no run.
- */
-SINS_API sins_status SINS_CALL sins_ensemble_step(sins_ensemble *ensemble);
+/** One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use must be 0. */
+typedef struct sins_manoeuvre {
+    /** sizeof(sins_manoeuvre); in an array it is enough to set it in the first element and 0 in the others. */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Kind of the manoeuvre, of enum sins_manoeuvre_kind. */
+    int32_t kind;
+    /** Number of sinusoids, 1 to 6. */
+    int32_t sinusoid_count;
+    /** Duration, 1e-3 to 1e8 [s]. */
+    double duration_s;
+    /**
+     * Time in which the manoeuvre builds up, and time in which it dies out, 1e-3 to 1e8; 0: 5 s [s]. If it is longer than
+     * half of the duration, half of the duration is used.
+     */
+    double ramp_s;
+    /** Change of speed; the speed must stay between 0 and 10 km/s [m/s]. */
+    double speed_change_m_s;
+    /** Change of height; the climb angle must stay below 64 degrees [m]. */
+    double height_change_m;
+    /** Change of heading, up to 1e4 rad, or amplitude of the swings of an S-turn, up to 10 rad [rad]. */
+    double heading_change_rad;
+    /**
+     * Bank of a turn, 1e-3 to 1.5 [rad]. If the heading change is too small to reach this bank, the turn uses a smaller
+     * bank.
+     */
+    double bank_rad;
+    /** Number of rolls or loops, a whole number from -1e4 to 1e4, not 0; or number of swings of an S-turn, 0 to 1e6. */
+    double turns;
+    /** What each sinusoid moves, of enum sins_channel. */
+    int32_t channel[6];
+    /**
+     * Amplitude of each sinusoid [rad] or [m/s]: up to 10 rad; for the climb angle up to 1.5 rad; for the speed, the sum of the
+     * amplitudes is at most the speed.
+     */
+    double amplitude[6];
+    /** Frequency of each sinusoid, 0 to 1000 [Hz]. */
+    double frequency_hz[6];
+    /** Phase of each sinusoid: amplitude sin(2 pi frequency t + phase), with t since the start of the manoeuvre [rad]. */
+    double phase_rad[6];
+} sins_manoeuvre;
 
-/*
- * Pushes and steps an array of count samples. With thousands of runs this is faster than single calls. Any split of a flight
- * into calls gives the same bits as pushing and stepping sample by sample. samples[0].struct_size is the size in bytes of
- * each element of samples; struct_size of the other samples may be 0.
- *
- * SINS_GAP: all samples were flown, and at least one of them ended a gap. An error of sins_ensemble_push_sample() or
- * sins_ensemble_step() ends the call at the sample that caused the error; sins_last_error() names this sample. The samples
- * before it were flown, this sample and the rest were not. A sample that could be pushed but not flown waits in the queue.
- */
-SINS_API sins_status SINS_CALL sins_ensemble_run(
-    sins_ensemble *ensemble, const struct sins_flight_sample *samples, size_t count);
+/** An embedded flight. A handle is a checked key, as that of sins_sim, and never taken for one. */
+typedef struct sins_flight sins_flight;
 
-/*
- * Restarts all runs, as sins_reposition() does: the truth jumps to the sample, and every run, diverged or not, starts again
- * there with its initial errors.
- *
- * SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
- */
-SINS_API sins_status SINS_CALL sins_ensemble_reposition(
-    sins_ensemble *ensemble, const struct sins_flight_sample *sample);
+/** Start of an embedded flight, level and straight. */
+typedef struct sins_flight_start {
+    /** sizeof(sins_flight_start) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Geodetic latitude, -pi/2 to pi/2 [rad]. */
+    double latitude_rad;
+    /** Longitude, east positive, -100 to 100 [rad]. */
+    double longitude_rad;
+    /** Height above the ellipsoid, -2e4 to 2e6 [m]. */
+    double height_m;
+    /** Speed against the Earth, 0 to 1e4 [m/s]. */
+    double speed_m_s;
+    /** Course and heading, -100 to 100 [rad]. */
+    double heading_rad;
+    /** Roll of the body relative to the axes of the path, throughout the flight, -pi to pi [rad]. */
+    double roll_rad;
+    /**
+     * Pitch of the body relative to the axes of the path, throughout the flight, -pi/2 to pi/2: angle of attack, or tilt
+     * at rest [rad].
+     */
+    double pitch_rad;
+    /** Ellipsoid, of enum sins_earth, as in the options of the simulator that will fly it. */
+    int32_t earth;
+    /** Must be 0. */
+    uint32_t reserved2;
+} sins_flight_start;
 
-/*
- * Returns to the state before the first sample, as sins_reset() does: the same parameters, no failures, no diverged run, and
- * the random streams at their start.
- */
-SINS_API sins_status SINS_CALL sins_ensemble_reset(sins_ensemble *ensemble);
-
-/*
- * Sets or clears a failure of one output in every run, as sins_set_failure() does. No allocation, no system call.
- *
- * SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
- */
-SINS_API sins_status SINS_CALL sins_ensemble_set_failure(
-    sins_ensemble *ensemble, int32_t sensor, int32_t axis, const struct sins_failure *failure);
-
-/* Reads the number of the first run, and how many runs there are; either pointer may be NULL. */
-SINS_API sins_status SINS_CALL sins_ensemble_get_runs(sins_ensemble *ensemble, uint64_t *first_run, size_t *runs);
-
-/*
- * Reads the truth, which all runs share, as sins_get_truth() does.
- *
- * SINS_NEED_SAMPLE: no sample yet.
- */
-SINS_API sins_status SINS_CALL sins_ensemble_get_truth(sins_ensemble *ensemble, struct sins_navigation *truth);
-
-/*
- * Reads the navigated solution of a run, as sins_get_navigation() does. run is from first_run to first_run + runs - 1.
- *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged (the
- * sentence of sins_last_error() states the time of its last good solution); or as sins_get_navigation().
- * SINS_ERROR_SINGULAR: as sins_get_navigation().
- */
-SINS_API sins_status SINS_CALL sins_ensemble_get_navigation(
-    sins_ensemble *ensemble, uint64_t run, struct sins_navigation *navigation);
-
-/*
- * Reads the errors of the navigated solution of a run, as sins_get_errors() does; source is of enum sins_errors_source.
- *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run or source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL
- * while the error model is off. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_ensemble_get_navigation().
- */
-SINS_API sins_status SINS_CALL sins_ensemble_get_errors(
-    sins_ensemble *ensemble, uint64_t run, int32_t source, struct sins_errors *errors);
-
-/*
- * Reads ideal and measured signals of the last interval of a run, as sins_get_imu() does.
- *
- * SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged.
- */
-SINS_API sins_status SINS_CALL sins_ensemble_get_imu(sins_ensemble *ensemble, uint64_t run, struct sins_imu *imu);
-
-/*
- * Reads the run number of diverged run `index`, from 0. The run numbers are in ascending order. sins_statistics.diverged is
- * the number of diverged runs.
- *
- * SINS_ERROR_INVALID_ARGUMENT: index is not below the count of diverged runs.
- */
-SINS_API sins_status SINS_CALL sins_ensemble_get_diverged(sins_ensemble *ensemble, size_t index, uint64_t *run);
-
-/*
- * Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. sins_statistics_merge() adds
- * those of other runs at the same moment. Within 20 km of the Earth's axis (SINS_NAVIGATION_NEAR_POLE of the truth) the up
- * misalignment and the east and north components of the velocity error have no meaning. No allocation, no system call.
- *
- * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
- * the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.
- */
-SINS_API sins_status SINS_CALL sins_ensemble_get_statistics(
-    sins_ensemble *ensemble, int32_t source, struct sins_statistics *statistics);
-
-/*
- * Adds the runs of `other` to those of `into`. The caller makes sure that no run is in both. The sums are exact: any order
- * and any grouping of merges gives the same bits, so the work can be split over threads, processes, machines and restarts in
- * any way. If `into` is zero except for struct_size, it holds no runs.
- *
- * SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or the sum would have more than 4294967295
- * runs. into is then unchanged.
- */
-SINS_API sins_status SINS_CALL sins_statistics_merge(
-    struct sins_statistics *into, const struct sins_statistics *other);
-
-/*
- * Computes means, covariances, root mean squares and radii from statistics.
- *
- * SINS_ERROR_INVALID_ARGUMENT: they are damaged or of another release.
- */
-SINS_API sins_status SINS_CALL sins_statistics_figures(
-    const struct sins_statistics *statistics, struct sins_figures *figures);
-
-/* Reads the size that a snapshot has now: about 1.3 to 5.25 KiB for each run, as for a simulator. */
-SINS_API sins_status SINS_CALL sins_ensemble_snapshot_size(sins_ensemble *ensemble, size_t *size);
-
-/*
- * Saves the whole ensemble, at any moment, as sins_snapshot_save() does for a simulator. written (may be NULL) gets the
- * size. The same state gives the same bytes. No allocation, no system call.
- *
- * SINS_ERROR_BUFFER_TOO_SMALL: see sins_ensemble_snapshot_size(); buffer and written are unchanged.
- */
-SINS_API sins_status SINS_CALL sins_ensemble_snapshot_save(
-    sins_ensemble *ensemble, void *buffer, size_t capacity, size_t *written);
-
-/*
- * Replaces the ensemble by the saved one, including its runs and options. So the handle may be any ensemble, for example of
- * one run. The loaded ensemble continues with the same bits as the saved one. size is the size that
- * sins_ensemble_snapshot_save() wrote. Not for a real-time frame: it allocates.
- *
- * SINS_ERROR_SNAPSHOT: the bytes are not a snapshot of an ensemble, or are cut off, altered, or of a newer release; nothing
- * has changed, and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second
- * ensemble.
- */
-SINS_API sins_status SINS_CALL sins_ensemble_snapshot_load(
-    sins_ensemble *ensemble, const void *snapshot, size_t size);
-
-/*
- * Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are
- * drawn at turn-on with the standard deviations that the source of the grade states; errors that it does not state are 0.
- *
- * SINS_ERROR_INVALID_ARGUMENT: no such grade.
- */
-SINS_API sins_status SINS_CALL sins_gyro_preset(int32_t grade, struct sins_gyro_params *params);
-
-/*
- * Fills params with the accelerometer errors of a grade, as sins_gyro_preset().
- *
- * SINS_ERROR_INVALID_ARGUMENT: no such grade.
- */
-SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_accel_params *params);
-
-/*
+/**
  * Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
  * smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the size
  * in bytes of each element of manoeuvres.
@@ -2853,400 +2057,97 @@ SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, struct sins_acce
  * index in the sentence is that of the manoeuvre).
  * SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
  */
-SINS_API sins_status SINS_CALL sins_flight_create(
-    const struct sins_flight_start *start, const struct sins_manoeuvre *manoeuvres, size_t count,
-    sins_flight **flight);
+SINS_API sins_status SINS_CALL sins_flight_create(const sins_flight_start *start, const sins_manoeuvre *manoeuvres,
+    size_t count, sins_flight **flight);
 
-/* Reads the duration of the flight [s]. */
+/** Reads the duration of the flight [s]. */
 SINS_API sins_status SINS_CALL sins_flight_duration(const sins_flight *flight, double *duration_s);
 
-/*
+/**
  * Reads the sample at time_s, from 0 to the duration [s]. It is exact at any time, and times may come in any order. No
  * allocation; 0.5 to 2 us.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a time before the start or after the end.
  */
-SINS_API sins_status SINS_CALL sins_flight_sample_at(
-    const sins_flight *flight, double time_s, struct sins_flight_sample *sample);
+SINS_API sins_status SINS_CALL sins_flight_sample_at(const sins_flight *flight, double time_s,
+    sins_flight_sample *sample);
 
-/*
+/**
  * Destroys a flight.
  *
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
  */
 SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
 
-/*
- * Creates the default scene: the recommended simulator with ideal sensors, at rest for an hour at latitude 0, longitude 0,
- * height 0, sampled at 100 Hz.
- *
- * On an error *scene is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason, as for every function of
- * scenes. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 scenes exist. Functions of scenes allocate: only sins_scene_prepare()
- * and sins_scene_prepare_ensemble() are for a real-time frame. The other functions of scenes first check that enough memory
- * is free for the call. If another thread takes this memory during the call, the process ends. sins_log_parse() does the
- * same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
+/* Which options, which effects matter. */
+
+/**
+ * Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.
+ * At least one limit is needed.
  */
-SINS_API sins_status SINS_CALL sins_scene_create(sins_scene **scene);
+typedef struct sins_requirement {
+    /** sizeof(sins_requirement) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /**
+     * Duration for which the limits hold, 0 to 1e6 [s]. If it is shorter than the piece of flight that is given to
+     * sins_recommend(), it is the length of that piece.
+     */
+    double duration_s;
+    /** Limit of the position error of the algorithm: distance from the reference (see sins_recommend()) [m]; 0: none. */
+    double position_m;
+    /** Limit of the velocity error of the algorithm: length of the difference from the reference [m/s]; 0: none. */
+    double velocity_m_s;
+    /**
+     * Limit of the attitude error of the algorithm: angle between its attitude relative to the Earth and that of the
+     * reference [rad]; 0: none.
+     */
+    double attitude_rad;
+    /** Margin: each limit must be at least this many times the predicted error, 1 to 1e6; 0: 2. */
+    double margin;
+} sins_requirement;
 
-/*
- * Creates a scene from its text: TOML in UTF-8, at most 1 MiB. The library does not keep the bytes.
- * sins_scene_write_keys() and sins_scene_get_key() list the keys.
- *
- * SINS_SCENE_HAS_FAULTS: the text is not a valid scene; sins_scene_get_fault() gives every fault and its place. The handle
- * is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
- * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
- */
-SINS_API sins_status SINS_CALL sins_scene_parse(const char *text, size_t size, sins_scene **scene);
+/** Accuracy and cost of the recommended options. */
+typedef struct sins_cost {
+    /** sizeof(sins_cost) */
+    uint32_t struct_size;
+    /** 0 */
+    uint32_t reserved;
+    /** Duration for which the errors are predicted [s]. */
+    double duration_s;
+    /** Predicted position error, the largest within the duration [m]. */
+    double position_m;
+    /** Predicted velocity error, the largest within the duration [m/s]. */
+    double velocity_m_s;
+    /** Predicted attitude error against the Earth, the largest within the duration [rad]. */
+    double attitude_rad;
+    /** Part of position_m that is the uncertainty of the reference [m]. */
+    double reference_position_m;
+    /** Part of velocity_m_s that is the uncertainty of the reference [m/s]. */
+    double reference_velocity_m_s;
+    /** Part of attitude_rad that is the uncertainty of the reference [rad]. */
+    double reference_attitude_rad;
+    /**
+     * Predicted error times margin divided by its limit, the largest of the three. The requirement is met if this is at most
+     * 1. A limit below 1e-100 counts as 1e-100.
+     */
+    double share;
+    /**
+     * Processor instructions of the part of a step that depends on the algorithm: a figure that is the same on every
+     * machine. The algorithms are ordered by this figure.
+     */
+    double instructions_per_step;
+    /**
+     * Time of push and step of one sample, measured in this call on this machine, with the recommended options, the
+     * mounting, and ideal sensors [ns].
+     */
+    double ns_per_step;
+    /** Number of algorithms that were tried, including the recommended one. */
+    uint64_t tried;
+} sins_cost;
 
-/*
- * Reads fault `index` of the scene's text, from 0 in the order of the text; fault->count is the number of faults. After
- * sins_scene_set_values() and sins_scene_set_items() the faults are those of that call; none if it succeeded.
- *
- * SINS_ERROR_INVALID_ARGUMENT: there is no such fault.
- */
-SINS_API sins_status SINS_CALL sins_scene_get_fault(const sins_scene *scene, size_t index, struct sins_fault *fault);
-
-/*
- * Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
- * "over_the_pole", "coning", "commuter".
- *
- * SINS_ERROR_INVALID_ARGUMENT: no scene has that name.
- * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
- */
-SINS_API sins_status SINS_CALL sins_scene_create_builtin(const char *name, sins_scene **scene);
-
-/*
- * Reads the name of built-in scene `index`, from 0. buffer, capacity and needed as in sins_scene_write().
- *
- * SINS_ERROR_INVALID_ARGUMENT: there are no more.
- */
-SINS_API sins_status SINS_CALL sins_scene_builtin_name(size_t index, char *buffer, size_t capacity, size_t *needed);
-
-/*
- * Writes the scene as commented TOML, which sins_scene_parse() reads back to the same scene, to the bit.
- *
- * needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for the size
- * only. SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or
- * so many manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
- */
-SINS_API sins_status SINS_CALL sins_scene_write(
-    const sins_scene *scene, char *buffer, size_t capacity, size_t *needed);
-
-/*
- * Writes every section and key of a scene, one in a line, with its values, its unit and its meaning. buffer, capacity and
- * needed as in sins_scene_write().
- */
-SINS_API sins_status SINS_CALL sins_scene_write_keys(char *buffer, size_t capacity, size_t *needed);
-
-/*
- * Creates the simulator of the scene, ready for the first sample: options, sensor errors, initial errors, mounting, gravity
- * disturbance. sins_scene_prepare() sets the failures at their times. If the flight is not a log,
- * sins_options.sample_period_s of the simulator is 1 / rate_hz.
- *
- * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
- * SINS_ERROR_BAD_STATE: as sins_scene_parse().
- * SINS_ERROR_OUT_OF_MEMORY: as sins_create().
- */
-SINS_API sins_status SINS_CALL sins_scene_create_simulator(const sins_scene *scene, sins_sim **sim);
-
-/*
- * Creates the flight of the scene, composed of manoeuvres or built-in, on the scene's ellipsoid. A host samples it at k / rate
- * up to sins_scene_setup.flown_s.
- *
- * SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse().
- * Else as sins_flight_create().
- */
-SINS_API sins_status SINS_CALL sins_scene_create_flight(const sins_scene *scene, sins_flight **flight);
-
-/*
- * Destroys a scene. Simulators and flights that were created from it stay valid.
- *
- * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
- */
-SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
-
-/*
- * Prepares the next interval: call this function before each push, and call sins_step() before you call it again. The
- * sample gets the temperature of the scene, if the scene has one. The call sets and clears the failures of the scene on sim.
- * A failure begins at the first interval that starts at or after from_s, and ends at the first interval that starts at or
- * after until_s. If the scene plans no failure of an output, the call does not touch the failure of that output.
- * flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
- *
- * SINS_ERROR_BAD_HANDLE: scene or sim is not a valid handle.
- * SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
- * SINS_ERROR_BAD_STATE: as sins_scene_parse().
- */
-SINS_API sins_status SINS_CALL sins_scene_prepare(
-    const sins_scene *scene, sins_sim *sim, double flight_start_s, struct sins_flight_sample *sample);
-
-/*
- * Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. No allocation, no
- * system call.
- *
- * SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins_scene_prepare().
- */
-SINS_API sins_status SINS_CALL sins_scene_prepare_ensemble(
-    const sins_scene *scene, sins_ensemble *ensemble, double flight_start_s, struct sins_flight_sample *sample);
-
-/*
- * Reads the options of the scene.
- *
- * SINS_ERROR_BAD_STATE: as sins_scene_parse(), as for all functions that read or set a part of a scene.
- */
-SINS_API sins_status SINS_CALL sins_scene_get_options(const sins_scene *scene, struct sins_options *options);
-
-/*
- * Sets the options of the scene. As with every part, an error leaves the scene unchanged. Parts can be set in any order:
- * whether they go together is checked when the scene is written, and when its simulator is created.
- *
- * SINS_ERROR_INVALID_ARGUMENT: as sins_create().
- */
-SINS_API sins_status SINS_CALL sins_scene_set_options(sins_scene *scene, const struct sins_options *options);
-
-/* Reads the gyro errors of the scene. */
-SINS_API sins_status SINS_CALL sins_scene_get_gyro(const sins_scene *scene, struct sins_gyro_params *params);
-
-/*
- * Sets the gyro errors of the scene.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_gyro(sins_scene *scene, const struct sins_gyro_params *params);
-
-/* Reads the accelerometer errors of the scene. */
-SINS_API sins_status SINS_CALL sins_scene_get_accel(const sins_scene *scene, struct sins_accel_params *params);
-
-/*
- * Sets the accelerometer errors of the scene.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_accel(sins_scene *scene, const struct sins_accel_params *params);
-
-/* Reads the errors of the scene's altimeter. */
-SINS_API sins_status SINS_CALL sins_scene_get_altimeter(
-    const sins_scene *scene, struct sins_altimeter_params *params);
-
-/*
- * Sets the errors of the scene's altimeter.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_altimeter(
-    sins_scene *scene, const struct sins_altimeter_params *params);
-
-/* Reads the errors with which the navigation of the scene starts. */
-SINS_API sins_status SINS_CALL sins_scene_get_initial_errors(
-    const sins_scene *scene, struct sins_initial_errors *errors);
-
-/*
- * Sets the errors with which the navigation of the scene starts.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_initial_errors(
-    sins_scene *scene, const struct sins_initial_errors *errors);
-
-/* Reads the mounting of the scene's sensor block. */
-SINS_API sins_status SINS_CALL sins_scene_get_mounting(const sins_scene *scene, struct sins_mounting *mounting);
-
-/*
- * Sets the mounting of the scene's sensor block.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_mounting(sins_scene *scene, const struct sins_mounting *mounting);
-
-/* Reads the gravity disturbance of the scene. */
-SINS_API sins_status SINS_CALL sins_scene_get_gravity_disturbance(
-    const sins_scene *scene, struct sins_gravity_params *params);
-
-/*
- * Sets the gravity disturbance of the scene.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_gravity_disturbance(
-    sins_scene *scene, const struct sins_gravity_params *params);
-
-/* Reads the settings of a scene for its flight and its output. */
-SINS_API sins_status SINS_CALL sins_scene_get_setup(const sins_scene *scene, struct sins_scene_setup *setup);
-
-/*
- * Sets the settings of a scene for its flight and its output; the fields flight and flown_s are ignored.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_setup(sins_scene *scene, const struct sins_scene_setup *setup);
-
-/*
- * Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number (count), and
- * how many times all of them are flown (repeat). manoeuvres[0].struct_size is the size in bytes of each element of
- * manoeuvres. start and repeat may be NULL. To ask for count only, give NULL for manoeuvres and a capacity of 0.
- *
- * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of manoeuvres; only count was written.
- * SINS_ERROR_BAD_STATE: the flight is a log; or as sins_scene_parse().
- */
-SINS_API sins_status SINS_CALL sins_scene_get_manoeuvres(
-    const sins_scene *scene, struct sins_flight_start *start, struct sins_manoeuvre *manoeuvres, size_t capacity,
-    size_t *count, size_t *repeat);
-
-/*
- * Composes the flight of the scene of an array of count manoeuvres, all flown repeat times; count * repeat is at most 4096.
- * start->earth is ignored: the ellipsoid is that of the scene's options. If the flight was a log before, the new flight is
- * sampled at 100 Hz.
- *
- * SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that heights along the path are not checked.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_manoeuvres(
-    sins_scene *scene, const struct sins_flight_start *start, const struct sins_manoeuvre *manoeuvres, size_t count,
-    size_t repeat);
-
-/*
- * Reads a text of the scene; which is of enum sins_scene_text. An empty text means that it is not set. buffer, capacity
- * and needed as in sins_scene_write().
- *
- * SINS_ERROR_INVALID_ARGUMENT: no such text.
- */
-SINS_API sins_status SINS_CALL sins_scene_get_text(
-    const sins_scene *scene, int32_t which, char *buffer, size_t capacity, size_t *needed);
-
-/*
- * Sets a text of the scene; which is of enum sins_scene_text. The text is UTF-8, terminated, at most 4096 bytes. An empty
- * text clears it, except SINS_SCENE_TEXT_LOG and SINS_SCENE_TEXT_BUILTIN, which cannot be empty.
- *
- * SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_text(sins_scene *scene, int32_t which, const char *text);
-
-/* Reads the number of failures that the scene plans. */
-SINS_API sins_status SINS_CALL sins_scene_get_failure_count(const sins_scene *scene, size_t *count);
-
-/*
- * Reads planned failure `index`, from 0.
- *
- * SINS_ERROR_INVALID_ARGUMENT: no such failure.
- */
-SINS_API sins_status SINS_CALL sins_scene_get_failure(
-    const sins_scene *scene, size_t index, struct sins_planned_failure *failure);
-
-/*
- * Adds a planned failure.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
- */
-SINS_API sins_status SINS_CALL sins_scene_add_failure(sins_scene *scene, const struct sins_planned_failure *failure);
-
-/* Removes all planned failures. */
-SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
-
-/*
- * Reads key `index` of the scene format, from 0 in the order in which a scene is written.
- *
- * SINS_ERROR_INVALID_ARGUMENT: there are no more.
- * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
- */
-SINS_API sins_status SINS_CALL sins_scene_get_key(size_t index, struct sins_scene_key *key);
-
-/*
- * Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
- * the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
- * "failure[0].kind". Places in lists begin at 0. Words and texts are in quotes. The text is empty if the scene has no such
- * value. For example, flight.hours is empty if the scene flies the whole flight. The scene stores numbers in SI, so a number
- * read in another unit may be rounded. The scene does not store the name of a preset, only the errors that the preset sets.
- *
- * The paths "manoeuvre[3]" and "failure[0]" give all lines of an item, for sins_scene_set_items(). A built-in flight and a log
- * have no such manoeuvres. buffer, capacity and needed as in sins_scene_write().
- *
- * SINS_ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
- */
-SINS_API sins_status SINS_CALL sins_scene_get_value(
-    const sins_scene *scene, const char *path, char *buffer, size_t capacity, size_t *needed);
-
-/*
- * Sets up to 4096 values of the scene, all or none. values is a terminated text in UTF-8. Each line is path = value, with a path
- * as in sins_scene_get_value(). Blank lines and lines that begin with # are ignored. A value is written as in the text of a
- * scene, but words and texts need no quotes. An empty value (gyro.bias_deg_h =) sets the default of the key. If the path is
- * a single element (gyro.bias_deg_h[1] =), it sets 0. If a value is set twice, the last one counts. gyro.preset replaces all
- * errors of the gyros, accelerometer.preset those of the accelerometers, before the other lines are applied, wherever it
- * stands. flight.file and flight.builtin replace the flight.
- *
- * The scene is then checked as sins_scene_parse() checks a text. Set values that depend on each other in one call, such as the
- * kind of a manoeuvre and its quantities.
- *
- * SINS_ERROR_INVALID_ARGUMENT: the scene would not be valid, and stays as it was. sins_scene_get_fault() gives every fault
- * with the line in values and the path.
- * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
- */
-SINS_API sins_status SINS_CALL sins_scene_set_values(sins_scene *scene, const char *values);
-
-/*
- * Replaces all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
- * [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an item, give
- * the texts of all items that the list shall have, in order. An empty text removes all failures; for "manoeuvre" an empty
- * text is a fault. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0,
- * longitude 0, height 0.
- *
- * SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
- * every fault with the line in items and the path.
- * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
- */
-SINS_API sins_status SINS_CALL sins_scene_set_items(sins_scene *scene, const char *list, const char *items);
-
-/*
- * Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
- * comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns
- * is a fault:
- *
- * time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m, roll_rad or _deg, pitch_rad or _deg, heading_rad
- * or _deg; optional: velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s, rate_y_rad_s, rate_z_rad_s;
- * force_x_m_s2, force_y_m_s2, force_z_m_s2; temperature_c
- *
- * The three velocities are all present or all absent; so are the three rates, and the three forces. Without velocities the
- * samples have SINS_SAMPLE_NO_VELOCITY. Two columns of one quantity are a fault. Frames and signs are those of
- * sins_flight_sample. A log has at least two samples, each later than the one before. The ranges of the values are checked
- * when a sample is pushed. The library does not keep the bytes. Not for a real-time frame: it allocates, 184 bytes a sample.
- *
- * SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
- * sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
- * SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
- */
-SINS_API sins_status SINS_CALL sins_log_parse(
-    const char *text, size_t size, sins_log **log, struct sins_fault *fault);
-
-/* Reads the number of samples of a log, its duration and its title. */
-SINS_API sins_status SINS_CALL sins_log_get_info(const sins_log *log, struct sins_log_info *info);
-
-/*
- * Reads sample `index`, from 0 in the order of the log, ready for sins_push_sample(). line (may be NULL) gets its line in
- * the text, from 1. No allocation.
- *
- * SINS_ERROR_INVALID_ARGUMENT: no such sample.
- */
-SINS_API sins_status SINS_CALL sins_log_get_sample(
-    const sins_log *log, size_t index, struct sins_flight_sample *sample, uint64_t *line);
-
-/*
- * Destroys a flight log.
- *
- * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
- */
-SINS_API sins_status SINS_CALL sins_log_destroy(sins_log *log);
-
-/*
- * Reads which samples the scene flies. If the flight is composed of manoeuvres or is built-in, give NULL for `log`; sample k
- * is then sins_flight_sample_at(flight, k / rate_hz) of sins_scene_create_flight(). For a log, sample k is
- * sins_log_get_sample(log, k); the samples end at the duration that the scene sets.
- *
- * SINS_ERROR_INVALID_ARGUMENT: the flight is not valid, the log has no second sample within the duration, or
- * sins_scene_setup.every_s is less than the time between two samples.
- * SINS_ERROR_BAD_HANDLE: scene or log is not a valid handle.
- * SINS_ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins_scene_parse().
- */
-SINS_API sins_status SINS_CALL sins_scene_get_samples(
-    const sins_scene *scene, const sins_log *log, struct sins_scene_samples *samples);
-
-/*
+/**
  * Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples.
  * samples[0].struct_size is the size in bytes of each element of samples.
  *
@@ -3279,11 +2180,119 @@ SINS_API sins_status SINS_CALL sins_scene_get_samples(
  *
  * sins_last_error(NULL, ...) on this thread gives the reason and the sample.
  */
-SINS_API sins_status SINS_CALL sins_recommend(
-    const sins_sim *configured, const struct sins_flight_sample *samples, size_t count,
-    const struct sins_requirement *requirement, struct sins_options *options, struct sins_cost *cost);
+SINS_API sins_status SINS_CALL sins_recommend(const sins_sim *configured, const sins_flight_sample *samples,
+    size_t count, const sins_requirement *requirement, sins_options *options, sins_cost *cost);
 
-/*
+/** Flags of a sins_budget_row. */
+typedef enum sins_budget_flags {
+    /** The figures of the row are standard deviations (1 sigma), from linear error equations. */
+    SINS_BUDGET_RANDOM = 1,
+    /** The effect can be left out, together with all others that have this flag. */
+    SINS_BUDGET_CAN_BE_LEFT_OUT = 2
+} sins_budget_flags;
+
+/**
+ * An effect and its contribution to the errors. The first row of a budget has the errors of the mechanization and of the
+ * samples, with no effect set.
+ */
+typedef struct sins_budget_row {
+    /** sizeof(sins_budget_row) */
+    uint32_t struct_size;
+    /** Flags of enum sins_budget_flags, or'ed. */
+    uint32_t flags;
+    /** Name of the effect, such as "gyro turn-on bias", terminated; in the first row "mechanization". */
+    char effect[32];
+    /**
+     * The field that sets the effect, such as "gyro.bias_sigma_rad_s", terminated; a value of 0 there leaves the effect
+     * out. Empty in the first row.
+     */
+    char field[48];
+    /** Length of the contribution to the position error, the largest at up to 1000 instants of the flight [m]. */
+    double position_m;
+    /** Length of the contribution to the velocity error, the largest at these instants [m/s]. */
+    double velocity_m_s;
+    /** Length of the contribution to the misalignment, the largest at these instants [rad]. */
+    double attitude_rad;
+    /** Length of the contribution to the position error at the end of the flight [m]. */
+    double end_position_m;
+    /** Length of the contribution to the velocity error at the end of the flight [m/s]. */
+    double end_velocity_m_s;
+    /** Length of the contribution to the misalignment at the end of the flight [rad]. */
+    double end_attitude_rad;
+    /** The contribution divided by its limit, the largest of the three; 0 without limits. */
+    double share;
+    /**
+     * Time of a step with all effects, less that of a step without this one; in the first row, time of a step with no effect
+     * set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may be
+     * negative.
+     */
+    double ns_per_step;
+} sins_budget_row;
+
+/** Figures of a budget as a whole. */
+typedef struct sins_budget {
+    /** sizeof(sins_budget) */
+    uint32_t struct_size;
+    /** 0 */
+    uint32_t reserved;
+    /** Duration of the evaluation: from the end of the first interval to the end of the last [s]. */
+    double duration_s;
+    /** Number of runs with all effects together; 1 if nothing is random. */
+    uint64_t runs;
+    /** Number of flights that the call made. */
+    uint64_t flights;
+    /**
+     * Lower end of the 95 % confidence interval of the root mean square of the random errors, divided by the root mean
+     * square over the flown runs. The fewer the runs, the wider the interval. 1 if nothing is random.
+     */
+    double sigma_low;
+    /** Upper end of that interval, divided likewise; 1 if nothing is random. */
+    double sigma_high;
+    /** Position error with all effects together, root mean square over the runs, the largest in the flight [m]. */
+    double position_m;
+    /** Velocity error with all effects together, likewise [m/s]. */
+    double velocity_m_s;
+    /** Misalignment with all effects together, likewise [rad]. */
+    double attitude_rad;
+    /** Part of the position error that the sum of all rows does not explain [m]. */
+    double remainder_position_m;
+    /** Part of the velocity error that the sum of all rows does not explain [m/s]. */
+    double remainder_velocity_m_s;
+    /** Part of the misalignment that the sum of all rows does not explain [rad]. */
+    double remainder_attitude_rad;
+    /**
+     * Change of the position error if the marked effects (SINS_BUDGET_CAN_BE_LEFT_OUT) are left out, from flights of all runs
+     * without them [m].
+     */
+    double left_out_position_m;
+    /** Change of the velocity error if the marked effects are left out, likewise [m/s]. */
+    double left_out_velocity_m_s;
+    /** Change of the misalignment if the marked effects are left out, likewise [rad]. */
+    double left_out_attitude_rad;
+    /** Time of a step with all effects, measured in this call on this machine [ns]. */
+    double ns_per_step;
+} sins_budget;
+
+/** Request for an error budget. All zero is 16 runs and no limits. */
+typedef struct sins_budget_request {
+    /** sizeof(sins_budget_request) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16. */
+    uint64_t runs;
+    /**
+     * Limit of the change of the position error, at any time of the flight, by all effects that are left out together [m];
+     * 0: none.
+     */
+    double position_m;
+    /** Limit of the change of the velocity error, likewise [m/s]; 0: none. */
+    double velocity_m_s;
+    /** Limit of the change of the misalignment, likewise [rad]; 0: none. */
+    double attitude_rad;
+} sins_budget_request;
+
+/**
  * Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
  * can be left out. samples[0].struct_size is the size in bytes of each element of samples, rows[0].struct_size that of each
  * element of rows. struct_size of the other samples may be 0, that of the other rows anything.
@@ -3330,10 +2339,40 @@ SINS_API sins_status SINS_CALL sins_recommend(
  *
  * sins_last_error(NULL, ...) on this thread gives the reason and the sample.
  */
-SINS_API sins_status SINS_CALL sins_error_budget(
-    const sins_sim *configured, const struct sins_flight_sample *samples, size_t count,
-    const struct sins_budget_request *request, struct sins_budget_row *rows, size_t capacity, size_t *written,
-    struct sins_budget *budget);
+SINS_API sins_status SINS_CALL sins_error_budget(const sins_sim *configured, const sins_flight_sample *samples,
+    size_t count, const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written,
+    sins_budget *budget);
+
+/* Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
+enum sins_sizeof {
+    SINS_SIZEOF_OPTIONS = 104,
+    SINS_SIZEOF_FLIGHT_SAMPLE = 144,
+    SINS_SIZEOF_ERROR_INFO = 152,
+    SINS_SIZEOF_GYRO_PARAMS = 736,
+    SINS_SIZEOF_ACCEL_PARAMS = 736,
+    SINS_SIZEOF_ALTIMETER_PARAMS = 56,
+    SINS_SIZEOF_NAVIGATION = 128,
+    SINS_SIZEOF_ERRORS = 144,
+    SINS_SIZEOF_IMU = 216,
+    SINS_SIZEOF_ACCURACY = 256,
+    SINS_SIZEOF_TRUTH_SUMMARY = 232,
+    SINS_SIZEOF_COVARIANCE = 776,
+    SINS_SIZEOF_RECORD_SOLUTION = 112,
+    SINS_SIZEOF_RECORD_ERRORS = 128,
+    SINS_SIZEOF_RECORD = 496,
+    SINS_SIZEOF_FAILURE = 56,
+    SINS_SIZEOF_INITIAL_ERRORS = 160,
+    SINS_SIZEOF_MOUNTING = 104,
+    SINS_SIZEOF_GRAVITY_PARAMS = 80,
+    SINS_SIZEOF_IMU_INCREMENT = 264,
+    SINS_SIZEOF_FLIGHT_START = 72,
+    SINS_SIZEOF_MANOEUVRE = 240,
+    SINS_SIZEOF_REQUIREMENT = 48,
+    SINS_SIZEOF_COST = 96,
+    SINS_SIZEOF_BUDGET_REQUEST = 40,
+    SINS_SIZEOF_BUDGET_ROW = 152,
+    SINS_SIZEOF_BUDGET = 128
+};
 
 #ifdef __cplusplus
 }

@@ -1,18 +1,18 @@
 /*
- * sins_functions.h - the functions of sins.h as a table, for hosts that look them up by themselves: by GetProcAddress() or dlsym().
+ * sins_functions.h - all functions of the library as a table, for hosts that look them up by themselves: by GetProcAddress() or dlsym().
  *
  *   #define DECLARE(result, name, arguments) result (SINS_CALL *name) arguments;
  *   struct functions { SINS_FUNCTIONS(DECLARE) };
  *
  * SINS_FUNCTIONS_SCENES are those that a library without the feature "scenes" lacks.
  *
- * This file is written by build.rs from the Rust sources; do not edit it.
+ * This file is written by build/ from the Rust sources; do not edit it.
  */
 
 #ifndef SINS_FUNCTIONS_H
 #define SINS_FUNCTIONS_H
 
-#include "sins.h"
+#include "sins_scene.h"
 
 #define SINS_FUNCTIONS_ENGINE(X) \
     X(uint32_t, sins_abi_version, (void)) \
@@ -35,6 +35,18 @@
     X(sins_status, sins_get_accel, (sins_sim *sim, sins_accel_params *params)) \
     X(sins_status, sins_set_altimeter, (sins_sim *sim, const sins_altimeter_params *params)) \
     X(sins_status, sins_get_altimeter, (sins_sim *sim, sins_altimeter_params *params)) \
+    X(sins_status, sins_gyro_preset, (int32_t grade, sins_gyro_params *params)) \
+    X(sins_status, sins_accel_preset, (int32_t grade, sins_accel_params *params)) \
+    X(sins_status, sins_get_truth, (sins_sim *sim, sins_navigation *truth)) \
+    X(sins_status, sins_get_navigation, (sins_sim *sim, sins_navigation *navigation)) \
+    X(sins_status, sins_get_errors, (sins_sim *sim, int32_t source, sins_errors *errors)) \
+    X(sins_status, sins_get_imu, (sins_sim *sim, sins_imu *imu)) \
+    X(sins_status, sins_get_accuracy, (sins_sim *sim, sins_accuracy *accuracy)) \
+    X(sins_status, sins_get_truth_summary, (sins_sim *sim, sins_truth_summary *summary)) \
+    X(sins_status, sins_get_covariance, (sins_sim *sim, sins_covariance *covariance)) \
+    X(sins_status, sins_get_record, (sins_sim *sim, sins_record *record)) \
+    X(sins_status, sins_record_line, (const sins_record *record, const double *sensor_errors, size_t count, const sins_covariance *covariance, char *buffer, size_t capacity, size_t *needed)) \
+    X(sins_status, sins_run, (sins_sim *sim, const sins_flight_sample *samples, size_t count, size_t every, sins_record *records, size_t capacity, size_t *written)) \
     X(sins_status, sins_set_failure, (sins_sim *sim, int32_t sensor, int32_t axis, const sins_failure *failure)) \
     X(sins_status, sins_get_failure, (sins_sim *sim, int32_t sensor, int32_t axis, sins_failure *failure)) \
     X(sins_status, sins_set_initial_errors, (sins_sim *sim, const sins_initial_errors *errors)) \
@@ -43,21 +55,17 @@
     X(sins_status, sins_get_mounting, (sins_sim *sim, sins_mounting *mounting)) \
     X(sins_status, sins_set_gravity_disturbance, (sins_sim *sim, const sins_gravity_params *params)) \
     X(sins_status, sins_get_gravity_disturbance, (sins_sim *sim, sins_gravity_params *params)) \
-    X(sins_status, sins_run, (sins_sim *sim, const sins_flight_sample *samples, size_t count, size_t every, sins_record *records, size_t capacity, size_t *written)) \
-    X(sins_status, sins_get_truth, (sins_sim *sim, sins_navigation *truth)) \
-    X(sins_status, sins_get_navigation, (sins_sim *sim, sins_navigation *navigation)) \
-    X(sins_status, sins_get_imu, (sins_sim *sim, sins_imu *imu)) \
-    X(sins_status, sins_get_errors, (sins_sim *sim, int32_t source, sins_errors *errors)) \
-    X(sins_status, sins_get_accuracy, (sins_sim *sim, sins_accuracy *accuracy)) \
-    X(sins_status, sins_get_truth_summary, (sins_sim *sim, sins_truth_summary *summary)) \
-    X(sins_status, sins_get_covariance, (sins_sim *sim, sins_covariance *covariance)) \
-    X(sins_status, sins_get_record, (sins_sim *sim, sins_record *record)) \
-    X(sins_status, sins_record_line, (const sins_record *record, const double *sensor_errors, size_t count, const sins_covariance *covariance, char *buffer, size_t capacity, size_t *needed)) \
     X(sins_status, sins_start_navigation, (sins_sim *sim, const sins_navigation *navigation)) \
     X(sins_status, sins_push_imu, (sins_sim *sim, const sins_imu_increment *increment)) \
     X(sins_status, sins_snapshot_size, (sins_sim *sim, size_t *size)) \
     X(sins_status, sins_snapshot_save, (sins_sim *sim, void *buffer, size_t capacity, size_t *written)) \
     X(sins_status, sins_snapshot_load, (sins_sim *sim, const void *snapshot, size_t size)) \
+    X(sins_status, sins_flight_create, (const sins_flight_start *start, const sins_manoeuvre *manoeuvres, size_t count, sins_flight **flight)) \
+    X(sins_status, sins_flight_duration, (const sins_flight *flight, double *duration_s)) \
+    X(sins_status, sins_flight_sample_at, (const sins_flight *flight, double time_s, sins_flight_sample *sample)) \
+    X(sins_status, sins_flight_destroy, (sins_flight *flight)) \
+    X(sins_status, sins_recommend, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_requirement *requirement, sins_options *options, sins_cost *cost)) \
+    X(sins_status, sins_error_budget, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written, sins_budget *budget)) \
     X(sins_status, sins_ensemble_create, (const sins_sim *configured, uint64_t first_run, size_t runs, sins_ensemble **ensemble)) \
     X(sins_status, sins_ensemble_destroy, (sins_ensemble *ensemble)) \
     X(sins_status, sins_ensemble_push_sample, (sins_ensemble *ensemble, const sins_flight_sample *sample)) \
@@ -77,15 +85,7 @@
     X(sins_status, sins_statistics_figures, (const sins_statistics *statistics, sins_figures *figures)) \
     X(sins_status, sins_ensemble_snapshot_size, (sins_ensemble *ensemble, size_t *size)) \
     X(sins_status, sins_ensemble_snapshot_save, (sins_ensemble *ensemble, void *buffer, size_t capacity, size_t *written)) \
-    X(sins_status, sins_ensemble_snapshot_load, (sins_ensemble *ensemble, const void *snapshot, size_t size)) \
-    X(sins_status, sins_gyro_preset, (int32_t grade, sins_gyro_params *params)) \
-    X(sins_status, sins_accel_preset, (int32_t grade, sins_accel_params *params)) \
-    X(sins_status, sins_flight_create, (const sins_flight_start *start, const sins_manoeuvre *manoeuvres, size_t count, sins_flight **flight)) \
-    X(sins_status, sins_flight_duration, (const sins_flight *flight, double *duration_s)) \
-    X(sins_status, sins_flight_sample_at, (const sins_flight *flight, double time_s, sins_flight_sample *sample)) \
-    X(sins_status, sins_flight_destroy, (sins_flight *flight)) \
-    X(sins_status, sins_recommend, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_requirement *requirement, sins_options *options, sins_cost *cost)) \
-    X(sins_status, sins_error_budget, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written, sins_budget *budget))
+    X(sins_status, sins_ensemble_snapshot_load, (sins_ensemble *ensemble, const void *snapshot, size_t size))
 
 #define SINS_FUNCTIONS_SCENES(X) \
     X(sins_status, sins_scene_create, (sins_scene **scene)) \

@@ -98,11 +98,14 @@ template <class T, class Function, class... Arguments> std::vector<T> all(T one,
     return values;
 }
 
-inline void destroy(sins_sim *sim) { sins_destroy(sim); }
-inline void destroy(sins_flight *flight) { sins_flight_destroy(flight); }
-inline void destroy(sins_ensemble *ensemble) { sins_ensemble_destroy(ensemble); }
-inline void destroy(sins_scene *scene) { sins_scene_destroy(scene); }
-inline void destroy(sins_log *log) { sins_log_destroy(log); }
+/* Each header adds the handles of its C header. */
+template <class T> struct Destroyer;
+template <> struct Destroyer<sins_sim> {
+    static void destroy(sins_sim *sim) noexcept { sins_destroy(sim); }
+};
+template <> struct Destroyer<sins_flight> {
+    static void destroy(sins_flight *flight) noexcept { sins_flight_destroy(flight); }
+};
 
 /* Owns a handle. It can be moved, but not copied. */
 template <class T> class Owner {
@@ -122,7 +125,7 @@ public:
 
     ~Owner() {
         if (handle_ != nullptr)
-            destroy(handle_);
+            Destroyer<T>::destroy(handle_);
     }
 
     /* The handle, for functions of sins.h. This object still owns it. */

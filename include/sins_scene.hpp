@@ -1,11 +1,21 @@
-/* A part of sins.hpp: scenes and flight logs. */
+/* sins.hpp for sins_scene.h: scenes and flight logs. */
 
 #ifndef SINS_SCENE_HPP
 #define SINS_SCENE_HPP
 
-#include "sins.hpp"
+#include "sins_ensemble.hpp"
+#include "sins_scene.h"
 
 namespace sins {
+
+namespace detail {
+template <> struct Destroyer<sins_scene> {
+    static void destroy(sins_scene *scene) noexcept { sins_scene_destroy(scene); }
+};
+template <> struct Destroyer<sins_log> {
+    static void destroy(sins_log *log) noexcept { sins_log_destroy(log); }
+};
+} // namespace detail
 
 /* A scene. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
 class Scene : public detail::Owner<sins_scene> {

@@ -2,5 +2,4 @@
 1s|.*|/** @file\n@verbatim|
 1,/^ \*\//s|^ \*/$|@endverbatim */|
 1,/^@endverbatim/s|^ \* ?||
-2,$s|^( *)/\*|\1/**|
 s|^(#define .*)/\*|\1/**<|

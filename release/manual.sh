@@ -14,7 +14,7 @@ SINS_WORK=target/release-manual
 export SINS_OUT SINS_VERSION SINS_WORK
 mkdir -p "$SINS_WORK"
 {
-    printf '# Data flow\n\nThe header is sins.h: its preamble explains the interface, and all functions are listed there.\n\n'
+    printf '# Data flow\n\nThe headers are sins.h, sins_ensemble.h and sins_scene.h. The first page of each explains its part.\n\n'
     sed -n '/^\/\/! ```text$/,/^\/\/! ```$/{s|^//! ?||;s|^//! ||;s|^```text|```|;p}' src/lib.rs
 } >"$SINS_WORK/data_flow.md"
 doxygen release/Doxyfile

@@ -31,6 +31,7 @@ texts() {
         command install -Dm644 "$file" "$1/$file"
     done
     cp -r "$manual" "$1/docs/sins.h"
+    command install -Dm644 -t "$1/share/sins" target/release/bindings/sins.{f90,ads,py}
     release/documents.py "$1"
     command install -Dm644 -t "$1/licences" LICENSE-MIT LICENSE-APACHE
     release/licences.py "$2" >"$1/licences/crates.txt"
@@ -94,6 +95,7 @@ staging=$PWD/target/release-packages
 manual=$staging/manual
 rm -rf "$staging"
 release/manual.sh "$manual"
+cargo check --quiet --release # writes the interfaces for other languages
 for package in "${packages[@]}"; do
     case $package in
         linux-x86_64) linux linux-x86_64 x86_64 ;;

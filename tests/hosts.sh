@@ -6,7 +6,7 @@
 #     tests/hosts.sh             all hosts
 #     tests/hosts.sh fortran     one of them
 #
-# SINS_LIB_DIR: a folder with a libsins.so, used instead of building one.
+# SINS_LIB_DIR: a folder with a libsins.so and the interfaces `bindings` of the same build, used instead of building them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -15,6 +15,7 @@ cd "$(dirname "$0")/.."
 hosts="fortran ada python octave fortran_windows"
 scenes="aerobatics commuter"
 out=$PWD/target/hosts
+bindings=$built/bindings
 link=("-L$built" -lsins "-Wl,-rpath,$built")
 
 # The C host and the C compiler give the expected results.
@@ -25,7 +26,7 @@ c() {
         target/c_examples/harness "$scene" >"$out/$scene.c"
     done
     mkdir -p "$out/c"
-    awk -f tests/hosts/layout_c.awk include/sins.h >"$out/c/layout.c"
+    awk -f tests/hosts/layout_c.awk include/sins.h include/sins_ensemble.h include/sins_scene.h >"$out/c/layout.c"
     for program in tests/hosts/calls.c "$out/c/layout.c"; do
         cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I include -o "$out/c/$(basename "$program" .c)" "$program" "${link[@]}"
     done
@@ -44,10 +45,10 @@ fortran_programs() {
     local folder=$out/$1 compiler=$2 program
     shift 2
     mkdir -p "$folder"
-    awk -f tests/hosts/layout_fortran.awk c_examples/fortran/sins.f90 >"$folder/layout.f90"
+    awk -f tests/hosts/layout_fortran.awk "$bindings/sins.f90" >"$folder/layout.f90"
     for program in c_examples/fortran/fly.f90 tests/hosts/calls.f90 "$folder/layout.f90"; do
         "$compiler" -std=f2008 -Wall -Wextra -Werror -O2 -J "$folder" -o "$folder/$(basename "$program" .f90)" \
-            c_examples/fortran/sins.f90 "$program" "$@"
+            "$bindings/sins.f90" "$program" "$@"
     done
 }
 
@@ -79,9 +80,9 @@ fortran_under_wine() {
 ada() {
     need gnat gnatmake
     mkdir -p "$out/ada"
-    awk -f tests/hosts/layout_ada.awk c_examples/ada/sins.ads >"$out/ada/layout.adb"
+    awk -f tests/hosts/layout_ada.awk "$bindings/sins.ads" >"$out/ada/layout.adb"
     for program in "$PWD/c_examples/ada/fly.adb" "$PWD/tests/hosts/calls.adb" "$out/ada/layout.adb"; do
-        (cd "$out/ada" && gnatmake -q -gnat2012 -gnatwa -gnatwe -O2 -I../../../c_examples/ada "$program" -largs "${link[@]}")
+        (cd "$out/ada" && gnatmake -q -gnat2012 -gnatwa -gnatwe -O2 -I"$bindings" "$program" -largs "${link[@]}")
     done
     same_as_c ada
 }
@@ -93,7 +94,7 @@ python() {
     for package in numpy matplotlib pycparser; do
         need "python3-$package" "$packages/$package/__init__.py"
     done
-    export SINS_LIBRARY=$built/libsins.so PYTHONPATH=$PWD/c_examples/python PYTHONDONTWRITEBYTECODE=1
+    export SINS_LIBRARY=$built/libsins.so PYTHONPATH=$bindings PYTHONDONTWRITEBYTECODE=1
     mkdir -p "$out/python"
     for program in fly:c_examples/python/fly.py layout:tests/hosts/layout_python.py calls:tests/hosts/calls.py; do
         printf '#!/bin/sh\nexec /usr/bin/python3 "%s" "$@"\n' "$PWD/${program#*:}" >"$out/python/${program%:*}"

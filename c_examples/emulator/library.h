@@ -12,4 +12,4 @@ SINS_FUNCTIONS(BY_LOADER)
 #undef BY_LOADER
 } // namespace sins
 
-#include "sins.hpp"
+#include "sins_scene.hpp"

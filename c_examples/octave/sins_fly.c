@@ -13,7 +13,7 @@
 #include <stdio.h>
 
 #include "mex.h"
-#include "sins.h"
+#include "sins_scene.h"
 
 /*
  * Destroys the handles and ends the MEX file with the library's sentence, or with the first fault of the scene. row: the faulty

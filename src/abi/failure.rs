@@ -1,11 +1,12 @@
-//! Status codes, and what a handle remembers of a failed call.
+//! Status codes with their names, and what a handle remembers of a failed call.
 
+use core::ffi::{CStr, c_char};
 use core::fmt;
 
 use crate::error::{Error, ErrorKind, Rule};
 
 /// Result of a call: SINS_OK is 0, a negative status is an error, a positive status is neither. After an error nothing has
-/// changed, with the exceptions under Errors.
+/// changed, with the exceptions under Statuses.
 pub type sins_status = i32;
 
 /// Values of a sins_status: 0 is success, a negative status is an error, a positive status is neither.
@@ -53,6 +54,38 @@ pub const SINS_ERROR_OUT_OF_MEMORY: sins_status_code = -12;
 pub const SINS_ERROR_SNAPSHOT: sins_status_code = -13;
 /// A defect inside the library was caught. This handle returns this status from now on; other handles still work.
 pub const SINS_ERROR_INTERNAL: sins_status_code = -99;
+
+/// Returns the name of a status code, such as "SINS_OK", or "unknown status" for any other number. The text lives as long
+/// as the library is loaded.
+#[unsafe(no_mangle)]
+pub extern "C" fn sins_status_string(status: sins_status) -> *const c_char {
+    name(status).as_ptr()
+}
+
+fn name(status: sins_status) -> &'static CStr {
+    match status {
+        SINS_OK => c"SINS_OK",
+        SINS_NEED_SAMPLE => c"SINS_NEED_SAMPLE",
+        SINS_REQUIREMENT_NOT_MET => c"SINS_REQUIREMENT_NOT_MET",
+        SINS_SCENE_HAS_FAULTS => c"SINS_SCENE_HAS_FAULTS",
+        SINS_GAP => c"SINS_GAP",
+        SINS_ERROR_NULL_POINTER => c"SINS_ERROR_NULL_POINTER",
+        SINS_ERROR_BAD_HANDLE => c"SINS_ERROR_BAD_HANDLE",
+        SINS_ERROR_STRUCT_SIZE => c"SINS_ERROR_STRUCT_SIZE",
+        SINS_ERROR_INVALID_ARGUMENT => c"SINS_ERROR_INVALID_ARGUMENT",
+        SINS_ERROR_BAD_STATE => c"SINS_ERROR_BAD_STATE",
+        SINS_ERROR_TIME_ORDER => c"SINS_ERROR_TIME_ORDER",
+        SINS_ERROR_DISCONTINUITY => c"SINS_ERROR_DISCONTINUITY",
+        SINS_ERROR_QUEUE_FULL => c"SINS_ERROR_QUEUE_FULL",
+        SINS_ERROR_DIVERGED => c"SINS_ERROR_DIVERGED",
+        SINS_ERROR_SINGULAR => c"SINS_ERROR_SINGULAR",
+        SINS_ERROR_BUFFER_TOO_SMALL => c"SINS_ERROR_BUFFER_TOO_SMALL",
+        SINS_ERROR_OUT_OF_MEMORY => c"SINS_ERROR_OUT_OF_MEMORY",
+        SINS_ERROR_SNAPSHOT => c"SINS_ERROR_SNAPSHOT",
+        SINS_ERROR_INTERNAL => c"SINS_ERROR_INTERNAL",
+        _ => c"unknown status",
+    }
+}
 
 /// A status with its sentence, as plain data.
 #[derive(Debug, Clone, Copy, PartialEq)]

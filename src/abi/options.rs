@@ -123,7 +123,7 @@ pub struct sins_options {
     /// Number of subsamples of a mechanization update, 1 to 5; 0: 2. A subsample is one of the equal parts of the update; the
     /// sensors give one increment for each.
     pub subsamples: i32,
-    /// Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (see "Gaps" above).
+    /// Mechanization updates in a sample interval, 1 to 16; 0: 1. In a gap there are more (docs/host_time.md).
     pub updates_per_sample: i32,
     /// Vertical channel, of enum sins_vertical.
     pub vertical: i32,

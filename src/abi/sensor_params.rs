@@ -1,4 +1,4 @@
-//! `sins_gyro_params` and `sins_accel_params`, which build.rs writes from `src/sensors/table.rs`.
+//! `sins_gyro_params` and `sins_accel_params`, which `build` writes from `src/sensors/table.rs`.
 
 use core::slice::{from_mut, from_ref};
 

@@ -2,7 +2,7 @@
 
 #include <stdio.h>
 
-#include "sins.h"
+#include "sins_scene.h"
 
 static char text[1 << 23];
 

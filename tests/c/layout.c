@@ -1,7 +1,7 @@
 /* Sizes and offsets of every struct: the same for every compiler, word size and packing. Compiled, not run, also under
  * -fpack-struct=4 and -fpack-struct=1, as C99 and as C++11. */
 
-#include "sins.h"
+#include "sins_scene.h"
 
 #ifdef __cplusplus
 #define CHECK(condition) static_assert(condition, #condition)

@@ -4,7 +4,7 @@
 #define SCENE_H
 
 #include "check.h"
-#include "sins.h"
+#include "sins_scene.h"
 
 /* 8 s at 128 Hz: times that are exact in binary. */
 enum { SCENE_COUNT = 1025 };

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "check.h"
-#include "sins.hpp"
+#include "sins_scene.hpp"
 
 template <class Call> sins::Error error_of(Call call) {
     try {

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sins.h"
+#include "sins_scene.h"
 
 #define SAMPLES 121
 #define EVERY 30

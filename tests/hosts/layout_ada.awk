@@ -1,4 +1,4 @@
-# Makes a program from c_examples/ada/sins.ads that prints its sizes, offsets and constants.
+# Makes a program from sins.ads that prints its sizes, offsets and constants.
 
 function show(label, value) {
     shown[++count] = "   Show (\"" label "\", " value ");"

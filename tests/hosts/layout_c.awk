@@ -1,11 +1,11 @@
-# Makes a C program from include/sins.h that prints its sizes, offsets and constants.
+# Makes a C program from the headers that prints its sizes, offsets and constants.
 
 function show(label, value) {
     printf "    printf(\"%%s %%.17g\\n\", \"%s\", (double)(%s));\n", label, value
 }
 
 BEGIN {
-    print "#include <stdio.h>\n#include \"sins.h\"\n\nint main(void)\n{"
+    print "#include <stdio.h>\n#include \"sins_scene.h\"\n\nint main(void)\n{"
 }
 /^typedef struct .* \{$/ {
     name = $3

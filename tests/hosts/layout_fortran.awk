@@ -1,4 +1,4 @@
-# Makes a program from c_examples/fortran/sins.f90 that prints its sizes, offsets and constants.
+# Makes a program from sins.f90 that prints its sizes, offsets and constants.
 
 function show(label, value) {
     shown[++count] = "  call show(\"" label "\", &\n    real(" value ", c_double))"

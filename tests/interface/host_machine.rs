@@ -1,7 +1,7 @@
 //! Effects of a host and its machine on the library: programs in C, built and run. `tests/README.md` has the table.
 
 use crate::support::c_programs::{library_folder, run_test_program, succeed, test_program};
-use crate::support::project_file;
+use crate::support::{headers, project_file};
 
 #[test]
 fn misuse_of_every_function_is_answered() {
@@ -26,10 +26,11 @@ const HANDLES: [&str; 5] =
 /// added there.
 #[test]
 fn every_function_and_struct_is_in_the_programs() {
-    let [header, main, handle, scenes, calls, nulls, sizes, states, scene, stack] = [
-        "include/sins.h",
+    let header = headers();
+    let [main, handle, ensembles, scenes, calls, nulls, sizes, states, scene, stack] = [
         "include/sins.hpp",
         "include/sins_handle.hpp",
+        "include/sins_ensemble.hpp",
         "include/sins_scene.hpp",
         "tests/c/every_call.h",
         "tests/c/misuse.c",
@@ -39,7 +40,7 @@ fn every_function_and_struct_is_in_the_programs() {
         "tests/c/stack.c",
     ]
     .map(|path| std::fs::read_to_string(project_file(path)).unwrap());
-    let wrapper = main + &handle + &scenes;
+    let wrapper = main + &handle + &ensembles + &scenes;
     let fuzzed: Vec<String> = std::fs::read_dir(project_file("tests/fuzz/src"))
         .unwrap()
         .map(|file| std::fs::read_to_string(file.unwrap().path()).unwrap())
@@ -95,7 +96,7 @@ fn every_function_and_struct_is_in_the_programs() {
     }
     for definition in header.split("typedef struct ").skip(1) {
         let (name, body) = definition.split_once(' ').unwrap();
-        let is_sized = body.trim_start_matches(['{', '\n', ' ']).starts_with("/* sizeof(");
+        let is_sized = body.trim_start_matches(['{', '\n', ' ']).starts_with("/** sizeof(");
         let is_tried =
             ["_SIZES(", "_PARAMS, ", "_SAMPLE, "].iter().any(|b| sizes.contains(&format!("{b}{name}, ")));
         if is_sized && !is_tried {

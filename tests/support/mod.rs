@@ -62,6 +62,12 @@ pub fn project_file(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
+/// The three C headers, one after the other.
+pub fn headers() -> String {
+    let names = ["sins.h", "sins_ensemble.h", "sins_scene.h"];
+    names.map(|name| std::fs::read_to_string(project_file("include").join(name)).unwrap()).concat()
+}
+
 /// A table of named columns of numbers.
 pub struct Table {
     names: Vec<String>,

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sins.h"
+#include "sins_scene.h"
 
 static void check(sins_status status, const char *what)
 {

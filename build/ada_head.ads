@@ -9,7 +9,7 @@
 --    library to a String.
 --  Flags are Unsigned_32, or Integer_32 where those of C are: (Unsigned_32 (flags) and SINS_IMU_GYRO_INVALID) /= 0.
 --
---  This file is written by build.rs from the Rust sources; do not edit it.
+--  This file is written by build/ from the Rust sources; do not edit it.
 
 with Interfaces;           use Interfaces;
 with Interfaces.C;         use Interfaces.C;

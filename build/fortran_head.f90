@@ -13,7 +13,7 @@
 !>   from 0, as in C; arrays of Fortran count from 1.
 !> Flags: iand(sample%flags, SINS_SAMPLE_TEMPERATURE) /= 0.
 !>
-!> This file is written by build.rs from the Rust sources; do not edit it.
+!> This file is written by build/ from the Rust sources; do not edit it.
 module sins
   use, intrinsic :: iso_c_binding
   implicit none

@@ -1,4 +1,4 @@
-//! `c_examples/fortran/sins.f90`: the interface as a module of Fortran 2008.
+//! `bindings/sins.f90`: the interface as a module of Fortran 2008.
 
 use super::model::{Enumeration, Function, Interface, Struct, Type, Variable};
 use super::text::{broken, comment};

@@ -1,4 +1,4 @@
-//! `c_examples/ada/sins.ads`: the interface as a package of Ada 2012.
+//! `bindings/sins.ads`: the interface as a package of Ada 2012.
 
 use std::collections::BTreeSet;
 

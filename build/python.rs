@@ -1,4 +1,4 @@
-//! `c_examples/python/sins.py`: the fixed text `sins.py` of this folder, with all that the interface has at its marks.
+//! `bindings/sins.py`: the fixed text `sins.py` of this folder, with all that the interface has at its marks.
 
 use super::model::{Constant, Enumeration, Function, Interface, Struct, Type, Unit};
 use super::text::{self, filled};

@@ -3,18 +3,19 @@
 use syn::{Attribute, Expr, FnArg, Item, Lit, Meta, Pat, ReturnType, Visibility};
 
 use super::model::{Alias, Constant, Enumeration, Function, Interface, Struct, Type, Variable};
+use super::template::Source;
 
 /// The documentation of a field whose own fields are, in C, those of the struct that it is in.
-const FLAT: &str = "Flat in C.";
+pub const FLAT: &str = "Flat in C.";
 
 impl Interface {
-    /// Of the sources with their subjects, in their order, and of the units of the preamble.
-    pub fn read(preamble: &str, sources: &[(&'static str, String)]) -> Self {
-        let mut interface = Self { units: super::units::read(preamble), ..Self::default() };
+    /// Of the sources in their order, and of the units of the header.
+    pub fn read(preamble: &str, sources: &[Source]) -> Self {
+        let mut interface = Self { units: super::header_units::read(preamble), ..Self::default() };
         let mut structs = Vec::new();
-        for (subject, source) in sources {
-            for item in syn::parse_file(source).expect("a source of src/abi parses").items {
-                interface.add(item, subject, &mut structs);
+        for source in sources {
+            for item in syn::parse_file(&source.text).expect("a source of src/abi parses").items {
+                interface.add(item, &mut structs);
             }
         }
         for index in 0..interface.functions.len() {
@@ -25,7 +26,7 @@ impl Interface {
         interface
     }
 
-    fn add(&mut self, item: Item, subject: &'static str, structs: &mut Vec<Struct>) {
+    fn add(&mut self, item: Item, structs: &mut Vec<Struct>) {
         match item {
             Item::Type(item) if is_public(&item.vis) => {
                 let (name, kind, doc) = (item.ident.to_string(), Type::of(&item.ty), doc(&item.attrs));
@@ -64,7 +65,6 @@ impl Interface {
                 });
                 let ReturnType::Type(_, result) = &item.sig.output else { panic!("functions have results") };
                 self.functions.push(Function {
-                    subject,
                     name: item.sig.ident.to_string(),
                     doc: doc(&item.attrs),
                     arguments: arguments.collect(),
@@ -136,12 +136,12 @@ impl Type {
     }
 }
 
-fn is_public(visibility: &Visibility) -> bool {
+pub fn is_public(visibility: &Visibility) -> bool {
     matches!(visibility, Visibility::Public(_))
 }
 
 /// The lines of a doc comment.
-fn doc(attributes: &[Attribute]) -> Vec<String> {
+pub fn doc(attributes: &[Attribute]) -> Vec<String> {
     let lines = attributes.iter().filter_map(|attribute| match &attribute.meta {
         Meta::NameValue(meta) if meta.path.is_ident("doc") => match &meta.value {
             Expr::Lit(line) => match &line.lit {

@@ -53,8 +53,6 @@ pub struct Struct {
 }
 
 pub struct Function {
-    /// What it is about, for the index of the header.
-    pub subject: &'static str,
     pub name: String,
     pub doc: Vec<String>,
     pub arguments: Vec<Variable>,
@@ -105,6 +103,15 @@ impl Interface {
                 panic!("not the same size on every platform")
             }
         }
+    }
+
+    /// The names of its structs, handles, enumerations and aliases.
+    #[cfg(feature = "header")]
+    pub fn type_names(&self) -> impl Iterator<Item = &str> {
+        let structs = self.structs.iter().map(|one| &*one.name);
+        let enumerations = self.enumerations.iter().map(|one| &*one.name);
+        let aliases = self.aliases.iter().map(|one| &*one.name);
+        structs.chain(enumerations).chain(aliases).chain(self.handles.iter().map(|name| &**name))
     }
 
     pub fn is_struct(&self, kind: &Type) -> bool {

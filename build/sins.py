@@ -22,7 +22,7 @@ An array is one of ctypes, or of numpy: sins.array(sins.record, 1000). The libra
 
 The library is the file that SINS_LIBRARY in the environment names, or else the one in the folder of this file, or the system's.
 
-This file is written by build.rs from the Rust sources; do not edit it.
+This file is written by build/ from the Rust sources; do not edit it.
 """
 
 import ctypes

@@ -5,20 +5,20 @@ use super::model::{Function, Interface};
 
 const HEAD: &str = "\
 /*
- * sins_functions.h - the functions of sins.h as a table, for hosts that look them up by themselves: by GetProcAddress() or dlsym().
+ * sins_functions.h - all functions of the library as a table, for hosts that look them up by themselves: by GetProcAddress() or dlsym().
  *
  *   #define DECLARE(result, name, arguments) result (SINS_CALL *name) arguments;
  *   struct functions { SINS_FUNCTIONS(DECLARE) };
  *
  * SINS_FUNCTIONS_SCENES are those that a library without the feature \"scenes\" lacks.
  *
- * This file is written by build.rs from the Rust sources; do not edit it.
+ * This file is written by build/ from the Rust sources; do not edit it.
  */
 
 #ifndef SINS_FUNCTIONS_H
 #define SINS_FUNCTIONS_H
 
-#include \"sins.h\"
+#include \"sins_scene.h\"
 ";
 
 pub fn write(interface: &Interface) -> String {

@@ -1,0 +1,70 @@
+//! Writes the interface for other languages from its Rust sources. `read` reads the sources into a `model`; each other file writes
+//! one language. cbindgen writes the C headers.
+
+use std::fs;
+use std::path::Path;
+
+#[cfg(feature = "header")]
+use super::c_header;
+use super::model::Interface;
+use super::template::{Source, Template};
+use super::{ada, c_functions, fortran, python, sizes};
+
+/// The headers, each of which includes those above it.
+const HEADERS: [(&str, &str); 3] = [
+    ("include/sins.h", include_str!("sins.h")),
+    ("include/sins_ensemble.h", include_str!("sins_ensemble.h")),
+    ("include/sins_scene.h", include_str!("sins_scene.h")),
+];
+
+/// A generated file: its path and its text.
+pub type Output = (&'static str, String);
+
+pub struct Outputs {
+    /// Under `include`, committed. Without the feature `header` the table of functions alone.
+    pub headers: Vec<Output>,
+    /// For hosts in other languages: beside the library.
+    pub bindings: Vec<Output>,
+    /// For the crate: the check of the sizes.
+    pub size_checks: String,
+}
+
+/// Everything, of the sources in `abi` and of the structs in `sensor_params`.
+pub fn generate(abi: &Path, sensor_params: &str, work: &Path) -> Outputs {
+    let templates = HEADERS.map(|(name, text)| Template::new(name, text));
+    let read = |name: &str| match name {
+        "sensor_params" => sensor_params.to_owned(),
+        _ => {
+            let path = abi.join(format!("{name}.rs"));
+            fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+        }
+    };
+    let names = templates.iter().flat_map(Template::sources);
+    let sources: Vec<Source> = names.map(|name| Source { name: name.to_owned(), text: read(name) }).collect();
+    let interface = Interface::read(HEADERS[0].1, &sources);
+    Outputs {
+        headers: headers(&templates, &interface, &sources, work),
+        bindings: vec![
+            ("sins.f90", fortran::write(&interface)),
+            ("sins.ads", ada::write(&interface)),
+            ("sins.py", python::write(&interface)),
+        ],
+        size_checks: sizes::check(&interface),
+    }
+}
+
+#[cfg(feature = "header")]
+fn headers(templates: &[Template], interface: &Interface, sources: &[Source], work: &Path) -> Vec<Output> {
+    let mut outputs: Vec<Output> = templates
+        .iter()
+        .map(|template| (template.name, c_header::write(template, interface, sources, work)))
+        .collect();
+    c_header::check(interface, &outputs);
+    outputs.push(("include/sins_functions.h", c_functions::write(interface)));
+    outputs
+}
+
+#[cfg(not(feature = "header"))]
+fn headers(_: &[Template], interface: &Interface, _: &[Source], _: &Path) -> Vec<Output> {
+    vec![("include/sins_functions.h", c_functions::write(interface))]
+}

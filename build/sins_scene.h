@@ -1,0 +1,55 @@
+/*
+ * sins_scene.h - scenes and flight logs, as texts. The conventions are those of sins.h.
+ *
+ * A scene describes a flight, the settings of the simulator, and the planned failures of the sensors. Its text
+ * form is TOML. A log is a flight as a table of samples, also as text. The host reads the files; the library parses their
+ * bytes:
+ *
+ *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() gives each fault and its place
+ *     sins_scene_create_simulator(scene, &sim);      options, sensor errors, initial errors, mounting, gravity disturbance
+ *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
+ *     while (...) {
+ *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
+ *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures; 0.0: time stamp of the first sample
+ *         sins_push_sample(sim, &sample);
+ *         sins_step(sim);
+ *     }
+ *
+ * A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_.... A program that
+ * calls them directly does not link with such a library, or does not start. A program that loads the library at run time looks
+ * up sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
+ *
+ * build/ writes this file; do not edit it.
+ */
+
+#ifndef SINS_SCENE_H
+#define SINS_SCENE_H
+
+#include "sins_ensemble.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Scenes. */
+
+@fault_report scene scene_prepare scene_settings scene_flight scene_text scene_failure
+
+/* Values of a scene by their paths. */
+
+@scene_key scene_value
+
+/* Flight logs, and the samples of a scene. */
+
+@log scene_samples
+
+/* Sizes of the structs in bytes, as enum sins_sizeof. */
+enum sins_scene_sizeof {
+@sizes
+};
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* SINS_SCENE_H */
