@@ -76,6 +76,7 @@ fn main() {
     let renews = env::var_os("SINS_WRITE_HEADER").is_some();
     assert!(!renews || cfg!(feature = "header"), "SINS_WRITE_HEADER needs --features header");
     let generated = out.join("generated");
+    let _ = fs::remove_dir_all(&generated); // files of an earlier build
     for (path, text) in outputs.headers {
         write(&generated.join(path), &text);
         let committed = root.join(path);
