@@ -33,6 +33,7 @@ mod sensor_structs;
 mod sizes;
 #[path = "src/sensors/table.rs"]
 mod table;
+#[cfg_attr(not(feature = "header"), allow(dead_code, reason = "c_header uses the rest"))]
 #[path = "build/template.rs"]
 mod template;
 #[path = "build/text.rs"]

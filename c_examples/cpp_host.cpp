@@ -72,9 +72,7 @@ int main() {
             std::printf("line %d: %s\n", static_cast<int>(fault.line), fault.sentence);
 
         sins::Scene scene{std::string(text)};
-        auto altimeter = scene.altimeter(); /* the text sets no altimeter, so it is ideal: change it and write the scene */
-        altimeter.bias_m = 10.0;
-        scene.set_altimeter(altimeter);
+        scene.set_values("altimeter.bias_m = 10"); /* the text sets no altimeter, so it was ideal */
         std::printf("%d bytes of TOML\n", static_cast<int>(scene.write().size()));
 
         sins::Simulator sim = scene.create_simulator();

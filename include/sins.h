@@ -261,7 +261,10 @@ typedef struct sins_flight_sample {
     double height_m;
     /** Velocity against the Earth, east-north-up, each -2e4 to 2e4 [m/s]. */
     double velocity_enu_m_s[3];
-    /** Roll, right wing down positive, -1e4 to 1e4 [rad]; whole turns do not matter. */
+    /**
+     * Roll, right wing down positive, -1e4 to 1e4 [rad]; whole turns do not matter. So angles in degrees are accepted, too:
+     * sins_truth_summary reveals them.
+     */
     double roll_rad;
     /**
      * Pitch, nose up positive, -1e4 to 1e4 [rad]; it may go beyond 90 degrees. From one sample to the next the attitude must
@@ -270,7 +273,7 @@ typedef struct sins_flight_sample {
      * turns between two samples cannot be detected.
      */
     double pitch_rad;
-    /** Heading, clockwise from true north, -1e4 to 1e4 [rad]; whole turns do not matter. */
+    /** Heading, clockwise from true north, -1e4 to 1e4 [rad], not degrees (see roll_rad); whole turns do not matter. */
     double heading_rad;
     /**
      * With SINS_SAMPLE_ANGULAR_RATE: angular rate of the vehicle against inertial space along the body axes at this instant,
@@ -1006,8 +1009,9 @@ typedef enum sins_navigation_flags {
      */
     SINS_NAVIGATION_VERTICAL_UNAIDED = 2,
     /**
-     * A flag of the truth. Let d be the displacement computed from the velocities. The flag is set if the displacement of the
-     * positions since the previous sample differs from d by more than sqrt((0.01 d)^2 + (1 cm)^2).
+     * The positions and the velocities of the samples contradict each other. Let d be the displacement computed from the velocities.
+     * The flag is set if the displacement of the positions since the previous sample differs from d by more than
+     * sqrt((0.01 d)^2 + (1 cm)^2). The truth and the navigation have it.
      */
     SINS_NAVIGATION_INCONSISTENT = 4,
     /**

@@ -101,29 +101,13 @@
     X(sins_status, sins_scene_prepare, (const sins_scene *scene, sins_sim *sim, double flight_start_s, sins_flight_sample *sample)) \
     X(sins_status, sins_scene_prepare_ensemble, (const sins_scene *scene, sins_ensemble *ensemble, double flight_start_s, sins_flight_sample *sample)) \
     X(sins_status, sins_scene_get_options, (const sins_scene *scene, sins_options *options)) \
-    X(sins_status, sins_scene_set_options, (sins_scene *scene, const sins_options *options)) \
-    X(sins_status, sins_scene_get_gyro, (const sins_scene *scene, sins_gyro_params *params)) \
-    X(sins_status, sins_scene_set_gyro, (sins_scene *scene, const sins_gyro_params *params)) \
-    X(sins_status, sins_scene_get_accel, (const sins_scene *scene, sins_accel_params *params)) \
-    X(sins_status, sins_scene_set_accel, (sins_scene *scene, const sins_accel_params *params)) \
-    X(sins_status, sins_scene_get_altimeter, (const sins_scene *scene, sins_altimeter_params *params)) \
-    X(sins_status, sins_scene_set_altimeter, (sins_scene *scene, const sins_altimeter_params *params)) \
-    X(sins_status, sins_scene_get_initial_errors, (const sins_scene *scene, sins_initial_errors *errors)) \
-    X(sins_status, sins_scene_set_initial_errors, (sins_scene *scene, const sins_initial_errors *errors)) \
-    X(sins_status, sins_scene_get_mounting, (const sins_scene *scene, sins_mounting *mounting)) \
-    X(sins_status, sins_scene_set_mounting, (sins_scene *scene, const sins_mounting *mounting)) \
-    X(sins_status, sins_scene_get_gravity_disturbance, (const sins_scene *scene, sins_gravity_params *params)) \
-    X(sins_status, sins_scene_set_gravity_disturbance, (sins_scene *scene, const sins_gravity_params *params)) \
     X(sins_status, sins_scene_get_setup, (const sins_scene *scene, sins_scene_setup *setup)) \
-    X(sins_status, sins_scene_set_setup, (sins_scene *scene, const sins_scene_setup *setup)) \
     X(sins_status, sins_scene_get_manoeuvres, (const sins_scene *scene, sins_flight_start *start, sins_manoeuvre *manoeuvres, size_t capacity, size_t *count, size_t *repeat)) \
     X(sins_status, sins_scene_set_manoeuvres, (sins_scene *scene, const sins_flight_start *start, const sins_manoeuvre *manoeuvres, size_t count, size_t repeat)) \
     X(sins_status, sins_scene_get_text, (const sins_scene *scene, int32_t which, char *buffer, size_t capacity, size_t *needed)) \
     X(sins_status, sins_scene_set_text, (sins_scene *scene, int32_t which, const char *text)) \
     X(sins_status, sins_scene_get_failure_count, (const sins_scene *scene, size_t *count)) \
     X(sins_status, sins_scene_get_failure, (const sins_scene *scene, size_t index, sins_planned_failure *failure)) \
-    X(sins_status, sins_scene_add_failure, (sins_scene *scene, const sins_planned_failure *failure)) \
-    X(sins_status, sins_scene_clear_failures, (sins_scene *scene)) \
     X(sins_status, sins_scene_get_key, (size_t index, sins_scene_key *key)) \
     X(sins_status, sins_scene_get_value, (const sins_scene *scene, const char *path, char *buffer, size_t capacity, size_t *needed)) \
     X(sins_status, sins_scene_set_values, (sins_scene *scene, const char *values)) \

@@ -182,81 +182,11 @@ SINS_API sins_status SINS_CALL sins_scene_prepare_ensemble(const sins_scene *sce
     double flight_start_s, sins_flight_sample *sample);
 
 /**
- * Reads the options of the scene.
+ * Reads the options of the scene. sins_scene_set_values() sets them.
  *
  * SINS_ERROR_BAD_STATE: as sins_scene_parse(), as for all functions that read or set a part of a scene.
  */
 SINS_API sins_status SINS_CALL sins_scene_get_options(const sins_scene *scene, sins_options *options);
-
-/**
- * Sets the options of the scene. As with every part, an error leaves the scene unchanged. Parts can be set in any order:
- * whether they go together is checked when the scene is written, and when its simulator is created.
- *
- * SINS_ERROR_INVALID_ARGUMENT: as sins_create().
- */
-SINS_API sins_status SINS_CALL sins_scene_set_options(sins_scene *scene, const sins_options *options);
-
-/** Reads the gyro errors of the scene. */
-SINS_API sins_status SINS_CALL sins_scene_get_gyro(const sins_scene *scene, sins_gyro_params *params);
-
-/**
- * Sets the gyro errors of the scene.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_gyro(sins_scene *scene, const sins_gyro_params *params);
-
-/** Reads the accelerometer errors of the scene. */
-SINS_API sins_status SINS_CALL sins_scene_get_accel(const sins_scene *scene, sins_accel_params *params);
-
-/**
- * Sets the accelerometer errors of the scene.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_accel(sins_scene *scene, const sins_accel_params *params);
-
-/** Reads the errors of the scene's altimeter. */
-SINS_API sins_status SINS_CALL sins_scene_get_altimeter(const sins_scene *scene, sins_altimeter_params *params);
-
-/**
- * Sets the errors of the scene's altimeter.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_altimeter(sins_scene *scene, const sins_altimeter_params *params);
-
-/** Reads the errors with which the navigation of the scene starts. */
-SINS_API sins_status SINS_CALL sins_scene_get_initial_errors(const sins_scene *scene, sins_initial_errors *errors);
-
-/**
- * Sets the errors with which the navigation of the scene starts.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_initial_errors(sins_scene *scene, const sins_initial_errors *errors);
-
-/** Reads the mounting of the scene's sensor block. */
-SINS_API sins_status SINS_CALL sins_scene_get_mounting(const sins_scene *scene, sins_mounting *mounting);
-
-/**
- * Sets the mounting of the scene's sensor block.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_mounting(sins_scene *scene, const sins_mounting *mounting);
-
-/** Reads the gravity disturbance of the scene. */
-SINS_API sins_status SINS_CALL sins_scene_get_gravity_disturbance(const sins_scene *scene,
-    sins_gravity_params *params);
-
-/**
- * Sets the gravity disturbance of the scene.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_gravity_disturbance(sins_scene *scene,
-    const sins_gravity_params *params);
 
 /** Where the flight of a scene comes from: sins_scene_setup.flight. */
 typedef enum sins_scene_flight {
@@ -268,24 +198,24 @@ typedef enum sins_scene_flight {
     SINS_SCENE_FLIGHT_LOG = 2
 } sins_scene_flight;
 
-/** Settings of a scene for its flight and its output. */
+/** Settings of a scene for its flight and its output, to be read: sins_scene_set_values() sets them. */
 typedef struct sins_scene_setup {
     /** sizeof(sins_scene_setup) */
     uint32_t struct_size;
-    /** Must be 0. */
+    /** 0 */
     uint32_t reserved;
-    /** Kind of the flight, of enum sins_scene_flight; read only: sins_scene_set_setup() ignores it. */
+    /** Kind of the flight, of enum sins_scene_flight. */
     int32_t flight;
     /** 1: samples get the temperature below; 0: samples get no temperature. */
     int32_t has_temperature;
     /** 1: a program shows neither progress nor summary; 0: it does. */
     int32_t quiet;
-    /** Must be 0. */
+    /** 0 */
     uint32_t reserved2;
     /** Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s]. */
     double duration_s;
     /**
-     * Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s). 0 also if duration_s is longer
+     * Duration that will be flown [s]. 0 for a log (see sins_log_info.duration_s). 0 also if duration_s is longer
      * than the flight: sins_scene_write() rejects such a scene.
      */
     double flown_s;
@@ -301,13 +231,6 @@ typedef struct sins_scene_setup {
 
 /** Reads the settings of a scene for its flight and its output. */
 SINS_API sins_status SINS_CALL sins_scene_get_setup(const sins_scene *scene, sins_scene_setup *setup);
-
-/**
- * Sets the settings of a scene for its flight and its output; the fields flight and flown_s are ignored.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- */
-SINS_API sins_status SINS_CALL sins_scene_set_setup(sins_scene *scene, const sins_scene_setup *setup);
 
 /**
  * Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number (count), and
@@ -363,11 +286,14 @@ SINS_API sins_status SINS_CALL sins_scene_get_text(const sins_scene *scene, int3
  */
 SINS_API sins_status SINS_CALL sins_scene_set_text(sins_scene *scene, int32_t which, const char *text);
 
-/** A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE. */
+/**
+ * A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE.
+ * sins_scene_set_items() sets the failures of a scene.
+ */
 typedef struct sins_planned_failure {
     /** sizeof(sins_planned_failure) */
     uint32_t struct_size;
-    /** Must be 0. */
+    /** 0 */
     uint32_t reserved;
     /** Sensor that fails, of enum sins_sensor. */
     int32_t sensor;
@@ -409,16 +335,6 @@ SINS_API sins_status SINS_CALL sins_scene_get_failure_count(const sins_scene *sc
  */
 SINS_API sins_status SINS_CALL sins_scene_get_failure(const sins_scene *scene, size_t index,
     sins_planned_failure *failure);
-
-/**
- * Adds a planned failure.
- *
- * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
- */
-SINS_API sins_status SINS_CALL sins_scene_add_failure(sins_scene *scene, const sins_planned_failure *failure);
-
-/** Removes all planned failures. */
-SINS_API sins_status SINS_CALL sins_scene_clear_failures(sins_scene *scene);
 
 /* Values of a scene by their paths. */
 

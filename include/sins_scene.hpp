@@ -88,14 +88,6 @@ public:
     }
 
     sins_options options() const { return read_back<sins_options>(sins_scene_get_options); }
-    sins_gyro_params gyro() const { return read_back<sins_gyro_params>(sins_scene_get_gyro); }
-    sins_accel_params accel() const { return read_back<sins_accel_params>(sins_scene_get_accel); }
-    sins_altimeter_params altimeter() const { return read_back<sins_altimeter_params>(sins_scene_get_altimeter); }
-    sins_initial_errors initial_errors() const { return read_back<sins_initial_errors>(sins_scene_get_initial_errors); }
-    sins_mounting mounting() const { return read_back<sins_mounting>(sins_scene_get_mounting); }
-    sins_gravity_params gravity_disturbance() const {
-        return read_back<sins_gravity_params>(sins_scene_get_gravity_disturbance);
-    }
     /*
      * The manoeuvres of the flight. start, with struct_size set, gets the start of the flight, and repeat how many times all
      * manoeuvres are flown.
@@ -114,18 +106,6 @@ public:
 
     sins_scene_setup setup() const { return read_back<sins_scene_setup>(sins_scene_get_setup); }
 
-    void set_options(const sins_options &options) { done(sins_scene_set_options(handle_, &options)); }
-    void set_gyro(const sins_gyro_params &params) { done(sins_scene_set_gyro(handle_, &params)); }
-    void set_accel(const sins_accel_params &params) { done(sins_scene_set_accel(handle_, &params)); }
-    void set_altimeter(const sins_altimeter_params &params) { done(sins_scene_set_altimeter(handle_, &params)); }
-    void set_initial_errors(const sins_initial_errors &errors) {
-        done(sins_scene_set_initial_errors(handle_, &errors));
-    }
-    void set_mounting(const sins_mounting &mounting) { done(sins_scene_set_mounting(handle_, &mounting)); }
-    void set_gravity_disturbance(const sins_gravity_params &params) {
-        done(sins_scene_set_gravity_disturbance(handle_, &params));
-    }
-    void set_setup(const sins_scene_setup &setup) { done(sins_scene_set_setup(handle_, &setup)); }
 
     /* which is of enum sins_scene_text. */
     std::string text(int32_t which) const { return detail::text(sins_scene_get_text, handle_, which); }
@@ -139,8 +119,6 @@ public:
             done(sins_scene_get_failure(handle_, index, &failures[index]));
         return failures;
     }
-    void add_failure(const sins_planned_failure &failure) { done(sins_scene_add_failure(handle_, &failure)); }
-    void clear_failures() { done(sins_scene_clear_failures(handle_)); }
 
 private:
     explicit Scene(sins_scene *scene) noexcept : Owner(scene) {}

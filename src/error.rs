@@ -174,7 +174,16 @@ impl fmt::Display for Error {
         let limit = |number| Number { number, is_integer };
         match self.rule {
             Rule::Finite => f.write_str("must be a finite number"),
-            Rule::Between(low, high) => write!(f, "must be from {} to {}", limit(low), limit(high)),
+            Rule::Between(low, high) => {
+                write!(f, "must be from {} to {}", limit(low), limit(high))?;
+                // Not s/rad, the unit of a nonlinearity.
+                let is_angle = self.field.ends_with("_rad") && !self.field.ends_with("_s_rad");
+                let may_be_degrees = |value: f64| is_angle && (1.6..=360.0).contains(&value.abs());
+                match self.value {
+                    Some(Value::Real(value)) if may_be_degrees(value) => f.write_str("; is it in degrees?"),
+                    _ => Ok(()),
+                }
+            }
             Rule::OffOr(low, high) => {
                 write!(f, "must be 0 for none, or from {} to {}", limit(low), limit(high))
             }
@@ -266,6 +275,10 @@ mod tests {
 
     #[test]
     fn the_sentence_names_field_value_and_limit() {
+        assert_eq!(
+            check_range("sample.latitude_rad", 47.5, -1.5, 1.5).unwrap_err().to_string(),
+            "sample.latitude_rad = 47.5: must be from -1.5 to 1.5; is it in degrees?"
+        );
         let error = check_ranges("gyro.markov_time_s", &[1.0, -3.0], 0.0, 1e12).unwrap_err();
         assert_eq!(error.to_string(), "gyro.markov_time_s[1] = -3: must be from 0 to 1e12");
         assert_eq!(

@@ -48,14 +48,15 @@ pub struct sins_flight_sample {
     pub height_m: f64,
     /// Velocity against the Earth, east-north-up, each -2e4 to 2e4 [m/s].
     pub velocity_enu_m_s: [f64; 3],
-    /// Roll, right wing down positive, -1e4 to 1e4 [rad]; whole turns do not matter.
+    /// Roll, right wing down positive, -1e4 to 1e4 [rad]; whole turns do not matter. So angles in degrees are accepted, too:
+    /// sins_truth_summary reveals them.
     pub roll_rad: f64,
     /// Pitch, nose up positive, -1e4 to 1e4 [rad]; it may go beyond 90 degrees. From one sample to the next the attitude must
     /// turn by less than 170 degrees. The library predicts this turn from the angular rates of the samples, or, without
     /// rates, from the previous interval. The turn must differ from the prediction by less than 180 degrees. Additional whole
     /// turns between two samples cannot be detected.
     pub pitch_rad: f64,
-    /// Heading, clockwise from true north, -1e4 to 1e4 [rad]; whole turns do not matter.
+    /// Heading, clockwise from true north, -1e4 to 1e4 [rad], not degrees (see roll_rad); whole turns do not matter.
     pub heading_rad: f64,
     /// With SINS_SAMPLE_ANGULAR_RATE: angular rate of the vehicle against inertial space along the body axes at this instant,
     /// each -1000 to 1000 [rad/s].

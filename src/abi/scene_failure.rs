@@ -1,22 +1,21 @@
 //! The failures that a scene plans.
 
-use super::choice::check_reserved;
-use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, element, interface_struct, put, read};
+use super::failure::{SINS_OK, sins_status};
+use super::memory::{Output, element, interface_struct, put};
 use super::scene::{sins_scene, with_scene};
-use super::sensor_failure::{output, sins_failure_fields};
+use super::sensor_failure::sins_failure_fields;
 use super::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
-use crate::error::{Error, Rule};
 use crate::scene::{Failing, PlannedFailure};
 use crate::sensors::SensorOutput;
 
 /// A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE.
+/// sins_scene_set_items() sets the failures of a scene.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_planned_failure {
     /// sizeof(sins_planned_failure)
     pub struct_size: u32,
-    /// Must be 0.
+    /// 0
     pub reserved: u32,
     /// Sensor that fails, of enum sins_sensor.
     pub sensor: i32,
@@ -64,31 +63,6 @@ pub unsafe extern "C" fn sins_scene_get_failure(
     })
 }
 
-/// Adds a planned failure.
-///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a failure of the same output at the same time.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_add_failure(
-    scene: *mut sins_scene,
-    failure: *const sins_planned_failure,
-) -> sins_status {
-    with_scene(scene, |scene| {
-        // SAFETY: the host's promise.
-        let planned = unsafe { read(failure, "failure")? }.to_planned()?;
-        scene.add_failure(planned)?;
-        Ok(SINS_OK)
-    })
-}
-
-/// Removes all planned failures.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_clear_failures(scene: *mut sins_scene) -> sins_status {
-    with_scene(scene, |scene| {
-        scene.failures.clear();
-        Ok(SINS_OK)
-    })
-}
-
 impl sins_planned_failure {
     fn new(planned: &PlannedFailure) -> Self {
         let (sensor, axis) = match planned.output {
@@ -106,20 +80,5 @@ impl sins_planned_failure {
             until_s: if until_s.is_infinite() { 0.0 } else { until_s },
             fields: sins_failure_fields::of(Some(planned.failure)),
         }
-    }
-
-    fn to_planned(self) -> Result<PlannedFailure, Failure> {
-        check_reserved("failure.reserved", self.reserved)?;
-        let output = output(["failure.sensor", "failure.axis"], self.sensor, self.axis)?;
-        let Some(failure) = self.fields.to_failure()? else {
-            let rule = Rule::Sentence("must not be SINS_FAILURE_NONE: plan no failure instead");
-            return Err(Error::invalid("failure.kind", self.fields.kind, rule).into());
-        };
-        let until_s = match self.until_s {
-            0.0 => f64::INFINITY,
-            f64::INFINITY => f64::NAN,
-            until_s => until_s,
-        };
-        Ok(PlannedFailure::new(output, failure, self.from_s, until_s)?)
     }
 }

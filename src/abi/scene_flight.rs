@@ -1,13 +1,11 @@
 //! The flight of a scene, and its settings for that and for the output.
 
-use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::flight::{self, sins_flight_start};
 use super::manoeuvre::sins_manoeuvre;
-use super::memory::{Array, Output, interface_struct, put, put_if_wanted, read};
+use super::memory::{Array, Output, interface_struct, put, put_if_wanted};
 use super::scene::{sins_scene, with_scene};
-use crate::error::{Error, Rule, check_integer};
-use crate::scene::{FlightPath, FlightSource, Temperature};
+use crate::scene::{FlightPath, FlightSource};
 
 /// Where the flight of a scene comes from: sins_scene_setup.flight.
 pub type sins_scene_flight = i32;
@@ -19,25 +17,25 @@ pub const SINS_SCENE_FLIGHT_BUILTIN: sins_scene_flight = 1;
 /// The flight is a log, named by SINS_SCENE_TEXT_LOG.
 pub const SINS_SCENE_FLIGHT_LOG: sins_scene_flight = 2;
 
-/// Settings of a scene for its flight and its output.
+/// Settings of a scene for its flight and its output, to be read: sins_scene_set_values() sets them.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_scene_setup {
     /// sizeof(sins_scene_setup)
     pub struct_size: u32,
-    /// Must be 0.
+    /// 0
     pub reserved: u32,
-    /// Kind of the flight, of enum sins_scene_flight; read only: sins_scene_set_setup() ignores it.
+    /// Kind of the flight, of enum sins_scene_flight.
     pub flight: i32,
     /// 1: samples get the temperature below; 0: samples get no temperature.
     pub has_temperature: i32,
     /// 1: a program shows neither progress nor summary; 0: it does.
     pub quiet: i32,
-    /// Must be 0.
+    /// 0
     pub reserved2: u32,
     /// Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
     pub duration_s: f64,
-    /// Duration that will be flown; read only [s]. 0 for a log (see sins_log_info.duration_s). 0 also if duration_s is longer
+    /// Duration that will be flown [s]. 0 for a log (see sins_log_info.duration_s). 0 also if duration_s is longer
     /// than the flight: sins_scene_write() rejects such a scene.
     pub flown_s: f64,
     /// Sample rate, 1e-3 to 2e4; 0 for a log, which has its own time stamps [Hz].
@@ -81,64 +79,6 @@ pub unsafe extern "C" fn sins_scene_get_setup(
         });
         Ok(SINS_OK)
     })
-}
-
-/// Sets the settings of a scene for its flight and its output; the fields flight and flown_s are ignored.
-///
-/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_set_setup(
-    scene: *mut sins_scene,
-    setup: *const sins_scene_setup,
-) -> sins_status {
-    with_scene(scene, |scene| {
-        // SAFETY: the host's promise.
-        let setup = unsafe { read(setup, "setup")? };
-        check_reserved("setup.reserved", setup.reserved)?;
-        check_reserved("setup.reserved2", setup.reserved2)?;
-        let flag = |field, value| check_integer(field, value, 0, 1).map(|()| value == 1);
-        let some = |value: f64| (value != 0.0).then_some(value);
-        let temperature =
-            Temperature { at_start_c: setup.temperature_c, change_c_s: setup.temperature_change_c_s };
-        let mut changed = scene.clone();
-        changed.duration_s = some(setup.duration_s);
-        changed.output.every_s = some(setup.every_s);
-        changed.output.quiet = flag("setup.quiet", setup.quiet)?;
-        changed.temperature = flag("setup.has_temperature", setup.has_temperature)?.then_some(temperature);
-        let unused = [
-            ("setup.temperature_c", setup.temperature_c),
-            ("setup.temperature_change_c_s", setup.temperature_change_c_s),
-        ];
-        if let (None, Some((field, value))) =
-            (&changed.temperature, unused.iter().find(|(_, value)| *value != 0.0))
-        {
-            return Err(
-                Error::invalid(field, *value, Rule::Sentence("must be 0: has_temperature is 0")).into()
-            );
-        }
-        if !scene.is_log() {
-            changed.rate_hz = setup.rate_hz;
-        } else if setup.rate_hz != 0.0 {
-            let rule = Rule::Sentence("must be 0: a flight log has its own time stamps");
-            return Err(Error::invalid("setup.rate_hz", setup.rate_hz, rule).into());
-        }
-        changed.check_limits().map_err(of_setup)?;
-        *scene = changed;
-        Ok(SINS_OK)
-    })
-}
-
-/// `error` with the field of a sins_scene_setup in place of the key of a scene.
-fn of_setup(error: Error) -> Error {
-    let field = match error.field {
-        "flight.duration_s" => "setup.duration_s",
-        "flight.rate_hz" => "setup.rate_hz",
-        "flight.temperature_c" => "setup.temperature_c",
-        "flight.temperature_change_c_s" => "setup.temperature_change_c_s",
-        "output.every_s" => "setup.every_s",
-        field => field,
-    };
-    Error { field, ..error }
 }
 
 /// Reads the flight of the scene, composed of manoeuvres or built-in: its start, its manoeuvres, their number (count), and

@@ -16,8 +16,9 @@ pub const SINS_NAVIGATION_NEAR_POLE: sins_navigation_flags = 1;
 /// Nothing aids the vertical channel, because of the options or because the altimeter has no signal: any error grows e-fold
 /// every 569 s.
 pub const SINS_NAVIGATION_VERTICAL_UNAIDED: sins_navigation_flags = 2;
-/// A flag of the truth. Let d be the displacement computed from the velocities. The flag is set if the displacement of the
-/// positions since the previous sample differs from d by more than sqrt((0.01 d)^2 + (1 cm)^2).
+/// The positions and the velocities of the samples contradict each other. Let d be the displacement computed from the velocities.
+/// The flag is set if the displacement of the positions since the previous sample differs from d by more than
+/// sqrt((0.01 d)^2 + (1 cm)^2). The truth and the navigation have it.
 pub const SINS_NAVIGATION_INCONSISTENT: sins_navigation_flags = 4;
 /// The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
 /// force, or the error of the horizontal gyro rates is at least as large as the north component of the Earth rate. (If it is

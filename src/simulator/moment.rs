@@ -40,6 +40,7 @@ impl Moment<'_> {
         Solution {
             vertical_unaided: last.vertical_unaided().unwrap_or(options.vertical == VerticalMode::Free),
             north_unknown: *north_unknown,
+            inconsistent: self.chain.closure.last_flagged(),
             ..Solution::new(earth, self.point.time_s, *self.chain.navigated_view())
         }
     }

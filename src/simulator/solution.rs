@@ -21,7 +21,7 @@ pub struct Solution {
     pub vertical_unaided: bool,
     /// The alignment at the start could not find north: the heading may be anything.
     pub north_unknown: bool,
-    /// For the truth: the displacement since the previous sample contradicts the velocities.
+    /// The displacement of the truth since the previous sample contradicts its velocities.
     pub inconsistent: bool,
 }
 

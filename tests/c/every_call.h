@@ -125,12 +125,6 @@ static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answe
 static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call_answer *answer, void *context)
 {
     sins_options options = {.struct_size = sizeof options};
-    sins_gyro_params gyro = scene_gyro();
-    sins_accel_params accel = scene_accel();
-    sins_altimeter_params altimeter = scene_altimeter();
-    sins_initial_errors initial = scene_initial_errors();
-    sins_mounting mounting = {.struct_size = sizeof mounting};
-    sins_gravity_params gravity = {.struct_size = sizeof gravity};
     sins_scene_setup setup = {.struct_size = sizeof setup};
     sins_planned_failure failure = {.struct_size = sizeof failure};
     sins_flight_sample sample = {.struct_size = sizeof sample};
@@ -142,31 +136,13 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     sins_manoeuvre manoeuvres[1] = {{.struct_size = sizeof manoeuvres[0]}};
     char text[8192];
     size_t count, repeat;
-    setup.rate_hz = 100.0;
-    failure.kind = SINS_FAILURE_DEAD;
-    EVERY_CALL(sins_scene_set_options(scene, &options));
-    EVERY_CALL(sins_scene_set_gyro(scene, &gyro));
-    EVERY_CALL(sins_scene_set_accel(scene, &accel));
-    EVERY_CALL(sins_scene_set_altimeter(scene, &altimeter));
-    EVERY_CALL(sins_scene_set_initial_errors(scene, &initial));
-    EVERY_CALL(sins_scene_set_mounting(scene, &mounting));
-    EVERY_CALL(sins_scene_set_gravity_disturbance(scene, &gravity));
-    EVERY_CALL(sins_scene_set_setup(scene, &setup));
     EVERY_CALL(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, "another"));
     start.speed_m_s = 100.0;
     manoeuvres[0].kind = SINS_MANOEUVRE_STRAIGHT;
     manoeuvres[0].duration_s = 60.0;
     EVERY_CALL(sins_scene_set_manoeuvres(scene, &start, manoeuvres, 1, 2));
     EVERY_CALL(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 1, &count, &repeat));
-    EVERY_CALL(sins_scene_clear_failures(scene));
-    EVERY_CALL(sins_scene_add_failure(scene, &failure));
     EVERY_CALL(sins_scene_get_options(scene, &options));
-    EVERY_CALL(sins_scene_get_gyro(scene, &gyro));
-    EVERY_CALL(sins_scene_get_accel(scene, &accel));
-    EVERY_CALL(sins_scene_get_altimeter(scene, &altimeter));
-    EVERY_CALL(sins_scene_get_initial_errors(scene, &initial));
-    EVERY_CALL(sins_scene_get_mounting(scene, &mounting));
-    EVERY_CALL(sins_scene_get_gravity_disturbance(scene, &gravity));
     EVERY_CALL(sins_scene_get_setup(scene, &setup));
     EVERY_CALL(sins_scene_get_text(scene, SINS_SCENE_TEXT_TITLE, text, sizeof text, NULL));
     EVERY_CALL(sins_scene_set_values(scene, "gyro.bias_deg_h[1] = 0.5\nfailure[0].from_s = 3"));

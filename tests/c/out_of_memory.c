@@ -103,14 +103,11 @@ static void starve_scenes(void)
     sins_log *log = NULL;
     sins_sim *sim = NULL;
     sins_flight *flight = NULL;
-    sins_scene_setup setup = {.struct_size = sizeof setup};
     sins_flight_start start = {.struct_size = sizeof start};
     sins_manoeuvre manoeuvres[2] = {{.struct_size = sizeof manoeuvres[0]}};
-    sins_planned_failure failure = {.struct_size = sizeof failure, .kind = SINS_FAILURE_DEAD, .from_s = 1.0};
     static char before[8192], after[8192];
     size_t count;
     long living;
-    CHECK(sins_scene_get_setup(scene, &setup) == SINS_OK);
     CHECK(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 2, &count, NULL) == SINS_OK);
     CHECK(sins_scene_write(scene, before, sizeof before, NULL) == SINS_OK);
     living = allocator_living;
@@ -122,10 +119,10 @@ static void starve_scenes(void)
     CHECK(sins_scene_write_keys(after, sizeof after, NULL) == SINS_ERROR_OUT_OF_MEMORY);
     CHECK(sins_scene_create_simulator(scene, &sim) == SINS_ERROR_OUT_OF_MEMORY);
     CHECK(sins_scene_create_flight(scene, &flight) == SINS_ERROR_OUT_OF_MEMORY);
-    CHECK(sins_scene_set_setup(scene, &setup) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_set_values(scene, "gyro.bias_deg_h = 1") == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_scene_set_items(scene, "failure", "") == SINS_ERROR_OUT_OF_MEMORY);
     CHECK(sins_scene_set_manoeuvres(scene, &start, manoeuvres, count, 2) == SINS_ERROR_OUT_OF_MEMORY);
     CHECK(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, "another") == SINS_ERROR_OUT_OF_MEMORY);
-    CHECK(sins_scene_add_failure(scene, &failure) == SINS_ERROR_OUT_OF_MEMORY);
     CHECK(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, &log, NULL) == SINS_ERROR_OUT_OF_MEMORY);
     allocator_good = -1;
     CHECK(allocator_living == living && made == NULL && log == NULL && sim == NULL && flight == NULL);

@@ -58,6 +58,7 @@ static void failures(void)
     sins_imu imu = {.struct_size = sizeof imu};
     sins_navigation navigation = {.struct_size = sizeof navigation};
     int32_t axis;
+    char text[256];
 
     CHECK(sins_create(NULL, &sim) == SINS_OK);
     bad_failure(sim, 3, 0, &failure, "sensor = 3: must be of enum sins_sensor, 0 to 2");
@@ -90,7 +91,14 @@ static void failures(void)
 
     /* None of these failures is set. Now all outputs are made dead, and one is restored. */
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
+    sample.time_s = 60.0;
+    CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_DISCONTINUITY && sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+    CHECK(strstr(text, "sample.time_s = 60: after a pause call sins_move_time()") == text);
     sample.time_s = 0.01;
+    sample.latitude_rad = 47.5;
+    CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_INVALID_ARGUMENT && sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+    CHECK(strstr(text, "sample.latitude_rad = 47.5: must be") == text && strstr(text, "in degrees?") != NULL);
+    sample.latitude_rad = 0.0;
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
     CHECK(sins_step(sim) == SINS_OK && sins_get_imu(sim, &imu) == SINS_OK);
     CHECK(imu.flags == 0 && memcmp(imu.measured_angle_rad, imu.ideal_angle_rad, sizeof imu.ideal_angle_rad) == 0);

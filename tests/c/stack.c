@@ -275,12 +275,6 @@ static void parse_deep(const char *begin, const char *open)
 static void call_with_scenes(void)
 {
     sins_options options = {.struct_size = sizeof options};
-    sins_gyro_params gyro = scene_gyro();
-    sins_accel_params accel = scene_accel();
-    sins_altimeter_params altimeter = scene_altimeter();
-    sins_initial_errors initial = scene_initial_errors();
-    sins_mounting mounting = {.struct_size = sizeof mounting};
-    sins_gravity_params gravity = {.struct_size = sizeof gravity};
     sins_scene_setup setup = {.struct_size = sizeof setup};
     sins_planned_failure failure = {.struct_size = sizeof failure};
     sins_fault fault = {.struct_size = sizeof fault};
@@ -323,21 +317,7 @@ static void call_with_scenes(void)
     MEASURE(sins_flight_sample_at(flight, 0.0, &sample));
     MEASURE(sins_scene_prepare(scene, sim, 0.0, &sample));
     MEASURE(sins_scene_get_options(scene, &options));
-    MEASURE(sins_scene_set_options(scene, &options));
-    MEASURE(sins_scene_set_gyro(scene, &gyro));
-    MEASURE(sins_scene_get_gyro(scene, &gyro));
-    MEASURE(sins_scene_set_accel(scene, &accel));
-    MEASURE(sins_scene_get_accel(scene, &accel));
-    MEASURE(sins_scene_set_altimeter(scene, &altimeter));
-    MEASURE(sins_scene_get_altimeter(scene, &altimeter));
-    MEASURE(sins_scene_set_initial_errors(scene, &initial));
-    MEASURE(sins_scene_get_initial_errors(scene, &initial));
-    MEASURE(sins_scene_set_mounting(scene, &mounting));
-    MEASURE(sins_scene_get_mounting(scene, &mounting));
-    MEASURE(sins_scene_set_gravity_disturbance(scene, &gravity));
-    MEASURE(sins_scene_get_gravity_disturbance(scene, &gravity));
     MEASURE(sins_scene_get_setup(scene, &setup));
-    MEASURE(sins_scene_set_setup(scene, &setup));
     MEASURE(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 4, &count, NULL));
     MEASURE(sins_scene_set_manoeuvres(scene, &start, manoeuvres, count, 1));
     MEASURE(sins_scene_builtin_name(0, text, sizeof text, NULL));
@@ -345,8 +325,6 @@ static void call_with_scenes(void)
     MEASURE(sins_scene_get_text(scene, SINS_SCENE_TEXT_BUILTIN, text, sizeof text, NULL));
     MEASURE(sins_scene_get_failure_count(scene, &count));
     MEASURE(sins_scene_get_failure(scene, 0, &failure));
-    MEASURE(sins_scene_clear_failures(scene));
-    MEASURE(sins_scene_add_failure(scene, &failure));
     MEASURE(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, &log, NULL));
     MEASURE(sins_log_get_info(log, &info));
     MEASURE(sins_log_get_sample(log, 0, &sample, NULL));

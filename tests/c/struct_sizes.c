@@ -178,12 +178,6 @@ static void strides(sins_sim *sim)
     }
 }
 
-static sins_status add_failure(sins_scene *scene, const sins_planned_failure *failure)
-{
-    CHECK(sins_scene_clear_failures(scene) == SINS_OK);
-    return sins_scene_add_failure(scene, failure);
-}
-
 /* The fault of an invalid log. Returns SINS_OK instead of the status that reports the fault. */
 static sins_status fault_of_log(sins_fault *fault)
 {
@@ -214,26 +208,11 @@ static void struct_sizes_of_scenes(sins_sim *sim)
     sins_log *log = scene_log();
     CHECK(sins_scene_create(&scene) == SINS_OK);
     CHECK(sins_scene_parse("[", 1, &faulty) == SINS_SCENE_HAS_FAULTS);
-    INPUT_SIZES(sins_options, sins_scene_set_options(scene, pointer));
-    INPUT_SIZES(sins_gyro_params, sins_scene_set_gyro(scene, pointer));
-    INPUT_SIZES(sins_accel_params, sins_scene_set_accel(scene, pointer));
-    INPUT_SIZES(sins_altimeter_params, sins_scene_set_altimeter(scene, pointer));
-    INPUT_SIZES(sins_initial_errors, sins_scene_set_initial_errors(scene, pointer));
-    INPUT_SIZES(sins_mounting, sins_scene_set_mounting(scene, pointer));
-    INPUT_SIZES(sins_gravity_params, sins_scene_set_gravity_disturbance(scene, pointer));
     INPUT_SIZES(sins_flight_start, set_manoeuvres(scene, pointer, NULL));
     INPUT_SIZES(sins_manoeuvre, set_manoeuvres(scene, NULL, pointer));
-    INPUT_SIZES(sins_scene_setup, sins_scene_set_setup(scene, pointer));
-    INPUT_SIZES(sins_planned_failure, add_failure(scene, pointer));
     OUTPUT_SIZES(sins_flight_start, get_manoeuvres(scene, pointer, NULL));
     OUTPUT_SIZES(sins_manoeuvre, get_manoeuvres(scene, NULL, pointer));
     OUTPUT_SIZES(sins_options, sins_scene_get_options(scene, pointer));
-    OUTPUT_SIZES(sins_gyro_params, sins_scene_get_gyro(scene, pointer));
-    OUTPUT_SIZES(sins_accel_params, sins_scene_get_accel(scene, pointer));
-    OUTPUT_SIZES(sins_altimeter_params, sins_scene_get_altimeter(scene, pointer));
-    OUTPUT_SIZES(sins_initial_errors, sins_scene_get_initial_errors(scene, pointer));
-    OUTPUT_SIZES(sins_mounting, sins_scene_get_mounting(scene, pointer));
-    OUTPUT_SIZES(sins_gravity_params, sins_scene_get_gravity_disturbance(scene, pointer));
     OUTPUT_SIZES(sins_scene_setup, sins_scene_get_setup(scene, pointer));
     OUTPUT_SIZES(sins_fault, sins_scene_get_fault(faulty, 0, pointer));
     OUTPUT_SIZES(sins_fault, fault_of_log(pointer));

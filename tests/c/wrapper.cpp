@@ -99,8 +99,9 @@ static void scenes() {
     CHECK(!scene.set_values("gyro.bias_deg_h = x\ngyro.scale_factor_ppm = 1e9\n"));
     CHECK(scene.faults().size() == 2 && scene.write() == before);
     CHECK(scene.set_values("gyro.bias_deg_h = 1\ngyro.preset = tactical\n") && scene.faults().empty());
-    CHECK(scene.gyro().bias_rad_s[2] == 1 * SINS_DEG_PER_HOUR);
-    CHECK(scene.gyro().bias_sigma_rad_s[0] > 0); /* the preset, below the value that was set */
+    const sins_gyro_params gyro = scene.create_simulator().gyro();
+    CHECK(gyro.bias_rad_s[2] == 1 * SINS_DEG_PER_HOUR);
+    CHECK(gyro.bias_sigma_rad_s[0] > 0); /* the preset, below the value that was set */
     CHECK(!scene.set_items("manoeuvre", "[[manoeuvre]]\nkind = \"leap\"\n") && !scene.faults().empty());
     CHECK(!scene.set_items("sensor", "") && !scene.faults().empty());
     CHECK(error_of([&] { scene.value("gyro.none"); }).status() == SINS_ERROR_INVALID_ARGUMENT);

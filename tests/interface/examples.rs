@@ -43,6 +43,26 @@ fn the_example_of_the_readme_prints_what_it_says() {
     assert!(program.contains(&format!("/* {} */", text.trim_end())), "{text}");
 }
 
+/// The program in the first comment of `sins.h`, without the stars.
+fn first_program() -> String {
+    let header = std::fs::read_to_string(project_file("include/sins.h")).unwrap();
+    let (_, rest) = header.split_once(" *     #include <stdio.h>\n").unwrap();
+    let (program, _) = rest.split_once("\n *     }\n").unwrap();
+    let lines = program.lines().map(|line| line.trim_start_matches(" *").strip_prefix("     ").unwrap_or(""));
+    format!("#include <stdio.h>\n{}\n}}\n", lines.collect::<Vec<_>>().join("\n"))
+}
+
+#[test]
+fn the_first_page_of_the_header_is_short_and_its_program_prints_what_it_says() {
+    let header = std::fs::read_to_string(project_file("include/sins.h")).unwrap();
+    let line_of = |part: &str| header.lines().position(|line| line.contains(part)).unwrap() + 1;
+    assert!(line_of(" */") <= 60 && line_of("SINS_CALL sins_") < 150);
+    let source = library_folder("first_page").join("host.c");
+    std::fs::write(&source, first_program()).unwrap();
+    let text = prints_alike("first_page", &[source.to_str().unwrap()], &C_AND_CPP, &[]);
+    assert!(header.contains(&format!("which prints \"{}\"", text.trim_end())), "{text}");
+}
+
 #[test]
 fn the_harness_flies_alike_as_c_and_as_cpp() {
     for scene in ["c_examples/scenes/fighter.toml", "coning"] {

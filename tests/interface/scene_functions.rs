@@ -128,7 +128,7 @@ fn a_text_with_faults_makes_a_handle_for_these_alone() {
         assert!(sentence.starts_with("gyro.range_deg_s[0] = -1: must be 0 for none, or from"), "{sentence}");
         assert_eq!(sins_scene_get_fault(scene, 2, &mut fault), SINS_ERROR_INVALID_ARGUMENT);
         assert_eq!(sins_scene_create_simulator(scene, &mut sim), SINS_ERROR_BAD_STATE);
-        assert_eq!(sins_scene_get_gyro(scene, &mut init()), SINS_ERROR_BAD_STATE);
+        assert_eq!(sins_scene_get_options(scene, &mut init()), SINS_ERROR_BAD_STATE);
         assert_eq!(sins_scene_destroy(scene), SINS_OK);
         assert_eq!(sins_scene_destroy(scene), SINS_ERROR_BAD_HANDLE);
         assert_eq!(sins_scene_destroy(with_exposed_provenance_mut(3)), SINS_ERROR_BAD_HANDLE);
@@ -137,45 +137,38 @@ fn a_text_with_faults_makes_a_handle_for_these_alone() {
 
 #[test]
 fn what_is_set_is_given_back_and_a_bad_value_changes_nothing() {
-    let name = CString::new("patrol").unwrap();
     let mut scene = null_mut();
     // SAFETY: living handles, terminated texts, structs of the interface.
     unsafe {
-        assert_eq!(sins_scene_create_builtin(name.as_ptr(), &mut scene), SINS_OK);
-        let (mut gyro, mut read) = (init::<sins_gyro_params>(), init::<sins_gyro_params>());
-        gyro.bias_rad_s = [1e-6, 2e-6, 3e-6];
-        assert_eq!(sins_scene_set_gyro(scene, &gyro), SINS_OK);
-        gyro.bias_rad_s[1] = 1e9;
-        assert_eq!(sins_scene_set_gyro(scene, &gyro), SINS_ERROR_INVALID_ARGUMENT);
-        assert_eq!(sins_scene_get_gyro(scene, &mut read), SINS_OK);
-        assert_eq!(read.bias_rad_s, [1e-6, 2e-6, 3e-6]);
-        let (mut setup, mut again) = (init::<sins_scene_setup>(), init::<sins_scene_setup>());
+        assert_eq!(sins_scene_create_builtin(c"patrol".as_ptr(), &mut scene), SINS_OK);
+        let set = |values: &CStr| sins_scene_set_values(scene, values.as_ptr());
+        let mut setup = init::<sins_scene_setup>();
         assert_eq!(sins_scene_get_setup(scene, &mut setup), SINS_OK);
         assert_eq!(
             (setup.flight, setup.flown_s, setup.rate_hz),
             (SINS_SCENE_FLIGHT_MANOEUVRES, 3600.0, 100.0)
         );
-        setup.duration_s = 1e9;
-        assert_eq!(sins_scene_set_setup(scene, &setup), SINS_ERROR_INVALID_ARGUMENT);
-        setup.duration_s = 1e6;
-        assert_eq!(sins_scene_set_setup(scene, &setup), SINS_OK, "another flight may be set");
-        let status = sins_scene_write(scene, null_mut(), 0, &mut 0);
-        assert_eq!(status, SINS_ERROR_INVALID_ARGUMENT, "longer than its flight");
-        setup.duration_s = 60.0;
-        assert_eq!(sins_scene_set_setup(scene, &setup), SINS_OK);
-        assert_eq!(sins_scene_get_setup(scene, &mut again), SINS_OK);
-        assert_eq!((again.duration_s, again.flown_s), (60.0, 60.0));
-        let mut failure = init::<sins_planned_failure>();
-        (failure.fields.kind, failure.from_s, failure.until_s) = (SINS_FAILURE_DEAD, 10.0, 20.0);
-        assert_eq!(sins_scene_add_failure(scene, &failure), SINS_OK);
-        (failure.from_s, failure.until_s) = (19.0, 30.0);
-        assert_eq!(sins_scene_add_failure(scene, &failure), SINS_ERROR_INVALID_ARGUMENT, "they overlap");
-        let mut count = 0;
+        assert_eq!(set(c"flight.duration_s = 1e9"), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(set(c"flight.duration_s = 60"), SINS_OK);
+        assert_eq!(sins_scene_get_setup(scene, &mut setup), SINS_OK);
+        assert_eq!((setup.duration_s, setup.flown_s), (60.0, 60.0));
+        let items = |from_s: u32| {
+            let item = |from_s| {
+                format!(
+                    "[[failure]]\nsensor = \"gyro\"\naxis = \"x\"\nkind = \"dead\"\nfrom_s = {from_s}\nuntil_s = {}\n",
+                    from_s + 10
+                )
+            };
+            CString::new(item(10) + &item(from_s)).unwrap()
+        };
+        let plan = |items: CString| sins_scene_set_items(scene, c"failure".as_ptr(), items.as_ptr());
+        assert_eq!(plan(items(30)), SINS_OK);
+        assert_eq!(plan(items(19)), SINS_ERROR_INVALID_ARGUMENT, "they overlap");
+        let (mut count, mut failure) = (0, init::<sins_planned_failure>());
         assert_eq!(sins_scene_get_failure_count(scene, &mut count), SINS_OK);
-        assert_eq!(sins_scene_get_failure(scene, 0, &mut failure), SINS_OK);
-        assert_eq!((count, failure.from_s, failure.until_s), (1, 10.0, 20.0));
-        assert_eq!(sins_scene_clear_failures(scene), SINS_OK);
-        assert_eq!(sins_scene_get_failure(scene, 0, &mut failure), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(sins_scene_get_failure(scene, 1, &mut failure), SINS_OK);
+        assert_eq!((count, failure.from_s, failure.until_s), (2, 30.0, 40.0));
+        assert_eq!(sins_scene_get_failure(scene, 2, &mut failure), SINS_ERROR_INVALID_ARGUMENT);
         assert_eq!(sins_scene_destroy(scene), SINS_OK);
     }
 }
@@ -209,23 +202,6 @@ fn prepare_rejects_what_no_push_takes_and_changes_nothing() {
     }
 }
 
-#[test]
-fn a_temperature_that_is_not_used_is_named() {
-    let (mut scene, mut setup, mut info) =
-        (null_mut(), init::<sins_scene_setup>(), init::<sins_error_info>());
-    // SAFETY: living handles and structs of the interface.
-    unsafe {
-        assert_eq!(sins_scene_create(&mut scene), SINS_OK);
-        assert_eq!(sins_scene_get_setup(scene, &mut setup), SINS_OK);
-        setup.temperature_change_c_s = 1.0;
-        assert_eq!(sins_scene_set_setup(scene, &setup), SINS_ERROR_INVALID_ARGUMENT);
-        assert_eq!(sins_last_error_info(null_mut(), &mut info), SINS_OK);
-        assert_eq!(CStr::from_ptr(info.field.as_ptr()).to_str(), Ok("setup.temperature_change_c_s"));
-        assert_eq!(info.value, 1.0);
-        assert_eq!(sins_scene_destroy(scene), SINS_OK);
-    }
-}
-
 /// The sentence of the last failure on this thread.
 fn last_error() -> String {
     // SAFETY: a buffer with its size, and a place for the size that is needed.
@@ -234,9 +210,7 @@ fn last_error() -> String {
 
 #[test]
 fn a_message_names_the_field_that_the_caller_set() {
-    let (mut scene, mut setup) = (null_mut(), init::<sins_scene_setup>());
-    let (mut failure, start, mut rest) =
-        (init::<sins_planned_failure>(), init::<sins_flight_start>(), init::<sins_manoeuvre>());
+    let (mut scene, start, mut rest) = (null_mut(), init::<sins_flight_start>(), init::<sins_manoeuvre>());
     rest.duration_s = 60.0;
     let refused = |status: sins_status, expected: &str| {
         assert_eq!((status, last_error().as_str()), (SINS_ERROR_INVALID_ARGUMENT, expected));
@@ -244,12 +218,6 @@ fn a_message_names_the_field_that_the_caller_set() {
     // SAFETY: living handles and structs of the interface.
     unsafe {
         assert_eq!(sins_scene_create(&mut scene), SINS_OK);
-        failure.fields.kind = SINS_FAILURE_DEAD;
-        failure.axis = 3;
-        refused(sins_scene_add_failure(scene, &failure), "failure.axis = 3: must be from 0 to 2");
-        failure.sensor = 3;
-        let words = "failure.sensor = 3: must be of enum sins_sensor, 0 to 2";
-        refused(sins_scene_add_failure(scene, &failure), words);
         refused(
             sins_scene_set_manoeuvres(scene, &start, &rest, 1, 4097),
             "repeat = 4097: must be from 1 to 4096",
@@ -260,22 +228,6 @@ fn a_message_names_the_field_that_the_caller_set() {
         let fast = sins_flight_start { speed_m_s: 100.0, ..start };
         assert_eq!(sins_scene_set_manoeuvres(scene, &fast, &brake, 1, 2), SINS_ERROR_INVALID_ARGUMENT);
         assert!(last_error().contains("[0] = "), "{}", last_error());
-        assert_eq!(sins_scene_get_setup(scene, &mut setup), SINS_OK);
-        for (set, field) in [
-            ((|setup, value| setup.duration_s = value) as fn(&mut sins_scene_setup, f64), "duration_s"),
-            (|setup, value| setup.rate_hz = value, "rate_hz"),
-            (|setup, value| setup.temperature_c = value, "temperature_c"),
-            (|setup, value| setup.temperature_change_c_s = value, "temperature_change_c_s"),
-            (|setup, value| setup.every_s = value, "every_s"),
-        ] {
-            for (value, shown) in [(-1e9, "-1e9"), (f64::NAN, "NaN")] {
-                let mut setup = sins_scene_setup { has_temperature: 1, ..setup };
-                set(&mut setup, value);
-                assert_eq!(sins_scene_set_setup(scene, &setup), SINS_ERROR_INVALID_ARGUMENT);
-                let begin = format!("setup.{field} = {shown}: must be ");
-                assert!(last_error().starts_with(&begin), "{}", last_error());
-            }
-        }
         refused(
             sins_scene_set_text(scene, SINS_SCENE_TEXT_NAME, c"a/b".as_ptr()),
             "text: must be a name without a folder; output.folder has that",

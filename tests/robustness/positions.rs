@@ -25,6 +25,7 @@ fn velocity_that_contradicts_position_is_the_hosts_own() {
         }
         let (_, _, closure) = simulator.accuracy().unwrap().unwrap();
         assert!(simulator.truth().unwrap().unwrap().inconsistent);
+        assert!(simulator.navigation().unwrap().unwrap().inconsistent);
         println!(
             "position at {position_m_s} m/s, velocity {velocity_m_s} m/s, 60 s: {} flagged, closure {:.1} m, host's share {:.1} m",
             closure.inconsistent_samples, closure.position_n.y, closure.host_position_n.y

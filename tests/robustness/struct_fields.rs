@@ -290,31 +290,6 @@ fn questions(tried: &mut Tried) {
     });
 }
 
-/// Structs that a scene takes beside those of the simulator's own functions.
-#[cfg(feature = "scenes")]
-fn scenes(tried: &mut Tried) {
-    let mut scene = null_mut();
-    // SAFETY: a living handle, a buffer with its size, structs of the sizes that they state.
-    unsafe {
-        assert_eq!(sins_scene_create(&mut scene), SINS_OK);
-        let text = || {
-            let mut text = vec![0_u64; 1024];
-            let size = size_of_val(&text[..]);
-            assert_eq!(sins_scene_write(scene, text.as_mut_ptr().cast(), size, null_mut()), SINS_OK);
-            text
-        };
-        // Duration, rate, temperature, its change, spacing; how long it is flown is read only.
-        let setup = output::<sins_scene_setup>().with_pair(1, 0, 1).with(3, 60.0).with(5, 50.0);
-        let setup = setup.with(6, 20.0).with(7, 0.01).with(8, 1.0);
-        tried.each_word(&setup, &[4], &text, null(), &|words| sins_scene_set_setup(scene, words));
-        // From, until, kind, size.
-        let failure = output::<sins_planned_failure>().with(2, 1.0).with(3, 2.0);
-        let failure = failure.with_pair(4, SINS_FAILURE_BIAS_STEP as u32, 0).with(5, 1.0);
-        tried.each_word(&failure, &[], &text, null(), &|words| sins_scene_add_failure(scene, words));
-        assert_eq!(sins_scene_destroy(scene), SINS_OK);
-    }
-}
-
 /// Calls `call` with the words as its output.
 fn written(words: &Cell<Vec<u64>>, call: impl FnOnce(*mut u64) -> sins_status) -> sins_status {
     let mut inside = words.take();
@@ -343,13 +318,8 @@ fn every_field_of_every_struct() {
     simulators(&mut tried);
     flights(&mut tried);
     questions(&mut tried);
-    #[cfg(feature = "scenes")]
-    scenes(&mut tried);
     println!("{} bad values refused", tried.refused);
     let mut expected = structs_that_come_in();
-    if cfg!(not(feature = "scenes")) {
-        expected.retain(|name| !["sins_scene_setup", "sins_planned_failure"].contains(&name.as_str()));
-    }
     // sins_statistics has integers alone: c/ensemble.c and statistics.rs damage it.
     assert!(expected.remove("sins_statistics"));
     // These are written as a line, with any numbers: interface/scene_records.rs.

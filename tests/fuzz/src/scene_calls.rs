@@ -8,7 +8,6 @@ use sins::scene::BUILTIN_SCENES;
 
 use crate::call;
 use crate::host::{Host, init};
-use crate::input::Argument;
 use crate::settings::*;
 use crate::texts::{
     check_faults, check_log, parse_scene, set_values, some_log, some_scene, some_values, text_of, written,
@@ -61,104 +60,17 @@ impl Host {
         }
     }
 
-    fn setting_scene<T: Copy + std::fmt::Debug>(
-        &mut self,
-        value: T,
-        set: impl FnOnce(*mut sins_scene, *const T) -> sins_status,
-        get: impl FnOnce(*const sins_scene, *mut T) -> sins_status,
-    ) {
-        let mut argument = self.input.argument(value);
-        let pointer = argument.pointer::<T>().cast_const();
-        self.changing_scene(|scene| set(scene, pointer));
-        let mut output = Argument::of(&init::<T>());
-        get(self.scene, output.pointer());
-    }
-
     pub fn change_scene(&mut self) {
         let input = &mut self.input;
-        match input.below(15) {
-            13 => {
+        match input.below(6) {
+            0 | 1 => {
                 let values = some_values(input);
                 self.changing_scene(|scene| set_values(scene, &values));
             }
-            14 => self.change_items(),
-            12 => self.change_manoeuvres(),
-            0 => {
-                let options = some_options(input);
-                self.setting_scene(
-                    options,
-                    |scene, options| call!(sins_scene_set_options(scene, options)),
-                    |scene, options| call!(sins_scene_get_options(scene, options)),
-                );
-            }
-            1 => {
-                let gyro = some_gyro(input);
-                self.setting_scene(
-                    gyro,
-                    |scene, gyro| call!(sins_scene_set_gyro(scene, gyro)),
-                    |scene, gyro| call!(sins_scene_get_gyro(scene, gyro)),
-                );
-            }
-            2 => {
-                let accel = some_accel(input);
-                self.setting_scene(
-                    accel,
-                    |scene, accel| call!(sins_scene_set_accel(scene, accel)),
-                    |scene, accel| call!(sins_scene_get_accel(scene, accel)),
-                );
-            }
-            3 => {
-                let altimeter = some_altimeter(input);
-                self.setting_scene(
-                    altimeter,
-                    |scene, altimeter| call!(sins_scene_set_altimeter(scene, altimeter)),
-                    |scene, altimeter| call!(sins_scene_get_altimeter(scene, altimeter)),
-                );
-            }
-            4 => {
-                let errors = some_initial_errors(input);
-                self.setting_scene(
-                    errors,
-                    |scene, errors| call!(sins_scene_set_initial_errors(scene, errors)),
-                    |scene, errors| call!(sins_scene_get_initial_errors(scene, errors)),
-                );
-            }
-            5 => {
-                let mounting = some_mounting(input);
-                self.setting_scene(
-                    mounting,
-                    |scene, mounting| call!(sins_scene_set_mounting(scene, mounting)),
-                    |scene, mounting| call!(sins_scene_get_mounting(scene, mounting)),
-                );
-            }
-            6 => {
-                let gravity = some_gravity(input);
-                self.setting_scene(
-                    gravity,
-                    |scene, gravity| call!(sins_scene_set_gravity_disturbance(scene, gravity)),
-                    |scene, gravity| call!(sins_scene_get_gravity_disturbance(scene, gravity)),
-                );
-            }
-            7 => {
-                let setup = sins_scene_setup {
-                    has_temperature: i32::from(input.one_in(2)),
-                    quiet: i32::from(input.one_in(2)),
-                    duration_s: input.pick(&[0.0, 60.0, 1e-2, 3.6e8]),
-                    rate_hz: input.pick(&[100.0, 1e-3, 2e4, 50.0]),
-                    temperature_c: input.within((-273.15, 1000.0)),
-                    temperature_change_c_s: input.within((-1.0, 1.0)),
-                    every_s: input.pick(&[0.0, 1.0, 5e-5, 1e7]),
-                    ..init()
-                };
-                self.setting_scene(
-                    setup,
-                    |scene, setup| call!(sins_scene_set_setup(scene, setup)),
-                    |scene, setup| call!(sins_scene_get_setup(scene, setup)),
-                );
-            }
-            8 => self.change_text(),
-            9 => self.changing_scene(|scene| call!(sins_scene_clear_failures(scene))),
-            _ => self.plan_failure(),
+            2 => self.change_items(),
+            3 => self.change_manoeuvres(),
+            4 => self.change_text(),
+            _ => self.read_failures(),
         }
     }
 
@@ -227,20 +139,8 @@ impl Host {
         });
     }
 
-    fn plan_failure(&mut self) {
-        let sensor = self.input.below(3) as i32;
-        let sins_failure { fields, .. } = some_failure(&mut self.input, sensor);
-        let failure = sins_planned_failure {
-            sensor,
-            axis: if sensor == SINS_SENSOR_ALTIMETER { 0 } else { self.input.below(3) as i32 },
-            from_s: self.input.within((0.0, 1e9)),
-            until_s: self.input.within((0.0, 1e9)),
-            fields,
-            ..init()
-        };
-        let mut argument = self.input.argument(failure);
-        let pointer = argument.pointer::<sins_planned_failure>().cast_const();
-        self.changing_scene(|scene| call!(sins_scene_add_failure(scene, pointer)));
+    fn read_failures(&self) {
+        call!(sins_scene_get_options(self.scene, &mut init()));
         let mut count = 0;
         if call!(sins_scene_get_failure_count(self.scene, &mut count)) == SINS_OK {
             for index in 0..=count {
@@ -283,7 +183,7 @@ impl Host {
     /// Calls with invalid handles, and calls that need no handle.
     pub fn misuse_scene(&mut self) {
         let scene = without_provenance_mut(self.input.word() as usize);
-        assert_eq!(call!(sins_scene_clear_failures(scene)), SINS_ERROR_BAD_HANDLE);
+        assert_eq!(call!(sins_scene_set_values(scene, c"".as_ptr())), SINS_ERROR_BAD_HANDLE);
         assert_eq!(call!(sins_scene_destroy(self.sims[0].handle.cast())), SINS_ERROR_BAD_HANDLE);
         assert_eq!(call!(sins_log_destroy(self.scene.cast())), SINS_ERROR_BAD_HANDLE);
         assert_eq!(call!(sins_scene_parse(null(), 1, &mut null_mut())), SINS_ERROR_NULL_POINTER);
