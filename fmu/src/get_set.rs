@@ -49,7 +49,7 @@ unsafe fn set<T: Copy>(
 macro_rules! getters {
     ($($name:ident: $base:ident as $type:ty;)*) => {$(
         #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn $name(
+        pub unsafe extern "C-unwind" fn $name(
             component: *mut Component,
             references: *const u32,
             count: usize,
@@ -70,7 +70,7 @@ getters! {
 macro_rules! setters {
     ($($name:ident: $type:ty, $value:expr;)*) => {$(
         #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn $name(
+        pub unsafe extern "C-unwind" fn $name(
             component: *mut Component,
             references: *const u32,
             count: usize,
@@ -89,7 +89,7 @@ setters! {
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetString(
+pub unsafe extern "C-unwind" fn fmi2GetString(
     component: *mut Component,
     references: *const u32,
     count: usize,

@@ -116,17 +116,17 @@ pub(crate) unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, Refused> {
 }
 
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetTypesPlatform() -> *const c_char {
+pub extern "C-unwind" fn fmi2GetTypesPlatform() -> *const c_char {
     c"default".as_ptr()
 }
 
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetVersion() -> *const c_char {
+pub extern "C-unwind" fn fmi2GetVersion() -> *const c_char {
     c"2.0".as_ptr()
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2Instantiate(
+pub unsafe extern "C-unwind" fn fmi2Instantiate(
     instance_name: *const c_char,
     kind: c_int,
     guid: *const c_char,
@@ -178,7 +178,7 @@ pub unsafe extern "C" fn fmi2Instantiate(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2FreeInstance(component: *mut Component) {
+pub unsafe extern "C-unwind" fn fmi2FreeInstance(component: *mut Component) {
     if !component.is_null() {
         // SAFETY: the component came from `fmi2Instantiate` and is freed once.
         drop(unsafe { Box::from_raw(component) });
@@ -186,7 +186,7 @@ pub unsafe extern "C" fn fmi2FreeInstance(component: *mut Component) {
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetDebugLogging(
+pub unsafe extern "C-unwind" fn fmi2SetDebugLogging(
     component: *mut Component,
     logging_on: c_int,
     count: usize,
@@ -204,7 +204,7 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetupExperiment(
+pub unsafe extern "C-unwind" fn fmi2SetupExperiment(
     component: *mut Component,
     _tolerance_defined: c_int,
     _tolerance: f64,
@@ -227,22 +227,22 @@ unsafe fn go(component: *mut Component, function: &str, from: Phase, to: Phase) 
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2EnterInitializationMode(component: *mut Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2EnterInitializationMode(component: *mut Component) -> fmi2Status {
     unsafe { go(component, "fmi2EnterInitializationMode", Phase::Instantiated, Phase::Initializing) }
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2ExitInitializationMode(component: *mut Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2ExitInitializationMode(component: *mut Component) -> fmi2Status {
     unsafe { go(component, "fmi2ExitInitializationMode", Phase::Initializing, Phase::Stepping) }
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2Terminate(component: *mut Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2Terminate(component: *mut Component) -> fmi2Status {
     unsafe { go(component, "fmi2Terminate", Phase::Stepping, Phase::Terminated) }
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2Reset(component: *mut Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2Reset(component: *mut Component) -> fmi2Status {
     unsafe {
         on(component, "fmi2Reset", |component| {
             component.instance.reset();

@@ -25,7 +25,10 @@ unsafe fn hand_out(state: &mut *mut State, bytes: State) -> Outcome {
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut Component, state: *mut *mut State) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2GetFMUstate(
+    component: *mut Component,
+    state: *mut *mut State,
+) -> fmi2Status {
     unsafe {
         on(component, "fmi2GetFMUstate", |component| {
             let state = state.as_mut().ok_or_else(|| Refused::error("a null pointer"))?;
@@ -36,7 +39,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut Component, state: *mut 
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetFMUstate(component: *mut Component, state: *mut State) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2SetFMUstate(component: *mut Component, state: *mut State) -> fmi2Status {
     unsafe {
         on(component, "fmi2SetFMUstate", |component| {
             let state = state.as_ref().ok_or_else(|| Refused::error("a null pointer for a state"))?;
@@ -47,7 +50,10 @@ pub unsafe extern "C" fn fmi2SetFMUstate(component: *mut Component, state: *mut 
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2FreeFMUstate(component: *mut Component, state: *mut *mut State) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2FreeFMUstate(
+    component: *mut Component,
+    state: *mut *mut State,
+) -> fmi2Status {
     unsafe {
         on(component, "fmi2FreeFMUstate", |_| {
             if let Some(state) = state.as_mut().filter(|state| !state.is_null()) {
@@ -60,7 +66,7 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(component: *mut Component, state: *mut
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
+pub unsafe extern "C-unwind" fn fmi2SerializedFMUstateSize(
     component: *mut Component,
     state: *mut State,
     size: *mut usize,
@@ -77,7 +83,7 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SerializeFMUstate(
+pub unsafe extern "C-unwind" fn fmi2SerializeFMUstate(
     component: *mut Component,
     state: *mut State,
     bytes: *mut u8,
@@ -97,7 +103,7 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
+pub unsafe extern "C-unwind" fn fmi2DeSerializeFMUstate(
     component: *mut Component,
     bytes: *const u8,
     size: usize,

@@ -13,7 +13,7 @@ const LAST_SUCCESSFUL_TIME: c_int = 2;
 const TERMINATED: c_int = 3;
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2DoStep(
+pub unsafe extern "C-unwind" fn fmi2DoStep(
     component: *mut Component,
     current_communication_point: f64,
     communication_step_size: f64,
@@ -36,12 +36,12 @@ unsafe fn without(component: *mut Component, function: &str, why: &str) -> fmi2S
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2CancelStep(component: *mut Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2CancelStep(component: *mut Component) -> fmi2Status {
     unsafe { without(component, "fmi2CancelStep", "steps are never asynchronous") }
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
+pub unsafe extern "C-unwind" fn fmi2SetRealInputDerivatives(
     component: *mut Component,
     _references: *const u32,
     _count: usize,
@@ -52,7 +52,7 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
+pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
     component: *mut Component,
     _references: *const u32,
     _count: usize,
@@ -63,7 +63,7 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
+pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
     component: *mut Component,
     _unknowns: *const u32,
     _unknown_count: usize,
@@ -76,7 +76,7 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetRealStatus(
+pub unsafe extern "C-unwind" fn fmi2GetRealStatus(
     component: *mut Component,
     kind: c_int,
     value: *mut f64,
@@ -93,7 +93,7 @@ pub unsafe extern "C" fn fmi2GetRealStatus(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetBooleanStatus(
+pub unsafe extern "C-unwind" fn fmi2GetBooleanStatus(
     component: *mut Component,
     kind: c_int,
     value: *mut c_int,
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn fmi2GetBooleanStatus(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetStatus(
+pub unsafe extern "C-unwind" fn fmi2GetStatus(
     component: *mut Component,
     _kind: c_int,
     _value: *mut c_int,
@@ -119,7 +119,7 @@ pub unsafe extern "C" fn fmi2GetStatus(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetIntegerStatus(
+pub unsafe extern "C-unwind" fn fmi2GetIntegerStatus(
     component: *mut Component,
     _kind: c_int,
     _value: *mut c_int,
@@ -128,7 +128,7 @@ pub unsafe extern "C" fn fmi2GetIntegerStatus(
 }
 
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetStringStatus(
+pub unsafe extern "C-unwind" fn fmi2GetStringStatus(
     component: *mut Component,
     _kind: c_int,
     _value: *mut *const c_char,

@@ -11,7 +11,10 @@ use crate::simulator::Simulator;
 ///
 /// SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_set_accel(sim: *mut sins_sim, params: *const sins_accel_params) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_set_accel(
+    sim: *mut sins_sim,
+    params: *const sins_accel_params,
+) -> sins_status {
     // SAFETY: the host's promise.
     unsafe { set(sim, params, "params", Simulator::set_accel) }
 }
@@ -19,7 +22,10 @@ pub unsafe extern "C" fn sins_set_accel(sim: *mut sins_sim, params: *const sins_
 /// Reads the accelerometer errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
 /// snapshot.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_accel(sim: *mut sins_sim, params: *mut sins_accel_params) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_get_accel(
+    sim: *mut sins_sim,
+    params: *mut sins_accel_params,
+) -> sins_status {
     // SAFETY: the host's promise.
     unsafe { get(sim, params, "params", Simulator::accel) }
 }

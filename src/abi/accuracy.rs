@@ -106,7 +106,10 @@ impl sins_accuracy {
 /// SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_accuracy(sim: *mut sins_sim, accuracy: *mut sins_accuracy) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_get_accuracy(
+    sim: *mut sins_sim,
+    accuracy: *mut sins_accuracy,
+) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(accuracy, "accuracy")? };

@@ -60,7 +60,7 @@ impl Parameters for sins_altimeter_params {
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_set_altimeter(
+pub unsafe extern "C-unwind" fn sins_set_altimeter(
     sim: *mut sins_sim,
     params: *const sins_altimeter_params,
 ) -> sins_status {
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn sins_set_altimeter(
 /// Reads the errors of the altimeter that are set. May be called at any moment. After sins_snapshot_load() they are those of
 /// the snapshot.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_altimeter(
+pub unsafe extern "C-unwind" fn sins_get_altimeter(
     sim: *mut sins_sim,
     params: *mut sins_altimeter_params,
 ) -> sins_status {

@@ -11,15 +11,18 @@ use super::last_error::Sentence;
 use super::process::is_prepared;
 use super::refusal;
 use super::tables::is_inside_a_handle;
+use super::thread::Cancellation;
 use super::thread_locals::HERE;
 
 /// Runs `body` as the inside of an exported function.
 #[inline(always)]
 pub(super) fn enter(body: impl FnOnce() -> sins_status) -> sins_status {
+    let cancellation = Cancellation::defer();
     let mut state = FloatState::UNKNOWN;
     state.enter();
     let status = guarded(body);
     state.leave();
+    cancellation.restore();
     status
 }
 
@@ -35,6 +38,7 @@ pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status,
         refusal::forget();
         return Failure::no_thread_locals().status;
     }
+    let cancellation = Cancellation::defer();
     silence_panics();
     let outer = HERE.with(|here| here.inside.replace(true));
     let status = enter(|| {
@@ -47,6 +51,7 @@ pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status,
     if status == SINS_ERROR_INTERNAL {
         remember(Failure::internal());
     }
+    cancellation.restore();
     status
 }
 

@@ -79,7 +79,7 @@ interface_struct!(sins_budget_request, "request", 40);
 ///
 /// sins_last_error(NULL, ...) on this thread gives the reason and the sample.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_error_budget(
+pub unsafe extern "C-unwind" fn sins_error_budget(
     configured: *const sins_sim,
     samples: *const sins_flight_sample,
     count: usize,

@@ -83,7 +83,7 @@ impl sins_covariance {
 /// SINS_ERROR_BAD_STATE: sins_options.covariance is off, or navigating on increments.
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: no INS can start at the first sample.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_covariance(
+pub unsafe extern "C-unwind" fn sins_get_covariance(
     sim: *mut sins_sim,
     covariance: *mut sins_covariance,
 ) -> sins_status {

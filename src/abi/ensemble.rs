@@ -43,7 +43,7 @@ pub(super) fn with_ensemble(
 /// SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to 4294967295, or first_run + runs - 1 above 2^64 - 1.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles exist.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_create(
+pub unsafe extern "C-unwind" fn sins_ensemble_create(
     configured: *const sins_sim,
     first_run: u64,
     runs: usize,
@@ -63,7 +63,7 @@ pub unsafe extern "C" fn sins_ensemble_create(
 ///
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_destroy(ensemble: *mut sins_ensemble) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_ensemble_destroy(ensemble: *mut sins_ensemble) -> sins_status {
     enter(|| ENSEMBLES.remove(ensemble.addr()))
 }
 
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn sins_ensemble_destroy(ensemble: *mut sins_ensemble) -> 
 ///
 /// SINS_GAP and the errors: as sins_push_sample().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_push_sample(
+pub unsafe extern "C-unwind" fn sins_ensemble_push_sample(
     ensemble: *mut sins_ensemble,
     sample: *const sins_flight_sample,
 ) -> sins_status {
@@ -92,7 +92,7 @@ pub unsafe extern "C" fn sins_ensemble_push_sample(
 /// SINS_NEED_SAMPLE: no complete interval is waiting. SINS_ERROR_SINGULAR: the truth is too close to a pole, in geographic
 /// axes or for an alignment by gyrocompassing; the step is made for no run.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_step(ensemble: *mut sins_ensemble) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_ensemble_step(ensemble: *mut sins_ensemble) -> sins_status {
     with_ensemble(ensemble, |ensemble| Ok(stepped(ensemble.step()?)))
 }
 
@@ -104,7 +104,7 @@ pub unsafe extern "C" fn sins_ensemble_step(ensemble: *mut sins_ensemble) -> sin
 /// sins_ensemble_step() ends the call at the sample that caused the error; sins_last_error() names this sample. The samples
 /// before it were flown, this sample and the rest were not. A sample that could be pushed but not flown waits in the queue.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_run(
+pub unsafe extern "C-unwind" fn sins_ensemble_run(
     ensemble: *mut sins_ensemble,
     samples: *const sins_flight_sample,
     count: usize,
@@ -130,7 +130,7 @@ fn run(ensemble: &mut Ensemble, samples: &Array<sins_flight_sample>) -> Result<s
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_push_sample().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_reposition(
+pub unsafe extern "C-unwind" fn sins_ensemble_reposition(
     ensemble: *mut sins_ensemble,
     sample: *const sins_flight_sample,
 ) -> sins_status {
@@ -145,7 +145,7 @@ pub unsafe extern "C" fn sins_ensemble_reposition(
 /// Returns to the state before the first sample, as sins_reset() does: the same parameters, no failures, no diverged run, and
 /// the random streams at their start.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_reset(ensemble: *mut sins_ensemble) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_ensemble_reset(ensemble: *mut sins_ensemble) -> sins_status {
     with_ensemble(ensemble, |ensemble| {
         ensemble.reset();
         Ok(SINS_OK)
@@ -156,7 +156,7 @@ pub unsafe extern "C" fn sins_ensemble_reset(ensemble: *mut sins_ensemble) -> si
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_set_failure().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_set_failure(
+pub unsafe extern "C-unwind" fn sins_ensemble_set_failure(
     ensemble: *mut sins_ensemble,
     sensor: i32,
     axis: i32,

@@ -13,7 +13,7 @@ use crate::simulator::ErrorSource;
 
 /// Reads the number of the first run, and how many runs there are; either pointer may be NULL.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_get_runs(
+pub unsafe extern "C-unwind" fn sins_ensemble_get_runs(
     ensemble: *mut sins_ensemble,
     first_run: *mut u64,
     runs: *mut usize,
@@ -31,7 +31,7 @@ pub unsafe extern "C" fn sins_ensemble_get_runs(
 ///
 /// SINS_NEED_SAMPLE: no sample yet.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_get_truth(
+pub unsafe extern "C-unwind" fn sins_ensemble_get_truth(
     ensemble: *mut sins_ensemble,
     truth: *mut sins_navigation,
 ) -> sins_status {
@@ -48,7 +48,7 @@ pub unsafe extern "C" fn sins_ensemble_get_truth(
 /// sentence of sins_last_error() states the time of its last good solution); or as sins_get_navigation().
 /// SINS_ERROR_SINGULAR: as sins_get_navigation().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_get_navigation(
+pub unsafe extern "C-unwind" fn sins_ensemble_get_navigation(
     ensemble: *mut sins_ensemble,
     run: u64,
     navigation: *mut sins_navigation,
@@ -66,7 +66,7 @@ pub unsafe extern "C" fn sins_ensemble_get_navigation(
 /// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such run or source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL
 /// while the error model is off. SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_ensemble_get_navigation().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_get_errors(
+pub unsafe extern "C-unwind" fn sins_ensemble_get_errors(
     ensemble: *mut sins_ensemble,
     run: u64,
     source: i32,
@@ -85,7 +85,7 @@ pub unsafe extern "C" fn sins_ensemble_get_errors(
 ///
 /// SINS_NEED_SAMPLE: no interval yet. SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_get_imu(
+pub unsafe extern "C-unwind" fn sins_ensemble_get_imu(
     ensemble: *mut sins_ensemble,
     run: u64,
     imu: *mut sins_imu,
@@ -102,7 +102,7 @@ pub unsafe extern "C" fn sins_ensemble_get_imu(
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: index is not below the count of diverged runs.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_get_diverged(
+pub unsafe extern "C-unwind" fn sins_ensemble_get_diverged(
     ensemble: *mut sins_ensemble,
     index: usize,
     run: *mut u64,

@@ -9,7 +9,7 @@ use super::text::{bytes_of, bytes_to_fill};
 
 /// Reads the size that a snapshot has now: about 1.3 to 5.25 KiB for each run, as for a simulator.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_snapshot_size(
+pub unsafe extern "C-unwind" fn sins_ensemble_snapshot_size(
     ensemble: *mut sins_ensemble,
     size: *mut usize,
 ) -> sins_status {
@@ -25,7 +25,7 @@ pub unsafe extern "C" fn sins_ensemble_snapshot_size(
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: see sins_ensemble_snapshot_size(); buffer and written are unchanged.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_snapshot_save(
+pub unsafe extern "C-unwind" fn sins_ensemble_snapshot_save(
     ensemble: *mut sins_ensemble,
     buffer: *mut c_void,
     capacity: usize,
@@ -55,7 +55,7 @@ pub unsafe extern "C" fn sins_ensemble_snapshot_save(
 /// has changed, and sins_last_error(NULL, ...) reports which it is. SINS_ERROR_OUT_OF_MEMORY: no memory for a second
 /// ensemble.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_snapshot_load(
+pub unsafe extern "C-unwind" fn sins_ensemble_snapshot_load(
     ensemble: *mut sins_ensemble,
     snapshot: *const c_void,
     size: usize,

@@ -166,7 +166,7 @@ impl View for ModelErrorsView {
 /// sins_options.error_model), or navigating on increments.
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_errors(
+pub unsafe extern "C-unwind" fn sins_get_errors(
     sim: *mut sins_sim,
     source: i32,
     errors: *mut sins_errors,

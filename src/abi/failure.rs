@@ -58,7 +58,7 @@ pub const SINS_ERROR_INTERNAL: sins_status_code = -99;
 /// Returns the name of a status code, such as "SINS_OK", or "unknown status" for any other number. The text lives as long
 /// as the library is loaded.
 #[unsafe(no_mangle)]
-pub extern "C" fn sins_status_string(status: sins_status) -> *const c_char {
+pub extern "C-unwind" fn sins_status_string(status: sins_status) -> *const c_char {
     name(status).as_ptr()
 }
 

@@ -98,7 +98,7 @@ impl sins_flight_start {
 /// index in the sentence is that of the manoeuvre).
 /// SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_flight_create(
+pub unsafe extern "C-unwind" fn sins_flight_create(
     start: *const sins_flight_start,
     manoeuvres: *const sins_manoeuvre,
     count: usize,
@@ -138,7 +138,7 @@ pub(super) unsafe fn read_flight(
 
 /// Reads the duration of the flight [s].
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_flight_duration(
+pub unsafe extern "C-unwind" fn sins_flight_duration(
     flight: *const sins_flight,
     duration_s: *mut f64,
 ) -> sins_status {
@@ -154,7 +154,7 @@ pub unsafe extern "C" fn sins_flight_duration(
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a time before the start or after the end.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_flight_sample_at(
+pub unsafe extern "C-unwind" fn sins_flight_sample_at(
     flight: *const sins_flight,
     time_s: f64,
     sample: *mut sins_flight_sample,
@@ -171,6 +171,6 @@ pub unsafe extern "C" fn sins_flight_sample_at(
 ///
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_flight_destroy(flight: *mut sins_flight) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_flight_destroy(flight: *mut sins_flight) -> sins_status {
     enter(|| FLIGHTS.remove(flight.addr()))
 }

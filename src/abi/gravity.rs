@@ -55,7 +55,7 @@ interface_struct!(sins_gravity_params, "gravity", 80);
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: steps have been made.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_set_gravity_disturbance(
+pub unsafe extern "C-unwind" fn sins_set_gravity_disturbance(
     sim: *mut sins_sim,
     params: *const sins_gravity_params,
 ) -> sins_status {
@@ -105,7 +105,7 @@ impl Parameters for sins_gravity_params {
 /// Reads the parameters of the gravity disturbance that are set. May be called at any moment. After sins_snapshot_load() they
 /// are those of the snapshot.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_gravity_disturbance(
+pub unsafe extern "C-unwind" fn sins_get_gravity_disturbance(
     sim: *mut sins_sim,
     params: *mut sins_gravity_params,
 ) -> sins_status {

@@ -13,7 +13,10 @@ use crate::simulator::Simulator;
 /// SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
 /// increments.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_gyro_params) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_set_gyro(
+    sim: *mut sins_sim,
+    params: *const sins_gyro_params,
+) -> sins_status {
     // SAFETY: the host's promise.
     unsafe { set(sim, params, "params", Simulator::set_gyro) }
 }
@@ -21,7 +24,10 @@ pub unsafe extern "C" fn sins_set_gyro(sim: *mut sins_sim, params: *const sins_g
 /// Reads the gyro errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
 /// snapshot.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_gyro(sim: *mut sins_sim, params: *mut sins_gyro_params) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_get_gyro(
+    sim: *mut sins_sim,
+    params: *mut sins_gyro_params,
+) -> sins_status {
     // SAFETY: the host's promise.
     unsafe { get(sim, params, "params", Simulator::gyro) }
 }

@@ -79,7 +79,7 @@ impl From<&ImuInterval> for sins_imu {
 ///
 /// SINS_NEED_SAMPLE: no interval yet.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_imu(sim: *mut sins_sim, imu: *mut sins_imu) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_get_imu(sim: *mut sins_sim, imu: *mut sins_imu) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(imu, "imu")? };

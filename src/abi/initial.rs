@@ -100,7 +100,7 @@ impl Parameters for sins_initial_errors {
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: steps have been made.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_set_initial_errors(
+pub unsafe extern "C-unwind" fn sins_set_initial_errors(
     sim: *mut sins_sim,
     errors: *const sins_initial_errors,
 ) -> sins_status {
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn sins_set_initial_errors(
 /// Reads the set errors with which the navigation starts. May be called at any moment. After sins_snapshot_load() they are
 /// those of the snapshot.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_initial_errors(
+pub unsafe extern "C-unwind" fn sins_get_initial_errors(
     sim: *mut sins_sim,
     errors: *mut sins_initial_errors,
 ) -> sins_status {

@@ -63,7 +63,7 @@ interface_struct!(sins_error_info, "info", 152);
 /// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
 /// size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_last_error(
+pub unsafe extern "C-unwind" fn sins_last_error(
     sim: *const sins_sim,
     buffer: *mut c_char,
     capacity: usize,
@@ -77,7 +77,7 @@ pub unsafe extern "C" fn sins_last_error(
 
 /// Gives the same failure as sins_last_error(), as a struct.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_last_error_info(
+pub unsafe extern "C-unwind" fn sins_last_error_info(
     sim: *const sins_sim,
     info: *mut sins_error_info,
 ) -> sins_status {

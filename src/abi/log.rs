@@ -59,7 +59,7 @@ const ROOM: usize = 1 << 20;
 /// sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_log_parse(
+pub unsafe extern "C-unwind" fn sins_log_parse(
     text: *const c_char,
     size: usize,
     log: *mut *mut sins_log,
@@ -95,7 +95,10 @@ pub unsafe extern "C" fn sins_log_parse(
 
 /// Reads the number of samples of a log, its duration and its title.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_log_get_info(log: *const sins_log, info: *mut sins_log_info) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_log_get_info(
+    log: *const sins_log,
+    info: *mut sins_log_info,
+) -> sins_status {
     with_object(&LOGS, log, |log| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(info, "info")? };
@@ -115,7 +118,7 @@ pub unsafe extern "C" fn sins_log_get_info(log: *const sins_log, info: *mut sins
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such sample.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_log_get_sample(
+pub unsafe extern "C-unwind" fn sins_log_get_sample(
     log: *const sins_log,
     index: usize,
     sample: *mut sins_flight_sample,
@@ -136,6 +139,6 @@ pub unsafe extern "C" fn sins_log_get_sample(
 ///
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_log_destroy(log: *mut sins_log) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_log_destroy(log: *mut sins_log) -> sins_status {
     enter(|| LOGS.remove(log.addr()))
 }

@@ -56,7 +56,7 @@ interface_struct!(sins_mounting, "mounting", 104);
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: steps have been made.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_set_mounting(
+pub unsafe extern "C-unwind" fn sins_set_mounting(
     sim: *mut sins_sim,
     mounting: *const sins_mounting,
 ) -> sins_status {
@@ -94,7 +94,10 @@ impl Parameters for sins_mounting {
 /// Reads the mounting of the sensor block that is set. May be called at any moment. After sins_snapshot_load() it is that of
 /// the snapshot.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_mounting(sim: *mut sins_sim, mounting: *mut sins_mounting) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_get_mounting(
+    sim: *mut sins_sim,
+    mounting: *mut sins_mounting,
+) -> sins_status {
     // SAFETY: the host's promise.
     unsafe { get(sim, mounting, "mounting", Simulator::mounting) }
 }

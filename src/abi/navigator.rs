@@ -49,7 +49,7 @@ interface_struct!(sins_imu_increment, "imu", 264);
 /// coefficients are set, but increments have no temperature.
 /// SINS_ERROR_SINGULAR: too close to a pole, in geographic axes.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_start_navigation(
+pub unsafe extern "C-unwind" fn sins_start_navigation(
     sim: *mut sins_sim,
     navigation: *const sins_navigation,
 ) -> sins_status {
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn sins_start_navigation(
 /// SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: as sins_step(); the interval is not flown, the solution before it stays
 /// readable, and sins_reset() and sins_start_navigation() start anew.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_push_imu(
+pub unsafe extern "C-unwind" fn sins_push_imu(
     sim: *mut sins_sim,
     increment: *const sins_imu_increment,
 ) -> sins_status {

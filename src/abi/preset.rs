@@ -46,7 +46,7 @@ fn parameters(grade: i32) -> Result<(TriadParameters, TriadParameters), Failure>
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such grade.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_gyro_preset(grade: i32, params: *mut sins_gyro_params) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_gyro_preset(grade: i32, params: *mut sins_gyro_params) -> sins_status {
     enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(params, "params")? };
@@ -59,7 +59,7 @@ pub unsafe extern "C" fn sins_gyro_preset(grade: i32, params: *mut sins_gyro_par
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such grade.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_accel_preset(grade: i32, params: *mut sins_accel_params) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_accel_preset(grade: i32, params: *mut sins_accel_params) -> sins_status {
     enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(params, "params")? };

@@ -134,7 +134,7 @@ impl From<Refusal> for Failure {
 ///
 /// sins_last_error(NULL, ...) on this thread gives the reason and the sample.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_recommend(
+pub unsafe extern "C-unwind" fn sins_recommend(
     configured: *const sins_sim,
     samples: *const sins_flight_sample,
     count: usize,

@@ -55,7 +55,7 @@ impl View for RecordView {
 /// SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_record(sim: *mut sins_sim, record: *mut sins_record) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_get_record(sim: *mut sins_sim, record: *mut sins_record) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(record, "record")? };

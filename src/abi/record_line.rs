@@ -30,7 +30,7 @@ const SENSOR_ERRORS: usize = 6;
 /// SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_record_line(
+pub unsafe extern "C-unwind" fn sins_record_line(
     record: *const sins_record,
     sensor_errors: *const f64,
     count: usize,

@@ -27,7 +27,7 @@ use crate::simulator::Simulator;
 /// intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
 /// sins_reset() empty the queue.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_run(
+pub unsafe extern "C-unwind" fn sins_run(
     sim: *mut sins_sim,
     samples: *const sins_flight_sample,
     count: usize,

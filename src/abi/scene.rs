@@ -111,7 +111,7 @@ pub(super) fn change_scene(
 /// is free for the call. If another thread takes this memory during the call, the process ends. sins_log_parse() does the
 /// same, except that running out of memory for the samples is always SINS_ERROR_OUT_OF_MEMORY.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_status {
     enter_without_simulator(|| {
         let make = || probe(ROOM).map(|()| of_scene(Scene::default())).map_err(Failure::from);
         // SAFETY: the host's promise.
@@ -126,7 +126,7 @@ pub unsafe extern "C" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_
 /// is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
 /// SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_parse(
+pub unsafe extern "C-unwind" fn sins_scene_parse(
     text: *const c_char,
     size: usize,
     scene: *mut *mut sins_scene,
@@ -156,7 +156,7 @@ pub unsafe extern "C" fn sins_scene_parse(
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: there is no such fault.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_get_fault(
+pub unsafe extern "C-unwind" fn sins_scene_get_fault(
     scene: *const sins_scene,
     index: usize,
     fault: *mut sins_fault,
@@ -177,7 +177,7 @@ pub unsafe extern "C" fn sins_scene_get_fault(
 /// SINS_ERROR_INVALID_ARGUMENT: no scene has that name.
 /// SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_create_builtin(
+pub unsafe extern "C-unwind" fn sins_scene_create_builtin(
     name: *const c_char,
     scene: *mut *mut sins_scene,
 ) -> sins_status {
@@ -202,7 +202,7 @@ pub unsafe extern "C" fn sins_scene_create_builtin(
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: there are no more.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_builtin_name(
+pub unsafe extern "C-unwind" fn sins_scene_builtin_name(
     index: usize,
     buffer: *mut c_char,
     capacity: usize,
@@ -221,7 +221,7 @@ pub unsafe extern "C" fn sins_scene_builtin_name(
 /// only. SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or
 /// so many manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_write(
+pub unsafe extern "C-unwind" fn sins_scene_write(
     scene: *const sins_scene,
     buffer: *mut c_char,
     capacity: usize,
@@ -239,7 +239,7 @@ pub unsafe extern "C" fn sins_scene_write(
 /// Writes every section and key of a scene, one in a line, with its values, its unit and its meaning. buffer, capacity and
 /// needed as in sins_scene_write().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_write_keys(
+pub unsafe extern "C-unwind" fn sins_scene_write_keys(
     buffer: *mut c_char,
     capacity: usize,
     needed: *mut usize,
@@ -259,7 +259,7 @@ pub unsafe extern "C" fn sins_scene_write_keys(
 /// SINS_ERROR_BAD_STATE: as sins_scene_parse().
 /// SINS_ERROR_OUT_OF_MEMORY: as sins_create().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_create_simulator(
+pub unsafe extern "C-unwind" fn sins_scene_create_simulator(
     scene: *const sins_scene,
     sim: *mut *mut sins_sim,
 ) -> sins_status {
@@ -276,7 +276,7 @@ pub unsafe extern "C" fn sins_scene_create_simulator(
 /// SINS_ERROR_BAD_STATE: the flight of the scene is a log, whose name is SINS_SCENE_TEXT_LOG; or as sins_scene_parse().
 /// Else as sins_flight_create().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_create_flight(
+pub unsafe extern "C-unwind" fn sins_scene_create_flight(
     scene: *const sins_scene,
     flight: *mut *mut sins_flight,
 ) -> sins_status {
@@ -290,6 +290,6 @@ pub unsafe extern "C" fn sins_scene_create_flight(
 ///
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_destroy(scene: *mut sins_scene) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_scene_destroy(scene: *mut sins_scene) -> sins_status {
     enter(|| SCENES.remove(scene.addr()))
 }

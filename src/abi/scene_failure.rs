@@ -33,7 +33,7 @@ interface_struct!(sins_planned_failure, "failure", 80);
 
 /// Reads the number of failures that the scene plans.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_get_failure_count(
+pub unsafe extern "C-unwind" fn sins_scene_get_failure_count(
     scene: *const sins_scene,
     count: *mut usize,
 ) -> sins_status {
@@ -48,7 +48,7 @@ pub unsafe extern "C" fn sins_scene_get_failure_count(
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such failure.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_get_failure(
+pub unsafe extern "C-unwind" fn sins_scene_get_failure(
     scene: *const sins_scene,
     index: usize,
     failure: *mut sins_planned_failure,

@@ -52,7 +52,7 @@ interface_struct!(sins_scene_setup, "setup", 72);
 
 /// Reads the settings of a scene for its flight and its output.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_get_setup(
+pub unsafe extern "C-unwind" fn sins_scene_get_setup(
     scene: *const sins_scene,
     setup: *mut sins_scene_setup,
 ) -> sins_status {
@@ -88,7 +88,7 @@ pub unsafe extern "C" fn sins_scene_get_setup(
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of manoeuvres; only count was written.
 /// SINS_ERROR_BAD_STATE: the flight is a log; or as sins_scene_parse().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_get_manoeuvres(
+pub unsafe extern "C-unwind" fn sins_scene_get_manoeuvres(
     scene: *const sins_scene,
     start: *mut sins_flight_start,
     manoeuvres: *mut sins_manoeuvre,
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn sins_scene_get_manoeuvres(
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: as sins_flight_create(), except that heights along the path are not checked.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_set_manoeuvres(
+pub unsafe extern "C-unwind" fn sins_scene_set_manoeuvres(
     scene: *mut sins_scene,
     start: *const sins_flight_start,
     manoeuvres: *const sins_manoeuvre,

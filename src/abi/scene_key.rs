@@ -92,7 +92,7 @@ const ROOM: usize = 1 << 16;
 /// SINS_ERROR_INVALID_ARGUMENT: there are no more.
 /// SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_get_key(index: usize, key: *mut sins_scene_key) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_scene_get_key(index: usize, key: *mut sins_scene_key) -> sins_status {
     enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(key, "key")? };

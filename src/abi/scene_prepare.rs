@@ -19,7 +19,7 @@ use crate::scene::TakesFailures;
 /// SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
 /// SINS_ERROR_BAD_STATE: as sins_scene_parse().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_prepare(
+pub unsafe extern "C-unwind" fn sins_scene_prepare(
     scene: *const sins_scene,
     sim: *mut sins_sim,
     flight_start_s: f64,
@@ -38,7 +38,7 @@ pub unsafe extern "C" fn sins_scene_prepare(
 ///
 /// SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins_scene_prepare().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_prepare_ensemble(
+pub unsafe extern "C-unwind" fn sins_scene_prepare_ensemble(
     scene: *const sins_scene,
     ensemble: *mut sins_ensemble,
     flight_start_s: f64,

@@ -41,7 +41,7 @@ interface_struct!(sins_scene_samples, "samples", 48);
 /// SINS_ERROR_BAD_HANDLE: scene or log is not a valid handle.
 /// SINS_ERROR_BAD_STATE: the flight is a log, and log is NULL; or as sins_scene_parse().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_get_samples(
+pub unsafe extern "C-unwind" fn sins_scene_get_samples(
     scene: *const sins_scene,
     log: *const sins_log,
     samples: *mut sins_scene_samples,

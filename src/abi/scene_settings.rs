@@ -10,7 +10,7 @@ use super::scene::{sins_scene, with_scene};
 ///
 /// SINS_ERROR_BAD_STATE: as sins_scene_parse(), as for all functions that read or set a part of a scene.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_get_options(
+pub unsafe extern "C-unwind" fn sins_scene_get_options(
     scene: *const sins_scene,
     options: *mut sins_options,
 ) -> sins_status {

@@ -52,7 +52,7 @@ fn text(scene: &Scene, which: i32) -> Result<&str, Failure> {
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such text.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_get_text(
+pub unsafe extern "C-unwind" fn sins_scene_get_text(
     scene: *const sins_scene,
     which: i32,
     buffer: *mut c_char,
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn sins_scene_get_text(
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such text, not UTF-8, too long, a control character, or no such built-in scene.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_set_text(
+pub unsafe extern "C-unwind" fn sins_scene_set_text(
     scene: *mut sins_scene,
     which: i32,
     text: *const c_char,

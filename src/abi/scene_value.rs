@@ -28,7 +28,7 @@ unsafe fn short_text<'a>(text: *const c_char, name: &'static str) -> Result<&'a 
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the path names no value, or the scene has no such item.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_get_value(
+pub unsafe extern "C-unwind" fn sins_scene_get_value(
     scene: *const sins_scene,
     path: *const c_char,
     buffer: *mut c_char,
@@ -60,7 +60,10 @@ pub unsafe extern "C" fn sins_scene_get_value(
 /// with the line in values and the path.
 /// SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_set_values(scene: *mut sins_scene, values: *const c_char) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_scene_set_values(
+    scene: *mut sins_scene,
+    values: *const c_char,
+) -> sins_status {
     // SAFETY: the host's promise.
     let values = unsafe { short_text(values, "values") };
     let size = values.map_or(0, str::len);
@@ -100,7 +103,7 @@ fn place_in_lines(fault: &mut Fault, lines: &[usize]) {
 /// every fault with the line in items and the path.
 /// SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_scene_set_items(
+pub unsafe extern "C-unwind" fn sins_scene_set_items(
     scene: *mut sins_scene,
     list: *const c_char,
     items: *const c_char,

@@ -172,7 +172,7 @@ pub(super) fn output(fields: [&'static str; 2], sensor: i32, axis: i32) -> Resul
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or not 0 where the kind does not use it. If a failure makes the
 /// solution diverge, sins_step() returns SINS_ERROR_DIVERGED.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_set_failure(
+pub unsafe extern "C-unwind" fn sins_set_failure(
     sim: *mut sins_sim,
     sensor: i32,
     axis: i32,
@@ -191,7 +191,7 @@ pub unsafe extern "C" fn sins_set_failure(
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such output.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_failure(
+pub unsafe extern "C-unwind" fn sins_get_failure(
     sim: *mut sins_sim,
     sensor: i32,
     axis: i32,

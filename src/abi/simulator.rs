@@ -75,7 +75,10 @@ pub(super) fn look_at<T>(
 ///
 /// SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mut sins_sim) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_create(
+    options: *const sins_options,
+    sim: *mut *mut sins_sim,
+) -> sins_status {
     enter_without_simulator(|| {
         // SAFETY: the host's promise.
         unsafe {
@@ -95,13 +98,16 @@ pub unsafe extern "C" fn sins_create(options: *const sins_options, sim: *mut *mu
 ///
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
     enter(|| SIMULATORS.remove(sim.addr()))
 }
 
 /// Reads the options in effect: those of sins_create() or of the snapshot that was loaded, with the defaults in place of 0.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins_options) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_get_options(
+    sim: *mut sins_sim,
+    options: *mut sins_options,
+) -> sins_status {
     // SAFETY: the host's promise.
     unsafe { get(sim, options, "options", Simulator::options) }
 }
@@ -121,7 +127,7 @@ pub unsafe extern "C" fn sins_get_options(sim: *mut sins_sim, options: *mut sins
 /// SINS_ERROR_QUEUE_FULL: step first.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_push_sample(
+pub unsafe extern "C-unwind" fn sins_push_sample(
     sim: *mut sins_sim,
     sample: *const sins_flight_sample,
 ) -> sins_status {
@@ -148,7 +154,7 @@ pub unsafe extern "C" fn sins_push_sample(
 /// samples stay in the queue, so a further sins_step() tries the same interval again. sins_reposition() or sins_reset() start
 /// anew.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_step(sim: *mut sins_sim) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_step(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| Ok(step(simulator)?))
 }
 
@@ -190,7 +196,7 @@ pub(super) fn stepped(step: Step) -> sins_status {
 /// SINS_ERROR_INVALID_ARGUMENT: time_s not from -9.99998e9 to 9.99998e9.
 /// SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins_status {
     with_simulator(sim, |simulator| {
         simulator.move_time(time_s)?;
         Ok(SINS_OK)
@@ -221,7 +227,7 @@ pub unsafe extern "C" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins
 /// SINS_ERROR_DIVERGED: the solution would leave its limits, or the position error is about a quarter of the Earth's
 /// circumference or more, so that no place at the sample has this error.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_move_truth(
+pub unsafe extern "C-unwind" fn sins_move_truth(
     sim: *mut sins_sim,
     sample: *const sins_flight_sample,
 ) -> sins_status {
@@ -243,7 +249,7 @@ pub unsafe extern "C" fn sins_move_truth(
 /// This call returns SINS_OK even if no INS can start at the sample. The reads and the next step then return
 /// SINS_ERROR_SINGULAR (too close to a pole, in geographic axes or for gyrocompassing) or SINS_ERROR_DIVERGED.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_reposition(
+pub unsafe extern "C-unwind" fn sins_reposition(
     sim: *mut sins_sim,
     sample: *const sins_flight_sample,
 ) -> sins_status {
@@ -255,7 +261,7 @@ pub unsafe extern "C" fn sins_reposition(
 /// the random streams at their start. So the same samples and settings give the same bits. For other random numbers, create
 /// a simulator with another seed or run. To return to a moment in flight, see sins_snapshot_save().
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_reset(sim: *mut sins_sim) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_reset(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| {
         simulator.reset();
         Ok(SINS_OK)

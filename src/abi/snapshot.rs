@@ -16,7 +16,7 @@ pub const SINS_SNAPSHOT_MAX_SIZE: usize = 20480;
 /// accelerometers and altimeter it is up to 4.5 KiB. With mounting, gravity, temperature and failures too it is up to 5.25
 /// KiB. Each waiting sample adds up to 154 bytes, and sins_options.covariance up to 9.2 KiB.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_snapshot_size(sim: *mut sins_sim, size: *mut usize) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_snapshot_size(sim: *mut sins_sim, size: *mut usize) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         unsafe { put(size, simulator.snapshot_size(), "size")? };
@@ -34,7 +34,7 @@ pub unsafe extern "C" fn sins_snapshot_size(sim: *mut sins_sim, size: *mut usize
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are unchanged.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_snapshot_save(
+pub unsafe extern "C-unwind" fn sins_snapshot_save(
     sim: *mut sins_sim,
     buffer: *mut c_void,
     capacity: usize,
@@ -63,7 +63,7 @@ pub unsafe extern "C" fn sins_snapshot_save(
 /// bits unless CHANGELOG says that the algorithms changed.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_snapshot_load(
+pub unsafe extern "C-unwind" fn sins_snapshot_load(
     sim: *mut sins_sim,
     snapshot: *const c_void,
     size: usize,

@@ -124,7 +124,10 @@ impl View for NavigationView {
 /// SINS_NEED_SAMPLE: no sample yet.
 /// SINS_ERROR_BAD_STATE: navigating on increments, without a truth.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_navigation) -> sins_status {
+pub unsafe extern "C-unwind" fn sins_get_truth(
+    sim: *mut sins_sim,
+    truth: *mut sins_navigation,
+) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(truth, "truth")? };
@@ -139,7 +142,7 @@ pub unsafe extern "C" fn sins_get_truth(sim: *mut sins_sim, truth: *mut sins_nav
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the first sample with these options
 /// and initial errors.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_navigation(
+pub unsafe extern "C-unwind" fn sins_get_navigation(
     sim: *mut sins_sim,
     navigation: *mut sins_navigation,
 ) -> sins_status {

@@ -101,7 +101,7 @@ impl From<&Figures> for sins_figures {
 /// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while
 /// the error model is off. SINS_ERROR_SINGULAR: before the first step, no run can start at the first sample.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_ensemble_get_statistics(
+pub unsafe extern "C-unwind" fn sins_ensemble_get_statistics(
     ensemble: *mut sins_ensemble,
     source: i32,
     statistics: *mut sins_statistics,
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn sins_ensemble_get_statistics(
 /// SINS_ERROR_INVALID_ARGUMENT: one of the two is damaged or of another release, or the sum would have more than 4294967295
 /// runs. into is then unchanged.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_statistics_merge(
+pub unsafe extern "C-unwind" fn sins_statistics_merge(
     into: *mut sins_statistics,
     other: *const sins_statistics,
 ) -> sins_status {
@@ -150,7 +150,7 @@ pub unsafe extern "C" fn sins_statistics_merge(
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: they are damaged or of another release.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_statistics_figures(
+pub unsafe extern "C-unwind" fn sins_statistics_figures(
     statistics: *const sins_statistics,
     figures: *mut sins_figures,
 ) -> sins_status {

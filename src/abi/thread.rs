@@ -6,6 +6,7 @@ use core::sync::atomic::AtomicUsize;
 /// The bit that is 0 in the name of every thread.
 pub(super) const WAITED_FOR: usize = 1;
 
+pub(super) use cancellation::Cancellation;
 pub(super) use system::{has_ended, this_thread};
 pub(super) use waiting::Waiters;
 
@@ -21,6 +22,55 @@ mod system {
     /// Whether a thread was terminated. This system has no call that tells it of a thread that may be gone: always false.
     pub fn has_ended(_thread: usize) -> bool {
         false
+    }
+}
+
+/// Defers a cancellation of the calling thread while it is in a call. A thread that is cancelled at any instruction would be unwound
+/// through Rust's frames, which ends the process. The library has no cancellation points, so a deferred cancellation waits until the
+/// call returns. It then unwinds the exported function, which has nothing to drop and is "C-unwind".
+#[cfg(target_os = "linux")]
+mod cancellation {
+    use core::ffi::c_int;
+    use core::ptr::null_mut;
+
+    // The crate libc does not declare it.
+    unsafe extern "C-unwind" {
+        fn pthread_setcanceltype(kind: c_int, before: *mut c_int) -> c_int;
+    }
+    const DEFERRED: c_int = 0;
+
+    pub struct Cancellation(c_int);
+
+    impl Cancellation {
+        #[inline(always)]
+        pub fn defer() -> Self {
+            let mut before = DEFERRED;
+            // SAFETY: a place for the kind, which the C library writes.
+            unsafe { pthread_setcanceltype(DEFERRED, &raw mut before) };
+            Self(before)
+        }
+
+        /// A cancellation that came in between takes effect here if the thread can be cancelled at any instruction.
+        #[inline(always)]
+        pub fn restore(self) {
+            // SAFETY: the kind that the C library gave.
+            unsafe { pthread_setcanceltype(self.0, null_mut()) };
+        }
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+mod cancellation {
+    pub struct Cancellation;
+
+    impl Cancellation {
+        #[inline(always)]
+        pub fn defer() -> Self {
+            Self
+        }
+
+        #[inline(always)]
+        pub fn restore(self) {}
     }
 }
 

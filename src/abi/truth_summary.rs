@@ -124,7 +124,7 @@ impl sins_truth_summary {
 /// SINS_NEED_SAMPLE: no interval yet.
 /// SINS_ERROR_BAD_STATE: sins_options.truth_summary is off, or navigating on increments, without a truth.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn sins_get_truth_summary(
+pub unsafe extern "C-unwind" fn sins_get_truth_summary(
     sim: *mut sins_sim,
     summary: *mut sins_truth_summary,
 ) -> sins_status {

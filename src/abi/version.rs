@@ -14,12 +14,12 @@ pub const SINS_VERSION_PATCH: u32 = 0;
 
 /// Returns the version of the interface of the loaded library: compare it with SINS_HEADER_ABI.
 #[unsafe(no_mangle)]
-pub extern "C" fn sins_abi_version() -> u32 {
+pub extern "C-unwind" fn sins_abi_version() -> u32 {
     SINS_HEADER_ABI
 }
 
 /// Returns the release of the loaded library as text, such as "0.1.0". The text lives as long as the library is loaded.
 #[unsafe(no_mangle)]
-pub extern "C" fn sins_version_string() -> *const c_char {
+pub extern "C-unwind" fn sins_version_string() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
 }

@@ -1,6 +1,6 @@
 /* A handle that is in a call of the same thread, or in a call that will never end: further calls return SINS_ERROR_BAD_STATE
  * instead of waiting forever. Cases: signal handlers that use the handle they interrupt, siglongjmp() out of a call, fork()
- * while another thread is in a call. */
+ * while another thread is in a call. A thread that is cancelled within a call leaves its handle free. */
 
 #define _GNU_SOURCE
 #include <pthread.h>
@@ -13,7 +13,7 @@
 
 #include "every_call.h"
 
-enum { INTERRUPTIONS = 200, FORKS = 30, PATIENCE_S = 120 };
+enum { INTERRUPTIONS = 200, FORKS = 30, CANCELLATIONS = 100, PATIENCE_S = 120 };
 
 static sins_flight_sample samples[SCENE_COUNT];
 static sins_record expected[SCENE_COUNT - 1], found[SCENE_COUNT - 1];
@@ -184,6 +184,35 @@ static void *fly_all_the_time(void *unused)
     return unused;
 }
 
+static void *fly_until_cancelled(void *sim)
+{
+    static sins_record records[SCENE_COUNT - 1];
+    CHECK(pthread_setcanceltype(PTHREAD_CANCEL_ASYNCHRONOUS, NULL) == 0);
+    for (;;) {
+        size_t written;
+        sins_run(sim, samples, SCENE_COUNT, 1, records, SCENE_COUNT - 1, &written);
+        sins_reset(sim);
+    }
+}
+
+/* A thread that can be cancelled at any instruction is cancelled within a call: the call returns first, and the handle is free. */
+static void cancellations(void)
+{
+    sins_sim *sim = scene_simulator(NULL, 4);
+    int i;
+    for (i = 0; i < CANCELLATIONS; i++) {
+        pthread_t flier;
+        void *result;
+        CHECK(pthread_create(&flier, NULL, fly_until_cancelled, sim) == 0);
+        usleep(300 * (1 + i % 7));
+        CHECK(pthread_cancel(flier) == 0 && pthread_join(flier, &result) == 0 && result == PTHREAD_CANCELED);
+        CHECK(!is_held(sim));
+    }
+    CHECK(sins_reset(sim) == SINS_OK);
+    fly_and_compare(sim);
+    CHECK(sins_destroy(sim) == SINS_OK);
+}
+
 /* In a child, a handle that another thread of the parent was using is not available; all other handles are. Counts the forks
  * with a simulator in use and those with an ensemble in use. */
 static void forks(int held[2])
@@ -251,10 +280,11 @@ int main(void)
     fly_and_compare(sim);
     CHECK(sins_destroy(sim) == SINS_OK);
     CHECK(signal(SIGALRM, SIG_DFL) != SIG_ERR);
+    cancellations();
     forks(held);
     CHECK(held[0] > 0 && held[1] > 0);
     CHECK(sins_destroy(other) == SINS_OK);
-    printf("reentry: %d calls from signal handlers, two jumps out of a call, %d of %d forks within one: none waits\n",
-           (int)(interruptions + ensemble_interruptions), held[0] + held[1], FORKS);
+    printf("reentry: %d calls from signal handlers, two jumps out of a call, %d cancellations, %d of %d forks within one: none waits\n",
+           (int)(interruptions + ensemble_interruptions), CANCELLATIONS, held[0] + held[1], FORKS);
     return 0;
 }
