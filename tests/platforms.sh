@@ -45,6 +45,7 @@ other() {
 }
 
 i686() {
+    local programs="$programs reentry"
     local loader=/usr/i686-linux-gnu/lib/ld-linux.so.2
     need libc6-i386-cross "$loader"
     if "$loader" --version >/dev/null 2>&1; then
