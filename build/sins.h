@@ -3,7 +3,8 @@
  *
  * A flight simulator gives the library the true position, velocity and attitude as samples. The library computes what perfect
  * gyros and accelerometers would measure, adds the sensor errors that are set, navigates on the result, and reports the errors
- * of that navigation. One object, nine functions. They are all in this program, which prints "-145 m east":
+ * of that navigation. One object, nine functions. They are all in this program, which prints "-145 m east"; the
+ * examples in the comments of the functions continue it:
  *
  *     #include <stdio.h>
  *     #include "sins.h"
