@@ -4,9 +4,11 @@
 //! sources. The files for other languages go to the folder `bindings` beside the library.
 
 mod ada;
+mod c_calls;
 mod c_functions;
 #[cfg(feature = "header")]
 mod c_header;
+mod c_layout;
 mod c_types;
 mod fortran;
 mod header_units;

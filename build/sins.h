@@ -184,7 +184,7 @@ extern "C" {
 
 @recommend budget_answer budget
 
-/* Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
+/** Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
 enum sins_sizeof {
 @sizes
 };

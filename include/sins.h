@@ -2449,7 +2449,7 @@ SINS_API sins_status SINS_CALL sins_error_budget(const sins_sim *configured, con
     size_t count, const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written,
     sins_budget *budget);
 
-/* Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
+/** Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
 enum sins_sizeof {
     SINS_SIZEOF_OPTIONS = 104,
     SINS_SIZEOF_FLIGHT_SAMPLE = 144,

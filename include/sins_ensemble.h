@@ -318,7 +318,7 @@ SINS_API sins_status SINS_CALL sins_ensemble_snapshot_save(sins_ensemble *ensemb
 SINS_API sins_status SINS_CALL sins_ensemble_snapshot_load(sins_ensemble *ensemble, const void *snapshot,
     size_t size);
 
-/* Sizes of the structs in bytes, as enum sins_sizeof. */
+/** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_ensemble_sizeof {
     SINS_SIZEOF_STATISTICS = 14920,
     SINS_SIZEOF_FIGURES = 936

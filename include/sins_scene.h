@@ -573,7 +573,7 @@ typedef struct sins_scene_samples {
 SINS_API sins_status SINS_CALL sins_scene_get_samples(const sins_scene *scene, const sins_log *log,
     sins_scene_samples *samples);
 
-/* Sizes of the structs in bytes, as enum sins_sizeof. */
+/** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_scene_sizeof {
     SINS_SIZEOF_FAULT = 408,
     SINS_SIZEOF_SCENE_SETUP = 72,
