@@ -5,11 +5,15 @@
 
 #[path = "build/ada.rs"]
 mod ada;
+#[path = "build/c_calls.rs"]
+mod c_calls;
 #[path = "build/c_functions.rs"]
 mod c_functions;
 #[cfg(feature = "header")]
 #[path = "build/c_header.rs"]
 mod c_header;
+#[path = "build/c_layout.rs"]
+mod c_layout;
 #[path = "build/c_types.rs"]
 mod c_types;
 #[path = "build/fortran.rs"]

@@ -8,7 +8,7 @@ use std::path::Path;
 use super::c_header;
 use super::model::Interface;
 use super::template::{Source, Template};
-use super::{ada, c_functions, fortran, python, sizes};
+use super::{ada, c_calls, c_functions, c_layout, fortran, python, sizes};
 
 /// The headers, each of which includes those above it.
 const HEADERS: [(&str, &str); 3] = [
@@ -21,7 +21,7 @@ const HEADERS: [(&str, &str); 3] = [
 pub type Output = (&'static str, String);
 
 pub struct Outputs {
-    /// Under `include`, committed. Without the feature `header` the table of functions alone.
+    /// Committed: the headers, if the feature `header` is on, and the tables of functions and structs for hosts and tests.
     pub headers: Vec<Output>,
     /// For hosts in other languages: beside the library.
     pub bindings: Vec<Output>,
@@ -55,16 +55,21 @@ pub fn generate(abi: &Path, sensor_params: &str, work: &Path) -> Outputs {
 
 #[cfg(feature = "header")]
 fn headers(templates: &[Template], interface: &Interface, sources: &[Source], work: &Path) -> Vec<Output> {
-    let mut outputs: Vec<Output> = templates
-        .iter()
-        .map(|template| (template.name, c_header::write(template, interface, sources, work)))
-        .collect();
+    let written = |template: &Template| (template.name, c_header::write(template, interface, sources, work));
+    let outputs: Vec<Output> = templates.iter().map(written).collect();
     c_header::check(interface, &outputs);
-    outputs.push(("include/sins_functions.h", c_functions::write(interface)));
-    outputs
+    outputs.into_iter().chain(tables(interface)).collect()
 }
 
 #[cfg(not(feature = "header"))]
 fn headers(_: &[Template], interface: &Interface, _: &[Source], _: &Path) -> Vec<Output> {
-    vec![("include/sins_functions.h", c_functions::write(interface))]
+    tables(interface).into()
+}
+
+fn tables(interface: &Interface) -> [Output; 3] {
+    [
+        ("include/sins_functions.h", c_functions::write(interface)),
+        ("tests/c/every_call.h", c_calls::write(interface)),
+        ("tests/c/layout.c", c_layout::write(interface)),
+    ]
 }

@@ -140,7 +140,7 @@ pub fn is_public(visibility: &Visibility) -> bool {
     matches!(visibility, Visibility::Public(_))
 }
 
-/// The lines of a doc comment.
+/// The lines of a doc comment, without the example in C at its end.
 pub fn doc(attributes: &[Attribute]) -> Vec<String> {
     let lines = attributes.iter().filter_map(|attribute| match &attribute.meta {
         Meta::NameValue(meta) if meta.path.is_ident("doc") => match &meta.value {
@@ -155,7 +155,11 @@ pub fn doc(attributes: &[Attribute]) -> Vec<String> {
         },
         _ => None,
     });
-    lines.collect()
+    let mut lines: Vec<String> = lines.take_while(|line| line != "```c").collect();
+    while lines.last().is_some_and(String::is_empty) {
+        lines.pop();
+    }
+    lines
 }
 
 /// A whole number.

@@ -3,7 +3,8 @@
  *
  * A flight simulator gives the library the true position, velocity and attitude as samples. The library computes what perfect
  * gyros and accelerometers would measure, adds the sensor errors that are set, navigates on the result, and reports the errors
- * of that navigation. One object, nine functions. They are all in this program, which prints "-145 m east":
+ * of that navigation. One object, nine functions. They are all in this program, which prints "-145 m east"; the
+ * examples in the comments of the functions continue it:
  *
  *     #include <stdio.h>
  *     #include "sins.h"
@@ -183,7 +184,7 @@ extern "C" {
 
 @recommend budget_answer budget
 
-/* Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
+/** Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
 enum sins_sizeof {
 @sizes
 };

@@ -18,7 +18,7 @@ extern "C" {
 
 @ensemble ../statistics/layout ensemble_read statistics ensemble_snapshot
 
-/* Sizes of the structs in bytes, as enum sins_sizeof. */
+/** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_ensemble_sizeof {
 @sizes
 };

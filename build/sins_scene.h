@@ -43,7 +43,7 @@ extern "C" {
 
 @log scene_samples
 
-/* Sizes of the structs in bytes, as enum sins_sizeof. */
+/** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_scene_sizeof {
 @sizes
 };

@@ -3,7 +3,8 @@
  *
  * A flight simulator gives the library the true position, velocity and attitude as samples. The library computes what perfect
  * gyros and accelerometers would measure, adds the sensor errors that are set, navigates on the result, and reports the errors
- * of that navigation. One object, nine functions. They are all in this program, which prints "-145 m east":
+ * of that navigation. One object, nine functions. They are all in this program, which prints "-145 m east"; the
+ * examples in the comments of the functions continue it:
  *
  *     #include <stdio.h>
  *     #include "sins.h"
@@ -472,6 +473,17 @@ typedef struct sins_sim sins_sim;
  * frame: it allocates.
  *
  * SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
+ *
+ * ```c
+ * sins_options options;
+ * sins_sim *detailed = NULL;
+ * SINS_INIT(options);
+ * options.error_model = SINS_ERROR_MODEL_RK4;
+ * sins_create(&options, &detailed);
+ * sins_get_options(detailed, &options);
+ * printf("%d subsamples\n", (int)options.subsamples);  // 2 subsamples
+ * sins_destroy(detailed);
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_create(const sins_options *options, sins_sim **sim);
 
@@ -480,6 +492,13 @@ SINS_API sins_status SINS_CALL sins_create(const sins_options *options, sins_sim
  * again.
  *
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ *
+ * ```c
+ * sins_sim *other = NULL;
+ * sins_create(NULL, &other);
+ * printf("%s\n", sins_status_string(sins_destroy(other)));  // SINS_OK
+ * printf("%s\n", sins_status_string(sins_destroy(other)));  // SINS_ERROR_BAD_HANDLE
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_destroy(sins_sim *sim);
 
@@ -501,6 +520,11 @@ SINS_API sins_status SINS_CALL sins_get_options(sins_sim *sim, sins_options *opt
  * you call sins_move_truth() or sins_reposition().
  * SINS_ERROR_QUEUE_FULL: step first.
  * SINS_ERROR_BAD_STATE: navigating on increments.
+ *
+ * ```c
+ * printf("%s\n", sins_status_string(sins_push_sample(sim, &sample)));  // SINS_OK
+ * printf("%s\n", sins_status_string(sins_push_sample(sim, &sample)));  // SINS_ERROR_TIME_ORDER
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const sins_flight_sample *sample);
 
@@ -520,6 +544,13 @@ SINS_API sins_status SINS_CALL sins_push_sample(sins_sim *sim, const sins_flight
  * After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable. The
  * samples stay in the queue, so a further sins_step() tries the same interval again. sins_reposition() or sins_reset() start
  * anew.
+ *
+ * ```c
+ * while (sins_step(sim) == SINS_OK) {
+ *     sins_get_navigation(sim, &navigation);
+ *     printf("%.0f s\n", navigation.time_s);  // 3601 s
+ * }
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_step(sins_sim *sim);
 
@@ -644,6 +675,15 @@ typedef struct sins_error_info {
  *
  * needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
  * size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+ *
+ * ```c
+ * gyro.markov_sigma_rad_s[1] = 0.01 * SINS_DEG_PER_HOUR;
+ * if (sins_set_gyro(sim, &gyro) < 0) {
+ *     sins_last_error(sim, reason, sizeof reason, NULL);
+ *     printf("%s\n", reason);  // gyro.markov_time_s[1] = 0: must be from 1e-9 to 1e15 where gyro.markov_sigma_rad_s is not 0
+ * }
+ * gyro.markov_sigma_rad_s[1] = 0.0;
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_last_error(const sins_sim *sim, char *buffer, size_t capacity, size_t *needed);
 
@@ -895,6 +935,13 @@ typedef struct sins_accel_params {
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
  * increments.
+ *
+ * ```c
+ * gyro.bias_rad_s[2] = 0.02 * SINS_DEG_PER_HOUR;
+ * gyro.random_walk_rad_sqrt_s[0] = 0.005 * SINS_DEG_PER_SQRT_HOUR;
+ * gyro.scale_factor[0] = 100.0 * SINS_PPM;
+ * printf("%s\n", sins_status_string(sins_set_gyro(sim, &gyro)));  // SINS_OK
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_set_gyro(sins_sim *sim, const sins_gyro_params *params);
 
@@ -909,6 +956,11 @@ SINS_API sins_status SINS_CALL sins_get_gyro(sins_sim *sim, sins_gyro_params *pa
  * other effects do not change. Random processes that were active continue.
  *
  * SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
+ *
+ * ```c
+ * accel.bias_m_s2[1] = 50.0 * SINS_MICRO_G;
+ * printf("%s\n", sins_status_string(sins_set_accel(sim, &accel)));  // SINS_OK
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_set_accel(sins_sim *sim, const sins_accel_params *params);
 
@@ -1099,6 +1151,11 @@ SINS_API sins_status SINS_CALL sins_get_truth(sins_sim *sim, sins_navigation *tr
  * SINS_NEED_SAMPLE: no sample yet.
  * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the first sample with these options
  * and initial errors.
+ *
+ * ```c
+ * sins_get_navigation(sim, &navigation);
+ * printf("%.1f deg north\n", navigation.latitude_rad / SINS_DEG);  // 39.9 deg north
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_get_navigation(sins_sim *sim, sins_navigation *navigation);
 
@@ -1204,6 +1261,11 @@ typedef struct sins_record_errors {
  * SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
  * sins_options.error_model), or navigating on increments.
  * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+ *
+ * ```c
+ * sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors);
+ * printf("%.2f nmi north\n", errors.position_enu_m[1] / SINS_NMI);  // -0.72 nmi north
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_get_errors(sins_sim *sim, int32_t source, sins_errors *errors);
 
@@ -1545,6 +1607,22 @@ SINS_API sins_status SINS_CALL sins_record_line(const sins_record *record, const
  * this sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
  * intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
  * sins_reset() empty the queue.
+ *
+ * ```c
+ * sins_flight_sample minute[61];
+ * sins_record records[6];
+ * sins_sim *still = NULL;
+ * size_t k, written = 0;
+ * SINS_INIT(records[0]);
+ * for (k = 0; k <= 60; k++) {
+ *     SINS_INIT(minute[k]);
+ *     minute[k].time_s = (double)k;
+ * }
+ * sins_create(NULL, &still);
+ * sins_run(still, minute, 61, 10, records, 6, &written);
+ * printf("%d records\n", (int)written);  // 6 records
+ * sins_destroy(still);
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_run(sins_sim *sim, const sins_flight_sample *samples, size_t count, size_t every,
     sins_record *records, size_t capacity, size_t *written);
@@ -1910,6 +1988,16 @@ SINS_API sins_status SINS_CALL sins_snapshot_size(sins_sim *sim, size_t *size);
  * good solution is saved. After SINS_ERROR_INTERNAL nothing can be saved: load an earlier snapshot into a fresh handle.
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are unchanged.
+ *
+ * ```c
+ * static unsigned char frozen[SINS_SNAPSHOT_MAX_SIZE];
+ * size_t size = 0;
+ * sins_snapshot_save(sim, frozen, sizeof frozen, &size);
+ * sins_reset(sim);
+ * sins_snapshot_load(sim, frozen, size);
+ * sins_get_navigation(sim, &navigation);
+ * printf("back at %.0f s\n", navigation.time_s);  // back at 3601 s
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_snapshot_save(sins_sim *sim, void *buffer, size_t capacity, size_t *written);
 
@@ -2060,6 +2148,24 @@ typedef struct sins_flight_start {
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a path that leaves the range of sins_flight_sample.height_m (the
  * index in the sentence is that of the manoeuvre).
  * SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
+ *
+ * ```c
+ * sins_flight_start start;
+ * sins_manoeuvre turn;
+ * sins_flight *flight = NULL;
+ * double duration_s = 0.0;
+ * SINS_INIT(start);
+ * SINS_INIT(turn);
+ * start.speed_m_s = 200.0;
+ * turn.kind = SINS_MANOEUVRE_TURN;
+ * turn.heading_change_rad = 90.0 * SINS_DEG;
+ * turn.bank_rad = 30.0 * SINS_DEG;
+ * turn.ramp_s = 5.0;
+ * sins_flight_create(&start, &turn, 1, &flight);
+ * sins_flight_duration(flight, &duration_s);
+ * printf("%.0f s\n", duration_s);  // 60 s
+ * sins_flight_destroy(flight);
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_flight_create(const sins_flight_start *start, const sins_manoeuvre *manoeuvres,
     size_t count, sins_flight **flight);
@@ -2347,7 +2453,7 @@ SINS_API sins_status SINS_CALL sins_error_budget(const sins_sim *configured, con
     size_t count, const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written,
     sins_budget *budget);
 
-/* Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
+/** Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
 enum sins_sizeof {
     SINS_SIZEOF_OPTIONS = 104,
     SINS_SIZEOF_FLIGHT_SAMPLE = 144,

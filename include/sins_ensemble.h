@@ -39,6 +39,29 @@ typedef struct sins_ensemble sins_ensemble;
  * SINS_ERROR_BAD_STATE: configured has taken a sample since it was created or reset, or navigates on increments.
  * SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to 4294967295, or first_run + runs - 1 above 2^64 - 1.
  * SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles exist.
+ *
+ * ```c
+ * sins_sim *drawn = NULL;
+ * sins_ensemble *ensemble = NULL;
+ * static sins_statistics statistics;
+ * sins_figures figures;
+ * SINS_INIT(statistics);
+ * SINS_INIT(figures);
+ * SINS_INIT(sample);
+ * gyro.bias_sigma_rad_s[0] = gyro.bias_sigma_rad_s[1] = 0.01 * SINS_DEG_PER_HOUR;
+ * sins_create(NULL, &drawn);
+ * sins_set_gyro(drawn, &gyro);
+ * sins_ensemble_create(drawn, 0, 100, &ensemble);
+ * for (sample.time_s = 0.0; sample.time_s <= 60.0; sample.time_s += 1.0) {
+ *     sins_ensemble_push_sample(ensemble, &sample);
+ *     sins_ensemble_step(ensemble);
+ * }
+ * sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics);
+ * sins_statistics_figures(&statistics, &figures);
+ * printf("%d runs\n", (int)statistics.runs);  // 100 runs
+ * sins_ensemble_destroy(ensemble);
+ * sins_destroy(drawn);
+ * ```
  */
 SINS_API sins_status SINS_CALL sins_ensemble_create(const sins_sim *configured, uint64_t first_run, size_t runs,
     sins_ensemble **ensemble);
@@ -295,7 +318,7 @@ SINS_API sins_status SINS_CALL sins_ensemble_snapshot_save(sins_ensemble *ensemb
 SINS_API sins_status SINS_CALL sins_ensemble_snapshot_load(sins_ensemble *ensemble, const void *snapshot,
     size_t size);
 
-/* Sizes of the structs in bytes, as enum sins_sizeof. */
+/** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_ensemble_sizeof {
     SINS_SIZEOF_STATISTICS = 14920,
     SINS_SIZEOF_FIGURES = 936

@@ -10,6 +10,11 @@ use crate::simulator::Simulator;
 /// other effects do not change. Random processes that were active continue.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
+///
+/// ```c
+/// accel.bias_m_s2[1] = 50.0 * SINS_MICRO_G;
+/// printf("%s\n", sins_status_string(sins_set_accel(sim, &accel)));  // SINS_OK
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_set_accel(
     sim: *mut sins_sim,

@@ -42,6 +42,29 @@ pub(super) fn with_ensemble(
 /// SINS_ERROR_BAD_STATE: configured has taken a sample since it was created or reset, or navigates on increments.
 /// SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to 4294967295, or first_run + runs - 1 above 2^64 - 1.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 ensembles exist.
+///
+/// ```c
+/// sins_sim *drawn = NULL;
+/// sins_ensemble *ensemble = NULL;
+/// static sins_statistics statistics;
+/// sins_figures figures;
+/// SINS_INIT(statistics);
+/// SINS_INIT(figures);
+/// SINS_INIT(sample);
+/// gyro.bias_sigma_rad_s[0] = gyro.bias_sigma_rad_s[1] = 0.01 * SINS_DEG_PER_HOUR;
+/// sins_create(NULL, &drawn);
+/// sins_set_gyro(drawn, &gyro);
+/// sins_ensemble_create(drawn, 0, 100, &ensemble);
+/// for (sample.time_s = 0.0; sample.time_s <= 60.0; sample.time_s += 1.0) {
+///     sins_ensemble_push_sample(ensemble, &sample);
+///     sins_ensemble_step(ensemble);
+/// }
+/// sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics);
+/// sins_statistics_figures(&statistics, &figures);
+/// printf("%d runs\n", (int)statistics.runs);  // 100 runs
+/// sins_ensemble_destroy(ensemble);
+/// sins_destroy(drawn);
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_ensemble_create(
     configured: *const sins_sim,

@@ -165,6 +165,11 @@ impl View for ModelErrorsView {
 /// SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the error model is off, as it is by default (create the simulator with
 /// sins_options.error_model), or navigating on increments.
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+///
+/// ```c
+/// sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors);
+/// printf("%.2f nmi north\n", errors.position_enu_m[1] / SINS_NMI);  // -0.72 nmi north
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_get_errors(
     sim: *mut sins_sim,

@@ -97,6 +97,24 @@ impl sins_flight_start {
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, or a path that leaves the range of sins_flight_sample.height_m (the
 /// index in the sentence is that of the manoeuvre).
 /// SINS_ERROR_OUT_OF_MEMORY: no memory, more than 200000 pieces (which take 3 s), or 4096 flights exist.
+///
+/// ```c
+/// sins_flight_start start;
+/// sins_manoeuvre turn;
+/// sins_flight *flight = NULL;
+/// double duration_s = 0.0;
+/// SINS_INIT(start);
+/// SINS_INIT(turn);
+/// start.speed_m_s = 200.0;
+/// turn.kind = SINS_MANOEUVRE_TURN;
+/// turn.heading_change_rad = 90.0 * SINS_DEG;
+/// turn.bank_rad = 30.0 * SINS_DEG;
+/// turn.ramp_s = 5.0;
+/// sins_flight_create(&start, &turn, 1, &flight);
+/// sins_flight_duration(flight, &duration_s);
+/// printf("%.0f s\n", duration_s);  // 60 s
+/// sins_flight_destroy(flight);
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_flight_create(
     start: *const sins_flight_start,

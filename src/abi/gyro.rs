@@ -12,6 +12,13 @@ use crate::simulator::Simulator;
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
 /// increments.
+///
+/// ```c
+/// gyro.bias_rad_s[2] = 0.02 * SINS_DEG_PER_HOUR;
+/// gyro.random_walk_rad_sqrt_s[0] = 0.005 * SINS_DEG_PER_SQRT_HOUR;
+/// gyro.scale_factor[0] = 100.0 * SINS_PPM;
+/// printf("%s\n", sins_status_string(sins_set_gyro(sim, &gyro)));  // SINS_OK
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_set_gyro(
     sim: *mut sins_sim,

@@ -62,6 +62,15 @@ interface_struct!(sins_error_info, "info", 152);
 ///
 /// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
 /// size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
+///
+/// ```c
+/// gyro.markov_sigma_rad_s[1] = 0.01 * SINS_DEG_PER_HOUR;
+/// if (sins_set_gyro(sim, &gyro) < 0) {
+///     sins_last_error(sim, reason, sizeof reason, NULL);
+///     printf("%s\n", reason);  // gyro.markov_time_s[1] = 0: must be from 1e-9 to 1e15 where gyro.markov_sigma_rad_s is not 0
+/// }
+/// gyro.markov_sigma_rad_s[1] = 0.0;
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_last_error(
     sim: *const sins_sim,

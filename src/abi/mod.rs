@@ -1,5 +1,6 @@
-//! The C ABI: what `include/sins.h` declares. One file for each C noun; the raw pointers are in `memory` and `text`, the handles in
-//! `registry` and `tables`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe Rust.
+//! The C ABI: what the headers in `include` declare. One file for each C noun; the raw pointers are in `memory` and `text`, the
+//! handles in `registry` and `tables`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe
+//! Rust.
 //!
 //! The doc comments of the public items are the documentation in the header. That of the fields of `sins_gyro_params` and
 //! `sins_accel_params` comes from `src/sensors/table.rs`.

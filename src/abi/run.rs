@@ -26,6 +26,22 @@ use crate::simulator::Simulator;
 /// this sample. The samples before it were flown, this sample and the rest were not. sins_accuracy.intervals counts the flown
 /// intervals. A sample that could be pushed but not flown waits in the queue, as after sins_step(); sins_reposition() and
 /// sins_reset() empty the queue.
+///
+/// ```c
+/// sins_flight_sample minute[61];
+/// sins_record records[6];
+/// sins_sim *still = NULL;
+/// size_t k, written = 0;
+/// SINS_INIT(records[0]);
+/// for (k = 0; k <= 60; k++) {
+///     SINS_INIT(minute[k]);
+///     minute[k].time_s = (double)k;
+/// }
+/// sins_create(NULL, &still);
+/// sins_run(still, minute, 61, 10, records, 6, &written);
+/// printf("%d records\n", (int)written);  // 6 records
+/// sins_destroy(still);
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_run(
     sim: *mut sins_sim,

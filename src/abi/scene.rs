@@ -125,6 +125,18 @@ pub unsafe extern "C-unwind" fn sins_scene_create(scene: *mut *mut sins_scene) -
 /// SINS_SCENE_HAS_FAULTS: the text is not a valid scene; sins_scene_get_fault() gives every fault and its place. The handle
 /// is made for that only: all other functions except sins_scene_destroy() return SINS_ERROR_BAD_STATE.
 /// SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().
+///
+/// ```c
+/// const char text[] = "[flight]\nbuiltin = \"patrol\"\n[gyro]\nbias_deg_h = 0.01\n";
+/// sins_scene *scene = NULL;
+/// sins_sim *of_scene = NULL;
+/// if (sins_scene_parse(text, sizeof text - 1, &scene) == SINS_OK)
+///     sins_scene_create_simulator(scene, &of_scene);
+/// sins_get_gyro(of_scene, &gyro);
+/// printf("%.2f deg/h\n", gyro.bias_rad_s[0] / SINS_DEG_PER_HOUR);  // 0.01 deg/h
+/// sins_destroy(of_scene);
+/// sins_scene_destroy(scene);
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_scene_parse(
     text: *const c_char,

@@ -74,6 +74,17 @@ pub(super) fn look_at<T>(
 /// frame: it allocates.
 ///
 /// SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators exist.
+///
+/// ```c
+/// sins_options options;
+/// sins_sim *detailed = NULL;
+/// SINS_INIT(options);
+/// options.error_model = SINS_ERROR_MODEL_RK4;
+/// sins_create(&options, &detailed);
+/// sins_get_options(detailed, &options);
+/// printf("%d subsamples\n", (int)options.subsamples);  // 2 subsamples
+/// sins_destroy(detailed);
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_create(
     options: *const sins_options,
@@ -97,6 +108,13 @@ pub unsafe extern "C-unwind" fn sins_create(
 /// again.
 ///
 /// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+///
+/// ```c
+/// sins_sim *other = NULL;
+/// sins_create(NULL, &other);
+/// printf("%s\n", sins_status_string(sins_destroy(other)));  // SINS_OK
+/// printf("%s\n", sins_status_string(sins_destroy(other)));  // SINS_ERROR_BAD_HANDLE
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_destroy(sim: *mut sins_sim) -> sins_status {
     enter(|| SIMULATORS.remove(sim.addr()))
@@ -126,6 +144,11 @@ pub unsafe extern "C-unwind" fn sins_get_options(
 /// you call sins_move_truth() or sins_reposition().
 /// SINS_ERROR_QUEUE_FULL: step first.
 /// SINS_ERROR_BAD_STATE: navigating on increments.
+///
+/// ```c
+/// printf("%s\n", sins_status_string(sins_push_sample(sim, &sample)));  // SINS_OK
+/// printf("%s\n", sins_status_string(sins_push_sample(sim, &sample)));  // SINS_ERROR_TIME_ORDER
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_push_sample(
     sim: *mut sins_sim,
@@ -153,6 +176,13 @@ pub unsafe extern "C-unwind" fn sins_push_sample(
 /// After SINS_ERROR_DIVERGED and SINS_ERROR_SINGULAR the step is not made, and the solution before it stays readable. The
 /// samples stay in the queue, so a further sins_step() tries the same interval again. sins_reposition() or sins_reset() start
 /// anew.
+///
+/// ```c
+/// while (sins_step(sim) == SINS_OK) {
+///     sins_get_navigation(sim, &navigation);
+///     printf("%.0f s\n", navigation.time_s);  // 3601 s
+/// }
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_step(sim: *mut sins_sim) -> sins_status {
     with_simulator(sim, |simulator| Ok(step(simulator)?))

@@ -33,6 +33,16 @@ pub unsafe extern "C-unwind" fn sins_snapshot_size(sim: *mut sins_sim, size: *mu
 /// good solution is saved. After SINS_ERROR_INTERNAL nothing can be saved: load an earlier snapshot into a fresh handle.
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: see sins_snapshot_size(); buffer and written are unchanged.
+///
+/// ```c
+/// static unsigned char frozen[SINS_SNAPSHOT_MAX_SIZE];
+/// size_t size = 0;
+/// sins_snapshot_save(sim, frozen, sizeof frozen, &size);
+/// sins_reset(sim);
+/// sins_snapshot_load(sim, frozen, size);
+/// sins_get_navigation(sim, &navigation);
+/// printf("back at %.0f s\n", navigation.time_s);  // back at 3601 s
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_snapshot_save(
     sim: *mut sins_sim,

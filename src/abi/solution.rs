@@ -141,6 +141,11 @@ pub unsafe extern "C-unwind" fn sins_get_truth(
 /// SINS_NEED_SAMPLE: no sample yet.
 /// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: before the first step, no INS can start at the first sample with these options
 /// and initial errors.
+///
+/// ```c
+/// sins_get_navigation(sim, &navigation);
+/// printf("%.1f deg north\n", navigation.latitude_rad / SINS_DEG);  // 39.9 deg north
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_get_navigation(
     sim: *mut sins_sim,

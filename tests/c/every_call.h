@@ -1,4 +1,7 @@
-/* Calls every function that takes a handle once with valid arguments; `answer` gets each status. */
+/* Calls every function that takes a handle with valid arguments; `answer` gets each status. null_calls() calls every function with
+ * null for each pointer that may not be null.
+ *
+ * This file is written by build/ from the Rust sources; do not edit it. */
 
 #ifndef EVERY_CALL_H
 #define EVERY_CALL_H
@@ -7,177 +10,6 @@
 
 typedef void every_call_answer(const char *call, sins_status status, void *context);
 
-#define EVERY_CALL(call) answer(#call, call, context)
-
-static inline void every_read(sins_sim *sim, every_call_answer *answer, void *context)
-{
-    sins_navigation navigation = {.struct_size = sizeof navigation};
-    sins_imu imu = {.struct_size = sizeof imu};
-    sins_errors errors = {.struct_size = sizeof errors};
-    sins_accuracy accuracy = {.struct_size = sizeof accuracy};
-    sins_record record = {.struct_size = sizeof record};
-    sins_truth_summary summary = {.struct_size = sizeof summary};
-    sins_covariance covariance = {.struct_size = sizeof covariance};
-    EVERY_CALL(sins_get_truth(sim, &navigation));
-    EVERY_CALL(sins_get_navigation(sim, &navigation));
-    EVERY_CALL(sins_get_imu(sim, &imu));
-    EVERY_CALL(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors));
-    EVERY_CALL(sins_get_errors(sim, SINS_ERRORS_MODEL, &errors));
-    EVERY_CALL(sins_get_accuracy(sim, &accuracy));
-    EVERY_CALL(sins_get_record(sim, &record));
-    EVERY_CALL(sins_get_truth_summary(sim, &summary));
-    EVERY_CALL(sins_get_covariance(sim, &covariance));
-}
-
-/* All functions of a simulator except for sins_destroy() and sins_last_error(), which return another status. */
-static inline void every_call(sins_sim *sim, every_call_answer *answer, void *context)
-{
-    sins_gyro_params gyro = scene_gyro();
-    sins_accel_params accel = scene_accel();
-    sins_altimeter_params altimeter = scene_altimeter();
-    sins_initial_errors initial = scene_initial_errors();
-    sins_failure failure = {.struct_size = sizeof failure};
-    sins_mounting mounting = {.struct_size = sizeof mounting};
-    sins_gravity_params gravity = {.struct_size = sizeof gravity};
-    sins_flight_sample sample = {.struct_size = sizeof sample};
-    sins_navigation start = {.struct_size = sizeof start};
-    sins_imu_increment increment = {.struct_size = sizeof increment};
-    sins_options options = {.struct_size = sizeof options};
-    unsigned char snapshot[SINS_SNAPSHOT_MAX_SIZE];
-    size_t size = 0;
-    start.quaternion_nb[0] = 1.0;
-    increment.interval_s = 0.01;
-    increment.count = 1;
-    EVERY_CALL(sins_set_gyro(sim, &gyro));
-    EVERY_CALL(sins_set_accel(sim, &accel));
-    EVERY_CALL(sins_set_altimeter(sim, &altimeter));
-    EVERY_CALL(sins_set_failure(sim, SINS_SENSOR_ACCEL, 1, &failure));
-    EVERY_CALL(sins_set_initial_errors(sim, &initial));
-    EVERY_CALL(sins_set_mounting(sim, &mounting));
-    EVERY_CALL(sins_set_gravity_disturbance(sim, &gravity));
-    EVERY_CALL(sins_get_options(sim, &options));
-    EVERY_CALL(sins_get_gyro(sim, &gyro));
-    EVERY_CALL(sins_get_accel(sim, &accel));
-    EVERY_CALL(sins_get_altimeter(sim, &altimeter));
-    EVERY_CALL(sins_get_failure(sim, SINS_SENSOR_ACCEL, 1, &failure));
-    EVERY_CALL(sins_get_initial_errors(sim, &initial));
-    EVERY_CALL(sins_get_mounting(sim, &mounting));
-    EVERY_CALL(sins_get_gravity_disturbance(sim, &gravity));
-    EVERY_CALL(sins_push_sample(sim, &sample));
-    EVERY_CALL(sins_step(sim));
-    sample.time_s = 0.01;
-    EVERY_CALL(sins_run(sim, &sample, 1, 0, NULL, 0, NULL));
-    every_read(sim, answer, context);
-    EVERY_CALL(sins_snapshot_size(sim, &size));
-    EVERY_CALL(sins_snapshot_save(sim, snapshot, sizeof snapshot, &size));
-    EVERY_CALL(sins_snapshot_load(sim, snapshot, size));
-    EVERY_CALL(sins_move_time(sim, 1.0));
-    EVERY_CALL(sins_move_truth(sim, &sample));
-    EVERY_CALL(sins_reposition(sim, &sample));
-    EVERY_CALL(sins_reset(sim));
-    EVERY_CALL(sins_start_navigation(sim, &start));
-    EVERY_CALL(sins_push_imu(sim, &increment));
-    EVERY_CALL(sins_reset(sim));
-}
-
-/* All functions of a flight except for sins_flight_destroy(). */
-static inline void every_flight_call(sins_flight *flight, every_call_answer *answer, void *context)
-{
-    sins_flight_sample sample = {.struct_size = sizeof sample};
-    double duration;
-    EVERY_CALL(sins_flight_duration(flight, &duration));
-    EVERY_CALL(sins_flight_sample_at(flight, 0.0, &sample));
-}
-
-/* All functions of an ensemble except for sins_ensemble_destroy(). */
-static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answer *answer, void *context)
-{
-    unsigned char snapshot[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE];
-    sins_statistics statistics;
-    sins_navigation navigation = {.struct_size = sizeof navigation};
-    sins_imu imu = {.struct_size = sizeof imu};
-    sins_errors errors = {.struct_size = sizeof errors};
-    sins_failure failure = {.struct_size = sizeof failure};
-    sins_flight_sample sample = {.struct_size = sizeof sample};
-    uint64_t run;
-    size_t runs, size = 0;
-    SINS_INIT(statistics);
-    EVERY_CALL(sins_ensemble_set_failure(ensemble, SINS_SENSOR_ACCEL, 1, &failure));
-    EVERY_CALL(sins_ensemble_push_sample(ensemble, &sample));
-    EVERY_CALL(sins_ensemble_step(ensemble));
-    sample.time_s = 0.01;
-    EVERY_CALL(sins_ensemble_run(ensemble, &sample, 1));
-    EVERY_CALL(sins_ensemble_get_runs(ensemble, &run, &runs));
-    EVERY_CALL(sins_ensemble_get_truth(ensemble, &navigation));
-    EVERY_CALL(sins_ensemble_get_navigation(ensemble, SCENE_FIRST_RUN, &navigation));
-    EVERY_CALL(sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN + 1, &imu));
-    EVERY_CALL(sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN + 2, SINS_ERRORS_MODEL, &errors));
-    EVERY_CALL(sins_ensemble_get_diverged(ensemble, 0, &run));
-    EVERY_CALL(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics));
-    EVERY_CALL(sins_ensemble_snapshot_size(ensemble, &size));
-    EVERY_CALL(sins_ensemble_snapshot_save(ensemble, snapshot, sizeof snapshot, &size));
-    EVERY_CALL(sins_ensemble_snapshot_load(ensemble, snapshot, size));
-    EVERY_CALL(sins_ensemble_reposition(ensemble, &sample));
-    EVERY_CALL(sins_ensemble_reset(ensemble));
-}
-
-/* All functions of a scene except for sins_scene_destroy(). sins_scene_prepare() takes `sim`. */
-static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call_answer *answer, void *context)
-{
-    sins_options options = {.struct_size = sizeof options};
-    sins_scene_setup setup = {.struct_size = sizeof setup};
-    sins_planned_failure failure = {.struct_size = sizeof failure};
-    sins_flight_sample sample = {.struct_size = sizeof sample};
-    sins_ensemble *ensemble = scene_ensemble();
-    sins_sim *made = NULL;
-    sins_flight *flight = NULL;
-    sins_scene_samples samples = {.struct_size = sizeof samples};
-    sins_flight_start start = {.struct_size = sizeof start};
-    sins_manoeuvre manoeuvres[1] = {{.struct_size = sizeof manoeuvres[0]}};
-    char text[8192];
-    size_t count, repeat;
-    EVERY_CALL(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, "another"));
-    start.speed_m_s = 100.0;
-    manoeuvres[0].kind = SINS_MANOEUVRE_STRAIGHT;
-    manoeuvres[0].duration_s = 60.0;
-    EVERY_CALL(sins_scene_set_manoeuvres(scene, &start, manoeuvres, 1, 2));
-    EVERY_CALL(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 1, &count, &repeat));
-    EVERY_CALL(sins_scene_get_options(scene, &options));
-    EVERY_CALL(sins_scene_get_setup(scene, &setup));
-    EVERY_CALL(sins_scene_get_text(scene, SINS_SCENE_TEXT_TITLE, text, sizeof text, NULL));
-    EVERY_CALL(sins_scene_set_values(scene, "gyro.bias_deg_h[1] = 0.5\nfailure[0].from_s = 3"));
-    EVERY_CALL(sins_scene_get_value(scene, "gyro.bias_deg_h[1]", text, sizeof text, NULL));
-    EVERY_CALL(sins_scene_get_samples(scene, NULL, &samples));
-    EVERY_CALL(sins_scene_set_items(scene, "manoeuvre", "[[manoeuvre]]\nkind = \"straight\"\nduration_s = 60\n"));
-    EVERY_CALL(sins_scene_get_failure_count(scene, &count));
-    EVERY_CALL(sins_scene_get_failure(scene, 0, &failure));
-    EVERY_CALL(sins_scene_write(scene, text, sizeof text, NULL));
-    EVERY_CALL(sins_scene_create_simulator(scene, &made));
-    EVERY_CALL(sins_scene_create_flight(scene, &flight));
-    EVERY_CALL(sins_scene_prepare(scene, sim, 0.0, &sample));
-    EVERY_CALL(sins_scene_prepare_ensemble(scene, ensemble, 0.0, &sample));
-    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
-    CHECK(made == NULL || sins_destroy(made) == SINS_OK);
-    CHECK(flight == NULL || sins_flight_destroy(flight) == SINS_OK);
-}
-
-/* The function for a scene whose text has faults. */
-static inline void every_fault_call(sins_scene *scene, every_call_answer *answer, void *context)
-{
-    sins_fault fault = {.struct_size = sizeof fault};
-    EVERY_CALL(sins_scene_get_fault(scene, 0, &fault));
-}
-
-/* All functions of a log except for sins_log_destroy(). */
-static inline void every_log_call(sins_log *log, every_call_answer *answer, void *context)
-{
-    sins_log_info info = {.struct_size = sizeof info};
-    sins_flight_sample sample = {.struct_size = sizeof sample};
-    uint64_t line;
-    EVERY_CALL(sins_log_get_info(log, &info));
-    EVERY_CALL(sins_log_get_sample(log, 1, &sample, &line));
-}
-
 /* Asserts that the answer is the status at `context`. */
 static inline void every_answer_is(const char *call, sins_status status, void *context)
 {
@@ -185,6 +17,404 @@ static inline void every_answer_is(const char *call, sins_status status, void *c
         fprintf(stderr, "%s gives %d\n", call, (int)status);
     }
     CHECK(status == *(const sins_status *)context);
+}
+
+#define EVERY_CALL(call) answer(#call, call, context)
+
+/* All functions of a sins_sim, except those that destroy it and that read its last failure. */
+static inline void every_call(sins_sim *sim, every_call_answer *answer, void *context)
+{
+    sins_options options[2];
+    sins_flight_sample flight_sample[2];
+    sins_gyro_params gyro_params[2];
+    sins_accel_params accel_params[2];
+    sins_altimeter_params altimeter_params[2];
+    sins_navigation navigation[2];
+    sins_errors errors[2];
+    sins_imu imu[2];
+    sins_accuracy accuracy[2];
+    sins_truth_summary truth_summary[2];
+    sins_covariance covariance[2];
+    sins_record record[2];
+    sins_failure failure[2];
+    sins_initial_errors initial_errors[2];
+    sins_mounting mounting[2];
+    sins_gravity_params gravity_params[2];
+    sins_imu_increment imu_increment[2];
+    unsigned char bytes[SINS_SNAPSHOT_MAX_SIZE] = "";
+    size_t size = 0;
+    SINS_INIT(options[0]);
+    SINS_INIT(options[1]);
+    SINS_INIT(flight_sample[0]);
+    SINS_INIT(flight_sample[1]);
+    flight_sample[1].time_s = 0.01;
+    SINS_INIT(gyro_params[0]);
+    SINS_INIT(gyro_params[1]);
+    gyro_params[0] = scene_gyro();
+    SINS_INIT(accel_params[0]);
+    SINS_INIT(accel_params[1]);
+    accel_params[0] = scene_accel();
+    SINS_INIT(altimeter_params[0]);
+    SINS_INIT(altimeter_params[1]);
+    altimeter_params[0] = scene_altimeter();
+    SINS_INIT(navigation[0]);
+    SINS_INIT(navigation[1]);
+    navigation[0].quaternion_nb[0] = 1.0;
+    SINS_INIT(errors[0]);
+    SINS_INIT(errors[1]);
+    SINS_INIT(imu[0]);
+    SINS_INIT(imu[1]);
+    SINS_INIT(accuracy[0]);
+    SINS_INIT(accuracy[1]);
+    SINS_INIT(truth_summary[0]);
+    SINS_INIT(truth_summary[1]);
+    SINS_INIT(covariance[0]);
+    SINS_INIT(covariance[1]);
+    SINS_INIT(record[0]);
+    SINS_INIT(record[1]);
+    SINS_INIT(failure[0]);
+    SINS_INIT(failure[1]);
+    SINS_INIT(initial_errors[0]);
+    SINS_INIT(initial_errors[1]);
+    initial_errors[0] = scene_initial_errors();
+    SINS_INIT(mounting[0]);
+    SINS_INIT(mounting[1]);
+    SINS_INIT(gravity_params[0]);
+    SINS_INIT(gravity_params[1]);
+    SINS_INIT(imu_increment[0]);
+    SINS_INIT(imu_increment[1]);
+    imu_increment[0].interval_s = 0.01;
+    imu_increment[0].count = 1;
+    EVERY_CALL(sins_get_options(sim, options));
+    EVERY_CALL(sins_push_sample(sim, flight_sample));
+    EVERY_CALL(sins_step(sim));
+    EVERY_CALL(sins_move_time(sim, 0.0));
+    EVERY_CALL(sins_move_truth(sim, flight_sample));
+    EVERY_CALL(sins_reposition(sim, flight_sample));
+    EVERY_CALL(sins_reset(sim));
+    EVERY_CALL(sins_set_gyro(sim, gyro_params));
+    EVERY_CALL(sins_get_gyro(sim, gyro_params));
+    EVERY_CALL(sins_set_accel(sim, accel_params));
+    EVERY_CALL(sins_get_accel(sim, accel_params));
+    EVERY_CALL(sins_set_altimeter(sim, altimeter_params));
+    EVERY_CALL(sins_get_altimeter(sim, altimeter_params));
+    EVERY_CALL(sins_get_truth(sim, navigation));
+    EVERY_CALL(sins_get_navigation(sim, navigation));
+    EVERY_CALL(sins_get_errors(sim, 0, errors));
+    EVERY_CALL(sins_get_imu(sim, imu));
+    EVERY_CALL(sins_get_accuracy(sim, accuracy));
+    EVERY_CALL(sins_get_truth_summary(sim, truth_summary));
+    EVERY_CALL(sins_get_covariance(sim, covariance));
+    EVERY_CALL(sins_get_record(sim, record));
+    EVERY_CALL(sins_run(sim, flight_sample, 2, 1, record, 2, &size));
+    EVERY_CALL(sins_set_failure(sim, 0, 0, failure));
+    EVERY_CALL(sins_get_failure(sim, 0, 0, failure));
+    EVERY_CALL(sins_set_initial_errors(sim, initial_errors));
+    EVERY_CALL(sins_get_initial_errors(sim, initial_errors));
+    EVERY_CALL(sins_set_mounting(sim, mounting));
+    EVERY_CALL(sins_get_mounting(sim, mounting));
+    EVERY_CALL(sins_set_gravity_disturbance(sim, gravity_params));
+    EVERY_CALL(sins_get_gravity_disturbance(sim, gravity_params));
+    EVERY_CALL(sins_start_navigation(sim, navigation));
+    EVERY_CALL(sins_push_imu(sim, imu_increment));
+    EVERY_CALL(sins_snapshot_size(sim, &size));
+    EVERY_CALL(sins_snapshot_save(sim, bytes, sizeof bytes, &size));
+    EVERY_CALL(sins_snapshot_load(sim, bytes, size));
+}
+
+/* All functions of a sins_flight, except those that destroy it and that read its last failure. */
+static inline void every_flight_call(sins_flight *flight, every_call_answer *answer, void *context)
+{
+    sins_flight_sample flight_sample[2];
+    double numbers[6] = {0.0};
+    SINS_INIT(flight_sample[0]);
+    SINS_INIT(flight_sample[1]);
+    flight_sample[1].time_s = 0.01;
+    EVERY_CALL(sins_flight_duration(flight, numbers));
+    EVERY_CALL(sins_flight_sample_at(flight, 0.0, flight_sample));
+}
+
+/* All functions of a sins_ensemble, except those that destroy it and that read its last failure. */
+static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answer *answer, void *context)
+{
+    sins_flight_sample flight_sample[2];
+    sins_navigation navigation[2];
+    sins_errors errors[2];
+    sins_imu imu[2];
+    sins_failure failure[2];
+    sins_statistics statistics[2];
+    unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
+    size_t size = 0;
+    uint64_t word = 0;
+    SINS_INIT(flight_sample[0]);
+    SINS_INIT(flight_sample[1]);
+    flight_sample[1].time_s = 0.01;
+    SINS_INIT(navigation[0]);
+    SINS_INIT(navigation[1]);
+    navigation[0].quaternion_nb[0] = 1.0;
+    SINS_INIT(errors[0]);
+    SINS_INIT(errors[1]);
+    SINS_INIT(imu[0]);
+    SINS_INIT(imu[1]);
+    SINS_INIT(failure[0]);
+    SINS_INIT(failure[1]);
+    SINS_INIT(statistics[0]);
+    SINS_INIT(statistics[1]);
+    EVERY_CALL(sins_ensemble_push_sample(ensemble, flight_sample));
+    EVERY_CALL(sins_ensemble_step(ensemble));
+    EVERY_CALL(sins_ensemble_run(ensemble, flight_sample, 2));
+    EVERY_CALL(sins_ensemble_reposition(ensemble, flight_sample));
+    EVERY_CALL(sins_ensemble_reset(ensemble));
+    EVERY_CALL(sins_ensemble_set_failure(ensemble, 0, 0, failure));
+    EVERY_CALL(sins_ensemble_get_runs(ensemble, &word, &size));
+    EVERY_CALL(sins_ensemble_get_truth(ensemble, navigation));
+    EVERY_CALL(sins_ensemble_get_navigation(ensemble, SCENE_FIRST_RUN, navigation));
+    EVERY_CALL(sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN, 0, errors));
+    EVERY_CALL(sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN, imu));
+    EVERY_CALL(sins_ensemble_get_diverged(ensemble, 0, &word));
+    EVERY_CALL(sins_ensemble_get_statistics(ensemble, 0, statistics));
+    EVERY_CALL(sins_ensemble_snapshot_size(ensemble, &size));
+    EVERY_CALL(sins_ensemble_snapshot_save(ensemble, bytes, sizeof bytes, &size));
+    EVERY_CALL(sins_ensemble_snapshot_load(ensemble, bytes, size));
+}
+
+/* All functions of a sins_scene, except those that destroy it and that read its last failure. */
+static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call_answer *answer, void *context)
+{
+    sins_options options[2];
+    sins_flight_sample flight_sample[2];
+    sins_failure failure[2];
+    sins_flight_start flight_start[2];
+    sins_manoeuvre manoeuvre[2];
+    sins_fault fault[2];
+    sins_scene_setup scene_setup[2];
+    sins_planned_failure planned_failure[2];
+    sins_scene_samples scene_samples[2];
+    sins_sim *made_sim = NULL;
+    sins_flight *made_flight = NULL;
+    sins_ensemble *ensemble = scene_ensemble();
+    unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
+    size_t size = 0;
+    SINS_INIT(options[0]);
+    SINS_INIT(options[1]);
+    SINS_INIT(flight_sample[0]);
+    SINS_INIT(flight_sample[1]);
+    flight_sample[1].time_s = 0.01;
+    SINS_INIT(failure[0]);
+    SINS_INIT(failure[1]);
+    SINS_INIT(flight_start[0]);
+    SINS_INIT(flight_start[1]);
+    flight_start[0].speed_m_s = 100.0;
+    SINS_INIT(manoeuvre[0]);
+    SINS_INIT(manoeuvre[1]);
+    manoeuvre[0].duration_s = manoeuvre[1].duration_s = 60.0;
+    manoeuvre[0].kind = manoeuvre[1].kind = SINS_MANOEUVRE_STRAIGHT;
+    SINS_INIT(fault[0]);
+    SINS_INIT(fault[1]);
+    SINS_INIT(scene_setup[0]);
+    SINS_INIT(scene_setup[1]);
+    SINS_INIT(planned_failure[0]);
+    SINS_INIT(planned_failure[1]);
+    SINS_INIT(scene_samples[0]);
+    SINS_INIT(scene_samples[1]);
+    EVERY_CALL(sins_scene_get_fault(scene, 0, fault));
+    EVERY_CALL(sins_scene_write(scene, (char *)bytes, sizeof bytes, &size));
+    EVERY_CALL(sins_scene_create_simulator(scene, &made_sim));
+    EVERY_CALL(sins_scene_create_flight(scene, &made_flight));
+    EVERY_CALL(sins_scene_prepare(scene, sim, 0.0, flight_sample));
+    EVERY_CALL(sins_scene_prepare_ensemble(scene, ensemble, 0.0, flight_sample));
+    EVERY_CALL(sins_scene_get_options(scene, options));
+    EVERY_CALL(sins_scene_get_setup(scene, scene_setup));
+    EVERY_CALL(sins_scene_get_manoeuvres(scene, flight_start, manoeuvre, 2, &size, &size));
+    EVERY_CALL(sins_scene_set_manoeuvres(scene, flight_start, manoeuvre, 2, 1));
+    EVERY_CALL(sins_scene_get_text(scene, 0, (char *)bytes, sizeof bytes, &size));
+    EVERY_CALL(sins_scene_set_text(scene, 0, "another"));
+    EVERY_CALL(sins_scene_get_failure_count(scene, &size));
+    EVERY_CALL(sins_scene_get_failure(scene, 0, planned_failure));
+    EVERY_CALL(sins_scene_get_value(scene, "gyro.bias_deg_h[1]", (char *)bytes, sizeof bytes, &size));
+    EVERY_CALL(sins_scene_set_values(scene, "gyro.bias_deg_h[1] = 0.5"));
+    EVERY_CALL(sins_scene_set_items(scene, "failure", ""));
+    EVERY_CALL(sins_scene_get_samples(scene, NULL, scene_samples));
+    CHECK(made_sim == NULL || sins_destroy(made_sim) == SINS_OK);
+    CHECK(made_flight == NULL || sins_flight_destroy(made_flight) == SINS_OK);
+    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
+}
+
+/* All functions of a sins_log, except those that destroy it and that read its last failure. */
+static inline void every_log_call(sins_log *log, every_call_answer *answer, void *context)
+{
+    sins_flight_sample flight_sample[2];
+    sins_log_info log_info[2];
+    uint64_t word = 0;
+    SINS_INIT(flight_sample[0]);
+    SINS_INIT(flight_sample[1]);
+    flight_sample[1].time_s = 0.01;
+    SINS_INIT(log_info[0]);
+    SINS_INIT(log_info[1]);
+    EVERY_CALL(sins_log_get_info(log, log_info));
+    EVERY_CALL(sins_log_get_sample(log, 0, flight_sample, &word));
+}
+
+/* Every function with null for each pointer that may not be null. */
+static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, every_call_answer *answer, void *context)
+{
+    sins_options options[2];
+    sins_flight_sample flight_sample[2];
+    sins_covariance covariance[2];
+    sins_record record[2];
+    sins_failure failure[2];
+    sins_flight_start flight_start[2];
+    sins_manoeuvre manoeuvre[2];
+    sins_requirement requirement[2];
+    sins_cost cost[2];
+    sins_budget_request budget_request[2];
+    sins_budget_row budget_row[2];
+    sins_budget budget[2];
+    sins_statistics statistics[2];
+    sins_figures figures[2];
+    sins_fault fault[2];
+    sins_flight *made_flight = NULL;
+    sins_scene *made_scene = NULL;
+    sins_log *made_log = NULL;
+    unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
+    size_t size = 0;
+    uint64_t word = 0;
+    double numbers[6] = {0.0};
+    SINS_INIT(options[0]);
+    SINS_INIT(options[1]);
+    SINS_INIT(flight_sample[0]);
+    SINS_INIT(flight_sample[1]);
+    flight_sample[1].time_s = 0.01;
+    SINS_INIT(covariance[0]);
+    SINS_INIT(covariance[1]);
+    SINS_INIT(record[0]);
+    SINS_INIT(record[1]);
+    SINS_INIT(failure[0]);
+    SINS_INIT(failure[1]);
+    SINS_INIT(flight_start[0]);
+    SINS_INIT(flight_start[1]);
+    flight_start[0].speed_m_s = 100.0;
+    SINS_INIT(manoeuvre[0]);
+    SINS_INIT(manoeuvre[1]);
+    manoeuvre[0].duration_s = manoeuvre[1].duration_s = 60.0;
+    manoeuvre[0].kind = manoeuvre[1].kind = SINS_MANOEUVRE_STRAIGHT;
+    SINS_INIT(requirement[0]);
+    SINS_INIT(requirement[1]);
+    requirement[0].position_m = 1.0;
+    SINS_INIT(cost[0]);
+    SINS_INIT(cost[1]);
+    SINS_INIT(budget_request[0]);
+    SINS_INIT(budget_request[1]);
+    SINS_INIT(budget_row[0]);
+    SINS_INIT(budget_row[1]);
+    SINS_INIT(budget[0]);
+    SINS_INIT(budget[1]);
+    SINS_INIT(statistics[0]);
+    SINS_INIT(statistics[1]);
+    SINS_INIT(figures[0]);
+    SINS_INIT(figures[1]);
+    SINS_INIT(fault[0]);
+    SINS_INIT(fault[1]);
+    EVERY_CALL(sins_create(options, NULL));
+    EVERY_CALL(sins_get_options(sim, NULL));
+    EVERY_CALL(sins_push_sample(sim, NULL));
+    EVERY_CALL(sins_move_truth(sim, NULL));
+    EVERY_CALL(sins_reposition(sim, NULL));
+    EVERY_CALL(sins_set_gyro(sim, NULL));
+    EVERY_CALL(sins_get_gyro(sim, NULL));
+    EVERY_CALL(sins_set_accel(sim, NULL));
+    EVERY_CALL(sins_get_accel(sim, NULL));
+    EVERY_CALL(sins_set_altimeter(sim, NULL));
+    EVERY_CALL(sins_get_altimeter(sim, NULL));
+    EVERY_CALL(sins_gyro_preset(0, NULL));
+    EVERY_CALL(sins_accel_preset(0, NULL));
+    EVERY_CALL(sins_get_truth(sim, NULL));
+    EVERY_CALL(sins_get_navigation(sim, NULL));
+    EVERY_CALL(sins_get_errors(sim, 0, NULL));
+    EVERY_CALL(sins_get_imu(sim, NULL));
+    EVERY_CALL(sins_get_accuracy(sim, NULL));
+    EVERY_CALL(sins_get_truth_summary(sim, NULL));
+    EVERY_CALL(sins_get_covariance(sim, NULL));
+    EVERY_CALL(sins_get_record(sim, NULL));
+    EVERY_CALL(sins_record_line(record, numbers, 6, covariance, NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_run(sim, NULL, 2, 1, record, 2, &size));
+    EVERY_CALL(sins_run(sim, flight_sample, 2, 1, NULL, 2, &size));
+    EVERY_CALL(sins_set_failure(sim, 0, 0, NULL));
+    EVERY_CALL(sins_get_failure(sim, 0, 0, NULL));
+    EVERY_CALL(sins_set_initial_errors(sim, NULL));
+    EVERY_CALL(sins_get_initial_errors(sim, NULL));
+    EVERY_CALL(sins_set_mounting(sim, NULL));
+    EVERY_CALL(sins_get_mounting(sim, NULL));
+    EVERY_CALL(sins_set_gravity_disturbance(sim, NULL));
+    EVERY_CALL(sins_get_gravity_disturbance(sim, NULL));
+    EVERY_CALL(sins_start_navigation(sim, NULL));
+    EVERY_CALL(sins_push_imu(sim, NULL));
+    EVERY_CALL(sins_snapshot_size(sim, NULL));
+    EVERY_CALL(sins_snapshot_save(sim, NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_snapshot_load(sim, NULL, size));
+    EVERY_CALL(sins_flight_create(NULL, manoeuvre, 2, &made_flight));
+    EVERY_CALL(sins_flight_create(flight_start, NULL, 2, &made_flight));
+    EVERY_CALL(sins_flight_create(flight_start, manoeuvre, 2, NULL));
+    EVERY_CALL(sins_flight_duration(flight, NULL));
+    EVERY_CALL(sins_flight_sample_at(flight, 0.0, NULL));
+    EVERY_CALL(sins_recommend(sim, NULL, 2, requirement, options, cost));
+    EVERY_CALL(sins_recommend(sim, flight_sample, 2, NULL, options, cost));
+    EVERY_CALL(sins_recommend(sim, flight_sample, 2, requirement, NULL, cost));
+    EVERY_CALL(sins_recommend(sim, flight_sample, 2, requirement, options, NULL));
+    EVERY_CALL(sins_error_budget(sim, NULL, 2, budget_request, budget_row, 2, &size, budget));
+    EVERY_CALL(sins_error_budget(sim, flight_sample, 2, budget_request, NULL, 2, &size, budget));
+    EVERY_CALL(sins_ensemble_create(sim, SCENE_FIRST_RUN, 1, NULL));
+    EVERY_CALL(sins_ensemble_push_sample(ensemble, NULL));
+    EVERY_CALL(sins_ensemble_run(ensemble, NULL, 2));
+    EVERY_CALL(sins_ensemble_reposition(ensemble, NULL));
+    EVERY_CALL(sins_ensemble_set_failure(ensemble, 0, 0, NULL));
+    EVERY_CALL(sins_ensemble_get_truth(ensemble, NULL));
+    EVERY_CALL(sins_ensemble_get_navigation(ensemble, SCENE_FIRST_RUN, NULL));
+    EVERY_CALL(sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN, 0, NULL));
+    EVERY_CALL(sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN, NULL));
+    EVERY_CALL(sins_ensemble_get_diverged(ensemble, 0, NULL));
+    EVERY_CALL(sins_ensemble_get_statistics(ensemble, 0, NULL));
+    EVERY_CALL(sins_statistics_merge(NULL, statistics));
+    EVERY_CALL(sins_statistics_merge(statistics, NULL));
+    EVERY_CALL(sins_statistics_figures(NULL, figures));
+    EVERY_CALL(sins_statistics_figures(statistics, NULL));
+    EVERY_CALL(sins_ensemble_snapshot_size(ensemble, NULL));
+    EVERY_CALL(sins_ensemble_snapshot_save(ensemble, NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_ensemble_snapshot_load(ensemble, NULL, size));
+    EVERY_CALL(sins_scene_create(NULL));
+    EVERY_CALL(sins_scene_parse(NULL, 1, &made_scene));
+    EVERY_CALL(sins_scene_parse((char *)bytes, 1, NULL));
+    EVERY_CALL(sins_scene_get_fault(scene, 0, NULL));
+    EVERY_CALL(sins_scene_create_builtin(NULL, &made_scene));
+    EVERY_CALL(sins_scene_create_builtin("patrol", NULL));
+    EVERY_CALL(sins_scene_builtin_name(0, NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_scene_write(scene, NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_scene_write_keys(NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_scene_create_simulator(scene, NULL));
+    EVERY_CALL(sins_scene_create_flight(scene, NULL));
+    EVERY_CALL(sins_scene_prepare(scene, sim, 0.0, NULL));
+    EVERY_CALL(sins_scene_prepare_ensemble(scene, ensemble, 0.0, NULL));
+    EVERY_CALL(sins_scene_get_options(scene, NULL));
+    EVERY_CALL(sins_scene_get_setup(scene, NULL));
+    EVERY_CALL(sins_scene_get_manoeuvres(scene, flight_start, NULL, 2, &size, &size));
+    EVERY_CALL(sins_scene_get_manoeuvres(scene, flight_start, manoeuvre, 2, NULL, &size));
+    EVERY_CALL(sins_scene_set_manoeuvres(scene, NULL, manoeuvre, 2, 1));
+    EVERY_CALL(sins_scene_set_manoeuvres(scene, flight_start, NULL, 2, 1));
+    EVERY_CALL(sins_scene_get_text(scene, 0, NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_scene_set_text(scene, 0, NULL));
+    EVERY_CALL(sins_scene_get_failure_count(scene, NULL));
+    EVERY_CALL(sins_scene_get_failure(scene, 0, NULL));
+    EVERY_CALL(sins_scene_get_key(0, NULL));
+    EVERY_CALL(sins_scene_get_value(scene, NULL, (char *)bytes, sizeof bytes, &size));
+    EVERY_CALL(sins_scene_get_value(scene, "gyro.bias_deg_h[1]", NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_scene_set_values(scene, NULL));
+    EVERY_CALL(sins_scene_set_items(scene, NULL, ""));
+    EVERY_CALL(sins_scene_set_items(scene, "failure", NULL));
+    EVERY_CALL(sins_log_parse(NULL, 1, &made_log, fault));
+    EVERY_CALL(sins_log_parse((char *)bytes, 1, NULL, fault));
+    EVERY_CALL(sins_log_get_info(log, NULL));
+    EVERY_CALL(sins_log_get_sample(log, 0, NULL, &word));
+    EVERY_CALL(sins_scene_get_samples(scene, NULL, NULL));
 }
 
 #endif

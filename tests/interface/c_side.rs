@@ -1,38 +1,17 @@
 //! The C side, built and run: layout and call patterns.
 
-use sins::abi::{sins_accel_params, sins_gyro_params};
-use sins::sensors::{PARAMETERS, Sensor};
-
 use crate::support::c_programs::{
-    STRICT, c_compiler, compiler_of, cpp_compiler, library_folder, prints_alike, run_test_program, succeed,
+    STRICT, c_compiler, compiler_of, cpp_compiler, prints_alike, run_test_program, succeed,
 };
 use crate::support::project_file;
 
-/// Size and offsets of the structs of sensor parameters, for `layout.c`. The numbers follow each other without gaps from offset 8.
-fn sensor_layout() -> String {
-    let of = |name: &str, sensor: Sensor, size: usize| {
-        let stated = name.replacen("sins_", "sins_sizeof_", 1).to_uppercase();
-        let (mut offset, mut text) = (8, format!("SIZE({name}, {stated}, {size});\n"));
-        for (parameter, field) in PARAMETERS.iter().filter_map(|row| Some((row, row.of(sensor)?))) {
-            text += &format!("AT({name}, {}, {offset});\n", field.name());
-            offset += 8 * parameter.shape.count();
-        }
-        assert_eq!(offset, size, "{name}");
-        text
-    };
-    of("sins_gyro_params", Sensor::Gyro, size_of::<sins_gyro_params>())
-        + &of("sins_accel_params", Sensor::Accelerometer, size_of::<sins_accel_params>())
-}
-
 #[test]
 fn structs_are_laid_out_alike_under_every_packing_and_language() {
-    let folder = library_folder("layout");
-    std::fs::write(folder.join("sensor_layout.h"), sensor_layout()).unwrap();
     for packing in ["-DNO_PACKING", "-fpack-struct=4", "-fpack-struct=1"] {
         for (mut compiler, standard) in
             [(c_compiler(), &["-std=c99"][..]), (cpp_compiler(), &["-x", "c++", "-std=c++11"][..])]
         {
-            compiler.args(standard).arg(packing).args(STRICT).arg("-fsyntax-only").arg("-I").arg(&folder);
+            compiler.args(standard).arg(packing).args(STRICT).arg("-fsyntax-only");
             compiler.arg("-I").arg(project_file("include")).arg(project_file("tests/c/layout.c"));
             succeed(&mut compiler);
         }

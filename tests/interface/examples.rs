@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 use crate::support::c_programs::{
     C_AND_CPP, built_to, compiler_of, library_folder, prints_alike, shared_library, succeed,
 };
-use crate::support::project_file;
+use crate::support::{headers, project_file};
 
 fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).unwrap()
@@ -61,6 +61,34 @@ fn the_first_page_of_the_header_is_short_and_its_program_prints_what_it_says() {
     std::fs::write(&source, first_program()).unwrap();
     let text = prints_alike("first_page", &[source.to_str().unwrap()], &C_AND_CPP, &[]);
     assert!(header.contains(&format!("which prints \"{}\"", text.trim_end())), "{text}");
+}
+
+/// The examples in the comments of the headers, each between two fences.
+fn examples() -> Vec<String> {
+    let headers = headers();
+    let fenced = headers.split(" * ```c\n").skip(1).map(|rest| rest.split_once(" * ```\n").unwrap().0);
+    let line = |line: &str| line.trim_start_matches(" *").to_owned() + "\n";
+    fenced.map(|text| text.lines().map(line).collect()).collect()
+}
+
+/// One program has them all, in their order, after the hour of the first page. What they print stands behind `//`.
+#[test]
+fn the_examples_of_the_functions_print_what_they_say() {
+    let (begin, _) =
+        first_program().split_once("    printf(").map(|(a, b)| (a.to_owned(), b.to_owned())).unwrap();
+    let examples = examples();
+    assert!(examples.len() >= 14);
+    let blocks: String = examples.iter().map(|text| format!("    {{\n{text}    }}\n")).collect();
+    let program = format!("{begin}{blocks}    return sins_destroy(sim);\n}}\n");
+    let source = library_folder("header_examples").join("examples.c");
+    std::fs::write(&source, program.replace("\"sins.h\"", "\"sins_scene.h\"")).unwrap();
+    let text = prints_alike("header_examples", &[source.to_str().unwrap()], &C_AND_CPP, &[]);
+    let expected: Vec<&str> = examples
+        .iter()
+        .flat_map(|text| text.lines())
+        .filter_map(|line| Some(line.split_once("  // ")?.1))
+        .collect();
+    assert_eq!(text.lines().collect::<Vec<_>>(), expected);
 }
 
 #[test]
