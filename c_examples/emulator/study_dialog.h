@@ -134,7 +134,7 @@ protected:
         enable(IDC_ADOPT, false);
         set(IDC_LIMIT, &kind_ == &RECOMMEND ? L"1" : L"");
         set(IDC_FROM, L"0");
-        set(IDC_TO, shown(min(duration_s, 600.0), 10));
+        set(IDC_TO, shown(&kind_ == &RECOMMEND ? duration_s : min(duration_s, 600.0), 10));
         for (int id : {IDC_FROM, IDC_TO})
             tip(item(id), text("range", {L"0", shown(duration_s, 10)}));
         for (int id : {IDC_LIMIT, IDC_LIMIT + 1, IDC_LIMIT + 2})
