@@ -51,6 +51,7 @@ inline std::wstring name_of(const sins_budget_row &row) {
 inline Result find_shares(const sins::Simulator &sim, const Piece &piece, sins_requirement limits, double runs) {
     sins_budget_request request = sins::make<sins_budget_request>();
     std::vector<sins_budget_row> shares;
+    request.time_steps = 1;
     request.runs = (uint64_t)runs;
     request.position_m = limits.position_m;
     request.velocity_m_s = limits.velocity_m_s;

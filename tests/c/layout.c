@@ -137,7 +137,7 @@ SIZE(sins_flight_start, SINS_SIZEOF_FLIGHT_START, 72);
 AT(sins_flight_start, earth, 64);
 
 SIZE(sins_requirement, SINS_SIZEOF_REQUIREMENT, 48);
-AT(sins_requirement, reserved, 4);
+AT(sins_requirement, time_steps, 4);
 AT(sins_requirement, duration_s, 8);
 AT(sins_requirement, position_m, 16);
 AT(sins_requirement, attitude_rad, 32);
@@ -154,7 +154,7 @@ AT(sins_cost, ns_per_step, 80);
 AT(sins_cost, tried, 88);
 
 SIZE(sins_budget_request, SINS_SIZEOF_BUDGET_REQUEST, 40);
-AT(sins_budget_request, reserved, 4);
+AT(sins_budget_request, time_steps, 4);
 AT(sins_budget_request, runs, 8);
 AT(sins_budget_request, attitude_rad, 32);
 
