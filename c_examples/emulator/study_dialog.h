@@ -24,6 +24,7 @@ inline Result find_options(const sins::Simulator &sim, const Piece &piece, sins_
     sins_options options = sins::make<sins_options>();
     const Key &scheme = *key_of("options.scheme");
     limits.duration_s = duration_s;
+    limits.time_steps = 1;
     bool is_met = sim.recommend(piece.data(), piece.size(), limits, options, cost);
     Rows rows = rows_of("recommend_rows", {scheme.word_label(scheme.choices()[options.scheme]),
                                            std::to_wstring(options.subsamples),
