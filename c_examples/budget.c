@@ -92,6 +92,7 @@ static sins_status ask(const sins_flight_sample *samples)
     sins_status status = configure(&sim);
 
     SINS_INIT(request);
+    request.time_steps = 1;
     request.position_m = 10.0;
     SINS_INIT(budget);
     SINS_INIT(rows[0]); /* struct_size of the first row is the distance between rows */

@@ -111,6 +111,7 @@ static sins_status ask_and_fly(sins_flight *flight, sins_flight_sample *piece)
         status = checked(sins_flight_sample_at(flight, (double)k / RATE_HZ, &piece[k]), NULL);
     }
     SINS_INIT(requirement);
+    requirement.time_steps = 1;
     requirement.position_m = 1.0;
     requirement.duration_s = FLIGHT_S;
     SINS_INIT(options); /* a host uses its own options; here: the defaults, at 50 Hz */

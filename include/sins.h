@@ -2198,8 +2198,8 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
 typedef struct sins_requirement {
     /** sizeof(sins_requirement) */
     uint32_t struct_size;
-    /** Must be 0. */
-    uint32_t reserved;
+    /** 1: measure ns_per_step, in 9 rounds of about 1000 steps; 0: it is 0. */
+    uint32_t time_steps;
     /**
      * Duration for which the limits hold, 0 to 1e6 [s]. If it is shorter than the piece of flight that is given to
      * sins_recommend(), it is the length of that piece.
@@ -2249,8 +2249,8 @@ typedef struct sins_cost {
      */
     double instructions_per_step;
     /**
-     * Time of push and step of one sample, measured in this call on this machine, with the recommended options, the
-     * mounting, and ideal sensors [ns].
+     * Time of push and step of one sample, measured in this call on this machine if time_steps is 1, else 0, with the
+     * recommended options, the mounting, and ideal sensors [ns].
      */
     double ns_per_step;
     /** Number of algorithms that were tried, including the recommended one. */
@@ -2265,6 +2265,9 @@ typedef struct sins_cost {
  * the start, and neither steps nor changes the simulator. NULL is the recommended simulator with its sensor block at the
  * reference point. The output `options` gets the options of configured, ready for sins_create(). Only scheme, subsamples and
  * updates_per_sample are replaced by the recommended values. The values of these three in configured do not matter.
+ *
+ * The piece must contain the hardest motion of the flight: its largest rates, specific forces and vibration. A calmer piece,
+ * such as the time on the ramp, gives an answer that is false for the flight. The plainest piece is the whole flight.
  *
  * Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
  * reference: a solution of SINS_SCHEME_POLYNOMIAL in Earth-fixed axes with 16 updates of 5 subsamples. The uncertainty of
@@ -2333,7 +2336,7 @@ typedef struct sins_budget_row {
     double share;
     /**
      * Time of a step with all effects, less that of a step without this one; in the first row, time of a step with no effect
-     * set. Measured in this call on this machine [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may be
+     * set. Measured in this call on this machine if time_steps is 1, else 0 [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may be
      * negative.
      */
     double ns_per_step;
@@ -2379,7 +2382,7 @@ typedef struct sins_budget {
     double left_out_velocity_m_s;
     /** Change of the misalignment if the marked effects are left out, likewise [rad]. */
     double left_out_attitude_rad;
-    /** Time of a step with all effects, measured in this call on this machine [ns]. */
+    /** Time of a step with all effects, measured in this call on this machine if time_steps is 1, else 0 [ns]. */
     double ns_per_step;
 } sins_budget;
 
@@ -2387,8 +2390,8 @@ typedef struct sins_budget {
 typedef struct sins_budget_request {
     /** sizeof(sins_budget_request) */
     uint32_t struct_size;
-    /** Must be 0. */
-    uint32_t reserved;
+    /** 1: measure the figures ns_per_step; 0: they are 0. */
+    uint32_t time_steps;
     /** Number of runs with all effects together, if any effect is random, 8 to 1000; 0: 16. */
     uint64_t runs;
     /**
@@ -2438,6 +2441,7 @@ typedef struct sins_budget_request {
  * allocates, and flies the samples many times, each time in 0.6 to 1.5 us a sample. It flies them once with no effect, once
  * for each effect, once in each run with all effects together, and, if there are random effects, once in each run with the
  * random effects alone. With limits it flies them once more in each run, and further times if effects do not add up.
+ * time_steps adds 61 rounds of about 250 steps with no effect, with all, and without each effect.
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
  * (To ask for the number, give NULL for rows and a capacity of 0.)

@@ -24,6 +24,7 @@ inline Result find_options(const sins::Simulator &sim, const Piece &piece, sins_
     sins_options options = sins::make<sins_options>();
     const Key &scheme = *key_of("options.scheme");
     limits.duration_s = duration_s;
+    limits.time_steps = 1;
     bool is_met = sim.recommend(piece.data(), piece.size(), limits, options, cost);
     Rows rows = rows_of("recommend_rows", {scheme.word_label(scheme.choices()[options.scheme]),
                                            std::to_wstring(options.subsamples),
@@ -51,6 +52,7 @@ inline std::wstring name_of(const sins_budget_row &row) {
 inline Result find_shares(const sins::Simulator &sim, const Piece &piece, sins_requirement limits, double runs) {
     sins_budget_request request = sins::make<sins_budget_request>();
     std::vector<sins_budget_row> shares;
+    request.time_steps = 1;
     request.runs = (uint64_t)runs;
     request.position_m = limits.position_m;
     request.velocity_m_s = limits.velocity_m_s;
@@ -134,7 +136,7 @@ protected:
         enable(IDC_ADOPT, false);
         set(IDC_LIMIT, &kind_ == &RECOMMEND ? L"1" : L"");
         set(IDC_FROM, L"0");
-        set(IDC_TO, shown(min(duration_s, 600.0), 10));
+        set(IDC_TO, shown(&kind_ == &RECOMMEND ? duration_s : min(duration_s, 600.0), 10));
         for (int id : {IDC_FROM, IDC_TO})
             tip(item(id), text("range", {L"0", shown(duration_s, 10)}));
         for (int id : {IDC_LIMIT, IDC_LIMIT + 1, IDC_LIMIT + 2})

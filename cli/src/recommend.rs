@@ -16,7 +16,7 @@ use crate::units::{brief_parts, time_text, two_digits};
 
 /// Finds the cheapest options that meet a required accuracy
 ///
-/// Flies a piece of the scene with each algorithm, cheapest first, and compares it with a reference of known uncertainty. The
+/// Flies the scene with each algorithm, cheapest first, and compares it with a reference of known uncertainty. The
 /// limits are those of the errors that the algorithm itself causes, at any time. Options and mounting are those of the scene.
 /// Sensor errors, also those of --preset, do not matter.
 #[derive(Debug, clap::Args)]
@@ -31,9 +31,9 @@ pub struct Order {
     /// Start of the piece that is flown
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0)]
     pub from: f64,
-    /// Length of the piece that is flown
-    #[arg(long, value_name = "SECONDS", default_value_t = 120.0)]
-    pub piece: f64,
+    /// Length of the piece that is flown; it must contain the hardest motion of the scene [default: to the end]
+    #[arg(long, value_name = "SECONDS")]
+    pub piece: Option<f64>,
     /// Factor by which the predicted error must be smaller than the required one
     #[arg(long, default_value_t = 2.0)]
     pub margin: f64,
@@ -64,7 +64,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     })?;
     drop(working);
     let ns = step_time_ns(&setup.with(&answer.rung), &samples)?;
-    print(&text(&given, &answer, ns))?;
+    print(&text(&given, &answer, ns, &judged(&given, first, samples.len())))?;
     if answer.met {
         return Ok(());
     }
@@ -79,24 +79,43 @@ pub fn run(order: &Order) -> Result<(), Failure> {
 fn piece(order: &Order, given: &Given) -> Result<(usize, Vec<FlightSample>), Failure> {
     let at = |seconds: f64| (seconds / given.period_s).round() as usize;
     let first = at(order.from.max(0.0));
-    let count = (at(order.piece.max(0.0)) + 1).min(MAX_SAMPLES).min(given.count.saturating_sub(first));
+    let rest = given.count.saturating_sub(first);
+    let count = order.piece.map_or(rest, |piece_s| rest.min(at(piece_s.max(0.0)) + 1));
+    let wrong = |what: &str| {
+        let piece = order.piece.map_or_else(String::new, |piece_s| format!(" --piece {piece_s}"));
+        let from = order.from;
+        Err(Failure::new(format!("--from {from}{piece}: {what}; it lasts {:.6} s", given.duration_s)))
+    };
     if count < 2 {
-        let what = format!(
-            "--from {} --piece {}: the scene has no two samples there; it lasts {:.6} s",
-            order.from, order.piece, given.duration_s
-        );
-        return Err(Failure::new(what));
+        return wrong("the scene has no two samples there");
+    }
+    if count > MAX_SAMPLES {
+        return wrong(&format!(
+            "{count} samples of the scene are more than {MAX_SAMPLES}; choose its hardest part with --from and --piece"
+        ));
     }
     let samples = (first..first + count).map(|index| given.sample(index)).collect::<Result<_, _>>()?;
     Ok((first, samples))
 }
 
+/// The part of the scene by which the algorithms were judged.
+fn judged(given: &Given, first: usize, count: usize) -> String {
+    if count == given.count {
+        return format!("judged by the whole scene of {:.6} s", given.duration_s);
+    }
+    let (from_s, piece_s) = (first as f64 * given.period_s, (count - 1) as f64 * given.period_s);
+    format!(
+        "judged by {piece_s:.6} s from {from_s:.6} s, of {:.6} s; true only if no other part is harder",
+        given.duration_s
+    )
+}
+
 /// Text of the answer: the options as in a scene, and their remaining errors.
-fn text(given: &Given, answer: &Recommendation, ns: f64) -> String {
+fn text(given: &Given, answer: &Recommendation, ns: f64, judged: &str) -> String {
     let scheme = scheme_name(answer.rung.scheme);
     format!(
         "# {}: {}\n[options]\nscheme = \"{scheme}\"\nsubsamples = {}\nupdates_per_sample = {}\n\n\
-         error within {}: {}\n  of which uncertainty of the reference: {}\na step takes {ns:.0} ns on this machine; {} algorithms were tried\n",
+         {judged}\nerror within {}: {}\n  of which uncertainty of the reference: {}\na step takes {ns:.0} ns on this machine; {} algorithms were tried\n",
         given.origin,
         given.title,
         answer.rung.subsamples,

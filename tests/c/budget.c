@@ -65,7 +65,7 @@ static void answers(void)
 {
     sins_budget_row rows[ROWS];
     sins_budget budget = {.struct_size = sizeof budget}, again = {.struct_size = sizeof again};
-    sins_budget_request request = {.struct_size = sizeof request, .position_m = 1.0, .runs = 8};
+    sins_budget_request request = {.struct_size = sizeof request, .time_steps = 1, .position_m = 1.0, .runs = 8};
     const sins_budget_row *row;
     size_t written = 0;
 
@@ -131,7 +131,7 @@ static void refusals(void)
         bad.member = value;                                                                              \
         CHECK(refused(&bad, COUNT, ROWS, sentence) == SINS_ERROR_INVALID_ARGUMENT);                      \
     } while (0)
-    BAD_REQUEST(reserved, 1, "request.reserved = 1: must be 0");
+    BAD_REQUEST(time_steps, 2, "request.time_steps = 2: must be from 0 to 1");
     BAD_REQUEST(runs, 7, "request.runs = 7: must be from 8 to 1000");
     BAD_REQUEST(runs, UINT64_MAX, "request.runs = 18446744073709551615: must be from 8 to 1000");
     BAD_REQUEST(position_m, -1.0, "request.position_m = -1");

@@ -365,7 +365,7 @@ AT(sins_manoeuvre, phase_rad, 192);
 
 SIZE(sins_requirement, SINS_SIZEOF_REQUIREMENT, 48);
 AT(sins_requirement, struct_size, 0);
-AT(sins_requirement, reserved, 4);
+AT(sins_requirement, time_steps, 4);
 AT(sins_requirement, duration_s, 8);
 AT(sins_requirement, position_m, 16);
 AT(sins_requirement, velocity_m_s, 24);
@@ -389,7 +389,7 @@ AT(sins_cost, tried, 88);
 
 SIZE(sins_budget_request, SINS_SIZEOF_BUDGET_REQUEST, 40);
 AT(sins_budget_request, struct_size, 0);
-AT(sins_budget_request, reserved, 4);
+AT(sins_budget_request, time_steps, 4);
 AT(sins_budget_request, runs, 8);
 AT(sins_budget_request, position_m, 16);
 AT(sins_budget_request, velocity_m_s, 24);

@@ -46,7 +46,7 @@ static void same_simulator(sins_sim *sim, const unsigned char *before, size_t si
 static void answers(void)
 {
     static unsigned char before[SINS_SNAPSHOT_MAX_SIZE];
-    sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1e-4, .duration_s = 10.0};
+    sins_requirement requirement = {.struct_size = sizeof requirement, .time_steps = 1, .position_m = 1e-4, .duration_s = 10.0};
     sins_options options = {.struct_size = sizeof options}, again = {.struct_size = sizeof again}, given;
     sins_cost cost = {.struct_size = sizeof cost}, other = {.struct_size = sizeof other};
     sins_mounting mounting = {.struct_size = sizeof mounting, .lever_arm_m = {20.0, 90.0, -50.0}};
@@ -156,7 +156,7 @@ static void refusals(void)
         bad.field = value;                                                                               \
         CHECK(refused(NULL, piece, COUNT, bad, sentence) == SINS_ERROR_INVALID_ARGUMENT);                \
     } while (0)
-    BAD_REQUIREMENT(reserved, 1, "requirement.reserved = 1: must be 0");
+    BAD_REQUIREMENT(time_steps, 2, "requirement.time_steps = 2: must be from 0 to 1");
     BAD_REQUIREMENT(duration_s, -1.0, "requirement.duration_s = -1: must be from 0 to 1000000");
     BAD_REQUIREMENT(duration_s, 1e300, "requirement.duration_s = 1e300");
     BAD_REQUIREMENT(position_m, -1.0, "requirement.position_m = -1");

@@ -76,7 +76,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     }
     points_file.finish(records::points(&surveys, &instructions)?)?;
     scenes_file.finish(records::scenes(&surveys)?)?;
-    let table = table::table(&surveys, effort.duration_s);
+    let table = table::table(&surveys);
     table_file.finish(format!("{TABLE_MARK}\n\n{table}"))?;
     print(&table)?;
     print(

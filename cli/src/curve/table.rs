@@ -7,18 +7,18 @@ use crate::units::{self, brief, time_text, two_digits};
 /// Accuracies of the columns, with their names [m].
 const ACCURACIES_M: [(&str, f64); 4] = [("100 m", 100.0), ("1 m", 1.0), ("1 cm", 0.01), ("1 mm", 0.001)];
 
-/// Table as Markdown: a row for each scene. Accuracies are errors after `span_s` [s].
-pub fn table(surveys: &[Survey], span_s: f64) -> String {
-    let span = if span_s == 3600.0 { "an hour".to_owned() } else { time_text(span_s) };
-    let mut text = String::from("| scene |");
+/// Table as Markdown: a row for each scene. Accuracies are the largest errors in the time for which a scene is flown: errors of a
+/// longer time cannot be derived from them.
+pub fn table(surveys: &[Survey]) -> String {
+    let mut text = String::from("| scene | flown for |");
     for (name, _) in ACCURACIES_M {
-        text += &format!(" {name} in {span} |");
+        text += &format!(" {name} |");
     }
-    text += " sensors' own error |\n|---|---|---|---|---|---|\n";
+    text += " sensors' own error |\n|---|---|---|---|---|---|---|\n";
     for survey in surveys {
-        text += &format!("| {}: {} |", survey.name, survey.title);
+        text += &format!("| {}: {} | {} |", survey.name, survey.title, time_text(survey.duration_s));
         for (_, position_m) in ACCURACIES_M {
-            text += &format!(" {} |", cell(survey, position_m, span_s));
+            text += &format!(" {} |", cell(survey, position_m));
         }
         let [navigation, tactical] = survey.sensors_m.map(rounded);
         text += &format!(" {navigation}; {tactical} |\n");
@@ -26,10 +26,9 @@ pub fn table(surveys: &[Survey], span_s: f64) -> String {
     text
 }
 
-/// The cheapest configuration with an error of at most `position_m` [m] in `span_s` [s]. For a scene of another duration, the limit
-/// is scaled in proportion.
-fn cell(survey: &Survey, position_m: f64, span_s: f64) -> String {
-    match cheapest(&survey.points, position_m * survey.duration_s / span_s) {
+/// The cheapest configuration with an error of at most `position_m` [m] in the scene.
+fn cell(survey: &Survey, position_m: f64) -> String {
+    match cheapest(&survey.points, position_m) {
         Some((point, measured)) => format!(
             "{} @ {} Hz, {} µs",
             point.configuration.name(),
@@ -57,20 +56,18 @@ mod tests {
 
     #[test]
     fn the_cheapest_for_each_accuracy() {
-        let mut points = vec![made(0, 5e3, 20.0), made(3, 8.14e3, 0.4), made(4, 9e3, 2e-4)];
+        let mut points = vec![made(0, 5e3, 20.0), made(3, 8.14e3, 0.6), made(4, 9e3, 2e-4)];
         front::mark(&mut points);
-        let surveys = [Survey::made("loop", 1800.0, points, [1234.0, 45_600.0])];
-        assert!(super::table(&surveys, 120.0).starts_with("| scene | 100 m in 2 min |"));
-        let table = table(&surveys, 3600.0);
-        assert!(table.starts_with("| scene | 100 m in an hour |"));
+        let table = table(&[Survey::made("loop", 1800.0, points, [1234.0, 45_600.0])]);
+        assert!(table.starts_with("| scene | flown for | 100 m |"));
         let row = table.lines().nth(2).unwrap();
         let cells: Vec<&str> = row.split('|').map(str::trim).collect();
-        assert_eq!(cells[1], "loop: made");
-        assert_eq!(cells[2], "paper 1 @ 50 Hz, 5.0 µs");
-        // 0.4 m in half an hour are 0.8 m in an hour.
-        assert_eq!(cells[3], "exact 2 @ 50 Hz, 8.1 µs");
-        assert_eq!((cells[4], cells[5]), ("exact 3 @ 50 Hz, 9.0 µs", "exact 3 @ 50 Hz, 9.0 µs"));
-        assert_eq!(cells[6], "1.2 km; 46 km");
+        assert_eq!((cells[1], cells[2]), ("loop: made", "30 min"));
+        assert_eq!(cells[3], "paper 1 @ 50 Hz, 5.0 µs");
+        // 0.6 m in the half hour: the limit is not scaled to an hour, where it would be 0.5 m.
+        assert_eq!(cells[4], "exact 2 @ 50 Hz, 8.1 µs");
+        assert_eq!((cells[5], cells[6]), ("exact 3 @ 50 Hz, 9.0 µs", "exact 3 @ 50 Hz, 9.0 µs"));
+        assert_eq!(cells[7], "1.2 km; 46 km");
     }
 
     #[test]

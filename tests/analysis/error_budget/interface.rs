@@ -75,7 +75,7 @@ fn the_interface_has_the_same_answer() {
     gyro.random_walk_rad_sqrt_s = [1e-4; 3];
     let request = sins_budget_request {
         struct_size: size_of::<sins_budget_request>() as u32,
-        reserved: 0,
+        time_steps: 1,
         runs: 0,
         position_m: 0.0,
         velocity_m_s: 0.0,

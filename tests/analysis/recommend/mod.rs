@@ -53,7 +53,7 @@ fn asked_through_the_interface(
     let samples: Vec<sins_flight_sample> = samples.iter().map(Into::into).collect();
     let requirement = sins_requirement {
         struct_size: size_of::<sins_requirement>() as u32,
-        reserved: 0,
+        time_steps: 0,
         duration_s: requirement.duration_s,
         position_m: requirement.position_m,
         velocity_m_s: requirement.velocity_m_s,
