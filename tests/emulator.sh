@@ -187,6 +187,7 @@ check() {
     cmp "$folder/flown/exercise.toml" "$folder/flown/again.toml"
     cmp "$folder/flown/expected/exercise.csv" "$folder/flown/new.csv"
     [ "$(identify -format %k "$folder/flown/again.png")" -gt 10 ] || fail "again.png shows nothing"
+    drive driver keys -- /language en /scene rest
     drive driver studies -- /language en /scene patrol
     drive driver sentence -- /language zh
     [ "$(grep -c '须' "$folder/said")" -eq 2 ] || fail "a sentence is not in Chinese: of a text, of a struct"

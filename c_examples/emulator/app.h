@@ -29,7 +29,10 @@ public:
         return changes_language_;
     }
 
-    void edited(const std::wstring &fault) override { show_scene(fault, false); }
+    void edited(const std::wstring &fault) override {
+        note_change();
+        show_scene(fault, false);
+    }
 
     void named(bool is_other) override {
         build_menu();
@@ -51,7 +54,7 @@ public:
         std::wstring name = path.stem();
         size_t builtin = id - ID_BUILTIN, recent = id - ID_RECENT, page = id - ID_PAGE;
         leave_field();
-        if (flight == NULL && id >= ID_EXPORT && id <= ID_STOP) {
+        if (flight == NULL && ((id >= ID_EXPORT && id <= ID_STOP) || id == ID_PRINT)) {
             say_line(text("nothing_flown"));
             return;
         }
@@ -66,6 +69,12 @@ public:
         case ID_EXPORT: export_records(ask_file(window_, true, "filter_csv", L"csv", name)); break;
         case ID_PICTURE: save_picture(ask_file(window_, true, "filter_png", L"png", name)); break;
         case ID_COPY: say_line(text(display_->plot().copy() ? "copied" : "not_copied")); break;
+        case ID_PRINT: display_->plot().print(window_, name); break;
+        case ID_UNDO: /* rejected input first */
+            if (std::none_of(pages_, pages_ + 3, [](auto &own) { return own->has_marks(); }))
+                undo();
+            show_scene(L"", true);
+            break;
         case ID_QUIT: SendMessageW(window_, WM_CLOSE, 0, 0); return;
         case ID_FLY: fly(); break;
         case ID_PAUSE: flight->pause(flight->status().state == Flight::FLYING); break;
@@ -84,7 +93,8 @@ public:
         case ID_BUDGET: StudyDialog(*this, BUDGET).modal(window_, IDD_STUDY); break;
         case ID_ENGLISH:
         case ID_CHINESE: change_language(id == ID_CHINESE); return;
-        case ID_ABOUT: say(window_, text("about", {wide(sins::version_string())}), MB_ICONINFORMATION); break;
+        case ID_ABOUT: say(window_, lines("about", wide(sins::version_string())), MB_ICONINFORMATION); break;
+        case ID_HELP_KEYS: say(window_, lines("help"), MB_ICONINFORMATION); break;
         default:
             if (builtin < builtins_.size())
                 open_builtin(narrow(builtins_[builtin]));
@@ -115,6 +125,7 @@ protected:
             pages_[k]->create(window_, IDD_TRAJECTORY + k);
         }
         MoveWindow(window_, place_.left, place_.top, place_.right - place_.left, place_.bottom - place_.top, FALSE);
+        SendMessageW(window_, WM_SETICON, ICON_BIG, (LPARAM)LoadIconW(GetModuleHandleW(NULL), MAKEINTRESOURCEW(IDR_ICON)));
         named(true);
         show_page(page_);
         SetTimer(window_, 1, 100, NULL);
@@ -197,6 +208,13 @@ private:
             ShowWindow(pages_[k]->window(), k == index ? SW_SHOW : SW_HIDE);
         SetWindowPos(pages_[index]->window(), HWND_TOP, 0, 0, 0, 0, SWP_NOMOVE | SWP_NOSIZE);
         RedrawWindow(window_, NULL, NULL, RDW_INVALIDATE | RDW_ALLCHILDREN | RDW_UPDATENOW);
+    }
+
+    /* A text with a line for each part. */
+    static std::wstring lines(const std::string &name, const std::wstring &value = L"") {
+        std::wstring all = text(name, {value});
+        std::replace(all.begin(), all.end(), L';', L'\n');
+        return all;
     }
 
     void show_scene(const std::wstring &fault, bool all_is_new) {

@@ -21,6 +21,8 @@ static const std::vector<Unit> UNITS[] = {
     {{L"\u00b0", DEG}},
     {{L"s", 1}, {L"min", 60}, {L"h", 3600}},
 };
+/* Smallest range of an axis of each quantity [SI]: smaller errors are rounding. */
+static const double FLOORS[] = {1e-3, 1e-5, 0.01 * DEG / 3600, 1e-3 * DEG / 3600, 0.01 * 9.80665e-6, 1e-9, 0};
 
 struct Trace {
     std::wstring name;
@@ -88,6 +90,16 @@ public:
         return first.x.at(first.share(pixel));
     }
 
+    /* The largest unit that fits into a range at least twice. */
+    static Unit unit_for(Quantity quantity, Range range) {
+        const std::vector<Unit> &units = UNITS[quantity];
+        double size = max(std::fabs(range.low), std::fabs(range.high));
+        size_t k = units.size() - 1;
+        while (k > 0 && size < 2 * units[k].si)
+            k--;
+        return units[k];
+    }
+
 private:
     static const COLORREF FRAME = RGB(150, 150, 150), GRID = RGB(228, 228, 228), INK = RGB(60, 60, 60);
     static constexpr double DECADES = 8; /* largest number of decades of a logarithmic axis */
@@ -104,16 +116,6 @@ private:
         }
     };
 
-    /* The largest unit that fits into a range at least twice. */
-    static Unit unit_for(Quantity quantity, Range range) {
-        const std::vector<Unit> &units = UNITS[quantity];
-        double size = max(std::fabs(range.low), std::fabs(range.high));
-        size_t k = units.size() - 1;
-        while (k > 0 && size < 2 * units[k].si)
-            k--;
-        return units[k];
-    }
-
     /* A value on a logarithmic axis. */
     static double level(double value, Unit unit) { return std::log10(max(std::fabs(value), 1e-300) / unit.si); }
 
@@ -128,8 +130,9 @@ private:
         }
         if (all.low > all.high)
             return {-1, 1};
-        double top = std::ceil(all.high), span = all.high - all.low;
-        double margin = span > 0 ? 0.06 * span : max(1e-12, 0.1 * std::fabs(all.high));
+        double least = FLOORS[panel.quantity], span = all.high - all.low, size = std::fabs(all.high);
+        double top = std::ceil(is_logarithmic ? max(all.high, level(least, unit)) : all.high);
+        double margin = max(span > 1e-6 * size ? 0.06 * span : 0.1 * size, (least - span) / 2); /* ticks have 6 digits */
         return is_logarithmic ? Range{std::clamp(std::floor(all.low), top - DECADES, top - 1), top}
                               : Range{all.low - margin, all.high + margin};
     }

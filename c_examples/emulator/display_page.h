@@ -13,16 +13,18 @@ public:
     /* Shows the flight so far. */
     void update() {
         Flight *flight = document_.flight.get();
-        bool has_model = false;
+        bool has_model = true, is_old = false;
         if (flight != NULL) {
             Flight::Status status = flight->status();
             has_model = (status.record.model_errors.flags & SINS_ERRORS_NOT_COMPUTED) == 0;
-            show_values(status);
+            is_old = flight->settings() != scene_.write();
+            draw(flight->curves(), has_model, is_old);
+            show_values(status, has_model, is_old);
         } else {
             rows(IDC_VALUES, {});
             set(IDC_PROGRESS, text("ready"));
+            draw(Curves(), has_model, is_old);
         }
-        draw(flight != NULL ? flight->curves() : Curves(), has_model);
     }
 
 protected:
@@ -60,8 +62,8 @@ private:
         {FORCE, ACCELERATION, "axes_xyz", NULL},      {ATTITUDE, ANGLE, "axes_rph", "values"},
         {VELOCITY, SPEED, "axes_enu", "values"},      {PLACE, DEGREES, "track", "values"}};
 
-    void draw(const Curves &curves, bool has_model) {
-        static const COLORREF NEW = RGB(0, 70, 160), OTHER = RGB(255, 150, 60);
+    void draw(const Curves &curves, bool has_model, bool is_old) {
+        const COLORREF NEW = is_old ? RGB(120, 120, 120) : RGB(0, 70, 160), OTHER = is_old ? RGB(200, 200, 200) : RGB(255, 150, 60);
         const View &view = VIEWS[chosen(IDC_QUANTITY)];
         const bool is_map = view.channel == PLACE, has_two = view.data != NULL, is_error = view.channel < ATTITUDE;
         const bool has_below = has_two && checked(IDC_DATA1) && (has_model || !is_error);
@@ -84,7 +86,7 @@ private:
             set(IDC_AXIS + k, is_map ? get(IDC_AXIS + k) : axes[k]);
         }
         for (int k = 0; k < 2; k++) {
-            enable(IDC_DATA2 + k, has_two);
+            enable(IDC_DATA2 + k, has_two && (k == 0 || has_model || !is_error));
             set(IDC_DATA2 + k, names[k]);
         }
         plot_.show(panels, is_map ? DEGREES : DURATION, checked(IDC_LOGARITHMIC));
@@ -100,7 +102,7 @@ private:
         return text;
     }
 
-    void show_values(const Flight::Status &status) {
+    void show_values(const Flight::Status &status, bool has_model, bool is_old) {
         const sins_record_solution &truth = status.record.truth, &navigation = status.record.navigation;
         const sins_record_errors &errors = status.record.navigation_errors, &model = status.record.model_errors;
         const sins_accuracy &accuracy = status.accuracy;
@@ -108,21 +110,25 @@ private:
         auto rate = [&](double m_s) {
             return accuracy.window_samples > 1 ? shown(m_s / SINS_NMI_PER_HOUR, 4) : L"-";
         };
-        rows(IDC_VALUES, rows_of("progress", {shown(navigation.latitude_rad / SINS_DEG, 9),
-                                              shown(navigation.longitude_rad / SINS_DEG, 9),
-                                              shown(navigation.height_m, 7),
-                                              of_three(navigation.velocity_enu_m_s, 1),
-                                              of_three(&navigation.roll_rad, SINS_DEG),
-                                              of_three(&truth.roll_rad, SINS_DEG),
-                                              of_three(errors.position_enu_m, 1),
-                                              of_three(model.position_enu_m, 1),
-                                              of_three(errors.velocity_enu_m_s, 1),
-                                              of_three(errors.misalignment_enu_rad, SINS_ARCMIN),
-                                              shown(std::hypot(closure[0], closure[1]), 5),
-                                              rate(accuracy.cep_rate_m_s),
-                                              rate(accuracy.radial_95_rate_m_s)}));
-        std::wstring time = shown(status.time_s / 3600, 6) + L" / " + shown(status.duration_s / 3600, 6);
-        set(IDC_PROGRESS, parts("states")[status.state] + L"\n" + time + L" h");
+        Rows values = rows_of("progress", {shown(navigation.latitude_rad / SINS_DEG, 9),
+                                         shown(navigation.longitude_rad / SINS_DEG, 9),
+                                         shown(navigation.height_m, 7),
+                                         of_three(navigation.velocity_enu_m_s, 1),
+                                         of_three(&navigation.roll_rad, SINS_DEG),
+                                         of_three(&truth.roll_rad, SINS_DEG),
+                                         of_three(errors.position_enu_m, 1),
+                                         of_three(model.position_enu_m, 1),
+                                         of_three(errors.velocity_enu_m_s, 1),
+                                         of_three(errors.misalignment_enu_rad, SINS_ARCMIN),
+                                         shown(std::hypot(closure[0], closure[1]), 5),
+                                         rate(accuracy.cep_rate_m_s),
+                                         rate(accuracy.radial_95_rate_m_s)});
+        if (!has_model)
+            values.erase(values.begin() + 7); /* error data 1 */
+        rows(IDC_VALUES, values);
+        Unit unit = plot_.time_unit(status.duration_s);
+        std::wstring time = shown(status.time_s / unit.si, 6) + L" / " + shown(status.duration_s / unit.si, 6) + L" " + unit.name;
+        set(IDC_PROGRESS, parts("states")[status.state] + (is_old ? text("old") : L"") + L"\n" + time);
         if (status.state == Flight::FAILED)
             document_.say_line(status.sentence);
         enable(ID_GO_BACK, status.snapshot_s >= 0);

@@ -116,11 +116,30 @@ public:
 protected:
     ~Document() = default;
 
+    /* Notes the scene before a change, for undo(). */
+    void note_change() {
+        std::string now = scene.write();
+        if (now != current_)
+            earlier_.push_back(std::exchange(current_, now));
+    }
+
+    /* Takes the last change of the scene back. */
+    void undo() {
+        if (earlier_.empty())
+            return;
+        current_ = std::move(earlier_.back());
+        earlier_.pop_back();
+        scene = sins::Scene(current_);
+        if (flight != NULL)
+            flight->plan(scene);
+    }
+
     Texts recent_ = split(registry_text(L"Recent"), L'|'); /* recently opened files */
 
 private:
     void replace(sins::Scene &&other, const fs::path &file) {
         scene = std::move(other);
+        earlier_.clear();
         flight.reset();
         remember(file);
         named(true);
@@ -129,7 +148,7 @@ private:
     /* Notes that this file has the current scene. */
     void remember(const fs::path &file) {
         path = file;
-        saved_ = scene.write();
+        saved_ = current_ = scene.write();
         if (file.empty())
             return;
         std::erase(recent_, file.wstring());
@@ -141,7 +160,9 @@ private:
         set_registry_text(L"Recent", all);
     }
 
-    std::string saved_ = scene.write(); /* text of the scene when it was opened or saved */
+    std::string current_ = scene.write();
+    std::vector<std::string> earlier_; /* texts of the scene before its changes */
+    std::string saved_ = current_; /* text of the scene when it was opened or saved */
 };
 
 /* A page of the main window. The value of a field is set in the scene when the user leaves the field. */

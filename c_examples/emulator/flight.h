@@ -92,7 +92,12 @@ public:
             if (!stays) /* prepare() does not clear an output without planned failures */
                 sim_.set_failure(own.sensor, own.axis, sins::make<sins_failure>());
         }
-        scene_ = Scene(scene);
+        scene_.set_items("failure", scene.items("failure")); /* other settings are those of the start */
+    }
+
+    std::string settings() const {
+        auto held = hold();
+        return scene_.write();
     }
 
     void save_snapshot() {

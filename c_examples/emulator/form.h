@@ -55,12 +55,14 @@ protected:
     }
 
     /* Copies values from the scene to the controls. Marked input with a fault stays, unless all is new. */
-    void load(bool all_is_new) {
+    void load(bool all_is_new) { load(all_is_new, scene_); }
+
+    void load(bool all_is_new, const Scene &from) {
         for (Field &field : fields_) {
             if (marked_.count(field.control) != 0 && !all_is_new)
                 continue;
             mark(field.control, false);
-            field.loaded = scene_.get(path_of(field, field.is_in_si));
+            field.loaded = from.get(path_of(field, field.is_in_si));
             std::string value = unquoted(field.loaded);
             double number;
             if (!field.key->is_choice() && field.loaded == field.key->default_number())

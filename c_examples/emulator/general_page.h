@@ -9,7 +9,8 @@ public:
     void refresh(bool all_is_new) override {
         Rows lines;
         std::vector<const Key *> before = std::exchange(effects_, {});
-        enable(IDC_PRESET, section() == "gyro" || section() == "accelerometer");
+        for (int id : {IDC_PRESET, IDC_APPLY})
+            enable(id, section() == "gyro" || section() == "accelerometer");
         for (const Key &key : keys()) {
             if (key.section == section() && key.name != std::string("preset")) {
                 std::string value = scene_.get(key.path());
@@ -43,7 +44,7 @@ protected:
         } else if ((id == IDC_SECTION || id == IDC_UNIT) && code == CBN_SELCHANGE) {
             is_in_si_ = id == IDC_UNIT && chosen(IDC_UNIT) == 1;
             refresh(true);
-        } else if (id == IDC_PRESET && code == CBN_SELCHANGE && chosen(IDC_PRESET) > 0) {
+        } else if (id == IDC_APPLY && chosen(IDC_PRESET) > 0) {
             change(section() + ".preset", grades_[chosen(IDC_PRESET) - 1]);
             choose(IDC_PRESET, 0);
         } else if (id == IDC_OFF && effect() != NULL) {

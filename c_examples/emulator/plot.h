@@ -21,6 +21,36 @@ public:
         InvalidateRect(window_, NULL, FALSE);
     }
 
+    /* The unit of the axis of time; on a map, the unit for a duration. */
+    Unit time_unit(double duration_s) const {
+        return Diagram::unit_for(DURATION, diagram_.x_quantity == DURATION ? diagram_.seen_x() : Range{0, duration_s});
+    }
+
+    void print(HWND owner, const std::wstring &name) const {
+        PRINTDLGW ask = {.lStructSize = sizeof ask, .hwndOwner = owner, .Flags = PD_RETURNDC | PD_NOPAGENUMS | PD_NOSELECTION};
+        if (!PrintDlgW(&ask))
+            return;
+        DOCINFOW document = {.cbSize = sizeof document, .lpszDocName = name.c_str()};
+        ULONG_PTR token = 0;
+        Gdiplus::GdiplusStartupInput input;
+        Gdiplus::GdiplusStartup(&token, &input, NULL);
+        HBITMAP bitmap = picture(2000, 1400, -1);
+        bool done = StartDocW(ask.hDC, &document) > 0 && StartPage(ask.hDC) > 0;
+        if (done) {
+            int width = GetDeviceCaps(ask.hDC, HORZRES), height = min(width * 7 / 10, GetDeviceCaps(ask.hDC, VERTRES));
+            Gdiplus::Graphics page(ask.hDC);
+            Gdiplus::Bitmap drawn(bitmap, (HPALETTE)NULL);
+            page.SetPageUnit(Gdiplus::UnitPixel);
+            done = page.DrawImage(&drawn, 0, 0, width, height) == Gdiplus::Ok;
+        }
+        done = done && EndPage(ask.hDC) > 0 && EndDoc(ask.hDC) > 0;
+        DeleteObject(bitmap);
+        DeleteDC(ask.hDC);
+        Gdiplus::GdiplusShutdown(token);
+        if (!done)
+            throw Refusal(text("not_printed"));
+    }
+
     void save(const fs::path &path) const { /* PNG */
         static const CLSID PNG = {0x557cf406, 0x1a04, 0x11d3, {0x9a, 0x73, 0x00, 0x00, 0xf8, 0x1e, 0xf3, 0x2e}};
         ULONG_PTR token = 0;

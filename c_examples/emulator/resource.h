@@ -13,6 +13,7 @@
 #define IDR_MENU 120
 #define IDR_TEXTS 121
 #define IDR_KEYS 122
+#define IDR_ICON 123
 
 /* Main window. */
 #define IDC_TABS 890
@@ -47,6 +48,7 @@
 #define IDC_UNIT 1141
 #define IDC_SAME 1142
 #define IDC_OFF 1143
+#define IDC_APPLY 1144
 
 /* Display. */
 #define IDC_PLOT 1301
@@ -85,6 +87,8 @@
 #define ID_ENGLISH 2006
 #define ID_CHINESE 2007
 #define ID_ABOUT 2008
+#define ID_UNDO 2022
+#define ID_HELP_KEYS 2009
 #define ID_EXPORT 2010 /* from here on: buttons of the display; to ID_STOP: need a flight */
 #define ID_PICTURE 2011
 #define ID_COPY 2012
@@ -92,6 +96,7 @@
 #define ID_GO_BACK 2014
 #define ID_PAUSE 2015
 #define ID_STOP 2016
+#define ID_PRINT 2023 /* needs a flight too */
 #define ID_FLY 2017
 #define ID_RESET 2018
 #define ID_FAILURE 2019

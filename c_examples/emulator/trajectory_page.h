@@ -10,7 +10,13 @@ public:
         int source = scene_.setup().flight;
         bool is_path = source == SINS_SCENE_FLIGHT_MANOEUVRES, is_log = source == SINS_SCENE_FLIGHT_LOG;
         std::wstring builtin = wide(scene_.text(SINS_SCENE_TEXT_BUILTIN));
-        Page::refresh(all_is_new);
+        if (is_path || is_log) {
+            Page::refresh(all_is_new);
+        } else { /* the start of the built-in flight */
+            Scene same(scene_);
+            make_manoeuvres(same);
+            load(all_is_new, same);
+        }
         choose(IDC_SOURCE, std::find(SOURCES, std::end(SOURCES), source) - SOURCES);
         if (!builtin.empty())
             SendMessageW(item(IDC_BUILTIN), CB_SELECTSTRING, -1, (LPARAM)builtin.c_str());
@@ -82,7 +88,8 @@ private:
             std::string other = sins::Scene::builtin(name).text(SINS_SCENE_TEXT_BUILTIN);
             document_.edited(told(scene_.set({{"flight.builtin", other.empty() ? name : other}})));
         } else if (source == SINS_SCENE_FLIGHT_MANOEUVRES) {
-            make_manoeuvres();
+            make_manoeuvres(scene_);
+            document_.edited(L"");
         } else {
             fs::path path = ask_file(window_, false, "filter_log", L"csv");
             if (path.empty())
@@ -93,13 +100,12 @@ private:
     }
 
     /* Changes a built-in flight into manoeuvres that can be edited, and a log into the default flight. */
-    void make_manoeuvres() {
+    static void make_manoeuvres(Scene &scene) {
         sins_flight_start start = sins::make<sins_flight_start>();
         size_t repeat = 1;
-        bool is_log = scene_.setup().flight == SINS_SCENE_FLIGHT_LOG;
-        std::vector<sins_manoeuvre> all = (is_log ? Scene() : scene_).manoeuvres(start, repeat);
-        scene_.set_manoeuvres(start, all, repeat);
-        document_.edited(L"");
+        bool is_log = scene.setup().flight == SINS_SCENE_FLIGHT_LOG;
+        std::vector<sins_manoeuvre> all = (is_log ? Scene() : scene).manoeuvres(start, repeat);
+        scene.set_manoeuvres(start, all, repeat);
     }
 
     /* Adds, edits, moves or removes a manoeuvre. */

@@ -10,6 +10,7 @@
  *     driver studies       cancels a study, starts another at once, closes its dialog and the window while one computes
  *     driver edit          composes manoeuvres, takes a preset, types a value in SI and for one axis, pauses, stops and resets a
  *                          flight, saves the scene
+ *     driver keys          goes through the presets by the arrow key, applies one, and uses Ctrl+Z, F5, F1 and Ctrl+N
  *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line; asks
  *                          for a study beyond a limit of its struct, and prints the dialog's line
  */
@@ -296,6 +297,7 @@ static void edit(void)
 
     type(GetDlgItem(general, IDC_HOURS), L"soon");
     choose(general, IDC_PRESET, 4); /* tactical */
+    ask(general, WM_COMMAND, IDC_APPLY, 0);
     ask(GetDlgItem(general, IDC_HOURS), WM_GETTEXT, 16, (LPARAM)text);
     if (wcscmp(text, L"soon") != 0) {
         fail("a preset drops what was rejected in another field");
@@ -329,6 +331,57 @@ static void edit(void)
     printf("manoeuvres, a preset, units and axes edited; paused, stopped, reset\n");
 }
 
+static void press(BYTE key, int with_control)
+{
+    SetForegroundWindow(main_window);
+    Sleep(200);
+    if (with_control) {
+        keybd_event(VK_CONTROL, 0, 0, 0);
+    }
+    keybd_event(key, 0, 0, 0);
+    keybd_event(key, 0, KEYEVENTF_KEYUP, 0);
+    if (with_control) {
+        keybd_event(VK_CONTROL, 0, KEYEVENTF_KEYUP, 0);
+    }
+    Sleep(500);
+}
+
+static void keys(void)
+{
+    HWND general = page_of(IDC_SECTION), display = page_of(IDC_PROGRESS), presets = GetDlgItem(general, IDC_PRESET);
+    wchar_t text[256] = L"";
+    int k;
+    for (k = 1; k <= 4; k++) {
+        ask(presets, WM_KEYDOWN, VK_DOWN, 0);
+        if (ask(presets, CB_GETCURSEL, 0, 0) != k) {
+            fail("an arrow key does not choose the next preset");
+        }
+    }
+    expect_title(L"New scene - "); /* nothing was applied */
+    ask(general, WM_COMMAND, IDC_APPLY, 0);
+    expect_title(L"New scene* - ");
+    press('Z', 1);
+    expect_title(L"New scene - ");
+    press(VK_F5, 0);
+    wait_for_end(GetDlgItem(display, IDC_PROGRESS));
+    choose(general, IDC_PRESET, 4);
+    ask(general, WM_COMMAND, IDC_APPLY, 0);
+    Sleep(500);
+    ask(GetDlgItem(display, IDC_PROGRESS), WM_GETTEXT, 256, (LPARAM)text);
+    if (wcsstr(text, L"settings changed since") == NULL) {
+        fail("old curves are not marked");
+    }
+    press(VK_F1, 0);
+    answer(IDOK);
+    PostMessageW(main_window, WM_COMMAND, ID_ABOUT, 0);
+    answer(IDOK);
+    press('N', 1);
+    answer(IDNO);
+    expect_state(display, L"Ready");
+    close_window();
+    printf("presets by the arrow key and a button; Ctrl+Z, F5, F1 and Ctrl+N\n");
+}
+
 int main(int count, char **arguments)
 {
     const char *what = wait_for_window(count, arguments);
@@ -344,6 +397,8 @@ int main(int count, char **arguments)
         studies();
     } else if (strcmp(what, "edit") == 0) {
         edit();
+    } else if (strcmp(what, "keys") == 0) {
+        keys();
     } else if (strcmp(what, "sentence") == 0) {
         sentence();
     } else {
