@@ -28,7 +28,7 @@ fn words<T: Copy>(value: &T) -> Vec<u64> {
         .collect()
 }
 
-type Get<T> = unsafe extern "C" fn(*mut sins_sim, *mut T) -> sins_status;
+type Get<T> = unsafe extern "C-unwind" fn(*mut sins_sim, *mut T) -> sins_status;
 
 /// Asserts that the getter returns `set`.
 fn gives_back<T: Copy>(sim: *mut sins_sim, get: Get<T>, set: &T) {

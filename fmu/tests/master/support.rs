@@ -13,7 +13,7 @@ pub type Message = (c_int, String, String);
 /// Messages of an instance.
 pub type Messages = Vec<Message>;
 
-unsafe extern "C" fn log(
+unsafe extern "C-unwind" fn log(
     environment: *mut c_void,
     _name: *const c_char,
     status: c_int,
