@@ -1,7 +1,8 @@
 //! `sins recommend`: the cheapest options that meet a required accuracy on a scene.
 
+use sins::math::{attitude_from_euler, relative_rotation, rotation_vector};
 use sins::recommend::{
-    MAX_SAMPLES, Recommendation, Requirement, Setup, SolutionError, recommend, step_time_ns,
+    MAX_SAMPLES, Recommendation, Requirement, Setup, SolutionError, recommend_by, step_time_ns,
 };
 use sins::truth::FlightSample;
 
@@ -31,7 +32,7 @@ pub struct Order {
     /// Start of the piece that is flown
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0)]
     pub from: f64,
-    /// Length of the piece that is flown; it must contain the hardest motion of the scene [default: to the end]
+    /// Length of the piece that is flown; it must contain the hardest motion of the scene [default: the whole scene, or the hardest parts of a long one]
     #[arg(long, value_name = "SECONDS")]
     pub piece: Option<f64>,
     /// Factor by which the predicted error must be smaller than the required one
@@ -55,16 +56,17 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         margin: order.margin,
     };
     requirement.validate()?;
-    let (first, samples) = piece(order, &given)?;
+    let pieces = pieces(order, &given)?;
+    let samples: Vec<&[FlightSample]> = pieces.iter().map(|piece| &*piece.samples).collect();
     let setup = Setup { options: given.scene.simulator_options(), mounting: given.scene.errors.mounting };
     let working = Progress::working("trying the algorithms");
-    let answer = recommend(&setup, &samples, &requirement).map_err(|refusal| match refusal.sample {
-        Some(index) => given.failure_at(first + index, &refusal.error),
+    let answer = recommend_by(&setup, &samples, &requirement).map_err(|refusal| match refusal.sample {
+        Some(index) => given.failure_at(pieces[refusal.piece].first + index, &refusal.error),
         None => Failure::new(format!("{}: {}", given.origin, refusal.error)),
     })?;
     drop(working);
-    let ns = step_time_ns(&setup.with(&answer.rung), &samples)?;
-    print(&text(&given, &answer, ns, &judged(&given, first, samples.len())))?;
+    let ns = step_time_ns(&setup.with(&answer.rung), samples[0])?;
+    print(&text(&given, &answer, ns, &judged(&given, order, &pieces)))?;
     if answer.met {
         return Ok(());
     }
@@ -75,8 +77,31 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     Err(Failure::of_kind(Kind::NotMet, what))
 }
 
-/// Index of the first sample of the piece, and the samples.
-fn piece(order: &Order, given: &Given) -> Result<(usize, Vec<FlightSample>), Failure> {
+/// Number of pairs of intervals at which a longer scene is searched for its hardest parts.
+const SEARCHED: usize = 300_000;
+/// Length of a piece of a longer scene [s].
+const PIECE_S: f64 = 60.0;
+
+/// A part of the scene.
+struct Piece {
+    /// Index of its first sample.
+    first: usize,
+    samples: Vec<FlightSample>,
+}
+
+impl Piece {
+    fn new(given: &Given, first: usize, count: usize) -> Result<Self, Failure> {
+        let samples = (first..first + count).map(|index| given.sample(index)).collect::<Result<_, _>>()?;
+        Ok(Self { first, samples })
+    }
+
+    fn from_s(&self, given: &Given) -> f64 {
+        self.first as f64 * given.period_s
+    }
+}
+
+/// The parts of the scene by which the algorithms are judged.
+fn pieces(order: &Order, given: &Given) -> Result<Vec<Piece>, Failure> {
     let at = |seconds: f64| (seconds / given.period_s).round() as usize;
     let first = at(order.from.max(0.0));
     let rest = given.count.saturating_sub(first);
@@ -89,24 +114,64 @@ fn piece(order: &Order, given: &Given) -> Result<(usize, Vec<FlightSample>), Fai
     if count < 2 {
         return wrong("the scene has no two samples there");
     }
-    if count > MAX_SAMPLES {
-        return wrong(&format!(
-            "{count} samples of the scene are more than {MAX_SAMPLES}; choose its hardest part with --from and --piece"
-        ));
+    if order.piece.is_some() && count > MAX_SAMPLES {
+        return wrong(&format!("the piece has {count} samples, more than {MAX_SAMPLES}"));
     }
-    let samples = (first..first + count).map(|index| given.sample(index)).collect::<Result<_, _>>()?;
-    Ok((first, samples))
+    let length = at(PIECE_S).max(1) + 1;
+    if order.piece.is_some() || count <= MAX_SAMPLES || length >= count {
+        return Ok(vec![Piece::new(given, first, count)?]);
+    }
+    let hardest = hardest(given, first, count, length)?;
+    hardest.into_iter().map(|first| Piece::new(given, first, length.min(given.count - first))).collect()
 }
 
-/// The part of the scene by which the algorithms were judged.
-fn judged(given: &Given, first: usize, count: usize) -> String {
-    if count == given.count {
-        return format!("judged by the whole scene of {:.6} s", given.duration_s);
+/// Where the pieces of `length` samples begin that have the largest rate, force and vibration, which is the change of the rate. They
+/// are looked at in up to [`SEARCHED`] pairs of intervals.
+fn hardest(given: &Given, first: usize, count: usize, length: usize) -> Result<Vec<usize>, Failure> {
+    let mut worst = [(0.0, first); 3];
+    for index in (first..first + count - 2).step_by(count.div_ceil(SEARCHED)) {
+        let [a, b, c] = [given.sample(index)?, given.sample(index + 1)?, given.sample(index + 2)?];
+        let rate = |from: &FlightSample, to: &FlightSample| {
+            let [q_from, q_to] = [from, to].map(|sample| attitude_from_euler(&sample.euler));
+            rotation_vector(&relative_rotation(&q_from, &q_to)) / (to.time_s - from.time_s)
+        };
+        let rates = [rate(&a, &b), rate(&b, &c)];
+        let span_s = c.time_s - a.time_s;
+        let acceleration = a.v_n.zip(c.v_n).map_or(0.0, |(from, to)| (to - from).norm() / span_s);
+        let figures = [rates[1].norm(), acceleration, (rates[1] - rates[0]).norm() / span_s];
+        for (worst, figure) in worst.iter_mut().zip(figures) {
+            if figure > worst.0 {
+                *worst = (figure, index);
+            }
+        }
     }
-    let (from_s, piece_s) = (first as f64 * given.period_s, (count - 1) as f64 * given.period_s);
+    // In the middle of its piece.
+    let latest = first + count - length;
+    let mut begins: Vec<_> =
+        worst.iter().map(|(_, at)| at.saturating_sub(length / 2).clamp(first, latest)).collect();
+    begins.sort_unstable();
+    begins.dedup();
+    Ok(begins)
+}
+
+/// What the algorithms were judged by.
+fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> String {
+    let whole_s = given.duration_s;
+    if pieces.iter().any(|piece| piece.samples.len() == given.count) {
+        return format!("judged by the whole scene of {whole_s:.6} s");
+    }
+    let (first, piece_s) = (&pieces[0], (pieces[0].samples.len() - 1) as f64 * given.period_s);
+    if order.piece.is_some() || order.from > 0.0 && pieces.len() == 1 {
+        let from_s = first.from_s(given);
+        return format!(
+            "judged by {piece_s:.6} s from {from_s:.6} s, of {whole_s:.6} s; true only if no other part is harder"
+        );
+    }
+    let begins: Vec<_> = pieces.iter().map(|piece| format!("{:.6} s", piece.from_s(given))).collect();
     format!(
-        "judged by {piece_s:.6} s from {from_s:.6} s, of {:.6} s; true only if no other part is harder",
-        given.duration_s
+        "judged by {} of {piece_s:.6} s, at {}, of {whole_s:.6} s: the largest rate, force and vibration",
+        if pieces.len() == 1 { "1 piece".to_owned() } else { format!("{} pieces", pieces.len()) },
+        begins.join(", ")
     )
 }
 

@@ -10,7 +10,7 @@ mod requirement;
 mod setup;
 mod timing;
 
-pub use choice::{Recommendation, recommend};
+pub use choice::{Recommendation, recommend, recommend_by};
 pub use growth::Growth;
 pub use ladder::{Rung, ladder};
 pub use piece::{MAX_SAMPLES, MIN_SAMPLES, Piece, Refusal};

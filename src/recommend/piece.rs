@@ -20,11 +20,13 @@ pub struct Refusal {
     pub error: Error,
     /// The sample at which it showed, if it is one's fault.
     pub sample: Option<usize>,
+    /// The piece of that sample.
+    pub piece: usize,
 }
 
 impl From<Error> for Refusal {
     fn from(error: Error) -> Self {
-        Self { error, sample: None }
+        Self { error, sample: None, piece: 0 }
     }
 }
 
@@ -68,7 +70,7 @@ impl Piece {
             piece.velocity_change_m_s = piece.velocity_change_m_s.max(change);
         };
         for (index, sample) in samples.iter().enumerate() {
-            intake.push(sample).map_err(|error| Refusal { error, sample: Some(index) })?;
+            intake.push(sample).map_err(|error| Refusal { error, sample: Some(index), piece: 0 })?;
             // The velocity of a first sample without one is known with the second.
             if intake.waiting() > 1 {
                 intake.front().iter().for_each(|point| add(point));
