@@ -128,7 +128,8 @@ public:
 
 protected:
     void on_init() override {
-        double duration_s = Samples(document_.scene, document_.folder()).all.duration_s;
+        Samples samples(document_.scene, document_.folder());
+        double duration_s = samples.all.duration_s, most_s = (kind_.most - 1.0) * samples.all.period_s;
         SetWindowTextW(window_, text(kind_.title).c_str());
         set(IDC_LAST_LABEL, text(kind_.last));
         add_columns(item(IDC_RESULT), kind_.columns);
@@ -136,7 +137,7 @@ protected:
         enable(IDC_ADOPT, false);
         set(IDC_LIMIT, &kind_ == &RECOMMEND ? L"1" : L"");
         set(IDC_FROM, L"0");
-        set(IDC_TO, shown(&kind_ == &RECOMMEND ? duration_s : min(duration_s, 600.0), 10));
+        set(IDC_TO, shown(min(duration_s, &kind_ == &RECOMMEND ? most_s : 600.0), 10));
         for (int id : {IDC_FROM, IDC_TO})
             tip(item(id), text("range", {L"0", shown(duration_s, 10)}));
         for (int id : {IDC_LIMIT, IDC_LIMIT + 1, IDC_LIMIT + 2})

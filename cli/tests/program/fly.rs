@@ -213,3 +213,65 @@ fn options_are_recommended_and_too_much_is_reported() {
     let (code, said, errors) = run(&folder, &[&scene[..], &["--position", "1e-12"]].concat());
     assert!(code == 3 && errors.contains("no options meet") && said.contains("[options]"), "{code} {errors}");
 }
+
+/// The scheme and the subsamples of an answer of `sins recommend`, which has one update a sample.
+fn recommended(said: &str) -> (String, u32) {
+    let value = |key: &str| {
+        let line = said.lines().find_map(|line| line.strip_prefix(key)).unwrap_or_else(|| panic!("{said}"));
+        line.trim_matches([' ', '=', '"']).to_owned()
+    };
+    assert_eq!(value("updates_per_sample"), "1");
+    (value("scheme"), value("subsamples").parse().unwrap())
+}
+
+/// Each answer is flown over the whole scene: its error is within the limit, and that of one subsample less is beyond it. The
+/// ramp is ten minutes of rest before the motion.
+#[test]
+fn recommended_options_hold_over_the_whole_scene() {
+    let folder = folder("whole");
+    let ramp = "[flight]\nspeed_m_s = 0\nrate_hz = 25\n[[manoeuvre]]\nkind = \"rest\"\nduration_s = 600\n\
+                [[manoeuvre]]\nkind = \"accelerate\"\nspeed_change_m_s = 200\nduration_s = 40\n\
+                [[manoeuvre]]\nkind = \"roll\"\nturns = 3\nduration_s = 9\n\
+                [[manoeuvre]]\nkind = \"turn\"\nheading_change_deg = 360\nbank_deg = 70\nramp_s = 4\n";
+    std::fs::write(folder.join("ramp.toml"), ramp).unwrap();
+    let log = project_file("c_examples/flights/fighter_aerobatics.csv").to_str().unwrap().to_owned();
+    for (scene, rate, limit_m) in [
+        ("ramp.toml", "flight.rate_hz=25", 0.1),
+        ("aerobatics", "flight.rate_hz=25", 0.1),
+        ("over_the_pole", "flight.rate_hz=25", 0.01),
+        (&*log, "flight.latitude_deg=0", 0.01),
+    ] {
+        let limit = limit_m.to_string();
+        let settings: &[&str] = if scene == log { &[scene] } else { &[scene, "--set", rate] };
+        let said = done(&folder, &[&["recommend"], settings, &["--position", &limit]].concat());
+        assert!(said.contains("judged by the whole scene"), "{said}");
+        let (scheme, subsamples) = recommended(&said);
+        let error_m = |subsamples: u32| -> f64 {
+            let options = [format!("options.scheme={scheme}"), format!("options.subsamples={subsamples}")];
+            let options = ["--set", &options[0], "--set", &options[1], "--name", "flown", "-q"];
+            done(&folder, &[&["fly"], settings, &options].concat());
+            figure(&read(folder.join("sins_out/flown_summary.csv")), "max_position_m").parse().unwrap()
+        };
+        let (answer_m, cheaper_m) = (error_m(subsamples), error_m(subsamples - 1));
+        println!("{scene}: {scheme} {subsamples}: {answer_m} m, one less {cheaper_m} m, limit {limit_m} m");
+        assert!(answer_m <= limit_m && cheaper_m > limit_m, "{scene}: {answer_m} {cheaper_m}");
+    }
+}
+
+/// The hardest parts of a scene that is too long to be flown as a whole.
+#[test]
+fn a_long_scene_is_judged_by_its_hardest_parts() {
+    let folder = folder("hardest");
+    let long = "[flight]\nspeed_m_s = 150\nrate_hz = 100\n[[manoeuvre]]\nkind = \"straight\"\nduration_s = 3000\n\
+                [[manoeuvre]]\nkind = \"roll\"\nturns = 2\nduration_s = 8\n\
+                [[manoeuvre]]\nkind = \"straight\"\nduration_s = 1000\n";
+    std::fs::write(folder.join("long.toml"), long).unwrap();
+    let said = done(&folder, &["recommend", "long.toml", "--position", "1"]);
+    let line = said.lines().find(|line| line.starts_with("judged by")).unwrap();
+    let begins: Vec<f64> =
+        line.split(" s").filter_map(|words| words.rsplit([' ', ',']).next()?.parse().ok()).collect();
+    // 60 s, where each piece begins, and the whole of 4008 s.
+    assert!(line.contains("largest rate, force and vibration") && begins.len() >= 3, "{line} {begins:?}");
+    let pieces = &begins[1..begins.len() - 1];
+    assert!(pieces.iter().any(|from_s| (from_s..&(from_s + 60.0)).contains(&&3004.0)), "{line}");
+}
