@@ -224,7 +224,9 @@ impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { number, is_integer } = *self;
         let size = number.abs();
-        if !is_integer && size != 0.0 && number.is_finite() && !(1e-4..1e7).contains(&size) {
+        if is_integer && number >= u64::MAX as f64 {
+            write!(f, "{}", u64::MAX)
+        } else if !is_integer && size != 0.0 && number.is_finite() && !(1e-4..1e7).contains(&size) {
             write!(f, "{number:e}")
         } else {
             write!(f, "{number}")
@@ -290,6 +292,8 @@ mod tests {
             check_integer("count", u64::MAX, 2, 1_000_000_000).unwrap_err().to_string(),
             "count = 18446744073709551615: must be from 2 to 1000000000"
         );
+        let all = Error::invalid("seed", 1u32, Rule::Between(0.0, u64::MAX as f64));
+        assert_eq!(all.to_string(), "seed = 1: must be from 0 to 18446744073709551615");
         let size = Error::invalid("gyro.struct_size", 3_435_973_836_u32, Rule::Exactly("must be", 712.0));
         assert_eq!(size.to_string(), "gyro.struct_size = 3435973836: must be 712");
     }

@@ -11,7 +11,7 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use nalgebra::Vector3;
 
 use crate::earth::Geodetic;
-use crate::error::Error;
+use crate::error::{Error, check_range};
 use crate::math::Euler;
 use crate::memory::room_for_one_more;
 use crate::scene::{Fault, excerpt, nearest};
@@ -86,6 +86,9 @@ impl FlightLog {
     /// Reads the log in a text: at least two samples, in the order of time. The ranges of the samples are checked when they are pushed.
     pub fn parse(text: &[u8]) -> Result<Self, LogError> {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+        // A comment at the end without a line feed would be read as a row.
+        let last_line = text.iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+        let text = if text[last_line..].starts_with(b"#") { &text[..last_line] } else { text };
         for (line, number) in text.split_inclusive(|byte| *byte == b'\n').zip(1..) {
             check_line(line).map_err(|sentence| fault(number, 1, sentence))?;
         }
@@ -113,6 +116,9 @@ impl FlightLog {
                 return Err(fault(line, width + 1, sentence));
             }
             let sample = sample(&row, line, &columns)?;
+            // The range of a sample's time, so that durations are finite.
+            check_range("time_s", sample.time_s, -FlightSample::LATEST_S, FlightSample::LATEST_S)
+                .map_err(|error| fault(line, 1, error.to_string()))?;
             if let Some(last) = log.samples.last()
                 && sample.time_s <= last.time_s
             {

@@ -4,7 +4,6 @@ use nalgebra::Vector3;
 
 use super::limits::{IntakeLimits, MAX_GAP_S, MIN_INTERVAL_S, OFF_PERIOD, STAMP_ROUNDING};
 use super::ring::Ring;
-use super::sample::LATEST_S;
 use super::steps::Steps;
 use super::{FlightSample, QUEUE_CAPACITY, Recent, TruthPoint};
 use crate::earth::Earth;
@@ -13,11 +12,11 @@ use crate::math::end_derivative_weights;
 use crate::state::BodyAxes;
 
 /// Earliest time that a sample can be moved to [s]: it leaves room for the samples before it, at most 18 intervals.
-const EARLIEST_MOVED_S: f64 = -LATEST_S + 20.0 * MAX_GAP_S;
+const EARLIEST_MOVED_S: f64 = -FlightSample::LATEST_S + 20.0 * MAX_GAP_S;
 
 /// Latest time that a sample can be moved to [s], likewise. A sample that came before its place in the stated period has
 /// room after it, and so has a snapshot of it.
-const LATEST_MOVED_S: f64 = LATEST_S - 20.0 * MAX_GAP_S;
+const LATEST_MOVED_S: f64 = FlightSample::LATEST_S - 20.0 * MAX_GAP_S;
 
 /// How an accepted sample follows the ones before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Limits of the samples: which intervals there can be, and what a vehicle can do in one.
 
-use super::sample::LATEST_S;
+use super::sample::FlightSample;
 use crate::snapshot::{ANY, stored};
 
 /// Shortest interval between samples, and longest that a host may allow [s].
@@ -12,7 +12,7 @@ pub(super) const STAMP_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// Shortest and longest interval, with the rounding of time stamps [s].
 pub(crate) const INTERVALS_S: (f64, f64) = {
-    let rounding = STAMP_ROUNDING * LATEST_S;
+    let rounding = STAMP_ROUNDING * FlightSample::LATEST_S;
     (MIN_INTERVAL_S - rounding, MAX_GAP_S + rounding)
 };
 

@@ -26,9 +26,6 @@ pub struct FlightSample {
     pub temperature_c: Option<f64>,
 }
 
-/// Largest size of a time stamp [s].
-pub(super) const LATEST_S: f64 = 1e10;
-
 /// Checks a height above the ellipsoid [m] of a sample, or of a flight from which samples are made.
 pub(crate) fn check_height(field: &'static str, height_m: f64) -> Result<(), Error> {
     let (low, high) = FlightSample::HEIGHT_RANGE_M;
@@ -89,6 +86,8 @@ impl FlightSample {
     pub const MAX_LONGITUDE_RAD: f64 = 100.0;
     /// Largest size of an attitude angle [rad]: many turns, with enough digits left for the angle.
     pub const MAX_ANGLE_RAD: f64 = 1e4;
+    /// Largest size of a time stamp [s].
+    pub const LATEST_S: f64 = 1e10;
     /// Largest component of its angular rate [rad/s].
     pub const MAX_RATE_RAD_S: f64 = 1e3;
     /// Largest component of its specific force [m/s²].
@@ -96,7 +95,7 @@ impl FlightSample {
 
     /// Checks each field by itself.
     pub fn validate(&self) -> Result<(), Error> {
-        check_range("sample.time_s", self.time_s, -LATEST_S, LATEST_S)?;
+        check_range("sample.time_s", self.time_s, -Self::LATEST_S, Self::LATEST_S)?;
         // A quarter turn that the host rounded up in degrees is still a pole.
         let quarter = core::f64::consts::FRAC_PI_2 + 1e-9;
         check_range("sample.latitude_rad", self.place.latitude_rad, -quarter, quarter)?;

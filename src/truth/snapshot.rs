@@ -4,7 +4,6 @@ use nalgebra::Vector3;
 
 use super::limits::{INTERVALS_S, OFF_PERIOD, STAMP_ROUNDING};
 use super::ring::LOOK_BACK;
-use super::sample::LATEST_S;
 use super::steps::Steps;
 use super::{FlightSample, Intake, QUEUE_CAPACITY, TruthPoint};
 use crate::error::{Error, ErrorKind, Rule, check_range};
@@ -91,7 +90,7 @@ impl Intake {
     /// Rejects a kept sample at `stamp_s` (`time_s` on the time base) if no flight can have it `interval_s` after the last one. If time
     /// was moved, the rounding of the stamps has changed since the interval was taken.
     fn check_kept_time(&self, stamp_s: f64, time_s: f64, interval_s: f64) -> Result<(), Error> {
-        let rounding = STAMP_ROUNDING * LATEST_S;
+        let rounding = STAMP_ROUNDING * FlightSample::LATEST_S;
         let refuse = |value, why| {
             Err(Error::of(ErrorKind::TimeOrder, "snapshot: time of a sample", value, Rule::Sentence(why)))
         };

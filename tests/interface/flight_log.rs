@@ -72,6 +72,12 @@ fn a_fault_has_its_line_its_column_and_a_sentence() {
     for number in ["north", "", "nan", "inf", "1e999", "0x10", "1_000"] {
         is(&format!("{HEADER}\n{row}1,{number},0,0,0,0,0\n"), 3, 2, "expected a finite number");
     }
+    is(
+        &format!("{HEADER}\n-1e308,45,0,0,0,0,0\n1e308,45,0,0,0,0,0\n"),
+        2,
+        1,
+        "time_s = -1e308: must be from -1e10 to 1e10",
+    );
     // A decimal comma cuts a value in two, and each half is a valid number.
     is(&format!("{HEADER}\n0,45,0,5,0,0,0,1,0\n"), 2, 8, "9 fields, and the header names 7 columns");
     is(&format!("{HEADER}\n{row}1,45,0,0,0,0,0,\n"), 3, 8, "8 fields");
@@ -86,6 +92,16 @@ fn a_fault_has_its_line_its_column_and_a_sentence() {
     let mut bytes = format!("{HEADER}\n{row}1,45,0,0,0,0,").into_bytes();
     bytes.push(0xff);
     assert_eq!(fault(&bytes).2, "not UTF-8");
+}
+
+#[test]
+fn a_comment_at_the_end_needs_no_line_feed() {
+    let rows = "0,45,0,0,0,0,0\n1,45,0,0,0,0,0";
+    for end in ["", "\n", "\n# end", "\n# end\n", "\r\n# one\r\n# two", "\n\n#"] {
+        let log = FlightLog::parse(format!("{HEADER}\n{rows}{end}").as_bytes()).unwrap();
+        assert_eq!(log.samples().len(), 2, "{end:?}");
+    }
+    assert!(fault(b"# nothing").2.starts_with("no header"));
 }
 
 /// Each byte of a small log is replaced in turn with each of 30 others. Each text has an answer.

@@ -256,3 +256,14 @@ fn diverged_runs_are_reported_by_number_and_left_out() {
     assert_eq!(rows[0]["diverged"], 0.0);
     assert!(read(out.join("rest_ensemble.html")).contains("left out of the statistics"));
 }
+
+#[test]
+fn the_last_run_of_all_is_flown() {
+    let folder = folder("last_run");
+    let last = u64::MAX.to_string();
+    let one =
+        ["ensemble", "rest", "--set", "flight.hours=0.01", "--preset", "tactical", "--first-run", &last];
+    done(&folder, &[&one[..], &["--runs", "1"]].concat());
+    let (code, _, errors) = run(&folder, &[&one[..], &["--runs", "2"]].concat());
+    assert!(code != 0 && errors.contains("below 2^64"), "{errors}");
+}
