@@ -549,7 +549,7 @@ typedef struct sins_scene_samples {
     uint64_t count;
     /**
      * Number of sample intervals between two records of the program sins, at least 1. It follows from sins_scene_setup.every_s;
-     * if every_s is 0, there are about 2000 records.
+     * if every_s is 0, there are about 2000 records. The last sample has a record too.
      */
     uint64_t record_every;
     /** Time stamp of the first sample [s]. */

@@ -179,7 +179,7 @@ private:
         sins_imu imu = sins::make<sins_imu>();
         if (index > 0 && sim_.get_imu(imu))
             keep_interval(imu);
-        bool is_row = index % samples_.all.record_every == 0;
+        bool is_row = index % samples_.all.record_every == 0 || index + 1 == samples_.all.count;
         if (is_row || index % points_every_ == 0) {
             sins_record record = sins::make<sins_record>();
             sim_.get_record(record);

@@ -20,7 +20,7 @@ pub struct sins_scene_samples {
     /// Number of samples.
     pub count: u64,
     /// Number of sample intervals between two records of the program sins, at least 1. It follows from sins_scene_setup.every_s;
-    /// if every_s is 0, there are about 2000 records.
+    /// if every_s is 0, there are about 2000 records. The last sample has a record too.
     pub record_every: u64,
     /// Time stamp of the first sample [s].
     pub start_s: f64,

@@ -69,8 +69,10 @@ impl Plan {
         }
         let first_run = order.first_run.unwrap_or(given.scene.options.key.run);
         if !(1..=MOST_RUNS).contains(&order.runs) || first_run.checked_add(order.runs - 1).is_none() {
-            let what =
-                format!("--runs {}: expected 1 to {MOST_RUNS}, the last of them below 2^64", order.runs);
+            let what = format!(
+                "--runs {}: expected 1 to {MOST_RUNS}, from --first-run {first_run} on below 2^64",
+                order.runs
+            );
             return Err(Failure::new(what));
         }
         Ok(Self { first_run, runs: order.runs, instants, every, sources })

@@ -149,7 +149,8 @@ impl InFlight<'_> {
                 written.map_err(|error| Failure::of_output(file.path(), &error))?;
             }
         }
-        if self.simulator.intervals().is_multiple_of(self.every)
+        let is_last = index + 1 == self.given.count;
+        if (self.simulator.intervals().is_multiple_of(self.every) || is_last)
             && let Some(mut record) = self.record(index)?
         {
             [record.gyro_error, record.accel_error] = self.sensor_errors.take();

@@ -61,6 +61,9 @@ fn records_are_spaced_as_they_are_wanted() {
     };
     let times = fly(&["--set", "output.every_s=2.5"]);
     assert!(times.len() == 73 && times.windows(2).all(|pair| (pair[1] - pair[0] - 2.5).abs() < 1e-9));
+    // The end of the flight has a record, whatever the spacing.
+    let times = fly(&["--set", "output.every_s=0.7"]);
+    assert_eq!((times.len(), times[257], times[258]), (259, 179.9, 180.0));
     // By default about 2000 of 18 000 intervals have records.
     assert_eq!(fly(&[]).len(), 2001);
     let errors = rejected(&folder, &["fly", "rest", "--set", "output.every_s=0.001"]);

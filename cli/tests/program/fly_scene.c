@@ -151,7 +151,7 @@ int main(int argc, char **argv)
         if (k > 0) {
             add_sensors(sim);
         }
-        if (k % every == 0) {
+        if (k % every == 0 || k + 1 == count) {
             print_record(sim);
         }
     }
