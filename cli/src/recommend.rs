@@ -95,7 +95,7 @@ impl Piece {
         Ok(Self { first, samples })
     }
 
-    fn from_s(&self, given: &Given) -> f64 {
+    fn start_s(&self, given: &Given) -> f64 {
         self.first as f64 * given.period_s
     }
 }
@@ -162,12 +162,12 @@ fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> String {
     }
     let (first, piece_s) = (&pieces[0], (pieces[0].samples.len() - 1) as f64 * given.period_s);
     if order.piece.is_some() || order.from > 0.0 && pieces.len() == 1 {
-        let from_s = first.from_s(given);
+        let from_s = first.start_s(given);
         return format!(
             "judged by {piece_s:.6} s from {from_s:.6} s, of {whole_s:.6} s; true only if no other part is harder"
         );
     }
-    let begins: Vec<_> = pieces.iter().map(|piece| format!("{:.6} s", piece.from_s(given))).collect();
+    let begins: Vec<_> = pieces.iter().map(|piece| format!("{:.6} s", piece.start_s(given))).collect();
     format!(
         "judged by {} of {piece_s:.6} s, at {}, of {whole_s:.6} s: the largest rate, force and vibration",
         if pieces.len() == 1 { "1 piece".to_owned() } else { format!("{} pieces", pieces.len()) },
