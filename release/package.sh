@@ -27,7 +27,7 @@ mkdir -p "$dist"
 # licences.
 texts() {
     local file
-    git ls-files README.md CHANGELOG.md docs 'benches/*.svg' c_examples | grep -v '\.sh$' | while read -r file; do
+    git ls-files README.md CHANGELOG.md CITATION.cff docs 'benches/*.svg' c_examples | grep -v '\.sh$' | while read -r file; do
         command install -Dm644 "$file" "$1/$file"
     done
     cp -r "$manual" "$1/docs/sins.h"

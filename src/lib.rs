@@ -7,7 +7,8 @@
 //!
 //! # Data flow
 //!
-//! The names and equations of the paper are in brackets ("Design of Airborne SINS Digital Simulator", 2014).
+//! The names and equations of the paper are in brackets (Xu Jingshuo, Wang Xiaofei, Zhang Sheng, Luo Tianying, "Design of Airborne
+//! SINS Digital Simulator", Ordnance Industry Automation, 2014, no. 12, doi 10.7690/bgzdh.2014.12.001).
 //!
 //! ```text
 //!  flight simulator            FlightSample   time, position, velocity, attitude   [flight control data]

@@ -56,8 +56,11 @@ enum Command {
     Recommend(recommend::Order),
     /// Lists the keys of a scene: values, unit and meaning of each
     Keys {
+        /// Only the sections whose name begins with this word, as gyro, or the keys whose name contains it
+        #[arg(value_name = "WORD")]
+        word: Option<String>,
         /// As a table of comma-separated values, with limits, defaults, SI units and the items that have the key
-        #[arg(long)]
+        #[arg(long, conflicts_with = "word")]
         fields: bool,
     },
     #[command(subcommand)]
@@ -88,8 +91,9 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Budget(order) => budget::run(order),
         Command::Curve(order) => curve::run(order),
         Command::Recommend(order) => recommend::run(order),
-        Command::Keys { fields: false } => scene::print_keys(),
-        Command::Keys { fields: true } => scene::print_key_fields(),
+        Command::Keys { word: None, fields: false } => scene::print_keys(),
+        Command::Keys { word: Some(word), fields: false } => scene::print_keys_of(word),
+        Command::Keys { fields: true, .. } => scene::print_key_fields(),
         Command::Scene(order) => scene::run(order),
         Command::Completions(order) => completions::run::<CommandLine>(order),
     }

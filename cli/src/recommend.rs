@@ -40,10 +40,16 @@ pub struct Order {
     pub margin: f64,
 }
 
+const NO_LIMIT: &str =
+    "no limit was given: expected --position METRES, --velocity M_PER_S or --attitude ARCSEC";
+
 pub fn run(order: &Order) -> Result<(), Failure> {
     let given = order.scene.load(FOR_LOGS)?;
     let hours = order.hours.unwrap_or(given.duration_s / 3600.0);
     let SolutionError { position_m, velocity_m_s, attitude_rad } = order.limits.errors();
+    if [position_m, velocity_m_s, attitude_rad] == [0.0; 3] {
+        return Err(Failure::new(NO_LIMIT));
+    }
     let requirement = Requirement {
         duration_s: (hours * 3600.0).min(if order.hours.is_some() {
             f64::INFINITY

@@ -97,6 +97,32 @@ to the text. A preset is applied first, wherever it stands; other keys then chan
     print(&format!("{head}{}", keys_text()))
 }
 
+/// The sections whose name begins with `word`; without one, the keys whose name contains it, below their sections.
+pub fn print_keys_of(word: &str) -> Result<(), Failure> {
+    let text = keys_text();
+    let name = |section: &str| section.trim_start_matches('[').starts_with(word);
+    let mut found: Vec<String> = text
+        .split("\n\n")
+        .filter(|section| name(section))
+        .map(|section| section.trim_end().to_owned())
+        .collect();
+    if found.is_empty() {
+        found = text.split("\n\n").filter_map(|section| keys_with(section, word)).collect();
+    }
+    if found.is_empty() {
+        return Err(Failure::new(format!("{word}: no section begins with it, and no key contains it")));
+    }
+    print(&(found.join("\n\n") + "\n"))
+}
+
+/// The head of a section, and its keys whose name contains `word`.
+fn keys_with(section: &str, word: &str) -> Option<String> {
+    let (head, keys) = section.split_once('\n')?;
+    let has = |line: &&str| line.split(':').next().is_some_and(|name| name.contains(word));
+    let keys: Vec<&str> = keys.lines().filter(has).collect();
+    (!keys.is_empty()).then(|| format!("{head}\n{}", keys.join("\n")))
+}
+
 /// Columns of `sins keys --fields`.
 const FIELDS: [&str; 12] = [
     "section",

@@ -43,6 +43,32 @@ fn the_example_of_the_readme_prints_what_it_says() {
     assert!(program.contains(&format!("/* {} */", text.trim_end())), "{text}");
 }
 
+/// The only block of C of a page of `docs`.
+fn block_of(page: &str) -> String {
+    let text = std::fs::read_to_string(project_file(page)).unwrap();
+    let blocks: Vec<&str> = text.split("```c\n").skip(1).collect();
+    assert_eq!(blocks.len(), 1, "{page}");
+    blocks[0].split_once("```").unwrap().0.to_owned()
+}
+
+#[test]
+fn the_shim_with_old_exports_gives_the_errors_of_the_library() {
+    let shim = library_folder("old_program").join("old_sins.c");
+    std::fs::write(&shim, block_of("docs/paper.md")).unwrap();
+    prints_alike("old_program", &[shim.to_str().unwrap(), "tests/c/old_program.c"], &C_AND_CPP, &[]);
+}
+
+#[test]
+fn the_frame_function_keeps_the_errors_over_pauses_and_slews() {
+    let folder = library_folder("frame");
+    std::fs::write(folder.join("frame.h"), block_of("docs/flight_simulators.md")).unwrap();
+    let host = std::fs::read_to_string(project_file("tests/c/frame.c")).unwrap();
+    let check = project_file("tests/c/check.h");
+    let source = folder.join("frame.c");
+    std::fs::write(&source, host.replace("\"check.h\"", &format!("{check:?}"))).unwrap();
+    prints_alike("frame", &[source.to_str().unwrap()], &C_AND_CPP, &[]);
+}
+
 /// The program in the first comment of `sins.h`, without the stars.
 fn first_program() -> String {
     let header = std::fs::read_to_string(project_file("include/sins.h")).unwrap();

@@ -5,8 +5,10 @@ use sins::math::chi_square_quantile;
 
 use super::log::{Log, Series};
 use super::quantity::Sensor;
+use crate::drawing::series::mean;
 use crate::failure::Failure;
 use crate::progress::Progress;
+use crate::units::significant;
 
 /// Confidence of all intervals.
 pub const CONFIDENCE: f64 = 0.95;
@@ -62,6 +64,7 @@ pub struct Analysis {
 impl Analysis {
     /// Results of all columns of a log.
     pub fn of_log(log: &Log) -> Result<Vec<Self>, Failure> {
+        log.series.iter().try_for_each(|series| at_rest(series, log.interval_s))?;
         let progress = Progress::counting("analysing", 1 + log.series.len());
         let estimator = Estimator::new(log.count(), log.interval_s)?;
         progress.count();
@@ -99,6 +102,28 @@ impl Analysis {
         });
         missed.max_by(|a, b| ratio(a).total_cmp(&ratio(b)))
     }
+}
+
+/// Rejects a column whose means over a second change as those of no sensor at rest do.
+fn at_rest(series: &Series, interval_s: f64) -> Result<(), Failure> {
+    let block = ((1.0 / interval_s).round() as usize).max(1);
+    let means = series.increments.chunks_exact(block).map(|values| mean(values) / interval_s);
+    let (low, high) =
+        means.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), mean| (mean.min(low), mean.max(high)));
+    let (limit, si, unit) = match series.sensor {
+        Sensor::Gyro => (1.0, 1f64.to_radians(), "deg/s"),
+        Sensor::Accelerometer => (0.5, 1.0, "m/s2"),
+    };
+    let change = (high - low) / si;
+    if change <= limit {
+        return Ok(());
+    }
+    Err(Failure::new(format!(
+        "column \"{}\": the means over a second change by {} {unit}, so the record is in motion; noise coefficients need a \
+         record of a sensor at rest (limit {limit} {unit})",
+        series.name,
+        significant(change)
+    )))
 }
 
 fn estimate(point: &Point, fit: &Fit) -> Estimate {

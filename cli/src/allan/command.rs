@@ -13,15 +13,15 @@ use crate::places::beside;
 /// The unit of a column is the end of its name. Angular rates: _rad_s, _deg_s, _deg_h; angles over an interval: _rad, _deg, _arcsec;
 /// specific forces: _m_s2, _g, _mg, _ug; velocities over an interval: _m_s. Without --columns, the command reads all rates and
 /// forces, and the angles and velocities whose name contains "increment" or "delta". Time stamps are in the column time_s, time_ms,
-/// time_us or time_ns. Each step must differ from the mean step by less than half of it: a log with a gap is rejected.
+/// time_us or time_ns. A record in motion is rejected: the mean of a column over a second may change by 1 deg/s or 0.5 m/s2. Each step must differ from the mean step by less than half of it: a log with a gap is rejected.
 #[derive(Debug, PartialEq, clap::Args)]
 pub struct Order {
     /// A log that `sins fly --imu` wrote, or one of your own
     #[arg(value_name = "LOG.csv")]
     pub log: PathBuf,
-    /// Output file: OUT.svg or OUT.html
+    /// Output file: OUT.svg or OUT.html [default: LOG_allan.html in the folder of the log]
     #[arg(short, long, value_name = "OUT")]
-    pub output: PathBuf,
+    pub output: Option<PathBuf>,
     /// Also writes averaging times and deviations into this file, and the coefficients into POINTS_fit.csv
     #[arg(long = "csv", value_name = "POINTS.csv")]
     pub points: Option<PathBuf>,
@@ -45,14 +45,19 @@ pub struct Wanted {
 }
 
 impl Order {
+    /// File of the output.
+    pub fn output(&self) -> PathBuf {
+        self.output.clone().unwrap_or_else(|| beside(&self.log, "_allan.html"))
+    }
+
     /// Whether the output is a page, not a picture.
     pub fn is_page(&self) -> Result<bool, Failure> {
-        match self.output.extension().and_then(|ending| ending.to_str()) {
+        let output = self.output();
+        match output.extension().and_then(|ending| ending.to_str()) {
             Some("svg") => Ok(false),
             Some("html") => Ok(true),
             _ => {
-                let what =
-                    format!("-o {}: expected a name that ends in .svg or .html", self.output.display());
+                let what = format!("-o {}: expected a name that ends in .svg or .html", output.display());
                 Err(Failure::new(what))
             }
         }
@@ -96,10 +101,16 @@ mod tests {
     }
 
     #[test]
+    fn the_page_stands_beside_the_log_by_default() {
+        let order: Order = parsed(&["logs/imu.csv"]).unwrap();
+        assert_eq!(order.output(), PathBuf::from("logs/imu_allan.html"));
+        assert!(order.is_page().unwrap());
+    }
+
+    #[test]
     fn what_is_wrong_is_named() {
         for (arguments, named) in [
             (&["-o", "a.svg"][..], "LOG.csv"),
-            (&["log.csv"], "--output"),
             (&["log.csv", "-o", "a.svg", "--rate=-1"], "-1"),
             (&["log.csv", "-o", "a.svg", "second.csv"], "second.csv"),
         ] {

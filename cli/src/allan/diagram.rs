@@ -59,7 +59,8 @@ pub fn drawing(analysis: &Analysis) -> Drawing {
         traces.push(Trace::new(Pen::Asymptote, line));
     }
     let fitted = |place: f64| (place, (analysis.fit.variance(10f64.powf(place)).sqrt() / unit.si).log10());
-    traces.push(Trace::new(Pen::Fit, places((left, right)).map(fitted).collect()));
+    let visible = |point: &(f64, f64)| (bottom..=top).contains(&point.1);
+    traces.push(Trace::new(Pen::Fit, places((left, right)).map(fitted).filter(visible).collect()));
     traces.push(Trace::new(Pen::Computed, measured));
     let caption = format!("Allan deviation [{}]", unit.name);
     let mut panel = Panel::new(caption, Axis::decades(bottom, top, 6), HEIGHT, traces);

@@ -120,7 +120,7 @@ pub mod tests {
     use super::*;
 
     fn order(rate_hz: Option<f64>) -> Order {
-        let (log, output) = ("log.csv".into(), "out.svg".into());
+        let (log, output) = ("log.csv".into(), Some("out.svg".into()));
         Order { log, output, points: None, rate_hz, columns: Vec::new(), force: false }
     }
 

@@ -27,7 +27,7 @@ use log::Log;
 pub fn run(order: &Order) -> Result<(), Failure> {
     let is_page = order.is_page()?;
     let mut outputs = Outputs::new(std::slice::from_ref(&order.log), order.force);
-    let drawn_file = outputs.file(&order.output, if is_page { PAGE_MARK } else { PICTURE_MARK })?;
+    let drawn_file = outputs.file(&order.output(), if is_page { PAGE_MARK } else { PICTURE_MARK })?;
     let points =
         order.points.as_ref().map(|path| outputs.file(path, &records::POINTS.join(","))).transpose()?;
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;

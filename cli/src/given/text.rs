@@ -28,6 +28,9 @@ impl Text {
             return Ok(Self { bytes, origin: format!("{name} (built in)"), path: None, name });
         }
         if path.extension().is_none_or(|ending| ending != "toml") && !path.exists() {
+            if path.extension().is_some() || path.components().count() > 1 {
+                return Err(Failure::of_file(path, &"no such file"));
+            }
             let near = nearest(&path.to_string_lossy(), BUILTIN_SCENES.iter().map(|(name, _)| *name));
             let hint = match near {
                 Some(near) => format!("did you mean {near}?"),
