@@ -1944,7 +1944,11 @@ typedef struct sins_imu_increment {
  *
  *     for (update = 0; sins_get_imu_update(sim, update, &increment) == SINS_OK; ++update) sins_push_imu(own, &increment);
  *
- * The parts are the signals of the sensor block, also with a mounting. They do not contain the aid of the vertical channel.
+ * The navigator then has the solution of the INS to the last bit, if the INS had no errors at the start, no mounting,
+ * SINS_VERTICAL_FREE and no gravity disturbance, and the navigator started from sins_get_truth() before the first step. With
+ * errors at the start it starts from sins_get_navigation(), whose angles are rounded. With a mounting the parts are the signals
+ * of the sensor block. The parts do not contain the aid of the vertical channel. sins_push_imu() rejects updates shorter than
+ * 5e-5 s.
  *
  * SINS_NEED_SAMPLE: the last interval has no such update, or there is none: before the first step, after sins_snapshot_load()
  * until the next step (a snapshot keeps the sums of sins_get_imu() alone), and while the simulator navigates on increments.

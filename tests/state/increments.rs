@@ -81,7 +81,6 @@ fn increments_read_by_c_functions_navigate_to_the_same_bits() {
     // SAFETY: the pointers are of live values.
     unsafe {
         let mut options: sins_options = init();
-        assert_eq!(sins_options_init(&mut options, size_of::<sins_options>() as u32), SINS_OK);
         options.vertical = SINS_VERTICAL_FREE;
         (options.subsamples, options.updates_per_sample) = (3, 4);
         assert_eq!(sins_create(&options, &mut flying), SINS_OK);
