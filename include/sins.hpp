@@ -151,6 +151,9 @@ public:
     bool get_truth(sins_navigation &truth) const { return done(sins_get_truth(handle_, &truth)); }
     bool get_navigation(sins_navigation &navigation) const { return done(sins_get_navigation(handle_, &navigation)); }
     bool get_imu(sins_imu &imu) const { return done(sins_get_imu(handle_, &imu)); }
+    bool get_imu_update(int32_t update, sins_imu_increment &increment) const {
+        return done(sins_get_imu_update(handle_, update, &increment));
+    }
     bool get_errors(int32_t source, sins_errors &errors) const {
         return done(sins_get_errors(handle_, source, &errors));
     }

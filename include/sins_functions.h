@@ -55,6 +55,7 @@
     X(sins_status, sins_get_mounting, (sins_sim *sim, sins_mounting *mounting)) \
     X(sins_status, sins_set_gravity_disturbance, (sins_sim *sim, const sins_gravity_params *params)) \
     X(sins_status, sins_get_gravity_disturbance, (sins_sim *sim, sins_gravity_params *params)) \
+    X(sins_status, sins_get_imu_update, (sins_sim *sim, int32_t update, sins_imu_increment *increment)) \
     X(sins_status, sins_start_navigation, (sins_sim *sim, const sins_navigation *navigation)) \
     X(sins_status, sins_push_imu, (sins_sim *sim, const sins_imu_increment *increment)) \
     X(sins_status, sins_snapshot_size, (sins_sim *sim, size_t *size)) \

@@ -2,9 +2,10 @@
 
 use nalgebra::{Quaternion, Vector3};
 
+use super::answer::write_or_need;
 use super::choice::check_reserved;
 use super::failure::{SINS_OK, sins_status};
-use super::memory::{interface_struct, read};
+use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_navigation;
 use crate::earth::Geodetic;
@@ -37,6 +38,60 @@ pub struct sins_imu_increment {
 }
 
 interface_struct!(sins_imu_increment, "imu", 264);
+
+impl sins_imu_increment {
+    /// `increments`, at most five, over `interval_s` [s].
+    fn new(increments: &[Increment], interval_s: f64) -> Self {
+        let mut imu = Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            interval_s,
+            count: increments.len() as i32,
+            reserved2: 0,
+            angle_rad: [0.0; 15],
+            velocity_m_s: [0.0; 15],
+        };
+        for (index, (to_angle, to_velocity)) in
+            imu.angle_rad.chunks_exact_mut(3).zip(imu.velocity_m_s.chunks_exact_mut(3)).enumerate()
+        {
+            let increment = increments.get(index).unwrap_or(&Increment::ZERO);
+            to_angle.copy_from_slice(increment.angle.as_slice());
+            to_velocity.copy_from_slice(increment.velocity.as_slice());
+        }
+        imu
+    }
+}
+
+/// Reads the increments on which the INS navigated in one update of the last interval, as the modelled sensors measured them.
+/// The argument update counts the updates of the interval from 0. Their number is sins_options.updates_per_sample, or more in an
+/// interval of several periods. Each update has sins_options.subsamples parts; its interval_s is the interval divided by the
+/// number of updates. A navigator of the host gets the whole interval so:
+///
+///     for (update = 0; sins_get_imu_update(sim, update, &increment) == SINS_OK; ++update) sins_push_imu(own, &increment);
+///
+/// The navigator then has the solution of the INS to the last bit, if the INS had no errors at the start, no mounting,
+/// SINS_VERTICAL_FREE and no gravity disturbance, and the navigator started from sins_get_truth() before the first step. With
+/// errors at the start it starts from sins_get_navigation(), whose angles are rounded. With a mounting the parts are the signals
+/// of the sensor block. The parts do not contain the aid of the vertical channel. sins_push_imu() rejects updates shorter than
+/// 5e-5 s.
+///
+/// SINS_NEED_SAMPLE: the last interval has no such update, or there is none: before the first step, after sins_snapshot_load()
+/// until the next step (a snapshot keeps the sums of sins_get_imu() alone), and while the simulator navigates on increments.
+/// SINS_ERROR_INVALID_ARGUMENT: update is negative.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_get_imu_update(
+    sim: *mut sins_sim,
+    update: i32,
+    increment: *mut sins_imu_increment,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(increment, "increment")? };
+        let index = check_integer("update", update, 0, i64::from(i32::MAX)).map(|()| update as usize)?;
+        let increments = simulator.measured_update(index);
+        Ok(write_or_need(&output, increments.map(|(parts, t)| sins_imu_increment::new(parts, t))))
+    })
+}
 
 /// Starts the simulator as a navigator only: it navigates on the increments of sins_push_imu(). The argument navigation
 /// gives the start: time, position, velocity and attitude (quaternion_nb; the angles and the flags are not read). Ranges are
@@ -80,7 +135,9 @@ pub unsafe extern "C-unwind" fn sins_start_navigation(
             height_m: solution.height_m,
         };
         let v_n = Vector3::from(solution.velocity_enu_m_s);
-        let navigation = Navigation::new(place, v_n, q / norm, simulator.options().axes);
+        // A norm of 1 within rounding stays: a solution that was read starts to the bit.
+        let unit = if (norm - 1.0).abs() <= 4.0 * f64::EPSILON { q } else { q / norm };
+        let navigation = Navigation::new(place, v_n, unit, simulator.options().axes);
         simulator.start_navigation(start.time_s, &navigation)?;
         Ok(SINS_OK)
     })

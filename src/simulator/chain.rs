@@ -177,6 +177,15 @@ impl Chain {
         })
     }
 
+    /// Measured increments of update `update` of the last interval, and the length of the update [s].
+    pub fn measured_update(&self, update: usize) -> Option<(&[Increment], f64)> {
+        let LastInterval::Flown { interval_s, sensors_were_ideal, .. } = self.last else { return None };
+        let (_, measured) = self.signals.of(&self.parts, sensors_were_ideal);
+        let mut updates = measured.chunks_exact(self.options.subsamples);
+        let update_s = interval_s / updates.len() as f64;
+        updates.nth(update).map(|increments| (increments, update_s))
+    }
+
     pub fn trim(&self) -> TrimFigures {
         self.closed_loop.as_ref().map_or(TrimFigures::default(), ClosedLoop::largest)
     }

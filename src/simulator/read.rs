@@ -63,6 +63,16 @@ impl Simulator {
         }
     }
 
+    /// Measured increments on which the INS navigated in update `update` of the last interval, and the length of the update [s].
+    /// [`Self::push_imu`] takes them. `None` if there is no such update, while navigating on increments, and from the load of a
+    /// snapshot to the next step.
+    pub fn measured_update(&self, update: usize) -> Option<(&[Increment], f64)> {
+        match &self.mode {
+            Mode::Flying(chain) => chain.measured_update(update),
+            _ => None,
+        }
+    }
+
     /// The ideal sub-increments of the last interval; empty before the first and while navigating on increments.
     pub fn ideal_increments(&self) -> &[Increment] {
         match &self.mode {

@@ -115,6 +115,7 @@ static inline void every_call(sins_sim *sim, every_call_answer *answer, void *co
     EVERY_CALL(sins_get_mounting(sim, mounting));
     EVERY_CALL(sins_set_gravity_disturbance(sim, gravity_params));
     EVERY_CALL(sins_get_gravity_disturbance(sim, gravity_params));
+    EVERY_CALL(sins_get_imu_update(sim, 0, imu_increment));
     EVERY_CALL(sins_start_navigation(sim, navigation));
     EVERY_CALL(sins_push_imu(sim, imu_increment));
     EVERY_CALL(sins_snapshot_size(sim, &size));
@@ -347,6 +348,7 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble 
     EVERY_CALL(sins_get_mounting(sim, NULL));
     EVERY_CALL(sins_set_gravity_disturbance(sim, NULL));
     EVERY_CALL(sins_get_gravity_disturbance(sim, NULL));
+    EVERY_CALL(sins_get_imu_update(sim, 0, NULL));
     EVERY_CALL(sins_start_navigation(sim, NULL));
     EVERY_CALL(sins_push_imu(sim, NULL));
     EVERY_CALL(sins_snapshot_size(sim, NULL));

@@ -118,6 +118,7 @@ typedef struct {
     sins_navigation truth, navigation, alone;
     sins_errors errors, model;
     sins_imu imu;
+    sins_imu_increment part;
     sins_accuracy accuracy;
     sins_truth_summary summary;
     sins_covariance covariance;
@@ -223,6 +224,7 @@ static void fly(const float_state *state, results *found)
     SINS_INIT(found->errors);
     SINS_INIT(found->model);
     SINS_INIT(found->imu);
+    SINS_INIT(found->part);
     SINS_INIT(found->accuracy);
     SINS_INIT(found->summary);
     SINS_INIT(found->covariance);
@@ -263,6 +265,7 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &found->errors) == SINS_OK);
     CHECK(sins_get_errors(sim, SINS_ERRORS_MODEL, &found->model) == SINS_OK);
     CHECK(sins_get_imu(sim, &found->imu) == SINS_OK);
+    CHECK(sins_get_imu_update(sim, 0, &found->part) == SINS_OK);
     CHECK(sins_get_accuracy(sim, &found->accuracy) == SINS_OK);
     CHECK(sins_get_truth_summary(sim, &found->summary) == SINS_OK);
     CHECK(sins_get_covariance(sim, &found->covariance) == SINS_OK);

@@ -80,6 +80,7 @@ static void read_everything(sins_sim *sim, int flown)
 {
     sins_navigation navigation = {.struct_size = sizeof navigation};
     sins_imu imu = {.struct_size = sizeof imu};
+    sins_imu_increment part = {.struct_size = sizeof part};
     sins_errors errors = {.struct_size = sizeof errors};
     sins_accuracy accuracy = {.struct_size = sizeof accuracy};
     sins_record record = {.struct_size = sizeof record};
@@ -110,6 +111,7 @@ static void read_everything(sins_sim *sim, int flown)
     FRAME_CHECK(is_answer(sins_get_truth(sim, &navigation), flown));
     FRAME_CHECK(is_answer(sins_get_navigation(sim, &navigation), flown));
     FRAME_CHECK(is_answer(sins_get_imu(sim, &imu), flown));
+    FRAME_CHECK(is_answer(sins_get_imu_update(sim, 0, &part), flown));
     FRAME_CHECK(is_answer(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors), flown));
     FRAME_CHECK(is_answer(sins_get_errors(sim, SINS_ERRORS_MODEL, &errors), flown));
     FRAME_CHECK(is_answer(sins_get_accuracy(sim, &accuracy), flown));

@@ -70,6 +70,7 @@ static void read_all(sins_sim *sim)
 {
     sins_navigation navigation = {.struct_size = sizeof navigation};
     sins_imu imu = {.struct_size = sizeof imu};
+    sins_imu_increment part = {.struct_size = sizeof part};
     sins_errors errors = {.struct_size = sizeof errors};
     sins_accuracy accuracy = {.struct_size = sizeof accuracy};
     sins_options options = {.struct_size = sizeof options};
@@ -102,6 +103,7 @@ static void read_all(sins_sim *sim)
     MEASURE(sins_get_gravity_disturbance(sim, &gravity));
     MEASURE(sins_get_failure(sim, SINS_SENSOR_ACCEL, 1, &failure));
     TRY(sins_get_imu(sim, &imu));
+    TRY(sins_get_imu_update(sim, 0, &part));
     MEASURE(sins_snapshot_size(sim, &size));
     MEASURE(sins_snapshot_save(sim, snapshot, sizeof snapshot, &size));
     MEASURE(sins_snapshot_load(sim, snapshot, size));

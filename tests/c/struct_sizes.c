@@ -259,6 +259,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_navigation, sins_get_truth(sim, pointer));
     OUTPUT_SIZES(sins_navigation, sins_get_navigation(sim, pointer));
     OUTPUT_SIZES(sins_imu, sins_get_imu(sim, pointer));
+    OUTPUT_SIZES(sins_imu_increment, sins_get_imu_update(sim, 0, pointer));
     OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_NAVIGATION, pointer));
     OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_MODEL, pointer));
     OUTPUT_SIZES(sins_truth_summary, sins_get_truth_summary(sim, pointer));

@@ -73,7 +73,10 @@ pub fn look(sim: *mut sins_sim, what: usize) {
         0 => drop(check::<sins_navigation>(|truth| call!(sins_get_truth(sim, truth)))),
         1 => drop(check::<sins_errors>(|errors| call!(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, errors)))),
         2 => drop(check::<sins_errors>(|errors| call!(sins_get_errors(sim, SINS_ERRORS_MODEL, errors)))),
-        3 => drop(check::<sins_imu>(|imu| call!(sins_get_imu(sim, imu)))),
+        3 => {
+            drop(check::<sins_imu>(|imu| call!(sins_get_imu(sim, imu))));
+            drop(check::<sins_imu_increment>(|part| call!(sins_get_imu_update(sim, 0, part))));
+        }
         4 => drop(check::<sins_accuracy>(|accuracy| call!(sins_get_accuracy(sim, accuracy)))),
         5 => {
             if let Some(record) = check::<sins_record>(|record| call!(sins_get_record(sim, record))) {
