@@ -36,6 +36,8 @@ pub enum Rule {
     Finite,
     /// `low` ≤ value ≤ `high`.
     Between(f64, f64),
+    /// `low` ≤ value ≤ `high`, integers of 64 bits.
+    BetweenIntegers(u64, u64),
     /// value = 0, which means none, or `low` ≤ value ≤ `high`.
     OffOr(f64, f64),
     /// `low` ≤ value ≤ `high`, because the named field is not 0.
@@ -66,6 +68,7 @@ impl Rule {
             Self::Between(low, high) | Self::OffOr(low, high) | Self::NeededBy(low, high, _) => {
                 (Some(low), Some(high))
             }
+            Self::BetweenIntegers(low, high) => (Some(low as f64), Some(high as f64)),
             Self::OneOf(_, low, high) => (Some(low.into()), Some(high.into())),
             Self::AtLeast(_, low) => (Some(low), None),
             Self::Below(high) | Self::AtMost(_, high) => (None, Some(high)),
@@ -184,6 +187,7 @@ impl fmt::Display for Error {
                     _ => Ok(()),
                 }
             }
+            Rule::BetweenIntegers(low, high) => write!(f, "must be from {low} to {high}"),
             Rule::OffOr(low, high) => {
                 write!(f, "must be 0 for none, or from {} to {}", limit(low), limit(high))
             }
@@ -289,6 +293,11 @@ mod tests {
         assert_eq!(
             check_integer("count", u64::MAX, 2, 1_000_000_000).unwrap_err().to_string(),
             "count = 18446744073709551615: must be from 2 to 1000000000"
+        );
+        let run = Error::invalid("run", u64::MAX, Rule::BetweenIntegers(0, u64::MAX - 1));
+        assert_eq!(
+            run.to_string(),
+            "run = 18446744073709551615: must be from 0 to 18446744073709551614"
         );
         let size = Error::invalid("gyro.struct_size", 3_435_973_836_u32, Rule::Exactly("must be", 712.0));
         assert_eq!(size.to_string(), "gyro.struct_size = 3435973836: must be 712");

@@ -89,6 +89,9 @@ impl FlightLog {
         for (line, number) in text.split_inclusive(|byte| *byte == b'\n').zip(1..) {
             check_line(line).map_err(|sentence| fault(number, 1, sentence))?;
         }
+        // The reader takes a comment without a line end, which can only be the last line, for a row.
+        let last = text.iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
+        let text = if text[last..].starts_with(b"#") { &text[..last] } else { text };
         let mut reader = ReaderBuilder::new()
             .comment(Some(b'#'))
             .flexible(true)
@@ -118,6 +121,11 @@ impl FlightLog {
             {
                 let sentence =
                     format!("time_s = {}: not later than the sample before, {}", sample.time_s, last.time_s);
+                return Err(fault(line, 1, sentence));
+            }
+            let first_s = log.samples.first().map_or(sample.time_s, |first| first.time_s);
+            if !(sample.time_s - first_s).is_finite() {
+                let sentence = format!("time_s = {:e}: too long after the first sample, {first_s:e}", sample.time_s);
                 return Err(fault(line, 1, sentence));
             }
             room_for_one_more(&mut log.samples).map_err(LogError::Memory)?;

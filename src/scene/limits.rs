@@ -66,19 +66,11 @@ fn stated(key: &Key, checked: Result<(), Error>) -> Option<Limits> {
     }
     let si = if let Target::Numbers { unit, .. } = key.target { unit.si } else { 1.0 };
     let zero_is_off = matches!(error.rule, Rule::OffOr(..));
-    Some(Limits { low: towards_0(low, si), high: towards_0(high, si), zero_is_off })
-}
-
-/// A limit in a unit, rounded towards 0, so that the limit itself is accepted.
-fn towards_0(limit: f64, si: f64) -> f64 {
-    let number = limit / si;
-    if (number * si).abs() <= limit.abs() {
-        number
-    } else if number > 0.0 {
-        number.next_down()
-    } else {
-        number.next_up()
-    }
+    // Rounded inwards, so that the limit itself is accepted.
+    let (low_in_unit, high_in_unit) = (low / si, high / si);
+    let low = if low_in_unit * si < low { low_in_unit.next_up() } else { low_in_unit };
+    let high = if high_in_unit * si > high { high_in_unit.next_down() } else { high_in_unit };
+    Some(Limits { low, high, zero_is_off })
 }
 
 fn of_section(key: &Key) -> Option<Limits> {

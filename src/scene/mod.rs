@@ -25,6 +25,8 @@ mod table;
 mod value;
 mod write;
 
+pub(crate) use read::utf8;
+pub(crate) use value::MAX_TEXT_VALUE;
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub(crate) use fault::excerpt;
 pub use fault::{About, Fault, MAX_FAULTS, nearest};

@@ -102,3 +102,21 @@ fn altered_texts_have_an_answer() {
     }
     assert!(read > 100, "{read}");
 }
+
+/// The last line of a log is a comment with no line end: the log is that without it.
+#[test]
+fn a_comment_may_end_a_log_without_a_newline() {
+    let rows = format!("{HEADER}\n0,45,0.1,100,0,0,90\n1,45,0.2,100,0,0,90\n");
+    for end in ["#", "# end of the flight", "#,,,,,,,,,"] {
+        assert_eq!(read(&format!("{rows}{end}")), read(&rows), "{end}");
+    }
+}
+
+/// Time stamps are finite, but the time between them is not.
+#[test]
+fn a_flight_has_a_finite_duration() {
+    let text = format!("{HEADER}\n-1e308,45,0.1,100,0,0,90\n1e308,45,0.2,100,0,0,90\n");
+    let (line, column, sentence) = fault(text.as_bytes());
+    assert_eq!((line, column), (3, 1));
+    assert_eq!(sentence, "time_s = 1e308: too long after the first sample, -1e308");
+}

@@ -114,7 +114,7 @@ impl<'a> Work<'a> {
             }
         }
         self.progress.fly((given.count - 1) % CHUNK * runs as usize, given.period_s);
-        for run in first_run..first_run + runs {
+        for run in first_run..=first_run + (runs - 1) {
             part.ends.push(state(&ensemble, run)?);
         }
         part.diverged = ensemble.diverged().collect();
@@ -134,7 +134,7 @@ impl<'a> Work<'a> {
         for source in &self.plan.sources {
             part.statistics.push(ensemble.statistics(*source)?);
         }
-        for (path, run) in part.drawn.iter_mut().zip(ensemble.first_run()..) {
+        for (path, run) in part.drawn.iter_mut().zip(ensemble.first_run()..=u64::MAX) {
             path.extend(state(ensemble, run)?);
         }
         Ok(())

@@ -89,7 +89,7 @@ pub fn statistics(rows: &[Row]) -> String {
 /// Writes the errors of each run at the end; a run that diverged has none.
 pub fn write_runs(plan: &Plan, results: &Results, to: &mut impl Write) -> std::io::Result<()> {
     writeln!(to, "{RUNS_MARK}{},radial_m", states("").join(","))?;
-    for (run, end) in (plan.first_run..).zip(&results.ends) {
+    for (run, end) in (plan.first_run..=u64::MAX).zip(&results.ends) {
         write!(to, "{run},{}", u8::from(end.is_none()))?;
         match end {
             Some(state) => state.iter().try_for_each(|value| write!(to, ",{}", number(*value)))?,
