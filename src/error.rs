@@ -295,10 +295,7 @@ mod tests {
             "count = 18446744073709551615: must be from 2 to 1000000000"
         );
         let run = Error::invalid("run", u64::MAX, Rule::BetweenIntegers(0, u64::MAX - 1));
-        assert_eq!(
-            run.to_string(),
-            "run = 18446744073709551615: must be from 0 to 18446744073709551614"
-        );
+        assert_eq!(run.to_string(), "run = 18446744073709551615: must be from 0 to 18446744073709551614");
         let size = Error::invalid("gyro.struct_size", 3_435_973_836_u32, Rule::Exactly("must be", 712.0));
         assert_eq!(size.to_string(), "gyro.struct_size = 3435973836: must be 712");
     }

@@ -125,7 +125,8 @@ impl FlightLog {
             }
             let first_s = log.samples.first().map_or(sample.time_s, |first| first.time_s);
             if !(sample.time_s - first_s).is_finite() {
-                let sentence = format!("time_s = {:e}: too long after the first sample, {first_s:e}", sample.time_s);
+                let sentence =
+                    format!("time_s = {:e}: too long after the first sample, {first_s:e}", sample.time_s);
                 return Err(fault(line, 1, sentence));
             }
             room_for_one_more(&mut log.samples).map_err(LogError::Memory)?;

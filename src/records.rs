@@ -88,7 +88,11 @@ impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(value) = *self;
         let size = value.abs();
-        if size == 0.0 || (1e-5..1e15).contains(&size) { write!(f, "{value}") } else { write!(f, "{value:e}") }
+        if size == 0.0 || (1e-5..1e15).contains(&size) {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
     }
 }
 

@@ -97,7 +97,9 @@ unsafe fn line(
     let mut add = |values: &[f64]| values.iter().for_each(|value| line.add(Number(*value)));
     add(&[record.time_s]);
     [&record.truth, &record.navigation].into_iter().for_each(|solution| add_solution(&mut add, solution));
-    [&record.navigation_errors, &record.model_errors].into_iter().for_each(|errors| add_errors(&mut add, errors));
+    [&record.navigation_errors, &record.model_errors]
+        .into_iter()
+        .for_each(|errors| add_errors(&mut add, errors));
     add(&sensors);
     if !covariance.is_null() {
         // SAFETY: as this function.

@@ -97,7 +97,9 @@ impl Accuracy {
         self.next_s = time_s + SAMPLE_INTERVAL_S * (1.0 - 1e-6);
         if !near_pole {
             self.samples += 1;
-            self.velocity_squares = (self.velocity_squares + errors.velocity_n.component_mul(&errors.velocity_n)).map(|sum| sum.min(SUMS));
+            self.velocity_squares = (self.velocity_squares
+                + errors.velocity_n.component_mul(&errors.velocity_n))
+            .map(|sum| sum.min(SUMS));
         }
         let t = time_s - self.start_s;
         if t >= WINDOW_START_S {
@@ -195,7 +197,8 @@ mod tests {
             heading_rad: 0.0,
             outside_validity: false,
         };
-        let mut accuracy = Accuracy { line: [2.0, 1e20, 0.5e40, SUMS, SUMS], windowed: 2, ..Accuracy::new(0.0) };
+        let mut accuracy =
+            Accuracy { line: [2.0, 1e20, 0.5e40, SUMS, SUMS], windowed: 2, ..Accuracy::new(0.0) };
         (accuracy.velocity_squares, accuracy.rate_squares) = (Vector3::repeat(SUMS), SUMS);
         for second in 1..=10 {
             errors.position_n *= 1e3;

@@ -133,7 +133,11 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
                 return Err(format!("{}: must not have control characters", key.path()));
             }
             Value::Text(text) if text.len() > MAX_TEXT_VALUE => {
-                return Err(format!("{}: {} bytes: a text has at most {MAX_TEXT_VALUE}", key.path(), text.len()));
+                return Err(format!(
+                    "{}: {} bytes: a text has at most {MAX_TEXT_VALUE}",
+                    key.path(),
+                    text.len()
+                ));
             }
             Value::Text(text) if !text.is_empty() => place(draft).clone_from(text),
             _ => return Err(refused(format!("a text, as \"{example}\""))),

@@ -80,7 +80,11 @@ impl Scene {
                 let path = ValuePath::read(path).ok()?;
                 let mut draft = self.draft_of(path.site)?;
                 let is_there = self.has(&draft, path.key());
-                Some(if is_there { shown(&mut draft, path.key(), path.in_si, path.element) } else { String::new() })
+                Some(if is_there {
+                    shown(&mut draft, path.key(), path.in_si, path.element)
+                } else {
+                    String::new()
+                })
             }
         }
     }
@@ -89,6 +93,7 @@ impl Scene {
     fn has(&self, draft: &Draft, key: &Key) -> bool {
         match key.section {
             Section::Flight if key.is_of_manoeuvres() => matches!(self.flight, FlightSource::Path(_)),
+            Section::Flight if key.name == "temperature_change_c_h" => !draft.temperature_c.is_nan(),
             Section::Options if key.name == "closed_loop_time_s" => draft.closed_loop,
             Section::Manoeuvre => {
                 key.name == "kind" || MANOEUVRE_KINDS[draft.manoeuvre.kind].1.contains(&key.field())

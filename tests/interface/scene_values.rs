@@ -103,7 +103,11 @@ fn values_are_read_by_their_paths() {
 fn every_value_that_is_read_can_be_set() {
     let mut scenes: Vec<Scene> = BUILTIN_SCENES.iter().map(|(name, _)| builtin(name).unwrap()).collect();
     scenes.push(scene());
-    for (kind, quantity) in [("drop_outs", "probability = 0.1"), ("drop_outs", "interval_s = 2"), ("noise", "density_m_sqrt_hz = 1")] {
+    for (kind, quantity) in [
+        ("drop_outs", "probability = 0.1"),
+        ("drop_outs", "interval_s = 2"),
+        ("noise", "density_m_sqrt_hz = 1"),
+    ] {
         let sensor = if kind == "noise" { "altimeter\"" } else { "gyro\"\naxis = \"x\"" };
         let failure = format!("[[failure]]\nsensor = \"{sensor}\nkind = \"{kind}\"\n{quantity}\n");
         let mut with = scene();
