@@ -1578,10 +1578,9 @@ SINS_API sins_status SINS_CALL sins_get_record(sins_sim *sim, sins_record *recor
  * gives the same doubles. sensor_errors is an array of count = 6 numbers: x, y, z of the mean gyro error [rad/s], then x, y,
  * z of the mean accelerometer error [m/s2], since the previous record. NULL with count 0: all are 0. covariance adds columns
  * of standard deviations; NULL: none. buffer, capacity and needed as in sins_last_error(); a line has at most 1600 bytes.
- * Not for a real-time frame: it allocates.
+ * No allocation.
  *
  * SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
- * SINS_ERROR_OUT_OF_MEMORY: no memory for the text.
  */
 SINS_API sins_status SINS_CALL sins_record_line(const sins_record *record, const double *sensor_errors, size_t count,
     const sins_covariance *covariance, char *buffer, size_t capacity, size_t *needed);

@@ -11,6 +11,10 @@
 
 #include "sins.h"
 
+#if !defined(__cpp_exceptions) && !defined(__EXCEPTIONS) && !defined(_CPPUNWIND)
+#error "sins.hpp throws exceptions: compile with them, or use sins.h"
+#endif
+
 namespace sins {
 
 /* A call that failed. what() is the sentence of sins_last_error(), info() the data of sins_last_error_info(). */
@@ -47,18 +51,29 @@ inline std::string last_error(const sins_sim *sim) {
 /* Not for hosts. */
 namespace detail {
 
-[[noreturn]] inline void fail(sins_status status, const sins_sim *sim) {
+/* The error of the call that has just failed. */
+inline Error error_of(sins_status status, const sins_sim *sim) {
     /* The failure of a call whose handle was rejected is kept for the thread. */
     sins_error_info info = make<sins_error_info>();
     if (sins_last_error_info(sim, &info) < 0)
         sins_last_error_info(sim = nullptr, &info);
-    throw Error(status, last_error(sim), info);
+    return Error(status, last_error(sim), info);
+}
+
+/* A text for a function that takes a terminated one, which a NUL would cut. */
+inline const char *terminated(const std::string &text, const char *name) {
+    if (text.find('\0') != std::string::npos) {
+        sins_error_info info = make<sins_error_info>();
+        info.status = SINS_ERROR_INVALID_ARGUMENT;
+        throw Error(info.status, std::string(name) + ": must not have a NUL character", info);
+    }
+    return text.c_str();
 }
 
 /* True for SINS_OK, false for a positive status. Throws an error. */
 inline bool done(sins_status status, const sins_sim *sim) {
     if (status < 0)
-        fail(status, sim);
+        throw error_of(status, sim);
     return status == SINS_OK;
 }
 

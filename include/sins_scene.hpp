@@ -29,7 +29,7 @@ public:
 
     /* A built-in scene by its name. */
     static Scene builtin(const std::string &name) {
-        return Scene(detail::given<sins_scene *>(nullptr, sins_scene_create_builtin, name.c_str()));
+        return Scene(detail::given<sins_scene *>(nullptr, sins_scene_create_builtin, detail::terminated(name, "name")));
     }
 
     /* The names of the built-in scenes. */
@@ -49,15 +49,18 @@ public:
 
     /* The value at a path, "gyro.bias_deg_h[1]", as it stands in the text of a scene; or all lines of an item, "failure[0]". */
     std::string value(const std::string &path) const {
-        return detail::text(sins_scene_get_value, handle_, path.c_str());
+        return detail::text(sins_scene_get_value, handle_, detail::terminated(path, "path"));
     }
 
     /* Sets values. Each line is path = value. False: the scene stays as it was, and faults() has the reasons. */
-    bool set_values(const std::string &values) { return changed(sins_scene_set_values(handle_, values.c_str())); }
+    bool set_values(const std::string &values) {
+        return changed(sins_scene_set_values(handle_, detail::terminated(values, "values")));
+    }
 
     /* Sets all items of a list, "manoeuvre" or "failure", by their text. False: as set_values(). */
     bool set_items(const std::string &list, const std::string &items) {
-        return changed(sins_scene_set_items(handle_, list.c_str(), items.c_str()));
+        const char *const text = detail::terminated(items, "items");
+        return changed(sins_scene_set_items(handle_, detail::terminated(list, "list"), text));
     }
 
     /* The keys of the scene format. */
@@ -109,7 +112,9 @@ public:
 
     /* which is of enum sins_scene_text. */
     std::string text(int32_t which) const { return detail::text(sins_scene_get_text, handle_, which); }
-    void set_text(int32_t which, const std::string &text) { done(sins_scene_set_text(handle_, which, text.c_str())); }
+    void set_text(int32_t which, const std::string &text) {
+        done(sins_scene_set_text(handle_, which, detail::terminated(text, "text")));
+    }
 
     std::vector<sins_planned_failure> failures() const {
         std::size_t count = 0;
@@ -124,7 +129,13 @@ private:
     explicit Scene(sins_scene *scene) noexcept : Owner(scene) {}
 
     bool changed(sins_status status) const {
-        return !(status == SINS_ERROR_INVALID_ARGUMENT && !faults().empty()) && detail::done(status, nullptr);
+        if (status >= 0)
+            return detail::done(status, nullptr);
+        /* faults() ends with a call that fails. */
+        const Error error = detail::error_of(status, nullptr);
+        if (status == SINS_ERROR_INVALID_ARGUMENT && !faults().empty())
+            return false;
+        throw error;
     }
 
     static void done(sins_status status) { detail::done(status, nullptr); }

@@ -36,6 +36,8 @@ pub enum Rule {
     Finite,
     /// `low` ≤ value ≤ `high`.
     Between(f64, f64),
+    /// `low` ≤ value ≤ `high`, integers of 64 bits.
+    BetweenIntegers(u64, u64),
     /// value = 0, which means none, or `low` ≤ value ≤ `high`.
     OffOr(f64, f64),
     /// `low` ≤ value ≤ `high`, because the named field is not 0.
@@ -66,6 +68,7 @@ impl Rule {
             Self::Between(low, high) | Self::OffOr(low, high) | Self::NeededBy(low, high, _) => {
                 (Some(low), Some(high))
             }
+            Self::BetweenIntegers(low, high) => (Some(low as f64), Some(high as f64)),
             Self::OneOf(_, low, high) => (Some(low.into()), Some(high.into())),
             Self::AtLeast(_, low) => (Some(low), None),
             Self::Below(high) | Self::AtMost(_, high) => (None, Some(high)),
@@ -184,6 +187,7 @@ impl fmt::Display for Error {
                     _ => Ok(()),
                 }
             }
+            Rule::BetweenIntegers(low, high) => write!(f, "must be from {low} to {high}"),
             Rule::OffOr(low, high) => {
                 write!(f, "must be 0 for none, or from {} to {}", limit(low), limit(high))
             }
@@ -224,9 +228,7 @@ impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { number, is_integer } = *self;
         let size = number.abs();
-        if is_integer && number >= u64::MAX as f64 {
-            write!(f, "{}", u64::MAX)
-        } else if !is_integer && size != 0.0 && number.is_finite() && !(1e-4..1e7).contains(&size) {
+        if !is_integer && size != 0.0 && number.is_finite() && !(1e-4..1e7).contains(&size) {
             write!(f, "{number:e}")
         } else {
             write!(f, "{number}")
@@ -292,8 +294,8 @@ mod tests {
             check_integer("count", u64::MAX, 2, 1_000_000_000).unwrap_err().to_string(),
             "count = 18446744073709551615: must be from 2 to 1000000000"
         );
-        let all = Error::invalid("seed", 1u32, Rule::Between(0.0, u64::MAX as f64));
-        assert_eq!(all.to_string(), "seed = 1: must be from 0 to 18446744073709551615");
+        let run = Error::invalid("run", u64::MAX, Rule::BetweenIntegers(0, u64::MAX - 1));
+        assert_eq!(run.to_string(), "run = 18446744073709551615: must be from 0 to 18446744073709551614");
         let size = Error::invalid("gyro.struct_size", 3_435_973_836_u32, Rule::Exactly("must be", 712.0));
         assert_eq!(size.to_string(), "gyro.struct_size = 3435973836: must be 712");
     }

@@ -11,7 +11,7 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use nalgebra::Vector3;
 
 use crate::earth::Geodetic;
-use crate::error::{Error, check_range};
+use crate::error::Error;
 use crate::math::Euler;
 use crate::memory::room_for_one_more;
 use crate::scene::{Fault, excerpt, nearest};
@@ -86,12 +86,12 @@ impl FlightLog {
     /// Reads the log in a text: at least two samples, in the order of time. The ranges of the samples are checked when they are pushed.
     pub fn parse(text: &[u8]) -> Result<Self, LogError> {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
-        // A comment at the end without a line feed would be read as a row.
-        let last_line = text.iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
-        let text = if text[last_line..].starts_with(b"#") { &text[..last_line] } else { text };
         for (line, number) in text.split_inclusive(|byte| *byte == b'\n').zip(1..) {
             check_line(line).map_err(|sentence| fault(number, 1, sentence))?;
         }
+        // The reader takes a comment without a line end, which can only be the last line, for a row.
+        let last = text.iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
+        let text = if text[last..].starts_with(b"#") { &text[..last] } else { text };
         let mut reader = ReaderBuilder::new()
             .comment(Some(b'#'))
             .flexible(true)
@@ -116,14 +116,17 @@ impl FlightLog {
                 return Err(fault(line, width + 1, sentence));
             }
             let sample = sample(&row, line, &columns)?;
-            // The range of a sample's time, so that durations are finite.
-            check_range("time_s", sample.time_s, -FlightSample::LATEST_S, FlightSample::LATEST_S)
-                .map_err(|error| fault(line, 1, error.to_string()))?;
             if let Some(last) = log.samples.last()
                 && sample.time_s <= last.time_s
             {
                 let sentence =
                     format!("time_s = {}: not later than the sample before, {}", sample.time_s, last.time_s);
+                return Err(fault(line, 1, sentence));
+            }
+            let first_s = log.samples.first().map_or(sample.time_s, |first| first.time_s);
+            if !(sample.time_s - first_s).is_finite() {
+                let sentence =
+                    format!("time_s = {:e}: too long after the first sample, {first_s:e}", sample.time_s);
                 return Err(fault(line, 1, sentence));
             }
             room_for_one_more(&mut log.samples).map_err(LogError::Memory)?;

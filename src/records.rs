@@ -1,5 +1,7 @@
 //! Files of records: truth, navigation, both error data and the errors of the sensors, with one line for each instant.
 
+use core::fmt;
+
 /// Columns of a file of records.
 pub const COLUMNS: [&str; 51] = [
     "time_s",
@@ -79,10 +81,24 @@ pub fn line(values: impl IntoIterator<Item = f64>) -> String {
     values.into_iter().map(number).collect::<Vec<_>>().join(",")
 }
 
-/// The shortest text that gives the same bits when it is read.
+/// A number as the shortest text that gives the same bits when it is read.
+pub struct Number(pub f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = *self;
+        let size = value.abs();
+        if size == 0.0 || (1e-5..1e15).contains(&size) {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
+}
+
+/// The text of a [`Number`].
 pub fn number(value: f64) -> String {
-    let size = value.abs();
-    if size == 0.0 || (1e-5..1e15).contains(&size) { value.to_string() } else { format!("{value:e}") }
+    Number(value).to_string()
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! The files that the program writes: complete or not at all, never one of its inputs, and never a file of another program.
 //!
 //! Each file is written to a temporary file in the same folder, with an unpredictable name, and renamed at the end. So a
-//! half-written file is never visible, and two runs of one name leave the file of one of them. An existing file is replaced if it
+//! half-written file is never visible, and two runs of one name leave the file of one of them. A temporary file is locked while it is
+//! written: without a lock it is one of a program that was killed, and the next output into the folder removes it. An existing file is replaced if it
 //! has the mark of the program's own files; any other file needs `--force`. A device, a FIFO or a link is never replaced.
 
 use std::fs::{File, Metadata};
@@ -9,13 +10,17 @@ use std::io::{BufWriter, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use tempfile::{Builder, TempPath};
+use tempfile::{Builder, NamedTempFile, TempPath};
 
 use crate::failure::{Failure, Kind};
 use crate::interrupt::Temporary;
 
 /// Length of the beginning of a file in which the mark of this program must be [bytes].
 const MARK_WITHIN: u64 = 4096;
+
+/// Beginning and end of the name of a temporary file.
+const PREFIX: &str = ".sins-";
+const SUFFIX: &str = ".part";
 
 /// Outputs of a run of the program, with the rules for replacing files.
 #[derive(Debug, Default)]
@@ -96,14 +101,15 @@ impl Outputs {
         self.rules.check(path, mark)?;
         let mut temporary = Temporary::lock();
         let mut builder = Builder::new();
-        builder.prefix(".sins-").suffix(".part");
+        builder.prefix(PREFIX).suffix(SUFFIX);
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
             // The permissions of any new file: the user's mask is applied.
             builder.permissions(std::fs::Permissions::from_mode(0o666));
         }
-        let file = builder.tempfile_in(&folder_itself).map_err(|error| Failure::of_output(path, &error))?;
+        remove_abandoned(&folder_itself);
+        let file = locked(&builder, &folder_itself).map_err(|error| Failure::of_output(path, &error))?;
         temporary.add(file.path());
         self.taken.push(place);
         let (file, temporary) = file.into_parts();
@@ -118,6 +124,34 @@ impl Outputs {
     /// Writes a whole file.
     pub fn write(&mut self, path: &Path, mark: &str, text: &str) -> Result<(), Failure> {
         self.file(path, mark)?.finish(text)
+    }
+}
+
+/// A temporary file with the lock of its program. Another program may have removed the file before it was locked.
+fn locked(builder: &Builder<'_, '_>, folder: &Path) -> std::io::Result<NamedTempFile> {
+    loop {
+        let file = builder.tempfile_in(folder)?;
+        // A file system without locks: no file is taken for abandoned there.
+        let is_locked = file.as_file().lock().is_ok();
+        if !is_locked || file.path().exists() {
+            return Ok(file);
+        }
+    }
+}
+
+/// Removes the temporary files of programs that were killed: nobody holds their locks.
+fn remove_abandoned(folder: &Path) {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        let is_ours = name.starts_with(PREFIX) && name.ends_with(SUFFIX);
+        if is_ours
+            && entry.file_type().is_ok_and(|kind| kind.is_file())
+            && let Ok(file) = File::open(entry.path())
+            && file.try_lock().is_ok()
+        {
+            let _ = std::fs::remove_file(entry.path());
+        }
     }
 }
 
@@ -222,8 +256,8 @@ impl OutputFile {
         self.check()?;
         // Another program may have put a file there in the meantime.
         self.rules.check(&self.path, &self.mark)?;
-        let Some((writer, temporary)) = self.writer.take() else { return Ok(()) };
-        drop(writer);
+        // The file is locked until it has its name.
+        let Some((_writer, temporary)) = self.writer.take() else { return Ok(()) };
         let mut list = Temporary::lock();
         list.forget(&temporary);
         temporary.persist(&self.path).map_err(|error| Failure::of_output(&self.path, &error.error))

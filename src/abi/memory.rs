@@ -233,20 +233,23 @@ impl<T: Struct> Array<T> {
     }
 }
 
-/// Numbers of the host; none if `count` is 0.
+/// Reads numbers of the host, as many as `to` has.
 ///
 /// # Safety
-/// `pointer` is null or points to `count` readable numbers, of any alignment.
-pub(super) unsafe fn numbers_of(
+/// `pointer` is null or points to that many readable numbers, of any alignment.
+pub(super) unsafe fn read_numbers(
     pointer: *const f64,
-    count: usize,
+    to: &mut [f64],
     name: &'static str,
-) -> Result<Vec<f64>, Failure> {
-    if pointer.is_null() && count > 0 {
+) -> Result<(), Failure> {
+    if pointer.is_null() && !to.is_empty() {
         return Err(Failure::null(name));
     }
-    // SAFETY: not null, and within the array.
-    Ok((0..count).map(|index| unsafe { pointer.add(index).read_unaligned() }).collect())
+    for (index, number) in to.iter_mut().enumerate() {
+        // SAFETY: not null, and within the array.
+        *number = unsafe { pointer.add(index).read_unaligned() };
+    }
+    Ok(())
 }
 
 /// Writes `value` to a place of the host.

@@ -6,7 +6,7 @@ use super::failure::{Failure, SINS_OK, sins_status};
 use super::scene::{sins_scene, with_scene};
 use super::text::{bad_text, put_text, utf8_of};
 use crate::error::{Error, Rule, check_integer};
-use crate::scene::{self, FlightSource, Scene};
+use crate::scene::{self, FlightSource, MAX_TEXT_VALUE, Scene};
 
 /// The texts of a scene: sins_scene_get_text(), sins_scene_set_text().
 pub type sins_scene_text = i32;
@@ -80,7 +80,7 @@ pub unsafe extern "C-unwind" fn sins_scene_set_text(
         // SAFETY: the host's promise.
         let text = unsafe { utf8_of(text, "text")? };
         let refused = |rule| bad_text("text", rule);
-        check_integer("bytes of text", text.len(), 0, 4096)?;
+        check_integer("bytes of text", text.len(), 0, MAX_TEXT_VALUE as i64)?;
         if text.chars().any(char::is_control) {
             return Err(refused("must not have control characters").into());
         }

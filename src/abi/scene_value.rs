@@ -2,20 +2,10 @@
 
 use core::ffi::c_char;
 
-use super::failure::{Failure, sins_status};
+use super::failure::sins_status;
 use super::scene::{change_scene, sins_scene, with_scene};
-use super::text::{bad_text, put_text, utf8_of};
-use crate::scene::{Fault, MAX_TEXT};
-
-/// A terminated text of the host in UTF-8, not longer than a scene's text.
-///
-/// # Safety
-/// `text` is null or points to a terminated string, which nobody writes while the text lives.
-unsafe fn short_text<'a>(text: *const c_char, name: &'static str) -> Result<&'a str, Failure> {
-    // SAFETY: as this function.
-    let text = unsafe { utf8_of(text, name)? };
-    if text.len() > MAX_TEXT { Err(bad_text(name, "must have at most 1 MiB").into()) } else { Ok(text) }
-}
+use super::text::{bad_text, put_text, text_of, utf8_of};
+use crate::scene::{Fault, utf8};
 
 /// Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of
 /// the y axis), "gyro.bias_rad_s" (in SI), "options.scheme", "manoeuvre[3].bank_deg", "manoeuvre[3].sinusoid[0].channel",
@@ -37,7 +27,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_value(
 ) -> sins_status {
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
-        let path = unsafe { short_text(path, "path")? };
+        let path = unsafe { utf8_of(path, "path")? };
         let Some(value) = scene.value(path) else {
             return Err(bad_text("path", "must name a value or an item of the scene").into());
         };
@@ -65,12 +55,12 @@ pub unsafe extern "C-unwind" fn sins_scene_set_values(
     values: *const c_char,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    let values = unsafe { short_text(values, "values") };
-    let size = values.map_or(0, str::len);
+    let values = unsafe { text_of(values, "values") };
+    let size = values.map_or(0, <[u8]>::len);
     change_scene(scene, "values", size, |scene| {
         let mut settings = Vec::new();
         let mut lines = Vec::new();
-        for (line, number) in values?.lines().zip(1..) {
+        for (line, number) in utf8(values?)?.lines().zip(1..) {
             let line = line.trim();
             if line.is_empty() || line.starts_with('#') {
                 continue;
@@ -109,7 +99,7 @@ pub unsafe extern "C-unwind" fn sins_scene_set_items(
     items: *const c_char,
 ) -> sins_status {
     // SAFETY: the host's promise.
-    let (list, items) = unsafe { (short_text(list, "list"), short_text(items, "items")) };
-    let size = items.map_or(0, str::len);
-    change_scene(scene, "items", size, |scene| Ok(scene.set_items(list?, items?)?))
+    let (list, items) = unsafe { (utf8_of(list, "list"), text_of(items, "items")) };
+    let size = items.map_or(0, <[u8]>::len);
+    change_scene(scene, "items", size, |scene| Ok(scene.set_items(list?, utf8(items?)?)?))
 }

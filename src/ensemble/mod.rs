@@ -53,7 +53,7 @@ impl Ensemble {
         check_integer("runs", runs, 1, MAX_RUNS.into())?;
         let last_first = u64::MAX - (runs as u64 - 1);
         if first_run > last_first {
-            return Err(Error::invalid("first_run", first_run, Rule::Between(0.0, last_first as f64)));
+            return Err(Error::invalid("first_run", first_run, Rule::BetweenIntegers(0, last_first)));
         }
         let options = *template.options();
         let part = |first: usize| {

@@ -127,7 +127,7 @@ impl Ensemble {
         let place = run.checked_sub(self.first_run).and_then(|place| usize::try_from(place).ok());
         let Some(place) = place.filter(|&place| place < self.runs()) else {
             let last = self.first_run + (self.runs() as u64 - 1);
-            return Err(Error::invalid("run", run, Rule::Between(self.first_run as f64, last as f64)));
+            return Err(Error::invalid("run", run, Rule::BetweenIntegers(self.first_run, last)));
         };
         match self.diverged_s(place) {
             None => Ok(place),

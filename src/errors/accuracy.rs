@@ -17,6 +17,9 @@ const WINDOW_START_S: f64 = 300.0;
 /// Shortest interval between two samples of the errors [s].
 const SAMPLE_INTERVAL_S: f64 = 1.0;
 
+/// Least n Σt² - (Σt)² of a line [s²]: two samples are about one sampling interval apart, and more have a larger spread.
+const LEAST_SPREAD_S2: f64 = 0.5 * SAMPLE_INTERVAL_S * SAMPLE_INTERVAL_S;
+
 /// Sums over the run so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accuracy {
@@ -45,10 +48,7 @@ stored!(Accuracy {
     for &square in squares.chain([&t, &r, &tr]) {
         from.require(square >= 0.0, square, NO_SQUARE)?;
     }
-    from.require(n == sums.windowed as f64, n, "must be the number of samples in the window")?;
-    // Two samples are one sampling interval apart, and more samples have a larger spread.
-    let spread = n * t2 - t * t;
-    from.require(n < 2.0 || spread > 0.5 * SAMPLE_INTERVAL_S * SAMPLE_INTERVAL_S, spread, "is no spread of times")
+    from.require(n == sums.windowed as f64, n, "must be the number of samples in the window")
 });
 
 /// Bound of the sums over a run: no run has enough samples for it, with squares of 1e9 m/s or m, or times of 2e10 s.
@@ -97,15 +97,17 @@ impl Accuracy {
         self.next_s = time_s + SAMPLE_INTERVAL_S * (1.0 - 1e-6);
         if !near_pole {
             self.samples += 1;
-            self.velocity_squares += errors.velocity_n.component_mul(&errors.velocity_n);
+            self.velocity_squares = (self.velocity_squares
+                + errors.velocity_n.component_mul(&errors.velocity_n))
+            .map(|sum| sum.min(SUMS));
         }
         let t = time_s - self.start_s;
         if t >= WINDOW_START_S {
             let r = errors.position_n.xy().norm_squared().sqrt();
             self.windowed += 1;
-            self.rate_squares += (r / t) * (r / t);
+            self.rate_squares = (self.rate_squares + (r / t) * (r / t)).min(SUMS);
             for (sum, term) in self.line.iter_mut().zip([1.0, t, t * t, r, t * r]) {
-                *sum += term;
+                *sum = (*sum + term).min(SUMS);
             }
         }
     }
@@ -126,7 +128,7 @@ impl Accuracy {
             window_start_s: WINDOW_START_S,
             window_samples: self.windowed,
             radial_error_rate_rms_m_s: mean(self.rate_squares, self.windowed).sqrt(),
-            radial_error_slope_m_s: if self.windowed > 1 { (n * tr - t * r) / spread } else { 0.0 },
+            radial_error_slope_m_s: if spread > LEAST_SPREAD_S2 { (n * tr - t * r) / spread } else { 0.0 },
             velocity_rms_n: self.velocity_squares.map(|sum| mean(sum, self.samples).sqrt()),
         }
     }
@@ -179,5 +181,31 @@ mod tests {
         assert!((figures.radial_95_rate_m_s() / NMI_PER_HOUR - 1.730_818_383).abs() < 1e-9);
         assert!((figures.radial_error_slope_m_s - NMI_PER_HOUR).abs() < 1e-9);
         assert!((figures.velocity_rms_n.y - 0.4 * NMI_PER_HOUR).abs() < 1e-12);
+    }
+
+    /// Sums that are too large for the spread of their times, or at their limit: finite figures, and sums within the limit.
+    #[test]
+    fn sums_at_their_limit_stay_there_and_give_finite_figures() {
+        let mut errors = NavigationErrors {
+            position_n: Vector3::repeat(1e9),
+            latitude_rad: 0.0,
+            longitude_rad: 0.0,
+            velocity_n: Vector3::repeat(1e25),
+            misalignment_n: Vector3::zeros(),
+            roll_rad: 0.0,
+            pitch_rad: 0.0,
+            heading_rad: 0.0,
+            outside_validity: false,
+        };
+        let mut accuracy =
+            Accuracy { line: [2.0, 1e20, 0.5e40, SUMS, SUMS], windowed: 2, ..Accuracy::new(0.0) };
+        (accuracy.velocity_squares, accuracy.rate_squares) = (Vector3::repeat(SUMS), SUMS);
+        for second in 1..=10 {
+            errors.position_n *= 1e3;
+            accuracy.add(300.0 + f64::from(second), &errors, false);
+        }
+        assert!(accuracy.figures(400.0).radial_error_slope_m_s.is_finite());
+        let sums = accuracy.line.iter().chain(&accuracy.velocity_squares).chain([&accuracy.rate_squares]);
+        assert!(sums.into_iter().all(|sum| *sum <= SUMS));
     }
 }

@@ -51,8 +51,9 @@ impl Draft {
     fn check_limits(&self, section: Section) -> Result<(), Error> {
         let mut draft = self.clone();
         for (_, key) in of_section(section) {
-            let Target::Numbers { field, place, .. } = key.target else { continue };
-            let Some((low, high)) = key.limits_si() else { continue };
+            let Target::Numbers { field, place, limits_si: Some((low, high)), .. } = key.target else {
+                continue;
+            };
             for number in place.of(&mut draft).into_iter().filter(|number| !number.is_nan()) {
                 check_range(field, *number, low, high)?;
             }

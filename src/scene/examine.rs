@@ -34,7 +34,7 @@ impl Reader<'_> {
         if !sources[2] {
             for (index, span) in &flight.keys {
                 let key = &KEYS[*index];
-                if key.field().starts_with("start.") || key.name == "repeat" {
+                if key.is_of_manoeuvres() {
                     self.faults.add(
                         span,
                         format!("{}: only with [[manoeuvre]]s; this flight has its own start", key.path()),

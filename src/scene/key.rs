@@ -155,9 +155,9 @@ impl Place {
 /// Where the value of a key goes.
 #[derive(Debug, Clone, Copy)]
 pub enum Target {
-    /// Numbers in a unit; `field` is how the library names their place in SI, `low` and `high` [the key's unit] are limits of
-    /// the scene itself where the library has none.
-    Numbers { field: &'static str, unit: Unit, shape: Shape, limits: Option<(f64, f64)>, place: Place },
+    /// Numbers in a unit; `field` is how the library names their place in SI, `limits_si` are limits of the scene
+    /// itself where the library has none.
+    Numbers { field: &'static str, unit: Unit, shape: Shape, limits_si: Option<(f64, f64)>, place: Place },
     /// One of several words.
     Choice {
         field: &'static str,
@@ -193,10 +193,9 @@ impl Key {
         }
     }
 
-    /// Limits of the scene itself [SI].
-    pub fn limits_si(&self) -> Option<(f64, f64)> {
-        let Target::Numbers { unit, limits, .. } = self.target else { return None };
-        limits.map(|(low, high)| (low * unit.si, high * unit.si))
+    /// Whether only a flight of the scene's own manoeuvres has the value.
+    pub fn is_of_manoeuvres(&self) -> bool {
+        self.field().starts_with("start.") || (self.section == Section::Flight && self.name == "repeat")
     }
 
     /// Name of the key that takes this quantity in SI: the library's own name of its field; if this key has another unit.

@@ -66,19 +66,14 @@ fn stated(key: &Key, checked: Result<(), Error>) -> Option<Limits> {
     }
     let si = if let Target::Numbers { unit, .. } = key.target { unit.si } else { 1.0 };
     let zero_is_off = matches!(error.rule, Rule::OffOr(..));
-    Some(Limits { low: towards_0(low, si), high: towards_0(high, si), zero_is_off })
+    let is_within = |number: f64| (low..=high).contains(&(number * si));
+    Some(Limits { low: in_unit(low / si, is_within), high: in_unit(high / si, is_within), zero_is_off })
 }
 
-/// A limit in a unit, rounded towards 0, so that the limit itself is accepted.
-fn towards_0(limit: f64, si: f64) -> f64 {
-    let number = limit / si;
-    if (number * si).abs() <= limit.abs() {
-        number
-    } else if number > 0.0 {
-        number.next_down()
-    } else {
-        number.next_up()
-    }
+/// A limit in a unit: of its neighbours the shortest one that is accepted.
+fn in_unit(limit: f64, is_within: impl Fn(f64) -> bool) -> f64 {
+    let near = [limit.next_down(), limit, limit.next_up()].into_iter().filter(|number| is_within(*number));
+    near.min_by_key(|number| number.to_string().len()).unwrap_or(limit)
 }
 
 fn of_section(key: &Key) -> Option<Limits> {

@@ -31,8 +31,10 @@ pub use fault::{About, Fault, MAX_FAULTS, nearest};
 pub use limits::Limits;
 pub(crate) use list::key_line;
 pub use list::{KeyKind, KeyLine, keys, keys_text};
+pub(crate) use read::utf8;
 pub use samples::Samples;
 pub use schedule::TakesFailures;
+pub(crate) use value::MAX_TEXT_VALUE;
 pub use write::ChangedKey;
 
 use crate::error::{Error, Rule, check_integer};

@@ -17,6 +17,19 @@ use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, Man
 
 type Span = Range<usize>;
 
+/// A text in UTF-8 of at most [`MAX_TEXT`] bytes, or its fault.
+pub fn utf8(text: &[u8]) -> Result<&str, Vec<Fault>> {
+    let at = |line, sentence| vec![Fault { line, column: 1, sentence, about: About::default() }];
+    if text.len() > MAX_TEXT {
+        return Err(at(1, format!("{} bytes: a text has at most {MAX_TEXT}", text.len())));
+    }
+    core::str::from_utf8(text).map_err(|error| {
+        let before = &text[..error.valid_up_to()];
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        at(line, "not UTF-8".to_owned())
+    })
+}
+
 impl Scene {
     /// The scene of a text in TOML (UTF-8), or all faults of the text.
     pub fn parse(text: &[u8]) -> Result<Self, Vec<Fault>> {
@@ -27,15 +40,7 @@ impl Scene {
     /// "0.01")`, `("gyro.bias_deg_h[1]", "0.01")`, `("manoeuvre[3].bank_deg", "30")`. A value is written as in the text, but a string
     /// needs no quotes; an empty value is the default. If a key is set twice, the last value counts.
     pub fn parse_with(text: &[u8], settings: &[(&str, &str)]) -> Result<Self, Vec<Fault>> {
-        let at = |line, sentence| vec![Fault { line, column: 1, sentence, about: About::default() }];
-        if text.len() > MAX_TEXT {
-            return Err(at(1, format!("{} bytes: a scene has at most {MAX_TEXT}", text.len())));
-        }
-        let text = core::str::from_utf8(text).map_err(|error| {
-            let before = &text[..error.valid_up_to()];
-            let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-            at(line, "not UTF-8".to_owned())
-        })?;
+        let text = utf8(text)?;
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         if let Some(at) = too_deep(text) {
             let mut faults = Faults::new(text);
@@ -199,13 +204,10 @@ impl Reader<'_> {
             (false, None) => self.faults.add(&head, "[[failure]]: expected its axis"),
             _ => {}
         }
-        let (kind, uses) = FAILURE_KINDS[failure.kind];
+        let (kind, _) = FAILURE_KINDS[failure.kind];
         for (index, span) in &item.keys {
-            let (name, field) = (KEYS[*index].name, KEYS[*index].field());
-            let is_quantity =
-                |quantity: &&str| field.strip_prefix("failure.").is_some_and(|f| f.starts_with(*quantity));
-            let is_general = ["sensor", "axis", "kind", "from_s", "until_s"].contains(&name);
-            if !is_general && !uses.iter().any(is_quantity) {
+            let name = KEYS[*index].name;
+            if !failure.uses(&KEYS[*index]) {
                 self.faults.add(span, format!("failure.{name}: {kind} does not use it"));
             } else if let Some(own) = table::of_sensor(&KEYS[*index], failure.sensor) {
                 self.faults.add(span, format!("failure.{name}: not for this sensor; expected {own}"));

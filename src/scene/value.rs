@@ -8,6 +8,9 @@ use super::key::{Key, Shape, Target};
 use super::nesting::too_deep;
 use crate::records;
 
+/// Largest size of a text in a scene [bytes].
+pub const MAX_TEXT_VALUE: usize = 4096;
+
 /// The value of a key.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
@@ -126,6 +129,16 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
             set(draft, *whole);
         }
         Target::Text { example, place } => match value {
+            Value::Text(text) if text.chars().any(char::is_control) => {
+                return Err(format!("{}: must not have control characters", key.path()));
+            }
+            Value::Text(text) if text.len() > MAX_TEXT_VALUE => {
+                return Err(format!(
+                    "{}: {} bytes: a text has at most {MAX_TEXT_VALUE}",
+                    key.path(),
+                    text.len()
+                ));
+            }
             Value::Text(text) if !text.is_empty() => place(draft).clone_from(text),
             _ => return Err(refused(format!("a text, as \"{example}\""))),
         },

@@ -1,14 +1,13 @@
 //! The writer of scenes.
 
-use super::draft::Draft;
+use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
 use super::key::{Key, Section, Target};
 use super::list::meaning;
 use super::site::{Site, ValuePath};
-use super::table::of_section;
+use super::table::{of_section, of_sensor};
 use super::value::{divided, shown, written};
-use super::{PlannedFailure, Scene};
-use crate::flight::{Manoeuvre, ManoeuvreFields};
-use crate::sensors::SensorOutput;
+use super::{FlightSource, PlannedFailure, Scene};
+use crate::flight::{Channel, MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields};
 
 impl Scene {
     /// The scene in TOML with comments: all values that are not the default. [`Scene::parse`] reads the same scene from it, to the bit.
@@ -80,8 +79,36 @@ impl Scene {
             _ => {
                 let path = ValuePath::read(path).ok()?;
                 let mut draft = self.draft_of(path.site)?;
-                Some(shown(&mut draft, path.key(), path.in_si, path.element))
+                let is_there = self.has(&draft, path.key());
+                Some(if is_there {
+                    shown(&mut draft, path.key(), path.in_si, path.element)
+                } else {
+                    String::new()
+                })
             }
+        }
+    }
+
+    /// Whether the scene, or its item in `draft`, has the value of a key: a text may set it.
+    fn has(&self, draft: &Draft, key: &Key) -> bool {
+        match key.section {
+            Section::Flight if key.is_of_manoeuvres() => matches!(self.flight, FlightSource::Path(_)),
+            Section::Flight if key.name == "temperature_change_c_h" => !draft.temperature_c.is_nan(),
+            Section::Options if key.name == "closed_loop_time_s" => draft.closed_loop,
+            Section::Manoeuvre => {
+                key.name == "kind" || MANOEUVRE_KINDS[draft.manoeuvre.kind].1.contains(&key.field())
+            }
+            Section::Sinusoid => {
+                let is_speed = draft.sinusoid.channel == Channel::Speed;
+                key.name != if is_speed { "amplitude_deg" } else { "amplitude_m_s" }
+            }
+            Section::Failure => {
+                let FailureDraft { sensor, interval_s, .. } = draft.failure;
+                let is_random = FAILURE_KINDS[draft.failure.kind].0 == "drop_outs" && interval_s == 0.0;
+                let other = if is_random { "interval_s" } else { "probability" };
+                own_failure_key(key, sensor) && draft.failure.uses(key) && key.name != other
+            }
+            _ => true,
         }
     }
 
@@ -109,14 +136,9 @@ impl Scene {
     }
 }
 
-/// Whether a failure writes a key: its sensor, its axis, its kind, and for each quantity the key in the unit of its sensor.
-fn own_failure_key(key: &Key, output: SensorOutput) -> bool {
-    let sensor = match output {
-        SensorOutput::Gyro(_) => 0,
-        SensorOutput::Accelerometer(_) => 1,
-        SensorOutput::Altimeter => 2,
-    };
-    super::table::of_sensor(key, sensor).is_none() && !(key.name == "axis" && sensor == 2)
+/// Whether a failure of a sensor has a key: all but the keys of quantities in the units of other sensors; the altimeter has no axis.
+fn own_failure_key(key: &Key, sensor: usize) -> bool {
+    of_sensor(key, sensor).is_none() && !(key.name == "axis" && sensor == 2)
 }
 
 struct Writer {
@@ -143,7 +165,8 @@ impl Writer {
 
     fn failure(&mut self, planned: &PlannedFailure) {
         self.draft.failure = planned.into();
-        self.section(Section::Failure, |key| own_failure_key(key, planned.output));
+        let sensor = self.draft.failure.sensor;
+        self.section(Section::Failure, |key| own_failure_key(key, sensor));
     }
 
     /// Writes a section with its keys that are not at their default, if there are any. Items of a list are always written, with their

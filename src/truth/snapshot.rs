@@ -100,8 +100,9 @@ impl Intake {
             return refuse(stamp_s, "is off the stated sample period");
         }
         let Some(last) = self.ring.pushed(0) else {
-            check_range("snapshot: interval before a sample", interval_s, 0.0, INTERVALS_S.1)?;
-            return Ok(());
+            // The first sample of a flight has no interval before it.
+            let shortest = if interval_s == 0.0 { 0.0 } else { INTERVALS_S.0 };
+            return check_range("snapshot: interval before a sample", interval_s, shortest, INTERVALS_S.1);
         };
         let (shortest, longest) = (INTERVALS_S.0, self.limits.max_gap_s + rounding);
         check_range("snapshot: interval before a sample", interval_s, shortest, longest)?;

@@ -65,6 +65,21 @@ static void moved_objects() {
     CHECK(!sim.step() && runs.runs() == 3 && runs.diverged().empty() && kept.faults().empty());
 }
 
+/* A change that is rejected for another reason than faults throws the sentence of that reason. */
+static void texts_of_scenes() {
+    sins::Scene scene;
+    const std::string nul("gyro.bias_deg_h = 1\0gyro.bias_deg_h = 2", 39);
+    CHECK(!scene.set_values("\xff") && scene.faults().size() == 1);
+    const sins::Error no_list = error_of([&] { scene.set_items("\xff", ""); });
+    CHECK(names(no_list, "list: must be UTF-8") && no_list.status() == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(names(error_of([&] { scene.set_values(nul); }), "values: must not have a NUL"));
+    CHECK(names(error_of([&] { scene.set_items("failure", nul); }), "items: must not have a NUL"));
+    CHECK(names(error_of([&] { scene.set_text(SINS_SCENE_TEXT_TITLE, nul); }), "text: must not have a NUL"));
+    CHECK(names(error_of([&] { scene.value(nul); }), "path: must not have a NUL"));
+    CHECK(names(error_of([&] { sins::Scene::builtin(nul); }), "name: must not have a NUL"));
+    CHECK(scene.value("gyro.bias_deg_h") == "0");
+}
+
 static void errors() {
     sins::Simulator sim, second;
     auto gyro = sins::make<sins_gyro_params>();
@@ -120,6 +135,7 @@ static void snapshots() {
 
 int main() {
     moved_objects();
+    texts_of_scenes();
     errors();
     positive_statuses();
     scenes();

@@ -288,3 +288,18 @@ fn a_refusal_names_what_is_wrong() {
     let error = refused(&mut simulator, &forged(&good[..100]));
     assert!(error.ends_with(": the snapshot ends before it"), "{error}");
 }
+
+/// Tiny numbers, by whose squares figures are divided, are refused or give finite figures. The oldest sample that is kept has no other
+/// before it, against which its interval could be checked.
+#[test]
+fn tiny_numbers_are_refused_or_give_finite_figures() {
+    let mut simulator = in_flight();
+    let words = words(&snapshot(&simulator));
+    for (at, tiny) in (0..words.len()).flat_map(|at| [5e-323_f64, 1e-200].map(|tiny| (at, tiny))) {
+        let mut altered = words.clone();
+        altered[at] = tiny.to_bits();
+        if simulator.load_snapshot(&forged(&altered)).is_ok() {
+            finite(&simulator, || format!("word {at} of {tiny}"));
+        }
+    }
+}

@@ -55,6 +55,36 @@ fn a_signal_leaves_whole_files_and_no_temporary_one() {
     assert_eq!(names(&out), [""; 0]);
 }
 
+/// A program that was killed leaves its temporary files. The next output into the folder removes them, and none that is being written.
+#[test]
+#[cfg(unix)]
+fn the_temporary_files_of_a_killed_program_are_removed() {
+    let folder = folder("killed");
+    let out = folder.join("sins_out");
+    let long = ["fly", "simulation2", "-q", "--set", "output.every_s=1", "--name", "long"];
+    let mut killed = sins(&folder, &long).spawn().unwrap();
+    wait_for_part(&out);
+    signal(&killed, "KILL");
+    killed.wait().unwrap();
+    let parts = || names(&out).into_iter().filter(|name| name.ends_with(".part")).collect::<Vec<_>>();
+    let left = parts();
+    assert!(!left.is_empty());
+    std::fs::write(out.join("another.part"), "of another program").unwrap();
+    let mut living = sins(&folder, &long).spawn().unwrap();
+    let deadline = Instant::now() + Duration::from_secs(60);
+    while parts().iter().any(|name| left.contains(name)) || parts().len() < 2 {
+        assert!(Instant::now() < deadline, "{:?}", parts());
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let own = parts();
+    done(&folder, &["fly", "rest", "-q", "--set", "flight.hours=0.01"]);
+    assert_eq!(parts(), own, "files that are being written");
+    signal(&living, "KILL");
+    living.wait().unwrap();
+    done(&folder, &["fly", "rest", "-q", "--set", "flight.hours=0.01"]);
+    assert_eq!(parts(), ["another.part"]);
+}
+
 #[test]
 fn two_runs_of_one_name_leave_whole_files() {
     let folder = folder("two_runs");

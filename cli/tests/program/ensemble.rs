@@ -257,13 +257,19 @@ fn diverged_runs_are_reported_by_number_and_left_out() {
     assert!(read(out.join("rest_ensemble.html")).contains("left out of the statistics"));
 }
 
+/// The last run has the largest number of a run.
 #[test]
-fn the_last_run_of_all_is_flown() {
+fn the_last_run_of_all_can_be_flown() {
     let folder = folder("last_run");
     let last = u64::MAX.to_string();
-    let one =
-        ["ensemble", "rest", "--set", "flight.hours=0.01", "--preset", "tactical", "--first-run", &last];
-    done(&folder, &[&one[..], &["--runs", "1"]].concat());
-    let (code, _, errors) = run(&folder, &[&one[..], &["--runs", "2"]].concat());
-    assert!(code != 0 && errors.contains("below 2^64"), "{errors}");
+    let order = |first: &str, runs: &str| {
+        let scene = ["ensemble", "rest", "-q", "--set", "flight.hours=0.001", "--out", "out"];
+        run(&folder, &[&scene[..], &["--first-run", first, "--runs", runs]].concat())
+    };
+    let (code, _, errors) = order(&last, "1");
+    assert_eq!(code, 0, "{errors}");
+    let runs = read(folder.join("out/rest_ensemble_runs.csv"));
+    assert!(runs.contains(&format!("\n{last},")), "{runs}");
+    let (code, _, errors) = order(&last, "2");
+    assert!(code != 0 && errors.contains("with the last run below 2^64"), "{errors}");
 }

@@ -82,7 +82,7 @@ const fn text(
 }
 
 /// A key of numbers: section, shape, name, unit, meaning; the library's field, and the place in the draft. The limits are the
-/// library's; `in` has those of a number that is the scene's own, in its unit.
+/// library's; `in` has those of a number that is the scene's own [SI].
 macro_rules! number {
     ($section:expr, $shape:expr, $name:literal, $unit:expr, $doc:literal,
         $field:literal $(in $limits:expr)? => $places:ident($($place:ident).+)) => {
@@ -94,7 +94,7 @@ macro_rules! number {
                 field: $field,
                 unit: $unit,
                 shape: $shape,
-                limits: [$(Some($limits),)? None][0],
+                limits_si: [$(Some($limits),)? None][0],
                 place: Place::At(|draft| $places(&mut draft.$($place).+)),
             },
         }

@@ -65,7 +65,7 @@ const fn keys<const N: usize>(sensor: Sensor, preset: Key) -> [Key; N] {
                 field: field.path,
                 unit: Unit { text: field.key_unit, si: field.key_si, si_text: field.unit },
                 shape: shape(parameter.shape),
-                limits: None,
+                limits_si: None,
                 place: Place::Parameter(sensor, row),
             };
             keys[place] =
