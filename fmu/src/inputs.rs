@@ -4,7 +4,7 @@ use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
-use sins::math::Euler;
+use sins::math::{Euler, atan2, attitude_from_euler};
 use sins::truth::FlightSample;
 use sins::units::TEMPERATURE_RANGE_C;
 
@@ -86,6 +86,16 @@ pub fn variables() -> impl Iterator<Item = Variable> {
             Variable { nominal, limits: Some(limits), ..variable.in_unit(unit, 1.0) }
         })
     })
+}
+
+/// Angle between the attitudes of two sets of inputs [rad].
+pub fn turn_rad(before: &[f64], now: &[f64]) -> f64 {
+    let attitude = |inputs: &[f64]| {
+        let at = GROUPS[0].inputs.len();
+        attitude_from_euler(&Euler { roll: inputs[at], pitch: inputs[at + 1], heading: inputs[at + 2] })
+    };
+    let turn = attitude(before).conjugate() * attitude(now);
+    2.0 * atan2(turn.imag().norm(), turn.w.abs())
 }
 
 /// The sample at `time_s` [s] with the `values` of all inputs; `is_set` marks the inputs that the master has set.

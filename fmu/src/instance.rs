@@ -26,9 +26,9 @@ pub enum Phase {
 /// Status of a refused call. The call does not change the instance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Refusal {
-    /// A refused sample or value; with another one, the simulation can continue.
+    /// A refused value; with another one, the simulation can continue.
     Discard,
-    /// A call that is not allowed here.
+    /// A call that is not allowed here, or a refused sample.
     Error,
 }
 
@@ -47,6 +47,15 @@ impl Refused {
     pub fn discard(text: impl Into<String>) -> Self {
         Self { refusal: Refusal::Discard, text: text.into() }
     }
+}
+
+/// What a step flew.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Flown {
+    /// Whether the step closed a gap in the truth.
+    pub behind_gap: bool,
+    /// Angle by which the vehicle turned in its interval [rad].
+    pub turn_rad: f64,
 }
 
 /// Scene and simulator made from the parameters, and the state of the flight.
@@ -203,8 +212,9 @@ impl Instance {
         self.values.get(base, place).ok_or_else(unknown)
     }
 
-    /// Flies a step from `time_s` over `length_s` [s]; returns whether it closed a gap in the truth.
-    pub fn step(&mut self, time_s: f64, length_s: f64) -> Result<bool, Refused> {
+    /// Flies a step from `time_s` over `length_s` [s]. The interval that it flies has ended: a shorter step changes nothing, so
+    /// every refusal is an error. Masters repeat a discarded step.
+    pub fn step(&mut self, time_s: f64, length_s: f64) -> Result<Flown, Refused> {
         self.require(&[Phase::Stepping])?;
         if !(length_s.is_finite() && length_s >= 0.0) {
             return Err(Refused::error(format!("communicationStepSize = {length_s}: must not be negative")));
@@ -216,22 +226,23 @@ impl Instance {
                 if taken != inputs {
                     let text =
                         format!("the inputs at {time_s} s have changed, and their sample has been taken");
-                    return Err(Refused::discard(text));
+                    return Err(Refused::error(text));
                 }
                 self.end_s = time_s + length_s;
-                return Ok(false);
+                return Ok(Flown::default());
             }
             _ => {}
         }
         let (mut simulator, behind_gap) =
-            flight.flown(time_s, inputs, &self.is_set).map_err(Refused::discard)?;
+            flight.flown(time_s, inputs, &self.is_set).map_err(Refused::error)?;
+        let turn_rad = flight.taken.as_ref().map_or(0.0, |(_, before)| inputs::turn_rad(before, inputs));
         let taken = inputs.to_vec();
         outputs::read(&mut simulator, behind_gap, &mut self.values)
-            .map_err(|error| Refused::discard(error.to_string()))?;
+            .map_err(|error| Refused::error(error.to_string()))?;
         flight.simulator = simulator;
         flight.first_s = flight.first_s.or(Some(time_s));
         flight.taken = Some((time_s, taken));
         self.end_s = time_s + length_s;
-        Ok(behind_gap)
+        Ok(Flown { behind_gap, turn_rad })
     }
 }

@@ -47,6 +47,8 @@ pub struct Component {
     pub(crate) logger: Logger,
     /// Texts that were returned to the master; valid until the next call that returns texts.
     pub(crate) texts: Vec<CString>,
+    /// Whether the warning about a large turn was sent, which is sent once.
+    pub(crate) has_said_turn: bool,
 }
 
 pub(crate) type Outcome = Result<fmi2Status, Refused>;
@@ -164,7 +166,7 @@ pub unsafe extern "C-unwind" fn fmi2Instantiate(
     });
     let refused = match made {
         Some(Ok(instance)) => {
-            let mut component = Component { instance, logger, texts: Vec::new() };
+            let mut component = Component { instance, logger, texts: Vec::new(), has_said_turn: false };
             if logging_on == 0 {
                 let _ = component.logger.switch(&[Category::Warning.name()], false);
             }

@@ -7,7 +7,7 @@ use std::ffi::{CString, c_char, c_int, c_void};
 pub enum Category {
     /// Refused calls, with the reason.
     Error,
-    /// Notes for the user: a gap in the truth.
+    /// Notes for the user: a gap or a large turn in the truth.
     Warning,
 }
 
@@ -24,7 +24,7 @@ impl Category {
     pub fn doc(self) -> &'static str {
         match self {
             Self::Error => "a call that was rejected: field, value and limit",
-            Self::Warning => "what was done in another way than usual: a gap in the truth",
+            Self::Warning => "a gap in the truth, or a turn in one step that is too large to integrate",
         }
     }
 }

@@ -4,13 +4,16 @@
 
 use std::ffi::{c_char, c_int};
 
-use crate::instance::Refused;
+use crate::instance::{Flown, Refused};
 use crate::interface::{Component, fmi2OK, fmi2Status, on};
 use crate::logger::Category;
 
 /// Kinds of `fmi2Get...Status`.
 const LAST_SUCCESSFUL_TIME: c_int = 2;
 const TERMINATED: c_int = 3;
+
+/// Turn of the truth in one step that gives a warning [rad].
+const LARGE_TURN_RAD: f64 = 0.1;
 
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2DoStep(
@@ -21,8 +24,18 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
 ) -> fmi2Status {
     unsafe {
         on(component, "fmi2DoStep", |component| {
-            if component.instance.step(current_communication_point, communication_step_size)? {
-                let text = format!("the sample at {current_communication_point} s closes a gap in the truth");
+            let time_s = current_communication_point;
+            let Flown { behind_gap, turn_rad } = component.instance.step(time_s, communication_step_size)?;
+            if behind_gap {
+                let text = format!("the sample at {time_s} s closes a gap in the truth");
+                component.logger.say(Category::Warning, fmi2OK, &text);
+            }
+            if turn_rad > LARGE_TURN_RAD && !component.has_said_turn {
+                component.has_said_turn = true;
+                let text = format!(
+                    "the truth turned by {turn_rad:.2} rad in the step that ends at {time_s} s: above {LARGE_TURN_RAD} rad the \
+                     sampled truth does not define the motion; set a smaller step size"
+                );
                 component.logger.say(Category::Warning, fmi2OK, &text);
             }
             Ok(fmi2OK)

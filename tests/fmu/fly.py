@@ -135,6 +135,7 @@ def same_flight(unit, truth, records):
 
 # Both flights equal those of the program, in every record.
 AIRLINER, FIGHTER = "c_examples/flights/airliner_cruise.csv", "c_examples/flights/fighter_aerobatics.csv"
+AT_REST = dict.fromkeys(INPUTS, 0.0)
 truth = {path: samples(path) for path in (AIRLINER, FIGHTER)}
 fighter = Unit.flying(scene_file="fighter.toml")
 compared = same_flight(fighter, truth[FIGHTER],
@@ -204,7 +205,7 @@ unit.free()
 unit = Unit.flying()
 bad = len(MESSAGES)
 unit.slave.setReal(INPUT_REFERENCES[:2], flight[0][1:3])
-check(unit.status(lambda: unit.slave.doStep(0.0, 0.01)) == 2, "unconnected truth is discarded")
+check(unit.status(lambda: unit.slave.doStep(0.0, 0.01)) == 3, "unconnected truth is an error")
 check("is not connected" in MESSAGES[-1][2] and len(MESSAGES) == bad + 1, f"by one sentence: {MESSAGES[bad:]}")
 for sample in flight[:100]:
     check(unit.step(sample) == 0, "the flight begins")
@@ -214,14 +215,14 @@ for field, value, word in ((3, math.nan, "height_m"), (1, 4.0, "latitude_rad"), 
     sample = list(flight[100])
     sample[field] = value
     bad = len(MESSAGES)
-    check(unit.step(sample) == 2, f"{word} = {value} is discarded")
+    check(unit.step(sample) == 3, f"{word} = {value} is an error")
     check(len(MESSAGES) == bad + 1, f"by one sentence: {MESSAGES[bad:]}")
     check(unit.read(COLUMNS.values()) == before, "and nothing has changed")
 check(unit.step(flight[100]) == 0, "the flight goes on")
 check(unit.step(flight[100]) == 0, "a step from the same time changes nothing")
 moved = list(flight[100])
 moved[3] += 1.0
-check(unit.step(moved) == 2, "but not with other inputs")
+check(unit.step(moved) == 3, "but not with other inputs")
 check(unit.status(lambda: unit.slave.setReal([REFERENCE["gyro.bias_deg_h[1]"]], [1e300])) == 2, "a bias beyond its range")
 check("gyro.bias" in MESSAGES[-1][2], f"its sentence: {MESSAGES[-1]}")
 check(unit.status(lambda: unit.slave.setReal([99999], [1.0])) == 3, "an unknown reference")
@@ -236,6 +237,16 @@ for parameter, value in (("scene_file", "missing.toml"), ("scene_file", "../mode
     check(len(MESSAGES) == bad + 1 and re.search(parameter.split(".")[-1].split("[")[0] + "|bais", MESSAGES[-1][2]),
           f"by one sentence that names it: {MESSAGES[bad:]}")
     unit.free()
+
+# What everybody tries first ends at once: a discarded step is repeated by FMPy for ever.
+for what, options in (("no inputs", {"stop_time": 10}), ("a step of 5 s", {"stop_time": 10, "step_size": 5, "start_values": AT_REST})):
+    bad = len(MESSAGES)
+    try:
+        fmpy.simulate_fmu(FMU, logger=log, **options)
+    except fmpy.fmi1.FMICallException as error:
+        check(error.status == 3 and len(MESSAGES) == bad + 1, f"{what}: one error: {MESSAGES[bad:]}")
+    else:
+        check(False, f"{what}: an error")
 
 # Many instances in sequence leave no memory.
 def many(count):

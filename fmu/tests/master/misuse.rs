@@ -102,14 +102,14 @@ fn a_group_of_inputs_is_complete_or_off() {
         let unit = Unit::flying(|_| ());
         let others: Vec<u32> = (0..needed.len()).filter(|&at| at != missing).map(|at| needed[at]).collect();
         assert_eq!(unit.set_reals(&others, &[0.1; 5]), fmi2OK);
-        assert_eq!(step(&unit, 0.0), fmi2Discard);
+        assert_eq!(step(&unit, 0.0), fmi2Error);
         let name = &variables()[needed[missing] as usize].name;
         assert!(sentence(&unit).contains(&format!("{name} is not connected")), "{name}");
     }
     assert_eq!(unit.set_reals(&needed, &[0.1; 6]), fmi2OK);
     assert_eq!(step(&unit, 0.0), fmi2OK, "without velocity");
     assert_eq!(unit.set_reals(&[reference("truth.velocity_up_m_s")], &[0.0]), fmi2OK);
-    assert_eq!(step(&unit, 0.01), fmi2Discard);
+    assert_eq!(step(&unit, 0.01), fmi2Error);
     assert!(sentence(&unit).contains("truth.velocity_east_m_s is not connected: the velocity is incomplete"));
 }
 
@@ -121,10 +121,10 @@ fn categories_of_messages() {
         fmi2SetDebugLogging(unit.component, on, names.len(), names.as_ptr())
     };
     assert_eq!(switch(0, &[error]), fmi2OK);
-    assert_eq!(step(&unit, 0.0), fmi2Discard);
+    assert_eq!(step(&unit, 0.0), fmi2Error);
     assert!(unit.messages().is_empty(), "switched off");
     assert_eq!(switch(1, &[error]), fmi2OK);
-    assert_eq!(step(&unit, 0.0), fmi2Discard);
+    assert_eq!(step(&unit, 0.0), fmi2Error);
     assert_eq!(unit.messages()[0].1, "logStatusError");
     assert_eq!(switch(1, &[c"logEvents".as_ptr()]), fmi2Error);
     assert!(sentence(&unit).contains("logEvents"));
@@ -139,6 +139,23 @@ fn categories_of_messages() {
     assert_eq!(switch(0, &[]), fmi2OK);
     assert_eq!(step(&unit, 1.2), fmi2OK);
     assert!(unit.messages().is_empty(), "all off");
+}
+
+/// A turn beyond 0.1 rad in a step gives one warning; smaller turns give none.
+#[test]
+fn a_large_turn_is_reported_once() {
+    let unit = Unit::flying(|_| ());
+    for (index, heading) in [0.0, 0.09, 0.18, 0.29, 0.40].into_iter().enumerate() {
+        let mut inputs_now = AT_REST;
+        inputs_now[5] = heading;
+        assert_eq!(unit.set_reals(&inputs(), &inputs_now), fmi2OK);
+        assert_eq!(step(&unit, 0.1 * index as f64), fmi2OK, "{:?}", unit.messages());
+        let said: Vec<_> = unit.messages().into_iter().map(|message| (message.1, message.2)).collect();
+        assert_eq!(said.len(), usize::from(index == 3), "{said:?}");
+        assert!(
+            said.iter().all(|(category, text)| category == "logStatusWarning" && text.contains("0.11 rad"))
+        );
+    }
 }
 
 #[test]
