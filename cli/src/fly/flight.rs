@@ -145,11 +145,12 @@ impl InFlight<'_> {
         if let Some(interval) = self.simulator.imu() {
             self.sensor_errors.add(&interval);
             if let Some(file) = &mut self.files.imu {
-                let written = imu::write_rows(file, self.simulator);
+                let written = imu::write_row(file, &interval);
                 written.map_err(|error| Failure::of_output(file.path(), &error))?;
             }
         }
-        if self.simulator.intervals().is_multiple_of(self.every)
+        let is_last = index + 1 == self.given.count;
+        if (self.simulator.intervals().is_multiple_of(self.every) || is_last)
             && let Some(mut record) = self.record(index)?
         {
             [record.gyro_error, record.accel_error] = self.sensor_errors.take();
