@@ -1944,7 +1944,7 @@ typedef struct sins_imu_increment {
  *     for (update = 0; sins_get_imu_update(sim, update, &increment) == SINS_OK; ++update) sins_push_imu(own, &increment);
  *
  * The navigator then has the solution of the INS to the last bit, if the INS had no errors at the start, no mounting,
- * SINS_VERTICAL_FREE and no gravity disturbance, and the navigator started from sins_get_truth() before the first step. With
+ * SINS_VERTICAL_FREE, SINS_SIGNAL_PHYSICAL and no gravity disturbance, and the navigator started from sins_get_truth() before the first step. With
  * errors at the start it starts from sins_get_navigation(), whose angles are rounded. With a mounting the parts are the signals
  * of the sensor block. The parts do not contain the aid of the vertical channel. sins_push_imu() rejects updates shorter than
  * 5e-5 s.
