@@ -16,6 +16,7 @@ pub(crate) fn room_for_one_more<T>(vector: &mut Vec<T>) -> Result<(), Error> {
 
 /// Checks that `bytes` bytes of memory are available now. For code that cannot report a lack of memory, such as parsers of other
 /// crates. Without this check a lack ends the process; with it, only if memory runs out after the check.
+#[cfg(feature = "scenes")]
 pub(crate) fn probe(bytes: usize) -> Result<(), Error> {
     // The memory is used, because the optimizer would otherwise remove the allocation.
     room::<u8>(bytes).map(|memory| drop(core::hint::black_box(memory)))
