@@ -7,6 +7,7 @@ mod determinism;
 mod ensemble;
 mod ensemble_widths;
 mod host_time;
+#[cfg(feature = "scenes")]
 mod increments;
 mod moved;
 mod read_back;
