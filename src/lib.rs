@@ -90,7 +90,7 @@
 //! | an alignment is level to rounding with sensors of any quality, and is flagged if it found no north | `tests/effects/alignment.rs` |
 //! | a gravity disturbance acts as its closed form | `tests/effects/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/effects/noise_statistics.rs` |
-//! | the Allan deviation of noise gives its parameters back | `tests/allan/closure.rs`, the estimator `tests/allan/estimator.rs` |
+//! | the Allan deviation of noise gives its parameters back | `tests/analysis/allan/closure.rs`, the estimator `tests/analysis/allan/estimator.rs` |
 //! | the same bits on every platform and for any sequence of calls | `tests/state/determinism.rs`, `tests/interface/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
 //! | no host can damage the library, and the library does not damage its host | `tests/interface/host_machine.rs` and the table of `tests/README.md` |
 //! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/state/snapshots.rs`, `tests/robustness/snapshot_damage.rs` |
@@ -101,12 +101,12 @@
 //! | statistics have the same bits for any split of the runs, and are correct if means are large and the scatter is small | `tests/analysis/statistics.rs` |
 //! | a host's wrong units are obvious in the summary of the truth | `tests/analysis/truth_summary.rs` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/analysis/recommend` |
-//! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/analysis/covariance.rs`, `tests/analysis/covariance_runs.rs` |
+//! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/analysis/covariance`, `tests/analysis/covariance_runs` |
 //! | contributions of effects equal their closed forms, and the effects that are marked can be left out | `tests/analysis/error_budget`, `tests/analysis/error_budget/mounting_and_gravity.rs` |
 //! | geodetic conversions are accurate to a nanometre | `tests/physics/earth.rs` |
 //! | every getter returns what its setter was given | `tests/state/read_back.rs` |
 //! | a scene that is written reads back to the same bits, and every fault of a faulty scene is reported | `tests/interface/scene_text.rs`, `tests/interface/scene_settings.rs`, `tests/interface/scene_functions.rs`, logs `tests/interface/flight_log.rs` |
-//! | hard cases are correct, or reported as beyond a limit | `tests/hard_*.rs`, with their figures in `tests/README.md` |
+//! | hard cases are correct, or reported as beyond a limit | `tests/robustness`, with their figures in `tests/README.md` |
 //! | the header agrees with the code, and no other function is exported | `tests/interface/header.rs` |
 //!
 //! # Example

@@ -155,3 +155,14 @@ fn the_library_needs_no_mathematics_of_the_platform() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("[libc.so") && !text.contains("[libm.so"), "{text}");
 }
+
+/// The claims of the crate name tests that exist.
+#[test]
+fn tests_that_the_crate_names_exist() {
+    let text = std::fs::read_to_string(project_file("src/lib.rs")).unwrap();
+    let paths: Vec<&str> = text.split('`').filter(|words| words.starts_with("tests/")).collect();
+    assert!(paths.len() > 30, "{paths:?}");
+    for path in paths {
+        assert!(project_file(path).exists(), "{path}");
+    }
+}
