@@ -43,6 +43,10 @@ impl Setting {
 pub(super) fn take_settings(settings: &[(&str, &str)], faults: &mut Faults<'_>) -> Vec<Setting> {
     let mut taken: Vec<Setting> = Vec::new();
     for (index, (path, text)) in settings.iter().enumerate() {
+        // Each unknown key is compared with all keys.
+        if faults.are_many() {
+            break;
+        }
         let span = faults.setting_span(index);
         match ValuePath::read(path) {
             Ok(path) => {

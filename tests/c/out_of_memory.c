@@ -106,6 +106,9 @@ static void starve_scenes(void)
     sins_flight_start start = {.struct_size = sizeof start};
     sins_manoeuvre manoeuvres[2] = {{.struct_size = sizeof manoeuvres[0]}};
     static char before[8192], after[8192];
+    const sins_record record = {.struct_size = sizeof record};
+    const sins_covariance covariance = {.struct_size = sizeof covariance};
+    const double errors[6] = {-1.2345678901234567e-300};
     size_t count;
     long living;
     CHECK(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 2, &count, NULL) == SINS_OK);
@@ -124,6 +127,9 @@ static void starve_scenes(void)
     CHECK(sins_scene_set_manoeuvres(scene, &start, manoeuvres, count, 2) == SINS_ERROR_OUT_OF_MEMORY);
     CHECK(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, "another") == SINS_ERROR_OUT_OF_MEMORY);
     CHECK(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, &log, NULL) == SINS_ERROR_OUT_OF_MEMORY);
+    /* A line of a record takes no memory. */
+    CHECK(sins_record_line(NULL, NULL, 0, NULL, after, sizeof after, NULL) == SINS_OK);
+    CHECK(sins_record_line(&record, errors, 6, &covariance, after, sizeof after, NULL) == SINS_OK);
     allocator_good = -1;
     CHECK(allocator_living == living && made == NULL && log == NULL && sim == NULL && flight == NULL);
     CHECK(sins_scene_write(scene, after, sizeof after, NULL) == SINS_OK && strcmp(before, after) == 0);

