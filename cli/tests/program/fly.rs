@@ -130,7 +130,7 @@ fn what_was_meant_is_reported() {
         (&["fly", "nowhere.toml"], "nowhere.toml: cannot be read"),
         (&["fly", "patrol", "--name", "a/b"], "without a folder"),
         (&["fly", "aerobatics", "--set", "flight.hours=9"], "flight.hours = 9: must be at most"),
-        (&["recommend", "patrol"], "requirement.position_m"),
+        (&["recommend", "patrol"], "--position"),
     ] {
         let errors = rejected(&folder, arguments);
         assert!(errors.contains(words), "{arguments:?}: {errors}");
