@@ -239,7 +239,7 @@ for parameter, value in (("scene_file", "missing.toml"), ("scene_file", "../mode
     unit.free()
 
 # What everybody tries first ends at once: a discarded step is repeated by FMPy for ever.
-for what, options in (("no inputs", {"stop_time": 10}), ("a step of 5 s", {"stop_time": 10, "step_size": 5, "start_values": AT_REST})):
+for what, options in (("no inputs", {"stop_time": 10}), ("a step of 5 s", {"stop_time": 10, "output_interval": 5, "start_values": AT_REST})):
     bad = len(MESSAGES)
     try:
         fmpy.simulate_fmu(FMU, logger=log, **options)
