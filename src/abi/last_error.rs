@@ -3,11 +3,11 @@
 use core::ffi::c_char;
 use core::fmt::{self, Write};
 
+use super::boundary::tables::SIMULATORS;
 use super::boundary::{enter, last_failure};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct};
 use super::simulator::sins_sim;
-use super::tables::SIMULATORS;
 use super::text::{chars, put_text};
 use crate::error::Value;
 

@@ -1,13 +1,13 @@
 //! `sins_sim`: the simulator's life, and its steps.
 
+use super::boundary::handle::hand_out;
+use super::boundary::tables::SIMULATORS;
 use super::boundary::{enter, enter_without_simulator};
 use super::failure::{Failure, SINS_GAP, SINS_NEED_SAMPLE, SINS_OK, sins_status};
-use super::handle::hand_out;
 use super::memory::read;
 use super::options::sins_options;
 use super::parameters::{Parameters, get};
 use super::sample::sins_flight_sample;
-use super::tables::SIMULATORS;
 use crate::error::Error;
 use crate::simulator::{Options, Simulator, Step, heap_simulator};
 use crate::truth::{FlightSample, Pushed};

@@ -5,8 +5,8 @@
 
 use core::sync::atomic::{AtomicUsize, Ordering};
 
-use super::failure::{Failure, sins_status};
 use super::thread::this_thread;
+use crate::abi::failure::{Failure, sins_status};
 
 /// Number of threads whose rejected handles are kept. If there are more, the newest replaces another.
 const THREADS: usize = 1024;
@@ -57,21 +57,21 @@ fn place(taken: bool) -> Option<&'static Place> {
 
 /// Keeps, for this thread, that a handle of `kind` was rejected with `status`, which is negative.
 #[cold]
-pub(super) fn refuse(kind: usize, status: sins_status) {
+pub(in crate::abi) fn refuse(kind: usize, status: sins_status) {
     if let Some(place) = place(true) {
         place.refused.store(kind << 8 | status.unsigned_abs() as usize, Ordering::Relaxed);
     }
 }
 
 /// Forgets the rejected handle of this thread, because a later failure follows.
-pub(super) fn forget() {
+pub(in crate::abi) fn forget() {
     if let Some(place) = place(false) {
         place.refused.store(NONE, Ordering::Relaxed);
     }
 }
 
 /// The rejected handle, if it was the last failure on this thread that no simulator keeps.
-pub(super) fn last() -> Option<Failure> {
+pub(in crate::abi) fn last() -> Option<Failure> {
     match place(false)?.refused.load(Ordering::Relaxed) {
         NONE => None,
         refused => {

@@ -3,12 +3,12 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::failure::{
-    Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
-};
 use super::key::{FirstGeneration, LAST_GENERATION, SLOTS, key_of, kind_of, slot_of};
 use super::lock::{Guard, Lock};
 use super::refusal::refuse;
+use crate::abi::failure::{
+    Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
+};
 use crate::memory::{only, room};
 
 /// In place of the key of a slot: the slot is free. No key has this kind.
@@ -20,7 +20,7 @@ const CLAIMED: usize = usize::MAX;
 /// The living objects of one kind. Each slot has its own lock, so calls on one handle are serialised and different handles
 /// never wait for each other. A nested call of one thread on one handle, and a call on a handle that an abandoned call
 /// holds, are `SINS_ERROR_BAD_STATE`.
-pub(super) struct Registry<T> {
+pub(in crate::abi) struct Registry<T> {
     kind: usize,
     slots: [Slot<T>; SLOTS],
     /// Slot at which the search for a free one begins.
