@@ -3,7 +3,8 @@
 use super::choice::check_reserved;
 use super::failure::{Failure, sins_status};
 use super::memory::interface_struct;
-use super::parameters::{Parameters, get, set};
+use super::parameters::Parameters;
+use super::settings::{get, set};
 use super::simulator::sins_sim;
 use crate::sensors::AltimeterParameters;
 use crate::simulator::Simulator;

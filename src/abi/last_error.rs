@@ -1,12 +1,12 @@
 //! Why the last call failed: a sentence for people, a struct for programs.
 
 use core::ffi::c_char;
-use core::fmt::{self, Write};
 
 use super::boundary::tables::SIMULATORS;
 use super::boundary::{enter, last_failure};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct};
+use super::sentence::Sentence;
 use super::simulator::sins_sim;
 use super::text::{chars, put_text};
 use crate::error::Value;
@@ -154,47 +154,5 @@ impl sins_error_info {
             }
         }
         info
-    }
-}
-
-/// A sentence in a fixed buffer: made without an allocation, cut at a character.
-#[derive(Clone, Copy)]
-pub(super) struct Sentence {
-    bytes: [u8; 512],
-    len: usize,
-}
-
-impl Sentence {
-    pub const EMPTY: Self = Self { bytes: [0; 512], len: 0 };
-
-    pub fn new(text: fmt::Arguments<'_>) -> Self {
-        let mut sentence = Self::EMPTY;
-        // Writing never fails: what does not fit is cut.
-        let _ = sentence.write_fmt(text);
-        sentence
-    }
-
-    pub fn of(failure: Option<&Failure>) -> Self {
-        match failure {
-            Some(failure) => Self::new(format_args!("{failure}")),
-            None => Self::new(format_args!("no error")),
-        }
-    }
-
-    pub fn as_bytes(&self) -> &[u8] {
-        &self.bytes[..self.len]
-    }
-}
-
-impl Write for Sentence {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        let room = self.bytes.len() - self.len;
-        let mut take = text.len().min(room);
-        while !text.is_char_boundary(take) {
-            take -= 1;
-        }
-        self.bytes[self.len..self.len + take].copy_from_slice(&text.as_bytes()[..take]);
-        self.len += take;
-        Ok(())
     }
 }

@@ -52,6 +52,8 @@ mod sample;
 mod scene;
 mod sensor_failure;
 mod sensor_params;
+mod sentence;
+mod settings;
 mod simulator;
 mod snapshot;
 mod solution;

@@ -17,12 +17,12 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use self::fpu::FloatState;
-use self::process::is_prepared;
+use self::process::prepare_process;
 use self::tables::is_inside_a_handle;
 use self::thread::Cancellation;
 use self::thread_locals::HERE;
 use crate::abi::failure::{Failure, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
-use crate::abi::last_error::Sentence;
+use crate::abi::sentence::Sentence;
 
 /// Runs `body` as the inside of an exported function.
 #[inline(always)]
@@ -46,7 +46,7 @@ fn guarded(body: impl FnOnce() -> sins_status) -> sins_status {
 pub(in crate::abi) fn enter_without_simulator(
     body: impl FnOnce() -> Result<sins_status, Failure>,
 ) -> sins_status {
-    if !is_prepared() {
+    if !prepare_process() {
         refusal::forget();
         return Failure::no_thread_locals().status;
     }
@@ -70,7 +70,7 @@ pub(in crate::abi) fn enter_without_simulator(
 /// Runs `body` as the inside of a C function of another shared library that contains this crate: with the default floating-point
 /// control state, and afterwards with that of the host. `None`: `body` panicked; nothing is printed.
 pub fn shielded<T>(body: impl FnOnce() -> T) -> Option<T> {
-    if !is_prepared() {
+    if !prepare_process() {
         return None;
     }
     silence_panics();
@@ -92,7 +92,7 @@ pub(in crate::abi) fn remember(failure: Failure) {
 /// Keeps a failure for this thread, with a sentence in place of that which is made of its data.
 pub(in crate::abi) fn remember_as(failure: Failure, sentence: Sentence) {
     refusal::forget();
-    if is_prepared() {
+    if prepare_process() {
         HERE.with(|here| {
             here.last_failure.set(Some(failure));
             here.last_sentence.set(sentence);
@@ -103,7 +103,7 @@ pub(in crate::abi) fn remember_as(failure: Failure, sentence: Sentence) {
 /// The last failure on this thread that no simulator keeps, with its sentence.
 pub(in crate::abi) fn last_failure() -> (Option<Failure>, Sentence) {
     let failure = match refusal::last() {
-        None if is_prepared() => {
+        None if prepare_process() => {
             let (failure, sentence) = HERE.with(|here| (here.last_failure.get(), here.last_sentence.get()));
             if !sentence.as_bytes().is_empty() {
                 return (failure, sentence);

@@ -5,7 +5,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 
 /// Whether the process is prepared. If it is not, it is prepared now; if that fails, the next call tries again.
 #[inline]
-pub(in crate::abi) fn is_prepared() -> bool {
+pub(in crate::abi) fn prepare_process() -> bool {
     static PREPARED: AtomicBool = AtomicBool::new(false);
     // Two threads may prepare at once: once more does no harm.
     PREPARED.load(Ordering::Acquire)
@@ -101,7 +101,7 @@ mod system {
     static AT_LOAD: extern "C" fn() = at_load;
 
     extern "C" fn at_load() {
-        super::is_prepared();
+        super::prepare_process();
     }
 
     pub fn prepare() -> bool {

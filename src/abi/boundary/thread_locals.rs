@@ -3,7 +3,7 @@
 use core::cell::Cell;
 
 use crate::abi::failure::Failure;
-use crate::abi::last_error::Sentence;
+use crate::abi::sentence::Sentence;
 
 /// State of a thread. It has no destructor, so that the library can be unloaded. Calls on a simulator do not use it, because its first
 /// use in a thread may allocate.
