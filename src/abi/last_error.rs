@@ -57,8 +57,8 @@ interface_struct!(sins_error_info, "info", 152);
 /// Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
 /// always terminated; it is "no error" if no call failed. With a NULL handle the function gives the last failed call of this
 /// thread that was made without a simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend,
-/// budget), or whose handle was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). A failure of this
-/// call or of sins_last_error_info() is not kept.
+/// budget). A call whose handle was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads) keeps no sentence, as its
+/// status says why. A failure of this call or of sins_last_error_info() is not kept.
 ///
 /// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
 /// size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.

@@ -6,7 +6,6 @@ pub(in crate::abi) mod handle;
 mod key;
 mod lock;
 mod process;
-mod refusal;
 mod registry;
 pub(in crate::abi) mod tables;
 mod thread;
@@ -47,7 +46,6 @@ pub(in crate::abi) fn enter_without_simulator(
     body: impl FnOnce() -> Result<sins_status, Failure>,
 ) -> sins_status {
     if !prepare_process() {
-        refusal::forget();
         return Failure::no_thread_locals().status;
     }
     let cancellation = Cancellation::defer();
@@ -91,7 +89,6 @@ pub(in crate::abi) fn remember(failure: Failure) {
 
 /// Keeps a failure for this thread, with a sentence in place of that which is made of its data.
 pub(in crate::abi) fn remember_as(failure: Failure, sentence: Sentence) {
-    refusal::forget();
     if prepare_process() {
         HERE.with(|here| {
             here.last_failure.set(Some(failure));
@@ -102,18 +99,12 @@ pub(in crate::abi) fn remember_as(failure: Failure, sentence: Sentence) {
 
 /// The last failure on this thread that no simulator keeps, with its sentence.
 pub(in crate::abi) fn last_failure() -> (Option<Failure>, Sentence) {
-    let failure = match refusal::last() {
-        None if prepare_process() => {
-            let (failure, sentence) = HERE.with(|here| (here.last_failure.get(), here.last_sentence.get()));
-            if !sentence.as_bytes().is_empty() {
-                return (failure, sentence);
-            }
-            failure
-        }
-        None => Some(Failure::no_thread_locals()),
-        refused => refused,
+    let (failure, sentence) = match prepare_process() {
+        true => HERE.with(|here| (here.last_failure.get(), here.last_sentence.get())),
+        false => (Some(Failure::no_thread_locals()), Sentence::EMPTY),
     };
-    (failure, Sentence::of(failure.as_ref()))
+    let has_no_more = sentence.as_bytes().is_empty();
+    (failure, if has_no_more { Sentence::of(failure.as_ref()) } else { sentence })
 }
 
 /// Keeps the panic hook from printing while a thread is inside the library. In other threads the earlier hook runs. A shared library
