@@ -51,7 +51,7 @@ mod xoshiro;
 pub use alignment::{Aligned, Sensed, level_and_gyrocompass};
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use draw::StandardNormal;
-pub(crate) use effects::{FLICKER_PROCESSES, MarkovStep, SharedInput, StateRows};
+pub(crate) use effects::{FLICKER_PROCESSES, SharedInput, StateRows};
 pub(crate) use failing::FailingTriad;
 pub use failure::{Axis, Failure, SensorOutput};
 pub(crate) use failure_fields::{FAILURE_KIND_COUNT, FailureFields};
