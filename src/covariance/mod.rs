@@ -15,8 +15,8 @@
 //! Φ, γ and δ are computed with the linear model itself, on unit columns, over stretches of up to a second. Within a stretch the truth
 //! is integrated sample by sample, and each process counts as a straight line of the same integral and first moment (`line`).
 //!
-//! It is the covariance about the mean, so it does not contain constant errors (given biases, failures, the constant parts of
-//! gravity).
+//! It is the covariance about the mean, so it does not contain constant errors (given biases, steps and spikes of failures, the
+//! constant parts of gravity). An axis whose failure lets through a share of its signal has this share of each column.
 
 mod alignment;
 mod factor;

@@ -97,14 +97,26 @@ impl Model<'_> {
     /// Errors of the sensors at the nodes, caused by an input that has these sizes there.
     fn errors_by(&self, input: Input, sizes: [f64; 3]) -> [VectorPair; 3] {
         let Passage { earth, stretch, truth, .. } = self.passage;
-        let of_one: [Vector3<f64>; 3] = match input {
-            Input::Axis(axis) => self.axes.map(|axes| axes.column(axis % 3).into_owned()),
-            Input::Element(element) => stretch.by_element(element),
-            // To an INS that computes with normal gravity the rest is an error of its accelerometers.
-            Input::Field(field) => [-field_e(earth, truth, field); 3],
-            Input::Altimeter => [NONE; 3],
+        let of_axis = |axis: usize, vectors_e: [Vector3<f64>; 3]| {
+            let share = stretch.share(axis);
+            core::array::from_fn(|node| errors_of(axis < 3, vectors_e[node] * (sizes[node] * share)))
         };
-        core::array::from_fn(|node| errors_of(input.is_gyro(), of_one[node] * sizes[node]))
+        match input {
+            Input::Axis(axis) => of_axis(axis, self.axes.map(|axes| axes.column(axis % 3).into_owned())),
+            Input::Element(element) => of_axis(element / 9 * 3 + element % 3, stretch.by_element(element)),
+            // To an INS that computes with normal gravity the rest is an error of its accelerometers, as far as they sense it.
+            Input::Field(field) => {
+                let rest_e = -field_e(earth, truth, field);
+                core::array::from_fn(|node| {
+                    let lost = |i: usize| {
+                        let axis_e = self.axes[node].column(i);
+                        axis_e * ((1.0 - stretch.share(3 + i)) * axis_e.dot(&rest_e))
+                    };
+                    errors_of(false, (rest_e - lost(0) - lost(1) - lost(2)) * sizes[node])
+                })
+            }
+            Input::Altimeter => [VectorPair::both(&NONE); 3],
+        }
     }
 
     /// The column caused by an altimeter that shows 1 m too much at the end, where it is read.
@@ -157,7 +169,7 @@ impl Passage<'_> {
         let mut responses = [None; LINES];
         let mut rests = [Spread::NONE; LINES];
         for (axis, rest) in rests.iter_mut().enumerate().take(AXES) {
-            let density = parameters.of_axis(axis).random_walk[axis % 3];
+            let density = self.stretch.noise(axis, parameters.of_axis(axis).random_walk[axis % 3]);
             *rest = Spread::of_white_noise(density, self.stretch.length_s);
         }
         for place in 0..COUNT {
@@ -200,7 +212,7 @@ impl Passage<'_> {
     /// The noise that is new in every stretch: quantization, and the altimeter's noise.
     fn add_noise(&self, columns: &mut Columns<'_>, model: &Model<'_>, parameters: &Parameters<'_>) {
         for axis in 0..AXES {
-            let pulse = parameters.of_axis(axis).quantization[axis % 3];
+            let pulse = parameters.of_axis(axis).quantization[axis % 3] * self.stretch.share(axis);
             if pulse != 0.0 {
                 columns.take(self.quantization(axis, pulse, &model.nodes[1].f_e, &model.axes[1]));
             }

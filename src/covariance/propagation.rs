@@ -143,6 +143,7 @@ impl Propagation {
             motion: flown.motion,
             ideal: flown.ideal,
             is_aided: flown.is_aided,
+            outputs: parameters.outputs,
             ground_m: GravityDisturbance::over_ground(&self.earth, flown.current, flown.next),
             block: flown.block,
             with_elements: parameters.have_elements(),

@@ -8,6 +8,8 @@ use crate::sensors::{AltimeterParameters, FLICKER_PROCESSES, GravityDisturbanceP
 /// The random errors that the host has set.
 #[derive(Clone, Copy)]
 pub(crate) struct Parameters<'a> {
+    /// Of each axis, the share of the signal that is in its output, and the density of the noise of a failure [u √s].
+    pub outputs: [(f64, f64); AXES],
     pub gyro: &'a TriadParameters,
     pub accel: &'a TriadParameters,
     pub altimeter: &'a AltimeterParameters,
@@ -71,15 +73,6 @@ impl Input {
     /// The input at a place among [`LINES`].
     pub fn of_line(line: usize) -> Self {
         if line < AXES { Self::Axis(line) } else { Self::Field(line - AXES) }
-    }
-
-    /// Whether it is an error of the gyros.
-    pub fn is_gyro(self) -> bool {
-        match self {
-            Self::Axis(axis) => axis < 3,
-            Self::Element(element) => element < ELEMENTS / 2,
-            Self::Field(_) | Self::Altimeter => false,
-        }
     }
 }
 
