@@ -72,6 +72,59 @@ fn accuracy_and_its_cost_are_measured() {
     }
 }
 
+/// A sample of a coning motion at a fixed place, 100 a second: `TIME_S,LATITUDE_DEG,...` of a log.
+fn coning(k: usize) -> String {
+    let t = k as f64 / 100.0;
+    let (sin, cos) = (4.0 * std::f64::consts::PI * t).sin_cos();
+    format!("{t},40,116,0,{},{},{}\n", 3.0 * sin, 3.0 * cos, (60.0 * t) % 360.0)
+}
+
+/// The configuration of a cell, such as "exact 2 × 2 @ 12.5 Hz, 14 µs": scheme, subsamples, updates, rate.
+fn configuration(cell: &str) -> (String, String, String, f64) {
+    let (algorithm, rest) = cell.trim().split_once(" @ ").unwrap();
+    let rate_hz = rest.split_once(" Hz").unwrap().0.parse().unwrap();
+    let (algorithm, updates) = algorithm.split_once(" × ").unwrap_or((algorithm, "1"));
+    let (scheme, subsamples) = algorithm.split_once(' ').unwrap();
+    (scheme.to_owned(), subsamples.to_owned(), updates.to_owned(), rate_hz)
+}
+
+/// Each configuration that the table names for a limit is flown over the whole log, at its rate: the position error, which grows faster
+/// than in proportion to time in coning, stays within the limit.
+#[test]
+fn the_table_of_a_log_holds_over_the_log() {
+    let folder = folder("coning");
+    let header = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
+    let log = |step: usize| header.to_owned() + &(0..=6000).step_by(step).map(coning).collect::<String>();
+    std::fs::write(folder.join("coning.csv"), log(1)).unwrap();
+    let (code, said, errors) = run(&folder, &["curve", "coning.csv", "-o", "out"]);
+    assert_eq!(code, 0, "{errors}");
+    let row = said.lines().find(|line| line.starts_with("| coning")).unwrap();
+    let cells: Vec<&str> = row.split('|').collect();
+    assert_eq!(cells[2].trim(), "60 s");
+    let mut distinct = std::collections::BTreeSet::new();
+    for (cell, limit_m) in cells[3..7].iter().zip([100.0, 1.0, 0.01, 0.001]) {
+        let (scheme, subsamples, updates, rate_hz) = configuration(cell);
+        std::fs::write(folder.join("thin.csv"), log((100.0 / rate_hz).round() as usize)).unwrap();
+        let settings = [
+            format!("options.scheme={scheme}"),
+            format!("options.subsamples={subsamples}"),
+            format!("options.updates_per_sample={updates}"),
+            format!("output.every_s={}", 1.0 / rate_hz),
+        ];
+        let mut arguments = vec!["fly", "thin.csv", "-o", "flown", "--force"];
+        settings.iter().for_each(|setting| arguments.extend(["--set", setting]));
+        assert_eq!(run(&folder, &arguments).0, 0);
+        let axes = ["east", "north", "up"].map(|axis| format!("navigation_error_position_{axis}_m"));
+        let error_m = |row: &Row| axes.iter().map(|axis| number(row, axis).powi(2)).sum::<f64>().sqrt();
+        let records = rows(&folder.join("flown/thin.csv"));
+        assert!(number(records.last().unwrap(), "time_s") > 59.9);
+        let worst = records.iter().map(error_m).fold(0.0, f64::max);
+        assert!(worst <= limit_m, "{cell}: {worst} m of {limit_m} m");
+        distinct.insert((scheme, subsamples, updates));
+    }
+    assert!(distinct.len() >= 3, "{row}");
+}
+
 #[test]
 fn a_bad_order_is_rejected() {
     let folder = folder("bad");
