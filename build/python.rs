@@ -99,6 +99,9 @@ fn function(interface: &Interface, one: &Function) -> String {
         (Type::Const(target), true) => format!("_Array({}, is_input=True)", value(target)),
         (Type::Mut(target), true) => format!("_Array({})", value(target)),
         (Type::Const(target), false) if **target == Type::Char => "_Text".to_owned(),
+        (Type::Mut(target), false) if !interface.is_handle(target) && !matches!(**target, Type::Mut(_)) => {
+            format!("_Out({})", value(target))
+        }
         (Type::Const(target) | Type::Mut(target), false) => pointer(interface, target),
         (kind, _) => value(kind),
     });

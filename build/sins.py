@@ -3,22 +3,23 @@
     import sins
 
     gyro = sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0))    # fields that are not named are 0: off
-    errors = sins.errors()
-    with sins.sim() as sim:                                                # destroyed at the end
-        sins.create(None, sim)
+    with sins.create(None) as sim:                                         # destroyed at the end
         sins.set_gyro(sim, gyro)
         for second in range(3601):
             sins.push_sample(sim, sins.flight_sample(time_s=second, latitude_rad=39.9 * sins.DEG))
             sins.step(sim)
-        sins.get_errors(sim, sins.ERRORS_NAVIGATION, errors)
+        errors = sins.get_errors(sim, sins.ERRORS_NAVIGATION)
     print(errors.position_enu_m[0], errors.position_enu_m[1])
 
 sins_create() of the header is sins.create() here, and SINS_DEG is sins.DEG: names, arguments and their order are those of the
-header, but without the length after an array. NULL is None. An output is an object that the call fills: a struct, a handle, or a
-number as ctypes.c_size_t(). A text is str or bytes, in a struct bytes. A status below 0 is raised as sins.Error; other statuses are
-returned. Whole numbers that are too large for their type in C are truncated, as everywhere in ctypes.
+header, but without the length after an array. NULL is None. Outputs at the end of the arguments may be left out: the call then
+returns them, one or a tuple, instead of its status: a struct, a handle, a number, a text; None if there is none yet
+(sins.NEED_SAMPLE). An output that is given is an object that the call fills: a struct, a handle, or a number as ctypes.c_size_t().
+A text is str or bytes, in a struct bytes. A status below 0 is raised as sins.Error; other statuses are returned. Whole numbers that
+are too large for their type in C are truncated, as everywhere in ctypes.
 
-An array is one of ctypes, or of numpy: sins.array(sins.record, 1000). The library works in the memory of both, without copies.
+An array is one of ctypes, or of numpy: sins.array(sins.record, 1000). The library works in the memory of both, without copies. An
+array that the library reads may also be a list of structs or numbers.
 
 The library is the file that SINS_LIBRARY in the environment names, or else the one in the folder of this file, or the system's.
 
@@ -136,11 +137,28 @@ class _Text(ctypes.c_char_p):
         return super().from_param(value)
 
 
-class _New:
+class _Out:
+    """An argument that the call fills: a number or a struct."""
+
+    def __init__(self, kind):
+        self.kind = kind
+        self.pointer = POINTER(kind)
+
+    def from_param(self, value):
+        return self.pointer.from_param(value)
+
+    def make(self):
+        return self.kind()
+
+    def result(self, made):
+        return made if isinstance(made, ctypes.Structure) else made.value
+
+
+class _New(_Out):
     """An argument that is a handle which stands for nothing yet."""
 
-    def __init__(self, handle):
-        self.pointer = POINTER(handle)
+    def result(self, made):
+        return made
 
     def from_param(self, value):
         if value:
@@ -153,6 +171,7 @@ class _Array:
 
     def __init__(self, element, is_input=False):
         self.element = element
+        self.is_input = is_input
         self.is_bytes = is_input and element is c_char
         self.types = (ctypes.c_char_p if self.is_bytes else POINTER(element), c_size_t)
 
@@ -161,6 +180,10 @@ class _Array:
             return None, 0
         if isinstance(value, self.element):
             return value, 1
+        if self.is_input and isinstance(value, (list, tuple)):
+            if issubclass(self.element, _Struct) and not all(isinstance(one, self.element) for one in value):
+                raise TypeError(f"not a list of sins.{self.element.__name__}")
+            return (self.element * len(value))(*value), len(value)
         if self.is_bytes:
             value = value.encode() if isinstance(value, str) else bytes(memoryview(value))
         elif isinstance(value, (str, bytes)):
@@ -182,12 +205,19 @@ def _dtype(struct):
 def _fail(status, sim):
     """Raises what the library says of the last call: of a simulator, or of this thread."""
     sentence, info = ctypes.create_string_buffer(1024), error_info()
-    length = ctypes.sizeof(sentence)
-    if _library.sins_last_error(sim, sentence, c_size_t(length), None) not in (status_code.OK, status_code.ERROR_BUFFER_TOO_SMALL):
-        sim = None  # a refused handle remembers nothing; the thread does
-        _library.sins_last_error(sim, sentence, c_size_t(length), None)
     _library.sins_last_error_info(sim, ctypes.byref(info))
-    raise Error(status, sentence.value.decode(errors="replace"), info)
+    if info.status == status:
+        _library.sins_last_error(sim, sentence, c_size_t(ctypes.sizeof(sentence)), None)
+        raise Error(status, sentence.value.decode(errors="replace"), info)
+    # A call whose handle was rejected keeps no sentence.
+    raise Error(status, status_string(status), error_info(status=status))
+
+
+def _make(described, missing):
+    """The outputs for arguments that were left out."""
+    if not all(isinstance(kind, _Out) for kind in missing):
+        raise TypeError(f"{described.__name__}(): an argument is missing that is no output of its own")
+    return [kind.make() for kind in missing]
 
 
 def _function(result, *kinds):
@@ -202,23 +232,28 @@ def _function(result, *kinds):
 
             return functools.wraps(described)(missing)
 
-        has_arrays = any(isinstance(kind, _Array) for kind in kinds)
         first = described.__code__.co_varnames[:1]
+        is_text = kinds[-2:-1] and isinstance(kinds[-2], _Array) and described.__code__.co_varnames[-1] == "needed"
         foreign.restype = result
         foreign.argtypes = [one for kind in kinds for one in (kind.types if isinstance(kind, _Array) else (kind,))]
 
         @functools.wraps(described)
         def call(*arguments):
-            given = arguments
-            if has_arrays:
-                if len(arguments) != len(kinds):
-                    raise TypeError(f"{described.__name__}() takes {len(kinds)} arguments, {len(arguments)} were given")
-                given = []
-                for kind, value in zip(kinds, arguments):
-                    given += kind(value) if isinstance(kind, _Array) else (value,)
+            if len(arguments) > len(kinds):
+                raise TypeError(f"{described.__name__}() takes {len(kinds)} arguments, {len(arguments)} were given")
+            if is_text and len(arguments) == len(kinds) - 2:
+                return _text(call, arguments)
+            outputs = kinds[len(arguments):]
+            made = _make(described, outputs) if outputs else ()
+            given = []
+            for kind, value in zip(kinds, (*arguments, *made)):
+                given += kind(value) if isinstance(kind, _Array) else (value,)
             answer = foreign(*given)
             if result is status and answer < 0:
                 _fail(answer, arguments[0] if first == ("sim",) else None)
+            if outputs:
+                found = tuple(kind.result(one) for kind, one in zip(outputs, made))
+                return None if answer == status_code.NEED_SAMPLE else found[0] if len(found) == 1 else found
             return answer.decode() if isinstance(answer, bytes) else answer
 
         return call
@@ -229,13 +264,17 @@ def _function(result, *kinds):
 # <functions>
 
 
-def text(function, *arguments):
-    """What a function writes into a buffer: sins.text(sins.scene_write, scene)."""
-    needed = c_size_t()
-    function(*arguments, None, needed)
-    buffer = ctypes.create_string_buffer(needed.value)
-    function(*arguments, buffer, needed)
+def _text(function, arguments):
+    """The text that a function writes into a buffer."""
+    buffer = ctypes.create_string_buffer(function(*arguments, None))
+    function(*arguments, buffer)
     return buffer.value.decode()
+
+
+def snapshot(sim):
+    """The bytes that snapshot_save() writes."""
+    buffer = ctypes.create_string_buffer(snapshot_size(sim))
+    return buffer[: snapshot_save(sim, buffer)]
 
 
 def array(struct, count):
@@ -259,6 +298,4 @@ def samples_at(flight, times_s):
 def fly(sim, samples, every=1):
     """Flies an array of samples by run(); an array of the record of each `every` intervals."""
     records = array(record, len(samples) // every + 1 if every else 0)
-    written = c_size_t()
-    run(sim, samples, every, records, written)
-    return records[: written.value]
+    return records[: run(sim, samples, every, records)]

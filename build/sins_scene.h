@@ -33,15 +33,15 @@ extern "C" {
 
 /* Scenes. */
 
-@fault_report scene scene_prepare scene_settings scene_flight scene_text scene_failure
+@scene/fault scene/mod scene/prepare scene/settings scene/flight scene/text scene/failure
 
 /* Values of a scene by their paths. */
 
-@scene_key scene_value
+@scene/key scene/value
 
 /* Flight logs, and the samples of a scene. */
 
-@log scene_samples
+@scene/log scene/samples
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_scene_sizeof {

@@ -53,11 +53,13 @@ namespace detail {
 
 /* The error of the call that has just failed. */
 inline Error error_of(sins_status status, const sins_sim *sim) {
-    /* The failure of a call whose handle was rejected is kept for the thread. */
     sins_error_info info = make<sins_error_info>();
-    if (sins_last_error_info(sim, &info) < 0)
-        sins_last_error_info(sim = nullptr, &info);
-    return Error(status, last_error(sim), info);
+    if (sins_last_error_info(sim, &info) == SINS_OK && info.status == status)
+        return Error(status, last_error(sim), info);
+    /* A call whose handle was rejected keeps no sentence. */
+    info = make<sins_error_info>();
+    info.status = status;
+    return Error(status, status_string(status), info);
 }
 
 /* A text for a function that takes a terminated one, which a NUL would cut. */

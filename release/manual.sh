@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes HTML pages of the header; the first one shows the data flow of the library: release/manual.sh OUT. An item of the header
-# without a comment is an error.
+# Makes HTML pages of the headers: release/manual.sh OUT. The first page has the preamble of sins.h and the data flow of the library;
+# each subject has a page of its own. An item of a header without a comment is an error.
 set -euo pipefail
 mkdir -p "$1"
 SINS_OUT=$(cd "$1" && pwd)
@@ -14,7 +14,10 @@ SINS_WORK=target/release-manual
 export SINS_OUT SINS_VERSION SINS_WORK
 mkdir -p "$SINS_WORK"
 {
-    printf '# Data flow\n\nThe headers are sins.h, sins_ensemble.h and sins_scene.h. The first page of each explains its part.\n\n'
+    # The preamble; the subjects of sins_ensemble.h and sins_scene.h are among the groups.
+    printf '# sins.h, sins_ensemble.h, sins_scene.h\n\n```\n'
+    sed -n '2,/^ \*\/$/{/^ \*\/$/!{s|^ \* ?||;s|^ \*$||;s|^ \* ||;p}}' include/sins.h
+    printf '```\n\n## Data flow\n\n'
     sed -n '/^\/\/! ```text$/,/^\/\/! ```$/{s|^//! ?||;s|^//! ||;s|^```text|```|;p}' src/lib.rs
-} >"$SINS_WORK/data_flow.md"
+} >"$SINS_WORK/first_page.md"
 doxygen release/Doxyfile

@@ -38,6 +38,11 @@ texts() {
     command install -m644 "$(rustc "+$3" --print sysroot)/share/doc/rust/COPYRIGHT-library.html" "$1/licences/rust-library.html"
 }
 
+# step NAME: prints the time since the start, and what begins.
+step() {
+    printf '%5d s: %s\n' "$SECONDS" "$1"
+}
+
 # archive FOLDER SUFFIX: packs the folder, sorted, with the time of the commit and without a user of this machine as owner.
 archive() {
     local name=${1##*/}
@@ -55,11 +60,17 @@ archive() {
     esac
 }
 
+# wheel LIBRARY PLATFORM FOLDER: the Python module with the library.
+wheel() {
+    release/wheel.py target/release/bindings/sins.py "$1" "$version" "$2" "$3/share/sins"
+}
+
 # linux NAME PROCESSOR
 linux() {
     local folder=$staging/sins-$version-$1
     release/linux.sh "$2" "$folder"
     texts "$folder" "$2-unknown-linux-gnu" "$stable"
+    wheel "$folder/lib/libsins.so.1" "manylinux_2_17_$2" "$folder"
     archive "$folder" tar.gz
     archive "$folder-debug" tar.gz
 }
@@ -86,6 +97,12 @@ windows() {
     if [ -e c_examples/emulator/build.sh ]; then
         c_examples/emulator/build.sh "$2" "$bin"
     fi
+    local platform=win32
+    [ "$2" = i686 ] || platform=win_amd64
+    wheel "$bin/sins.dll" $platform "$folder"
+    # Lines end as old editors of Windows need it.
+    find "$folder" \( -name '*.md' -o -name '*.txt' -o -name '*.cff' -o -name '*.h' -o -name '*.hpp' -o -name '*.c' -o -name '*.cpp' \
+        -o -name '*.toml' -o -name 'LICENSE-*' \) -exec sed -i 's/$/\r/' {} +
     need zip zip
     archive "$folder" zip
 }
@@ -94,9 +111,11 @@ stable=$(rustup show active-toolchain | cut -d' ' -f1)
 staging=$PWD/target/release-packages
 manual=$staging/manual
 rm -rf "$staging"
+step "documents"
 release/manual.sh "$manual"
 cargo check --quiet --release # writes the interfaces for other languages
 for package in "${packages[@]}"; do
+    step "$package"
     case $package in
         linux-x86_64) linux linux-x86_64 x86_64 ;;
         linux-arm64) linux linux-arm64 aarch64 ;;
@@ -108,6 +127,7 @@ for package in "${packages[@]}"; do
             ;;
     esac
 done
+step "done"
 cd "$dist"
 shopt -s nullglob # some kinds of packages may be missing
 sha256sum sins-"$version"{-*.tar.gz,-*.zip,*.fmu} >SHA256SUMS

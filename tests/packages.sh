@@ -43,8 +43,27 @@ files() {
             [ -e "${page%/*}/$name" ] || fail "$page: no file $name"
         done
     done
-    grep -q 'flight simulator *FlightSample' "$folder/docs/sins.h/index.html" || fail "$folder: no picture of the data flow"
+    for name in 'One object, nine functions' 'flight simulator *FlightSample'; do
+        grep -q "$name" "$folder/docs/sins.h/index.html" || fail "$folder: the manual does not begin with \"$name\""
+    done
+    grep -rq 'Failures of sensors' "$folder"/docs/sins.h/group__*.html || fail "$folder: the manual has no subjects"
     if grep -rlF -e "$PWD" -e "$HOME/" "$folder"; then fail "these name a folder of this machine"; fi
+}
+
+# wheel FOLDER: installs the module for Python from the package, without a network, and flies.
+wheel() {
+    python3 -c 'import ensurepip' 2>/dev/null || install python3-venv
+    python3 -m venv "$out/python"
+    "$out/python/bin/pip" install --quiet --no-index --no-deps "$1"/share/sins/sins-*.whl
+    (cd "$out" && "$out/python/bin/python" -c 'if True:
+        import sins
+        with sins.create(None) as sim:
+            sins.set_gyro(sim, sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0)))
+            for second in range(3601):
+                sins.push_sample(sim, sins.flight_sample(time_s=second, latitude_rad=39.9 * sins.DEG))
+                sins.step(sim)
+            print(f"{sins.get_errors(sim, sins.ERRORS_NAVIGATION).position_enu_m[0]:.0f} m east")') | grep -x -- '-145 m east' ||
+        fail "$1: the wheel does not fly"
 }
 
 # linux NAME PROCESSOR RUNNER...
@@ -76,6 +95,7 @@ linux() {
     "${runner[@]}" "$out/minimal_static" | diff "$out/minimal.txt" - || fail "$folder: libsins.a gives another flight"
     flies "${runner[@]}" "$out/digests"
     "${runner[@]}" "$folder/bin/sins" --version
+    [ "$2" != "$(uname -m)" ] || wheel "$folder"
     echo "$name: $(cat "$out/newest"), exports, digests"
 }
 
@@ -96,6 +116,10 @@ windows() {
     done
     "$2-w64-mingw32-windres" -i "$folder/bin/sins.dll" -J coff -O rc | grep -F "\"FileVersion\", \"$version\"" ||
         fail "$folder: sins.dll has no version"
+    [ -s "$(echo "$folder"/share/sins/sins-*-py3-none-win*.whl)" ] || fail "$folder: no wheel"
+    for file in README.md include/sins.h licences/LICENSE-MIT; do
+        if grep -vq $'\r$' "$folder/$file"; then fail "$folder/$file: lines end without a carriage return"; fi
+    done
     have_wine "$2" || return 0
     for library in sins.lib libsins.dll.a; do
         "$compiler" $warnings c_examples/minimal.c -I "$folder/include" "$folder/lib/$library" -o "$folder/bin/minimal.exe"

@@ -6,7 +6,6 @@ samples of all 48 hours of the patrol would need 2.5 GB.
 """
 
 import argparse
-import ctypes
 import sys
 
 import matplotlib
@@ -20,23 +19,22 @@ CALL_S = 600.0
 
 def open_scene(name, hours):
     """The scene of a file, or a built-in one. `hours` replaces its duration."""
-    scene, fault, setup = sins.scene(), sins.fault(), sins.scene_setup()
     if name.endswith(".toml"):
+        scene = sins.scene()
         with open(name, "rb") as file:
             status = sins.scene_parse(file.read(), scene)
         if status == sins.SCENE_HAS_FAULTS:
-            sins.scene_get_fault(scene, 0, fault)
+            fault = sins.scene_get_fault(scene, 0)
             sys.exit(f"{name}:{fault.line}:{fault.column}: {fault.sentence.decode()}")
     else:
-        sins.scene_create_builtin(name, scene)
-    sins.scene_get_setup(scene, setup)
+        scene = sins.scene_create_builtin(name)
+    setup = sins.scene_get_setup(scene)
     if hours is not None:
         setup.duration_s = hours * 3600
         sins.scene_set_setup(scene, setup)
-        sins.scene_get_setup(scene, setup)
-    failures = ctypes.c_size_t()
-    sins.scene_get_failure_count(scene, failures)
-    if setup.flight == sins.SCENE_FLIGHT_LOG or setup.has_temperature or failures.value:
+        setup = sins.scene_get_setup(scene)
+    failures = sins.scene_get_failure_count(scene)
+    if setup.flight == sins.SCENE_FLIGHT_LOG or setup.has_temperature or failures:
         sys.exit(f"{name}: a log, a temperature or failures want sins.scene_prepare() before each sample: see harness.c")
     return scene, setup
 
@@ -46,14 +44,10 @@ def fly(scene, setup):
     count = int(setup.flown_s * setup.rate_hz + 1e-6) + 1  # 1e-6: rounding
     every = max(1, round((setup.every_s or setup.flown_s / 1000) * setup.rate_hz))
     times_s = numpy.minimum(numpy.arange(count) / setup.rate_hz, setup.flown_s)
-    with sins.sim() as sim, sins.flight() as flight:
-        sins.scene_create_simulator(scene, sim)
-        sins.scene_create_flight(scene, flight)
+    with sins.scene_create_simulator(scene) as sim, sins.scene_create_flight(scene) as flight:
         parts = numpy.array_split(times_s, int(setup.flown_s / CALL_S) + 1)
         records = [sins.fly(sim, sins.samples_at(flight, part), every) for part in parts]
-        last = sins.record()
-        sins.get_record(sim, last)
-    return numpy.concatenate(records), last
+        return numpy.concatenate(records), sins.get_record(sim)
 
 
 def draw(records, title, path):
@@ -83,7 +77,7 @@ def main():
     try:
         scene, setup = open_scene(arguments.scene, arguments.hours)
         records, last = fly(scene, setup)
-        title = sins.text(sins.scene_get_text, scene, sins.SCENE_TEXT_TITLE) or arguments.scene
+        title = sins.scene_get_text(scene, sins.SCENE_TEXT_TITLE) or arguments.scene
         if arguments.output:
             draw(records, title, arguments.output)
     except sins.Error as error:

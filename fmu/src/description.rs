@@ -8,7 +8,7 @@ use quick_xml::events::{BytesDecl, Event};
 
 use crate::logger::Category;
 use crate::values::{Base, Value};
-use crate::variables::{Role, Variable, table};
+use crate::variable::{Role, Variable};
 
 /// File name of the binaries.
 const MODEL_IDENTIFIER: &str = "sins_fmu";
@@ -18,14 +18,13 @@ type Xml = Writer<Vec<u8>>;
 type Variables = [(Variable, usize)];
 
 /// Text of the whole file.
-pub fn xml() -> String {
-    let table = table();
-    xml_of(&table.variables, &table.guid).unwrap_or_default()
+pub fn xml(variables: &Variables, guid: &str) -> String {
+    xml_of(variables, guid).unwrap_or_default()
 }
 
 /// Identity of the unit: a hash of the rest of the description, so that another table gives another identity.
-pub(crate) fn guid(variables: &Variables) -> String {
-    let text = xml_of(variables, "").unwrap_or_default();
+pub fn guid(variables: &Variables) -> String {
+    let text = xml(variables, "");
     let half = |basis: u64| {
         // FNV-1a.
         text.bytes().fold(basis, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))

@@ -9,7 +9,7 @@ use sins::truth::FlightSample;
 use sins::units::TEMPERATURE_RANGE_C;
 
 use crate::values::Value;
-use crate::variables::{Role, Variable};
+use crate::variable::{Role, Variable};
 
 /// Inputs that a master sets together. The inputs of all groups are the first reals of the table, in this order.
 struct Group {

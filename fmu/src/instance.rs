@@ -10,9 +10,10 @@ use sins::{Error, Simulator};
 
 use crate::inputs;
 use crate::outputs;
-use crate::parameters;
+use crate::scene;
+use crate::table::{Table, table};
 use crate::values::{Base, Value, Values};
-use crate::variables::{Role, Table, table};
+use crate::variable::Role;
 
 /// Phase in the life of an instance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,7 +73,7 @@ pub struct Flight {
 impl Flight {
     /// The flight that the parameters define, before its first sample.
     pub fn new(values: &Values, resources: Option<&PathBuf>) -> Result<Self, String> {
-        let scene = parameters::scene(values, resources.map(PathBuf::as_path))?;
+        let scene = scene::scene(values, resources.map(PathBuf::as_path))?;
         let [simulator] = *scene.simulator().map_err(|error| error.to_string())?;
         Ok(Self { scene, simulator: Box::new(simulator), first_s: None, taken: None })
     }
@@ -199,7 +200,7 @@ impl Instance {
         }
         if is_tuned && let Some(flight) = &mut self.flight {
             let resources = self.resources.as_deref();
-            let scene = parameters::scene(&next, resources).map_err(Refused::discard)?;
+            let scene = scene::scene(&next, resources).map_err(Refused::discard)?;
             flight.retune(scene).map_err(|error| Refused::discard(error.to_string()))?;
         }
         (self.values, self.is_set) = (next, is_set);

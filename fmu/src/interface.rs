@@ -19,8 +19,8 @@ use std::ptr;
 use crate::instance::{Instance, Phase, Refusal, Refused};
 pub use crate::logger::LoggerFunction;
 use crate::logger::{Category, Logger};
+use crate::table::table;
 use crate::uri::folder;
-use crate::variables::table;
 
 pub type fmi2Status = c_int;
 pub const fmi2OK: fmi2Status = 0;

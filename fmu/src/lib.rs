@@ -13,7 +13,7 @@
 //!  sins::Simulator  ->  outputs                                 `outputs`
 //! ```
 //!
-//! The variables of inputs, parameters and outputs are in one table (`variables`), which is made from the keys of a scene. The
+//! The variables of inputs, parameters and outputs are in one table (`table`), which is made from the keys of a scene. The
 //! model description (`description`) is written from the same table.
 //!
 //! # Time
@@ -24,7 +24,7 @@
 //! step from a time whose sample has been taken changes nothing, if the inputs are the same.
 #![deny(missing_docs, unsafe_op_in_unsafe_fn)]
 
-pub mod description;
+mod description;
 pub mod get_set;
 mod inputs;
 mod instance;
@@ -33,8 +33,15 @@ mod logger;
 mod outputs;
 mod parameters;
 mod saved;
+mod scene;
 pub mod states;
 pub mod steps;
+mod table;
 pub mod uri;
 mod values;
-mod variables;
+mod variable;
+
+/// The text of modelDescription.xml.
+pub fn model_description() -> String {
+    table::table().xml()
+}

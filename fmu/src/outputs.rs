@@ -4,7 +4,7 @@ use sins::state::Navigation;
 use sins::{Error, ErrorSource, Simulator};
 
 use crate::values::{Value, Values};
-use crate::variables::{Role, Variable};
+use crate::variable::{Role, Variable};
 
 /// A number: name, unit, usual size, meaning.
 type Number = (&'static str, &'static str, f64, &'static str);

@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use crate::inputs;
 use crate::instance::{Flight, Instance, Phase};
+use crate::table::table;
 use crate::values::Values;
-use crate::variables::{Role, table};
+use crate::variable::Role;
 
 /// Mark at the beginning of a state.
 const MARK: &[u8; 8] = b"SINSFMU1";

@@ -13,13 +13,16 @@ use crate::covariance::NavigationCovariance;
 ///
 /// The covariance is propagated along the truth with the linear error equations (error data 1). Both values of
 /// sins_options.frame use the equations in Earth-fixed axes; the result is the same. The covariance is taken about the mean
-/// error of all runs. It does not depend on the random numbers of this run. It contains: random initial errors; the
-/// misalignment that the alignment at the start derives from sensor errors; turn-on biases, scale factors and misalignments;
-/// Gauss-Markov, flicker, rate random walk and white noise; the random fields of gravity; the altimeter's Gauss-Markov error
-/// and noise; quantization, as white noise of the same variance. It does not contain: constant errors and failures, which
-/// change only the mean; dead zones and ranges, which are not linear. One step of the propagation is one second of flight. A
-/// parameter that is set in flight takes effect from the start of the current second. A second with at least one height of
-/// the altimeter counts as aided throughout, so drop-outs shorter than a second have no effect on the covariance. The
+/// error of all runs. It does not depend on the random numbers of this run, except for random drop-outs of the altimeter: it takes
+/// those of this run. It contains: random initial errors; the misalignment that the alignment at the start derives from sensor
+/// errors; turn-on biases, scale factors and misalignments; Gauss-Markov, flicker, rate random walk and white noise; the random
+/// fields of gravity; the altimeter's Gauss-Markov error and noise; quantization, as white noise of the same variance; failures of
+/// gyros and accelerometers: a dead or stuck sensor has no random errors, the noise of a failure is added, random drop-outs count
+/// with their mean effect and the scatter of what they lose. It does not contain: constant errors, bias steps and spikes, which
+/// change only the mean; the value that a stuck sensor holds; failures of the altimeter other than lost heights; dead zones and
+/// ranges, which are not linear. One step of the propagation is one second of flight. A parameter that is set in flight takes effect
+/// from the start of the current second, a failure by its share of this second. A second with at least one height of the altimeter
+/// counts as aided throughout, so drop-outs shorter than a second have no effect on the covariance. The
 /// standard deviations of the propagation are limited to 1e30 in SI units, so all outputs are finite.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]

@@ -1,13 +1,13 @@
 //! `sins_ensemble`: the life of an ensemble, and its steps.
 
+use super::boundary::handle::{hand_out, with_object};
+use super::boundary::tables::ENSEMBLES;
 use super::boundary::{enter, enter_without_simulator};
 use super::failure::{Failure, SINS_GAP, SINS_OK, sins_status};
-use super::handle::{hand_out, with_object};
 use super::memory::{Array, read};
 use super::sample::sins_flight_sample;
 use super::sensor_failure::{ARGUMENTS, output, sins_failure};
 use super::simulator::{look_at, pushed, sins_sim, stepped};
-use super::tables::ENSEMBLES;
 use crate::ensemble::Ensemble;
 use crate::simulator::Simulator;
 

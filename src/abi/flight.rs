@@ -1,13 +1,13 @@
 //! `sins_flight`: embedded flights.
 
+use super::boundary::handle::{hand_out, with_object};
+use super::boundary::tables::FLIGHTS;
 use super::boundary::{enter, enter_without_simulator};
 use super::choice::{Choice, check_reserved};
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::handle::{hand_out, with_object};
 use super::manoeuvre::sins_manoeuvre;
 use super::memory::{Array, Output, interface_struct, put, read};
 use super::sample::sins_flight_sample;
-use super::tables::FLIGHTS;
 use crate::earth::Ellipsoid;
 use crate::error::check_integer;
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};

@@ -1,8 +1,8 @@
 //! Setting and reading the errors of the gyros.
 
 use super::failure::sins_status;
-use super::parameters::{get, set};
 use super::sensor_params::sins_gyro_params;
+use super::settings::{get, set};
 use super::simulator::sins_sim;
 use crate::simulator::Simulator;
 

@@ -1,13 +1,13 @@
 //! Why the last call failed: a sentence for people, a struct for programs.
 
 use core::ffi::c_char;
-use core::fmt::{self, Write};
 
+use super::boundary::tables::SIMULATORS;
 use super::boundary::{enter, last_failure};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct};
+use super::sentence::Sentence;
 use super::simulator::sins_sim;
-use super::tables::SIMULATORS;
 use super::text::{chars, put_text};
 use crate::error::Value;
 
@@ -57,8 +57,8 @@ interface_struct!(sins_error_info, "info", 152);
 /// Copies the sentence of the last failed call on this handle. The sentence names field, value and limit; it is UTF-8 and
 /// always terminated; it is "no error" if no call failed. With a NULL handle the function gives the last failed call of this
 /// thread that was made without a simulator (create, presets, flights, ensembles, statistics, scenes, logs, recommend,
-/// budget), or whose handle was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads). A failure of this
-/// call or of sins_last_error_info() is not kept.
+/// budget). A call whose handle was rejected (SINS_ERROR_BAD_HANDLE, or SINS_ERROR_BAD_STATE: see Threads) keeps no sentence, as its
+/// status says why. A failure of this call or of sins_last_error_info() is not kept.
 ///
 /// needed (may be NULL) gets the size of the whole sentence with its terminator; buffer NULL and capacity 0 ask for the
 /// size only. SINS_ERROR_BUFFER_TOO_SMALL: the sentence was cut.
@@ -154,47 +154,5 @@ impl sins_error_info {
             }
         }
         info
-    }
-}
-
-/// A sentence in a fixed buffer: made without an allocation, cut at a character.
-#[derive(Clone, Copy)]
-pub(super) struct Sentence {
-    bytes: [u8; 512],
-    len: usize,
-}
-
-impl Sentence {
-    pub const EMPTY: Self = Self { bytes: [0; 512], len: 0 };
-
-    pub fn new(text: fmt::Arguments<'_>) -> Self {
-        let mut sentence = Self::EMPTY;
-        // Writing never fails: what does not fit is cut.
-        let _ = sentence.write_fmt(text);
-        sentence
-    }
-
-    pub fn of(failure: Option<&Failure>) -> Self {
-        match failure {
-            Some(failure) => Self::new(format_args!("{failure}")),
-            None => Self::new(format_args!("no error")),
-        }
-    }
-
-    pub fn as_bytes(&self) -> &[u8] {
-        &self.bytes[..self.len]
-    }
-}
-
-impl Write for Sentence {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        let room = self.bytes.len() - self.len;
-        let mut take = text.len().min(room);
-        while !text.is_char_boundary(take) {
-            take -= 1;
-        }
-        self.bytes[self.len..self.len + take].copy_from_slice(&text.as_bytes()[..take]);
-        self.len += take;
-        Ok(())
     }
 }

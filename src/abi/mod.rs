@@ -1,6 +1,6 @@
-//! The C ABI: what the headers in `include` declare. One file for each C noun; the raw pointers are in `memory` and `text`, the
-//! handles in `registry` and `tables`, panics and the host's floating-point state in `boundary` and `fpu`. Everything behind is safe
-//! Rust.
+//! The C ABI: what the headers in `include` declare. One file for each C noun. `boundary` has what every call passes: handles, locks,
+//! threads, panics, the host's floating-point state. `scene` has scenes and flight logs. The raw pointers are in `memory` and `text`.
+//! Everything behind is safe Rust.
 //!
 //! The doc comments of the public items are the documentation in the header. That of the fields of `sins_gyro_params` and
 //! `sins_accel_params` comes from `src/sensors/table.rs`.
@@ -30,20 +30,12 @@ mod errors;
 mod failure;
 #[cfg(feature = "fault-injection")]
 mod fault;
-#[cfg(feature = "scenes")]
-mod fault_report;
 mod flight;
-mod fpu;
 mod gravity;
 mod gyro;
-mod handle;
 mod imu;
 mod initial;
-mod key;
 mod last_error;
-mod lock;
-#[cfg(feature = "scenes")]
-mod log;
 mod manoeuvre;
 mod memory;
 mod mounting;
@@ -51,42 +43,22 @@ mod navigator;
 mod options;
 mod parameters;
 mod preset;
-mod process;
 mod recommend;
 mod record;
 mod record_line;
-mod refusal;
-mod registry;
 mod run;
 mod sample;
 #[cfg(feature = "scenes")]
 mod scene;
-#[cfg(feature = "scenes")]
-mod scene_failure;
-#[cfg(feature = "scenes")]
-mod scene_flight;
-#[cfg(feature = "scenes")]
-mod scene_key;
-#[cfg(feature = "scenes")]
-mod scene_prepare;
-#[cfg(feature = "scenes")]
-mod scene_samples;
-#[cfg(feature = "scenes")]
-mod scene_settings;
-#[cfg(feature = "scenes")]
-mod scene_text;
-#[cfg(feature = "scenes")]
-mod scene_value;
 mod sensor_failure;
 mod sensor_params;
+mod sentence;
+mod settings;
 mod simulator;
 mod snapshot;
 mod solution;
 mod statistics;
-mod tables;
 mod text;
-mod thread;
-mod thread_locals;
 mod truth_summary;
 mod version;
 
@@ -120,6 +92,8 @@ pub use record::*;
 pub use record_line::sins_record_line;
 pub use run::sins_run;
 pub use sample::*;
+#[cfg(feature = "scenes")]
+pub use scene::*;
 pub use sensor_failure::*;
 pub use sensor_params::{sins_accel_params, sins_gyro_params};
 pub use simulator::*;
@@ -128,11 +102,6 @@ pub use solution::*;
 pub use statistics::*;
 pub use truth_summary::{sins_get_truth_summary, sins_truth_summary};
 pub use version::*;
-#[cfg(feature = "scenes")]
-pub use {
-    fault_report::sins_fault, log::*, scene::*, scene_failure::*, scene_flight::*, scene_key::*,
-    scene_prepare::*, scene_samples::*, scene_settings::*, scene_text::*, scene_value::*,
-};
 
 // That the sizes which the header states are those of the structs; a library without scenes lacks some of these.
 #[cfg(feature = "scenes")]

@@ -65,19 +65,24 @@ impl sins_imu_increment {
 /// Reads the increments on which the INS navigated in one update of the last interval, as the modelled sensors measured them.
 /// The argument update counts the updates of the interval from 0. Their number is sins_options.updates_per_sample, or more in an
 /// interval of several periods. Each update has sins_options.subsamples parts; its interval_s is the interval divided by the
-/// number of updates. A navigator of the host gets the whole interval so:
-///
-///     for (update = 0; sins_get_imu_update(sim, update, &increment) == SINS_OK; ++update) sins_push_imu(own, &increment);
-///
-/// The navigator then has the solution of the INS to the last bit, if the INS had no errors at the start, no mounting,
-/// SINS_VERTICAL_FREE, SINS_SIGNAL_PHYSICAL and no gravity disturbance, and the navigator started from sins_get_truth() before the first step. With
-/// errors at the start it starts from sins_get_navigation(), whose angles are rounded. With a mounting the parts are the signals
-/// of the sensor block. The parts do not contain the aid of the vertical channel. sins_push_imu() rejects updates shorter than
-/// 5e-5 s.
+/// number of updates. A navigator of the host that gets all updates of each interval by sins_push_imu() has the solution of the INS
+/// to the last bit, if the INS had no errors at the start, no mounting, SINS_VERTICAL_FREE, SINS_SIGNAL_PHYSICAL and no gravity
+/// disturbance, and the navigator started from sins_get_truth() before the first step. With errors at the start it starts from
+/// sins_get_navigation(), whose angles are rounded. With a mounting the parts are the signals of the sensor block. The parts do
+/// not contain the aid of the vertical channel. sins_push_imu() rejects updates shorter than 5e-5 s.
 ///
 /// SINS_NEED_SAMPLE: the last interval has no such update, or there is none: before the first step, after sins_snapshot_load()
 /// until the next step (a snapshot keeps the sums of sins_get_imu() alone), and while the simulator navigates on increments.
 /// SINS_ERROR_INVALID_ARGUMENT: update is negative.
+///
+/// ```c
+/// int update;
+/// sins_imu_increment increment;
+/// SINS_INIT(increment);
+/// for (update = 0; sins_get_imu_update(sim, update, &increment) == SINS_OK; ++update) {
+///     printf("%d parts of %g s\n", increment.count, increment.interval_s);  // 2 parts of 1 s
+/// }
+/// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_get_imu_update(
     sim: *mut sins_sim,

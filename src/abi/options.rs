@@ -35,9 +35,9 @@ pub const SINS_SCHEME_POLYNOMIAL: sins_scheme = 2;
 /// What stabilizes the vertical channel.
 pub type sins_vertical = i32;
 
-/// Third-order loop on a barometric height, time constant 100 s. The response differs from the response of a continuous loop
-/// by the fraction 3.5e-5 at a sample rate of 1 Hz, and 3.5e-7 at 10 Hz. The difference is of second order in the sample
-/// interval.
+/// Third-order loop on a barometric height, time constant 100 s. Its response to an error of the vertical accelerometer differs
+/// from that of a continuous loop by the fraction 3.5e-5 at a sample rate of 1 Hz, and its response to an initial velocity error by
+/// 6.5e-4. Both are of second order in the sample interval: 3.5e-7 and 6.5e-6 at 10 Hz.
 pub const SINS_VERTICAL_DAMPED: sins_vertical = 0;
 /// Height and vertical velocity set to the truth at each sample.
 pub const SINS_VERTICAL_FOLLOW_TRUTH: sins_vertical = 1;

@@ -1,13 +1,13 @@
 //! `sins_sim`: the simulator's life, and its steps.
 
+use super::boundary::handle::hand_out;
+use super::boundary::tables::SIMULATORS;
 use super::boundary::{enter, enter_without_simulator};
 use super::failure::{Failure, SINS_GAP, SINS_NEED_SAMPLE, SINS_OK, sins_status};
-use super::handle::hand_out;
-use super::memory::read;
+use super::memory::{Output, read};
 use super::options::sins_options;
-use super::parameters::{Parameters, get};
+use super::parameters::Parameters;
 use super::sample::sins_flight_sample;
-use super::tables::SIMULATORS;
 use crate::error::Error;
 use crate::simulator::{Options, Simulator, Step, heap_simulator};
 use crate::truth::{FlightSample, Pushed};
@@ -126,8 +126,12 @@ pub unsafe extern "C-unwind" fn sins_get_options(
     sim: *mut sins_sim,
     options: *mut sins_options,
 ) -> sins_status {
-    // SAFETY: the host's promise.
-    unsafe { get(sim, options, "options", Simulator::options) }
+    with_simulator(sim, |simulator| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(options, "options")? };
+        output.write(&sins_options::from_parameters(simulator.options()));
+        Ok(SINS_OK)
+    })
 }
 
 /// Puts one flight sample into the queue (16 samples). Each sample is checked by itself and against the one before.

@@ -8,19 +8,20 @@
 //! ```text
 //! x = S β + L ξ        β processes of unit variance, ξ what was random before
 //! β⁺ = a β + s w       a² + s² = 1, exact for any step
-//! x⁺ = Φ x + γ β + δ w + noise
+//! x⁺ = Φ x + γ β + δ w + what is new
 //! S⁺ = a (Φ S + γ) + s δ
-//! L⁺ of [Φ L, s (Φ S + γ) - a δ, noise]     by reflections
+//! L⁺ of [Φ L, s (Φ S + γ) - a δ, what is new]     by reflections
 //! ```
 //! Φ, γ and δ are computed with the linear model itself, on unit columns, over stretches of up to a second. Within a stretch the truth
-//! is integrated sample by sample.
+//! is integrated sample by sample, and each process counts as a straight line of the same integral and first moment (`line`).
 //!
-//! It is the covariance about the mean, so it does not contain constant errors (given biases, failures, the constant parts of
-//! gravity).
+//! It is the covariance about the mean, so it does not contain constant errors (given biases, steps and spikes of failures, the
+//! constant parts of gravity). An axis whose failure lets through a share of its signal has this share of each column.
 
 mod alignment;
 mod factor;
 mod figures;
+mod line;
 mod passage;
 mod propagation;
 mod read;

@@ -4,8 +4,9 @@ use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::alignment::field_e;
 use super::factor::{ROWS, triangularize};
+use super::line::{Line, Spread};
 use super::root::Root;
-use super::sources::{AXES, COUNT, ELEMENTS, Input, Kind, Parameters, Source};
+use super::sources::{AXES, COUNT, Input, Kind, LINES, Parameters, Source};
 use super::stretch::Stretch;
 use crate::earth::Earth;
 use crate::errors::column::{At, Column, advance, keep_within};
@@ -36,6 +37,13 @@ struct Model<'a> {
 struct Columns<'a> {
     all: &'a mut [Column],
     used: usize,
+}
+
+/// Columns caused by an input: by a mean of 1, and by a change of 1 over the stretch.
+#[derive(Clone, Copy)]
+struct Response {
+    of_mean: Column,
+    of_change: Column,
 }
 
 type Transition = SMatrix<f64, ROWS, ROWS>;
@@ -78,29 +86,52 @@ impl Model<'_> {
         (transition, channel)
     }
 
-    /// The column caused by errors of an axis that have these sizes at the nodes.
-    fn by_axis(&self, axis: usize, sizes: [f64; 3]) -> Column {
-        let at = |node: usize| errors_of(axis < 3, self.axes[node].column(axis % 3) * sizes[node]);
-        self.over(&Column::zeros(), &[at(0), at(1), at(2)]).0
+    /// The columns caused by an input with a mean of 1, and by one with a change of 1 from start to end. A constant has no change.
+    fn response(&self, input: Input) -> Response {
+        let [mean, change] = [Line { mean: 1.0, change: 0.0 }, Line { mean: 0.0, change: 1.0 }];
+        let by = |line: Line| self.over(&Column::zeros(), &self.errors_by(input, line.at_nodes())).0;
+        let is_constant = matches!(input, Input::Element(_));
+        Response { of_mean: by(mean), of_change: if is_constant { Column::zeros() } else { by(change) } }
     }
 
-    /// The column caused by a constant input of 1; for the altimeter, by an input of 1 at the end, where it is read.
-    fn by(&self, input: Input) -> Column {
-        let Passage { earth, stretch, at, truth, .. } = self.passage;
-        let errors_e = match input {
-            Input::Axis(axis) => return self.by_axis(axis, [1.0; 3]),
-            Input::Element(element) => {
-                stretch.by_element(element).map(|vector_e| errors_of(element < ELEMENTS / 2, vector_e))
-            }
-            // To an INS that computes with normal gravity the rest is an error of its accelerometers.
-            Input::Field(field) => [errors_of(false, -field_e(earth, truth, field)); 3],
-            Input::Altimeter => {
-                let (mut column, mut channel) = (Column::zeros(), self.channel);
-                at.correct_vertical(&mut column, self.mode, &mut channel, 1.0, stretch.times());
-                return column;
-            }
+    /// Errors of the sensors at the nodes, caused by an input that has these sizes there.
+    fn errors_by(&self, input: Input, sizes: [f64; 3]) -> [VectorPair; 3] {
+        let Passage { earth, stretch, truth, .. } = self.passage;
+        let of_axis = |axis: usize, vectors_e: [Vector3<f64>; 3]| {
+            let share = stretch.share(axis);
+            core::array::from_fn(|node| errors_of(axis < 3, vectors_e[node] * (sizes[node] * share)))
         };
-        self.over(&Column::zeros(), &errors_e).0
+        match input {
+            Input::Axis(axis) => of_axis(axis, self.axes.map(|axes| axes.column(axis % 3).into_owned())),
+            Input::Element(element) => of_axis(element / 9 * 3 + element % 3, stretch.by_element(element)),
+            // To an INS that computes with normal gravity the rest is an error of its accelerometers, as far as they sense it.
+            Input::Field(field) => {
+                let rest_e = -field_e(earth, truth, field);
+                core::array::from_fn(|node| {
+                    let lost = |i: usize| {
+                        let axis_e = self.axes[node].column(i);
+                        axis_e * ((1.0 - stretch.share(3 + i)) * axis_e.dot(&rest_e))
+                    };
+                    errors_of(false, (rest_e - lost(0) - lost(1) - lost(2)) * sizes[node])
+                })
+            }
+            Input::Altimeter => [VectorPair::both(&NONE); 3],
+        }
+    }
+
+    /// The column caused by an altimeter that shows 1 m too much at the end, where it is read.
+    fn by_altimeter(&self) -> Column {
+        let (mut column, mut channel) = (Column::zeros(), self.channel);
+        let Passage { stretch, at, .. } = self.passage;
+        at.correct_vertical(&mut column, self.mode, &mut channel, 1.0, stretch.times());
+        column
+    }
+}
+
+impl Response {
+    /// The column caused by a line.
+    fn to(&self, line: &Line) -> Column {
+        self.of_mean * line.mean + self.of_change * line.change
     }
 }
 
@@ -125,7 +156,8 @@ impl Passage<'_> {
         root.columns_mut().for_each(keep_within);
     }
 
-    /// The processes: S⁺ = a (Φ S + γ) + s δ, and the part of the errors that is no longer correlated with them.
+    /// The processes: S⁺ = a (Φ S + γ) + s δ, and the part of the errors that is not correlated with them any more or never was; with
+    /// this part, white noise.
     fn add_processes(
         &self,
         root: &mut Root,
@@ -134,7 +166,12 @@ impl Passage<'_> {
         transition: &Transition,
         parameters: &Parameters<'_>,
     ) {
-        let mut by_axes = [None; AXES];
+        let mut responses = [None; LINES];
+        let mut rests = [Spread::NONE; LINES];
+        for (axis, rest) in rests.iter_mut().enumerate().take(AXES) {
+            let density = self.stretch.noise(axis, parameters.of_axis(axis).random_walk[axis % 3]);
+            *rest = Spread::of_white_noise(density, self.stretch.length_s);
+        }
         for place in 0..COUNT {
             let source = Source::at(place, parameters);
             let sensitivity = &mut root.sensitivities[place];
@@ -148,44 +185,41 @@ impl Passage<'_> {
                 continue;
             }
             let led = transition * *sensitivity;
-            let by_one = match source.input {
-                Input::Axis(axis) => *by_axes[axis].get_or_insert_with(|| model.by(source.input)),
-                input => model.by(input),
+            let response = match source.input.line() {
+                Some(line) => {
+                    rests[line].add(&step.rest);
+                    *responses[line].get_or_insert_with(|| model.response(source.input))
+                }
+                None if source.input == Input::Altimeter => {
+                    *sensitivity = led * step.decay + model.by_altimeter() * source.sigma;
+                    columns.take(led * step.diffusion);
+                    continue;
+                }
+                None => model.response(source.input),
             };
-            if source.input == Input::Altimeter {
-                *sensitivity = led * step.decay + by_one * source.sigma;
-                columns.take(led * step.diffusion);
-                continue;
-            }
-            let [of_start, of_draw, of_own] = step.mean;
-            let (from_start, from_draw) = (led + by_one * of_start, by_one * of_draw);
+            let (from_start, from_draw) = (led + response.to(&step.of_start), response.to(&step.of_draw));
             *sensitivity = from_start * step.decay + from_draw * step.diffusion;
             if step.diffusion != 0.0 {
                 columns.take(from_start * step.diffusion - from_draw * step.decay);
-                columns.take(by_one * of_own);
             }
+        }
+        for (line, rest) in rests.iter().enumerate().filter(|(_, rest)| !rest.is_none()) {
+            let response = responses[line].get_or_insert_with(|| model.response(Input::of_line(line)));
+            rest.lines().iter().for_each(|line| columns.take(response.to(line)));
         }
     }
 
-    /// The noise that is new in every stretch: the mean of the white noise, of variance N²/T, and its slope, of variance 12 N²/T;
-    /// quantization; the altimeter's noise.
+    /// The noise that is new in every stretch: quantization, and the altimeter's noise.
     fn add_noise(&self, columns: &mut Columns<'_>, model: &Model<'_>, parameters: &Parameters<'_>) {
         for axis in 0..AXES {
-            let triad = parameters.of_axis(axis);
-            let (density, pulse) = (triad.random_walk[axis % 3], triad.quantization[axis % 3]);
-            if density != 0.0 {
-                let root = density / self.stretch.length_s.sqrt();
-                columns.take(model.by_axis(axis, [root; 3]));
-                let slope = 12.0f64.sqrt() * root;
-                columns.take(model.by_axis(axis, [-0.5 * slope, 0.0, 0.5 * slope]));
-            }
+            let pulse = parameters.of_axis(axis).quantization[axis % 3] * self.stretch.share(axis);
             if pulse != 0.0 {
                 columns.take(self.quantization(axis, pulse, &model.nodes[1].f_e, &model.axes[1]));
             }
         }
         let noise_m = parameters.altimeter.noise_m;
         if model.mode == VerticalMode::Damped && noise_m != 0.0 {
-            columns.take(model.by(Input::Altimeter) * (noise_m / (self.stretch.aided as f64).sqrt()));
+            columns.take(model.by_altimeter() * (noise_m / (self.stretch.aided as f64).sqrt()));
         }
     }
 

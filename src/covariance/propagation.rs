@@ -8,7 +8,7 @@ use super::figures::NavigationCovariance;
 use super::passage::Passage;
 use super::read::covariance_of;
 use super::root::{Root, zeros};
-use super::sources::{AXES, COUNT, Input, Parameters, Source};
+use super::sources::{AXES, COUNT, Input, LINES, Parameters, Source};
 use super::stretch::{Piece, Stretch};
 use crate::earth::{Earth, Vertical};
 use crate::error::Error;
@@ -21,9 +21,9 @@ use crate::signal::{Increment, IntervalMotion};
 use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
-/// Largest number of columns of a stretch: the root, the lost correlation and the own part of the processes, mean and slope of the
-/// noise of each axis, their quantization, the altimeter's noise.
-const WORK: usize = ROWS + 2 * COUNT + 3 * AXES + 1;
+/// Largest number of columns of a stretch: the root, the lost correlation of the processes, mean and change of what is new in each
+/// line, the quantization of each axis, the altimeter's noise.
+const WORK: usize = ROWS + COUNT + 2 * LINES + AXES + 1;
 
 /// The propagation.
 #[derive(Debug, Clone)]
@@ -143,6 +143,7 @@ impl Propagation {
             motion: flown.motion,
             ideal: flown.ideal,
             is_aided: flown.is_aided,
+            outputs: parameters.outputs,
             ground_m: GravityDisturbance::over_ground(&self.earth, flown.current, flown.next),
             block: flown.block,
             with_elements: parameters.have_elements(),

@@ -34,30 +34,34 @@ pub(super) fn covariance_of(
                 &[Vector3::x(), Vector3::y(), Vector3::z()].map(|unit| block.in_body_axes(&unit)),
             )
     });
+    let t = truth.interval_s;
+    // Before the first step the INS has no rate.
+    let has_rate = block.is_some() && t > 0.0;
     for (place, sensitivity) in root.sensitivities.iter().enumerate() {
         let source = Source::at(place, parameters);
         let mut errors = at.errors(sensitivity);
-        if let (Input::Axis(axis @ 0..3), Some(_)) = (source.input, block) {
-            let gyro_e = axes_e.column(axis) * source.deviation(root.walks[axis]);
+        if let (Input::Axis(axis @ 0..3), true) = (source.input, has_rate) {
+            let (share, _) = parameters.outputs[axis];
+            let gyro_e = axes_e.column(axis) * (source.deviation(root.walks[axis]) * share);
             errors.velocity_n += at.in_local_axes(&at.velocity_by_arm(&gyro_e));
         }
         add(&errors);
     }
     root.factor.iter().for_each(|column| add(&at.errors(column)));
     // The noise of the rate of the last interval, times the lever arm.
-    if block.is_some() {
-        let t = truth.interval_s;
-        for axis in (0..3).filter(|_| t > 0.0) {
-            let (density, pulse) = (parameters.gyro.random_walk[axis], parameters.gyro.quantization[axis]);
-            let rate = (density * density / t + pulse * pulse / (6.0 * t * t)).sqrt();
-            let velocity_n = at.in_local_axes(&at.velocity_by_arm(&(axes_e.column(axis) * rate)));
-            add(&StateErrors { velocity_n, ..StateErrors::NONE });
-        }
+    for axis in (0..3).filter(|_| has_rate) {
+        let (share, of_failure) = parameters.outputs[axis];
+        let (density, pulse) = (parameters.gyro.random_walk[axis], parameters.gyro.quantization[axis]);
+        let of_sensor = density * density / t + pulse * pulse / (6.0 * t * t);
+        let rate = (share * of_sensor + of_failure * of_failure / t).sqrt();
+        let velocity_n = at.in_local_axes(&at.velocity_by_arm(&(axes_e.column(axis) * rate)));
+        add(&StateErrors { velocity_n, ..StateErrors::NONE });
     }
     // The remainder that quantization carries now.
     for axis in 0..AXES {
         let triad = parameters.of_axis(axis);
-        let pulse = triad.quantization[axis % 3];
+        let (share, _) = parameters.outputs[axis];
+        let pulse = triad.quantization[axis % 3] * share;
         if pulse != 0.0 {
             let rest_n = at.in_local_axes(&axes_e.column(axis % 3).into_owned()) * (pulse / 12.0f64.sqrt());
             add(&if axis < 3 {

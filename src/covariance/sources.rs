@@ -2,13 +2,14 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::sensors::{
-    AltimeterParameters, FLICKER_PROCESSES, GravityDisturbanceParameters, MarkovStep, TriadParameters,
-};
+use super::line::Advance;
+use crate::sensors::{AltimeterParameters, FLICKER_PROCESSES, GravityDisturbanceParameters, TriadParameters};
 
 /// The random errors that the host has set.
 #[derive(Clone, Copy)]
 pub(crate) struct Parameters<'a> {
+    /// Of each axis, the share of the signal that is in its output, and the density of the noise of a failure [u √s].
+    pub outputs: [(f64, f64); AXES],
     pub gyro: &'a TriadParameters,
     pub accel: &'a TriadParameters,
     pub altimeter: &'a AltimeterParameters,
@@ -56,6 +57,25 @@ pub enum Input {
     Altimeter,
 }
 
+/// Inputs to which processes add that change within a stretch: axes and fields.
+pub const LINES: usize = AXES + FIELDS;
+
+impl Input {
+    /// Its place among [`LINES`].
+    pub fn line(self) -> Option<usize> {
+        match self {
+            Self::Axis(axis) => Some(axis),
+            Self::Field(field) => Some(AXES + field),
+            Self::Element(_) | Self::Altimeter => None,
+        }
+    }
+
+    /// The input at a place among [`LINES`].
+    pub fn of_line(line: usize) -> Self {
+        if line < AXES { Self::Axis(line) } else { Self::Field(line - AXES) }
+    }
+}
+
 /// The evolution of a process.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kind {
@@ -76,15 +96,6 @@ pub struct Source {
     pub input: Input,
     pub kind: Kind,
     pub sigma: f64,
-}
-
-/// Over an interval: the process at its end is `decay` β + `diffusion` w, with β at its start and a draw w. The mean over the
-/// interval, in units of the quantity, has these shares of β, of w, and of a further draw.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Advance {
-    pub decay: f64,
-    pub diffusion: f64,
-    pub mean: [f64; 3],
 }
 
 impl Source {
@@ -137,41 +148,21 @@ impl Source {
     /// Its evolution over `t` [s] and `ground_m` [m] over ground. `walk` is the variance [u²] of a walk: that at the start, then
     /// that at the end.
     pub fn advance(&self, t: f64, ground_m: f64, walk: &mut f64) -> Advance {
-        let still = Advance { decay: 1.0, diffusion: 0.0, mean: [self.sigma, 0.0, 0.0] };
         match self.kind {
-            Kind::Constant => still,
-            Kind::Walk(_) if self.sigma == 0.0 => {
-                *walk = 0.0;
-                still
-            }
-            _ if self.sigma == 0.0 => still,
-            Kind::MarkovOverGround(_) if ground_m == 0.0 => still,
-            Kind::Markov(time_s) => self.markov(t, time_s),
-            Kind::MarkovOverGround(distance_m) => self.markov(ground_m, distance_m),
-            // ∫b dt = b t + K t^1.5 (w/2 + n/√12)
-            Kind::Walk(density) => {
-                let before = *walk;
-                let step = density * t.sqrt();
+            Kind::Walk(density) if density != 0.0 => {
+                let (start, step) = (walk.sqrt(), density * t.sqrt());
                 *walk += step * step;
-                let (start, end) = (before.sqrt(), walk.sqrt());
-                if end == 0.0 {
-                    return still;
-                }
-                Advance {
-                    decay: start / end,
-                    diffusion: step / end,
-                    mean: [start, 0.5 * step, step / 12.0f64.sqrt()],
-                }
+                Advance::walk(start, step)
             }
-        }
-    }
-
-    fn markov(&self, step: f64, correlation: f64) -> Advance {
-        let step_of = MarkovStep::new(step, correlation).coefficients();
-        Advance {
-            decay: step_of.decay,
-            diffusion: step_of.diffusion,
-            mean: step_of.integral.map(|share| self.sigma * share / step),
+            Kind::Walk(_) => {
+                *walk = 0.0;
+                Advance::still(0.0)
+            }
+            Kind::Markov(time_s) if self.sigma != 0.0 => Advance::markov(t / time_s, self.sigma),
+            Kind::MarkovOverGround(distance_m) if self.sigma != 0.0 && ground_m != 0.0 => {
+                Advance::markov(ground_m / distance_m, self.sigma)
+            }
+            _ => Advance::still(self.sigma),
         }
     }
 

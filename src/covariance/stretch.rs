@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::sources::ELEMENTS;
+use super::sources::{AXES, ELEMENTS};
 use crate::math::VectorPair;
 use crate::mounting::Block;
 use crate::signal::{Increment, IntervalMotion, MotionNode};
@@ -21,6 +21,10 @@ pub struct Stretch {
     pub intervals: u64,
     /// Number of intervals with a height of the altimeter.
     pub aided: u64,
+    /// Of each axis, the integrals of the share of its signal that is in its output [s], and the variance of the noise of failures [u²
+    /// s²].
+    shares: [f64; AXES],
+    noise: [f64; AXES],
     /// Increments of the sensors.
     pub increments: u64,
     /// Distance over ground [m].
@@ -46,6 +50,8 @@ stored!(Stretch {
     turn_rad: SIGNALS,
     intervals: COUNT,
     aided: COUNT,
+    shares: 1e6,
+    noise: SIGNALS,
     increments: COUNT,
     ground_m: SIGNALS,
     force: SIGNALS,
@@ -68,6 +74,7 @@ pub struct Piece<'a> {
     pub motion: &'a IntervalMotion<'a>,
     pub ideal: &'a [Increment],
     pub is_aided: bool,
+    pub outputs: [(f64, f64); AXES],
     pub ground_m: f64,
     pub block: Option<&'a Block>,
     /// Whether scale factors or misalignments are random.
@@ -81,6 +88,8 @@ impl Stretch {
         turn_rad: 0.0,
         intervals: 0,
         aided: 0,
+        shares: [0.0; AXES],
+        noise: [0.0; AXES],
         increments: 0,
         ground_m: 0.0,
         force: Vector3::new(0.0, 0.0, 0.0),
@@ -137,6 +146,12 @@ impl Stretch {
                 *moment += input * middle_s;
             }
         }
+        for (axis, (share, density)) in piece.outputs.into_iter().enumerate() {
+            let signal = if axis < 3 { angle[axis] } else { velocity[axis - 3] };
+            self.shares[axis] += share * t;
+            // Drop-outs lose the signal of an interval with the probability 1 - share.
+            self.noise[axis] += density * density * t + share * (1.0 - share) * signal * signal;
+        }
         let turn = angle.norm_squared().sqrt();
         self.turn_rad += turn;
         self.length_s += t;
@@ -170,6 +185,22 @@ impl Stretch {
     /// Its length and the mean length of its intervals [s].
     pub fn times(&self) -> (f64, f64) {
         (self.length_s, self.length_s / self.intervals as f64)
+    }
+
+    /// Mean share of the signal of an axis that is in its output.
+    pub fn share(&self, axis: usize) -> f64 {
+        self.shares[axis] / self.length_s
+    }
+
+    /// Density of the noise [u √s] of an axis whose sensor has the noise `density`, so that the share of it that is in the output has
+    /// the noise of the output: that of the sensor while there is a signal, and that of failures.
+    pub fn noise(&self, axis: usize, density: f64) -> f64 {
+        let share = self.share(axis);
+        if share == 0.0 {
+            return 0.0;
+        }
+        let of_failures = self.noise[axis] / self.length_s;
+        ((density * density + of_failures / share) / share).sqrt()
     }
 
     /// Mean angular rate, sensor axes [rad/s].

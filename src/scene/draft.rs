@@ -1,6 +1,5 @@
 //! A scene while it is read or written: plain numbers, texts and indices, one place for each key.
 
-use super::key::Key;
 use super::{Failing, FlightPath, FlightSource, PlannedFailure, Scene, Temperature};
 use crate::error::Error;
 use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
@@ -101,16 +100,6 @@ impl From<&Sinusoid> for SinusoidDraft {
             frequency_hz,
             phase_rad,
         }
-    }
-}
-
-impl FailureDraft {
-    /// Whether the kind of failure uses a key.
-    pub fn uses(&self, key: &Key) -> bool {
-        let (_, uses) = FAILURE_KINDS[self.kind];
-        let field = key.field().strip_prefix("failure.");
-        let is_general = ["sensor", "axis", "kind", "from_s", "until_s"].contains(&key.name);
-        is_general || field.is_some_and(|field| uses.iter().any(|quantity| field.starts_with(quantity)))
     }
 }
 

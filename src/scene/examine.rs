@@ -1,8 +1,9 @@
 //! Faults of the values of a text: values beyond limits, and settings that do not go together, each at its place.
 
 use super::draft::Draft;
-use super::fault::{About, Fault, excerpt, nearest};
+use super::fault::{About, Fault};
 use super::key::{Key, Section, Target};
+use super::names::{excerpt, nearest};
 use super::reader::{Item, Reader};
 use super::site::ValuePath;
 use super::table::KEYS;

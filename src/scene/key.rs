@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::draft::Draft;
+use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
 use crate::sensors::Sensor;
 
 /// The sections, each with its name, as it stands in brackets, and what its keys set, in words.
@@ -193,6 +193,14 @@ impl Key {
             }
             Target::Text { .. } | Target::Flag { .. } => "",
         }
+    }
+
+    /// Whether this kind of failure uses the key.
+    pub fn is_used_by(&self, failure: &FailureDraft) -> bool {
+        let (_, uses) = FAILURE_KINDS[failure.kind];
+        let field = self.field().strip_prefix("failure.");
+        let is_general = ["sensor", "axis", "kind", "from_s", "until_s"].contains(&self.name);
+        is_general || field.is_some_and(|field| uses.iter().any(|quantity| field.starts_with(quantity)))
     }
 
     /// Whether only a flight of the scene's own manoeuvres has the value.

@@ -5,8 +5,9 @@ use core::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft};
-use super::fault::{About, Fault, Faults, excerpt, nearest, unknown};
+use super::fault::{About, Fault, Faults};
 use super::key::{Key, Section};
+use super::names::{excerpt, nearest, unknown};
 use super::nesting::{MAX_NESTING, too_deep};
 use super::reader::{Item, Reader};
 use super::setting::take_settings;
@@ -207,7 +208,7 @@ impl Reader<'_> {
         let (kind, _) = FAILURE_KINDS[failure.kind];
         for (index, span) in &item.keys {
             let name = KEYS[*index].name;
-            if !failure.uses(&KEYS[*index]) {
+            if !KEYS[*index].is_used_by(&failure) {
                 self.faults.add(span, format!("failure.{name}: {kind} does not use it"));
             } else if let Some(own) = table::of_sensor(&KEYS[*index], failure.sensor) {
                 self.faults.add(span, format!("failure.{name}: not for this sensor; expected {own}"));

@@ -5,8 +5,9 @@ use core::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::draft::Draft;
-use super::fault::{About, Faults, nearest, unknown};
+use super::fault::{About, Faults};
 use super::key::{Key, Section};
+use super::names::{nearest, unknown};
 use super::setting::Setting;
 use super::site::Site;
 use super::table::{self, KEYS, names_of};

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use super::fault::{excerpt, nearest, unknown};
 use super::key::{Key, Section, Target};
+use super::names::{excerpt, nearest, unknown};
 use super::table::{KEYS, names_of, of_section};
 
 /// A section, or an item of a list.

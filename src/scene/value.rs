@@ -3,8 +3,8 @@
 use toml::de::{DeInteger, DeTable, DeValue};
 
 use super::draft::Draft;
-use super::fault::excerpt;
 use super::key::{Key, Shape, Target};
+use super::names::excerpt;
 use super::nesting::too_deep;
 use crate::records;
 

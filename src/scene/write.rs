@@ -106,7 +106,7 @@ impl Scene {
                 let FailureDraft { sensor, interval_s, .. } = draft.failure;
                 let is_random = FAILURE_KINDS[draft.failure.kind].0 == "drop_outs" && interval_s == 0.0;
                 let other = if is_random { "interval_s" } else { "probability" };
-                own_failure_key(key, sensor) && draft.failure.uses(key) && key.name != other
+                own_failure_key(key, sensor) && key.is_used_by(&draft.failure) && key.name != other
             }
             _ => true,
         }

@@ -104,6 +104,24 @@ impl FailingOutput {
         self.is_silent
     }
 
+    /// Share of the signal, with its random errors, that is in the output of this interval; of random drop-outs, the mean share.
+    fn share(&self) -> f64 {
+        match self.failure {
+            Some(Failure::Stuck | Failure::Dead) => 0.0,
+            Some(Failure::RandomDropOuts { probability }) => 1.0 - probability,
+            _ if self.is_silent => 0.0,
+            _ => 1.0,
+        }
+    }
+
+    /// Density of the noise that the failure adds [u √s].
+    fn noise(&self) -> f64 {
+        match self.failure {
+            Some(Failure::Noise { density }) => density,
+            _ => 0.0,
+        }
+    }
+
     /// A sample interval of `t` [s] begins: drop-outs are decided.
     pub fn begin_interval(&mut self, t: f64) {
         match self.failure {
@@ -199,6 +217,11 @@ impl FailingTriad {
     /// Whether an output has no signal in this interval.
     pub fn are_silent(&self) -> bool {
         self.outputs.iter().any(FailingOutput::is_silent)
+    }
+
+    /// For each axis the share of the signal that is in the output, and the density of added noise [u √s].
+    pub fn shares_and_noise(&self) -> [(f64, f64); 3] {
+        self.outputs.each_ref().map(|output| (output.share(), output.noise()))
     }
 
     /// A sample interval of `t` [s] begins.

@@ -53,7 +53,7 @@ use crate::{checks, parameter};
 pub use alignment::{Aligned, Sensed, level_and_gyrocompass};
 pub use altimeter::Altimeter;
 pub use draw::StandardNormal;
-pub(crate) use effects::{FLICKER_PROCESSES, MarkovStep, SharedInput, StateRows};
+pub(crate) use effects::{FLICKER_PROCESSES, SharedInput, StateRows};
 pub(crate) use failing::FailingTriad;
 pub use failure::{Axis, Failure, SensorOutput};
 pub(crate) use failure_fields::{FAILURE_KIND_COUNT, FailureFields};

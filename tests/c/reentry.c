@@ -45,7 +45,6 @@ static int is_held(sins_sim *sim)
     CHECK(status == SINS_ERROR_BAD_STATE);
     every_call(sim, every_answer_is, (void *)&bad_state);
     CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_ERROR_BAD_STATE);
-    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "sim: is in use") == text);
     CHECK(sins_destroy(sim) == SINS_ERROR_BAD_STATE);
     return 1;
 }
@@ -56,14 +55,12 @@ static int is_ensemble_held(sins_ensemble *ensemble)
     static const sins_status bad_state = SINS_ERROR_BAD_STATE;
     uint64_t first_run;
     size_t runs;
-    char text[100];
     sins_status status = sins_ensemble_get_runs(ensemble, &first_run, &runs);
     if (status == SINS_OK) {
         return 0;
     }
     CHECK(status == SINS_ERROR_BAD_STATE);
     every_ensemble_call(ensemble, every_answer_is, (void *)&bad_state);
-    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "ensemble: is in use") == text);
     CHECK(sins_ensemble_destroy(ensemble) == SINS_ERROR_BAD_STATE);
     return 1;
 }

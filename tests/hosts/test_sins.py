@@ -47,7 +47,7 @@ def of_header(kind):
 
 def of_module(kind):
     """A type of ctypes as a word of the same form."""
-    if isinstance(kind, sins._New):
+    if isinstance(kind, sins._Out):
         return of_module(kind.pointer)
     if issubclass(kind, ctypes.Array):
         return f"{of_module(kind._type_)}[{kind._length_}]"
@@ -131,6 +131,35 @@ class Calls(unittest.TestCase):
         sins.reset(self.sim)
         self.assertEqual(len(sins.fly(self.sim, self.samples, 0)), 0)
 
+    def test_outputs_that_are_left_out_are_returned(self):
+        self.assertIsNone(sins.get_navigation(self.sim), "there is none yet")
+        self.assertEqual(sins.get_errors(self.sim, sins.ERRORS_NAVIGATION), None)
+        records = sins.array(sins.record, 11)
+        self.assertEqual(sins.run(self.sim, self.samples, 10, records), 10)
+        errors = sins.errors()
+        self.assertEqual(sins.get_errors(self.sim, sins.ERRORS_NAVIGATION, errors), sins.OK)
+        self.assertEqual(bytes(sins.get_errors(self.sim, sins.ERRORS_NAVIGATION)), bytes(errors))
+        with sins.ensemble_create(sins.create(None), 5, 7) as ensemble:
+            self.assertEqual(sins.ensemble_get_runs(ensemble), (5, 7))
+        requirement = sins.requirement(position_m=10)
+        options, cost = sins.recommend(self.sim, self.samples, requirement)
+        self.assertGreater(options.subsamples * cost.tried, 0)
+        self.assertEqual(sins.scene_get_failure_count(sins.scene_create_builtin("patrol")), 0)
+        self.assertEqual(sins.scene_builtin_name(0), sins._text(sins.scene_builtin_name, (0,)))
+        self.assertEqual(sins.last_error(self.sim), "no error")
+        self.assertRaisesRegex(TypeError, "an argument is missing", sins.get_errors, self.sim)
+        self.assertRaisesRegex(sins.Error, "options.frame = 7", sins.create, sins.options(frame=7))
+
+    def test_lists_are_arrays_that_the_library_reads(self):
+        start = sins.flight_start(latitude_rad=0.7, speed_m_s=100)
+        straight = sins.manoeuvre(kind=sins.MANOEUVRE_STRAIGHT, duration_s=5)
+        roll = sins.manoeuvre(kind=sins.MANOEUVRE_ROLL, duration_s=10, turns=1)
+        self.assertEqual(sins.flight_duration(sins.flight_create(start, [straight, roll, straight])), 20)
+        self.assertRaises(TypeError, sins.flight_create, start, [straight, start])
+        samples = [sins.flight_sample(time_s=second, latitude_rad=0.7) for second in range(3)]
+        self.assertEqual(sins.run(self.sim, samples, 0, None), 0)
+        self.assertEqual(sins.get_truth(self.sim).time_s, 2)
+
     def test_a_wrong_array_does_not_reach_the_library(self):
         short, written = sins.array(sins.record, 3), ctypes.c_size_t()
         for samples in (self.samples[::2], short, self.samples.tolist(), numpy.zeros(144, "u1")):
@@ -138,7 +167,9 @@ class Calls(unittest.TestCase):
         with self.assertRaises(sins.Error) as caught:
             sins.run(self.sim, self.samples, 10, short, written)
         self.assertEqual(caught.exception.status, sins.ERROR_BUFFER_TOO_SMALL)
-        self.assertRaises(TypeError, sins.run, self.sim, self.samples, 10, short)
+        self.assertRaises(TypeError, sins.run, self.sim, self.samples, 10)
+        self.assertRaises(TypeError, sins.run, self.sim, self.samples, 10, short, written, 1)
+        self.assertRaises((TypeError, ctypes.ArgumentError), sins.run, self.sim, self.samples, 10, [sins.record()] * 20, None)
         self.assertRaises(TypeError, sins.snapshot_save, self.sim, bytes(sins.SNAPSHOT_MAX_SIZE), None)
 
     def test_fields_of_structs(self):
@@ -158,8 +189,9 @@ class Calls(unittest.TestCase):
         # Errors of the thread, not of a simulator.
         with self.assertRaisesRegex(sins.Error, "options.frame = 7"):
             sins.create(sins.options(frame=7), sins.sim())
-        with self.assertRaisesRegex(sins.Error, "sim: "):
+        with self.assertRaisesRegex(sins.Error, "SINS_ERROR_BAD_HANDLE") as caught:
             sins.step(sins.sim())
+        self.assertEqual((caught.exception.info.status, caught.exception.info.field), (sins.ERROR_BAD_HANDLE, b""))
         with self.assertRaisesRegex(sins.Error, "requirement"):
             sins.recommend(self.sim, self.samples, sins.requirement(), sins.options(), sins.cost())
         self.assertRaises(ctypes.ArgumentError, sins.step, sins.flight())
@@ -179,10 +211,10 @@ class Calls(unittest.TestCase):
         scene, fault = sins.scene(), sins.fault()
         sins.scene_create_builtin("patrol", scene)
         self.assertRaises(ctypes.ArgumentError, sins.scene_create_builtin, "patrol", scene)
-        text = sins.text(sins.scene_write, scene)
+        text = sins.scene_write(scene)
         scene.close()
         self.assertEqual(sins.scene_parse(text, scene), sins.OK)
-        self.assertEqual(sins.text(sins.scene_write, scene), text)
+        self.assertEqual(sins.scene_write(scene), text)
         scene.close()
         faulty = '[flight]\nbuiltin = "rest"\n[gyro]\nbais_deg_h = 1\n'
         self.assertEqual(sins.scene_parse(faulty, scene), sins.SCENE_HAS_FAULTS)
@@ -191,11 +223,9 @@ class Calls(unittest.TestCase):
         self.assertRaises(ctypes.ArgumentError, sins.scene_create_builtin, "patrol\0", sins.scene())
 
     def test_a_snapshot_goes_on(self):
-        buffer, size, copy = ctypes.create_string_buffer(sins.SNAPSHOT_MAX_SIZE), ctypes.c_size_t(), sins.sim()
         sins.fly(self.sim, self.samples[:50])
-        sins.snapshot_save(self.sim, buffer, size)
-        sins.create(None, copy)
-        sins.snapshot_load(copy, bytearray(buffer[: size.value]))
+        copy = sins.create(None)
+        sins.snapshot_load(copy, bytearray(sins.snapshot(self.sim)))
         ends = [sins.fly(sim, self.samples[50:]).tobytes() for sim in (self.sim, copy)]
         self.assertEqual(*ends)
 

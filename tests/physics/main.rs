@@ -12,5 +12,6 @@ mod logged_flights;
 mod reference_signals;
 mod simulation1;
 mod simulation2;
+mod start_at_rest;
 mod start_in_motion;
 mod vertical_loop;

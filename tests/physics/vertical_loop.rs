@@ -79,6 +79,39 @@ fn a_height_error_goes_as_the_three_poles_in_even_and_uneven_steps() {
     }
 }
 
+/// The first interval has no residual before it, and takes all that it finds for a height error. An initial velocity error v has
+/// grown evenly to v t by then, so the loop feeds back v t²/2 too much through each gain: 3/τ in height, 3/τ² in velocity, 1/τ³ in d.
+/// From there the poles move the error. What is left is of the next order in t/τ, and the bend of the residual by d, which rises to
+/// 0.271 v/τ, as with a height error.
+#[test]
+fn the_response_to_an_initial_velocity_error_is_of_second_order_in_the_interval() {
+    let velocity = 1.0;
+    for rate_hz in [1.0, 10.0, 100.0] {
+        let t = 1.0 / rate_hz;
+        let mut channel = Channel { velocity_m_s: velocity, ..Channel::new(0.0, 0.0) };
+        let missed = velocity * t * t / TAU_S;
+        let (mut worst, mut largest) = (0.0f64, 0.0f64);
+        for k in 1..=(600.0 * rate_hz) as u32 {
+            channel.step(t);
+            let x = f64::from(k) * t / TAU_S;
+            let response = velocity * TAU_S * (-x).exp() * x * (1.0 - 0.5 * x);
+            let error = channel.height_m - response;
+            let expected = -0.5 * missed * (-x).exp() * (3.0 - 3.0 * x + 0.5 * x * x);
+            assert!(
+                (error - expected).abs() < missed * (0.271 / 12.0 * 1.46 * 1.03 + 9.0 * t / TAU_S) + 1e-12,
+                "{k}: {error:e} {expected:e}"
+            );
+            worst = worst.max(error.abs());
+            largest = largest.max(response.abs());
+        }
+        println!("{rate_hz} Hz: {:.2e} of the largest response", worst / largest);
+        assert!(
+            (worst / largest / (t * t) / 6.5e-4 - 1.0).abs() < 2.0 * t / TAU_S + 0.002,
+            "the header's figure"
+        );
+    }
+}
+
 /// Response to the bend of the residual by an acceleration of 1 that the loop has still to find, with its share in κ:
 /// (3 λ s² + 3 λ² s + λ³ + κ s)/(s + λ)³ of the share that d has not found, exp(-x) (1 + x + x²/2).
 fn to_what_is_not_found(time_s: f64) -> f64 {

@@ -6,7 +6,7 @@ use std::fs;
 use std::io::{Cursor, Write};
 use std::path::Path;
 
-use sins_fmu::description::xml;
+use sins_fmu::model_description;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
@@ -26,10 +26,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let out = arguments.next().ok_or("usage: pack-fmu OUT.fmu PLACE=FILE...")?;
     if Path::new(&out).file_name().is_some_and(|name| name == "modelDescription.xml") {
-        return Ok(fs::write(&out, xml())?);
+        return Ok(fs::write(&out, model_description())?);
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("the project has a folder")?;
-    let mut files = vec![("modelDescription.xml".to_owned(), xml().into_bytes())];
+    let mut files = vec![("modelDescription.xml".to_owned(), model_description().into_bytes())];
     for (place, source) in FILES {
         files.push((place.to_owned(), read(&root.join(source))?));
     }

@@ -3,9 +3,9 @@
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::ptr;
 
-use sins_fmu::description;
 use sins_fmu::get_set::*;
 use sins_fmu::interface::*;
+use sins_fmu::model_description;
 use sins_fmu::states::*;
 
 pub type Message = (c_int, String, String);
@@ -106,7 +106,7 @@ impl Unit {
 
 /// Identity of the unit, from its description.
 pub fn guid() -> String {
-    let xml = description::xml();
+    let xml = model_description();
     let rest = xml.split_once("guid=\"").unwrap().1;
     rest[..rest.find('"').unwrap()].to_owned()
 }
@@ -124,7 +124,7 @@ pub struct Described {
 
 /// All variables in the order of the description.
 pub fn variables() -> Vec<Described> {
-    let xml = description::xml();
+    let xml = model_description();
     let attribute = |text: &str, name: &str| {
         let rest = text.split_once(&format!(" {name}=\""))?.1;
         Some(rest[..rest.find('"')?].to_owned())

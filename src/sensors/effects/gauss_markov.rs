@@ -28,15 +28,6 @@ pub(crate) struct MarkovStep {
     integral_own: f64,
 }
 
-/// Coefficients of a step of a process x of unit variance. The end of the step follows from x and a draw w. The integral follows
-/// from x, w and a second draw.
-pub(crate) struct MarkovCoefficients {
-    pub decay: f64,
-    pub diffusion: f64,
-    /// Shares of x, of w and of the second draw in the integral.
-    pub integral: [f64; 3],
-}
-
 impl MarkovStep {
     pub const NONE: Self =
         Self { decay: 0.0, diffusion: 0.0, integral: 0.0, integral_shared: 0.0, integral_own: 0.0 };
@@ -76,12 +67,6 @@ impl MarkovStep {
         let integral = self.integral * *x + self.integral_shared * n1;
         *x = self.decay * *x + self.diffusion * n1;
         integral
-    }
-
-    /// Coefficients of the step.
-    pub fn coefficients(&self) -> MarkovCoefficients {
-        let Self { decay, diffusion, integral, integral_shared, integral_own } = *self;
-        MarkovCoefficients { decay, diffusion, integral: [integral, integral_shared, integral_own] }
     }
 
     /// Standard deviation of the part of the integral that does not follow from the ends of the step.

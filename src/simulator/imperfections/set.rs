@@ -115,9 +115,12 @@ impl Imperfections {
         self.update_summary();
     }
 
-    /// The host's settings of everything that can be random.
+    /// The host's settings of everything that can be random, and the failures that change it.
     pub fn parameters(&self) -> Parameters<'_> {
+        let [gx, gy, gz] = self.gyro.failures().shares_and_noise();
+        let [ax, ay, az] = self.accel.failures().shares_and_noise();
         Parameters {
+            outputs: [gx, gy, gz, ax, ay, az],
             gyro: &self.set.gyro,
             accel: &self.set.accel,
             altimeter: &self.set.altimeter,

@@ -1,6 +1,7 @@
 //! The effect of starts, reads, slews and resets on the covariance.
 
 use nalgebra::Vector3;
+use sins::mounting::MountingParameters;
 use sins::sensors::{InitialErrorParameters, TriadParameters};
 use sins::{Options, Simulator};
 
@@ -91,4 +92,24 @@ fn slews_keep_it_and_starts_begin_it_anew() {
         simulator.step().unwrap();
     }
     assert_eq!(sigma(&mut simulator), before);
+}
+
+/// The velocity of the reference point contains the gyros' errors times the lever arm from the first step on. Before it the INS has
+/// no rate.
+#[test]
+fn a_lever_arm_counts_from_the_first_step_on() {
+    let lever_arm_m = Vector3::new(0.0, 10.0, 0.0);
+    let mut simulator = patrolling(&Options { covariance: true, ..Options::default() });
+    simulator.set_mounting(&MountingParameters { lever_arm_m, ..Default::default() }).unwrap();
+    let bias_sigma = Vector3::new(0.0, 0.0, 0.1);
+    simulator.set_gyro(&TriadParameters { bias_sigma, ..Default::default() }).unwrap();
+    let at_rest = |simulator: &mut Simulator, time_s| {
+        simulator.push_sample(&support::resting_sample(time_s)).unwrap();
+        simulator.step().unwrap();
+        sigma(simulator)[3]
+    };
+    // The body axes are east, north, up. A rotation of 0.1 rad/s over 0.01 s changes what else is in the velocity by less than 1e-3.
+    let (start, stepped) = (at_rest(&mut simulator, 0.0), at_rest(&mut simulator, 0.01));
+    assert!((start / 0.1 - 1.0).abs() < 1e-12, "{start}");
+    assert!((stepped / 0.1f64.hypot(1.0) - 1.0).abs() < 1e-3, "{stepped}");
 }

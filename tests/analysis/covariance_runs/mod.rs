@@ -3,6 +3,7 @@
 //!
 //! The ordinary test flies 200 runs and an hour of the patrol; `--features long-tests` flies 2000 runs and all of its 48 hours.
 
+mod failures;
 mod scenes;
 
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -7,7 +7,7 @@ use core::arch::asm;
 use core::mem::MaybeUninit;
 
 /// The host's state. It is filled in place: on i686 it is too large to be moved in every call.
-pub(super) struct FloatState {
+pub(in crate::abi) struct FloatState {
     #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
     mxcsr: u32,
     #[cfg(target_arch = "x86")]

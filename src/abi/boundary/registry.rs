@@ -3,12 +3,11 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::failure::{
-    Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
-};
 use super::key::{FirstGeneration, LAST_GENERATION, SLOTS, key_of, kind_of, slot_of};
 use super::lock::{Guard, Lock};
-use super::refusal::refuse;
+use crate::abi::failure::{
+    Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
+};
 use crate::memory::{only, room};
 
 /// In place of the key of a slot: the slot is free. No key has this kind.
@@ -20,7 +19,7 @@ const CLAIMED: usize = usize::MAX;
 /// The living objects of one kind. Each slot has its own lock, so calls on one handle are serialised and different handles
 /// never wait for each other. A nested call of one thread on one handle, and a call on a handle that an abandoned call
 /// holds, are `SINS_ERROR_BAD_STATE`.
-pub(super) struct Registry<T> {
+pub(in crate::abi) struct Registry<T> {
     kind: usize,
     slots: [Slot<T>; SLOTS],
     /// Slot at which the search for a free one begins.
@@ -114,13 +113,13 @@ impl<T> Registry<T> {
     pub fn with(&self, key: usize, body: impl FnOnce(&mut T) -> Result<sins_status, Failure>) -> sins_status {
         let mut place = match self.find(key) {
             Ok(place) => place,
-            Err(status) => return self.refused(status),
+            Err(status) => return status,
         };
         let Some([content]) = place.content.as_deref_mut() else {
-            return self.refused(SINS_ERROR_BAD_HANDLE);
+            return SINS_ERROR_BAD_HANDLE;
         };
         if content.broken {
-            return self.refused(SINS_ERROR_INTERNAL);
+            return SINS_ERROR_INTERNAL;
         }
         match catch_unwind(AssertUnwindSafe(|| body(&mut content.value))) {
             Ok(Ok(status)) => status,
@@ -131,7 +130,7 @@ impl<T> Registry<T> {
             Err(_) => {
                 content.broken = true;
                 content.last_failure = Some(Failure::internal());
-                self.refused(SINS_ERROR_INTERNAL)
+                SINS_ERROR_INTERNAL
             }
         }
     }
@@ -157,24 +156,18 @@ impl<T> Registry<T> {
 
     /// Destroys the object of `key`.
     pub fn remove(&self, key: usize) -> sins_status {
-        let Some(slot) = self.slot(key) else { return self.refused(SINS_ERROR_BAD_HANDLE) };
+        let Some(slot) = self.slot(key) else { return SINS_ERROR_BAD_HANDLE };
         let content = match slot.find(key) {
             Ok(mut place) => {
                 slot.key.store(CLAIMED, Ordering::Relaxed);
                 place.used += 1;
                 place.content.take()
             }
-            Err(status) => return self.refused(status),
+            Err(status) => return status,
         };
         drop(content);
         slot.key.store(FREE, Ordering::Release);
         SINS_OK
-    }
-
-    /// Returns `status`, and keeps it for this thread: the call found no object that could keep its failure.
-    fn refused(&self, status: sins_status) -> sins_status {
-        refuse(self.kind, status);
-        status
     }
 
     /// The slot of `key`, if the key is of this kind.

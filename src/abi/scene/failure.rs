@@ -1,10 +1,10 @@
 //! The failures that a scene plans.
 
-use super::failure::{SINS_OK, sins_status};
-use super::memory::{Output, element, interface_struct, put};
-use super::scene::{sins_scene, with_scene};
-use super::sensor_failure::sins_failure_fields;
-use super::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
+use super::{sins_scene, with_scene};
+use crate::abi::failure::{SINS_OK, sins_status};
+use crate::abi::memory::{Output, element, interface_struct, put};
+use crate::abi::sensor_failure::sins_failure_fields;
+use crate::abi::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
 use crate::scene::{Failing, PlannedFailure};
 use crate::sensors::SensorOutput;
 

@@ -2,9 +2,9 @@
 
 use core::ffi::c_char;
 
-use super::failure::{Failure, SINS_OK, sins_status};
-use super::scene::{sins_scene, with_scene};
-use super::text::{bad_text, put_text, utf8_of};
+use super::{sins_scene, with_scene};
+use crate::abi::failure::{Failure, SINS_OK, sins_status};
+use crate::abi::text::{bad_text, put_text, utf8_of};
 use crate::error::{Error, Rule, check_integer};
 use crate::scene::{self, FlightSource, MAX_TEXT_VALUE, Scene};
 

@@ -2,15 +2,15 @@
 
 use core::ffi::c_char;
 
-use super::boundary::{enter, enter_without_simulator, remember_as};
-use super::failure::{Failure, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
-use super::fault_report::sins_fault;
-use super::handle::{hand_out, with_object};
-use super::last_error::Sentence;
-use super::memory::{Output, element, interface_struct, put_if_wanted};
-use super::sample::sins_flight_sample;
-use super::tables::LOGS;
-use super::text::{bytes_of, chars};
+use super::fault::sins_fault;
+use crate::abi::boundary::handle::{hand_out, with_object};
+use crate::abi::boundary::tables::LOGS;
+use crate::abi::boundary::{enter, enter_without_simulator, remember_as};
+use crate::abi::failure::{Failure, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
+use crate::abi::memory::{Output, element, interface_struct, put_if_wanted};
+use crate::abi::sample::sins_flight_sample;
+use crate::abi::sentence::Sentence;
+use crate::abi::text::{bytes_of, chars};
 use crate::error::{Error, Rule};
 use crate::log::{FlightLog, LogError};
 use crate::memory::probe;

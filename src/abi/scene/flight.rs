@@ -1,10 +1,10 @@
 //! The flight of a scene, and its settings for that and for the output.
 
-use super::failure::{Failure, SINS_OK, sins_status};
-use super::flight::{self, sins_flight_start};
-use super::manoeuvre::sins_manoeuvre;
-use super::memory::{Array, Output, interface_struct, put, put_if_wanted};
-use super::scene::{sins_scene, with_scene};
+use super::{sins_scene, with_scene};
+use crate::abi::failure::{Failure, SINS_OK, sins_status};
+use crate::abi::flight::{self, sins_flight_start};
+use crate::abi::manoeuvre::sins_manoeuvre;
+use crate::abi::memory::{Array, Output, interface_struct, put, put_if_wanted};
 use crate::scene::{FlightPath, FlightSource};
 
 /// Where the flight of a scene comes from: sins_scene_setup.flight.

@@ -2,12 +2,12 @@
 
 use core::cell::Cell;
 
-use super::failure::Failure;
-use super::last_error::Sentence;
+use crate::abi::failure::Failure;
+use crate::abi::sentence::Sentence;
 
 /// State of a thread. It has no destructor, so that the library can be unloaded. Calls on a simulator do not use it, because its first
 /// use in a thread may allocate.
-pub(super) struct Here {
+pub(in crate::abi) struct Here {
     /// Whether this thread is inside a call that has no handle.
     pub inside: Cell<bool>,
     /// The last failure on this thread that no simulator keeps.
@@ -17,7 +17,7 @@ pub(super) struct Here {
 }
 
 thread_local! {
-    pub(super) static HERE: Here = const {
+    pub(in crate::abi) static HERE: Here = const {
         Here {
             inside: Cell::new(false),
             last_failure: Cell::new(None),
@@ -28,6 +28,6 @@ thread_local! {
 
 /// Uses these variables once, so that they take their memory and TLS indexes now.
 #[cfg(windows)]
-pub(super) fn touch_thread_locals() {
+pub(in crate::abi) fn touch_thread_locals() {
     HERE.with(|_| ());
 }

@@ -1,10 +1,10 @@
 //! The options of a scene: the same struct as that of the simulator's own function.
 
-use super::failure::{SINS_OK, sins_status};
-use super::memory::Output;
-use super::options::sins_options;
-use super::parameters::Parameters;
-use super::scene::{sins_scene, with_scene};
+use super::{sins_scene, with_scene};
+use crate::abi::failure::{SINS_OK, sins_status};
+use crate::abi::memory::Output;
+use crate::abi::options::sins_options;
+use crate::abi::parameters::Parameters;
 
 /// Reads the options of the scene. sins_scene_set_values() sets them.
 ///

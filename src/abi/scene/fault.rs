@@ -2,9 +2,9 @@
 
 use core::ffi::c_char;
 
-use super::last_error::{SINS_ERROR_INFO_MAXIMUM, SINS_ERROR_INFO_MINIMUM, SINS_ERROR_INFO_VALUE};
-use super::memory::interface_struct;
-use super::text::chars;
+use crate::abi::last_error::{SINS_ERROR_INFO_MAXIMUM, SINS_ERROR_INFO_MINIMUM, SINS_ERROR_INFO_VALUE};
+use crate::abi::memory::interface_struct;
+use crate::abi::text::chars;
 use crate::scene::{About, Fault};
 
 /// A fault of the text of a scene or of a flight log.
@@ -39,7 +39,7 @@ pub struct sins_fault {
 interface_struct!(sins_fault, "fault", 408);
 
 impl sins_fault {
-    pub(super) fn new(fault: &Fault, count: usize) -> Self {
+    pub(in crate::abi) fn new(fault: &Fault, count: usize) -> Self {
         let About { path, value, minimum, maximum } = &fault.about;
         let flag = |number: &Option<f64>, flag| if number.is_some() { flag } else { 0 };
         Self {

@@ -1,16 +1,37 @@
 //! `sins_scene`: scenes read, written and flown.
 
+mod failure;
+mod fault;
+mod flight;
+mod key;
+mod log;
+mod prepare;
+mod samples;
+mod settings;
+mod text;
+mod value;
+
+pub use failure::*;
+pub use fault::sins_fault;
+pub use flight::*;
+pub use key::*;
+pub use log::*;
+pub use prepare::*;
+pub use samples::*;
+pub use settings::*;
+pub use text::*;
+pub use value::*;
+
 use core::ffi::c_char;
 
-use super::boundary::{enter, enter_without_simulator};
-use super::failure::{Failure, SINS_OK, SINS_SCENE_HAS_FAULTS, sins_status};
-use super::fault_report::sins_fault;
-use super::flight::sins_flight;
-use super::handle::{hand_out, with_object};
-use super::memory::{Output, element};
-use super::simulator::sins_sim;
-use super::tables::{FLIGHTS, SCENES, SIMULATORS, SceneText};
-use super::text::{bad_text, bytes_of, put_text, text_of};
+use crate::abi::boundary::handle::{hand_out, with_object};
+use crate::abi::boundary::tables::{FLIGHTS, SCENES, SIMULATORS, SceneText};
+use crate::abi::boundary::{enter, enter_without_simulator};
+use crate::abi::failure::{Failure, SINS_OK, SINS_SCENE_HAS_FAULTS, sins_status};
+use crate::abi::flight::sins_flight;
+use crate::abi::memory::{Output, element};
+use crate::abi::simulator::sins_sim;
+use crate::abi::text::{bad_text, bytes_of, put_text, text_of};
 use crate::error::{Error, Rule, check_integer};
 use crate::memory::probe;
 use crate::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, builtin, keys_text};
@@ -32,7 +53,7 @@ fn of_scene(scene: Scene) -> SceneText {
 }
 
 /// Runs `body` on the scene of a handle, as the inside of an exported function; it may copy the scene and write it.
-pub(super) fn with_scene(
+pub(in crate::abi) fn with_scene(
     scene: *const sins_scene,
     body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
 ) -> sins_status {
@@ -43,7 +64,7 @@ pub(super) fn with_scene(
 }
 
 /// Runs `body` on the scene of a handle without an allocation.
-pub(super) fn with_sound_scene(
+pub(in crate::abi) fn with_sound_scene(
     scene: *const sins_scene,
     body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
 ) -> sins_status {
@@ -58,7 +79,7 @@ fn text_has_faults() -> Error {
 }
 
 /// Why a change of a scene is rejected.
-pub(super) enum Rejected {
+pub(in crate::abi) enum Rejected {
     /// A bad argument.
     Call(Failure),
     /// Faults of the scene that it would be.
@@ -79,7 +100,7 @@ impl From<Vec<Fault>> for Rejected {
 
 /// Changes the scene of a handle by `body`, which reads `size` bytes of the host's `argument` beside the scene's text. Keeps the
 /// faults of a rejected change.
-pub(super) fn change_scene(
+pub(in crate::abi) fn change_scene(
     scene: *mut sins_scene,
     argument: &'static str,
     size: usize,

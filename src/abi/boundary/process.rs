@@ -5,7 +5,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 
 /// Whether the process is prepared. If it is not, it is prepared now; if that fails, the next call tries again.
 #[inline]
-pub(super) fn is_prepared() -> bool {
+pub(in crate::abi) fn prepare_process() -> bool {
     static PREPARED: AtomicBool = AtomicBool::new(false);
     // Two threads may prepare at once: once more does no harm.
     PREPARED.load(Ordering::Acquire)
@@ -17,7 +17,7 @@ pub(super) fn is_prepared() -> bool {
 
 #[cfg(unix)]
 mod system {
-    use crate::abi::tables::lose_what_others_use;
+    use crate::abi::boundary::tables::lose_what_others_use;
 
     extern "C" fn in_child() {
         lose_what_others_use();
@@ -86,7 +86,7 @@ mod system {
     };
     use windows_sys::Win32::System::Threading::{TLS_OUT_OF_INDEXES, TlsAlloc, TlsFree};
 
-    use crate::abi::thread_locals::touch_thread_locals;
+    use crate::abi::boundary::thread_locals::touch_thread_locals;
     use crate::memory::room;
 
     /// Rust 1.95 needs one for the library's own variable, one for the current thread, one or two for its number, and one for the count
@@ -101,7 +101,7 @@ mod system {
     static AT_LOAD: extern "C" fn() = at_load;
 
     extern "C" fn at_load() {
-        super::is_prepared();
+        super::prepare_process();
     }
 
     pub fn prepare() -> bool {

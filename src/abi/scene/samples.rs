@@ -1,10 +1,10 @@
 //! `sins_scene_samples`: which samples a scene flies.
 
-use super::failure::{Failure, SINS_OK, sins_status};
 use super::log::sins_log;
-use super::memory::{Output, interface_struct};
-use super::scene::{sins_scene, with_scene};
-use super::tables::LOGS;
+use super::{sins_scene, with_scene};
+use crate::abi::boundary::tables::LOGS;
+use crate::abi::failure::{Failure, SINS_OK, sins_status};
+use crate::abi::memory::{Output, interface_struct};
 use crate::error::Error;
 use crate::log::FlightLog;
 use crate::scene::{Samples, Scene};

@@ -10,24 +10,24 @@ use crate::scene::{Fault, Scene};
 use crate::simulator::Simulator;
 
 /// Simulators, each made by [`crate::memory::only`], as memory for it can be missing.
-pub(super) static SIMULATORS: Registry<Box<[Simulator; 1]>> = Registry::new(1);
-pub(super) static FLIGHTS: Registry<Flight> = Registry::new(2);
+pub(in crate::abi) static SIMULATORS: Registry<Box<[Simulator; 1]>> = Registry::new(1);
+pub(in crate::abi) static FLIGHTS: Registry<Flight> = Registry::new(2);
 #[cfg(feature = "scenes")]
-pub(super) static SCENES: Registry<SceneText> = Registry::new(3);
+pub(in crate::abi) static SCENES: Registry<SceneText> = Registry::new(3);
 #[cfg(feature = "scenes")]
-pub(super) static LOGS: Registry<FlightLog> = Registry::new(4);
-pub(super) static ENSEMBLES: Registry<Ensemble> = Registry::new(5);
+pub(in crate::abi) static LOGS: Registry<FlightLog> = Registry::new(4);
+pub(in crate::abi) static ENSEMBLES: Registry<Ensemble> = Registry::new(5);
 
 /// The result of reading a text: a scene, unless the text has faults.
 #[cfg(feature = "scenes")]
-pub(super) struct SceneText {
+pub(in crate::abi) struct SceneText {
     pub scene: Option<Box<Scene>>,
     /// The faults of the text, or of the change of the scene that was rejected last.
     pub faults: Vec<Fault>,
 }
 
 /// Whether this thread is inside a call on a handle.
-pub(super) fn is_inside_a_handle() -> bool {
+pub(in crate::abi) fn is_inside_a_handle() -> bool {
     #[cfg(feature = "scenes")]
     if SCENES.is_in_use_here() || LOGS.is_in_use_here() {
         return true;
@@ -37,7 +37,7 @@ pub(super) fn is_inside_a_handle() -> bool {
 
 /// Called in a forked process: objects that other threads had in use are lost.
 #[cfg(unix)]
-pub(super) fn lose_what_others_use() {
+pub(in crate::abi) fn lose_what_others_use() {
     SIMULATORS.lose_what_others_use();
     FLIGHTS.lose_what_others_use();
     ENSEMBLES.lose_what_others_use();

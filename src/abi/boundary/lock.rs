@@ -12,7 +12,7 @@ const FREE: usize = 0;
 const LOST: usize = usize::MAX & !WAITED_FOR;
 
 /// A value that one thread at a time may use.
-pub(super) struct Lock<T> {
+pub(in crate::abi) struct Lock<T> {
     /// `FREE`, `LOST`, or the name of the thread that holds the lock, with `WAITED_FOR` if another thread waits.
     owner: AtomicUsize,
     waiters: Waiters,
@@ -23,7 +23,7 @@ pub(super) struct Lock<T> {
 unsafe impl<T: Send> Sync for Lock<T> {}
 
 /// Access to the value, until it is dropped.
-pub(super) struct Guard<'a, T> {
+pub(in crate::abi) struct Guard<'a, T> {
     lock: &'a Lock<T>,
 }
 

@@ -2,9 +2,9 @@
 
 use core::ffi::c_char;
 
-use super::failure::sins_status;
-use super::scene::{change_scene, sins_scene, with_scene};
-use super::text::{bad_text, put_text, text_of, utf8_of};
+use super::{change_scene, sins_scene, with_scene};
+use crate::abi::failure::sins_status;
+use crate::abi::text::{bad_text, put_text, text_of, utf8_of};
 use crate::scene::{Fault, utf8};
 
 /// Reads the value at a path, as it stands in the text of a scene: "gyro.bias_deg_h" (all three), "gyro.bias_deg_h[1]" (that of

@@ -1,12 +1,12 @@
 //! Handles of the host: calls on them, and new ones.
 
-use super::boundary::{enter, remember};
-use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::put;
 use super::registry::Registry;
+use super::{enter, remember};
+use crate::abi::failure::{Failure, SINS_OK, sins_status};
+use crate::abi::memory::put;
 
 /// Runs `body` on the object of a handle, as the inside of an exported function. A failure is kept for this thread.
-pub(super) fn with_object<T, H>(
+pub(in crate::abi) fn with_object<T, H>(
     table: &Registry<T>,
     handle: *const H,
     body: impl FnOnce(&mut T) -> Result<sins_status, Failure>,
@@ -18,7 +18,7 @@ pub(super) fn with_object<T, H>(
 ///
 /// # Safety
 /// `place` is null or writable.
-pub(super) unsafe fn hand_out<T, H>(
+pub(in crate::abi) unsafe fn hand_out<T, H>(
     table: &Registry<T>,
     place: *mut *mut H,
     name: &'static str,

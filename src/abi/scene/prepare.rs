@@ -1,12 +1,12 @@
 //! What a scene plans over time, made ready for a simulator or an ensemble.
 
-use super::ensemble::sins_ensemble;
-use super::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, sins_status};
-use super::memory::{Output, read};
-use super::sample::sins_flight_sample;
-use super::scene::{sins_scene, with_sound_scene};
-use super::simulator::{on_simulator, sins_sim};
-use super::tables::ENSEMBLES;
+use super::{sins_scene, with_sound_scene};
+use crate::abi::boundary::tables::ENSEMBLES;
+use crate::abi::ensemble::sins_ensemble;
+use crate::abi::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, sins_status};
+use crate::abi::memory::{Output, read};
+use crate::abi::sample::sins_flight_sample;
+use crate::abi::simulator::{on_simulator, sins_sim};
 use crate::scene::TakesFailures;
 
 /// Prepares the next interval: call this function before each push, and call sins_step() before you call it again. The

@@ -4,11 +4,11 @@
 use core::sync::atomic::AtomicUsize;
 
 /// The bit that is 0 in the name of every thread.
-pub(super) const WAITED_FOR: usize = 1;
+pub(in crate::abi) const WAITED_FOR: usize = 1;
 
-pub(super) use cancellation::Cancellation;
-pub(super) use system::{has_ended, this_thread};
-pub(super) use waiting::Waiters;
+pub(in crate::abi) use cancellation::Cancellation;
+pub(in crate::abi) use system::{has_ended, this_thread};
+pub(in crate::abi) use waiting::Waiters;
 
 #[cfg(unix)]
 mod system {

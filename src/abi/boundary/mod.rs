@@ -1,22 +1,31 @@
 //! The boundary between host and library: no panic leaves the library, nothing is printed, and the host's floating-point state is
 //! restored.
 
+mod fpu;
+pub(in crate::abi) mod handle;
+mod key;
+mod lock;
+mod process;
+mod registry;
+pub(in crate::abi) mod tables;
+mod thread;
+mod thread_locals;
+
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::failure::{Failure, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
-use super::fpu::FloatState;
-use super::last_error::Sentence;
-use super::process::is_prepared;
-use super::refusal;
-use super::tables::is_inside_a_handle;
-use super::thread::Cancellation;
-use super::thread_locals::HERE;
+use self::fpu::FloatState;
+use self::process::prepare_process;
+use self::tables::is_inside_a_handle;
+use self::thread::Cancellation;
+use self::thread_locals::HERE;
+use crate::abi::failure::{Failure, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
+use crate::abi::sentence::Sentence;
 
 /// Runs `body` as the inside of an exported function.
 #[inline(always)]
-pub(super) fn enter(body: impl FnOnce() -> sins_status) -> sins_status {
+pub(in crate::abi) fn enter(body: impl FnOnce() -> sins_status) -> sins_status {
     let cancellation = Cancellation::defer();
     let mut state = FloatState::UNKNOWN;
     state.enter();
@@ -33,9 +42,10 @@ fn guarded(body: impl FnOnce() -> sins_status) -> sins_status {
 }
 
 /// Runs the inside of a function without a simulator. Its failure is kept for this thread.
-pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status, Failure>) -> sins_status {
-    if !is_prepared() {
-        refusal::forget();
+pub(in crate::abi) fn enter_without_simulator(
+    body: impl FnOnce() -> Result<sins_status, Failure>,
+) -> sins_status {
+    if !prepare_process() {
         return Failure::no_thread_locals().status;
     }
     let cancellation = Cancellation::defer();
@@ -58,7 +68,7 @@ pub(super) fn enter_without_simulator(body: impl FnOnce() -> Result<sins_status,
 /// Runs `body` as the inside of a C function of another shared library that contains this crate: with the default floating-point
 /// control state, and afterwards with that of the host. `None`: `body` panicked; nothing is printed.
 pub fn shielded<T>(body: impl FnOnce() -> T) -> Option<T> {
-    if !is_prepared() {
+    if !prepare_process() {
         return None;
     }
     silence_panics();
@@ -73,14 +83,13 @@ pub fn shielded<T>(body: impl FnOnce() -> T) -> Option<T> {
 }
 
 /// Keeps a failure for this thread.
-pub(super) fn remember(failure: Failure) {
+pub(in crate::abi) fn remember(failure: Failure) {
     remember_as(failure, Sentence::EMPTY);
 }
 
 /// Keeps a failure for this thread, with a sentence in place of that which is made of its data.
-pub(super) fn remember_as(failure: Failure, sentence: Sentence) {
-    refusal::forget();
-    if is_prepared() {
+pub(in crate::abi) fn remember_as(failure: Failure, sentence: Sentence) {
+    if prepare_process() {
         HERE.with(|here| {
             here.last_failure.set(Some(failure));
             here.last_sentence.set(sentence);
@@ -89,19 +98,13 @@ pub(super) fn remember_as(failure: Failure, sentence: Sentence) {
 }
 
 /// The last failure on this thread that no simulator keeps, with its sentence.
-pub(super) fn last_failure() -> (Option<Failure>, Sentence) {
-    let failure = match refusal::last() {
-        None if is_prepared() => {
-            let (failure, sentence) = HERE.with(|here| (here.last_failure.get(), here.last_sentence.get()));
-            if !sentence.as_bytes().is_empty() {
-                return (failure, sentence);
-            }
-            failure
-        }
-        None => Some(Failure::no_thread_locals()),
-        refused => refused,
+pub(in crate::abi) fn last_failure() -> (Option<Failure>, Sentence) {
+    let (failure, sentence) = match prepare_process() {
+        true => HERE.with(|here| (here.last_failure.get(), here.last_sentence.get())),
+        false => (Some(Failure::no_thread_locals()), Sentence::EMPTY),
     };
-    (failure, Sentence::of(failure.as_ref()))
+    let has_no_more = sentence.as_bytes().is_empty();
+    (failure, if has_no_more { Sentence::of(failure.as_ref()) } else { sentence })
 }
 
 /// Keeps the panic hook from printing while a thread is inside the library. In other threads the earlier hook runs. A shared library

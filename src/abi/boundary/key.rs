@@ -6,31 +6,31 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use crate::math::SPLIT_MIX_STEP;
 
 /// Largest number of handles of a kind that exist at the same time.
-pub(super) const SLOTS: usize = 4096;
+pub(in crate::abi) const SLOTS: usize = 4096;
 const SLOT_BITS: u32 = SLOTS.trailing_zeros();
 const KIND_BITS: u32 = 3;
 /// Generations of a slot; one that has used them all is never used again, so that no key returns.
-pub(super) const LAST_GENERATION: usize = usize::MAX >> (SLOT_BITS + KIND_BITS);
+pub(in crate::abi) const LAST_GENERATION: usize = usize::MAX >> (SLOT_BITS + KIND_BITS);
 /// Less than every first generation, so small made-up numbers are never keys.
 const LOWEST_GENERATION: usize = 0x2a5;
 
-pub(super) fn key_of(generation: usize, slot: usize, kind: usize) -> usize {
+pub(in crate::abi) fn key_of(generation: usize, slot: usize, kind: usize) -> usize {
     ((generation << SLOT_BITS | slot) << KIND_BITS) | kind
 }
 
 #[inline]
-pub(super) fn kind_of(key: usize) -> usize {
+pub(in crate::abi) fn kind_of(key: usize) -> usize {
     key & ((1 << KIND_BITS) - 1)
 }
 
 #[inline]
-pub(super) fn slot_of(key: usize) -> usize {
+pub(in crate::abi) fn slot_of(key: usize) -> usize {
     (key >> KIND_BITS) % SLOTS
 }
 
 /// The first generation of the keys of a table; 0 until it is drawn. This is an atomic and not a lock, because a fork may
 /// happen while another thread draws.
-pub(super) struct FirstGeneration(AtomicUsize);
+pub(in crate::abi) struct FirstGeneration(AtomicUsize);
 
 impl FirstGeneration {
     pub const fn new() -> Self {

@@ -2,10 +2,10 @@
 
 use core::ffi::c_char;
 
-use super::boundary::enter_without_simulator;
-use super::failure::{SINS_OK, sins_status};
-use super::memory::{Output, interface_struct};
-use super::text::chars;
+use crate::abi::boundary::enter_without_simulator;
+use crate::abi::failure::{SINS_OK, sins_status};
+use crate::abi::memory::{Output, interface_struct};
+use crate::abi::text::chars;
 use crate::error::{Error, Rule};
 use crate::memory::probe;
 use crate::scene::{KeyKind, KeyLine, key_line};

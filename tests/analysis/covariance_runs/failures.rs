@@ -1,0 +1,56 @@
+//! The covariance with failures of sensors, against the scatter of many runs about their mean.
+
+use sins::ensemble::Ensemble;
+use sins::sensors::{Axis, Failure, SensorOutput};
+
+use super::scenes::{Scene, everything};
+use super::{chi_square_bounds, quantile};
+use crate::support::{DEG, G, resting_sample};
+
+const RUNS: usize = 2000;
+const PERIOD_S: f64 = 0.5;
+/// The failure begins here, and the errors are compared after a minute of it [samples].
+const FAILS_AT: usize = 121;
+const END: usize = 241;
+
+/// The variances of the nine errors over those of the covariance, in units of the interval of 99.9 % for all: within -1 to 1.
+fn compare(output: SensorOutput, failure: Failure) -> [f64; 9] {
+    let scene =
+        Scene::new("failing", (0..=END).map(|k| resting_sample(PERIOD_S * k as f64)).collect(), everything());
+    let mut simulator = scene.simulator(&scene.setting, true);
+    let mut ensemble = Ensemble::new(&scene.simulator(&scene.setting, false), 0, RUNS).unwrap();
+    for (k, sample) in scene.samples.iter().enumerate() {
+        if k == FAILS_AT {
+            simulator.set_failure(output, Some(failure)).unwrap();
+            ensemble.set_failure(output, Some(failure)).unwrap();
+        }
+        simulator.push_sample(sample).unwrap();
+        simulator.step().unwrap();
+        ensemble.push_sample(sample).unwrap();
+        ensemble.step().unwrap();
+    }
+    let covariance = simulator.covariance().unwrap().unwrap().1.matrix;
+    let scatter = ensemble.statistics(sins::ErrorSource::Navigation).unwrap().figures().unwrap().covariance;
+    let (low, high) = chi_square_bounds((RUNS - 1) as f64, quantile(0.001 / 2.0 / 45.0));
+    core::array::from_fn(|row| {
+        let ratio = scatter[(row, row)] / covariance[(row, row)];
+        println!("{output:?} {failure:?} {row}: {ratio:.3} of {low:.3} to {high:.3}");
+        if ratio < 1.0 { -(1.0 - ratio) / (1.0 - low) } else { (ratio - 1.0) / (high - 1.0) }
+    })
+}
+
+/// After a minute with a dead gyro the tilt is 4e-3 rad, so that the linear equations are right to a percent.
+#[test]
+fn a_failure_changes_the_scatter_as_the_covariance_says() {
+    for (output, failure) in [
+        (SensorOutput::Gyro(Axis::Y), Failure::Dead),
+        (SensorOutput::Accelerometer(Axis::X), Failure::Dead),
+        (SensorOutput::Accelerometer(Axis::Y), Failure::Noise { density: 1e-4 * G }),
+        (SensorOutput::Gyro(Axis::X), Failure::Noise { density: 0.05 * DEG / 60.0 }),
+        (SensorOutput::Gyro(Axis::Y), Failure::RandomDropOuts { probability: 0.25 }),
+    ] {
+        for (row, place) in compare(output, failure).into_iter().enumerate() {
+            assert!(place.abs() <= 1.0, "{output:?} {failure:?}, error {row}: {place:.2} of the interval");
+        }
+    }
+}
