@@ -25,7 +25,7 @@ mod interface;
 #[path = "build/model.rs"]
 mod model;
 #[allow(dead_code, reason = "the crate uses the rest")]
-#[path = "src/sensors/parameter.rs"]
+#[path = "src/parameter.rs"]
 mod parameter;
 #[path = "build/python.rs"]
 mod python;
@@ -35,6 +35,10 @@ mod read;
 mod sensor_structs;
 #[path = "build/sizes.rs"]
 mod sizes;
+#[path = "src/surroundings/table.rs"]
+mod surroundings;
+#[path = "build/surroundings_structs.rs"]
+mod surroundings_structs;
 #[path = "src/sensors/table.rs"]
 mod table;
 #[cfg_attr(not(feature = "header"), allow(dead_code, reason = "c_header uses the rest"))]
@@ -55,8 +59,9 @@ fn main() {
         "build",
         "src/abi",
         "src/statistics/layout.rs",
-        "src/sensors/parameter.rs",
+        "src/parameter.rs",
         "src/sensors/table.rs",
+        "src/surroundings/table.rs",
         "src/units.rs",
     ] {
         println!("cargo:rerun-if-changed={source}");
@@ -72,11 +77,15 @@ fn main() {
 
     let root = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
     let out = PathBuf::from(variable("OUT_DIR"));
-    let sensor_params = sensor_structs::interface();
+    let mut generated_sources = surroundings_structs::interface();
+    generated_sources.push(("sensor_params".to_owned(), sensor_structs::interface()));
     write(&out.join("triad_parameters.rs"), &sensor_structs::triad());
-    write(&out.join("sensor_params.rs"), &sensor_params);
+    write(&out.join("surroundings.rs"), &surroundings_structs::own());
+    for (name, text) in &generated_sources {
+        write(&out.join(format!("{name}.rs")), text);
+    }
 
-    let outputs = interface::generate(&root.join("src/abi"), &sensor_params, &out.join("declarations"));
+    let outputs = interface::generate(&root.join("src/abi"), &generated_sources, &out.join("declarations"));
     write(&out.join("sizes.rs"), &outputs.size_checks);
     let renews = env::var_os("SINS_WRITE_HEADER").is_some();
     assert!(!renews || cfg!(feature = "header"), "SINS_WRITE_HEADER needs --features header");

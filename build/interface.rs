@@ -29,12 +29,12 @@ pub struct Outputs {
     pub size_checks: String,
 }
 
-/// Everything, of the sources in `abi` and of the structs in `sensor_params`.
-pub fn generate(abi: &Path, sensor_params: &str, work: &Path) -> Outputs {
+/// Everything, of the sources in `abi` and of those in `generated`, by their names.
+pub fn generate(abi: &Path, generated: &[(String, String)], work: &Path) -> Outputs {
     let templates = HEADERS.map(|(name, text)| Template::new(name, text));
-    let read = |name: &str| match name {
-        "sensor_params" => sensor_params.to_owned(),
-        _ => {
+    let read = |name: &str| match generated.iter().find(|(of, _)| *of == name) {
+        Some((_, text)) => text.clone(),
+        None => {
             let path = abi.join(format!("{name}.rs"));
             fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
         }

@@ -96,33 +96,44 @@ fn of_interface(row: &Parameter, field: Field, field_of: FieldOf) -> Member {
         3 => "[f64; 3]",
         _ => "[f64; 9]",
     };
+    let sigma = field.range.needed_by().map(|name| {
+        let sigma = PARAMETERS.iter().find(|row| row.name == name).and_then(field_of);
+        sigma.expect("it has a time").path.split_once('.').expect("a path").1
+    });
+    let doc = definition(row.doc_of(&field), &field, sigma, row.note);
+    Member { name: field.name(), kind, doc, shape: row.shape }
+}
+
+/// The documentation of a field, which is needed where the field `sigma` is not 0.
+pub fn definition(doc: &str, field: &Field, sigma: Option<&str>, note: &str) -> String {
     let (low, high) = field.range.ends();
     // In one line: with its upper end alone a line would begin as an item of a list.
     let range = format!("{}\u{a0}to\u{a0}{}", number(low), number(high));
     let range = match field.range {
         Range::Within(..) => range,
         Range::OffOr(..) => format!("{range}; 0: none"),
-        Range::TimeOf(name, ..) => {
-            let sigma = PARAMETERS.iter().find(|row| row.name == name).and_then(field_of);
-            format!("{range}; needed where {} is not 0", sigma.expect("it has a time").name())
+        Range::TimeOf(..) | Range::DistanceOf(..) => {
+            format!("{range}; needed where {} is not 0", sigma.expect("a parameter needs it"))
         }
     };
-    let doc = format!("{} [{}], {range}. {}", sentence(row.doc_of(&field)), unit(&field), row.note);
-    Member { name: field.name(), kind, doc, shape: row.shape }
+    format!("{} [{}], {range}. {note}", sentence(doc), unit(field))
 }
 
 /// A definition as a sentence begins.
-fn sentence(doc: &str) -> String {
+pub fn sentence(doc: &str) -> String {
     let (first, rest) = doc.split_at(1);
     first.to_uppercase() + rest
 }
 
-fn unit(field: &Field) -> &str {
+pub fn unit(field: &Field) -> &str {
     if field.unit.is_empty() { "1" } else { field.unit }
 }
 
 /// Few digits: 0.5, 10000, 1e6.
 fn number(value: f64) -> String {
+    if value.abs() == core::f64::consts::PI {
+        return if value > 0.0 { "pi" } else { "-pi" }.to_owned();
+    }
     if value == 0.0 || (1e-2..1e5).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }
 
@@ -171,7 +182,7 @@ fn numbers(name: &str, visibility: &str, members: &[Option<Member>]) -> String {
 }
 
 /// A doc comment, a line as long as it may be; empty lines part paragraphs, and lines that end in the text stay.
-fn comment(indent: &str, text: &str) -> String {
+pub fn comment(indent: &str, text: &str) -> String {
     let mut out = String::new();
     for line in text.trim().lines() {
         let mut column = 0;

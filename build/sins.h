@@ -150,7 +150,7 @@ extern "C" {
 
 /* Sensor errors. */
 
-@sensor_params gyro accel altimeter preset
+@sensor_params gyro accel altimeter_params altimeter preset
 
 /* Reads. */
 
@@ -166,7 +166,7 @@ extern "C" {
 
 /* Start, mounting, gravity. */
 
-@initial mounting gravity
+@initial mounting_params mounting gravity_params gravity
 
 /* Navigation on increments, without a truth. */
 

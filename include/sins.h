@@ -976,17 +976,20 @@ typedef struct sins_altimeter_params {
     uint32_t struct_size;
     /** Must be 0. */
     uint32_t reserved;
-    /** Constant bias, -1e5 to 1e5 [m]. */
+    /** Constant bias [m], -1e5 to 1e5. */
     double bias_m;
-    /** Standard deviation of the first-order Gauss-Markov error, stationary from the first sample on, 0 to 1e5 [m]. */
+    /**
+     * Standard deviation of the Gauss-Markov error [m], 0 to 1e5. The error is of first order, and stationary from
+     * the first sample on.
+     */
     double markov_sigma_m;
-    /** Correlation time of the Gauss-Markov error, 1e-9 to 1e15 [s]; needed where markov_sigma_m is not 0. */
+    /** Correlation time of the Gauss-Markov error [s], 1e-9 to 1e15; needed where markov_sigma_m is not 0. */
     double markov_time_s;
-    /** Standard deviation of the independent error of each sample, 0 to 1e5 [m]. */
+    /** Standard deviation of the independent error of each sample [m], 0 to 1e5. */
     double noise_m;
     /** Scale factor error of the height [1], -1 to 1. */
     double scale_factor;
-    /** Time constant of the first-order lag of the static pressure, 0 to 1e6 [s]. */
+    /** Time constant of the lag of the static pressure [s], 0 to 1e6. The lag is of first order. */
     double lag_s;
 } sins_altimeter_params;
 
@@ -1827,19 +1830,22 @@ typedef struct sins_mounting {
     uint32_t struct_size;
     /** Must be 0. */
     uint32_t reserved;
-    /** Lever arm from the reference point to the block, body axes (sins_options.axes), -100 to 100 [m]. */
+    /**
+     * Lever arm from the reference point to the block, body axes [m], -100 to 100. sins_options.axes describes the
+     * body axes.
+     */
     double lever_arm_m[3];
     /**
-     * Boresight: roll, pitch and heading of the block's axes relative to the body axes [rad]. They are defined like the
-     * attitude angles of the body: positive roll right side down, positive pitch nose up, positive heading nose to the
-     * right. Each is -1e4 to 1e4; whole turns do not matter.
+     * Roll, pitch, heading of the block [rad], -10000 to 10000. This is the boresight: the angles of the block's
+     * axes relative to the body axes. They are defined like the attitude angles of the body: positive roll right
+     * side down, positive pitch nose up, positive heading nose to the right. Whole turns do not matter.
      */
     double boresight_rad[3];
-    /** Believed less true lever arm, -100 to 100 [m]. */
+    /** Believed less true lever arm [m], -100 to 100. */
     double lever_arm_error_m[3];
     /**
-     * Believed less true boresight angles, -pi to pi [rad]. If the believed heading is too large, the heading that the INS
-     * reports is too small by the same amount.
+     * Believed less true roll, pitch, heading [rad], -pi to pi. If the believed heading is too large, the heading
+     * that the INS reports is too small by the same amount.
      */
     double boresight_error_rad[3];
 } sins_mounting;
@@ -1864,7 +1870,7 @@ SINS_API sins_status SINS_CALL sins_get_mounting(sins_sim *sim, sins_mounting *m
  * Gravity disturbance: true gravity less the normal gravity that the INS computes, at the same point. The horizontal part is
  * the deflection of the vertical. The vertical part is called anomaly here. Each has a constant part and a random part. The
  * random part is a first-order Gauss-Markov field along the track: correlation sigma^2 exp(-d/D) over the distance d flown
- * over ground. At rest it does not change. All zero is normal gravity.
+ * over ground; D is the correlation distance. At rest it does not change. All zero is normal gravity.
  *
  * Perfect accelerometers measure the disturbance, so it is in the ideal signals of sins_imu. In the INS it acts like an
  * accelerometer error. At rest, without a levelled start, a deflection xi makes the position error oscillate between 0 and 2
@@ -1876,28 +1882,38 @@ typedef struct sins_gravity_params {
     /** Must be 0. */
     uint32_t reserved;
     /**
-     * Deflection in the meridian (xi): astronomic less geodetic latitude, -0.01 to 0.01 [rad]. If positive, the true
-     * zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g times this to the north.
+     * Deflection in the meridian (xi) [rad], -0.01 to 0.01. It is the astronomic less the geodetic latitude. If
+     * positive, the true zenith lies north of the ellipsoid's normal, and the accelerometers at rest measure g times
+     * this to the north.
      */
     double deflection_north_rad;
-    /** Standard deviation of the random part of the deflection in the meridian, 0 to 0.01 [rad]. */
+    /** Standard deviation of the random part of the deflection in the meridian [rad], 0 to 0.01. */
     double deflection_north_sigma_rad;
-    /** Correlation distance D of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
+    /**
+     * Correlation distance of the random part of the deflection in the meridian [m], 1 to 1e9; needed where
+     * deflection_north_sigma_rad is not 0.
+     */
     double deflection_north_distance_m;
     /**
-     * Deflection in the prime vertical (eta): astronomic less geodetic longitude, times the cosine of latitude, -0.01 to
-     * 0.01 [rad]. If positive, the true zenith lies east of the ellipsoid's normal.
+     * Deflection in the prime vertical (eta) [rad], -0.01 to 0.01. It is the astronomic less the geodetic
+     * longitude, times the cosine of latitude. If positive, the true zenith lies east of the ellipsoid's normal.
      */
     double deflection_east_rad;
-    /** Standard deviation of the random part of the deflection in the prime vertical, 0 to 0.01 [rad]. */
+    /** Standard deviation of the random part of the deflection in the prime vertical [rad], 0 to 0.01. */
     double deflection_east_sigma_rad;
-    /** Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
+    /**
+     * Correlation distance of the random part of the deflection in the prime vertical [m], 1 to 1e9; needed where
+     * deflection_east_sigma_rad is not 0.
+     */
     double deflection_east_distance_m;
-    /** Anomaly, excess of gravity, -0.1 to 0.1 [m/s2]. A milligal is 1e-5 m/s2. */
+    /** Anomaly, excess of gravity [m/s2], -0.1 to 0.1. A milligal is 1e-5 m/s2. */
     double anomaly_m_s2;
-    /** Standard deviation of the random part of the anomaly, 0 to 0.1 [m/s2]. */
+    /** Standard deviation of the random part of the anomaly [m/s2], 0 to 0.1. */
     double anomaly_sigma_m_s2;
-    /** Correlation distance of that random part, 1 to 1e9 [m]; needed where its standard deviation is not 0. */
+    /**
+     * Correlation distance of the random part of the anomaly [m], 1 to 1e9; needed where anomaly_sigma_m_s2 is not
+     * 0.
+     */
     double anomaly_distance_m;
 } sins_gravity_params;
 

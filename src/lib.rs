@@ -44,6 +44,7 @@
 //! | [`recommend`] | finds the cheapest options that meet a required accuracy |
 //! | [`budget`] | finds the contribution of each effect to the errors |
 //! | [`allan`] | estimates the noise of a sensor from its record |
+//! | [`surroundings`] | has the tables of the parameters of the altimeter, of the mounting and of gravity |
 //! | [`snapshot`] | saves the state of all blocks |
 //! | `scene`, `log` | read and write a whole scene as text, and read flight logs (feature `scenes`) |
 //! | [`abi`] | the C interface |
@@ -160,6 +161,8 @@ pub mod allan;
 #[forbid(unsafe_code)]
 pub mod budget;
 #[forbid(unsafe_code)]
+mod checks;
+#[forbid(unsafe_code)]
 pub mod covariance;
 #[forbid(unsafe_code)]
 pub mod earth;
@@ -185,6 +188,8 @@ mod memory;
 #[forbid(unsafe_code)]
 pub mod mounting;
 #[forbid(unsafe_code)]
+mod parameter;
+#[forbid(unsafe_code)]
 pub mod recommend;
 #[forbid(unsafe_code)]
 pub mod records;
@@ -203,6 +208,8 @@ pub mod snapshot;
 pub mod state;
 #[forbid(unsafe_code)]
 pub mod statistics;
+#[forbid(unsafe_code)]
+pub mod surroundings;
 #[forbid(unsafe_code)]
 pub mod truth;
 #[forbid(unsafe_code)]

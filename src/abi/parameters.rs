@@ -14,3 +14,29 @@ pub(super) trait Parameters: Struct {
     /// The parameters that the struct holds.
     fn to_parameters(self) -> Result<Self::Own, Failure>;
 }
+
+/// Declares a struct of a table with its name in messages and its first size, and makes parameters of it and back: `$copy` copies
+/// the numbers of one to the other.
+macro_rules! params {
+    ($type:ident, $name:literal, $first_size:expr, $own:ty, $copy:ident) => {
+        $crate::abi::memory::interface_struct!($type, $name, $first_size);
+
+        impl $crate::abi::parameters::Parameters for $type {
+            type Own = $own;
+
+            fn to_parameters(self) -> Result<$own, $crate::abi::failure::Failure> {
+                $crate::abi::choice::check_reserved(concat!($name, ".reserved"), self.reserved)?;
+                let mut parameters = <$own>::default();
+                $copy(self.numbers(), parameters.numbers_mut());
+                Ok(parameters)
+            }
+
+            fn from_parameters(parameters: &$own) -> Self {
+                let mut params = Self { struct_size: size_of::<Self>() as u32, ..Self::default() };
+                $copy(parameters.numbers(), params.numbers_mut());
+                params
+            }
+        }
+    };
+}
+pub(super) use params;

@@ -1,8 +1,10 @@
 //! The effects of a budget: one line each.
 
 use crate::joined::{joined, total};
-use crate::sensors::{PARAMETERS, Sensor};
+use crate::parameter::Row;
+use crate::sensors::{Field, PARAMETERS, Sensor};
 use crate::simulator::ErrorParameters;
+use crate::surroundings;
 
 /// An effect that can be set and left out alone.
 #[derive(Debug, Clone, Copy)]
@@ -21,77 +23,94 @@ pub struct Effect {
 enum Place {
     /// A row of the table of sensor parameters, with these sensors.
     Parameter(Sensor, usize),
-    /// Whether it is set, and a function that copies it with everything that belongs to it.
+    /// The row of another table with this field of the interface.
+    Row(&'static str),
+    /// Whether it is set, and a function that copies it.
     At { is_set: fn(&ErrorParameters) -> bool, copy: fn(&ErrorParameters, &mut ErrorParameters) },
 }
 
 const DETERMINISTIC: bool = false;
 const RANDOM: bool = true;
 
-/// Name, field, kind: where it is set, then what else belongs to it.
+/// Name, field, kind: where it is set.
 macro_rules! effects {
-    ($($name:literal, $field:literal, $kind:ident: $($path:ident).+ $(, $($too:ident).+)*;)*) => {
+    ($($name:literal, $field:literal, $kind:ident: $($path:ident).+;)*) => {
         &[$(Effect {
             name: $name,
             field: $field,
             is_random: $kind,
             place: Place::At {
                 is_set: |from| from.$($path).+ != ErrorParameters::default().$($path).+,
-                copy: |from, to| {
-                    to.$($path).+ = from.$($path).+;
-                    $(to.$($too).+ = from.$($too).+;)*
-                },
+                copy: |from, to| to.$($path).+ = from.$($path).+,
             },
         }),*]
+    };
+}
+
+/// The effects of a table.
+macro_rules! of {
+    ($table:expr) => {
+        &effects::<{ count($table) }>($table)
     };
 }
 
 /// All of them: of gravity, of the sensors as their table has them, of the altimeter, of the start and of the mounting.
 pub static EFFECTS: &[Effect] = &joined::<Effect, { total(PARTS) }>(PARTS);
 
-const PARTS: &[&[Effect]] = &[GRAVITY, GYRO, ACCEL, OTHERS];
+const PARTS: &[&[Effect]] = &[
+    of!(Table::Rows(&surroundings::GRAVITY)),
+    of!(Table::Triad(Sensor::Gyro)),
+    of!(Table::Triad(Sensor::Accelerometer)),
+    of!(Table::Backwards(&surroundings::ALTIMETER)),
+    INITIAL,
+    of!(Table::Rows(&surroundings::MOUNTING)),
+];
 
-const GRAVITY: &[Effect] = effects! {
-    "deflection north", "gravity.deflection_north_rad", DETERMINISTIC: gravity.deflection_north.mean;
-    "random deflection north", "gravity.deflection_north_sigma_rad", RANDOM: gravity.deflection_north.sigma, gravity.deflection_north.distance_m;
-    "deflection east", "gravity.deflection_east_rad", DETERMINISTIC: gravity.deflection_east.mean;
-    "random deflection east", "gravity.deflection_east_sigma_rad", RANDOM: gravity.deflection_east.sigma, gravity.deflection_east.distance_m;
-    "gravity anomaly", "gravity.anomaly_m_s2", DETERMINISTIC: gravity.anomaly.mean;
-    "random gravity anomaly", "gravity.anomaly_sigma_m_s2", RANDOM: gravity.anomaly.sigma, gravity.anomaly.distance_m;
-};
-
-const GYRO: &[Effect] = &of_sensor::<{ count(Sensor::Gyro) }>(Sensor::Gyro);
-const ACCEL: &[Effect] = &of_sensor::<{ count(Sensor::Accelerometer) }>(Sensor::Accelerometer);
-
-const OTHERS: &[Effect] = effects! {
-    "altimeter lag", "altimeter.lag_s", DETERMINISTIC: altimeter.lag_s;
-    "altimeter scale factor", "altimeter.scale_factor", DETERMINISTIC: altimeter.scale_factor;
-    "altimeter bias", "altimeter.bias_m", DETERMINISTIC: altimeter.bias_m;
-    "altimeter Gauss-Markov", "altimeter.markov_sigma_m", RANDOM: altimeter.markov_sigma_m, altimeter.markov_time_s;
-    "altimeter noise", "altimeter.noise_m", RANDOM: altimeter.noise_m;
+const INITIAL: &[Effect] = effects! {
     "initial position", "initial.position_enu_m", DETERMINISTIC: initial.position_n;
     "initial velocity", "initial.velocity_enu_m_s", DETERMINISTIC: initial.velocity_n;
     "initial misalignment", "initial.misalignment_enu_rad", DETERMINISTIC: initial.misalignment_n;
     "drawn initial position", "initial.position_sigma_enu_m", RANDOM: initial.position_sigma_n;
     "drawn initial velocity", "initial.velocity_sigma_enu_m_s", RANDOM: initial.velocity_sigma_n;
     "drawn initial misalignment", "initial.misalignment_sigma_enu_rad", RANDOM: initial.misalignment_sigma_n;
-    "lever arm error", "mounting.lever_arm_error_m", DETERMINISTIC: mounting.lever_arm_error_m;
-    "boresight error", "mounting.boresight_error_rad", DETERMINISTIC: mounting.boresight_error;
 };
 
-/// The name of the effect of a row of the table, with the field that sets it.
-const fn named(row: usize, sensor: Sensor) -> Option<(&'static str, &'static str)> {
-    match PARAMETERS[row].of(sensor) {
-        Some(field) if !field.effect.is_empty() => Some((field.effect, field.path)),
-        _ => None,
+/// A table of parameters.
+#[derive(Clone, Copy)]
+enum Table {
+    Triad(Sensor),
+    Rows(&'static [Row]),
+    /// From the last row to the first.
+    Backwards(&'static [Row]),
+}
+
+impl Table {
+    const fn len(self) -> usize {
+        match self {
+            Self::Triad(_) => PARAMETERS.len(),
+            Self::Rows(rows) | Self::Backwards(rows) => rows.len(),
+        }
+    }
+
+    /// The effect of a row, if the row has one of its own.
+    const fn effect(self, row: usize) -> Option<Effect> {
+        let row = match self {
+            Self::Triad(sensor) => {
+                let Some(field) = PARAMETERS[row].of(sensor) else { return None };
+                return Effect::new(field, PARAMETERS[row].is_random, Place::Parameter(sensor, row));
+            }
+            Self::Rows(rows) => rows[row],
+            Self::Backwards(rows) => rows[rows.len() - 1 - row],
+        };
+        Effect::new(row.field, row.is_random, Place::Row(row.field.path))
     }
 }
 
-/// Number of effects of a triad.
-const fn count(sensor: Sensor) -> usize {
+/// Number of effects of a table.
+const fn count(table: Table) -> usize {
     let (mut row, mut count) = (0, 0);
-    while row < PARAMETERS.len() {
-        if named(row, sensor).is_some() {
+    while row < table.len() {
+        if table.effect(row).is_some() {
             count += 1;
         }
         row += 1;
@@ -99,14 +118,13 @@ const fn count(sensor: Sensor) -> usize {
     count
 }
 
-/// The effects of a triad.
-const fn of_sensor<const N: usize>(sensor: Sensor) -> [Effect; N] {
-    let mut effects = [GRAVITY[0]; N];
+/// The effects of a table.
+const fn effects<const N: usize>(table: Table) -> [Effect; N] {
+    let mut effects = [INITIAL[0]; N];
     let (mut row, mut count) = (0, 0);
-    while row < PARAMETERS.len() {
-        if let Some((name, field)) = named(row, sensor) {
-            let is_random = PARAMETERS[row].is_random;
-            effects[count] = Effect { name, field, is_random, place: Place::Parameter(sensor, row) };
+    while row < table.len() {
+        if let Some(effect) = table.effect(row) {
+            effects[count] = effect;
             count += 1;
         }
         row += 1;
@@ -120,6 +138,7 @@ impl Place {
             Self::Parameter(sensor, row) => {
                 from.triad(sensor).numbers()[row].iter().any(|number| *number != 0.0)
             }
+            Self::Row(path) => { *from }.numbers_of(path).iter().any(|number| **number != 0.0),
             Self::At { is_set, .. } => is_set(from),
         }
     }
@@ -135,12 +154,28 @@ impl Place {
                     }
                 }
             }
+            Self::Row(path) => {
+                let belongs =
+                    |row: &&Row| row.field.path == path || row.field.range.needed_by() == Some(path);
+                for row in surroundings::rows().filter(belongs) {
+                    let mut from = *from;
+                    let from = from.numbers_of(row.field.path);
+                    to.numbers_of(row.field.path).into_iter().zip(from).for_each(|(to, from)| *to = *from);
+                }
+            }
             Self::At { copy, .. } => copy(from, to),
         }
     }
 }
 
 impl Effect {
+    const fn new(field: Field, is_random: bool, place: Place) -> Option<Self> {
+        if field.effect.is_empty() {
+            return None;
+        }
+        Some(Self { name: field.effect, field: field.path, is_random, place })
+    }
+
     /// Those that `parameters` set, in order.
     pub fn set_in(parameters: &ErrorParameters) -> impl Iterator<Item = &'static Self> {
         EFFECTS.iter().filter(|effect| effect.place.is_set(parameters))
@@ -179,36 +214,20 @@ mod tests {
     use nalgebra::Vector3;
 
     use super::*;
-    use crate::math::Euler;
-    use crate::mounting::MountingParameters;
-    use crate::sensors::{
-        Alignment, AltimeterParameters, GravityDisturbanceParameters, GravityField, InitialErrorParameters,
-        TriadParameters,
-    };
+    use crate::sensors::{Alignment, InitialErrorParameters, TriadParameters};
 
-    /// Every field: one of the sensors is in their table; another one does not compile until it stands here, and fails until it has
-    /// its line.
+    /// Every field: one of a table is in it; another one does not compile until it stands here, and fails until it has its line.
     fn everything() -> ErrorParameters {
         let ones = Vector3::repeat(1.0);
-        let angles = Euler { roll: 1.0, pitch: 1.0, heading: 1.0 };
-        let field = GravityField { mean: 1.0, sigma: 1.0, distance_m: 1.0 };
         let triad = |sensor| {
             let mut triad = TriadParameters::default();
             let rows = triad.numbers_mut().into_iter().zip(PARAMETERS);
             rows.filter(|(_, row)| row.of(sensor).is_some()).for_each(|(numbers, _)| numbers.fill(1.0));
             triad
         };
-        ErrorParameters {
+        let mut all = ErrorParameters {
             gyro: triad(Sensor::Gyro),
             accel: triad(Sensor::Accelerometer),
-            altimeter: AltimeterParameters {
-                bias_m: 1.0,
-                markov_sigma_m: 1.0,
-                markov_time_s: 1.0,
-                noise_m: 1.0,
-                scale_factor: 1.0,
-                lag_s: 1.0,
-            },
             initial: InitialErrorParameters {
                 position_n: ones,
                 velocity_n: ones,
@@ -218,18 +237,12 @@ mod tests {
                 misalignment_sigma_n: ones,
                 alignment: Alignment::LevelAndGyrocompass,
             },
-            mounting: MountingParameters {
-                lever_arm_m: ones,
-                boresight: angles,
-                lever_arm_error_m: ones,
-                boresight_error: angles,
-            },
-            gravity: GravityDisturbanceParameters {
-                deflection_north: field,
-                deflection_east: field,
-                anomaly: field,
-            },
+            ..ErrorParameters::default()
+        };
+        for row in surroundings::rows() {
+            all.numbers_of(row.field.path).into_iter().for_each(|number| *number = 1.0);
         }
+        all
     }
 
     #[test]

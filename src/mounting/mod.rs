@@ -18,38 +18,10 @@ pub use placement::Placement;
 
 use nalgebra::Vector3;
 
-use crate::error::{Error, check_range, check_ranges};
 use crate::math::Euler;
-use crate::snapshot::{ANY, stored};
-use crate::truth::FlightSample;
-
-/// Where the sensor block sits, and what the INS believes of it. The belief is the true value plus its error, for each component of
-/// the arm and for each angle. All zero is a block at the reference point, along the body axes.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct MountingParameters {
-    /// Place of the block relative to the reference point, body axes [m].
-    pub lever_arm_m: Vector3<f64>,
-    /// Attitude of the block's axes relative to the vehicle's [rad], in the sequence and the senses of the vehicle's own attitude.
-    pub boresight: Euler,
-    /// Believed less true lever arm [m].
-    pub lever_arm_error_m: Vector3<f64>,
-    /// Believed less true boresight angles [rad].
-    pub boresight_error: Euler,
-}
-
-stored!(MountingParameters { lever_arm_m: ANY, boresight, lever_arm_error_m: ANY, boresight_error });
+pub use crate::surroundings::MountingParameters;
 
 impl MountingParameters {
-    /// Checks every field.
-    pub fn validate(&self) -> Result<(), Error> {
-        const ARM_M: f64 = 100.0;
-        let pi = core::f64::consts::PI;
-        check_ranges("mounting.lever_arm_m", self.lever_arm_m.as_slice(), -ARM_M, ARM_M)?;
-        check_angles("mounting.boresight_rad", &self.boresight, FlightSample::MAX_ANGLE_RAD)?;
-        check_ranges("mounting.lever_arm_error_m", self.lever_arm_error_m.as_slice(), -ARM_M, ARM_M)?;
-        check_angles("mounting.boresight_error_rad", &self.boresight_error, pi)
-    }
-
     /// The same mounting, about which the INS believes the truth.
     pub(crate) fn believed(&self) -> Self {
         Self { lever_arm_m: self.lever_arm_m, boresight: self.boresight, ..Self::default() }
@@ -61,16 +33,10 @@ impl MountingParameters {
     }
 }
 
-fn check_angles(field: &'static str, angles: &Euler, limit: f64) -> Result<(), Error> {
-    for (index, angle) in [angles.roll, angles.pitch, angles.heading].into_iter().enumerate() {
-        check_range(field, angle, -limit, limit).map_err(|error| error.at(index))?;
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::truth::FlightSample;
 
     /// They have the range of the attitude of a flight sample: any number of turns, up to the limit where an angle loses its
     /// digits.

@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
-use crate::math::Euler;
 use crate::sensors::Sensor;
 
 /// The sections, each with its name, as it stands in brackets, and what its keys set, in words.
@@ -134,6 +133,8 @@ pub enum Place {
     At(fn(&mut Draft) -> Places<'_>),
     /// A row of the table of sensor parameters, with these sensors.
     Parameter(Sensor, usize),
+    /// The row of another table with this field of the interface.
+    Row(&'static str),
 }
 
 impl Place {
@@ -141,6 +142,7 @@ impl Place {
     pub fn of(self, draft: &mut Draft) -> Places<'_> {
         match self {
             Self::At(places) => places(draft),
+            Self::Row(path) => draft.scene.errors.numbers_of(path),
             Self::Parameter(sensor, row) => {
                 let triad = match sensor {
                     Sensor::Gyro => &mut draft.scene.errors.gyro,
@@ -225,10 +227,6 @@ pub fn one(number: &mut f64) -> Places<'_> {
 
 pub fn vector(vector: &mut Vector3<f64>) -> Places<'_> {
     vector.iter_mut().collect()
-}
-
-pub fn angles(euler: &mut Euler) -> Places<'_> {
-    vec![&mut euler.roll, &mut euler.pitch, &mut euler.heading]
 }
 
 /// The elements row by row. (The matrix stores them column by column.)

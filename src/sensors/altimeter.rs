@@ -1,53 +1,13 @@
 //! The barometric altimeter that damps the vertical channel.
 
+use super::AltimeterParameters;
 use super::effects::MarkovStep;
 use super::failing::FailingOutput;
 use super::failure::{Failure, SensorOutput};
 use super::kept::Kept;
 use super::stream::{MAX_NORMAL, Purpose, Source, Stream, StreamKey};
-use super::validation::check_correlation_time;
-use crate::error::{Error, check_range};
 use crate::math::exp_m1;
-use crate::snapshot::{ANY, SIGNALS, stored};
-
-/// Errors of the barometric height. All zero is an ideal altimeter.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct AltimeterParameters {
-    /// Constant bias [m].
-    pub bias_m: f64,
-    /// Standard deviation of the first-order Gauss-Markov error [m].
-    pub markov_sigma_m: f64,
-    /// Correlation time of the Gauss-Markov error [s].
-    pub markov_time_s: f64,
-    /// Standard deviation of the independent error of each sample [m].
-    pub noise_m: f64,
-    /// Scale factor error [1].
-    pub scale_factor: f64,
-    /// Time constant of the first-order lag of the static pressure [s].
-    pub lag_s: f64,
-}
-
-stored!(AltimeterParameters {
-    bias_m: ANY,
-    markov_sigma_m: ANY,
-    markov_time_s: ANY,
-    noise_m: ANY,
-    scale_factor: ANY,
-    lag_s: ANY,
-});
-
-impl AltimeterParameters {
-    /// Checks every field.
-    pub fn validate(&self) -> Result<(), Error> {
-        check_range("altimeter.bias_m", self.bias_m, -1e5, 1e5)?;
-        check_range("altimeter.markov_sigma_m", self.markov_sigma_m, 0.0, 1e5)?;
-        let (time_s, sigma_m) = (self.markov_time_s, self.markov_sigma_m);
-        check_correlation_time("altimeter.markov_time_s", time_s, "altimeter.markov_sigma_m", sigma_m)?;
-        check_range("altimeter.noise_m", self.noise_m, 0.0, 1e5)?;
-        check_range("altimeter.scale_factor", self.scale_factor, -1.0, 1.0)?;
-        check_range("altimeter.lag_s", self.lag_s, 0.0, 1e6)
-    }
-}
+use crate::snapshot::{SIGNALS, stored};
 
 /// The altimeter.
 #[derive(Debug, Clone, PartialEq)]

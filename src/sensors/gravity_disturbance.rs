@@ -6,7 +6,7 @@ use super::effects::MarkovStep;
 use super::kept::Kept;
 use super::stream::{MAX_NORMAL, Purpose, Source, Stream, StreamKey};
 use crate::earth::Earth;
-use crate::error::{Error, check_range};
+use crate::error::Error;
 use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer, stored};
 use crate::truth::TruthPoint;
 
@@ -38,43 +38,8 @@ pub struct GravityDisturbanceParameters {
 stored!(GravityDisturbanceParameters { deflection_north, deflection_east, anomaly });
 
 impl GravityDisturbanceParameters {
-    /// Checks every field.
-    pub fn validate(&self) -> Result<(), Error> {
-        // The limits are at least ten times the largest values on Earth: 100" and 0.01 m/s² (Heiskanen and Moritz 1967).
-        const DEFLECTION_RAD: f64 = 0.01;
-        const ANOMALY_M_S2: f64 = 0.1;
-        self.deflection_north.validate(
-            &[
-                "gravity.deflection_north_rad",
-                "gravity.deflection_north_sigma_rad",
-                "gravity.deflection_north_distance_m",
-            ],
-            DEFLECTION_RAD,
-        )?;
-        self.deflection_east.validate(
-            &[
-                "gravity.deflection_east_rad",
-                "gravity.deflection_east_sigma_rad",
-                "gravity.deflection_east_distance_m",
-            ],
-            DEFLECTION_RAD,
-        )?;
-        self.anomaly.validate(
-            &["gravity.anomaly_m_s2", "gravity.anomaly_sigma_m_s2", "gravity.anomaly_distance_m"],
-            ANOMALY_M_S2,
-        )
-    }
-
     pub(crate) fn fields(&self) -> [&GravityField; 3] {
         [&self.deflection_north, &self.deflection_east, &self.anomaly]
-    }
-}
-
-impl GravityField {
-    fn validate(&self, [mean, sigma, distance]: &[&'static str; 3], limit: f64) -> Result<(), Error> {
-        check_range(mean, self.mean, -limit, limit)?;
-        check_range(sigma, self.sigma, 0.0, limit)?;
-        check_range(distance, self.distance_m, if self.sigma > 0.0 { 1.0 } else { 0.0 }, 1e9)
     }
 }
 

@@ -4,7 +4,7 @@ use core::slice::{from_mut, from_ref};
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::parameter::{Field, Parameter, Range};
+use super::parameter::{Field, Parameter};
 use super::stream::Source;
 use super::table::PARAMETERS;
 use crate::snapshot::{ANY, stored};
@@ -43,7 +43,7 @@ impl Parameter {
 
     /// Whether it is the correlation time of the process whose standard deviation is the parameter `sigma`.
     pub fn is_time_of(&self, sigma: &str) -> bool {
-        let is_of = |field: Field| matches!(field.range, Range::TimeOf(name, ..) if name == sigma);
+        let is_of = |field: Field| field.range.needed_by() == Some(sigma);
         self.gyro.is_some_and(is_of) || self.accel.is_some_and(is_of)
     }
 }

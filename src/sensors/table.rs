@@ -10,14 +10,10 @@
 
 use super::parameter::Range::{OffOr, TimeOf, Within};
 use super::parameter::Shape::{Axes, Diagonal, Matrix, Number, OffDiagonal};
-use super::parameter::{Parameter, Range, defined, field};
+use super::parameter::{CORRELATION_TIMES_S, Parameter, Range, defined, field};
 use crate::units::{
     ARCSEC, DEG, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G, PPM, STANDARD_GRAVITY, TEMPERATURE_RANGE_C,
 };
-
-/// Correlation times [s] for which the discretisation is accurate to every digit. A longer time would be a constant, a shorter one
-/// white noise.
-pub const CORRELATION_TIMES_S: (f64, f64) = (1e-9, 1e15);
 
 // The limits have one purpose: wild values of a host must not overflow the navigator.
 const RATE: Range = Within(-100.0, 100.0);

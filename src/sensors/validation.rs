@@ -1,9 +1,10 @@
 //! Checks of the parameters that a host sets for a triad, against the table.
 
-use super::parameter::{Field, Parameter, Range, Shape};
+use super::checks::check_value;
+use super::parameter::{Field, Parameter, Shape};
 use super::parameters::{Sensor, TriadParameters};
-use super::table::{CORRELATION_TIMES_S, PARAMETERS};
-use crate::error::{Error, Rule, check_range};
+use super::table::PARAMETERS;
+use crate::error::{Error, Rule};
 
 impl TriadParameters {
     /// Checks every field.
@@ -28,16 +29,14 @@ impl TriadParameters {
     ) -> Result<(), Error> {
         for index in 0..numbers.len() {
             let value = numbers[parameter.shape.place(index)];
-            let checked = match (field.range, parameter.shape) {
-                (_, Shape::OffDiagonal(rule)) if index % 4 == 0 && value != 0.0 => {
+            let checked = match parameter.shape {
+                Shape::OffDiagonal(rule) if index % 4 == 0 && value != 0.0 => {
                     Err(Error::invalid(field.path, value, Rule::Sentence(rule)))
                 }
-                (Range::Within(low, high), _) => check_range(field.path, value, low, high),
-                (Range::OffOr(low, high), _) => check_off_or(field.path, value, low, high),
-                (Range::TimeOf(name, ..), _) => {
+                _ => check_value(field, value, |name| {
                     let (sigma, numbers) = self.named(name, sensor);
-                    check_correlation_time(field.path, value, sigma, numbers[index])
-                }
+                    (sigma, numbers[index])
+                }),
             };
             checked.map_err(|error| if numbers.len() == 1 { error } else { error.at(index) })?;
         }
@@ -62,33 +61,6 @@ fn check_foreign(parameter: &Parameter, numbers: &[f64]) -> Result<(), Error> {
         }
     }
     Ok(())
-}
-
-fn check_off_or(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {
-    if value == 0.0 {
-        return Ok(());
-    }
-    check_range(field, value, low, high).map_err(|error| match error.rule {
-        Rule::Between(..) => Error { rule: Rule::OffOr(low, high), ..error },
-        _ => error,
-    })
-}
-
-/// Checks a correlation time. It is needed where the standard deviation `sigma`, of the field `of`, is not 0.
-pub(super) fn check_correlation_time(
-    field: &'static str,
-    time_s: f64,
-    of: &'static str,
-    sigma: f64,
-) -> Result<(), Error> {
-    let (shortest, longest) = CORRELATION_TIMES_S;
-    if sigma == 0.0 {
-        return check_range(field, time_s, 0.0, longest);
-    }
-    check_range(field, time_s, shortest, longest).map_err(|error| match error.rule {
-        Rule::Between(..) => Error { rule: Rule::NeededBy(shortest, longest, of), ..error },
-        _ => error,
-    })
 }
 
 #[cfg(test)]

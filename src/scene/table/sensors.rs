@@ -3,7 +3,8 @@
 use super::super::draft::Draft;
 use super::super::key::{Key, Place, Section, Shape, Target, Unit};
 use super::first_words;
-use crate::sensors::{Grade, PARAMETERS, ParameterShape, Sensor, TriadParameters};
+use crate::parameter::Row;
+use crate::sensors::{Field, Grade, PARAMETERS, ParameterShape, Sensor, TriadParameters};
 
 /// The words of a preset, and the grade of each; the first is none.
 const GRADES: [(&str, Option<Grade>); 7] = [
@@ -61,15 +62,8 @@ const fn keys<const N: usize>(sensor: Sensor, preset: Key) -> [Key; N] {
     while row < PARAMETERS.len() {
         let parameter = &PARAMETERS[row];
         if let Some(field) = parameter.of(sensor) {
-            let target = Target::Numbers {
-                field: field.path,
-                unit: Unit { text: field.key_unit, si: field.key_si, si_text: field.unit },
-                shape: shape(parameter.shape),
-                limits_si: None,
-                place: Place::Parameter(sensor, row),
-            };
-            keys[place] =
-                Key { section: preset.section, name: field.key, doc: parameter.doc_of(&field), target };
+            let doc = parameter.doc_of(&field);
+            keys[place] = key(preset.section, &field, doc, parameter.shape, Place::Parameter(sensor, row));
             place += 1;
         }
         row += 1;
@@ -77,10 +71,32 @@ const fn keys<const N: usize>(sensor: Sensor, preset: Key) -> [Key; N] {
     keys
 }
 
+/// The parameters of another table.
+pub const fn of_rows<const N: usize>(section: Section, rows: &[Row; N]) -> [Key; N] {
+    let mut keys = [row_key(section, &rows[0]); N];
+    let mut row = 1;
+    while row < N {
+        keys[row] = row_key(section, &rows[row]);
+        row += 1;
+    }
+    keys
+}
+
+const fn row_key(section: Section, row: &Row) -> Key {
+    key(section, &row.field, row.field.doc, row.shape, Place::Row(row.field.path))
+}
+
+const fn key(section: Section, field: &Field, doc: &'static str, of: ParameterShape, place: Place) -> Key {
+    let unit = Unit { text: field.key_unit, si: field.key_si, si_text: field.unit };
+    let target = Target::Numbers { field: field.path, unit, shape: shape(of), limits_si: None, place };
+    Key { section, name: field.key, doc, target }
+}
+
 const fn shape(shape: ParameterShape) -> Shape {
     match shape {
         ParameterShape::Number => Shape::Number,
         ParameterShape::Axes => Shape::Axes,
+        ParameterShape::Vector | ParameterShape::Angles => Shape::Vector,
         ParameterShape::OffDiagonal(_) => Shape::OffDiagonal,
         ParameterShape::Diagonal => Shape::Diagonal,
         ParameterShape::Matrix => Shape::Matrix,

@@ -1,29 +1,17 @@
 //! What stands beside the gyros and accelerometers: `[altimeter]`, `[start]`, `[mounting]`, `[gravity]`.
 
-use super::super::key::{Key, Place, Section, Shape, Target, angles, one, vector};
+use super::super::key::{Key, Place, Section, Shape, Target, vector};
+use super::sensors::of_rows;
 use super::{choice, number, si, unit};
 use crate::sensors::Alignment;
-use crate::units::{ARCMIN, ARCSEC, DEG, MILLIGAL, PPM};
+use crate::surroundings;
+use crate::units::ARCMIN;
 
-const A: Section = Section::Altimeter;
 const S: Section = Section::Start;
-const M: Section = Section::Mounting;
-const G: Section = Section::Gravity;
-const N: Shape = Shape::Number;
 
-pub const ALTIMETER: &[Key] = &[
-    number!(A, N, "bias_m", si("m"), "constant bias", "altimeter.bias_m" => one(scene.errors.altimeter.bias_m)),
-    number!(A, N, "noise_m", si("m"), "standard deviation of the independent error of each sample",
-        "altimeter.noise_m" => one(scene.errors.altimeter.noise_m)),
-    number!(A, N, "markov_sigma_m", si("m"), "standard deviation of the Gauss-Markov error",
-        "altimeter.markov_sigma_m" => one(scene.errors.altimeter.markov_sigma_m)),
-    number!(A, N, "markov_time_s", si("s"), "correlation time of the Gauss-Markov error",
-        "altimeter.markov_time_s" => one(scene.errors.altimeter.markov_time_s)),
-    number!(A, N, "scale_factor_ppm", unit("ppm", PPM, ""), "scale factor error of the height",
-        "altimeter.scale_factor" => one(scene.errors.altimeter.scale_factor)),
-    number!(A, N, "lag_s", si("s"), "time constant of the lag of the static pressure",
-        "altimeter.lag_s" => one(scene.errors.altimeter.lag_s)),
-];
+pub const ALTIMETER: &[Key] = &of_rows(Section::Altimeter, &surroundings::ALTIMETER);
+pub const MOUNTING: &[Key] = &of_rows(Section::Mounting, &surroundings::MOUNTING);
+pub const GRAVITY: &[Key] = &of_rows(Section::Gravity, &surroundings::GRAVITY);
 
 pub const START: &[Key] = &[
     number!(S, Shape::Vector, "position_m", si("m"), "position east, north, up",
@@ -43,42 +31,4 @@ pub const START: &[Key] = &[
         "given" => Alignment::Given,
         "gyrocompass" => Alignment::LevelAndGyrocompass,
     ]),
-];
-
-pub const MOUNTING: &[Key] = &[
-    number!(M, Shape::Vector, "lever_arm_m", si("m"), "lever arm from the reference point to the block, body axes",
-        "mounting.lever_arm_m" => vector(scene.errors.mounting.lever_arm_m)),
-    number!(M, Shape::Vector, "boresight_deg", unit("deg", DEG, "rad"), "roll, pitch, heading of the block",
-        "mounting.boresight_rad" => angles(scene.errors.mounting.boresight)),
-    number!(M, Shape::Vector, "lever_arm_error_mm", unit("mm", 1e-3, "m"), "believed less true lever arm",
-        "mounting.lever_arm_error_m" => vector(scene.errors.mounting.lever_arm_error_m)),
-    number!(M, Shape::Vector, "boresight_error_arcsec", unit("arcsec", ARCSEC, "rad"), "believed less true roll, pitch, heading",
-        "mounting.boresight_error_rad" => angles(scene.errors.mounting.boresight_error)),
-];
-
-pub const GRAVITY: &[Key] = &[
-    number!(G, N, "deflection_north_arcsec", unit("arcsec", ARCSEC, "rad"), "deflection in the meridian (xi)",
-        "gravity.deflection_north_rad" => one(scene.errors.gravity.deflection_north.mean)),
-    number!(G, N, "deflection_north_sigma_arcsec", unit("arcsec", ARCSEC, "rad"),
-        "standard deviation of the random part of the deflection in the meridian",
-        "gravity.deflection_north_sigma_rad" => one(scene.errors.gravity.deflection_north.sigma)),
-    number!(G, N, "deflection_north_distance_km", unit("km", 1e3, "m"),
-        "correlation distance of the random part of the deflection in the meridian",
-        "gravity.deflection_north_distance_m" => one(scene.errors.gravity.deflection_north.distance_m)),
-    number!(G, N, "deflection_east_arcsec", unit("arcsec", ARCSEC, "rad"), "deflection in the prime vertical (eta)",
-        "gravity.deflection_east_rad" => one(scene.errors.gravity.deflection_east.mean)),
-    number!(G, N, "deflection_east_sigma_arcsec", unit("arcsec", ARCSEC, "rad"),
-        "standard deviation of the random part of the deflection in the prime vertical",
-        "gravity.deflection_east_sigma_rad" => one(scene.errors.gravity.deflection_east.sigma)),
-    number!(G, N, "deflection_east_distance_km", unit("km", 1e3, "m"),
-        "correlation distance of the random part of the deflection in the prime vertical",
-        "gravity.deflection_east_distance_m" => one(scene.errors.gravity.deflection_east.distance_m)),
-    number!(G, N, "anomaly_mgal", unit("mGal", MILLIGAL, "m/s2"), "anomaly, excess of gravity",
-        "gravity.anomaly_m_s2" => one(scene.errors.gravity.anomaly.mean)),
-    number!(G, N, "anomaly_sigma_mgal", unit("mGal", MILLIGAL, "m/s2"),
-        "standard deviation of the random part of the anomaly",
-        "gravity.anomaly_sigma_m_s2" => one(scene.errors.gravity.anomaly.sigma)),
-    number!(G, N, "anomaly_distance_km", unit("km", 1e3, "m"),
-        "correlation distance of the random part of the anomaly",
-        "gravity.anomaly_distance_m" => one(scene.errors.gravity.anomaly.distance_m)),
 ];

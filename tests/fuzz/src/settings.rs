@@ -4,7 +4,8 @@ use std::mem::offset_of;
 use std::sync::LazyLock;
 
 use sins::abi::*;
-use sins::sensors::{PARAMETERS, ParameterRange, ParameterShape, Sensor};
+use sins::sensors::{PARAMETERS, ParameterRange, ParameterShape, Row, Sensor};
+use sins::surroundings;
 
 use crate::call;
 use crate::host::{Host, init};
@@ -41,14 +42,6 @@ fn triad_ranges(sensor: Sensor) -> Vec<Range> {
 static GYRO: LazyLock<Vec<Range>> = LazyLock::new(|| triad_ranges(Sensor::Gyro));
 static ACCEL: LazyLock<Vec<Range>> = LazyLock::new(|| triad_ranges(Sensor::Accelerometer));
 
-ranges!(ALTIMETER, sins_altimeter_params,
-    bias_m: 1, -1e5, 1e5;
-    markov_sigma_m: 1, 0.0, 1e5;
-    noise_m: 1, 0.0, 1e5;
-    scale_factor: 1, -1.0, 1.0;
-    lag_s: 1, 0.0, 1e6;
-);
-
 ranges!(INITIAL, sins_initial_errors,
     position_enu_m: 3, -1e6, 1e6;
     velocity_enu_m_s: 3, -1e4, 1e4;
@@ -58,24 +51,21 @@ ranges!(INITIAL, sins_initial_errors,
     misalignment_sigma_enu_rad: 3, 0.0, 1.0;
 );
 
-ranges!(MOUNTING, sins_mounting,
-    lever_arm_m: 3, -100.0, 100.0;
-    boresight_rad: 3, -1e4, 1e4;
-    lever_arm_error_m: 3, -100.0, 100.0;
-    boresight_error_rad: 3, -3.14, 3.14;
-);
+/// The numbers of a struct of another table, without the correlation times.
+fn ranges_of(rows: &[Row]) -> Vec<Range> {
+    let mut offset = 8;
+    let range = |row: &Row| {
+        let count = row.shape.count();
+        offset += 8 * count;
+        let is_time = matches!(row.field.range, ParameterRange::TimeOf(..));
+        (!is_time).then_some((offset - 8 * count, count, row.field.range.ends()))
+    };
+    rows.iter().filter_map(range).collect()
+}
 
-ranges!(GRAVITY, sins_gravity_params,
-    deflection_north_rad: 1, -0.01, 0.01;
-    deflection_north_sigma_rad: 1, 0.0, 0.01;
-    deflection_north_distance_m: 1, 1.0, 1e9;
-    deflection_east_rad: 1, -0.01, 0.01;
-    deflection_east_sigma_rad: 1, 0.0, 0.01;
-    deflection_east_distance_m: 1, 1.0, 1e9;
-    anomaly_m_s2: 1, -0.1, 0.1;
-    anomaly_sigma_m_s2: 1, 0.0, 0.1;
-    anomaly_distance_m: 1, 1.0, 1e9;
-);
+static ALTIMETER: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&surroundings::ALTIMETER));
+static MOUNTING: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&surroundings::MOUNTING));
+static GRAVITY: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&surroundings::GRAVITY));
 
 const SINUSOIDS: usize = 6;
 
@@ -118,7 +108,7 @@ pub fn some_accel(input: &mut Input) -> sins_accel_params {
 }
 
 pub fn some_altimeter(input: &mut Input) -> sins_altimeter_params {
-    sins_altimeter_params { markov_time_s: markov_times(input)[0], ..filled(input, ALTIMETER) }
+    sins_altimeter_params { markov_time_s: markov_times(input)[0], ..filled(input, &ALTIMETER) }
 }
 
 pub fn some_initial_errors(input: &mut Input) -> sins_initial_errors {
@@ -126,11 +116,11 @@ pub fn some_initial_errors(input: &mut Input) -> sins_initial_errors {
 }
 
 pub fn some_mounting(input: &mut Input) -> sins_mounting {
-    filled(input, MOUNTING)
+    filled(input, &MOUNTING)
 }
 
 pub fn some_gravity(input: &mut Input) -> sins_gravity_params {
-    let mut gravity: sins_gravity_params = filled(input, GRAVITY);
+    let mut gravity: sins_gravity_params = filled(input, &GRAVITY);
     for distance in [
         &mut gravity.deflection_north_distance_m,
         &mut gravity.deflection_east_distance_m,

@@ -1,9 +1,13 @@
-//! One row of the table of sensor parameters. `build.rs` reads this file too.
+//! Rows of the tables of parameters. `build.rs` reads this file too.
+
+/// Correlation times [s] for which the discretisation is accurate to every digit. A longer time would be a constant, a shorter one
+/// white noise.
+pub const CORRELATION_TIMES_S: (f64, f64) = (1e-9, 1e15);
 
 /// A parameter of a triad of gyros or of accelerometers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
-    /// Field of [`TriadParameters`](super::TriadParameters).
+    /// Field of [`TriadParameters`](crate::sensors::TriadParameters).
     pub name: &'static str,
     /// How many numbers the parameter has, and which of them may be set.
     pub shape: Shape,
@@ -17,6 +21,21 @@ pub struct Parameter {
     pub gyro: Option<Field>,
     /// The parameter of accelerometers.
     pub accel: Option<Field>,
+}
+
+/// A parameter of the altimeter, of the mounting or of gravity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// Place in the struct of the crate: "anomaly.mean".
+    pub place: &'static str,
+    /// How many numbers the parameter has.
+    pub shape: Shape,
+    /// Whether the parameter is the size of a random quantity, which is drawn anew in each run.
+    pub is_random: bool,
+    /// Name, definition, range and key.
+    pub field: Field,
+    /// Further sentences for the header; empty: no further sentence.
+    pub note: &'static str,
 }
 
 /// A parameter of one kind of sensor.
@@ -47,6 +66,10 @@ pub enum Shape {
     Number,
     /// One number an axis: x, y, z of the sensor axes.
     Axes,
+    /// Three numbers: x, y, z.
+    Vector,
+    /// Three numbers: roll, pitch, heading.
+    Angles,
     /// A matrix. A single number in a scene file sets all elements off the diagonal. The rule says why the diagonal is 0.
     OffDiagonal(&'static str),
     /// A matrix. A single number in a scene file sets the diagonal.
@@ -65,6 +88,8 @@ pub enum Range {
     /// Correlation time of the process whose standard deviation is the named parameter. It is from the first to the second number
     /// if the standard deviation is not 0; otherwise it may also be 0.
     TimeOf(&'static str, f64, f64),
+    /// Correlation distance, likewise.
+    DistanceOf(&'static str, f64, f64),
 }
 
 impl Parameter {
@@ -79,7 +104,7 @@ impl Shape {
     pub const fn count(self) -> usize {
         match self {
             Self::Number => 1,
-            Self::Axes => 3,
+            Self::Axes | Self::Vector | Self::Angles => 3,
             Self::OffDiagonal(_) | Self::Diagonal | Self::Matrix => 9,
         }
     }
@@ -95,7 +120,18 @@ impl Range {
     /// Least and largest value, except for a 0 that means off.
     pub const fn ends(self) -> (f64, f64) {
         match self {
-            Self::Within(low, high) | Self::OffOr(low, high) | Self::TimeOf(_, low, high) => (low, high),
+            Self::Within(low, high)
+            | Self::OffOr(low, high)
+            | Self::TimeOf(_, low, high)
+            | Self::DistanceOf(_, low, high) => (low, high),
+        }
+    }
+
+    /// The parameter whose correlation time or distance this is.
+    pub const fn needed_by(self) -> Option<&'static str> {
+        match self {
+            Self::TimeOf(sigma, ..) | Self::DistanceOf(sigma, ..) => Some(sigma),
+            Self::Within(..) | Self::OffOr(..) => None,
         }
     }
 }
@@ -108,13 +144,23 @@ impl Field {
 }
 
 /// A field, with its key and the SI units in one unit of the key.
-pub(super) const fn field(
+pub(super) const fn own_field(
     (path, unit): (&'static str, &'static str),
     range: Range,
     (key, key_unit, key_si): (&'static str, &'static str, f64),
     effect: &'static str,
+) -> Field {
+    Field { path, unit, doc: "", range, key, key_unit, key_si, effect }
+}
+
+/// A field of sensors that have the parameter.
+pub(super) const fn field(
+    path: (&'static str, &'static str),
+    range: Range,
+    key: (&'static str, &'static str, f64),
+    effect: &'static str,
 ) -> Option<Field> {
-    Some(Field { path, unit, doc: "", range, key, key_unit, key_si, effect })
+    Some(own_field(path, range, key, effect))
 }
 
 /// `field` with its own definition.
@@ -123,4 +169,16 @@ pub(super) const fn defined(doc: &'static str, field: Option<Field>) -> Option<F
         Some(field) => Some(Field { doc, ..field }),
         None => None,
     }
+}
+
+/// A row with its definition.
+pub(super) const fn row(
+    place: &'static str,
+    shape: Shape,
+    is_random: bool,
+    doc: &'static str,
+    field: Field,
+    note: &'static str,
+) -> Row {
+    Row { place, shape, is_random, field: Field { doc, ..field }, note }
 }

@@ -1,0 +1,78 @@
+//! The parameters of the altimeter, of the mounting and of gravity, from their tables.
+
+mod table;
+
+pub use table::{ALTIMETER, GRAVITY, MOUNTING};
+
+use nalgebra::Vector3;
+
+use crate::checks::check_value;
+use crate::error::Error;
+use crate::math::Euler;
+use crate::parameter;
+use crate::parameter::Row;
+use crate::sensors::GravityDisturbanceParameters;
+use crate::simulator::ErrorParameters;
+use crate::snapshot::{ANY, stored};
+
+// The structs with their checks and numbers, which build.rs writes from the tables.
+include!(concat!(env!("OUT_DIR"), "/surroundings.rs"));
+
+/// Every row.
+pub(crate) fn rows() -> impl Iterator<Item = &'static Row> {
+    [ALTIMETER.as_slice(), &MOUNTING, &GRAVITY].into_iter().flatten()
+}
+
+impl ErrorParameters {
+    /// The numbers of the row with the field `path` of the interface; of another field none.
+    pub(crate) fn numbers_of(&mut self, path: &str) -> Vec<&mut f64> {
+        let Self { altimeter, mounting, gravity, .. } = self;
+        let mut numbers =
+            altimeter.numbers_mut().into_iter().chain(mounting.numbers_mut()).chain(gravity.numbers_mut());
+        rows()
+            .map(|row| (row.field.path, numbers.by_ref().take(row.shape.count()).collect()))
+            .find_map(|(field, numbers)| (field == path).then_some(numbers))
+            .unwrap_or_default()
+    }
+}
+
+/// Copies the numbers of a struct.
+pub(crate) fn copy<const N: usize>(from: [f64; N], to: [&mut f64; N]) {
+    to.into_iter().zip(from).for_each(|(to, from)| *to = from);
+}
+
+/// Checks the numbers of all rows of a table.
+fn check(rows: &[Row], numbers: &[f64]) -> Result<(), Error> {
+    let places = rows.iter().scan(0, |end, row| {
+        *end += row.shape.count();
+        Some((row, *end - row.shape.count()))
+    });
+    for (row, start) in places.clone() {
+        for index in 0..row.shape.count() {
+            let checked = check_value(&row.field, numbers[start + index], |sigma| {
+                let of = places.clone().find(|(row, _)| row.field.path == sigma);
+                (sigma, of.map_or(0.0, |(_, place)| numbers[place + index]))
+            });
+            checked.map_err(|error| if row.shape.count() == 1 { error } else { error.at(index) })?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_number_beyond_its_range_is_rejected_with_field_and_element() {
+        for (row, value) in rows().flat_map(|row| [-1e300, 1e300, f64::NAN].map(|value| (row, value))) {
+            for index in 0..row.shape.count() {
+                let mut errors = ErrorParameters::default();
+                *errors.numbers_of(row.field.path)[index] = value;
+                let error = errors.validate().unwrap_err();
+                let element = (row.shape.count() > 1).then_some(index);
+                assert_eq!((error.field, error.index), (row.field.path, element), "{value}");
+            }
+        }
+    }
+}
