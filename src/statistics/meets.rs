@@ -76,8 +76,9 @@ impl Verdict {
 
 /// An end of the interval of the fraction `f` of `n` runs [1].
 fn wilson(f: f64, n: f64, sign: f64) -> f64 {
-    if n == 0.0 {
-        return 0.5 + 0.5 * sign;
+    let end = 0.5 + 0.5 * sign;
+    if n == 0.0 || f == end {
+        return end;
     }
     let half = Z * (f * (1.0 - f) / n + Z * Z / (4.0 * n * n)).sqrt();
     ((f + Z * Z / (2.0 * n) + sign * half) / (1.0 + Z * Z / n)).clamp(0.0, 1.0)
