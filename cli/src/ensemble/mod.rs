@@ -1,7 +1,7 @@
 //! `sins ensemble`: a scene flown many times, each run with its own random errors, and how large the errors get.
 //!
-//! The data flow is `command`, `requirement` → `plan` → `flight` → `results`, `checkpoint` → `table` → `study` → `bands`, `ends`,
-//! `verdict` → `document` (page), `print` (terminal).
+//! The data flow is `command`, `specification` (of `requirement`s) → `plan` → `flight` → `results`, `checkpoint` → `table` →
+//! `study` → `bands`, `ends`, `verdict` → `document` (page), `print` (terminal).
 
 mod bands;
 mod checkpoint;
@@ -13,6 +13,7 @@ mod plan;
 mod print;
 mod requirement;
 mod results;
+mod specification;
 mod study;
 mod table;
 mod verdict;
@@ -33,7 +34,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let mut given = order.scene.load(command::FOR_LOGS)?;
     let mut requirements = Vec::new();
     for name in &order.meets {
-        let (read, path) = requirement::load(name)?;
+        let (read, path) = specification::load(name)?;
         requirements.extend(read);
         given.inputs.extend(path);
     }
