@@ -78,6 +78,9 @@ fn bands(
     Figure::new(title, " over time, mean and bands of 1 and 3 sigma", legend, &over_time(time, panels), note)
 }
 
+/// Largest limit that is drawn, over the largest error that is drawn.
+const MOST_ABOVE: f64 = 6.0;
+
 /// The limits of the requirements on one error over time [s], [SI]. A limit is a line until the time when it is due.
 struct Limits(Vec<Points>);
 
@@ -85,6 +88,12 @@ impl Limits {
     fn of(study: &Study, measure: Measure) -> Self {
         let dues = study.plan.requirements.iter().filter(|due| due.requirement.measure == measure);
         Self(dues.map(|due| vec![(0.0, due.requirement.limit_at(0.0)), (due.time_s, due.limit)]).collect())
+    }
+
+    /// Without those that would make errors of `size` too small to see.
+    fn visible(mut self, size: f64) -> Self {
+        self.0.retain(|points| points.iter().all(|(_, limit)| *limit <= MOST_ABOVE * size));
+        self
     }
 
     fn legend(&self) -> Option<(Pen, String)> {
@@ -127,7 +136,8 @@ impl Lines {
             points.map(|((time_s, row), state)| (*time_s, value(state, row.track_rad))).collect()
         };
         let runs = study.results.drawn.iter().map(run).collect();
-        Self { mean, sigma, runs, limits, time_s }
+        let without = Self { mean, sigma, runs, limits: Limits(Vec::new()), time_s };
+        Self { limits: limits.visible(without.size()), ..without }
     }
 
     /// Largest magnitude that is drawn.
@@ -166,9 +176,9 @@ impl Lines {
 pub fn radial(study: &Study) -> Result<Figure, Failure> {
     let time = time_axis(study.given.duration_s);
     let rows = study.of(ErrorSource::Navigation);
-    let limits = Limits::of(study, Measure::Horizontal(0));
-    let unit =
-        fitting(rows.iter().map(|row| row.figures.largest_radial_m).fold(limits.size(), f64::max), LENGTH);
+    let largest = rows.iter().map(|row| row.figures.largest_radial_m).fold(0.0, f64::max);
+    let limits = Limits::of(study, Measure::Horizontal(0)).visible(largest);
+    let unit = fitting(limits.size().max(largest), LENGTH);
     let start_s = study.given.start_s;
     let line = |pen, value: fn(&Row) -> f64| {
         let point = |row: &&Row| ((row.time_s - start_s) / time.seconds, value(row) / unit.si);
