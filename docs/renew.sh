@@ -91,8 +91,16 @@ packages() {
     ls -l target/dist
 }
 
+# trust.md
+savage() { cargo test --test physics savage:: -- --nocapture; }
+peers() {
+    cargo rustc --release --lib --crate-type cdylib
+    PYTHONPATH=target/release/bindings SINS_LIBRARY=target/release/libsins.so target/peers/bin/python benches/peers.py \
+        --source gnss-ins-sim=target/gnss-ins-sim
+}
+
 all="simulations poles earth mounting flights steps frames stages memory recommend curve effects budget allan
-    allan_estimator ensemble scale covariance at_rest library_sizes gaps snapshots jsbsim packages"
+    allan_estimator ensemble scale covariance at_rest library_sizes gaps snapshots jsbsim packages savage peers"
 for name in "$@"; do
     if [[ " "${all//$'\n'/ }" " != *" $name "* ]]; then
         echo "$name: none of" $all

@@ -213,6 +213,16 @@ SINS_API sins_status SINS_CALL sins_ensemble_get_imu(sins_ensemble *ensemble, ui
  */
 SINS_API sins_status SINS_CALL sins_ensemble_get_diverged(sins_ensemble *ensemble, size_t index, uint64_t *run);
 
+/** Whether a requirement is met: "95 % of the flights are within 2 km". */
+typedef enum sins_decision {
+    /** The interval of the fraction contains the required fraction. sins_verdict.more_runs runs more would decide. */
+    SINS_DECISION_UNDECIDED = 0,
+    /** Met: the whole interval is above the required fraction. */
+    SINS_DECISION_MET = 1,
+    /** Not met: the whole interval is below the required fraction. */
+    SINS_DECISION_NOT_MET = 2
+} sins_decision;
+
 /**
  * Figures that are computed from a sins_statistics. If there is no run, all figures are 0. If there is one run, its
  * covariance is 0.
@@ -267,6 +277,38 @@ typedef struct sins_figures {
 } sins_figures;
 
 /**
+ * Whether the runs of a sins_statistics meet a requirement. The numbers of runs are exact, so they and the decision do not depend
+ * on how the runs were split.
+ */
+typedef struct sins_verdict {
+    /** sizeof(sins_verdict) */
+    uint32_t struct_size;
+    /** One of enum sins_decision. */
+    int32_t decision;
+    /** Number of all runs. Runs that diverged or are out of range are outside the limit. */
+    uint64_t runs;
+    /** Number of runs that are within the limit. */
+    uint64_t inside;
+    /**
+     * Number of further runs of which the histogram does not show whether they are within the limit: those in the bucket that
+     * contains the limit, less than 1 % from it. The decision holds wherever they are.
+     */
+    uint64_t near_limit;
+    /**
+     * Number of further runs that would decide if the fraction of runs within the limit stayed as it is. 0: it is decided.
+     * UINT64_MAX: without a run, or if the fraction is the required one.
+     */
+    uint64_t more_runs;
+    /**
+     * Lower end of the interval that contains the true fraction of runs within the limit with 95 % confidence (Wilson's score
+     * interval) [1].
+     */
+    double fraction_low;
+    /** Upper end of this interval [1]. */
+    double fraction_high;
+} sins_verdict;
+
+/**
  * Reads the statistics of the errors of all runs at this moment; source is of enum sins_errors_source. sins_statistics_merge() adds
  * those of other runs at the same moment. Within 20 km of the Earth's axis (SINS_NAVIGATION_NEAR_POLE of the truth) the up
  * misalignment and the east and north components of the velocity error have no meaning. No allocation, no system call.
@@ -293,6 +335,15 @@ SINS_API sins_status SINS_CALL sins_statistics_merge(sins_statistics *into, cons
  * SINS_ERROR_INVALID_ARGUMENT: they are damaged or of another release.
  */
 SINS_API sins_status SINS_CALL sins_statistics_figures(const sins_statistics *statistics, sins_figures *figures);
+
+/**
+ * Decides whether `percent` of the runs have a horizontal radial position error of at most `radius_m`. The requirement 0.8 nmi/h
+ * CEP after 2 hours is: 50 %, 2 * 0.8 * SINS_NMI. 0 < percent < 100; 0 < radius_m <= 33554432.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a number is out of its range, or the statistics are damaged or of another release.
+ */
+SINS_API sins_status SINS_CALL sins_meets(const sins_statistics *statistics, double radius_m, double percent,
+    sins_verdict *verdict);
 
 /** Reads the size that a snapshot has now: about 1.3 to 5.25 KiB for each run, as for a simulator. */
 SINS_API sins_status SINS_CALL sins_ensemble_snapshot_size(sins_ensemble *ensemble, size_t *size);
@@ -321,7 +372,8 @@ SINS_API sins_status SINS_CALL sins_ensemble_snapshot_load(sins_ensemble *ensemb
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_ensemble_sizeof {
     SINS_SIZEOF_STATISTICS = 14920,
-    SINS_SIZEOF_FIGURES = 936
+    SINS_SIZEOF_FIGURES = 936,
+    SINS_SIZEOF_VERDICT = 56
 };
 
 #ifdef __cplusplus

@@ -23,6 +23,11 @@ inline sins_figures statistics_figures(const sins_statistics &statistics) {
     return detail::filled<sins_figures>(nullptr, sins_statistics_figures, &statistics);
 }
 
+/* Whether percent of the runs are within this horizontal radius. */
+inline sins_verdict meets(const sins_statistics &statistics, double radius_m, double percent) {
+    return detail::filled<sins_verdict>(nullptr, sins_meets, &statistics, radius_m, percent);
+}
+
 /* An ensemble of runs. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
 class Ensemble : public detail::Owner<sins_ensemble> {
 public:

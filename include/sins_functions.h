@@ -84,6 +84,7 @@
     X(sins_status, sins_ensemble_get_statistics, (sins_ensemble *ensemble, int32_t source, sins_statistics *statistics)) \
     X(sins_status, sins_statistics_merge, (sins_statistics *into, const sins_statistics *other)) \
     X(sins_status, sins_statistics_figures, (const sins_statistics *statistics, sins_figures *figures)) \
+    X(sins_status, sins_meets, (const sins_statistics *statistics, double radius_m, double percent, sins_verdict *verdict)) \
     X(sins_status, sins_ensemble_snapshot_size, (sins_ensemble *ensemble, size_t *size)) \
     X(sins_status, sins_ensemble_snapshot_save, (sins_ensemble *ensemble, void *buffer, size_t capacity, size_t *written)) \
     X(sins_status, sins_ensemble_snapshot_load, (sins_ensemble *ensemble, const void *snapshot, size_t size))

@@ -113,7 +113,7 @@ SINS_API sins_status SINS_CALL sins_scene_get_fault(const sins_scene *scene, siz
 
 /**
  * Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
- * "over_the_pole", "coning", "commuter".
+ * "over_the_pole", "coning", "commuter", "rock_size", "spin_accel", "gen_nav".
  *
  * SINS_ERROR_INVALID_ARGUMENT: no scene has that name.
  * SINS_ERROR_OUT_OF_MEMORY: as sins_scene_create().

@@ -91,7 +91,7 @@ ada() {
 python() {
     local packages=/usr/lib/python3/dist-packages
     need python3 /usr/bin/python3
-    for package in numpy matplotlib pycparser; do
+    for package in numpy matplotlib scipy pycparser; do
         need "python3-$package" "$packages/$package/__init__.py"
     done
     export SINS_LIBRARY=$built/libsins.so PYTHONPATH=$bindings PYTHONDONTWRITEBYTECODE=1
@@ -109,6 +109,9 @@ python() {
     done
     /usr/bin/python3 tests/hosts/test_sins.py 2>"$out/test_sins" || { cat "$out/test_sins"; return 1; }
     echo "python: $(grep -o "^Ran .* tests" "$out/test_sins"); the patrol is drawn in target/hosts/patrol.png"
+    build_program
+    mkdir -p "$out/aircraft"
+    /usr/bin/python3 tests/hosts/aircraft.py "$built/sins" "$out/aircraft"
 }
 
 # The MEX file flies a log: a matrix of samples.

@@ -13,8 +13,10 @@ pub enum Kind {
     Failed,
     /// Stopped by Ctrl-C, SIGTERM or SIGHUP.
     Interrupted,
-    /// No options meet the requirement.
+    /// No options, or not enough runs, meet the requirement.
     NotMet,
+    /// The runs are too few to decide whether they meet the requirement.
+    Undecided,
 }
 
 /// The exit codes, for `--help`.
@@ -23,7 +25,8 @@ Exit codes:
   0    done
   1    failed: an output could not be written, or the solution diverged (what was flown until then is written)
   2    an option or an input file cannot be used; nothing is written
-  3    recommend: no options meet the requirement; the best options were printed
+  3    not met: recommend found no options for the requirement and printed the best; or the runs of an ensemble do not meet --meets
+  4    ensemble: the runs are too few to decide whether they meet --meets
   130  interrupted by Ctrl-C, SIGTERM or SIGHUP: no temporary file is left, and all files are complete";
 
 /// A failure: its kind and its sentences, one on each line.
@@ -82,6 +85,7 @@ impl Failure {
             Kind::Failed => 1,
             Kind::Input => 2,
             Kind::NotMet => 3,
+            Kind::Undecided => 4,
             Kind::Interrupted => 130,
         })
     }

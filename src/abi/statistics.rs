@@ -1,12 +1,12 @@
 //! `sins_statistics` and what they say. The struct itself is `src/statistics/layout.rs`.
 
 use super::boundary::enter_without_simulator;
-use super::choice::Choice;
+use super::choice::{Choice, choices};
 use super::ensemble::{sins_ensemble, with_ensemble};
 use super::failure::{SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read_into};
 use crate::simulator::ErrorSource;
-use crate::statistics::{Figures, Statistics};
+use crate::statistics::{Decision, Figures, Statistics, Verdict};
 
 pub use crate::statistics::Statistics as sins_statistics;
 
@@ -161,6 +161,86 @@ pub unsafe extern "C-unwind" fn sins_statistics_figures(
         // SAFETY: the host's promise.
         unsafe { read_into(statistics, "statistics", &mut read)? };
         output.write(&sins_figures::from(&read.figures()?));
+        Ok(SINS_OK)
+    })
+}
+
+/// Whether a requirement is met: "95 % of the flights are within 2 km".
+pub type sins_decision = i32;
+/// The interval of the fraction contains the required fraction. sins_verdict.more_runs runs more would decide.
+pub const SINS_DECISION_UNDECIDED: sins_decision = 0;
+/// Met: the whole interval is above the required fraction.
+pub const SINS_DECISION_MET: sins_decision = 1;
+/// Not met: the whole interval is below the required fraction.
+pub const SINS_DECISION_NOT_MET: sins_decision = 2;
+
+choices!(sins_decision: Decision {
+    Undecided = SINS_DECISION_UNDECIDED,
+    Met = SINS_DECISION_MET,
+    NotMet = SINS_DECISION_NOT_MET,
+});
+
+/// Whether the runs of a sins_statistics meet a requirement. The numbers of runs are exact, so they and the decision do not depend
+/// on how the runs were split.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct sins_verdict {
+    /// sizeof(sins_verdict)
+    pub struct_size: u32,
+    /// One of enum sins_decision.
+    pub decision: i32,
+    /// Number of all runs. Runs that diverged or are out of range are outside the limit.
+    pub runs: u64,
+    /// Number of runs that are within the limit.
+    pub inside: u64,
+    /// Number of further runs of which the histogram does not show whether they are within the limit: those in the bucket that
+    /// contains the limit, less than 1 % from it. The decision holds wherever they are.
+    pub near_limit: u64,
+    /// Number of further runs that would decide if the fraction of runs within the limit stayed as it is. 0: it is decided.
+    /// UINT64_MAX: without a run, or if the fraction is the required one.
+    pub more_runs: u64,
+    /// Lower end of the interval that contains the true fraction of runs within the limit with 95 % confidence (Wilson's score
+    /// interval) [1].
+    pub fraction_low: f64,
+    /// Upper end of this interval [1].
+    pub fraction_high: f64,
+}
+
+interface_struct!(sins_verdict, "verdict", 56);
+
+impl From<&Verdict> for sins_verdict {
+    fn from(verdict: &Verdict) -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            decision: verdict.decision.code(),
+            runs: verdict.runs,
+            inside: verdict.inside,
+            near_limit: verdict.near_limit,
+            more_runs: verdict.more_runs.unwrap_or(u64::MAX),
+            fraction_low: verdict.low,
+            fraction_high: verdict.high,
+        }
+    }
+}
+
+/// Decides whether `percent` of the runs have a horizontal radial position error of at most `radius_m`. The requirement 0.8 nmi/h
+/// CEP after 2 hours is: 50 %, 2 * 0.8 * SINS_NMI. 0 < percent < 100; 0 < radius_m <= 33554432.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a number is out of its range, or the statistics are damaged or of another release.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_meets(
+    statistics: *const sins_statistics,
+    radius_m: f64,
+    percent: f64,
+    verdict: *mut sins_verdict,
+) -> sins_status {
+    enter_without_simulator(|| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(verdict, "verdict")? };
+        let mut read = Statistics::EMPTY;
+        // SAFETY: the host's promise.
+        unsafe { read_into(statistics, "statistics", &mut read)? };
+        output.write(&sins_verdict::from(&read.meets(radius_m, percent)?));
         Ok(SINS_OK)
     })
 }

@@ -162,3 +162,28 @@ impl BodyMotion {
         Self { rotation, s1, s2: s1 * 0.5, s3: s1 * (1.0 / 6.0) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The sums along the diagonals j - i = 1, 2, ... are the published coefficients, which stand on the products with the last
+    /// increment there: Miller 1983 for three subsamples, Ignagni 1996 for the others.
+    #[test]
+    fn the_coning_coefficients_add_up_to_the_published_ones() {
+        let published: [&[f64]; 4] = [
+            &[2.0 / 3.0],
+            &[27.0 / 20.0, 9.0 / 20.0],
+            &[214.0 / 105.0, 92.0 / 105.0, 54.0 / 105.0],
+            &[1375.0 / 504.0, 650.0 / 504.0, 525.0 / 504.0, 250.0 / 504.0],
+        ];
+        for (rows, published) in CONING[1..].iter().zip(published) {
+            for (distance, sum) in (1..).zip(published) {
+                // Row j - 2 has the products with increment j.
+                let of_row = |row: &&[f64]| row.len().checked_sub(distance).map(|i| row[i]);
+                let own: f64 = rows.iter().filter_map(of_row).sum();
+                assert!((own - sum).abs() < 4.0 * f64::EPSILON * sum, "{distance}: {own} {sum}");
+            }
+        }
+    }
+}

@@ -13,6 +13,9 @@ pub const BUILTIN_SCENES: &[(&str, &str)] = &[
     ("over_the_pole", include_str!("flights/over_the_pole.toml")),
     ("coning", include_str!("flights/coning.toml")),
     ("commuter", include_str!("flights/commuter.toml")),
+    ("rock_size", include_str!("flights/rock_size.toml")),
+    ("spin_accel", include_str!("flights/spin_accel.toml")),
+    ("gen_nav", include_str!("flights/gen_nav.toml")),
 ];
 
 /// The built-in scene of `name`.

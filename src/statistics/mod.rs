@@ -4,11 +4,13 @@
 mod check;
 mod figures;
 mod layout;
+mod meets;
 mod radial;
 mod wide;
 
 pub use figures::Figures;
 pub use layout::sins_statistics as Statistics;
+pub use meets::{Decision, Verdict};
 pub use radial::RADIAL_ERROR;
 
 use crate::error::{Error, ErrorKind, Rule};

@@ -6,7 +6,7 @@ use sins::ensemble::Ensemble;
 use sins::errors::NavigationErrors;
 use sins::mechanization::VerticalMode;
 use sins::sensors::{InitialErrorParameters, TriadParameters, paper_simulation2};
-use sins::statistics::{MAX_RUNS, RADIAL_ERROR, Statistics};
+use sins::statistics::{Decision, MAX_RUNS, RADIAL_ERROR, Statistics, Verdict};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
 use crate::support::any_use::Draws;
@@ -113,6 +113,77 @@ fn two_passes(samples: &[States]) -> (States, Covariance, States) {
         squares += states.component_mul(&unit).map(|x| x * x);
     }
     ((origin + shift).component_mul(&unit), covariance / (n - 1.0), (squares / n).map(f64::sqrt))
+}
+
+/// The verdict of a split ensemble is that of the whole, and its counts are those of the runs one by one.
+#[test]
+fn a_verdict_counts_the_runs_and_does_not_depend_on_the_split() {
+    let mut draws = Draws::new(7);
+    let all = samples(&mut draws, 2000, [0.0; 3], [500.0, 0.1, 1e-4]);
+    let radius = |states: &States| states[0].hypot(states[1]);
+    let mut whole = of(&all);
+    whole.add_diverged().unwrap();
+    let mut merged = of(&all[1200..]);
+    merged.merge(&of(&all[..1200])).unwrap();
+    merged.add_diverged().unwrap();
+    for limit_m in [0.01, 40.0, 580.0, 1000.0, 1222.0, 1e5] {
+        let verdict = whole.meets(limit_m, 95.0).unwrap();
+        assert_eq!(verdict, merged.meets(limit_m, 95.0).unwrap());
+        let inside = all.iter().filter(|states| radius(states) <= limit_m).count() as u64;
+        assert!(
+            (verdict.inside..=verdict.inside + verdict.near_limit).contains(&inside),
+            "{limit_m}: {verdict:?}"
+        );
+        let near = all.iter().filter(|states| (radius(states) / limit_m - 1.0).abs() < 0.011).count() as u64;
+        assert!(verdict.near_limit <= near, "{limit_m}: {verdict:?}");
+        assert_eq!(verdict.runs, 2001);
+    }
+    // R95 of a circular normal distribution is 2.4477 sigma: 1224 m. The samples' own is a bucket from there.
+    assert_eq!(whole.meets(580.0, 95.0).unwrap().decision, Decision::NotMet);
+    assert_eq!(whole.meets(2000.0, 95.0).unwrap().decision, Decision::Met);
+    let r95 = whole.figures().unwrap().r95_m;
+    assert_eq!(whole.meets(r95, 95.0).unwrap().decision, Decision::Undecided);
+}
+
+/// Wilson's interval contains the required fraction exactly while the requirement is undecided, and the number of further runs is
+/// the smallest that decides. Reference intervals: Newcombe, Stat. Med. 17 (1998) 857, table I, method 3.
+#[test]
+fn a_verdict_decides_where_the_interval_of_wilson_ends() {
+    let interval = |inside, runs| Verdict::new(runs, inside, 0, 50.0).map(|v| [v.low, v.high]).unwrap();
+    for (inside, runs, expected) in
+        [(81, 263, [0.2553, 0.3662]), (15, 148, [0.0624, 0.1605]), (0, 20, [0.0, 0.1611])]
+    {
+        let found = interval(inside, runs);
+        assert!((0..2).all(|end| (found[end] - expected[end]).abs() < 5e-5), "{inside}/{runs}: {found:?}");
+    }
+    for percent in [1.0, 50.0, 95.0, 99.9] {
+        for runs in [1_u64, 10, 73, 500] {
+            for inside in 0..=runs {
+                let verdict = Verdict::new(runs, inside, 0, percent).unwrap();
+                let contains = verdict.low <= percent / 100.0 && percent / 100.0 <= verdict.high;
+                assert_eq!(
+                    contains,
+                    verdict.decision == Decision::Undecided,
+                    "{inside}/{runs} {percent} {verdict:?}"
+                );
+                let Some(more) = verdict.more_runs.filter(|&more| more > 0 && inside == runs) else {
+                    continue;
+                };
+                // All runs inside: the fraction stays 1 with any number of runs.
+                let with = |more: u64| Verdict::new(runs + more, runs + more, 0, percent).unwrap().decision;
+                assert_eq!((with(more), with(more - 1)), (Decision::Met, Decision::Undecided));
+            }
+        }
+    }
+    let none = Verdict::new(0, 0, 0, 95.0).unwrap();
+    assert_eq!((none.decision, none.low, none.high, none.more_runs), (Decision::Undecided, 0.0, 1.0, None));
+    assert_eq!(Verdict::new(100, 50, 0, 50.0).unwrap().more_runs, None);
+    for percent in [0.0, 100.0, -1.0, f64::NAN] {
+        assert_eq!(Verdict::new(10, 5, 0, percent).unwrap_err().kind, ErrorKind::InvalidArgument);
+    }
+    for radius_m in [0.0, -1.0, f64::NAN, f64::INFINITY, 33554433.0] {
+        assert_eq!(Statistics::EMPTY.meets(radius_m, 50.0).unwrap_err().field, "radius_m");
+    }
 }
 
 #[test]

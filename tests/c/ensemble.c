@@ -108,6 +108,20 @@ static void statistics_of(uint64_t first_run, size_t runs, int32_t source, sins_
     CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
 }
 
+/* All six runs are within the largest error, and none is within a micrometre: enough to reject 95 %, too few to decide on 50 %. */
+static void a_verdict(const sins_statistics *statistics, const sins_figures *figures)
+{
+    sins_verdict verdict = {.struct_size = sizeof verdict};
+    CHECK(sins_meets(statistics, figures->largest_radial_m, 95.0, &verdict) == SINS_OK);
+    CHECK(verdict.decision == SINS_DECISION_UNDECIDED && verdict.runs == 6 && verdict.inside == 6);
+    CHECK(verdict.more_runs == 73 - 6 && verdict.fraction_high == 1.0);
+    CHECK(sins_meets(statistics, 1e-6, 95.0, &verdict) == SINS_OK);
+    CHECK(verdict.decision == SINS_DECISION_NOT_MET && verdict.inside == 0 && verdict.more_runs == 0);
+    CHECK(sins_meets(statistics, 0.0, 95.0, &verdict) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_meets(statistics, 1.0, 100.0, &verdict) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(strcmp(sentence_of(NULL), "percent = 100: must be above 0 and below 100") == 0);
+}
+
 static void any_split_is_the_same(void)
 {
     static sins_statistics whole, parts[3], sum;
@@ -130,6 +144,7 @@ static void any_split_is_the_same(void)
         CHECK(sins_statistics_figures(&whole, &figures) == SINS_OK);
         CHECK(figures.runs == 6 && figures.diverged == 0 && figures.out_of_range == 0);
         CHECK(figures.cep50_m > 0.0 && figures.cep50_m <= figures.r95_m && figures.r95_m <= figures.largest_radial_m);
+        a_verdict(&whole, &figures);
         for (i = 0; i < 3; i++) {
             double mean = figures.mean_velocity_enu_m_s[i], sigma = figures.sigma_velocity_enu_m_s[i];
             double rms = figures.rms_velocity_enu_m_s[i];

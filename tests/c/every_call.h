@@ -273,6 +273,7 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble 
     sins_budget budget[2];
     sins_statistics statistics[2];
     sins_figures figures[2];
+    sins_verdict verdict[2];
     sins_fault fault[2];
     sins_flight *made_flight = NULL;
     sins_scene *made_scene = NULL;
@@ -314,6 +315,8 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble 
     SINS_INIT(statistics[1]);
     SINS_INIT(figures[0]);
     SINS_INIT(figures[1]);
+    SINS_INIT(verdict[0]);
+    SINS_INIT(verdict[1]);
     SINS_INIT(fault[0]);
     SINS_INIT(fault[1]);
     EVERY_CALL(sins_create(options, NULL));
@@ -380,6 +383,8 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble 
     EVERY_CALL(sins_statistics_merge(statistics, NULL));
     EVERY_CALL(sins_statistics_figures(NULL, figures));
     EVERY_CALL(sins_statistics_figures(statistics, NULL));
+    EVERY_CALL(sins_meets(NULL, 0.0, 0.0, verdict));
+    EVERY_CALL(sins_meets(statistics, 0.0, 0.0, NULL));
     EVERY_CALL(sins_ensemble_snapshot_size(ensemble, NULL));
     EVERY_CALL(sins_ensemble_snapshot_save(ensemble, NULL, sizeof bytes, &size));
     EVERY_CALL(sins_ensemble_snapshot_load(ensemble, NULL, size));

@@ -142,6 +142,7 @@ typedef struct {
     sins_record of_scene;
     sins_statistics statistics, model_statistics;
     sins_figures figures;
+    sins_verdict verdict;
 } results;
 
 static void ignore(const char *call, sins_status status, void *context)
@@ -196,11 +197,13 @@ static void fly_ensemble(results *found)
     SINS_INIT(found->statistics);
     SINS_INIT(found->model_statistics);
     SINS_INIT(found->figures);
+    SINS_INIT(found->verdict);
     CHECK(sins_ensemble_run(ensemble, found->piece, COUNT) == SINS_OK);
     CHECK(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &found->statistics) == SINS_OK);
     CHECK(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_MODEL, &found->model_statistics) == SINS_OK);
     CHECK(sins_statistics_merge(&found->statistics, &found->model_statistics) == SINS_OK);
     CHECK(sins_statistics_figures(&found->statistics, &found->figures) == SINS_OK);
+    CHECK(sins_meets(&found->statistics, 1.0, 95.0, &found->verdict) == SINS_OK);
     CHECK(found->figures.runs == 2 * SCENE_RUNS && found->figures.cep50_m > 0.0);
     every_ensemble_call(ensemble, ignore, NULL);
     CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);

@@ -463,6 +463,16 @@ AT(sins_figures, cep50_m, 912);
 AT(sins_figures, r95_m, 920);
 AT(sins_figures, largest_radial_m, 928);
 
+SIZE(sins_verdict, SINS_SIZEOF_VERDICT, 56);
+AT(sins_verdict, struct_size, 0);
+AT(sins_verdict, decision, 4);
+AT(sins_verdict, runs, 8);
+AT(sins_verdict, inside, 16);
+AT(sins_verdict, near_limit, 24);
+AT(sins_verdict, more_runs, 32);
+AT(sins_verdict, fraction_low, 40);
+AT(sins_verdict, fraction_high, 48);
+
 SIZE(sins_fault, SINS_SIZEOF_FAULT, 408);
 AT(sins_fault, struct_size, 0);
 AT(sins_fault, flags, 4);

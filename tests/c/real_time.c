@@ -235,6 +235,7 @@ static void fly_ensemble_frames(sins_ensemble *ensemble, sins_scene *scene)
     static unsigned char snapshot[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE];
     static sins_statistics statistics, sum;
     sins_figures figures = {.struct_size = sizeof figures};
+    sins_verdict verdict = {.struct_size = sizeof verdict};
     sins_navigation navigation = {.struct_size = sizeof navigation};
     sins_imu imu = {.struct_size = sizeof imu};
     sins_errors errors = {.struct_size = sizeof errors};
@@ -262,6 +263,7 @@ static void fly_ensemble_frames(sins_ensemble *ensemble, sins_scene *scene)
         FRAME_CHECK(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics) == SINS_OK);
         FRAME_CHECK(sins_statistics_merge(&sum, &statistics) == SINS_OK);
         FRAME_CHECK(sins_statistics_figures(&sum, &figures) == SINS_OK);
+        FRAME_CHECK(sins_meets(&sum, 1.0, 95.0, &verdict) == SINS_OK);
     }
     FRAME_CHECK(sins_ensemble_set_failure(ensemble, SINS_SENSOR_ACCEL, 1, &stuck) == SINS_OK);
     FRAME_CHECK(sins_ensemble_run(ensemble, &samples[k], 64) == SINS_OK);

@@ -174,6 +174,7 @@ static void fly_ensemble(const sins_options *options)
 {
     static sins_statistics statistics, sum;
     sins_figures figures = {.struct_size = sizeof figures};
+    sins_verdict verdict = {.struct_size = sizeof verdict};
     sins_navigation navigation = {.struct_size = sizeof navigation};
     sins_imu imu = {.struct_size = sizeof imu};
     sins_errors errors = {.struct_size = sizeof errors};
@@ -206,6 +207,7 @@ static void fly_ensemble(const sins_options *options)
     MEASURE(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics));
     MEASURE(sins_statistics_merge(&sum, &statistics));
     MEASURE(sins_statistics_figures(&sum, &figures));
+    MEASURE(sins_meets(&sum, 1.0, 95.0, &verdict));
     MEASURE(sins_ensemble_set_failure(ensemble, SINS_SENSOR_GYRO, 2, &stuck));
     MEASURE(sins_ensemble_snapshot_size(ensemble, &size));
     MEASURE(sins_ensemble_snapshot_save(ensemble, text, sizeof text, &size));

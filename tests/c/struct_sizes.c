@@ -320,6 +320,12 @@ static sins_status figures_of(const sins_statistics *statistics)
     return sins_statistics_figures(statistics, &figures);
 }
 
+static sins_status verdict_of(const sins_statistics *statistics)
+{
+    sins_verdict verdict = {.struct_size = sizeof verdict};
+    return sins_meets(statistics, 1.0, 95.0, &verdict);
+}
+
 static void struct_sizes_of_ensembles(void)
 {
     static sins_statistics statistics;
@@ -339,9 +345,11 @@ static void struct_sizes_of_ensembles(void)
     OUTPUT_SIZES(sins_imu, sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN, pointer));
     OUTPUT_SIZES(sins_errors, sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN, SINS_ERRORS_MODEL, pointer));
     OUTPUT_SIZES(sins_figures, sins_statistics_figures(&statistics, pointer));
+    OUTPUT_SIZES(sins_verdict, sins_meets(&statistics, 1.0, 95.0, pointer));
     OUTPUT_SIZES(sins_statistics, sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, pointer));
     INPUT_SIZES(sins_statistics, merge(pointer));
     INPUT_SIZES(sins_statistics, figures_of(pointer));
+    INPUT_SIZES(sins_statistics, verdict_of(pointer));
     /* Statistics of zeros are a valid sum. */
     INPUT_SIZES(sins_statistics, sins_statistics_merge(pointer, &statistics));
     CHECK(sins_ensemble_destroy(ensemble) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);

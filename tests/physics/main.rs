@@ -10,6 +10,7 @@ mod error_equations;
 mod invariants;
 mod logged_flights;
 mod reference_signals;
+mod savage;
 mod simulation1;
 mod simulation2;
 mod start_at_rest;

@@ -1,8 +1,13 @@
-//! The errors over time: their mean, the bands of 1 and 3 sigma, and some of the runs; the radial error in quantiles.
+//! The errors over time: their mean, the bands of 1 and 3 sigma, some of the runs, and the limits of requirements; the radial error
+//! in quantiles.
 
 use sins::ErrorSource;
 
+use super::flight::LEAST_SPEED;
+use super::requirement::{Measure, along_cross};
+use super::results::State;
 use super::study::{Quantity, Study};
+use super::table::Row;
 use crate::drawing::axis::TimeAxis;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
@@ -11,41 +16,99 @@ use crate::drawing::scales::{over_time, panel, scaled, time_axis};
 use crate::drawing::series::Points;
 use crate::failure::Failure;
 use crate::record::EAST_NORTH_UP;
-use crate::units::{LENGTH, Unit, fitting, fitting_axis, with_unit};
+use crate::units::{Family, LENGTH, Unit, fitting, fitting_axis, with_unit};
 
 /// Mean and bands of one quantity, a panel for each axis.
 pub fn figure(study: &Study, quantity: &Quantity) -> Result<Figure, Failure> {
-    let lines: Vec<Lines> =
-        (0..study.axes(quantity)).map(|axis| Lines::of(study, quantity.first + axis)).collect();
-    let largest = lines.iter().map(Lines::size).fold(0.0, f64::max);
+    let of = |axis: usize| {
+        let (place, name) = (quantity.first + axis, EAST_NORTH_UP[axis]);
+        let limits = Limits::of(study, Measure::State(place));
+        let lines =
+            Lines::of(study, limits, |row| (row.mean()[place], row.sigma()[place]), |state, _| state[place]);
+        (name, lines)
+    };
+    let lines: Vec<_> = (0..study.axes(quantity)).map(of).collect();
+    let note = if lines.len() < 3 { " Up is not shown: the vertical channel follows the truth." } else { "" };
+    bands(study, &format!("Errors of the {}", quantity.name), quantity.name, quantity.family, &lines, note)
+}
+
+/// Mean and bands of the position error along the truth's track and across it.
+pub fn track(study: &Study) -> Result<Figure, Failure> {
+    let of = |axis: usize, name, measure| {
+        let figures = move |row: &Row| (row.track_mean()[axis], row.track_sigma()[axis]);
+        let value = move |state: &State, track_rad| along_cross(state, track_rad)[axis];
+        (name, Lines::of(study, Limits::of(study, measure), figures, value))
+    };
+    let lines = [of(0, "along", Measure::Along), of(1, "across", Measure::Cross)];
+    let note = format!(
+        " The track has the direction of the true velocity, or below {LEAST_SPEED} m/s the heading; across is positive to its right."
+    );
+    bands(study, "Position error along the track and across it", "position", LENGTH, &lines, &note)
+}
+
+/// Mean and bands of the errors `lines` with their names, a panel for each.
+fn bands(
+    study: &Study,
+    title: &str,
+    name: &str,
+    family: &Family,
+    lines: &[(&str, Lines)],
+    more: &str,
+) -> Result<Figure, Failure> {
+    let largest = lines.iter().map(|(_, lines)| lines.size()).fold(0.0, f64::max);
     let time = time_axis(study.given.duration_s);
-    let panels = lines.iter().enumerate().map(|(axis, lines)| {
-        let unit = fitting_axis(lines.size(), largest, quantity.family);
-        let caption = format!("{} {} [{}]", quantity.name, EAST_NORTH_UP[axis], unit.name);
-        panel(caption, 130.0, 5, lines.traces(&time, unit))
+    let panels = lines.iter().map(|(axis, lines)| {
+        let unit = fitting_axis(lines.size(), largest, family);
+        panel(format!("{name} {axis} [{}]", unit.name), 130.0, 5, lines.traces(&time, unit))
     });
     let panels = panels.collect();
     let drawn = study.results.drawn.len();
-    let legend = vec![
+    let mut legend = vec![
         (Pen::Computed, "mean of the runs".to_owned()),
         (Pen::Band, "mean ± 1σ".to_owned()),
         (Pen::OuterBand, "mean ± 3σ".to_owned()),
         (Pen::Record, if drawn == 1 { "the run".to_owned() } else { format!("the first {drawn} runs") }),
     ];
-    let sigmas: Vec<String> = lines
-        .iter()
-        .zip(EAST_NORTH_UP)
-        .map(|(lines, axis)| {
-            format!("{axis} {}", with_unit(lines.sigma.last().copied().unwrap_or(0.0), quantity.family))
-        })
-        .collect();
-    let mut note = format!("1σ at the end: {}.", sigmas.join(", "));
-    if lines.len() < 3 {
-        note += " Up is not shown: the vertical channel follows the truth.";
+    legend.extend(lines.iter().flat_map(|(_, lines)| lines.limits.legend()).take(1));
+    let sigma = |(axis, lines): &(&str, Lines)| {
+        format!("{axis} {}", with_unit(lines.sigma.last().copied().unwrap_or(0.0), family))
+    };
+    let sigmas: Vec<String> = lines.iter().map(sigma).collect();
+    let note = format!("1σ at the end: {}.{more}", sigmas.join(", "));
+    Figure::new(title, " over time, mean and bands of 1 and 3 sigma", legend, &over_time(time, panels), note)
+}
+
+/// Largest limit that is drawn, over the largest error that is drawn.
+const MOST_ABOVE: f64 = 6.0;
+
+/// The limits of the requirements on one error over time [s], [SI]. A limit is a line until the time when it is due.
+struct Limits(Vec<Points>);
+
+impl Limits {
+    fn of(study: &Study, measure: Measure) -> Self {
+        let dues = study.plan.requirements.iter().filter(|due| due.requirement.measure == measure);
+        Self(dues.map(|due| vec![(0.0, due.requirement.limit_at(0.0)), (due.time_s, due.limit)]).collect())
     }
-    let title = format!("Errors of the {}", quantity.name);
-    let axes = " over time, mean and bands of 1 and 3 sigma";
-    Figure::new(title, axes, legend, &over_time(time, panels), note)
+
+    /// Without those that would make errors of `size` too small to see.
+    fn visible(mut self, size: f64) -> Self {
+        self.0.retain(|points| points.iter().all(|(_, limit)| *limit <= MOST_ABOVE * size));
+        self
+    }
+
+    fn legend(&self) -> Option<(Pen, String)> {
+        self.0.first().map(|_| (Pen::Limit, "limit of the requirement".to_owned()))
+    }
+
+    fn size(&self) -> f64 {
+        self.0.iter().flatten().map(|(_, limit)| *limit).fold(0.0, f64::max)
+    }
+
+    /// The limits, with this sign.
+    fn traces(&self, sign: f64, time: &TimeAxis, unit: Unit) -> impl Iterator<Item = Trace> {
+        let signed = move |points: &Points| points.iter().map(|(t, limit)| (*t, sign * limit)).collect();
+        self.0.iter().map(move |points| Trace::new(Pen::Limit, scaled(signed(points), time, unit)))
+    }
 }
 
 /// One error over time [s], [SI].
@@ -54,31 +117,34 @@ struct Lines {
     mean: Vec<f64>,
     sigma: Vec<f64>,
     runs: Vec<Points>,
+    limits: Limits,
 }
 
 impl Lines {
-    /// The error at `place` of a [`State`](super::results::State).
-    fn of(study: &Study, place: usize) -> Self {
-        let start_s = study.given.start_s;
+    /// An error of which `figures` gives mean and sigma, and `value` that of a run with the direction of the track.
+    fn of(
+        study: &Study,
+        limits: Limits,
+        figures: impl Fn(&Row) -> (f64, f64),
+        value: impl Fn(&State, f64) -> f64,
+    ) -> Self {
         let rows = study.of(ErrorSource::Navigation);
-        let time_s: Vec<f64> = rows.iter().map(|row| row.time_s - start_s).collect();
-        let run = |path: &Vec<_>| {
-            let value = |state: &super::results::State| state[place];
-            time_s.iter().copied().zip(path.iter().map(value)).collect()
+        let time_s: Vec<f64> = rows.iter().map(|row| row.time_s - study.given.start_s).collect();
+        let (mean, sigma) = rows.iter().map(|row| figures(row)).unzip();
+        let run = |path: &Vec<State>| {
+            let points = time_s.iter().zip(&rows).zip(path);
+            points.map(|((time_s, row), state)| (*time_s, value(state, row.track_rad))).collect()
         };
-        Self {
-            mean: rows.iter().map(|row| row.mean()[place]).collect(),
-            sigma: rows.iter().map(|row| row.sigma()[place]).collect(),
-            runs: study.results.drawn.iter().map(run).collect(),
-            time_s,
-        }
+        let runs = study.results.drawn.iter().map(run).collect();
+        let without = Self { mean, sigma, runs, limits: Limits(Vec::new()), time_s };
+        Self { limits: limits.visible(without.size()), ..without }
     }
 
     /// Largest magnitude that is drawn.
     fn size(&self) -> f64 {
         let band = self.mean.iter().zip(&self.sigma).map(|(mean, sigma)| mean.abs() + 3.0 * sigma);
         let runs = self.runs.iter().flatten().map(|(_, value)| value.abs());
-        band.chain(runs).fold(0.0, f64::max)
+        band.chain(runs).fold(self.limits.size(), f64::max)
     }
 
     /// Traces, the widest first, because each is drawn over the traces before it.
@@ -91,6 +157,7 @@ impl Lines {
         traces.extend(self.runs.iter().map(|run| Trace::new(Pen::Record, scaled(run.clone()))));
         let mean = self.time_s.iter().copied().zip(self.mean.iter().copied()).collect();
         traces.push(Trace::new(Pen::Computed, scaled(mean)));
+        traces.extend([1.0, -1.0].into_iter().flat_map(|sign| self.limits.traces(sign, time, unit)));
         traces
     }
 
@@ -109,22 +176,26 @@ impl Lines {
 pub fn radial(study: &Study) -> Result<Figure, Failure> {
     let time = time_axis(study.given.duration_s);
     let rows = study.of(ErrorSource::Navigation);
-    let unit = fitting(rows.iter().map(|row| row.figures.largest_radial_m).fold(0.0, f64::max), LENGTH);
+    let largest = rows.iter().map(|row| row.figures.largest_radial_m).fold(0.0, f64::max);
+    let limits = Limits::of(study, Measure::Horizontal(0)).visible(largest);
+    let unit = fitting(limits.size().max(largest), LENGTH);
     let start_s = study.given.start_s;
-    let line = |pen, value: fn(&super::table::Row) -> f64| {
-        let point = |row: &&super::table::Row| ((row.time_s - start_s) / time.seconds, value(row) / unit.si);
+    let line = |pen, value: fn(&Row) -> f64| {
+        let point = |row: &&Row| ((row.time_s - start_s) / time.seconds, value(row) / unit.si);
         Trace::new(pen, rows.iter().map(point).collect())
     };
-    let traces = vec![
+    let mut traces = vec![
         line(Pen::Record, |row| row.figures.largest_radial_m),
         line(Pen::Fit, |row| row.figures.r95_m),
         line(Pen::Computed, |row| row.figures.cep50_m),
     ];
-    let legend = vec![
+    traces.extend(limits.traces(1.0, &time, unit));
+    let mut legend = vec![
         (Pen::Computed, "CEP50: half of the runs are nearer".to_owned()),
         (Pen::Fit, "R95: 95 % of the runs are nearer".to_owned()),
         (Pen::Record, "the largest of the runs".to_owned()),
     ];
+    legend.extend(limits.legend());
     let note = rows.last().map_or(String::new(), |row| {
         let [cep50, r95, largest] = [row.figures.cep50_m, row.figures.r95_m, row.figures.largest_radial_m]
             .map(|size| with_unit(size, LENGTH));

@@ -109,7 +109,7 @@ impl Checkpoint {
 
 /// Description of the order, line by line.
 fn head(given: &Given, plan: &Plan) -> Result<String, Failure> {
-    let Plan { first_run, runs, every, .. } = plan;
+    let Plan { first_run, runs, every, requirements, .. } = plan;
     let scene = Scene { output: Output::default(), ..given.scene.clone() };
     let mut hash = Hash::default();
     // The format Debug has every field, and all digits of a number.
@@ -119,13 +119,17 @@ fn head(given: &Given, plan: &Plan) -> Result<String, Failure> {
             let _ = write!(hash, "{:?}", given.sample(index)?);
         }
     }
+    let mut limits = Hash::default();
+    let _ = write!(limits, "{requirements:?}");
     Ok(format!(
         "{MARK}\nversion {}\nscene {:016x}\nseed {}\nfirst run {first_run}\nruns {runs}\nblock {BLOCK}\n\
-         intervals between rows {every}\nbytes of statistics {}\n\n",
+         intervals between rows {every}\nbytes of statistics {}\n\
+         requirements {:016x}\n\n",
         env!("CARGO_PKG_VERSION"),
         hash.0,
         given.scene.options.key.seed,
         size_of::<Statistics>(),
+        limits.0,
     ))
 }
 
@@ -163,7 +167,7 @@ fn checksum(bytes: &[u8]) -> u64 {
 const NO_STATE: State = [f64::NAN; 9];
 
 fn put_results(to: &mut Vec<u8>, results: &Results) {
-    let Results { done, statistics, ends, drawn, diverged } = results;
+    let Results { done, statistics, ends, drawn, diverged, tracks, inside } = results;
     to.extend(done.iter().map(|done| u8::from(*done)));
     statistics.iter().for_each(|statistics| put_statistics(to, statistics));
     let put_state =
@@ -176,6 +180,9 @@ fn put_results(to: &mut Vec<u8>, results: &Results) {
         put_count(to, path.len());
         path.iter().for_each(|state| put_state(to, state));
     }
+    put_count(to, tracks.len());
+    to.extend(tracks.iter().flat_map(|track| track.to_le_bytes()));
+    to.extend(inside.iter().flat_map(|runs| runs.to_le_bytes()));
 }
 
 fn put_statistics(to: &mut Vec<u8>, statistics: &Statistics) {
@@ -236,7 +243,10 @@ impl Reader<'_> {
             (0..count).map(|_| reader.state()).collect()
         };
         let drawn = (0..self.count(plan.drawn())?).map(|_| path(self)).collect::<Option<_>>()?;
-        Some(Results { done, statistics, ends, drawn, diverged })
+        let tracks = self.count(plan.instants.len() as u64)?;
+        let tracks = (0..tracks).map(|_| self.number().map(f64::from_bits)).collect::<Option<_>>()?;
+        let inside = plan.requirements.iter().map(|_| self.number()).collect::<Option<_>>()?;
+        Some(Results { done, statistics, ends, drawn, diverged, tracks, inside })
     }
 
     fn take(&mut self, size: usize) -> Option<&[u8]> {

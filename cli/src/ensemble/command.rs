@@ -1,5 +1,7 @@
 //! The command line of `sins ensemble`.
 
+use std::ffi::OsString;
+
 use crate::given::SceneArguments;
 use crate::places::OutputArguments;
 
@@ -11,7 +13,8 @@ pub const FOR_LOGS: &str = crate::budget::FOR_LOGS;
 /// Writes into DIR: NAME_ensemble.csv, statistics of the runs over time; NAME_ensemble_runs.csv, the errors of each run at the end;
 /// NAME_ensemble.html, a page with pictures of both. Run k has the errors that `sins fly` gives with options.run=k. The files are the same to the
 /// byte for any number of threads. Ctrl-C leaves NAME_ensemble.checkpoint: the same command continues from there. A log without a
-/// scene is flown with sensors of navigation grade.
+/// scene is flown with sensors of navigation grade. With --meets also NAME_ensemble_meets.csv: for each requirement, the number of runs within the
+/// limit, the interval of their fraction, and the verdict.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     #[command(flatten)]
@@ -28,6 +31,9 @@ pub struct Order {
     /// Time between two rows of statistics [default: a 200th of the flight]
     #[arg(long, value_name = "SECONDS")]
     pub every: Option<f64>,
+    /// Requirements: a file, or part121g, navigation_grade, rnp10; the exit code tells whether the runs meet all of them
+    #[arg(long, value_name = "FILE|NAME")]
+    pub meets: Vec<OsString>,
     #[command(flatten)]
     pub output: OutputArguments,
 }

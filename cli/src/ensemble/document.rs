@@ -7,6 +7,7 @@ use sins::statistics::Figures;
 
 use super::study::{QUANTITIES, Quantity, Study};
 use super::table::Row;
+use super::verdict::{self, Judged};
 use super::{bands, ends};
 use crate::drawing::document::{document, figure, table};
 use crate::failure::Failure;
@@ -14,9 +15,10 @@ use crate::record::EAST_NORTH_UP;
 use crate::units::{LENGTH, time_text, with_unit};
 
 /// The whole page.
-pub fn page(study: &Study) -> Result<String, Failure> {
+pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
     let mut figures =
         QUANTITIES.iter().map(|quantity| bands::figure(study, quantity)).collect::<Result<Vec<_>, _>>()?;
+    figures.insert(1, bands::track(study)?);
     figures.push(bands::radial(study)?);
     figures.extend(ends::scatter(study)?);
     figures.extend(ends::histogram(study)?);
@@ -41,6 +43,7 @@ pub fn page(study: &Study) -> Result<String, Failure> {
                         p.remark { "Runs that diverged are left out of the statistics from that moment on." }
                     }
                 }
+                @if !judged.is_empty() { div.table { (verdict::markup(judged)) } }
                 div.figures { @for drawn in &figures { (figure(drawn)) } }
                 h2 { "At the end" }
                 div.table { (numbers(study)) }

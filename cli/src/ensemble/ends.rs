@@ -140,6 +140,8 @@ pub fn histogram(study: &Study) -> Result<Option<Figure>, Failure> {
     let (cep50, r95) = (row.figures.cep50_m, row.figures.r95_m);
     let mark = |at: f64, pen, text: &str| Mark { at: at / unit.si, pen, text: text.to_owned() };
     panel.marks.extend([mark(cep50, Pen::Computed, "CEP50"), mark(r95, Pen::Fit, "R95")]);
+    let limits = study.plan.requirements.iter().filter(|due| due.is_of_end(study.plan)).map(|due| due.limit);
+    panel.marks.extend(limits.filter(|limit| *limit < largest).map(|limit| mark(limit, Pen::Limit, "limit")));
     let x = Axis::linear(0.0, 1.04 * largest / unit.si, 6);
     let x_label = format!("horizontal position error [{}]", unit.name);
     let drawing = Drawing { width: WIDTH, x, x_label, panels: vec![panel] };

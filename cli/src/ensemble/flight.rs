@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use sins::ensemble::Ensemble;
 use sins::errors::NavigationErrors;
+use sins::state::Navigation;
 use sins::truth::FlightSample;
 use sins::{Error, ErrorKind, ErrorSource};
 
@@ -104,7 +105,7 @@ impl<'a> Work<'a> {
                 ensemble.step().map_err(|error| given.stopped_at(index, &error))?;
             }
             if instants.next_if_eq(&index).is_some() {
-                self.read(&ensemble, &mut part).map_err(|error| given.stopped_at(index, &error))?;
+                self.read(&ensemble, index, &mut part).map_err(|error| given.stopped_at(index, &error))?;
             }
             if index % CHUNK == 0 && index > 0 {
                 self.progress.fly(CHUNK * runs as usize, given.period_s);
@@ -129,13 +130,25 @@ impl<'a> Work<'a> {
         pushed.map(|_| ()).map_err(|error| self.given.stopped_at(index, &error))
     }
 
-    /// Takes the statistics of this instant, and the errors of the runs that are drawn.
-    fn read(&self, ensemble: &Ensemble, part: &mut Part) -> Result<(), Error> {
+    /// Takes the statistics of this instant, the errors of the runs that are drawn, and counts the runs within the limits that are
+    /// due.
+    fn read(&self, ensemble: &Ensemble, index: usize, part: &mut Part) -> Result<(), Error> {
         for source in &self.plan.sources {
             part.statistics.push(ensemble.statistics(*source)?);
         }
         for (path, run) in part.drawn.iter_mut().zip(ensemble.first_run()..=u64::MAX) {
             path.extend(state(ensemble, run)?);
+        }
+        let track_rad = ensemble.truth().map_or(0.0, |truth| track(&truth.navigation));
+        part.tracks.push(track_rad);
+        for (inside, due) in part.inside.iter_mut().zip(&self.plan.requirements) {
+            if due.index != index {
+                continue;
+            }
+            for run in (ensemble.first_run()..=u64::MAX).take(ensemble.runs()) {
+                let error = state(ensemble, run)?.map(|state| due.requirement.measure.of(&state, track_rad));
+                *inside += u64::from(error.is_some_and(|error| error <= due.limit));
+            }
         }
         Ok(())
     }
@@ -143,6 +156,15 @@ impl<'a> Work<'a> {
     fn must_stop(&self) -> bool {
         self.is_over.load(Ordering::Relaxed) || interrupt::is_asked()
     }
+}
+
+/// Least horizontal speed of a track [m/s].
+pub const LEAST_SPEED: f64 = 1.0;
+
+/// Direction of the track from north to east [rad]: that of the horizontal velocity, or the heading below [`LEAST_SPEED`].
+fn track(truth: &Navigation) -> f64 {
+    let (east, north) = (truth.v_n.x, truth.v_n.y);
+    if east.hypot(north) < LEAST_SPEED { truth.euler.heading } else { east.atan2(north) }
 }
 
 /// Current errors of a run; `None` if the statistics count the run as diverged.

@@ -1,7 +1,7 @@
 //! `sins ensemble`: a scene flown many times, each run with its own random errors, and how large the errors get.
 //!
-//! The data flow is `command` → `plan` → `flight` → `results`, `checkpoint` → `table` → `study` → `bands`, `ends` → `document`
-//! (page), `print` (terminal).
+//! The data flow is `command`, `specification` (of `requirement`s) → `plan` → `flight` → `results`, `checkpoint` → `table` →
+//! `study` → `bands`, `ends`, `verdict` → `document` (page), `print` (terminal).
 
 mod bands;
 mod checkpoint;
@@ -11,9 +11,12 @@ mod ends;
 mod flight;
 mod plan;
 mod print;
+mod requirement;
 mod results;
+mod specification;
 mod study;
 mod table;
+mod verdict;
 
 pub use command::Order;
 
@@ -28,8 +31,14 @@ use plan::Plan;
 use study::Study;
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let given = order.scene.load(command::FOR_LOGS)?;
-    let plan = Plan::new(order, &given)?;
+    let mut given = order.scene.load(command::FOR_LOGS)?;
+    let mut requirements = Vec::new();
+    for name in &order.meets {
+        let (read, path) = specification::load(name)?;
+        requirements.extend(read);
+        given.inputs.extend(path);
+    }
+    let plan = Plan::new(order, &given, requirements)?;
     let (folder, name) = order.output.places(&given)?;
     let mut outputs = Outputs::new(&given.inputs, order.output.force);
     // The outputs are opened before the flight, so that one that cannot be written is reported at once.
@@ -40,6 +49,10 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let statistics_file = outputs.file(&file(".csv"), table::MARK)?;
     let mut runs_file = outputs.file(&file("_runs.csv"), table::RUNS_MARK)?;
     let page_file = outputs.file(&file(".html"), PAGE_MARK)?;
+    let verdicts_file = match order.meets[..] {
+        [] => None,
+        _ => Some(outputs.file(&file("_meets.csv"), &verdict::COLUMNS.join(","))?),
+    };
 
     let quiet = order.output.is_quiet(&given);
     let threads = order.threads.map_or_else(cores, usize::from);
@@ -63,9 +76,16 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         .map_err(|error| Failure::of_output(runs_file.path(), &error))?;
     runs_file.commit()?;
     let study = Study { given: &given, name: &name, plan: &plan, results: &results, rows };
-    page_file.finish(document::page(&study)?)?;
+    let judged = verdict::verdicts(&study)?;
+    page_file.finish(document::page(&study, &judged)?)?;
+    if let Some(file) = verdicts_file {
+        file.finish(verdict::file(&judged)?)?;
+    }
     checkpoint.remove()?;
-    if quiet { Ok(()) } else { terminal::print(&print::text(&study, &flown, threads, &file(".html"))) }
+    if !quiet {
+        terminal::print(&print::text(&study, &judged, &flown, threads, &file(".html")))?;
+    }
+    verdict::failure(&judged).map_or(Ok(()), Err)
 }
 
 fn interrupted(plan: &Plan, runs: u64, checkpoint: &Checkpoint) -> String {

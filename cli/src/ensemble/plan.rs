@@ -3,10 +3,13 @@
 use std::ops::Range;
 
 use sins::ErrorSource;
+use sins::mechanization::VerticalMode;
 
 use super::command::Order;
+use super::requirement::{Measure, Requirement};
 use crate::failure::Failure;
 use crate::given::Given;
+use crate::units::time_text;
 
 /// Number of runs of a block, the unit of the checkpoint. The results are the same with any size: merging statistics is exact.
 pub const BLOCK: u64 = 64;
@@ -35,15 +38,35 @@ pub type Piece = Range<usize>;
 pub struct Plan {
     pub first_run: u64,
     pub runs: u64,
-    /// The samples at which statistics are taken, in order: the first one, each `every` intervals, and the last one.
+    /// The samples at which statistics are taken, in order: the first one, each `every` intervals, those at which requirements
+    /// are due, and the last one.
     pub instants: Vec<usize>,
     /// Number of intervals between two instants.
     pub every: usize,
     pub sources: Vec<ErrorSource>,
+    /// The requirements that apply to the flight.
+    pub requirements: Vec<Due>,
+}
+
+/// A requirement, and the sample at which it is due.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Due {
+    pub requirement: Requirement,
+    pub index: usize,
+    /// Time of the sample since the start, and the limit at that time [SI].
+    pub time_s: f64,
+    pub limit: f64,
+}
+
+impl Due {
+    /// Whether it is about the horizontal position at the end.
+    pub fn is_of_end(&self, plan: &Plan) -> bool {
+        self.requirement.measure == Measure::Horizontal(0) && plan.instants.last() == Some(&self.index)
+    }
 }
 
 impl Plan {
-    pub fn new(order: &Order, given: &Given) -> Result<Self, Failure> {
+    pub fn new(order: &Order, given: &Given, requirements: Vec<Requirement>) -> Result<Self, Failure> {
         let intervals = given.count - 1;
         let every = match order.every {
             None => (intervals as f64 / ROWS).round().max(1.0),
@@ -63,6 +86,10 @@ impl Plan {
         if !intervals.is_multiple_of(every) {
             instants.push(intervals);
         }
+        let requirements = due(given, requirements)?;
+        instants.extend(requirements.iter().map(|due| due.index));
+        instants.sort_unstable();
+        instants.dedup();
         let mut sources = vec![ErrorSource::Navigation];
         if given.scene.options.error_model {
             sources.push(ErrorSource::Model);
@@ -76,7 +103,7 @@ impl Plan {
             );
             return Err(Failure::new(what));
         }
-        Ok(Self { first_run, runs: order.runs, instants, every, sources })
+        Ok(Self { first_run, runs: order.runs, instants, every, sources, requirements })
     }
 
     pub fn blocks(&self) -> usize {
@@ -106,6 +133,37 @@ impl Plan {
     pub fn count(&self) -> usize {
         self.instants.len() * self.sources.len()
     }
+}
+
+/// Those of `requirements` that apply to the flight, with the samples at which they are due.
+fn due(given: &Given, requirements: Vec<Requirement>) -> Result<Vec<Due>, Failure> {
+    let (last, flown) = (given.count - 1, time_text(given.duration_s));
+    let is_given = !requirements.is_empty();
+    let applying = requirements.into_iter().filter(|one| one.applies(given.duration_s));
+    let dues = applying.map(|requirement| {
+        let index = match requirement.time_s {
+            None => last,
+            Some(time_s) => (time_s / given.period_s).round() as usize,
+        };
+        let follows = given.scene.options.vertical == VerticalMode::FollowTruth;
+        if follows && matches!(requirement.measure, Measure::State(2 | 5)) {
+            let what = format!("--meets: {} has no error: options.vertical is follow", requirement.quantity);
+            return Err(Failure::new(what));
+        }
+        if index > last {
+            let what =
+                format!("--meets: {} is due after the flight, which lasts {flown}", requirement.quantity);
+            return Err(Failure::new(what));
+        }
+        let time_s = given.sample(index)?.time_s - given.start_s;
+        let limit = requirement.limit_at(time_s);
+        Ok(Due { requirement, index, time_s, limit })
+    });
+    let dues: Vec<Due> = dues.collect::<Result<_, _>>()?;
+    if is_given && dues.is_empty() {
+        return Err(Failure::new(format!("--meets: no requirement applies to a flight of {flown}")));
+    }
+    Ok(dues)
 }
 
 #[cfg(test)]

@@ -6,10 +6,11 @@ use sins::ErrorSource;
 
 use super::flight::Flown;
 use super::study::{QUANTITIES, Study};
-use crate::units::{LENGTH, brief, time_text, usual};
+use super::verdict::{self, Judged};
+use crate::units::{LENGTH, brief, time_text, usual, with_unit};
 
 /// The statistics at the end, and how fast the runs were flown; the page is at `page`.
-pub fn text(study: &Study, flown: &Flown, threads: usize, page: &Path) -> String {
+pub fn text(study: &Study, judged: &[Judged], flown: &Flown, threads: usize, page: &Path) -> String {
     let given = study.given;
     let mut text =
         format!("{}: {}\n  {}; {}\n\n", study.name, given.title, study.runs(), time_text(given.duration_s));
@@ -33,7 +34,10 @@ pub fn text(study: &Study, flown: &Flown, threads: usize, page: &Path) -> String
         let [cep50, r95, largest] =
             [figures.cep50_m, figures.r95_m, figures.largest_radial_m].map(|size| brief(size, LENGTH));
         text += &format!("  horizontal position error: CEP50 {cep50}, R95 {r95}, largest {largest}\n");
+        let [along, cross] = [0, 1].map(|axis| with_unit(row.track_sigma()[axis], LENGTH));
+        text += &format!("  1 sigma along the track {along}, across the track {cross}\n");
     }
+    text += &verdict::text(judged);
     if flown.steps > 0 {
         text += &format!(
             "  {:.3e} steps of a run in {}: {:.1} ns each, on {threads} thread{}\n",

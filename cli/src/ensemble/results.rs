@@ -18,6 +18,10 @@ pub struct Part {
     pub drawn: Vec<Vec<State>>,
     /// Numbers of the runs that diverged.
     pub diverged: Vec<u64>,
+    /// Direction of the truth's track at each instant [rad].
+    pub tracks: Vec<f64>,
+    /// Number of runs within the limit of each requirement.
+    pub inside: Vec<u64>,
 }
 
 /// Results of all blocks that were flown so far.
@@ -32,6 +36,10 @@ pub struct Results {
     pub drawn: Vec<Vec<State>>,
     /// Numbers of the runs that diverged, in order.
     pub diverged: Vec<u64>,
+    /// Direction of the truth's track at each instant [rad]; empty before the first block.
+    pub tracks: Vec<f64>,
+    /// Number of runs within the limit of each requirement.
+    pub inside: Vec<u64>,
 }
 
 impl Part {
@@ -43,6 +51,8 @@ impl Part {
             ends: Vec::new(),
             drawn: vec![Vec::new(); drawn as usize],
             diverged: Vec::new(),
+            tracks: Vec::with_capacity(plan.instants.len()),
+            inside: vec![0; plan.requirements.len()],
         }
     }
 }
@@ -56,6 +66,8 @@ impl Results {
             ends: vec![None; plan.runs as usize],
             drawn: Vec::new(),
             diverged: Vec::new(),
+            tracks: Vec::new(),
+            inside: vec![0; plan.requirements.len()],
         }
     }
 
@@ -81,6 +93,10 @@ impl Results {
         }
         if piece.start == 0 {
             self.drawn = part.drawn;
+        }
+        self.tracks = part.tracks;
+        for (sum, more) in self.inside.iter_mut().zip(part.inside) {
+            *sum += more;
         }
         self.diverged.extend(part.diverged);
         self.diverged.sort_unstable();

@@ -6,6 +6,7 @@ use sins::ErrorSource;
 use sins::statistics::Figures;
 
 use super::plan::Plan;
+use super::requirement::along_cross;
 use super::results::{Results, State};
 use crate::failure::Failure;
 use crate::given::Given;
@@ -25,6 +26,8 @@ pub struct Row {
     pub time_s: f64,
     pub source: ErrorSource,
     pub figures: Figures,
+    /// Direction of the truth's track [rad].
+    pub track_rad: f64,
 }
 
 impl Row {
@@ -40,6 +43,19 @@ impl Row {
         self.figures.rms.into()
     }
 
+    /// Mean position error along the track and to the right of it [m].
+    pub fn track_mean(&self) -> [f64; 2] {
+        along_cross(&self.mean(), self.track_rad)
+    }
+
+    /// Standard deviation of the position error along the track and across it [m].
+    pub fn track_sigma(&self) -> [f64; 2] {
+        let (sine, cosine) = self.track_rad.sin_cos();
+        let [east, north, both] = [(0, 0), (1, 1), (0, 1)].map(|place| self.figures.covariance[place]);
+        let variance = |e: f64, n: f64| (e * e * east + n * n * north + 2.0 * e * n * both).max(0.0);
+        [variance(sine, cosine), variance(cosine, -sine)].map(f64::sqrt)
+    }
+
     /// Covariance of the position east and north [m²].
     pub fn east_north(&self) -> f64 {
         self.figures.covariance[(0, 1)]
@@ -49,10 +65,11 @@ impl Row {
 /// The rows of `results` in the order of time. The rows of the sources of an instant follow one another.
 pub fn rows(given: &Given, plan: &Plan, results: &Results) -> Result<Vec<Row>, Failure> {
     let mut rows = Vec::with_capacity(plan.count());
-    for (index, at) in plan.instants.iter().zip(results.statistics.chunks(plan.sources.len())) {
+    let instants = plan.instants.iter().zip(&results.tracks);
+    for ((index, track_rad), at) in instants.zip(results.statistics.chunks(plan.sources.len())) {
         let time_s = given.sample(*index)?.time_s;
         for (source, statistics) in plan.sources.iter().zip(at) {
-            rows.push(Row { time_s, source: *source, figures: statistics.figures()? });
+            rows.push(Row { time_s, source: *source, figures: statistics.figures()?, track_rad: *track_rad });
         }
     }
     Ok(rows)
@@ -88,14 +105,18 @@ pub fn statistics(rows: &[Row]) -> String {
 
 /// Writes the errors of each run at the end; a run that diverged has none.
 pub fn write_runs(plan: &Plan, results: &Results, to: &mut impl Write) -> std::io::Result<()> {
-    writeln!(to, "{RUNS_MARK}{},radial_m", states("").join(","))?;
+    writeln!(to, "{RUNS_MARK}{},radial_m,position_along_m,position_cross_m", states("").join(","))?;
+    let track_rad = results.tracks.last().copied().unwrap_or_default();
     for (run, end) in (plan.first_run..=u64::MAX).zip(&results.ends) {
         write!(to, "{run},{}", u8::from(end.is_none()))?;
         match end {
-            Some(state) => state.iter().try_for_each(|value| write!(to, ",{}", number(*value)))?,
-            None => write!(to, ",,,,,,,,,")?,
+            Some(state) => {
+                let more = [radial(state)].into_iter().chain(along_cross(state, track_rad));
+                state.iter().copied().chain(more).try_for_each(|value| write!(to, ",{}", number(value)))?;
+                writeln!(to)?;
+            }
+            None => writeln!(to, ",,,,,,,,,,,,")?,
         }
-        writeln!(to, ",{}", end.map_or(String::new(), |state| number(radial(&state))))?;
     }
     Ok(())
 }

@@ -60,7 +60,8 @@ fn any_number_of_threads_writes_the_same_files() {
 /// An order that runs long enough to be interrupted.
 #[cfg(unix)]
 fn long<'a>(more: &[&'a str]) -> Vec<&'a str> {
-    [&order(&["--set", "flight.hours=0.1", "--set", "flight.rate_hz=100"])[..], more].concat()
+    let flight = ["--set", "flight.hours=0.1", "--set", "flight.rate_hz=100", "--meets", "navigation_grade"];
+    [&order(&flight)[..], more].concat()
 }
 
 /// Sends `signal` after the checkpoint exists, which comes with the first block. Returns the exit code and the messages.
@@ -99,6 +100,8 @@ fn an_interrupted_ensemble_goes_on_to_the_same_files() {
         let (code, _, errors) = run(&folder, &long(&["--threads", "2", "--out", out]));
         assert!(code == 0 && errors.contains(" of 150 runs are flown"), "{errors}");
         assert!(bytes(&folder.join(out)) == bytes(&folder.join("whole")), "{out}");
+        let verdicts = |out: &str| read(folder.join(out).join("simulation2_ensemble_meets.csv"));
+        assert_eq!(verdicts(out), verdicts("whole"));
         assert!(!folder.join(out).join("simulation2_ensemble.checkpoint").exists());
     }
 }
@@ -116,6 +119,7 @@ fn a_checkpoint_that_is_damaged_or_foreign_is_rejected() {
         (&["--set", "gyro.bias_sigma_deg_h=0.02"], "is that of another command: it has \"scene "),
         (&["--first-run", "3"], "\"first run 0\" where this command has \"first run 3\""),
         (&["--every", "9"], "\"intervals between rows "),
+        (&["--meets", "rnp10"], "it has \"requirements "),
     ] {
         let errors = rejected(&folder, &[&again[..], more].concat());
         assert!(errors.contains(words), "{more:?}: {errors}");
@@ -272,4 +276,82 @@ fn the_last_run_of_all_can_be_flown() {
     assert!(runs.contains(&format!("\n{last},")), "{runs}");
     let (code, _, errors) = order(&last, "2");
     assert!(code != 0 && errors.contains("with the last run below 2^64"), "{errors}");
+}
+
+/// Each verdict counts the runs of the file of runs; the exit code is that of the worst verdict.
+#[test]
+fn requirements_are_met_or_not_or_undecided() {
+    let folder = folder("meets");
+    let requirement = |quantity: &str, percent: u32, limit: &str| {
+        format!("[[requirement]]\nquantity = \"{quantity}\"\npercent = {percent}\n{limit}\n")
+    };
+    let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).unwrap();
+    write("met.toml", &requirement("position_horizontal", 50, "limit_km = 9\ntime_h = 0.02"));
+    write("undecided.toml", &requirement("position_cross", 99, "limit_km = 9"));
+    let own =
+        requirement("position_along", 60, "limit_m = 7") + &requirement("position_cross", 60, "limit_m = 7");
+    let own = own + &requirement("position_horizontal", 60, "limit_nmi_h = 0.06");
+    write("not.toml", &(own + &requirement("velocity_horizontal", 99, "limit_m_s = 1e-3")));
+    for (meets, code, words) in [
+        ("met.toml", 0, ""),
+        (
+            "undecided.toml",
+            4,
+            "150 of 150 runs, 100.0 % (97.5 to 100.0 %): undecided: 231 more runs would decide",
+        ),
+        ("not.toml", 3, "velocity_horizontal: 99 % of the flights within 1.000 mm/s after 3 min: "),
+    ] {
+        let (found, said, errors) =
+            run(&folder, &order(&["-q", "--meets", meets, "--out", &meets[..3], "--threads", "3"]));
+        assert_eq!((found, said.as_str()), (code, ""), "{errors}");
+        assert!(errors.contains(words), "{errors}");
+        assert!(!folder.join(&meets[..3]).join("simulation2_ensemble.checkpoint").exists());
+    }
+    let at = |name: &str| folder.join("not").join(name);
+    let runs = table(&at("simulation2_ensemble_runs.csv"));
+    let verdicts = read(at("simulation2_ensemble_meets.csv"));
+    let speed = |run: &std::collections::HashMap<String, f64>| {
+        run["velocity_east_m_s"].hypot(run["velocity_north_m_s"])
+    };
+    let limit_m = 0.06 * 1852.0 * 0.05;
+    let inside = [
+        runs.iter().filter(|run| run["position_along_m"].abs() <= 7.0).count(),
+        runs.iter().filter(|run| run["position_cross_m"].abs() <= 7.0).count(),
+        runs.iter().filter(|run| run["radial_m"] <= limit_m).count(),
+        runs.iter().filter(|run| speed(run) <= 1e-3).count(),
+    ];
+    for (line, inside) in verdicts.lines().skip(1).zip(inside) {
+        assert!(line.contains(&format!(",150,{inside},")), "{line}");
+    }
+    // The count says something, and along and across are the position, turned.
+    assert!((1..150).contains(&inside[0]) && (1..150).contains(&inside[2]), "{inside:?}");
+    for run in &runs {
+        assert!((run["position_along_m"].hypot(run["position_cross_m"]) - run["radial_m"]).abs() < 1e-9);
+    }
+    let page = read(at("simulation2_ensemble.html"));
+    assert!(
+        page.contains("class=\"limit\"") && page.contains("Position error along the track and across it")
+    );
+    // One thread and other pieces: the same verdicts.
+    run(&folder, &order(&["-q", "--meets", "not.toml", "--out", "one", "--threads", "1"]));
+    assert_eq!(read(folder.join("one/simulation2_ensemble_meets.csv")), verdicts);
+}
+
+#[test]
+fn a_requirement_that_does_not_fit_is_rejected() {
+    let folder = folder("unfit");
+    for (text, words) in [
+        ("quantity = \"position_up\"\nlimit_m = 1", "position_up has no error: options.vertical is follow"),
+        ("quantity = \"position_east\"\nlimit_m = 1\ntime_h = 3", "due after the flight, which lasts 3 min"),
+        (
+            "quantity = \"position_east\"\nlimit_m = 1\nflights_over_h = 3",
+            "no requirement applies to a flight of 3 min",
+        ),
+        ("quantity = \"position_east\"\nlimit_m_s = 1", "own.toml:4: limit_m_s: is no unit of position_east"),
+    ] {
+        std::fs::write(folder.join("own.toml"), format!("[[requirement]]\npercent = 95\n{text}\n")).unwrap();
+        let errors = rejected(&folder, &order(&["--meets", "own.toml"]));
+        assert!(errors.contains(words), "{errors}");
+    }
+    assert!(rejected(&folder, &order(&["--meets", "rnp"])).contains("did you mean rnp10?"));
 }

@@ -160,6 +160,8 @@ impl Host {
         }
         assert_eq!(twice.runs, 2 * statistics.runs);
         check::<sins_figures>(|figures| call!(sins_statistics_figures(&twice, figures)));
+        let (radius_m, percent) = (self.input.within((-1.0, 1e5)), self.input.within((-10.0, 110.0)));
+        check::<sins_verdict>(|verdict| call!(sins_meets(&twice, radius_m, percent, verdict)));
 
         let alterations = 1 + self.input.below(3);
         let mut altered = self.input.altered(statistics, alterations);
