@@ -51,9 +51,16 @@ pub struct sins_initial_errors {
     pub alignment: i32,
     /// Must be 0.
     pub reserved2: u32,
+    /// Length of the levelling and gyrocompassing before the first sample, 1 to 86400 [s]; 0: without end. The vehicle rests during
+    /// the alignment. Tilt is found from the mean specific force, heading from the mean rate: white noise and quantization are
+    /// averaged over this time, and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. The flight begins
+    /// with the states with which the alignment ended: ramps and random walks begin at 0 when the alignment begins. The
+    /// temperature is that of the first sample. An alignment without end leaves out white noise and quantization, and takes the
+    /// errors at the first sample for their mean. With SINS_ALIGNMENT_GIVEN the value must be 0.
+    pub alignment_s: f64,
 }
 
-interface_struct!(sins_initial_errors, "initial", 160);
+interface_struct!(sins_initial_errors, "initial", 168);
 
 choices!(sins_alignment: Alignment {
     Given = SINS_ALIGNMENT_GIVEN,
@@ -75,6 +82,7 @@ impl Parameters for sins_initial_errors {
             misalignment_sigma_enu_rad: parameters.misalignment_sigma_n.into(),
             alignment: parameters.alignment.code(),
             reserved2: 0,
+            alignment_s: parameters.alignment_s,
         }
     }
 
@@ -90,6 +98,7 @@ impl Parameters for sins_initial_errors {
             velocity_sigma_n: Vector3::from(self.velocity_sigma_enu_m_s),
             misalignment_sigma_n: Vector3::from(self.misalignment_sigma_enu_rad),
             alignment,
+            alignment_s: self.alignment_s,
         })
     }
 }

@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 
 use super::stream::{Purpose, Source, Stream, StreamKey};
-use crate::error::{Error, check_ranges};
+use super::validation::check_off_or;
+use crate::error::{Error, Rule, check_ranges};
 use crate::snapshot::{ANY, codes, stored};
 use crate::state::StateErrors;
 
@@ -36,7 +37,12 @@ pub struct InitialErrorParameters {
     pub misalignment_sigma_n: Vector3<f64>,
     /// Attitude to which the misalignment is relative.
     pub alignment: Alignment,
+    /// Time of levelling and gyrocompassing [s]; 0: without end.
+    pub alignment_s: f64,
 }
+
+/// Shortest and longest alignment [s].
+const ALIGNMENTS_S: (f64, f64) = (1.0, 86_400.0);
 
 codes!(Alignment { Given = 0, LevelAndGyrocompass = 1 });
 
@@ -48,6 +54,7 @@ stored!(InitialErrorParameters {
     velocity_sigma_n: ANY,
     misalignment_sigma_n: ANY,
     alignment,
+    alignment_s: ALIGNMENTS_S.1,
 });
 
 impl InitialErrorParameters {
@@ -59,7 +66,13 @@ impl InitialErrorParameters {
         check_ranges("initial.misalignment_enu_rad", self.misalignment_n.as_slice(), -pi, pi)?;
         check_ranges("initial.position_sigma_enu_m", self.position_sigma_n.as_slice(), 0.0, 1e5)?;
         check_ranges("initial.velocity_sigma_enu_m_s", self.velocity_sigma_n.as_slice(), 0.0, 1e3)?;
-        check_ranges("initial.misalignment_sigma_enu_rad", self.misalignment_sigma_n.as_slice(), 0.0, 1.0)
+        check_ranges("initial.misalignment_sigma_enu_rad", self.misalignment_sigma_n.as_slice(), 0.0, 1.0)?;
+        check_off_or("initial.alignment_s", self.alignment_s, ALIGNMENTS_S.0, ALIGNMENTS_S.1)?;
+        if self.alignment_s != 0.0 && self.alignment == Alignment::Given {
+            let rule = Rule::Sentence("needs levelling and gyrocompassing in initial.alignment; a given attitude takes 0");
+            return Err(Error::invalid("initial.alignment_s", self.alignment_s, rule));
+        }
+        Ok(())
     }
 
     /// The errors of the run `key`, without the errors of the alignment.

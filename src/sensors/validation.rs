@@ -64,7 +64,8 @@ fn check_foreign(parameter: &Parameter, numbers: &[f64]) -> Result<(), Error> {
     Ok(())
 }
 
-fn check_off_or(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {
+/// Checks that a value is 0 or within its range.
+pub(super) fn check_off_or(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {
     if value == 0.0 {
         return Ok(());
     }

@@ -34,14 +34,14 @@ impl Start {
 
     /// Start with the initial errors of the run at the sample `first`. The errors belong to the solution of the sensors' own point,
     /// whose true state is `state`, or `truth` as a navigation. The errors of the vertical channel are 0 if it follows the truth.
-    /// `disturbance_e` is true less normal gravity [m/s²].
+    /// `disturbance_e` is true less normal gravity [m/s²]. An alignment that takes time moves the processes of the sensors on.
     pub fn new(
         options: &Options,
         earth: &Earth,
         (first, state): (&TruthPoint, &EarthFixedState),
         truth: &Navigation,
         disturbance_e: Option<&Vector3<f64>>,
-        imperfections: &Imperfections,
+        imperfections: &mut Imperfections,
     ) -> Result<Self, Error> {
         let mut start = Self { errors: imperfections.set().initial.draw(options.key), north_unknown: false };
         if imperfections.set().initial.alignment == sensors::Alignment::LevelAndGyrocompass {
@@ -65,16 +65,17 @@ fn aligned(
     (first, state): (&TruthPoint, &EarthFixedState),
     truth: &Navigation,
     disturbance_e: &Vector3<f64>,
-    imperfections: &Imperfections,
+    imperfections: &mut Imperfections,
 ) -> Result<Aligned, Error> {
     let at_rest = AtRest::new(earth, state, truth, disturbance_e)?;
-    let error_n = |triad: &Triad| {
-        let steady = triad.steady_error(&at_rest.rate_b, &at_rest.force_b, first.temperature_c());
-        rotate(&truth.q_nb, &steady)
+    let t = imperfections.set().initial.alignment_s;
+    let error_n = |triad: &mut Triad| {
+        let error = triad.alignment_error(t, &at_rest.rate_b, &at_rest.force_b, first.temperature_c());
+        rotate(&truth.q_nb, &error)
     };
     // For an INS that computes with normal gravity, the disturbance is an error of its accelerometers.
-    let force_error_n = error_n(&imperfections.accel) - at_rest.disturbance_n;
-    Ok(at_rest.aligned(force_error_n, error_n(&imperfections.gyro)))
+    let force_error_n = error_n(&mut imperfections.accel) - at_rest.disturbance_n;
+    Ok(at_rest.aligned(force_error_n, error_n(&mut imperfections.gyro)))
 }
 
 /// What an INS senses at rest.

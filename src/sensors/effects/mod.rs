@@ -24,6 +24,7 @@ use plan::{Plan, Stage};
 use rows::effects;
 pub(crate) use sense::SharedInput;
 pub(crate) use states::StateRows;
+use states::Aside;
 pub(super) use states::{Count, From, Into, States, Visitor};
 
 pub(crate) use flicker::PROCESSES as FLICKER_PROCESSES;

@@ -33,6 +33,7 @@ impl Chain {
                     misalignment_n: initial.misalignment_sigma_n,
                 },
                 alignment: aligns.then(|| alignment(&self.earth, &state, &truth)).flatten(),
+                alignment_s: initial.alignment_s,
             };
             covariance.start(&start, &imperfections.parameters());
         }
