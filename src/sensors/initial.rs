@@ -69,7 +69,9 @@ impl InitialErrorParameters {
         check_ranges("initial.misalignment_sigma_enu_rad", self.misalignment_sigma_n.as_slice(), 0.0, 1.0)?;
         check_off_or("initial.alignment_s", self.alignment_s, ALIGNMENTS_S.0, ALIGNMENTS_S.1)?;
         if self.alignment_s != 0.0 && self.alignment == Alignment::Given {
-            let rule = Rule::Sentence("needs levelling and gyrocompassing in initial.alignment; a given attitude takes 0");
+            let rule = Rule::Sentence(
+                "needs levelling and gyrocompassing in initial.alignment; a given attitude takes 0",
+            );
             return Err(Error::invalid("initial.alignment_s", self.alignment_s, rule));
         }
         Ok(())

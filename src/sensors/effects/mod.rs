@@ -23,8 +23,8 @@ pub(super) use outputs::{BlockOutputs, Outputs};
 use plan::{Plan, Stage};
 use rows::effects;
 pub(crate) use sense::SharedInput;
-pub(crate) use states::StateRows;
 use states::Aside;
+pub(crate) use states::StateRows;
 pub(super) use states::{Count, From, Into, States, Visitor};
 
 pub(crate) use flicker::PROCESSES as FLICKER_PROCESSES;

@@ -2,9 +2,9 @@
 
 use core::mem::take;
 
-use super::Name;
 use super::super::draw::normal_each;
 use super::super::stream::Stream;
+use super::Name;
 use crate::error::Error;
 use crate::memory::room;
 use crate::signal::{RUNS, Row};
