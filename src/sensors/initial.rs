@@ -17,6 +17,8 @@ pub enum Alignment {
     /// The given misalignment, relative to the attitude that levelling and gyrocompassing find with the sensor errors
     /// of the start.
     LevelAndGyrocompass,
+    /// The given misalignment, relative to the attitude of the true heading that levelling finds with the sensor errors of the start.
+    Level,
 }
 
 /// Initial errors, computed less true, east-north-up axes. Each error is the sum of a given part and a part that is
@@ -37,14 +39,14 @@ pub struct InitialErrorParameters {
     pub misalignment_sigma_n: Vector3<f64>,
     /// Attitude to which the misalignment is relative.
     pub alignment: Alignment,
-    /// Time of levelling and gyrocompassing [s]; 0: without end.
+    /// Time of levelling and gyrocompassing, or of levelling [s]; 0: without end.
     pub alignment_s: f64,
 }
 
 /// Shortest and longest alignment [s].
 const ALIGNMENTS_S: (f64, f64) = (1.0, 86_400.0);
 
-codes!(Alignment { Given = 0, LevelAndGyrocompass = 1 });
+codes!(Alignment { Given = 0, LevelAndGyrocompass = 1, Level = 2 });
 
 stored!(InitialErrorParameters {
     position_n: ANY,
@@ -69,9 +71,8 @@ impl InitialErrorParameters {
         check_ranges("initial.misalignment_sigma_enu_rad", self.misalignment_sigma_n.as_slice(), 0.0, 1.0)?;
         check_off_or("initial.alignment_s", self.alignment_s, ALIGNMENTS_S.0, ALIGNMENTS_S.1)?;
         if self.alignment_s != 0.0 && self.alignment == Alignment::Given {
-            let rule = Rule::Sentence(
-                "needs levelling and gyrocompassing in initial.alignment; a given attitude takes 0",
-            );
+            let rule =
+                Rule::Sentence("needs an alignment in initial.alignment: a given attitude takes no time");
             return Err(Error::invalid("initial.alignment_s", self.alignment_s, rule));
         }
         Ok(())

@@ -48,7 +48,7 @@ mod triad;
 mod validation;
 mod xoshiro;
 
-pub use alignment::{Aligned, Sensed, level_and_gyrocompass};
+pub use alignment::{Aligned, Sensed, level, level_and_gyrocompass};
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use draw::StandardNormal;
 pub(crate) use effects::{FLICKER_PROCESSES, MarkovStep, SharedInput, StateRows};
