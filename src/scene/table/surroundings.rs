@@ -26,6 +26,7 @@ pub const ALTIMETER: &[Key] = &[
 ];
 
 pub const START: &[Key] = &[
+    super::sensors::START,
     number!(S, Shape::Vector, "position_m", si("m"), "position east, north, up",
         "initial.position_enu_m" => vector(scene.errors.initial.position_n)),
     number!(S, Shape::Vector, "velocity_m_s", si("m/s"), "velocity east, north, up",

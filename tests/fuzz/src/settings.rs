@@ -272,6 +272,7 @@ impl Host {
         let grade = self.input.below(8) as i32;
         if call!(sins_gyro_preset(grade, &mut gyro)) == SINS_OK {
             assert_eq!(call!(sins_accel_preset(grade, &mut accel)), SINS_OK);
+            assert_eq!(call!(sins_initial_preset(grade, &mut init::<sins_initial_errors>())), SINS_OK);
             let place = self.place();
             self.changing(place, false, |sim| call!(sins_set_gyro(sim, &gyro)));
             self.changing(place, false, |sim| call!(sins_set_accel(sim, &accel)));
