@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::stream::{Purpose, Source, Stream, StreamKey};
 use super::validation::check_off_or;
-use crate::error::{Error, Rule, check_ranges};
+use crate::error::{Error, check_ranges};
 use crate::snapshot::{ANY, codes, stored};
 use crate::state::StateErrors;
 
@@ -39,7 +39,7 @@ pub struct InitialErrorParameters {
     pub misalignment_sigma_n: Vector3<f64>,
     /// Attitude to which the misalignment is relative.
     pub alignment: Alignment,
-    /// Time of levelling and gyrocompassing, or of levelling [s]; 0: without end.
+    /// Time of levelling and gyrocompassing, or of levelling [s]; 0: without end. A given attitude does not use it.
     pub alignment_s: f64,
 }
 
@@ -69,13 +69,7 @@ impl InitialErrorParameters {
         check_ranges("initial.position_sigma_enu_m", self.position_sigma_n.as_slice(), 0.0, 1e5)?;
         check_ranges("initial.velocity_sigma_enu_m_s", self.velocity_sigma_n.as_slice(), 0.0, 1e3)?;
         check_ranges("initial.misalignment_sigma_enu_rad", self.misalignment_sigma_n.as_slice(), 0.0, 1.0)?;
-        check_off_or("initial.alignment_s", self.alignment_s, ALIGNMENTS_S.0, ALIGNMENTS_S.1)?;
-        if self.alignment_s != 0.0 && self.alignment == Alignment::Given {
-            let rule =
-                Rule::Sentence("needs an alignment in initial.alignment: a given attitude takes no time");
-            return Err(Error::invalid("initial.alignment_s", self.alignment_s, rule));
-        }
-        Ok(())
+        check_off_or("initial.alignment_s", self.alignment_s, ALIGNMENTS_S.0, ALIGNMENTS_S.1)
     }
 
     /// The errors of the run `key`, without the errors of the alignment.

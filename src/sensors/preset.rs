@@ -75,10 +75,10 @@ const LEVEL_S: f64 = 30.0;
 /// of Magnetic Sensors for Low Cost Compass Systems" (Honeywell), 2° and 4° Tomasch and Winer, "Limits of Absolute Heading
 /// Accuracy Using Inexpensive MEMS Sensors", 2018, with a good and with a simple calibration. The position is that of GPS: 8 m
 /// horizontally and 13 m vertically, 95 % (Standard Positioning Service Performance Standard, 5th ed., 2020), which is
-/// √(-2 ln 0.05) = 2.448 and 1.960 standard deviations.
+/// √(-2 ln 0.05) = 2.448 and 1.960 standard deviations of one axis.
 fn started(alignment_s: f64, heading_deg: f64) -> InitialErrorParameters {
     InitialErrorParameters {
-        position_sigma_n: Vector3::new(8.0 / 2.448, 8.0 / 2.448, 13.0 / 1.960),
+        position_sigma_n: Vector3::new(3.27, 3.27, 6.63),
         misalignment_sigma_n: Vector3::new(0.0, 0.0, heading_deg * DEG),
         alignment: Alignment::Level,
         alignment_s,

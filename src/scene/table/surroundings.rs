@@ -45,7 +45,7 @@ pub const START: &[Key] = &[
         "gyrocompass" => Alignment::LevelAndGyrocompass,
         "level" => Alignment::Level,
     ]),
-    number!(S, N, "alignment_s", si("s"), "length of the alignment at rest before the first sample; 0: without end",
+    number!(S, N, "alignment_s", si("s"), "length of the alignment, at rest before the first sample; 0: without end",
         "initial.alignment_s" => one(scene.errors.initial.alignment_s)),
 ];
 
