@@ -150,7 +150,7 @@ extern "C" {
 
 /* Sensor errors. */
 
-@sensor_params gyro accel altimeter_params altimeter preset
+@sensor_params gyro accel altimeter_params altimeter
 
 /* Reads. */
 
@@ -164,9 +164,9 @@ extern "C" {
 
 @sensor_failure
 
-/* Start, mounting, gravity. */
+/* Start, mounting, gravity; presets of sensors and start. */
 
-@initial mounting_params mounting gravity_params gravity
+@initial mounting_params mounting gravity_params gravity preset
 
 /* Navigation on increments, without a truth. */
 

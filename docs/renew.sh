@@ -41,7 +41,7 @@ effects() {
 }
 budget() {
     "$sins" budget --force --position 10 --out "$figures/budget.out" simulation2
-    "$sins" budget --force --position 30 --preset industrial --out "$figures/budget.out" c_examples/flights/fighter_aerobatics.csv
+    "$sins" budget --force --position 30 --preset industrial --set start.preset=ideal --out "$figures/budget.out" c_examples/flights/fighter_aerobatics.csv
     cp "$figures/budget.out/fighter_aerobatics.svg" benches/budget/
 }
 allan() {
@@ -82,7 +82,7 @@ snapshots() { cargo test --test state snapshots:: -- --nocapture; }
 jsbsim() {
     tests/jsbsim.sh
     target/jsbsim/host target/jsbsim/source c_examples/jsbsim/flight.xml "$figures/twin" ins/slews=0 ins/gyro-failure=0
-    "$sins" fly "$figures/twin_truth.csv" --preset navigation --set options.axes=frd --set options.sample_period_s=0.01 \
+    "$sins" fly "$figures/twin_truth.csv" --preset navigation --set start.preset=ideal --set options.axes=frd --set options.sample_period_s=0.01 \
         --set output.every_s=4 --name twin --force --out "$figures/jsbsim.out"
     "$sins" report "$figures/jsbsim.out/twin.csv" --force -o "$figures/jsbsim.out/report.html" --picture docs/jsbsim.svg
 }

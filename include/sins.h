@@ -1007,50 +1007,6 @@ SINS_API sins_status SINS_CALL sins_set_altimeter(sins_sim *sim, const sins_alti
  */
 SINS_API sins_status SINS_CALL sins_get_altimeter(sins_sim *sim, sins_altimeter_params *params);
 
-/** Grades of sensors. */
-typedef enum sins_grade {
-    /**
-     * Strategic: gyro bias 0.001 deg/h and accelerometer bias 1e-6 g, each 1 sigma (El-Sheimy and Youssef 2020, table 1, upper
-     * ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200). The table states 30 to 100 m/h for this grade.
-     * That holds in straight flight; in turns the scale factor dominates: the built-in racetrack has a CEP of 190 m after an hour, and
-     * 35 m without it, the built-in patrol 1.6 km and 38 m.
-     */
-    SINS_GRADE_STRATEGIC = 1,
-    /** Navigation: Honeywell HG9900, brochure N61-1638. It states no accelerometer noise, so the preset has none: set your own. */
-    SINS_GRADE_NAVIGATION = 2,
-    /** Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated. */
-    SINS_GRADE_TACTICAL = 3,
-    /**
-     * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D. It states no accelerometer noise, so the preset
-     * has none: set your own. The range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by
-     * 0.1 deg, 1 sigma.
-     */
-    SINS_GRADE_INDUSTRIAL = 4,
-    /** Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma. */
-    SINS_GRADE_CONSUMER = 5,
-    /**
-     * The paper's simulation 2: constant gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), constant accelerometer
-     * bias 1e-5 g and white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper
-     * states none).
-     */
-    SINS_GRADE_PAPER_SIMULATION2 = 6
-} sins_grade;
-
-/**
- * Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are
- * drawn at turn-on with the standard deviations that the source of the grade states; errors that it does not state are 0.
- *
- * SINS_ERROR_INVALID_ARGUMENT: no such grade.
- */
-SINS_API sins_status SINS_CALL sins_gyro_preset(int32_t grade, sins_gyro_params *params);
-
-/**
- * Fills params with the accelerometer errors of a grade, as sins_gyro_preset().
- *
- * SINS_ERROR_INVALID_ARGUMENT: no such grade.
- */
-SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, sins_accel_params *params);
-
 /* Reads. */
 
 /** Flags of a sins_navigation. */
@@ -1739,7 +1695,7 @@ SINS_API sins_status SINS_CALL sins_set_failure(sins_sim *sim, int32_t sensor, i
  */
 SINS_API sins_status SINS_CALL sins_get_failure(sins_sim *sim, int32_t sensor, int32_t axis, sins_failure *failure);
 
-/* Start, mounting, gravity. */
+/* Start, mounting, gravity; presets of sensors and start. */
 
 /** How the INS finds its attitude at the start. */
 typedef enum sins_alignment {
@@ -1753,7 +1709,13 @@ typedef enum sins_alignment {
      * Gyrocompassing then finds the heading at which the horizontal gyro rates point north. SINS_NAVIGATION_NORTH_UNKNOWN is set
      * if the sensor errors hide north. Within 64 km of a pole the start returns SINS_ERROR_SINGULAR.
      */
-    SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1
+    SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS = 1,
+    /**
+     * The library computes the attitude that levelling at rest would find with the sensor errors at the start, with the true heading:
+     * the heading of a unit whose gyros cannot find north comes from another sensor. The INS starts with this attitude, turned by the
+     * given and the drawn misalignment, whose part about up is the heading error. Any latitude.
+     */
+    SINS_ALIGNMENT_LEVEL = 2
 } sins_alignment;
 
 /**
@@ -1776,8 +1738,8 @@ typedef struct sins_initial_errors {
     double velocity_enu_m_s[3];
     /**
      * Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C0. C turns vectors from sensor
-     * axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, C0 is the C that the alignment
-     * finds.
+     * axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS or SINS_ALIGNMENT_LEVEL, C0 is the
+     * C that the alignment finds.
      */
     double misalignment_enu_rad[3];
     /** Standard deviation of the position error [m]. */
@@ -1790,6 +1752,15 @@ typedef struct sins_initial_errors {
     int32_t alignment;
     /** Must be 0. */
     uint32_t reserved2;
+    /**
+     * Length of the alignment before the first sample, 1 to 86400 [s]; 0: without end. The vehicle rests during
+     * the alignment. Tilt is found from the mean specific force, heading from the mean rate: white noise and quantization are
+     * averaged over this time, and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. The flight begins
+     * with the states with which the alignment ended: ramps and random walks begin at 0 when the alignment begins. The
+     * temperature is that of the first sample. An alignment without end leaves out white noise and quantization, and takes the
+     * errors at the first sample for their mean. SINS_ALIGNMENT_GIVEN does not use it.
+     */
+    double alignment_s;
 } sins_initial_errors;
 
 /**
@@ -1933,6 +1904,61 @@ SINS_API sins_status SINS_CALL sins_set_gravity_disturbance(sins_sim *sim, const
  * are those of the snapshot.
  */
 SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, sins_gravity_params *params);
+
+/** Grades of sensors. */
+typedef enum sins_grade {
+    /**
+     * Strategic: gyro bias 0.001 deg/h and accelerometer bias 1e-6 g, each 1 sigma (El-Sheimy and Youssef 2020, table 1, upper
+     * ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200). The table states 30 to 100 m/h for this grade.
+     * That holds in straight flight; in turns the scale factor dominates: the built-in racetrack has a CEP of 190 m after an hour, and
+     * 35 m without it, the built-in patrol 1.6 km and 38 m.
+     */
+    SINS_GRADE_STRATEGIC = 1,
+    /** Navigation: Honeywell HG9900, brochure N61-1638. It states no accelerometer noise, so the preset has none: set your own. */
+    SINS_GRADE_NAVIGATION = 2,
+    /** Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated. */
+    SINS_GRADE_TACTICAL = 3,
+    /**
+     * Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D. It states no accelerometer noise, so the preset
+     * has none: set your own. The range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by
+     * 0.1 deg, 1 sigma.
+     */
+    SINS_GRADE_INDUSTRIAL = 4,
+    /** Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma. */
+    SINS_GRADE_CONSUMER = 5,
+    /**
+     * The paper's simulation 2: constant gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), constant accelerometer
+     * bias 1e-5 g and white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper
+     * states none).
+     */
+    SINS_GRADE_PAPER_SIMULATION2 = 6
+} sins_grade;
+
+/**
+ * Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are
+ * drawn at turn-on with the standard deviations that the source of the grade states; errors that it does not state are 0.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such grade.
+ */
+SINS_API sins_status SINS_CALL sins_gyro_preset(int32_t grade, sins_gyro_params *params);
+
+/**
+ * Fills params with the accelerometer errors of a grade, as sins_gyro_preset().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such grade.
+ */
+SINS_API sins_status SINS_CALL sins_accel_preset(int32_t grade, sins_accel_params *params);
+
+/**
+ * Fills errors with the errors of the start of a grade. The position is that of GPS: 8 m horizontally and 13 m vertically, 95 %
+ * (Standard Positioning Service Performance Standard, 2020). Strategic and navigation grade level and gyrocompass for 10 minutes
+ * (Boeing 737 MAX: 5 to 17 minutes). The other grades level for 30 s, and their heading is that of a magnetic compass, 1 sigma:
+ * tactical 1 deg (Caruso, Honeywell), industrial 2 deg, consumer 4 deg (Tomasch and Winer 2018). The paper states no errors of
+ * the start: all are 0.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such grade.
+ */
+SINS_API sins_status SINS_CALL sins_initial_preset(int32_t grade, sins_initial_errors *errors);
 
 /* Navigation on increments, without a truth. */
 
@@ -2524,7 +2550,7 @@ enum sins_sizeof {
     SINS_SIZEOF_RECORD_ERRORS = 128,
     SINS_SIZEOF_RECORD = 496,
     SINS_SIZEOF_FAILURE = 56,
-    SINS_SIZEOF_INITIAL_ERRORS = 160,
+    SINS_SIZEOF_INITIAL_ERRORS = 168,
     SINS_SIZEOF_MOUNTING = 104,
     SINS_SIZEOF_GRAVITY_PARAMS = 80,
     SINS_SIZEOF_IMU_INCREMENT = 264,

@@ -50,6 +50,12 @@ inline sins_accel_params accel_preset(int32_t grade) {
     return params;
 }
 
+inline sins_initial_errors initial_preset(int32_t grade) {
+    sins_initial_errors errors = make<sins_initial_errors>();
+    detail::done(sins_initial_preset(grade, &errors), nullptr);
+    return errors;
+}
+
 /*
  * Recommends options for a simulator with default options and its sensors at the reference point. See Simulator::recommend().
  */

@@ -35,8 +35,6 @@
     X(sins_status, sins_get_accel, (sins_sim *sim, sins_accel_params *params)) \
     X(sins_status, sins_set_altimeter, (sins_sim *sim, const sins_altimeter_params *params)) \
     X(sins_status, sins_get_altimeter, (sins_sim *sim, sins_altimeter_params *params)) \
-    X(sins_status, sins_gyro_preset, (int32_t grade, sins_gyro_params *params)) \
-    X(sins_status, sins_accel_preset, (int32_t grade, sins_accel_params *params)) \
     X(sins_status, sins_get_truth, (sins_sim *sim, sins_navigation *truth)) \
     X(sins_status, sins_get_navigation, (sins_sim *sim, sins_navigation *navigation)) \
     X(sins_status, sins_get_errors, (sins_sim *sim, int32_t source, sins_errors *errors)) \
@@ -55,6 +53,9 @@
     X(sins_status, sins_get_mounting, (sins_sim *sim, sins_mounting *mounting)) \
     X(sins_status, sins_set_gravity_disturbance, (sins_sim *sim, const sins_gravity_params *params)) \
     X(sins_status, sins_get_gravity_disturbance, (sins_sim *sim, sins_gravity_params *params)) \
+    X(sins_status, sins_gyro_preset, (int32_t grade, sins_gyro_params *params)) \
+    X(sins_status, sins_accel_preset, (int32_t grade, sins_accel_params *params)) \
+    X(sins_status, sins_initial_preset, (int32_t grade, sins_initial_errors *errors)) \
     X(sins_status, sins_get_imu_update, (sins_sim *sim, int32_t update, sins_imu_increment *increment)) \
     X(sins_status, sins_start_navigation, (sins_sim *sim, const sins_navigation *navigation)) \
     X(sins_status, sins_push_imu, (sins_sim *sim, const sins_imu_increment *increment)) \

@@ -16,8 +16,7 @@ pub fn check_value(
     };
     let rule = match field.range {
         Range::Within(..) | Range::DistanceOf(..) => Rule::Between(low, high),
-        Range::OffOr(..) if value == 0.0 => return Ok(()),
-        Range::OffOr(..) => Rule::OffOr(low, high),
+        Range::OffOr(..) => return check_off_or(field.path, value, low, high),
         Range::TimeOf(..) => Rule::NeededBy(low, high, of),
     };
     if !is_needed {
@@ -25,6 +24,17 @@ pub fn check_value(
     }
     check_range(field.path, value, low, high).map_err(|error| match error.rule {
         Rule::Between(..) => Error { rule, ..error },
+        _ => error,
+    })
+}
+
+/// Checks that a value is 0 or within its range.
+pub fn check_off_or(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {
+    if value == 0.0 {
+        return Ok(());
+    }
+    check_range(field, value, low, high).map_err(|error| match error.rule {
+        Rule::Between(..) => Error { rule: Rule::OffOr(low, high), ..error },
         _ => error,
     })
 }

@@ -89,6 +89,7 @@
 //! | a sensor block away from the reference point navigates as accurately as one at it | `tests/effects/mounting` |
 //! | a start in motion causes no spike of force, and does not disturb the navigation | `tests/physics/start_in_motion.rs` |
 //! | an alignment is level to rounding with sensors of any quality, and is flagged if it found no north | `tests/effects/alignment.rs` |
+//! | an alignment over a time leaves the mean errors of this time, and the flight continues with its states | `tests/effects/alignment_time.rs` |
 //! | a gravity disturbance acts as its closed form | `tests/effects/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/effects/noise_statistics.rs` |
 //! | the Allan deviation of noise gives its parameters back | `tests/analysis/allan/closure.rs`, the estimator `tests/analysis/allan/estimator.rs` |

@@ -10,7 +10,7 @@ public:
         Rows lines;
         std::vector<const Key *> before = std::exchange(effects_, {});
         for (int id : {IDC_PRESET, IDC_APPLY})
-            enable(id, section() == "gyro" || section() == "accelerometer");
+            enable(id, section() == "gyro" || section() == "accelerometer" || section() == "start");
         for (const Key &key : keys()) {
             if (key.section == section() && key.name != std::string("preset")) {
                 std::string value = scene_.get(key.path());

@@ -23,6 +23,10 @@ pub const SINS_ALIGNMENT_GIVEN: sins_alignment = 0;
 /// Gyrocompassing then finds the heading at which the horizontal gyro rates point north. SINS_NAVIGATION_NORTH_UNKNOWN is set
 /// if the sensor errors hide north. Within 64 km of a pole the start returns SINS_ERROR_SINGULAR.
 pub const SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS: sins_alignment = 1;
+/// The library computes the attitude that levelling at rest would find with the sensor errors at the start, with the true heading:
+/// the heading of a unit whose gyros cannot find north comes from another sensor. The INS starts with this attitude, turned by the
+/// given and the drawn misalignment, whose part about up is the heading error. Any latitude.
+pub const SINS_ALIGNMENT_LEVEL: sins_alignment = 2;
 
 /// Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
 /// (sigma) are drawn once a run and added. A reset and a reposition use the same random numbers again. With
@@ -41,8 +45,8 @@ pub struct sins_initial_errors {
     /// Velocity error [m/s].
     pub velocity_enu_m_s: [f64; 3],
     /// Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C0. C turns vectors from sensor
-    /// axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, C0 is the C that the alignment
-    /// finds.
+    /// axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS or SINS_ALIGNMENT_LEVEL, C0 is the
+    /// C that the alignment finds.
     pub misalignment_enu_rad: [f64; 3],
     /// Standard deviation of the position error [m].
     pub position_sigma_enu_m: [f64; 3],
@@ -54,13 +58,21 @@ pub struct sins_initial_errors {
     pub alignment: i32,
     /// Must be 0.
     pub reserved2: u32,
+    /// Length of the alignment before the first sample, 1 to 86400 [s]; 0: without end. The vehicle rests during
+    /// the alignment. Tilt is found from the mean specific force, heading from the mean rate: white noise and quantization are
+    /// averaged over this time, and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. The flight begins
+    /// with the states with which the alignment ended: ramps and random walks begin at 0 when the alignment begins. The
+    /// temperature is that of the first sample. An alignment without end leaves out white noise and quantization, and takes the
+    /// errors at the first sample for their mean. SINS_ALIGNMENT_GIVEN does not use it.
+    pub alignment_s: f64,
 }
 
-interface_struct!(sins_initial_errors, "initial", 160);
+interface_struct!(sins_initial_errors, "initial", 168);
 
 choices!(sins_alignment: Alignment {
     Given = SINS_ALIGNMENT_GIVEN,
     LevelAndGyrocompass = SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS,
+    Level = SINS_ALIGNMENT_LEVEL,
 });
 
 impl Parameters for sins_initial_errors {
@@ -78,6 +90,7 @@ impl Parameters for sins_initial_errors {
             misalignment_sigma_enu_rad: parameters.misalignment_sigma_n.into(),
             alignment: parameters.alignment.code(),
             reserved2: 0,
+            alignment_s: parameters.alignment_s,
         }
     }
 
@@ -93,6 +106,7 @@ impl Parameters for sins_initial_errors {
             velocity_sigma_n: Vector3::from(self.velocity_sigma_enu_m_s),
             misalignment_sigma_n: Vector3::from(self.misalignment_sigma_enu_rad),
             alignment,
+            alignment_s: self.alignment_s,
         })
     }
 }

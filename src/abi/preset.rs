@@ -1,12 +1,13 @@
-//! Presets of sensor errors.
+//! Presets of the errors of sensors and of the start.
 
 use super::boundary::enter_without_simulator;
 use super::choice::one_of;
 use super::failure::{Failure, SINS_OK, sins_status};
+use super::initial::sins_initial_errors;
 use super::memory::Output;
 use super::parameters::Parameters;
 use super::sensor_params::{sins_accel_params, sins_gyro_params};
-use crate::sensors::{Grade, TriadParameters};
+use crate::sensors::Grade;
 
 /// Grades of sensors.
 pub type sins_grade = i32;
@@ -31,7 +32,7 @@ pub const SINS_GRADE_CONSUMER: sins_grade = 5;
 /// states none).
 pub const SINS_GRADE_PAPER_SIMULATION2: sins_grade = 6;
 
-fn parameters(grade: i32) -> Result<(TriadParameters, TriadParameters), Failure> {
+fn grade_of(grade: i32) -> Result<Grade, Failure> {
     const GRADES: [(i32, Grade); 6] = [
         (SINS_GRADE_STRATEGIC, Grade::Strategic),
         (SINS_GRADE_NAVIGATION, Grade::Navigation),
@@ -40,7 +41,7 @@ fn parameters(grade: i32) -> Result<(TriadParameters, TriadParameters), Failure>
         (SINS_GRADE_CONSUMER, Grade::Consumer),
         (SINS_GRADE_PAPER_SIMULATION2, Grade::PaperSimulation2),
     ];
-    one_of("grade", grade, &GRADES, "sins_grade").map(Grade::parameters)
+    one_of("grade", grade, &GRADES, "sins_grade")
 }
 
 /// Fills params with the gyro errors of a grade, of enum sins_grade. Biases, scale factor errors and misalignments are
@@ -52,7 +53,7 @@ pub unsafe extern "C-unwind" fn sins_gyro_preset(grade: i32, params: *mut sins_g
     enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(params, "params")? };
-        output.write(&sins_gyro_params::from_parameters(&parameters(grade)?.0));
+        output.write(&sins_gyro_params::from_parameters(&grade_of(grade)?.parameters().0));
         Ok(SINS_OK)
     })
 }
@@ -65,7 +66,27 @@ pub unsafe extern "C-unwind" fn sins_accel_preset(grade: i32, params: *mut sins_
     enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(params, "params")? };
-        output.write(&sins_accel_params::from_parameters(&parameters(grade)?.1));
+        output.write(&sins_accel_params::from_parameters(&grade_of(grade)?.parameters().1));
+        Ok(SINS_OK)
+    })
+}
+
+/// Fills errors with the errors of the start of a grade. The position is that of GPS: 8 m horizontally and 13 m vertically, 95 %
+/// (Standard Positioning Service Performance Standard, 2020). Strategic and navigation grade level and gyrocompass for 10 minutes
+/// (Boeing 737 MAX: 5 to 17 minutes). The other grades level for 30 s, and their heading is that of a magnetic compass, 1 sigma:
+/// tactical 1 deg (Caruso, Honeywell), industrial 2 deg, consumer 4 deg (Tomasch and Winer 2018). The paper states no errors of
+/// the start: all are 0.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such grade.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_initial_preset(
+    grade: i32,
+    errors: *mut sins_initial_errors,
+) -> sins_status {
+    enter_without_simulator(|| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(errors, "errors")? };
+        output.write(&sins_initial_errors::from_parameters(&grade_of(grade)?.start()));
         Ok(SINS_OK)
     })
 }

@@ -236,6 +236,7 @@ mod tests {
                 velocity_sigma_n: ones,
                 misalignment_sigma_n: ones,
                 alignment: Alignment::LevelAndGyrocompass,
+                alignment_s: 1.0,
             },
             ..ErrorParameters::default()
         };

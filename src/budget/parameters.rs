@@ -18,11 +18,12 @@ impl ErrorParameters {
         }
     }
 
-    /// These parameters without errors. The kind of alignment, the reference temperature and the true mounting are not
+    /// These parameters without errors. Kind and length of the alignment, the reference temperature and the true mounting are not
     /// effects, and stay.
     pub(super) fn ideal(&self) -> Self {
         let mut ideal = Self::default();
         ideal.initial.alignment = self.initial.alignment;
+        ideal.initial.alignment_s = self.initial.alignment_s;
         ideal.mounting = self.mounting.believed();
         ideal.gyro.reference_temperature_c = self.gyro.reference_temperature_c;
         ideal.accel.reference_temperature_c = self.accel.reference_temperature_c;

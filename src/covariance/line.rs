@@ -49,6 +49,11 @@ impl Spread {
         self.change += other.change;
     }
 
+    /// Variance of the mean.
+    pub fn of_mean(&self) -> f64 {
+        self.mean
+    }
+
     pub fn is_none(&self) -> bool {
         *self == Self::NONE
     }

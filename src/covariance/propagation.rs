@@ -5,10 +5,11 @@ use nalgebra::Vector3;
 use super::alignment::Alignment;
 use super::factor::{ROWS, triangularize};
 use super::figures::NavigationCovariance;
+use super::line::Advance;
 use super::passage::Passage;
 use super::read::covariance_of;
 use super::root::{Root, zeros};
-use super::sources::{AXES, COUNT, Input, LINES, Parameters, Source};
+use super::sources::{AXES, COUNT, Input, Kind, LINES, Parameters, Source};
 use super::stretch::{Piece, Stretch};
 use crate::earth::{Earth, Vertical};
 use crate::error::Error;
@@ -31,6 +32,8 @@ pub(crate) struct Propagation {
     earth: Earth,
     vertical: VerticalMode,
     pub(super) root: Root,
+    /// Variances of the random walks before the flight, whose alignment continues them.
+    walks_before: [f64; AXES],
     /// The stretch since the last update of the root.
     pub(super) stretch: Stretch,
     /// Memory for a look ahead, and for the work.
@@ -58,6 +61,8 @@ pub(crate) struct StartErrors<'a> {
     /// Standard deviations of the drawn errors.
     pub sigma: StateErrors,
     pub alignment: Option<Alignment>,
+    /// Length of the alignment [s]; 0: without end.
+    pub alignment_s: f64,
 }
 
 impl Propagation {
@@ -70,6 +75,7 @@ impl Propagation {
                 earth,
                 vertical,
                 root: Root::new()?,
+                walks_before: [0.0; AXES],
                 stretch: Stretch::EMPTY,
                 ahead: Root::new()?,
                 work: zeros(WORK)?,
@@ -117,24 +123,70 @@ impl Propagation {
         }
         triangularize(&mut self.root.factor);
         self.root.bound();
-        let Some(alignment) = &start.alignment else { return };
-        for place in 0..COUNT {
-            let source = Source::at(place, parameters);
-            let deviation = source.deviation(self.walk_of(&source));
-            if deviation != 0.0 {
-                let misalignment_n = alignment.by(&self.earth, start.first, source.input) * deviation;
-                let errors = StateErrors { misalignment_n, ..StateErrors::NONE };
-                self.root.sensitivities[place] = at.column(start.v_e, &errors);
-            }
+        self.walks_before = self.root.walks;
+        if let Some(alignment) = &start.alignment {
+            self.align(alignment, start, parameters);
+            self.root.bound();
         }
-        self.root.bound();
     }
 
-    fn walk_of(&self, source: &Source) -> f64 {
-        match source.input {
-            Input::Axis(axis) => self.root.walks[axis],
-            _ => 0.0,
+    /// Adds the misalignment that an alignment derives from the errors of the sensors: from the present ones, or from their mean over
+    /// the length of the alignment, to whose end the processes move on. The part that their present values do not explain is added
+    /// to the factor.
+    fn align(&mut self, alignment: &Alignment, start: &StartErrors<'_>, parameters: &Parameters<'_>) {
+        let Self { earth, root, work, .. } = self;
+        let at = At::new(earth, start.first, None);
+        let t = start.alignment_s;
+        let column = |input: Input, size: f64| {
+            let misalignment_n = alignment.by(earth, start.first, input) * size;
+            at.column(start.v_e, &StateErrors { misalignment_n, ..StateErrors::NONE })
+        };
+        let mut used = ROWS;
+        let mut add = |input: Input, size: f64| {
+            if size != 0.0 {
+                work[used] = column(input, size);
+                used += 1;
+            }
+        };
+        let mut own = [0.0; AXES];
+        for place in 0..COUNT {
+            let source = Source::at(place, parameters);
+            let mut still = 0.0;
+            let walk = match source.input {
+                Input::Axis(axis) if matches!(source.kind, Kind::Walk(_)) => &mut root.walks[axis],
+                _ => &mut still,
+            };
+            let step = match t {
+                0.0 => Advance::still(source.deviation(*walk)),
+                _ => source.advance(t, 0.0, walk),
+            };
+            let (of_start, of_draw) = (step.of_start.mean, step.of_draw.mean);
+            let of_end = of_start * step.decay + of_draw * step.diffusion;
+            if of_end != 0.0 {
+                root.sensitivities[place] = column(source.input, of_end);
+            }
+            add(source.input, of_start * step.diffusion - of_draw * step.decay);
+            if let Input::Axis(axis) = source.input {
+                own[axis] += step.rest.of_mean();
+            }
         }
+        if t == 0.0 {
+            return;
+        }
+        // What is independent of the ends of the processes, white noise, and the remainder that quantization carries.
+        for (axis, own) in own.into_iter().enumerate() {
+            let triad = parameters.of_axis(axis);
+            let (density, pulse) = (triad.random_walk[axis % 3], triad.quantization[axis % 3]);
+            add(Input::Axis(axis), (own + density * density / t + pulse * pulse / (12.0 * t * t)).sqrt());
+        }
+        work[..ROWS].copy_from_slice(&root.factor);
+        triangularize(&mut work[..used]);
+        root.factor.copy_from_slice(&work[..ROWS]);
+    }
+
+    /// Undoes what a start continued beyond the flight: the random walks of its alignment.
+    pub fn undo_start(&mut self) {
+        self.root.walks = self.walks_before;
     }
 
     /// Adds an interval that was flown.

@@ -7,7 +7,7 @@ use super::key::Section;
 use super::nesting::too_deep;
 use super::{FlightPath, FlightSource, Scene};
 use crate::flight::FlightStart;
-use crate::sensors::TriadParameters;
+use crate::sensors::{InitialErrorParameters, TriadParameters};
 
 /// The lists whose items can be set.
 const LISTS: [Section; 2] = [Section::Manoeuvre, Section::Failure];
@@ -17,7 +17,7 @@ const MAX_SETTINGS: usize = 4096;
 
 impl Scene {
     /// Sets values, as [`Self::parse_with`] takes them, all at once. On faults the scene stays what it was. A preset replaces all errors
-    /// of its sensors; a log or a built-in flight replaces the flight.
+    /// of its sensors or of the start; a log or a built-in flight replaces the flight.
     pub fn set(&mut self, settings: &[(&str, &str)]) -> Result<(), Vec<Fault>> {
         if settings.len() > MAX_SETTINGS {
             let sentence = format!("{} values: at most {MAX_SETTINGS} are set at once", settings.len());
@@ -33,6 +33,7 @@ impl Scene {
                 "flight.builtin" => base.flight = FlightSource::Builtin(String::new()),
                 "gyro.preset" => base.errors.gyro = TriadParameters::default(),
                 "accelerometer.preset" => base.errors.accel = TriadParameters::default(),
+                "start.preset" => base.errors.initial = InitialErrorParameters::default(),
                 _ => {}
             }
         }

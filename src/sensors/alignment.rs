@@ -26,9 +26,21 @@ pub struct Sensed {
 pub struct Aligned {
     /// R of the computed attitude C~ = R C.
     pub rotation: Quaternion<f64>,
-    /// Whether the heading is unknown. This is so if the horizontal error of the levelled rates is not smaller than the Earth
+    /// Whether the attitude is unknown. This is so if the horizontal error of the levelled rates is not smaller than the Earth
     /// rate's north part, or if the accelerometers sense no force for levelling.
     pub north_unknown: bool,
+}
+
+/// Levels with the specific force [m/s²], whose ideal is the reaction r to the gravity that the INS computes: the smallest rotation
+/// that turns the sensed force along r, which leaves the heading as it is.
+pub fn level(force: &Sensed) -> Aligned {
+    let up = force.ideal_n / force.ideal_n.norm_squared().sqrt();
+    let sensed_n = force.ideal_n + force.error_n;
+    let smallest = NO_FORCE * NO_FORCE * force.ideal_n.norm_squared();
+    Aligned {
+        rotation: rotation_quaternion(&smallest_rotation(&force.error_n.cross(&up), sensed_n.dot(&up))),
+        north_unknown: sensed_n.norm_squared() <= smallest,
+    }
 }
 
 /// Levels with the specific force [m/s²], then finds north with the angular rate [rad/s]. The ideal force is the reaction r to the
@@ -40,20 +52,17 @@ pub struct Aligned {
 /// ```
 /// To first order the misalignment is the steady state of the error equations, 0 = f×φ + nabla and 0 = -(W×φ + eps) east.
 pub fn level_and_gyrocompass(force: &Sensed, rate: &Sensed) -> Aligned {
+    let Aligned { rotation: level, north_unknown: no_force } = level(force);
     let up = force.ideal_n / force.ideal_n.norm_squared().sqrt();
-    let sensed_force_n = force.ideal_n + force.error_n;
-    let level = rotation_quaternion(&smallest_rotation(&force.error_n.cross(&up), sensed_force_n.dot(&up)));
     let east = Vector3::x();
     let north = up.cross(&east);
     let levelled_n = rotate(&level, &(rate.ideal_n + rate.error_n));
     let (to_east, to_north) = (levelled_n.dot(&east), levelled_n.dot(&north));
     let true_north = rate.ideal_n.dot(&north);
     let rate_error2 = to_east * to_east + (to_north - true_north) * (to_north - true_north);
-    let smallest_force = NO_FORCE * NO_FORCE * force.ideal_n.norm_squared();
     Aligned {
         rotation: rotation_quaternion(&(up * atan2(to_east, to_north))) * level,
-        north_unknown: rate_error2 >= NO_NORTH * NO_NORTH * true_north * true_north
-            || sensed_force_n.norm_squared() <= smallest_force,
+        north_unknown: rate_error2 >= NO_NORTH * NO_NORTH * true_north * true_north || no_force,
     }
 }
 

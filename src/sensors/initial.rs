@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::stream::{Purpose, Source, Stream, StreamKey};
+use crate::checks::check_off_or;
 use crate::error::{Error, check_ranges};
 use crate::snapshot::{ANY, codes, stored};
 use crate::state::StateErrors;
@@ -16,6 +17,8 @@ pub enum Alignment {
     /// The given misalignment, relative to the attitude that levelling and gyrocompassing find with the sensor errors
     /// of the start.
     LevelAndGyrocompass,
+    /// The given misalignment, relative to the attitude of the true heading that levelling finds with the sensor errors of the start.
+    Level,
 }
 
 /// Initial errors, computed less true, east-north-up axes. Each error is the sum of a given part and a part that is
@@ -36,9 +39,14 @@ pub struct InitialErrorParameters {
     pub misalignment_sigma_n: Vector3<f64>,
     /// Attitude to which the misalignment is relative.
     pub alignment: Alignment,
+    /// Time of levelling and gyrocompassing, or of levelling [s]; 0: without end. A given attitude does not use it.
+    pub alignment_s: f64,
 }
 
-codes!(Alignment { Given = 0, LevelAndGyrocompass = 1 });
+/// Shortest and longest alignment [s].
+const ALIGNMENTS_S: (f64, f64) = (1.0, 86_400.0);
+
+codes!(Alignment { Given = 0, LevelAndGyrocompass = 1, Level = 2 });
 
 stored!(InitialErrorParameters {
     position_n: ANY,
@@ -48,6 +56,7 @@ stored!(InitialErrorParameters {
     velocity_sigma_n: ANY,
     misalignment_sigma_n: ANY,
     alignment,
+    alignment_s: ALIGNMENTS_S.1,
 });
 
 impl InitialErrorParameters {
@@ -59,7 +68,8 @@ impl InitialErrorParameters {
         check_ranges("initial.misalignment_enu_rad", self.misalignment_n.as_slice(), -pi, pi)?;
         check_ranges("initial.position_sigma_enu_m", self.position_sigma_n.as_slice(), 0.0, 1e5)?;
         check_ranges("initial.velocity_sigma_enu_m_s", self.velocity_sigma_n.as_slice(), 0.0, 1e3)?;
-        check_ranges("initial.misalignment_sigma_enu_rad", self.misalignment_sigma_n.as_slice(), 0.0, 1.0)
+        check_ranges("initial.misalignment_sigma_enu_rad", self.misalignment_sigma_n.as_slice(), 0.0, 1.0)?;
+        check_off_or("initial.alignment_s", self.alignment_s, ALIGNMENTS_S.0, ALIGNMENTS_S.1)
     }
 
     /// The errors of the run `key`, without the errors of the alignment.

@@ -16,8 +16,8 @@
 //! | | g-sensitivity, g²-sensitivity | G f, k f² of the force along each gyro's own axis |
 //! | | temperature | (s1 θ + s2 θ²) s + b1 θ + b2 θ², θ = T - T_ref |
 //! | additive | bias, turn-on bias, Gauss-Markov bias | |
-//! | | flicker B | stationary from the first sample on |
-//! | | rate random walk K, ramp R | from 0 at the start of the run |
+//! | | flicker B | stationary from the start on |
+//! | | rate random walk K, ramp R | from 0 at the start of the run, or of an alignment that takes time |
 //! | | random walk N | white |
 //! | | failures: bias step, spikes, noise | |
 //! | output | dead zone | 0 where \|s\| ≤ d |
@@ -50,7 +50,7 @@ mod xoshiro;
 pub use crate::parameter::{Field, Parameter, Range as ParameterRange, Row, Shape as ParameterShape};
 pub use crate::surroundings::AltimeterParameters;
 use crate::{checks, parameter};
-pub use alignment::{Aligned, Sensed, level_and_gyrocompass};
+pub use alignment::{Aligned, Sensed, level, level_and_gyrocompass};
 pub use altimeter::Altimeter;
 pub use draw::StandardNormal;
 pub(crate) use effects::{FLICKER_PROCESSES, SharedInput, StateRows};

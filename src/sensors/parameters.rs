@@ -7,6 +7,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::parameter::{Field, Parameter};
 use super::stream::Source;
 use super::table::PARAMETERS;
+use crate::signal::Increment;
 use crate::snapshot::{ANY, stored};
 
 const COUNT: usize = PARAMETERS.len();
@@ -28,6 +29,14 @@ impl Sensor {
         match self {
             Self::Gyro => Source::Gyro,
             Self::Accelerometer => Source::Accelerometer,
+        }
+    }
+
+    /// The triad's part of an increment.
+    pub(super) fn part_of(self, increment: &Increment) -> Vector3<f64> {
+        match self {
+            Self::Gyro => increment.angle,
+            Self::Accelerometer => increment.velocity,
         }
     }
 }

@@ -1,7 +1,8 @@
-//! Sensor errors from published sources.
+//! Errors of sensors and of the start from published sources.
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::initial::{Alignment, InitialErrorParameters};
 use super::parameters::TriadParameters;
 use crate::units::{DEG, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, STANDARD_GRAVITY as G};
 
@@ -46,6 +47,42 @@ impl Grade {
             Self::Consumer => consumer(),
             Self::PaperSimulation2 => paper_simulation2(),
         }
+    }
+
+    /// Errors of the start. Strategic and navigation grade find north; the other grades level, and have the heading of a magnetic compass,
+    /// because the bias of their gyros is a tenth of the Earth rate or more, or is not stated. The paper states no errors of the start.
+    pub fn start(self) -> InitialErrorParameters {
+        match self {
+            Self::Strategic | Self::Navigation => InitialErrorParameters {
+                alignment: Alignment::LevelAndGyrocompass,
+                ..started(GYROCOMPASS_S, 0.0)
+            },
+            Self::Tactical => started(LEVEL_S, 1.0),
+            Self::Industrial => started(LEVEL_S, 2.0),
+            Self::Consumer => started(LEVEL_S, 4.0),
+            Self::PaperSimulation2 => InitialErrorParameters::default(),
+        }
+    }
+}
+
+/// Gyrocompassing of airliners takes 5 to 17 minutes by latitude (Boeing 737 MAX flight crew operations manual, 11.20); 10 minutes
+/// is that of 50°.
+const GYROCOMPASS_S: f64 = 600.0;
+/// Levelling of the attitude mode of the same units takes 30 s.
+const LEVEL_S: f64 = 30.0;
+
+/// A levelled start, with a heading that a compass shows with a standard deviation of `heading_deg` [°]: 1° Caruso, "Applications
+/// of Magnetic Sensors for Low Cost Compass Systems" (Honeywell), 2° and 4° Tomasch and Winer, "Limits of Absolute Heading
+/// Accuracy Using Inexpensive MEMS Sensors", 2018, with a good and with a simple calibration. The position is that of GPS: 8 m
+/// horizontally and 13 m vertically, 95 % (Standard Positioning Service Performance Standard, 5th ed., 2020), which is
+/// √(-2 ln 0.05) = 2.448 and 1.960 standard deviations of one axis.
+fn started(alignment_s: f64, heading_deg: f64) -> InitialErrorParameters {
+    InitialErrorParameters {
+        position_sigma_n: Vector3::new(3.27, 3.27, 6.63),
+        misalignment_sigma_n: Vector3::new(0.0, 0.0, heading_deg * DEG),
+        alignment: Alignment::Level,
+        alignment_s,
+        ..Default::default()
     }
 }
 
@@ -186,6 +223,7 @@ mod tests {
             let (gyro, accel) = grade.parameters();
             gyro.validate(Sensor::Gyro).unwrap();
             accel.validate(Sensor::Accelerometer).unwrap();
+            grade.start().validate().unwrap();
             walks.push(gyro.random_walk.x);
         }
         assert!(walks.is_sorted(), "{walks:?}");

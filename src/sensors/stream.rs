@@ -32,6 +32,7 @@ pub(super) enum Purpose {
     InitialVelocity = 17,
     InitialMisalignment = 18,
     SampleNoise = 19,
+    Alignment = 20,
     Failure = 32,
 }
 
@@ -95,6 +96,12 @@ impl Stream {
     #[inline(always)]
     pub fn of_words(words: [u64; 4]) -> Self {
         Self { generator: Xoshiro256PlusPlus::of_words(words) }
+    }
+
+    /// A stream that follows from the state of this one, and is independent of it.
+    pub fn other(&self) -> Self {
+        let seed = self.words().into_iter().fold(Purpose::Alignment as u64, |hash, word| mix(hash ^ word));
+        Self { generator: Xoshiro256PlusPlus::seed_from_u64(seed) }
     }
 
     /// State of the stream.

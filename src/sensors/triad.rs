@@ -128,10 +128,7 @@ impl Triad {
     pub fn sense(&mut self, ideal: &Increment, dt: f64) -> Vector3<f64> {
         let mut measured = *ideal;
         self.sense_each(from_ref(ideal), dt, from_mut(&mut measured));
-        match self.sensor {
-            Sensor::Gyro => measured.angle,
-            Sensor::Accelerometer => measured.velocity,
-        }
+        self.sensor.part_of(&measured)
     }
 
     /// Turns the triad's part of `measured` into the triad's outputs. Before the call, this part equals the same part of the
@@ -187,6 +184,24 @@ impl Triad {
         }
         self.dt.undo();
         self.set_interval(*self.dt);
+    }
+
+    /// [`Self::steady_error`] of an alignment that takes the next `t` [s]; 0: an endless one. White noise and quantization are averaged
+    /// over this time, and all processes move on to its end.
+    pub fn alignment_error(
+        &mut self,
+        t: f64,
+        rate: &Vector3<f64>,
+        force: &Vector3<f64>,
+        temperature_c: Option<f64>,
+    ) -> Vector3<f64> {
+        if t == 0.0 {
+            return self.steady_error(rate, force, temperature_c);
+        }
+        let error = self.effects.mean_error(t, self.sensor, rate, force, temperature_c);
+        self.take_saturated();
+        self.set_interval(*self.dt);
+        error
     }
 
     /// The error [u] that an alignment at this moment would have at the angular rate `rate` [rad/s], the specific force `force`

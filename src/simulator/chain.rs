@@ -70,13 +70,13 @@ struct Extension {
 
 impl Chain {
     /// The INS set up at the truth `first` with its initial errors; `interval` is the first interval, if its end is
-    /// known.
+    /// known. An alignment that takes time moves the processes of the sensors on.
     pub fn start(
         options: &Options,
         earth: Earth,
         first: &TruthPoint,
         interval: Option<&Recent<'_>>,
-        imperfections: &Imperfections,
+        imperfections: &mut Imperfections,
     ) -> Result<Self, Error> {
         let block = imperfections
             .mounting()

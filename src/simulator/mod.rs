@@ -164,15 +164,16 @@ impl Simulator {
         if self.intake.waiting() < 2 {
             return Ok(Step::NeedSample);
         }
-        let mut chain = self.chain_from_first_sample()?;
-        let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
         let mut imperfections = self.imperfections.clone();
+        let mut chain = self.chain_with(&mut imperfections)?;
+        let Some(first) = self.intake.first_interval() else { return Ok(Step::NeedSample) };
         imperfections.reposition(first.current.height_m());
         chain.signals = core::mem::take(&mut self.signals);
         chain.set_summary(self.summary);
         chain.begin_covariance(core::mem::take(&mut self.covariance), first.current, &imperfections);
         if let Err(error) = chain.advance(&first, &mut imperfections) {
             (self.signals, self.covariance) = (chain.signals, chain.covariance);
+            self.covariance.iter_mut().for_each(Propagation::undo_start);
             return Err(error);
         }
         self.imperfections = imperfections;
@@ -282,11 +283,17 @@ impl Simulator {
         self.intake.waiting()
     }
 
+    #[inline(never)]
     fn chain_from_first_sample(&self) -> Result<Chain, Error> {
+        self.chain_with(&mut self.imperfections.clone())
+    }
+
+    /// The chain with which the flight starts with `imperfections`, those of the simulator.
+    fn chain_with(&self, imperfections: &mut Imperfections) -> Result<Chain, Error> {
         match self.intake.front() {
             Some(first) => {
                 let interval = self.intake.first_interval();
-                Chain::start(&self.options, self.earth, first, interval.as_ref(), &self.imperfections)
+                Chain::start(&self.options, self.earth, first, interval.as_ref(), imperfections)
             }
             None => Err(Error::bad_state("no sample yet")),
         }

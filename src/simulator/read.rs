@@ -2,7 +2,7 @@
 
 use super::chain::Chain;
 use super::{ClosureFigures, ErrorSource, ImuInterval, Mode, Moment, Simulator, Solution, TrimFigures, View};
-use crate::covariance::NavigationCovariance;
+use crate::covariance::{NavigationCovariance, Propagation};
 use crate::error::Error;
 use crate::errors::{AccuracyFigures, NavigationErrors};
 use crate::instruction_set::InstructionSet;
@@ -159,6 +159,7 @@ impl Simulator {
         chain.begin_covariance(core::mem::take(&mut self.covariance), first, &self.imperfections);
         let covariance = chain.covariance(first, &self.imperfections);
         self.covariance = chain.covariance;
+        self.covariance.iter_mut().for_each(Propagation::undo_start);
         Ok(covariance)
     }
 

@@ -8,7 +8,7 @@ use crate::earth::Earth;
 use crate::error::Error;
 use crate::math::{rotate, rotate_inverse, rotation_matrix, rotation_quaternion, rotation_vector, sin_cos};
 use crate::mechanization::VerticalMode;
-use crate::sensors::{self, Aligned, Sensed, Triad, level_and_gyrocompass};
+use crate::sensors::{self, Aligned, Sensed, Triad, level, level_and_gyrocompass};
 use crate::state::{EarthFixedState, Navigation, StateErrors};
 use crate::truth::TruthPoint;
 
@@ -34,19 +34,20 @@ impl Start {
 
     /// Start with the initial errors of the run at the sample `first`. The errors belong to the solution of the sensors' own point,
     /// whose true state is `state`, or `truth` as a navigation. The errors of the vertical channel are 0 if it follows the truth.
-    /// `disturbance_e` is true less normal gravity [m/s²].
+    /// `disturbance_e` is true less normal gravity [m/s²]. An alignment that takes time moves the processes of the sensors on.
     pub fn new(
         options: &Options,
         earth: &Earth,
         (first, state): (&TruthPoint, &EarthFixedState),
         truth: &Navigation,
         disturbance_e: Option<&Vector3<f64>>,
-        imperfections: &Imperfections,
+        imperfections: &mut Imperfections,
     ) -> Result<Self, Error> {
         let mut start = Self { errors: imperfections.set().initial.draw(options.key), north_unknown: false };
-        if imperfections.set().initial.alignment == sensors::Alignment::LevelAndGyrocompass {
+        let alignment = imperfections.set().initial.alignment;
+        if alignment != sensors::Alignment::Given {
             let disturbance_e = disturbance_e.copied().unwrap_or_default();
-            let aligned = aligned(earth, (first, state), truth, &disturbance_e, imperfections)?;
+            let aligned = aligned(alignment, earth, (first, state), truth, &disturbance_e, imperfections)?;
             let given = rotation_quaternion(&-start.errors.misalignment_n);
             start.errors.misalignment_n = -rotation_vector(&(given * aligned.rotation));
             start.north_unknown = aligned.north_unknown;
@@ -59,26 +60,29 @@ impl Start {
     }
 }
 
-/// Result of levelling and gyrocompassing at rest at `state`.
+/// Result of an alignment at rest at `state`.
 fn aligned(
+    alignment: sensors::Alignment,
     earth: &Earth,
     (first, state): (&TruthPoint, &EarthFixedState),
     truth: &Navigation,
     disturbance_e: &Vector3<f64>,
-    imperfections: &Imperfections,
+    imperfections: &mut Imperfections,
 ) -> Result<Aligned, Error> {
-    let at_rest = AtRest::new(earth, state, truth, disturbance_e)?;
-    let error_n = |triad: &Triad| {
-        let steady = triad.steady_error(&at_rest.rate_b, &at_rest.force_b, first.temperature_c());
-        rotate(&truth.q_nb, &steady)
+    let at_rest = AtRest::new(alignment, earth, state, truth, disturbance_e)?;
+    let t = imperfections.set().initial.alignment_s;
+    let error_n = |triad: &mut Triad| {
+        let error = triad.alignment_error(t, &at_rest.rate_b, &at_rest.force_b, first.temperature_c());
+        rotate(&truth.q_nb, &error)
     };
     // For an INS that computes with normal gravity, the disturbance is an error of its accelerometers.
-    let force_error_n = error_n(&imperfections.accel) - at_rest.disturbance_n;
-    Ok(at_rest.aligned(force_error_n, error_n(&imperfections.gyro)))
+    let force_error_n = error_n(&mut imperfections.accel) - at_rest.disturbance_n;
+    Ok(at_rest.aligned(force_error_n, error_n(&mut imperfections.gyro)))
 }
 
 /// What an INS senses at rest.
 struct AtRest {
+    alignment: sensors::Alignment,
     /// Reaction to the gravity that the INS computes [m/s²]; `earth_rate_n`: the Earth's rate [rad/s]; both east-north-up.
     reaction_n: Vector3<f64>,
     earth_rate_n: Vector3<f64>,
@@ -91,13 +95,14 @@ struct AtRest {
 
 impl AtRest {
     fn new(
+        alignment: sensors::Alignment,
         earth: &Earth,
         state: &EarthFixedState,
         truth: &Navigation,
         disturbance_e: &Vector3<f64>,
     ) -> Result<Self, Error> {
         let (sin, cos) = sin_cos(truth.place.latitude_rad);
-        if cos < MIN_GYROCOMPASS_COS {
+        if alignment == sensors::Alignment::LevelAndGyrocompass && cos < MIN_GYROCOMPASS_COS {
             return Err(singular(
                 "cosine of sample.latitude_rad",
                 cos,
@@ -113,6 +118,7 @@ impl AtRest {
         let rate_b = rotate_inverse(&truth.q_nb, &earth_rate_n);
         let force_b = -rotate_inverse(&state.q_eb, &(computed_gravity_e + disturbance_e));
         Ok(Self {
+            alignment,
             reaction_n: -in_local_axes(&computed_gravity_e),
             earth_rate_n,
             disturbance_n: in_local_axes(disturbance_e),
@@ -121,12 +127,15 @@ impl AtRest {
         })
     }
 
-    /// Result of levelling and gyrocompassing with steady errors of force [m/s²] and rate [rad/s], east-north-up.
+    /// Result of the alignment with steady errors of force [m/s²] and rate [rad/s], east-north-up.
     fn aligned(&self, force_error_n: Vector3<f64>, rate_error_n: Vector3<f64>) -> Aligned {
-        level_and_gyrocompass(
-            &Sensed { ideal_n: self.reaction_n, error_n: force_error_n },
-            &Sensed { ideal_n: self.earth_rate_n, error_n: rate_error_n },
-        )
+        let force = Sensed { ideal_n: self.reaction_n, error_n: force_error_n };
+        match self.alignment {
+            sensors::Alignment::LevelAndGyrocompass => {
+                level_and_gyrocompass(&force, &Sensed { ideal_n: self.earth_rate_n, error_n: rate_error_n })
+            }
+            sensors::Alignment::Level | sensors::Alignment::Given => level(&force),
+        }
     }
 
     /// Misalignment per unit of error along each axis, for errors so small that they do not interact [rad]. It is computed by
@@ -139,13 +148,23 @@ impl AtRest {
     }
 }
 
-/// Effect of steady errors on an alignment at rest at `state`, the block's own state; `None` where an alignment is impossible.
-pub(super) fn alignment(earth: &Earth, state: &EarthFixedState, truth: &Navigation) -> Option<Alignment> {
-    let at_rest = AtRest::new(earth, state, truth, &Vector3::zeros()).ok()?;
+/// Effect of steady errors on an alignment at rest at `state`, the block's own state; `None` without one, and where it is impossible.
+pub(super) fn alignment(
+    alignment: sensors::Alignment,
+    earth: &Earth,
+    state: &EarthFixedState,
+    truth: &Navigation,
+) -> Option<Alignment> {
+    if alignment == sensors::Alignment::Given {
+        return None;
+    }
+    let at_rest = AtRest::new(alignment, earth, state, truth, &Vector3::zeros()).ok()?;
     let none = Vector3::zeros();
     let share = |ideal_n: &Vector3<f64>, axis: usize| 1e-5 * ideal_n[axis].abs();
+    let by_rate = || at_rest.gains(|error_n| at_rest.aligned(none, error_n), share(&at_rest.earth_rate_n, 1));
     Some(Alignment {
-        by_rate: at_rest.gains(|error_n| at_rest.aligned(none, error_n), share(&at_rest.earth_rate_n, 1)),
+        // Levelling does without the gyros, also at a pole, where the share is 0.
+        by_rate: if alignment == sensors::Alignment::Level { Matrix3::zeros() } else { by_rate() },
         by_force: at_rest.gains(|error_n| at_rest.aligned(error_n, none), share(&at_rest.reaction_n, 2)),
         axes: rotation_matrix(&truth.q_nb),
         rate_s: at_rest.rate_b,

@@ -330,8 +330,6 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble 
     EVERY_CALL(sins_get_accel(sim, NULL));
     EVERY_CALL(sins_set_altimeter(sim, NULL));
     EVERY_CALL(sins_get_altimeter(sim, NULL));
-    EVERY_CALL(sins_gyro_preset(0, NULL));
-    EVERY_CALL(sins_accel_preset(0, NULL));
     EVERY_CALL(sins_get_truth(sim, NULL));
     EVERY_CALL(sins_get_navigation(sim, NULL));
     EVERY_CALL(sins_get_errors(sim, 0, NULL));
@@ -351,6 +349,9 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble 
     EVERY_CALL(sins_get_mounting(sim, NULL));
     EVERY_CALL(sins_set_gravity_disturbance(sim, NULL));
     EVERY_CALL(sins_get_gravity_disturbance(sim, NULL));
+    EVERY_CALL(sins_gyro_preset(0, NULL));
+    EVERY_CALL(sins_accel_preset(0, NULL));
+    EVERY_CALL(sins_initial_preset(0, NULL));
     EVERY_CALL(sins_get_imu_update(sim, 0, NULL));
     EVERY_CALL(sins_start_navigation(sim, NULL));
     EVERY_CALL(sins_push_imu(sim, NULL));

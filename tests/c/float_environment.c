@@ -128,6 +128,7 @@ typedef struct {
     sins_budget_row rows[SCENE_BUDGET_ROWS];
     sins_gyro_params gyro;
     sins_accel_params accel;
+    sins_initial_errors initial;
     const char *texts[2];
     uint32_t version, reserved;
     double duration_s;
@@ -236,6 +237,7 @@ static void fly(const float_state *state, results *found)
     SINS_INIT(found->cost);
     SINS_INIT(found->gyro);
     SINS_INIT(found->accel);
+    SINS_INIT(found->initial);
     SINS_INIT(found->info);
 
     if (state != NULL) {
@@ -247,6 +249,7 @@ static void fly(const float_state *state, results *found)
     found->texts[1] = sins_status_string(SINS_ERROR_TIME_ORDER);
     CHECK(sins_gyro_preset(SINS_GRADE_CONSUMER, &found->gyro) == SINS_OK);
     CHECK(sins_accel_preset(SINS_GRADE_CONSUMER, &found->accel) == SINS_OK);
+    CHECK(sins_initial_preset(SINS_GRADE_CONSUMER, &found->initial) == SINS_OK);
     sim = scene_simulator(NULL, 1);
     other = scene_simulator(NULL, 2);
     flight = scene_flight();

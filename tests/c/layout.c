@@ -291,7 +291,7 @@ AT(sins_failure, interval_s, 32);
 AT(sins_failure, duration_s, 40);
 AT(sins_failure, probability, 48);
 
-SIZE(sins_initial_errors, SINS_SIZEOF_INITIAL_ERRORS, 160);
+SIZE(sins_initial_errors, SINS_SIZEOF_INITIAL_ERRORS, 168);
 AT(sins_initial_errors, struct_size, 0);
 AT(sins_initial_errors, reserved, 4);
 AT(sins_initial_errors, position_enu_m, 8);
@@ -302,6 +302,7 @@ AT(sins_initial_errors, velocity_sigma_enu_m_s, 104);
 AT(sins_initial_errors, misalignment_sigma_enu_rad, 128);
 AT(sins_initial_errors, alignment, 152);
 AT(sins_initial_errors, reserved2, 156);
+AT(sins_initial_errors, alignment_s, 160);
 
 SIZE(sins_mounting, SINS_SIZEOF_MOUNTING, 104);
 AT(sins_mounting, struct_size, 0);

@@ -277,13 +277,16 @@ static void sentences(sins_sim *sim)
         for (grade = -1; grade <= 7; grade++) {
             sins_gyro_params gyros = {.struct_size = sizeof gyros};
             sins_accel_params accels = {.struct_size = sizeof accels};
+            sins_initial_errors initial = {.struct_size = sizeof initial};
             sins_status expected = grade >= SINS_GRADE_STRATEGIC && grade <= SINS_GRADE_PAPER_SIMULATION2
                                        ? SINS_OK
                                        : SINS_ERROR_INVALID_ARGUMENT;
             sins_sim *graded = NULL;
             CHECK(sins_gyro_preset(grade, &gyros) == expected && sins_accel_preset(grade, &accels) == expected);
+            CHECK(sins_initial_preset(grade, &initial) == expected);
             CHECK(sins_create(NULL, &graded) == SINS_OK);
             CHECK(sins_set_gyro(graded, &gyros) == SINS_OK && sins_set_accel(graded, &accels) == SINS_OK);
+            CHECK(sins_set_initial_errors(graded, &initial) == SINS_OK);
             CHECK(sins_destroy(graded) == SINS_OK);
         }
     }

@@ -249,6 +249,7 @@ static void call_without_a_simulator(void)
     sins_flight_sample sample = {.struct_size = sizeof sample};
     sins_gyro_params gyro = {.struct_size = sizeof gyro};
     sins_accel_params accel = {.struct_size = sizeof accel};
+    sins_initial_errors initial = {.struct_size = sizeof initial};
     sins_flight *flight = NULL;
     double duration;
     MEASURE_VALUE(sins_abi_version());
@@ -256,6 +257,7 @@ static void call_without_a_simulator(void)
     MEASURE_VALUE(sins_status_string(SINS_OK));
     MEASURE(sins_gyro_preset(SINS_GRADE_CONSUMER, &gyro));
     MEASURE(sins_accel_preset(SINS_GRADE_CONSUMER, &accel));
+    MEASURE(sins_initial_preset(SINS_GRADE_CONSUMER, &initial));
     MEASURE(sins_flight_create(&start, &turn, 1, &flight));
     MEASURE(sins_flight_duration(flight, &duration));
     MEASURE(sins_flight_sample_at(flight, 1.0, &sample));

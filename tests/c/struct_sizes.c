@@ -280,6 +280,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_gravity_params, sins_get_gravity_disturbance(sim, pointer));
     OUTPUT_SIZES(sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES(sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
+    OUTPUT_SIZES(sins_initial_errors, sins_initial_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
     strides(fresh);
     CHECK(sins_destroy(fresh) == SINS_OK);

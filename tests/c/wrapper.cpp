@@ -32,6 +32,7 @@ static sins_flight_sample at(double time_s) {
 /* Each call on a moved-from object throws, and not with the sentence of an earlier call. */
 template <class Call> void rejects_no_handle(Call call) {
     error_of([] { sins::gyro_preset(99); });
+    error_of([] { sins::initial_preset(99); });
     const sins::Error error = error_of(call);
     CHECK(error.status() == SINS_ERROR_BAD_HANDLE);
     CHECK(error.info().status == SINS_ERROR_BAD_HANDLE);

@@ -25,6 +25,7 @@ const ALIGNED: InitialErrorParameters = InitialErrorParameters {
     velocity_sigma_n: Vector3::new(0.0, 0.0, 0.0),
     misalignment_sigma_n: Vector3::new(0.0, 0.0, 0.0),
     alignment: Alignment::LevelAndGyrocompass,
+    alignment_s: 0.0,
 };
 
 const RATE_HZ: f64 = 100.0;

@@ -4,6 +4,7 @@
 mod support;
 
 mod alignment;
+mod alignment_time;
 mod every_parameter;
 mod failures;
 mod gravity_disturbance;

@@ -169,7 +169,9 @@ fn every_word_of_every_choice_is_read_and_written() {
                 format!("[flight]\nbuiltin = \"rest\"\n[{}]\n{} = \"{word}\"\n", key.section, key.name);
             let scene = read(&text);
             assert_eq!(read(&scene.write()), scene, "{text}");
-            assert!(!scenes.contains(&scene), "{text}: a word without effect");
+            // The paper states no errors of the start.
+            let is_default = (key.section, key.name, *word) == ("start", "preset", "paper2");
+            assert!(is_default || !scenes.contains(&scene), "{text}: a word without effect");
             scenes.push(scene);
         }
     }

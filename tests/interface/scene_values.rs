@@ -189,6 +189,10 @@ fn a_preset_and_another_flight_replace_what_was() {
     assert_eq!(scene.errors.gyro, sins::sensors::Grade::Consumer.parameters().0);
     scene.set(&[("gyro.preset", "tactical"), ("gyro.bias_deg_h", "2")]).unwrap();
     assert_eq!(scene.value("gyro.bias_deg_h").as_deref(), Some("2"));
+    scene.set(&[("start.position_m", "[1, 2, 3]")]).unwrap();
+    scene.set(&[("start.preset", "navigation"), ("start.alignment_s", "900")]).unwrap();
+    let initial = sins::sensors::Grade::Navigation.start();
+    assert_eq!(scene.errors.initial, sins::sensors::InitialErrorParameters { alignment_s: 900.0, ..initial });
     scene.set(&[("flight.builtin", "patrol"), ("flight.rate_hz", "50")]).unwrap();
     assert_eq!(scene.flight, FlightSource::Builtin("patrol".into()));
     scene.set(&[("flight.file", "a.csv")]).unwrap();

@@ -140,6 +140,7 @@ pub fn initial() -> InitialErrorParameters {
         velocity_sigma_n: three.abs() * 0.01,
         misalignment_sigma_n: three.abs() * 1e-5,
         alignment: Alignment::LevelAndGyrocompass,
+        alignment_s: 600.0,
     }
 }
 

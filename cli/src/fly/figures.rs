@@ -87,7 +87,11 @@ impl<'a> Figures<'a> {
                 format!("{} {} {}", name(key.doc), rounded(&key.value), key.unit).trim_end().to_owned()
             })
             .collect();
-        if words.is_empty() { "none".to_owned() } else { words.join(", ") }
+        match section {
+            _ if !words.is_empty() => words.join(", "),
+            "start" => "none: true position, velocity and attitude".to_owned(),
+            _ => "none".to_owned(),
+        }
     }
 
     /// Each failure with its time; "none" if there are no failures.

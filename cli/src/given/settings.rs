@@ -5,7 +5,7 @@ use crate::failure::Failure;
 /// Settings in addition to the text of a scene.
 #[derive(Debug, Clone, Default, clap::Args)]
 pub struct Settings {
-    /// Grade of gyros and accelerometers: ideal, strategic, navigation, tactical, industrial, consumer or paper2; --set then
+    /// Grade of gyros and accelerometers, and of the errors of the start: ideal, strategic, navigation, tactical, industrial, consumer or paper2; --set then
     /// changes single errors
     #[arg(long, value_name = "GRADE")]
     pub preset: Option<String>,
@@ -15,7 +15,7 @@ pub struct Settings {
 }
 
 /// The keys that `--preset` sets.
-const PRESETS: [&str; 2] = ["gyro.preset", "accelerometer.preset"];
+const PRESETS: [&str; 3] = ["gyro.preset", "accelerometer.preset", "start.preset"];
 
 impl Settings {
     /// Keys and values, in the order of [`Self::argument`].

@@ -92,6 +92,28 @@ fn the_true_motion_is_summed_up() {
     assert!(said.contains("truth           largest angular rate"), "{said}");
 }
 
+/// The start of a preset is that of its grade, and a flight says which start it used.
+#[test]
+fn a_flight_says_how_it_started() {
+    let folder = folder("started");
+    for (arguments, said) in [
+        (&["--preset", "navigation"][..], "alignment gyrocompass, length of the alignment 600 s"),
+        (
+            &["--preset", "tactical", "--set", "start.alignment_s=60"],
+            "alignment level, length of the alignment 60 s",
+        ),
+        (
+            &["--preset", "navigation", "--set", "start.preset=ideal"],
+            "none: true position, velocity and attitude",
+        ),
+        (&[], "none: true position, velocity and attitude"),
+    ] {
+        let shown = done(&folder, &[&["fly", "rest", "--set", "flight.hours=0.01"], arguments].concat());
+        let summary = read(folder.join("sins_out/rest_summary.csv"));
+        assert!(shown.contains(said) && summary.contains(said), "{shown}");
+    }
+}
+
 /// If the covariance is on, nine columns of standard deviations follow, and the page has the envelope.
 #[test]
 fn standard_deviations_are_recorded_and_drawn() {

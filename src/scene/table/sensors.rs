@@ -22,6 +22,11 @@ fn of_grade(index: usize) -> (TriadParameters, TriadParameters) {
     GRADES[index].1.map(Grade::parameters).unwrap_or_default()
 }
 
+/// The preset of the errors of the start.
+pub const START: Key = preset(Section::Start, "initial.preset", |d, grade| {
+    d.scene.errors.initial = GRADES[grade].1.map(Grade::start).unwrap_or_default();
+});
+
 /// A preset; a scene that is written states the errors themselves.
 const fn preset(section: Section, field: &'static str, set: fn(&mut Draft, usize)) -> Key {
     let target = Target::Choice { field, words: const { &first_words(GRADES) }, get: |_| 0, set };

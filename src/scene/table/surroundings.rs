@@ -1,6 +1,6 @@
 //! What stands beside the gyros and accelerometers: `[altimeter]`, `[start]`, `[mounting]`, `[gravity]`.
 
-use super::super::key::{Key, Place, Section, Shape, Target, vector};
+use super::super::key::{Key, Place, Section, Shape, Target, one, vector};
 use super::sensors::of_rows;
 use super::{choice, number, si, unit};
 use crate::sensors::Alignment;
@@ -14,6 +14,7 @@ pub const MOUNTING: &[Key] = &of_rows(Section::Mounting, &surroundings::MOUNTING
 pub const GRAVITY: &[Key] = &of_rows(Section::Gravity, &surroundings::GRAVITY);
 
 pub const START: &[Key] = &[
+    super::sensors::START,
     number!(S, Shape::Vector, "position_m", si("m"), "position east, north, up",
         "initial.position_enu_m" => vector(scene.errors.initial.position_n)),
     number!(S, Shape::Vector, "velocity_m_s", si("m/s"), "velocity east, north, up",
@@ -26,9 +27,12 @@ pub const START: &[Key] = &[
         "initial.velocity_sigma_enu_m_s" => vector(scene.errors.initial.velocity_sigma_n)),
     number!(S, Shape::Axes, "misalignment_sigma_arcmin", unit("arcmin", ARCMIN, "rad"), "standard deviation of the misalignment",
         "initial.misalignment_sigma_enu_rad" => vector(scene.errors.initial.misalignment_sigma_n)),
-    choice!(S, "alignment", "alignment: given attitude, or levelling and gyrocompassing", "initial.alignment",
+    choice!(S, "alignment", "alignment: given attitude, levelling and gyrocompassing, or levelling with the true heading", "initial.alignment",
         scene.errors.initial.alignment, [
         "given" => Alignment::Given,
         "gyrocompass" => Alignment::LevelAndGyrocompass,
+        "level" => Alignment::Level,
     ]),
+    number!(S, Shape::Number, "alignment_s", si("s"), "length of the alignment, at rest before the first sample; 0: without end",
+        "initial.alignment_s" => one(scene.errors.initial.alignment_s)),
 ];

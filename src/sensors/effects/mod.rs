@@ -23,6 +23,7 @@ pub(super) use outputs::{BlockOutputs, Outputs};
 use plan::{Plan, Stage};
 use rows::effects;
 pub(crate) use sense::SharedInput;
+use states::Aside;
 pub(crate) use states::StateRows;
 pub(super) use states::{Count, From, Into, States, Visitor};
 

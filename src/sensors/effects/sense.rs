@@ -1,8 +1,10 @@
 //! How the effects act on the increments of an interval, of one run or of the runs of a block, and on constant signals.
 
+use core::slice::from_mut;
+
 use nalgebra::Vector3;
 
-use super::{BlockOutputs, Effects, Input, Outputs, SHARED_ERRORS, Stage, States};
+use super::{Aside, BlockOutputs, Effects, Input, Outputs, SHARED_ERRORS, Stage, States};
 use crate::error::Error;
 use crate::memory::room;
 use crate::sensors::Sensor;
@@ -65,10 +67,7 @@ impl Effects {
         errors.clear();
         *error_count = self.plan.of(Stage::OfInput).len();
         for ideal in ideal {
-            let mut signal = match sensor {
-                Sensor::Gyro => ideal.angle,
-                Sensor::Accelerometer => ideal.velocity,
-            };
+            let mut signal = sensor.part_of(ideal);
             self.sense_input(ideal, dt, &mut signal);
             let input = Input { signal, force: ideal.velocity, dt };
             let mut of_input = [Vector3::zeros(); SHARED_ERRORS];
@@ -117,6 +116,45 @@ impl Effects {
         force: &Vector3<f64>,
         temperature_c: Option<f64>,
     ) -> Vector3<f64> {
+        let (ideal, of_input) = self.steady_error_of_signal(sensor, rate, force, temperature_c);
+        shown_error(ideal, &(of_input + self.steady_added()), 1.0, |shown| self.limit(shown))
+    }
+
+    /// The error [u] of the mean output over the next `t` [s], with the constant signals of [`Self::steady_error`]. The effects act as on
+    /// one increment of this length, which is exact for each of them, and their states move on to its end. The draws come from streams
+    /// of their own, so that the streams of the effects stay where they are.
+    pub fn mean_error(
+        &mut self,
+        t: f64,
+        sensor: Sensor,
+        rate: &Vector3<f64>,
+        force: &Vector3<f64>,
+        temperature_c: Option<f64>,
+    ) -> Vector3<f64> {
+        let (ideal, of_input) = self.steady_error_of_signal(sensor, rate, force, temperature_c);
+        self.set_interval(t);
+        let mut aside = Aside::NOTHING;
+        self.visit(&mut aside);
+        let mut added = Increment::ZERO;
+        self.add(t, sensor, from_mut(&mut added));
+        aside.next = 0;
+        self.visit(&mut aside);
+        let error = of_input + sensor.part_of(&added) / t;
+        shown_error(ideal, &error, t, |shown| {
+            let mut output = Increment { angle: *shown, velocity: *shown };
+            self.finish(t, sensor, from_mut(&mut output));
+            *shown = sensor.part_of(&output);
+        })
+    }
+
+    /// Ideal signal, and the error that depends on it [u].
+    fn steady_error_of_signal<'a>(
+        &self,
+        sensor: Sensor,
+        rate: &'a Vector3<f64>,
+        force: &'a Vector3<f64>,
+        temperature_c: Option<f64>,
+    ) -> (&'a Vector3<f64>, Vector3<f64>) {
         let ideal = match sensor {
             Sensor::Gyro => rate,
             Sensor::Accelerometer => force,
@@ -125,12 +163,21 @@ impl Effects {
         let input = Input { signal: ideal + change, force: *force, dt: 1.0 };
         let error = change
             + self.steady_drawn_error(&input, temperature_c)
-            + self.steady_error_of_input(&input, temperature_c)
-            + self.steady_added();
-        // Adding and subtracting the signal has rounding errors, so this is done only where the limits change something.
-        let unlimited = ideal + error;
-        let mut shown = unlimited;
-        self.limit(&mut shown);
-        Vector3::from_fn(|i, _| if shown[i] == unlimited[i] { error[i] } else { shown[i] - ideal[i] })
+            + self.steady_error_of_input(&input, temperature_c);
+        (ideal, error)
     }
+}
+
+/// The error [u] after `limit` has acted on the signal over `t` [s]. Adding and subtracting the signal has rounding errors, so this is
+/// done only where the limits change something.
+fn shown_error(
+    ideal: &Vector3<f64>,
+    error: &Vector3<f64>,
+    t: f64,
+    limit: impl FnOnce(&mut Vector3<f64>),
+) -> Vector3<f64> {
+    let unlimited = (ideal + error) * t;
+    let mut shown = unlimited;
+    limit(&mut shown);
+    Vector3::from_fn(|i, _| if shown[i] == unlimited[i] { error[i] } else { shown[i] / t - ideal[i] })
 }

@@ -4,6 +4,7 @@ use core::mem::take;
 
 use super::super::draw::normal_each;
 use super::super::stream::Stream;
+use super::Name;
 use crate::error::Error;
 use crate::memory::room;
 use crate::signal::{RUNS, Row};
@@ -132,6 +133,30 @@ impl Visitor for From<'_> {
         let rows = &self.rows.streams[self.next.streams].0;
         *stream = Stream::of_words([0, 1, 2, 3].map(|i: usize| rows[i][self.lane]));
         self.next.stream(stream);
+    }
+}
+
+/// Exchanges streams with streams set aside: the first visit sets the streams of the effects aside and gives the effects others, the
+/// second visit, from `next` = 0 on, brings the first ones back.
+pub(in crate::sensors) struct Aside {
+    streams: [Option<Stream>; 3 * Name::ALL.len()],
+    pub next: usize,
+}
+
+impl Aside {
+    pub const NOTHING: Self = Self { streams: [const { None }; 3 * Name::ALL.len()], next: 0 };
+}
+
+impl Visitor for Aside {
+    fn constant(&mut self, _: &mut f64) {}
+
+    fn number(&mut self, _: &mut f64) {}
+
+    fn stream(&mut self, stream: &mut Stream) {
+        let Some(aside) = self.streams.get_mut(self.next) else { unreachable!("at most one stream an axis") };
+        self.next += 1;
+        let other = aside.take().unwrap_or_else(|| stream.other());
+        *aside = Some(core::mem::replace(stream, other));
     }
 }
 

@@ -3,7 +3,6 @@
 use super::Chain;
 use crate::covariance::{NavigationCovariance, Propagation, StartErrors};
 use crate::mounting::Block;
-use crate::sensors::Alignment;
 use crate::simulator::Imperfections;
 use crate::simulator::start::alignment;
 use crate::state::StateErrors;
@@ -23,7 +22,6 @@ impl Chain {
         let initial = &imperfections.set().initial;
         for covariance in &mut *self.covariance {
             let truth = state.navigation(&self.earth, self.options.axes);
-            let aligns = initial.alignment == Alignment::LevelAndGyrocompass;
             let start = StartErrors {
                 first,
                 v_e: &state.v_e,
@@ -32,7 +30,8 @@ impl Chain {
                     velocity_n: initial.velocity_sigma_n,
                     misalignment_n: initial.misalignment_sigma_n,
                 },
-                alignment: aligns.then(|| alignment(&self.earth, &state, &truth)).flatten(),
+                alignment: alignment(initial.alignment, &self.earth, &state, &truth),
+                alignment_s: initial.alignment_s,
             };
             covariance.start(&start, &imperfections.parameters());
         }

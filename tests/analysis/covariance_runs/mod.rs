@@ -9,7 +9,7 @@ mod scenes;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use nalgebra::SMatrix;
-use scenes::{Scene, built_in, everything, scenes};
+use scenes::{Scene, aligned_scenes, built_in, everything, scenes};
 use sins::ensemble::Ensemble;
 use sins::sensors::TriadParameters;
 use sins::statistics::Statistics;
@@ -178,6 +178,19 @@ fn outside(scenes: &[Scene], runs: u64) -> usize {
 fn the_spread_of_many_runs_is_the_covariance() {
     let is_long = cfg!(feature = "long-tests");
     assert_eq!(outside(&scenes(is_long), if is_long { 2000 } else { 200 }), 0);
+}
+
+/// After alignments that take time, whose errors are correlated with the states of the sensors: 200 runs of 20 minutes;
+/// `--features long-tests`: 2000 runs of 2 hours. A covariance with an endless alignment is found to be wrong.
+#[test]
+fn the_spread_after_an_alignment_is_the_covariance() {
+    let is_long = cfg!(feature = "long-tests");
+    let runs = if is_long { 2000 } else { 200 };
+    let mut scenes = aligned_scenes(is_long);
+    assert_eq!(outside(&scenes, runs), 0);
+    scenes.truncate(2);
+    scenes.iter_mut().for_each(|scene| scene.believed.initial.alignment_s = 0.0);
+    assert!(outside(&scenes, runs) > INSTANTS);
 }
 
 /// White noise alone, with a covariance from a spectral density that is 10 % larger: the same test fails.

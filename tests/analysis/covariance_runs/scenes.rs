@@ -125,3 +125,17 @@ pub fn scenes(is_long: bool) -> Vec<Scene> {
         Scene::new("drone", sampled(&drone(), 600.0, 0.05), small),
     ]
 }
+
+/// Flights after alignments of a minute to half an hour with all random errors, of 2 hours or of 20 minutes.
+pub fn aligned_scenes(is_long: bool) -> Vec<Scene> {
+    let length_s = if is_long { 7200.0 } else { 1200.0 };
+    [("patrol", 600.0), ("racetrack", 60.0), ("commuter", 1800.0)]
+        .map(|(name, alignment_s)| {
+            let mut aligned = everything();
+            aligned.initial.alignment = Alignment::LevelAndGyrocompass;
+            aligned.initial.alignment_s = alignment_s;
+            aligned.initial.misalignment_sigma_n = Vector3::zeros();
+            Scene::new(name, built_in(name, length_s, 0.5), aligned)
+        })
+        .into()
+}

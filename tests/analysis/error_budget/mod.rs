@@ -93,6 +93,31 @@ fn an_initial_velocity_error_contributes_its_closed_form() {
     assert_like(&row(&budget, "initial.velocity_enu_m_s").worst, &expected);
 }
 
+/// After an alignment of 10 minutes white noise N of the gyros has the heading error N/(W cos L √T), bias b has b/(W cos L), and
+/// each is in its own row; white noise n of the accelerometers has n/(g √T cos L).
+#[test]
+fn each_noise_has_its_part_of_an_alignment_over_a_time() {
+    let (walk, bias, noise) = (0.005 * DEG_PER_HOUR * 60.0, 0.01 * DEG_PER_HOUR, 1e-4 * G);
+    let mut parameters = ErrorParameters {
+        gyro: triad(|gyro| (gyro.random_walk.x, gyro.bias_sigma.x) = (walk, bias)),
+        accel: triad(|accel| accel.random_walk.x = noise),
+        ..Default::default()
+    };
+    parameters.initial.alignment = Alignment::LevelAndGyrocompass;
+    parameters.initial.alignment_s = 600.0;
+    let budget = budget_of(&options_at(10.0), &at_rest(2, 10.0), &parameters, &Default::default());
+    let (north, root) = (W * LATITUDE.cos(), 600.0f64.sqrt());
+    for (field, expected) in [
+        ("gyro.random_walk_rad_sqrt_s", walk / (north * root)),
+        ("gyro.bias_sigma_rad_s", bias / north),
+        ("accel.velocity_random_walk_m_s_sqrt_s", noise / (G * root * LATITUDE.cos())),
+    ] {
+        // Gravity at 40° differs by 5e-4 from standard gravity.
+        let found = row(&budget, field).worst.attitude_rad;
+        assert!((found / expected - 1.0).abs() < 1e-3, "{field}: {found:e}, {expected:e}");
+    }
+}
+
 /// Levelled and gyrocompassed with an accelerometer that errs by b east: φ = (0, b/g, tan L b/g), and no acceleration remains.
 #[test]
 fn an_effect_brings_its_alignment_along() {

@@ -112,7 +112,9 @@ pub fn some_altimeter(input: &mut Input) -> sins_altimeter_params {
 }
 
 pub fn some_initial_errors(input: &mut Input) -> sins_initial_errors {
-    sins_initial_errors { alignment: i32::from(input.one_in(3)), ..filled(input, INITIAL) }
+    let alignment = i32::from(input.one_in(3));
+    let alignment_s = if alignment != 0 && input.one_in(2) { input.within(1.0, 86_400.0) } else { 0.0 };
+    sins_initial_errors { alignment, alignment_s, ..filled(input, INITIAL) }
 }
 
 pub fn some_mounting(input: &mut Input) -> sins_mounting {
@@ -260,6 +262,7 @@ impl Host {
         let grade = self.input.below(8) as i32;
         if call!(sins_gyro_preset(grade, &mut gyro)) == SINS_OK {
             assert_eq!(call!(sins_accel_preset(grade, &mut accel)), SINS_OK);
+            assert_eq!(call!(sins_initial_preset(grade, &mut init::<sins_initial_errors>())), SINS_OK);
             let place = self.place();
             self.changing(place, false, |sim| call!(sins_set_gyro(sim, &gyro)));
             self.changing(place, false, |sim| call!(sins_set_accel(sim, &accel)));

@@ -80,7 +80,7 @@ impl SideBySide {
     }
 
     /// Calls `act` with the sensors of one run.
-    fn with_imperfections_of<T>(&self, place: usize, act: impl FnOnce(&Imperfections) -> T) -> T {
+    fn with_imperfections_of<T>(&self, place: usize, act: impl FnOnce(&mut Imperfections) -> T) -> T {
         let imperfections = &mut self.of_one.borrow_mut()[0];
         imperfections.become_run(&self.imperfections[0], &self.options_of(place));
         imperfections.follow_as(&self.imperfections[0]);
@@ -117,6 +117,10 @@ impl SideBySide {
             let has_started = chain.is_ok();
             let chain = chain.unwrap_or_else(|_| self.chain_of_truth(first.current));
             let block = &mut self.blocks[place / RUNS];
+            if has_started && self.imperfections[0].set().initial.alignment_s != 0.0 {
+                // The sensors of the run, whose processes the alignment has moved on.
+                block.put_imperfections(place % RUNS, &mut self.of_one.get_mut()[0]);
+            }
             block.start(place % RUNS, height_m, &chain);
             if has_started {
                 shared = shared.or(Some(chain));
