@@ -171,6 +171,7 @@ mod tests {
         for (name, text) in BUILTIN {
             let read = parse(text, Path::new(name)).unwrap();
             assert!(read.iter().all(|one| !one.title.is_empty() && !one.source.is_empty()), "{name}");
+            assert!(include_str!("command.rs").contains(name), "the help names {name}");
         }
         let (read, path) = load(OsStr::new("airliner")).unwrap();
         assert_eq!((read.len(), path), (3, None));
