@@ -31,7 +31,7 @@ pub struct Order {
     /// Time between two rows of statistics [default: a 200th of the flight]
     #[arg(long, value_name = "SECONDS")]
     pub every: Option<f64>,
-    /// Requirements: a file, or part121g, navigation_grade, rnp10; the exit code tells whether the runs meet all of them
+    /// Requirements: a file, or airliner, navigation_grade, rnp10; the exit code tells whether the runs meet all of them
     #[arg(long, value_name = "FILE|NAME")]
     pub meets: Vec<OsString>,
     #[command(flatten)]

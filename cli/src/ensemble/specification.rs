@@ -12,7 +12,7 @@ use crate::failure::Failure;
 
 /// The built-in requirements: name and text.
 pub const BUILTIN: [(&str, &str); 3] = [
-    ("part121g", include_str!("requirements/part121g.toml")),
+    ("airliner", include_str!("requirements/airliner.toml")),
     ("navigation_grade", include_str!("requirements/navigation_grade.toml")),
     ("rnp10", include_str!("requirements/rnp10.toml")),
 ];
@@ -171,8 +171,9 @@ mod tests {
         for (name, text) in BUILTIN {
             let read = parse(text, Path::new(name)).unwrap();
             assert!(read.iter().all(|one| !one.title.is_empty() && !one.source.is_empty()), "{name}");
+            assert!(include_str!("command.rs").contains(name), "the help names {name}");
         }
-        let (read, path) = load(OsStr::new("part121g")).unwrap();
+        let (read, path) = load(OsStr::new("airliner")).unwrap();
         assert_eq!((read.len(), path), (3, None));
         // Two nautical miles an hour after three hours; 20 nautical miles.
         assert_eq!(read[0].limit_at(3.0 * HOUR_S), 6.0 * NMI);
