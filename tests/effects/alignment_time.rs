@@ -224,9 +224,9 @@ fn the_flight_continues_with_the_states_of_the_alignment() {
         for k in 1..=(hour / step_s) as u32 {
             ensemble.push_sample(&at_rest(0.0, f64::from(k) * step_s)).unwrap();
             ensemble.step().unwrap();
-            for run in 0..RUNS {
+            for (run, flown) in flown.iter_mut().enumerate() {
                 let imu = ensemble.imu(run as u64).unwrap().unwrap();
-                flown[run] += imu.measured.angle.x - imu.ideal.angle.x;
+                *flown += imu.measured.angle.x - imu.ideal.angle.x;
             }
         }
         let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -383,7 +383,9 @@ fn an_alignment_costs_less_than_a_millisecond() {
     let first_step = |alignment_s: f64| {
         least(&|| {
             let mut simulator = simulator(&gyro, &accel, &initial(alignment_s), StreamKey::default(), 0.01);
-            samples.iter().for_each(|sample| drop(simulator.push_sample(sample).unwrap()));
+            for sample in &samples {
+                simulator.push_sample(sample).unwrap();
+            }
             let before = Instant::now();
             simulator.step().unwrap();
             before.elapsed().as_secs_f64()
@@ -393,7 +395,9 @@ fn an_alignment_costs_less_than_a_millisecond() {
         least(&|| {
             let template = simulator(&gyro, &accel, &initial(alignment_s), StreamKey::default(), 0.01);
             let mut ensemble = Ensemble::new(&template, 0, 160).unwrap();
-            samples.iter().for_each(|sample| drop(ensemble.push_sample(sample).unwrap()));
+            for sample in &samples {
+                ensemble.push_sample(sample).unwrap();
+            }
             let before = Instant::now();
             ensemble.step().unwrap();
             before.elapsed().as_secs_f64() / 160.0
