@@ -45,7 +45,7 @@ interface_struct!(sins_budget_request, "request", 40);
 ///
 /// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. These settings are
 /// not effects: the alignment, and lever_arm_m and boresight_rad of the mounting. The misalignment that
-/// SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this misalignment. All runs use lever_arm_m
+/// an alignment leaves belongs to the effect that causes this misalignment. All runs use lever_arm_m
 /// and boresight_rad. The contribution of an effect is the error (navigation less truth) of a run with this effect alone,
 /// less the error of a run with no effect. For position, velocity and misalignment the row has two lengths of the
 /// contribution. One is the largest length at up to 1000 equally spaced instants. The other is the length at the last sample.

@@ -63,7 +63,8 @@ pub struct sins_initial_errors {
     /// averaged over this time, and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. The flight begins
     /// with the states with which the alignment ended: ramps and random walks begin at 0 when the alignment begins. The
     /// temperature is that of the first sample. An alignment without end leaves out white noise and quantization, and takes the
-    /// errors at the first sample for their mean. SINS_ALIGNMENT_GIVEN does not use it.
+    /// errors at the first sample for their mean. A reposition
+    /// aligns again, from the present states of the sensors. SINS_ALIGNMENT_GIVEN does not use it.
     pub alignment_s: f64,
 }
 

@@ -58,8 +58,8 @@ impl Settings {
             (gyro.misalignment_rad[place], accel.misalignment_rad[place]) = (0.0, 0.0);
             (gyro.misalignment_sigma_rad[place], accel.misalignment_sigma_rad[place]) = (0.0, 0.0);
         }
-        let mut initial: sins_initial_errors = filled(1..size_of::<sins_initial_errors>() / 8 - 1);
-        initial.alignment = SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS;
+        let mut initial: sins_initial_errors = filled(1..size_of::<sins_initial_errors>() / 8 - 2);
+        (initial.alignment, initial.alignment_s) = (SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS, 600.0);
         let mut gravity: sins_gravity_params = filled(all(size_of::<sins_gravity_params>()));
         (gravity.deflection_north_distance_m, gravity.deflection_east_distance_m) = (1e3, 2e3);
         gravity.anomaly_distance_m = 3e3;

@@ -112,8 +112,8 @@ pub fn some_altimeter(input: &mut Input) -> sins_altimeter_params {
 }
 
 pub fn some_initial_errors(input: &mut Input) -> sins_initial_errors {
-    let alignment = i32::from(input.one_in(3));
-    let alignment_s = if alignment != 0 && input.one_in(2) { input.within(1.0, 86_400.0) } else { 0.0 };
+    let alignment = input.pick(&[0, 0, 1, 2]);
+    let alignment_s = input.pick(&[0.0, 1.0, 600.0, 86_400.0]);
     sins_initial_errors { alignment, alignment_s, ..filled(input, INITIAL) }
 }
 
