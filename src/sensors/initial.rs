@@ -38,7 +38,7 @@ pub struct InitialErrorParameters {
     pub alignment: Alignment,
 }
 
-codes!(Alignment { Given = 0, LevelAndGyrocompass = 1 });
+codes!(Alignment { Given = 0 "given", LevelAndGyrocompass = 1 "gyrocompass" });
 
 stored!(InitialErrorParameters {
     position_n: ANY,

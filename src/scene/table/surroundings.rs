@@ -26,9 +26,6 @@ pub const START: &[Key] = &[
         "initial.velocity_sigma_enu_m_s" => vector(scene.errors.initial.velocity_sigma_n)),
     number!(S, Shape::Axes, "misalignment_sigma_arcmin", unit("arcmin", ARCMIN, "rad"), "standard deviation of the misalignment",
         "initial.misalignment_sigma_enu_rad" => vector(scene.errors.initial.misalignment_sigma_n)),
-    choice!(S, "alignment", "alignment: given attitude, or levelling and gyrocompassing", "initial.alignment",
-        scene.errors.initial.alignment, [
-        "given" => Alignment::Given,
-        "gyrocompass" => Alignment::LevelAndGyrocompass,
-    ]),
+    choice!(S, "alignment", "alignment: given attitude, or levelling and gyrocompassing", "initial.alignment" =>
+        scene.errors.initial.alignment, Alignment::WORDS),
 ];
