@@ -1,7 +1,7 @@
 //! The true motion: `[flight]`, `[[manoeuvre]]`, `[[manoeuvre.sinusoid]]`.
 
 use super::super::key::{Key, Place, Section, Shape, Target, one};
-use super::{PURE, choice, first_words, number, si, text, unit, word};
+use super::{PURE, choice, count, first_words, number, si, text, unit, word};
 use crate::flight::{Channel, MANOEUVRE_KINDS};
 use crate::units::DEG;
 
@@ -36,16 +36,7 @@ pub const FLIGHT: &[Key] = &[
     number!(F, N, "pitch_deg", unit("deg", DEG, "rad"),
         "pitch of the body relative to the axes of the path, throughout the flight",
         "start.pitch_rad" => one(start.pitch_rad)),
-    Key {
-        section: F,
-        name: "repeat",
-        doc: "how many times all manoeuvres are flown",
-        target: Target::Count {
-            field: "flight.repeat",
-            get: |d| d.repeat,
-            set: |d, repeat| d.repeat = repeat,
-        },
-    },
+    count!(F, "repeat", "how many times all manoeuvres are flown", "flight.repeat" => repeat),
 ];
 
 pub const MANOEUVRE: &[Key] = &[

@@ -138,6 +138,23 @@ macro_rules! choice {
 }
 use choice;
 
+/// A key of a whole number.
+macro_rules! count {
+    ($section:expr, $name:literal, $doc:literal, $field:literal => $($place:ident).+) => {
+        Key {
+            section: $section,
+            name: $name,
+            doc: $doc,
+            target: Target::Count {
+                field: $field,
+                get: |draft| draft.$($place).+ as u64,
+                set: |draft, number| draft.$($place).+ = number.try_into().unwrap_or(!0),
+            },
+        }
+    };
+}
+use count;
+
 #[cfg(test)]
 mod tests {
     use super::*;
