@@ -1758,7 +1758,8 @@ typedef struct sins_initial_errors {
      * averaged over this time, and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. The flight begins
      * with the states with which the alignment ended: ramps and random walks begin at 0 when the alignment begins. The
      * temperature is that of the first sample. An alignment without end leaves out white noise and quantization, and takes the
-     * errors at the first sample for their mean. SINS_ALIGNMENT_GIVEN does not use it.
+     * errors at the first sample for their mean. A reposition
+     * aligns again, from the present states of the sensors. SINS_ALIGNMENT_GIVEN does not use it.
      */
     double alignment_s;
 } sins_initial_errors;
@@ -2492,7 +2493,7 @@ typedef struct sins_budget_request {
  *
  * Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. These settings are
  * not effects: the alignment, and lever_arm_m and boresight_rad of the mounting. The misalignment that
- * SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS leaves belongs to the effect that causes this misalignment. All runs use lever_arm_m
+ * an alignment leaves belongs to the effect that causes this misalignment. All runs use lever_arm_m
  * and boresight_rad. The contribution of an effect is the error (navigation less truth) of a run with this effect alone,
  * less the error of a run with no effect. For position, velocity and misalignment the row has two lengths of the
  * contribution. One is the largest length at up to 1000 equally spaced instants. The other is the length at the last sample.

@@ -14,27 +14,28 @@ pub fn check_value(
         Some((of, sigma)) => (of, sigma != 0.0),
         None => ("", true),
     };
-    let rule = match field.range {
-        Range::Within(..) | Range::DistanceOf(..) => Rule::Between(low, high),
-        Range::OffOr(..) => return check_off_or(field.path, value, low, high),
-        Range::TimeOf(..) => Rule::NeededBy(low, high, of),
-    };
-    if !is_needed {
-        return check_range(field.path, value, 0.0, high);
+    match field.range {
+        Range::OffOr(..) => check_off_or(field.path, value, low, high),
+        _ if !is_needed => check_range(field.path, value, 0.0, high),
+        Range::Within(..) | Range::DistanceOf(..) => check_range(field.path, value, low, high),
+        Range::TimeOf(..) => {
+            with_rule(check_range(field.path, value, low, high), Rule::NeededBy(low, high, of))
+        }
     }
-    check_range(field.path, value, low, high).map_err(|error| match error.rule {
-        Rule::Between(..) => Error { rule, ..error },
-        _ => error,
-    })
 }
 
-/// Checks that a value is 0 or within its range.
+/// Checks a number that is 0, which means none, or from `low` to `high`.
 pub fn check_off_or(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {
     if value == 0.0 {
-        return Ok(());
+        Ok(())
+    } else {
+        with_rule(check_range(field, value, low, high), Rule::OffOr(low, high))
     }
-    check_range(field, value, low, high).map_err(|error| match error.rule {
-        Rule::Between(..) => Error { rule: Rule::OffOr(low, high), ..error },
-        _ => error,
-    })
+}
+
+/// `rule` in place of the limits alone.
+fn with_rule(checked: Result<(), Error>, rule: Rule) -> Result<(), Error> {
+    checked.map_err(
+        |error| if matches!(error.rule, Rule::Between(..)) { Error { rule, ..error } } else { error },
+    )
 }

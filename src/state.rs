@@ -20,7 +20,7 @@ pub enum BodyAxes {
     ForwardRightDown,
 }
 
-codes!(BodyAxes { RightForwardUp = 0, ForwardRightDown = 1 });
+codes!(BodyAxes { RightForwardUp = 0 "rfu", ForwardRightDown = 1 "frd" });
 
 impl BodyAxes {
     /// Attitude of the sensor axes for the attitude `q` of the axes right-forward-up. The function is its own inverse, because the

@@ -3,7 +3,8 @@
 //! Everything behind is safe Rust.
 //!
 //! The doc comments of the public items are the documentation in the header. That of the fields of `sins_gyro_params` and
-//! `sins_accel_params` comes from `src/sensors/table.rs`.
+//! `sins_accel_params` comes from `src/sensors/table.rs`, that of the altimeter, the mounting and gravity from
+//! `src/surroundings/table.rs`.
 //!
 //! # Safety
 //!

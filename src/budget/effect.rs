@@ -138,7 +138,7 @@ impl Place {
             Self::Parameter(sensor, row) => {
                 from.triad(sensor).numbers()[row].iter().any(|number| *number != 0.0)
             }
-            Self::Row(path) => { *from }.numbers_of(path).iter().any(|number| **number != 0.0),
+            Self::Row(path) => { *from }.numbers_of(path).any(|number| *number != 0.0),
             Self::At { is_set, .. } => is_set(from),
         }
     }
@@ -160,7 +160,7 @@ impl Place {
                 for row in surroundings::rows().filter(belongs) {
                     let mut from = *from;
                     let from = from.numbers_of(row.field.path);
-                    to.numbers_of(row.field.path).into_iter().zip(from).for_each(|(to, from)| *to = *from);
+                    to.numbers_of(row.field.path).zip(from).for_each(|(to, from)| *to = *from);
                 }
             }
             Self::At { copy, .. } => copy(from, to),
@@ -241,7 +241,7 @@ mod tests {
             ..ErrorParameters::default()
         };
         for row in surroundings::rows() {
-            all.numbers_of(row.field.path).into_iter().for_each(|number| *number = 1.0);
+            all.numbers_of(row.field.path).for_each(|number| *number = 1.0);
         }
         all
     }

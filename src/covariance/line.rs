@@ -1,6 +1,8 @@
 //! Random inputs over a stretch. Each counts as the straight line that has the same integral and the same first moment, as these two
 //! determine velocity and position at the end.
 
+use crate::math::exp_m1;
+
 /// A straight line over a stretch: its mean and its change from start to end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
@@ -129,7 +131,7 @@ impl Advance {
             exponential_rest(x, [1.0, 0.0, 0.0], 2, 2),
         );
         Self {
-            decay: (-x).exp(),
+            decay: 1.0 + exp_m1(-x),
             diffusion,
             of_start: of_start.scaled(sigma),
             of_draw: of_draw.scaled(sigma),
@@ -148,7 +150,7 @@ impl Advance {
             double: 1.0 / 20.0,
         };
         let (_, of_draw, rest) = moments.split();
-        let end = start.hypot(step);
+        let end = (start * start + step * step).sqrt();
         Self {
             decay: start / end,
             diffusion: step / end,
@@ -168,18 +170,19 @@ impl Spread {
 /// a e^-x - b x e^-x + c e^-2x without its terms below x^`first`, divided by x^`power`. Its term of order n is
 /// (a + b n + c 2ⁿ) (-x)ⁿ/n!. The moments of a Gauss-Markov process over x correlation times have this form (Singer 1970).
 fn exponential_rest(x: f64, [a, b, c]: [f64; 3], first: i32, power: i32) -> f64 {
-    let mut term = 1.0; // (-x)ⁿ/n!
-    let mut sums = [0.0; 2]; // below `first`, and from there on
+    // (-x)ⁿ/n!, 2ⁿ, and the sums below `first` and from there on.
+    let (mut term, mut power_of_2, mut sums) = (1.0, 1.0, [0.0; 2]);
     for n in 0..first + 20 {
-        sums[usize::from(n >= first)] += (a + b * f64::from(n) + c * 2.0f64.powi(n)) * term;
+        sums[usize::from(n >= first)] += (a + b * f64::from(n) + c * power_of_2) * term;
         term *= -x / f64::from(n + 1);
+        power_of_2 *= 2.0;
     }
     // Below 1 the closed form loses digits by cancellation; there the terms beyond are below 1e-17 of the first.
     let rest = if x < 1.0 {
         sums[1]
     } else {
-        let decay = (-x).exp();
+        let decay = 1.0 + exp_m1(-x);
         (a - b * x) * decay + c * decay * decay - sums[0]
     };
-    rest / x.powi(power)
+    (0..power).fold(rest, |rest, _| rest / x)
 }

@@ -15,7 +15,7 @@ pub enum GravityModel {
     Somigliana,
 }
 
-codes!(GravityModel { Normal = 0, Somigliana = 1 });
+codes!(GravityModel { Normal = 0 "normal", Somigliana = 1 "somigliana" });
 
 /// Constants of the field. E is the linear eccentricity, E² = a² e².
 #[derive(Debug, Clone, Copy, PartialEq)]

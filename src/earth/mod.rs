@@ -27,7 +27,7 @@ pub enum Ellipsoid {
     Krassovsky1940,
 }
 
-codes!(Ellipsoid { Wgs84 = 0, Cgcs2000 = 1, Grs80 = 2, Krassovsky1940 = 3 });
+codes!(Ellipsoid { Wgs84 = 0 "wgs84", Cgcs2000 = 1 "cgcs2000", Grs80 = 2 "grs80", Krassovsky1940 = 3 "krassovsky" });
 
 /// An ellipsoid with its gravity field: the Earth model of every block of the simulator.
 #[derive(Debug, Clone, Copy, PartialEq)]

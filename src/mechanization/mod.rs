@@ -61,8 +61,8 @@ pub enum Scheme {
     Polynomial,
 }
 
-codes!(Frame { EarthFixed = 0, Geographic = 1 });
-codes!(Scheme { Exact = 0, Paper = 1, Polynomial = 2 });
+codes!(Frame { EarthFixed = 0 "earth", Geographic = 1 "geographic" });
+codes!(Scheme { Exact = 0 "exact", Paper = 1 "paper", Polynomial = 2 "polynomial" });
 
 /// A solution less the truth.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -18,7 +18,7 @@ pub enum VerticalMode {
     Free,
 }
 
-codes!(VerticalMode { Damped = 0, FollowTruth = 1, Free = 2 });
+codes!(VerticalMode { Damped = 0 "damped", FollowTruth = 1 "follow", Free = 2 "free" });
 
 /// Aid of the vertical channel at the end of an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]

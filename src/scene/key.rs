@@ -142,7 +142,7 @@ impl Place {
     pub fn of(self, draft: &mut Draft) -> Places<'_> {
         match self {
             Self::At(places) => places(draft),
-            Self::Row(path) => draft.scene.errors.numbers_of(path),
+            Self::Row(path) => draft.scene.errors.numbers_of(path).collect(),
             Self::Parameter(sensor, row) => {
                 let triad = match sensor {
                     Sensor::Gyro => &mut draft.scene.errors.gyro,

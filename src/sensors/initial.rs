@@ -46,7 +46,7 @@ pub struct InitialErrorParameters {
 /// Shortest and longest alignment [s].
 const ALIGNMENTS_S: (f64, f64) = (1.0, 86_400.0);
 
-codes!(Alignment { Given = 0, LevelAndGyrocompass = 1, Level = 2 });
+codes!(Alignment { Given = 0 "given", LevelAndGyrocompass = 1 "gyrocompass", Level = 2 "level" });
 
 stored!(InitialErrorParameters {
     position_n: ANY,

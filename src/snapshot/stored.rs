@@ -51,9 +51,16 @@ macro_rules! stored {
 }
 pub(crate) use stored;
 
-/// Makes an enumeration [`Stored`] as numbers. They are part of the format: never use one again for another variant.
+/// Makes an enumeration [`Stored`] as numbers, with the words of its variants in scenes. The numbers are part of the format: never use
+/// one again for another variant.
 macro_rules! codes {
-    ($type:ident { $($variant:ident = $code:literal),* $(,)? }) => {
+    ($type:ident { $($variant:ident = $code:literal $word:literal),* $(,)? }) => {
+        #[cfg(feature = "scenes")]
+        impl $type {
+            /// The words of a scene, with what each means.
+            pub(crate) const WORDS: [(&'static str, Self); [$($code),*].len()] = [$(($word, Self::$variant)),*];
+        }
+
         impl $crate::snapshot::Stored for $type {
             fn save(&self, to: &mut $crate::snapshot::Writer<'_>) {
                 to.word(match self { $(Self::$variant => $code,)* });

@@ -25,15 +25,21 @@ pub(crate) fn rows() -> impl Iterator<Item = &'static Row> {
 
 impl ErrorParameters {
     /// The numbers of the row with the field `path` of the interface; of another field none.
-    pub(crate) fn numbers_of(&mut self, path: &str) -> Vec<&mut f64> {
+    pub(crate) fn numbers_of(&mut self, path: &str) -> impl Iterator<Item = &mut f64> {
         let Self { altimeter, mounting, gravity, .. } = self;
-        let mut numbers =
-            altimeter.numbers_mut().into_iter().chain(mounting.numbers_mut()).chain(gravity.numbers_mut());
-        rows()
-            .map(|row| (row.field.path, numbers.by_ref().take(row.shape.count()).collect()))
-            .find_map(|(field, numbers)| (field == path).then_some(numbers))
-            .unwrap_or_default()
+        let found = places(rows()).find(|(row, _)| row.field.path == path);
+        let (start, count) = found.map_or((0, 0), |(row, start)| (start, row.shape.count()));
+        let numbers = altimeter.numbers_mut().into_iter().chain(mounting.numbers_mut());
+        numbers.chain(gravity.numbers_mut()).skip(start).take(count)
     }
+}
+
+/// The rows, each with the place of its first number.
+fn places<'r>(rows: impl Iterator<Item = &'r Row>) -> impl Iterator<Item = (&'r Row, usize)> {
+    rows.scan(0, |end, row| {
+        *end += row.shape.count();
+        Some((row, *end - row.shape.count()))
+    })
 }
 
 /// Copies the numbers of a struct.
@@ -43,14 +49,10 @@ pub(crate) fn copy<const N: usize>(from: [f64; N], to: [&mut f64; N]) {
 
 /// Checks the numbers of all rows of a table.
 fn check(rows: &[Row], numbers: &[f64]) -> Result<(), Error> {
-    let places = rows.iter().scan(0, |end, row| {
-        *end += row.shape.count();
-        Some((row, *end - row.shape.count()))
-    });
-    for (row, start) in places.clone() {
+    for (row, start) in places(rows.iter()) {
         for index in 0..row.shape.count() {
             let checked = check_value(&row.field, numbers[start + index], |sigma| {
-                let of = places.clone().find(|(row, _)| row.field.path == sigma);
+                let of = places(rows.iter()).find(|(row, _)| row.field.path == sigma);
                 (sigma, of.map_or(0.0, |(_, place)| numbers[place + index]))
             });
             checked.map_err(|error| if row.shape.count() == 1 { error } else { error.at(index) })?;
@@ -68,7 +70,7 @@ mod tests {
         for (row, value) in rows().flat_map(|row| [-1e300, 1e300, f64::NAN].map(|value| (row, value))) {
             for index in 0..row.shape.count() {
                 let mut errors = ErrorParameters::default();
-                *errors.numbers_of(row.field.path)[index] = value;
+                *errors.numbers_of(row.field.path).nth(index).unwrap() = value;
                 let error = errors.validate().unwrap_err();
                 let element = (row.shape.count() > 1).then_some(index);
                 assert_eq!((error.field, error.index), (row.field.path, element), "{value}");

@@ -1,7 +1,7 @@
 //! The true motion: `[flight]`, `[[manoeuvre]]`, `[[manoeuvre.sinusoid]]`.
 
 use super::super::key::{Key, Place, Section, Shape, Target, one};
-use super::{PURE, first_words, number, si, text, unit, word};
+use super::{PURE, choice, count, first_words, number, si, text, unit, word};
 use crate::flight::{Channel, MANOEUVRE_KINDS};
 use crate::units::DEG;
 
@@ -36,16 +36,7 @@ pub const FLIGHT: &[Key] = &[
     number!(F, N, "pitch_deg", unit("deg", DEG, "rad"),
         "pitch of the body relative to the axes of the path, throughout the flight",
         "start.pitch_rad" => one(start.pitch_rad)),
-    Key {
-        section: F,
-        name: "repeat",
-        doc: "how many times all manoeuvres are flown",
-        target: Target::Count {
-            field: "flight.repeat",
-            get: |d| d.repeat,
-            set: |d, repeat| d.repeat = repeat,
-        },
-    },
+    count!(F, "repeat", "how many times all manoeuvres are flown", "flight.repeat" => repeat),
 ];
 
 pub const MANOEUVRE: &[Key] = &[
@@ -84,17 +75,7 @@ pub const CHANNELS: [(&str, Channel); 6] = [
 ];
 
 pub const SINUSOID: &[Key] = &[
-    Key {
-        section: S,
-        name: "channel",
-        doc: "quantity that the sinusoid moves",
-        target: Target::Choice {
-            field: "sinusoid.channel",
-            words: &first_words(CHANNELS),
-            get: |d| CHANNELS.iter().position(|(_, channel)| *channel == d.sinusoid.channel).unwrap_or(0),
-            set: |d, index| d.sinusoid.channel = CHANNELS[index].1,
-        },
-    },
+    choice!(S, "channel", "quantity that the sinusoid moves", "sinusoid.channel" => sinusoid.channel, CHANNELS),
     number!(S, N, "amplitude_deg", unit("deg", DEG, "rad"), "amplitude of an angle",
         "sinusoid.amplitude_rad" => one(sinusoid.amplitude_rad)),
     number!(S, N, "amplitude_m_s", si("m/s"), "amplitude of the speed", "sinusoid.amplitude_m_s" => one(sinusoid.amplitude_m_s)),

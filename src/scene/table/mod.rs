@@ -122,22 +122,38 @@ use word;
 
 /// A key of words, each for one value of a place in the draft.
 macro_rules! choice {
-    ($section:expr, $name:literal, $doc:literal, $field:literal, $($place:ident).+,
-        [$($word:literal => $value:expr),+ $(,)?]) => {
+    ($section:expr, $name:literal, $doc:literal, $field:literal => $($place:ident).+, $words:expr) => {
         Key {
             section: $section,
             name: $name,
             doc: $doc,
             target: Target::Choice {
                 field: $field,
-                words: &[$($word),+],
-                get: |draft| [$($value),+].iter().position(|value| *value == draft.$($place).+).unwrap_or(0),
-                set: |draft, index| draft.$($place).+ = [$($value),+][index],
+                words: &super::first_words($words),
+                get: |draft| $words.iter().position(|(_, value)| *value == draft.$($place).+).unwrap_or(0),
+                set: |draft, index| draft.$($place).+ = $words[index].1,
             },
         }
     };
 }
 use choice;
+
+/// A key of a whole number.
+macro_rules! count {
+    ($section:expr, $name:literal, $doc:literal, $field:literal => $($place:ident).+) => {
+        Key {
+            section: $section,
+            name: $name,
+            doc: $doc,
+            target: Target::Count {
+                field: $field,
+                get: |draft| draft.$($place).+ as u64,
+                set: |draft, number| draft.$($place).+ = number.try_into().unwrap_or(!0),
+            },
+        }
+    };
+}
+use count;
 
 #[cfg(test)]
 mod tests {

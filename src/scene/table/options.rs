@@ -1,7 +1,7 @@
 //! The simulator and what a program writes: `[options]`, `[output]`.
 
 use super::super::key::{Key, Place, Section, Shape, Target, one};
-use super::{choice, number, si, text};
+use super::{choice, count, number, si, text};
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
 use crate::state::BodyAxes;
@@ -9,95 +9,26 @@ use crate::state::BodyAxes;
 const O: Section = Section::Options;
 const P: Section = Section::Output;
 const N: Shape = Shape::Number;
-
-const fn count(
-    name: &'static str,
-    doc: &'static str,
-    field: &'static str,
-    get: fn(&super::super::draft::Draft) -> u64,
-    set: fn(&mut super::super::draft::Draft, u64),
-) -> Key {
-    Key { section: O, name, doc, target: Target::Count { field, get, set } }
-}
+const SWITCH: [(&str, bool); 2] = [("off", false), ("on", true)];
 
 pub const OPTIONS: &[Key] = &[
-    choice!(O, "scheme", "algorithm of the mechanization", "options.scheme", scene.options.scheme, [
-        "exact" => Scheme::Exact,
-        "paper" => Scheme::Paper,
-        "polynomial" => Scheme::Polynomial,
-    ]),
-    choice!(O, "frame", "axes of the mechanization", "options.frame", scene.options.frame, [
-        "earth" => Frame::EarthFixed,
-        "geographic" => Frame::Geographic,
-    ]),
-    count(
-        "subsamples",
-        "subsamples of an update, 1 to 5",
-        "options.subsamples",
-        |d| d.scene.options.subsamples as u64,
-        |d, n| {
-            d.scene.options.subsamples = usize::try_from(n).unwrap_or(usize::MAX);
-        },
-    ),
-    count(
-        "updates_per_sample",
-        "updates in a sample interval, 1 to 16",
-        "options.updates_per_sample",
-        |d| d.scene.options.updates_per_sample as u64,
-        |d, n| d.scene.options.updates_per_sample = usize::try_from(n).unwrap_or(usize::MAX),
-    ),
-    choice!(O, "vertical", "vertical channel", "options.vertical", scene.options.vertical, [
-        "damped" => VerticalMode::Damped,
-        "follow" => VerticalMode::FollowTruth,
-        "free" => VerticalMode::Free,
-    ]),
-    choice!(O, "error_model", "error differential equations (error data 1)", "options.error_model", scene.options.error_model, [
-        "off" => false,
-        "rk4" => true,
-    ]),
-    choice!(O, "truth_summary", "summary of the true motion", "options.truth_summary", scene.options.truth_summary, [
-        "off" => false,
-        "on" => true,
-    ]),
-    choice!(O, "covariance", "covariance of the errors", "options.covariance", scene.options.covariance, [
-        "off" => false,
-        "on" => true,
-    ]),
-    choice!(O, "earth", "ellipsoid", "options.earth", scene.options.ellipsoid, [
-        "wgs84" => Ellipsoid::Wgs84,
-        "cgcs2000" => Ellipsoid::Cgcs2000,
-        "grs80" => Ellipsoid::Grs80,
-        "krassovsky" => Ellipsoid::Krassovsky1940,
-    ]),
-    choice!(O, "gravity", "normal gravity", "options.gravity", scene.options.gravity, [
-        "normal" => GravityModel::Normal,
-        "somigliana" => GravityModel::Somigliana,
-    ]),
-    choice!(O, "axes", "sensor axes: right-forward-up or forward-right-down", "options.axes", scene.options.axes, [
-        "rfu" => BodyAxes::RightForwardUp,
-        "frd" => BodyAxes::ForwardRightDown,
-    ]),
+    choice!(O, "scheme", "algorithm of the mechanization", "options.scheme" => scene.options.scheme, Scheme::WORDS),
+    choice!(O, "frame", "axes of the mechanization", "options.frame" => scene.options.frame, Frame::WORDS),
+    count!(O, "subsamples", "subsamples of an update, 1 to 5", "options.subsamples" => scene.options.subsamples),
+    count!(O, "updates_per_sample", "updates in a sample interval, 1 to 16", "options.updates_per_sample" => scene.options.updates_per_sample),
+    choice!(O, "vertical", "vertical channel", "options.vertical" => scene.options.vertical, VerticalMode::WORDS),
+    choice!(O, "error_model", "error differential equations (error data 1)", "options.error_model" => scene.options.error_model, [("off", false), ("rk4", true)]),
+    choice!(O, "truth_summary", "summary of the true motion", "options.truth_summary" => scene.options.truth_summary, SWITCH),
+    choice!(O, "covariance", "covariance of the errors", "options.covariance" => scene.options.covariance, SWITCH),
+    choice!(O, "earth", "ellipsoid", "options.earth" => scene.options.ellipsoid, Ellipsoid::WORDS),
+    choice!(O, "gravity", "normal gravity", "options.gravity" => scene.options.gravity, GravityModel::WORDS),
+    choice!(O, "axes", "sensor axes: right-forward-up or forward-right-down", "options.axes" => scene.options.axes, BodyAxes::WORDS),
     choice!(O, "signal", "ideal signals: physical, or with a trim that keeps an error-free navigator at the truth",
-        "options.signal", closed_loop, [
-        "physical" => false,
-        "closed-loop" => true,
-    ]),
+        "options.signal" => closed_loop, [("physical", false), ("closed-loop", true)]),
     number!(O, N, "closed_loop_time_s", si("s"), "time constant of the trim",
         "options.closed_loop_time_s" => one(closed_loop_time_s)),
-    count(
-        "seed",
-        "seed of all random streams",
-        "options.seed",
-        |d| d.scene.options.key.seed,
-        |d, n| d.scene.options.key.seed = n,
-    ),
-    count(
-        "run",
-        "number of the run in an ensemble",
-        "options.run",
-        |d| d.scene.options.key.run,
-        |d, n| d.scene.options.key.run = n,
-    ),
+    count!(O, "seed", "seed of all random streams", "options.seed" => scene.options.key.seed),
+    count!(O, "run", "number of the run in an ensemble", "options.run" => scene.options.key.run),
     number!(O, N, "sample_period_s", si("s"), "stated sample period of a log; default: the time stamps of the log",
         "options.sample_period_s" => one(sample_period_s)),
     number!(O, N, "max_gap_s", si("s"), "longest interval between samples",

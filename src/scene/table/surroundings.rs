@@ -27,12 +27,8 @@ pub const START: &[Key] = &[
         "initial.velocity_sigma_enu_m_s" => vector(scene.errors.initial.velocity_sigma_n)),
     number!(S, Shape::Axes, "misalignment_sigma_arcmin", unit("arcmin", ARCMIN, "rad"), "standard deviation of the misalignment",
         "initial.misalignment_sigma_enu_rad" => vector(scene.errors.initial.misalignment_sigma_n)),
-    choice!(S, "alignment", "alignment: given attitude, levelling and gyrocompassing, or levelling with the true heading", "initial.alignment",
-        scene.errors.initial.alignment, [
-        "given" => Alignment::Given,
-        "gyrocompass" => Alignment::LevelAndGyrocompass,
-        "level" => Alignment::Level,
-    ]),
+    choice!(S, "alignment", "alignment: given attitude, levelling and gyrocompassing, or levelling with the true heading",
+        "initial.alignment" => scene.errors.initial.alignment, Alignment::WORDS),
     number!(S, Shape::Number, "alignment_s", si("s"), "length of the alignment, at rest before the first sample; 0: without end",
         "initial.alignment_s" => one(scene.errors.initial.alignment_s)),
 ];
