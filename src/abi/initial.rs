@@ -58,12 +58,12 @@ pub struct sins_initial_errors {
     pub alignment: i32,
     /// Must be 0.
     pub reserved2: u32,
-    /// Length of the alignment before the first sample, 1 to 86400 [s]; 0: without end. The vehicle rests during
-    /// the alignment. Tilt is found from the mean specific force, heading from the mean rate: white noise and quantization are
-    /// averaged over this time, and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. The flight begins
-    /// with the states with which the alignment ended: ramps and random walks begin at 0 when the alignment begins. The
-    /// temperature is that of the first sample. An alignment without end leaves out white noise and quantization, and takes the
-    /// errors at the first sample for their mean. A reposition
+    /// Length of the alignment before the first sample, 1 to 86400 [s]; 0: without end. The vehicle rests during the
+    /// alignment. Tilt is found from the mean specific force, heading from the mean rate: white noise and quantization are
+    /// averaged over this time, and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. Dead
+    /// zone and range act on the mean. The temperature is that of the first sample. The flight begins with the states with
+    /// which the alignment ended: ramps and random walks begin at 0 when the alignment begins. An alignment without end
+    /// leaves out white noise and quantization, and takes the errors at the first sample for their mean. A reposition
     /// aligns again, from the present states of the sensors. SINS_ALIGNMENT_GIVEN does not use it.
     pub alignment_s: f64,
 }

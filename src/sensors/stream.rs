@@ -137,13 +137,15 @@ mod tests {
             Stream::new(StreamKey { seed: 2, ..key }, Source::Gyro, 0, Purpose::GaussMarkov),
             Stream::new(StreamKey { run: 1, ..key }, Source::Gyro, 0, Purpose::GaussMarkov),
             Stream::new(StreamKey { seed: 0, run: 1 }, Source::Gyro, 0, Purpose::GaussMarkov),
+            Stream::new(key, Source::Gyro, 0, Purpose::GaussMarkov).other(),
+            Stream::new(key, Source::Gyro, 1, Purpose::GaussMarkov).other(),
         ]
         .iter_mut()
         .map(|stream| stream.normal().to_bits())
         .collect::<Vec<_>>();
         first.sort_unstable();
         first.dedup();
-        assert_eq!(first.len(), 7);
+        assert_eq!(first.len(), 9);
         let mut again = Stream::new(key, Source::Gyro, 0, Purpose::GaussMarkov);
         assert!(first.contains(&again.normal().to_bits()));
     }
