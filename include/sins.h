@@ -1302,6 +1302,10 @@ typedef struct sins_imu {
     double measured_angle_rad[3];
     /** Integral of the specific force that the modelled accelerometers measure [m/s]. */
     double measured_velocity_m_s[3];
+    /** measured_angle_rad after the compensation of sins_correct() [rad]. The INS navigates on the compensated increments. */
+    double compensated_angle_rad[3];
+    /** measured_velocity_m_s after the compensation of sins_correct() [m/s]. */
+    double compensated_velocity_m_s[3];
     /** Mean angular rate of perfect gyros: ideal_angle_rad divided by interval_s [rad/s]. */
     double ideal_rate_rad_s[3];
     /** Mean specific force of perfect accelerometers: ideal_velocity_m_s divided by interval_s [m/s2]. */
@@ -1936,7 +1940,8 @@ typedef struct sins_imu_increment {
 } sins_imu_increment;
 
 /**
- * Reads the increments on which the INS navigated in one update of the last interval, as the modelled sensors measured them.
+ * Reads the increments on which the INS navigated in one update of the last interval: those of the modelled sensors, after the
+ * compensation of sins_correct().
  * The argument update counts the updates of the interval from 0. Their number is sins_options.updates_per_sample, or more in an
  * interval of several periods. Each update has sins_options.subsamples parts; its interval_s is the interval divided by the
  * number of updates. A navigator of the host gets the whole interval so:
@@ -1980,6 +1985,87 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const sins_n
  * readable, and sins_reset() and sins_start_navigation() start anew.
  */
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const sins_imu_increment *increment);
+
+/* Corrections by the host. */
+
+/**
+ * Errors that the host estimated, for example with a Kalman filter or by a fix, and that the INS removes. All zero, the default,
+ * changes nothing.
+ *
+ * The first three fields are errors of the solution, in the definitions of sins_errors: a sins_errors that is copied into them
+ * leaves no error but rounding. They may have any size within their limits. The other fields are errors of the sensors, along the
+ * sensor axes. They are added to the compensation in force, which sins_get_compensation() reads. From the next interval on the
+ * INS navigates on compensated increments: (measured - bias * time) / (1 + scale factor), axis by axis. The sums must stay within
+ * 100 rad/s, 1e4 m/s2, and 0.5 for scale factors.
+ */
+typedef struct sins_correction {
+    /** sizeof(sins_correction) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /**
+     * Position error: displacement along true east and north, and difference of heights, -1e6 to 1e6 [m]. The true place that is
+     * meant is the corrected one.
+     */
+    double position_enu_m[3];
+    /** Velocity error, -1e4 to 1e4 [m/s]. */
+    double velocity_enu_m_s[3];
+    /** Misalignment phi, a rotation vector, each -pi to pi [rad]. */
+    double misalignment_enu_rad[3];
+    /** Gyro bias, added to the compensation in force [rad/s]. */
+    double gyro_bias_rad_s[3];
+    /** Scale factor error of the gyros, added to the compensation in force [1]. */
+    double gyro_scale_factor[3];
+    /** Accelerometer bias, added to the compensation in force [m/s2]. */
+    double accel_bias_m_s2[3];
+    /** Scale factor error of the accelerometers, added to the compensation in force [1]. */
+    double accel_scale_factor[3];
+} sins_correction;
+
+/** Compensation of the measured increments in force: the sum of all corrections since the start. */
+typedef struct sins_compensation {
+    /** sizeof(sins_compensation) */
+    uint32_t struct_size;
+    /** 0 */
+    uint32_t reserved;
+    /** Gyro bias [rad/s]. */
+    double gyro_bias_rad_s[3];
+    /** Scale factor error of the gyros [1]. */
+    double gyro_scale_factor[3];
+    /** Accelerometer bias [m/s2]. */
+    double accel_bias_m_s2[3];
+    /** Scale factor error of the accelerometers [1]. */
+    double accel_scale_factor[3];
+} sins_compensation;
+
+/**
+ * Removes errors that the host estimated. May be called between any two steps, and between the calls of sins_push_imu(). The
+ * solution, its errors and error data 1 are corrected at once. The truth, the modelled sensors and their random numbers do not
+ * change, and the loop of the vertical channel keeps its state. With a mounting the errors are those of the reference point, as
+ * in sins_errors. A reposition, a reset and sins_start_navigation() begin without a compensation. No allocation, no system call.
+ *
+ * The covariance of sins_get_covariance() remains that of an INS without corrections, and is flagged so.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value or a sum out of its range; or, within the position error of a pole, no place has this
+ * displacement.
+ * SINS_ERROR_BAD_STATE: no step was made yet.
+ * SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the corrected solution would be beyond the limits of sins_step(). After any error
+ * nothing has changed.
+ *
+ * ```c
+ * sins_correction correction;
+ * int axis;
+ * SINS_INIT(correction);
+ * for (axis = 0; axis < 3; ++axis) correction.position_enu_m[axis] = errors.position_enu_m[axis];
+ * sins_correct(sim, &correction);
+ * sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors);
+ * printf("%.2f nmi north\n", errors.position_enu_m[1] / SINS_NMI);  // 0.00 nmi north
+ * ```
+ */
+SINS_API sins_status SINS_CALL sins_correct(sins_sim *sim, const sins_correction *correction);
+
+/** Reads the compensation in force. It is zero before the first step. After sins_snapshot_load() it is that of the snapshot. */
+SINS_API sins_status SINS_CALL sins_get_compensation(sins_sim *sim, sins_compensation *compensation);
 
 /* Snapshots. */
 
@@ -2486,7 +2572,7 @@ enum sins_sizeof {
     SINS_SIZEOF_ALTIMETER_PARAMS = 56,
     SINS_SIZEOF_NAVIGATION = 128,
     SINS_SIZEOF_ERRORS = 144,
-    SINS_SIZEOF_IMU = 216,
+    SINS_SIZEOF_IMU = 264,
     SINS_SIZEOF_ACCURACY = 256,
     SINS_SIZEOF_TRUTH_SUMMARY = 232,
     SINS_SIZEOF_COVARIANCE = 776,
@@ -2498,6 +2584,8 @@ enum sins_sizeof {
     SINS_SIZEOF_MOUNTING = 104,
     SINS_SIZEOF_GRAVITY_PARAMS = 80,
     SINS_SIZEOF_IMU_INCREMENT = 264,
+    SINS_SIZEOF_CORRECTION = 176,
+    SINS_SIZEOF_COMPENSATION = 104,
     SINS_SIZEOF_FLIGHT_START = 72,
     SINS_SIZEOF_MANOEUVRE = 240,
     SINS_SIZEOF_REQUIREMENT = 48,

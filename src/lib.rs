@@ -39,6 +39,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`flight`] | makes samples from manoeuvres |
+//! | [`correction`] | errors that the host estimated are removed from the navigation and from the measured increments |
 //! | [`covariance`] | propagates the covariance of the errors along the same truth, with the equations of `errors::model` |
 //! | [`ensemble`], [`statistics`] | many runs of one simulator over the same samples, and the statistics of their errors |
 //! | [`recommend`] | finds the cheapest options that meet a required accuracy |
@@ -159,6 +160,8 @@ pub mod abi;
 pub mod allan;
 #[forbid(unsafe_code)]
 pub mod budget;
+#[forbid(unsafe_code)]
+pub mod correction;
 #[forbid(unsafe_code)]
 pub mod covariance;
 #[forbid(unsafe_code)]

@@ -1,0 +1,384 @@
+//! Corrections by the host: errors that are fed back disappear, zeros change no bit, and both error data agree afterwards.
+
+use nalgebra::Vector3;
+use sins::correction::{Compensation, Correction};
+use sins::ensemble::Ensemble;
+use sins::errors::NavigationErrors;
+use sins::mechanization::{Frame, Scheme, VerticalMode};
+use sins::mounting::MountingParameters;
+use sins::sensors::{GravityDisturbanceParameters, GravityField, InitialErrorParameters, TriadParameters};
+use sins::state::StateErrors;
+use sins::truth::FlightSample;
+use sins::{ErrorKind, ErrorSource, Options, Simulator};
+
+use crate::support::moments::{every_effect, reads, snapshot};
+use crate::support::{DEG_PER_HOUR, G, errors, fly_through, patrol, resting_sample, step};
+
+/// The correction that removes `errors` of the solution.
+fn removing(errors: &NavigationErrors) -> Correction {
+    let NavigationErrors { position_n, velocity_n, misalignment_n, .. } = *errors;
+    Correction { errors: StateErrors { position_n, velocity_n, misalignment_n }, ..Default::default() }
+}
+
+/// Samples of the patrol at 50 Hz.
+fn samples(count: usize) -> impl Iterator<Item = FlightSample> {
+    let flight = patrol(600.0);
+    (0..count).map(move |k| flight.sample_at(k as f64 / 50.0).unwrap())
+}
+
+fn initial(scale: f64) -> InitialErrorParameters {
+    InitialErrorParameters {
+        position_n: Vector3::new(3e3, -2e3, 100.0) * scale,
+        velocity_n: Vector3::new(2.0, 3.0, -1.0) * scale,
+        misalignment_n: Vector3::new(1e-3, -2e-3, 5e-3) * scale,
+        ..Default::default()
+    }
+}
+
+fn mounting() -> MountingParameters {
+    MountingParameters {
+        lever_arm_m: Vector3::new(3.0, -5.0, 1.0),
+        boresight: sins::math::Euler { roll: 0.3, pitch: -0.2, heading: 1.1 },
+        lever_arm_error_m: Vector3::new(0.1, 0.2, -0.1),
+        boresight_error: sins::math::Euler { roll: 1e-3, pitch: 2e-3, heading: -1e-3 },
+    }
+}
+
+/// Every frame and scheme, each vertical channel, with the closed loop and with a mounting.
+fn modes() -> Vec<(Options, bool)> {
+    let mut modes = Vec::new();
+    for frame in [Frame::EarthFixed, Frame::Geographic] {
+        for scheme in [Scheme::Exact, Scheme::Paper, Scheme::Polynomial] {
+            for vertical in [VerticalMode::Free, VerticalMode::Damped, VerticalMode::FollowTruth] {
+                for (closed_loop_time_s, is_mounted) in [(None, false), (Some(60.0), false), (None, true)] {
+                    let options = Options {
+                        frame,
+                        scheme,
+                        vertical,
+                        closed_loop_time_s,
+                        error_model: true,
+                        ..Default::default()
+                    };
+                    modes.push((options, is_mounted));
+                }
+            }
+        }
+    }
+    modes
+}
+
+fn simulator(options: &Options, is_mounted: bool, scale: f64) -> Simulator {
+    let mut simulator = Simulator::new(options).unwrap();
+    let (gyro, accel) = every_effect();
+    simulator.set_gyro(&TriadParameters { bias: gyro.bias, ..Default::default() }).unwrap();
+    simulator.set_accel(&TriadParameters { bias: accel.bias, ..Default::default() }).unwrap();
+    simulator.set_initial_errors(&initial(scale)).unwrap();
+    if is_mounted {
+        simulator.set_mounting(&mounting()).unwrap();
+    }
+    simulator
+}
+
+/// Position [m], velocity [m/s] and misalignment [rad] that are left.
+fn left(errors: &NavigationErrors) -> [f64; 3] {
+    [errors.position_n.norm(), errors.velocity_n.norm(), errors.misalignment_n.norm()]
+}
+
+/// Errors that were read and fed back are gone, to the rounding of a position of an Earth radius, 2 nm, and of the velocity of the
+/// Earth, 465 m/s.
+#[test]
+fn errors_that_are_fed_back_are_gone() {
+    let mut worst = [0.0_f64; 3];
+    for (options, is_mounted) in modes() {
+        let mut simulator = simulator(&options, is_mounted, 1.0);
+        fly_through(&mut simulator, samples(150));
+        let found = errors(&simulator, ErrorSource::Navigation);
+        assert!(found.position_n.norm() > 3000.0 && found.misalignment_n.norm() > 4e-3);
+        simulator.correct(&removing(&found)).unwrap();
+        let left = left(&errors(&simulator, ErrorSource::Navigation));
+        assert!(left[0] < 1e-8 && left[1] < 1e-12 && left[2] < 4e-15, "{left:?}: {options:?}");
+        worst = core::array::from_fn(|k| worst[k].max(left[k]));
+    }
+    println!("left: {:.1e} m, {:.1e} m/s, {:.1e} rad", worst[0], worst[1], worst[2]);
+}
+
+/// After a correction error data 1 and 2 agree as before, to second order in the errors: a tenth of the errors leaves a hundredth.
+#[test]
+fn both_error_data_take_the_same_correction() {
+    for (options, is_mounted) in modes() {
+        let apart = |scale: f64| {
+            let mut simulator = simulator(&options, is_mounted, scale);
+            if is_mounted {
+                simulator
+                    .set_mounting(&MountingParameters {
+                        lever_arm_error_m: mounting().lever_arm_error_m * scale,
+                        boresight_error: Default::default(),
+                        ..mounting()
+                    })
+                    .unwrap();
+            }
+            let none = TriadParameters::default();
+            simulator.set_gyro(&none).unwrap();
+            simulator.set_accel(&none).unwrap();
+            fly_through(&mut simulator, samples(100));
+            let mut correction = removing(&errors(&simulator, ErrorSource::Navigation));
+            let StateErrors { position_n, velocity_n, misalignment_n } = &mut correction.errors;
+            *position_n *= 0.3;
+            *velocity_n *= -0.7;
+            *misalignment_n *= 1.5;
+            correction.sensors.gyro_bias = Vector3::new(1.0, -2.0, 3.0) * (1e-6 * scale);
+            correction.sensors.accel_scale_factor = Vector3::new(2.0, -1.0, 1.0) * (1e-5 * scale);
+            simulator.correct(&correction).unwrap();
+            fly_through(&mut simulator, samples(200).skip(100));
+            let (navigated, model) =
+                (errors(&simulator, ErrorSource::Navigation), errors(&simulator, ErrorSource::Model));
+            assert!(model.position_n.norm() >= 2000.0 * scale, "{options:?}");
+            [
+                navigated.position_n - model.position_n,
+                navigated.velocity_n - model.velocity_n,
+                navigated.misalignment_n - model.misalignment_n,
+            ]
+        };
+        // Without errors the scheme's own errors are left.
+        let own = apart(0.0);
+        let beyond_own = |scale: f64| {
+            let found = apart(scale);
+            [0, 1, 2].map(|k| (found[k] - own[k]).norm())
+        };
+        let (one, tenth) = (beyond_own(1.0), beyond_own(0.1));
+        let rounding = [1e-8, 1e-10, 1e-13];
+        for k in 0..3 {
+            let ratio = one[k] / tenth[k];
+            let is_second_order = (70.0..140.0).contains(&ratio) || tenth[k] < rounding[k];
+            assert!(is_second_order, "{k}: {} and {}: {is_mounted} {options:?}", one[k], tenth[k]);
+        }
+    }
+}
+
+/// A solution within metres of the pole: places on either side of the pole and the solution's own meridian.
+#[test]
+fn errors_at_the_poles_are_removed() {
+    for (latitude, sign) in [(core::f64::consts::FRAC_PI_2, 1.0), (-core::f64::consts::FRAC_PI_2, -1.0)] {
+        for distance_m in [0.0, 0.5, 30.0, 5e3, 80e3] {
+            for k in 0..12 {
+                let direction = f64::from(k) * 0.5 + 0.1;
+                let error = [1e-3, 1.0, 100.0, 3e3][k as usize % 4];
+                let mut simulator = Simulator::new(&Options::default()).unwrap();
+                simulator
+                    .set_initial_errors(&InitialErrorParameters {
+                        position_n: Vector3::new(direction.sin(), direction.cos(), 0.1) * error,
+                        velocity_n: Vector3::new(1.0, -2.0, 0.5),
+                        misalignment_n: Vector3::new(1e-3, 2e-3, -1e-3),
+                        ..Default::default()
+                    })
+                    .unwrap();
+                let mut start = resting_sample(0.0);
+                start.place.latitude_rad = latitude - sign * distance_m / 6.4e6;
+                let next = FlightSample { time_s: 0.02, ..start };
+                fly_through(&mut simulator, [start, next]);
+                // What a host knows: errors of position, velocity and attitude in the axes that it reads.
+                simulator.correct(&removing(&errors(&simulator, ErrorSource::Navigation))).unwrap();
+                let found = errors(&simulator, ErrorSource::Navigation).position_n;
+                // The longitude of a place is the less certain the nearer the solution is to the axis.
+                let rounding = 2e-8 * (1.0 + (error + distance_m) / error.min(1.0));
+                assert!(found.norm() < rounding, "{distance_m} {k}: {found:?}, {rounding:e}");
+            }
+        }
+    }
+}
+
+/// Zeros change no bit of what is read or saved. Nor does a rejected correction.
+#[test]
+fn zeros_and_rejected_corrections_change_nothing() {
+    let options = Options { error_model: true, covariance: true, ..Default::default() };
+    let mut simulator = simulator(&options, true, 1.0);
+    let none = Correction::default();
+    assert_eq!(simulator.correct(&none).unwrap_err().kind, ErrorKind::BadState);
+    fly_through(&mut simulator, samples(20));
+    let before = (reads(&simulator), snapshot(&simulator));
+    simulator.correct(&none).unwrap();
+    let bad = |change: fn(&mut Correction)| {
+        let mut bad = Correction::default();
+        change(&mut bad);
+        bad
+    };
+    for (correction, field) in [
+        (
+            bad(|c| c.errors.position_n.y = 1.1e6),
+            "correction.position_enu_m[1] = 1100000: must be from -1000000 to 1000000",
+        ),
+        (bad(|c| c.errors.velocity_n.x = f64::NAN), "correction.velocity_enu_m_s[0] = NaN"),
+        (bad(|c| c.errors.misalignment_n.z = -3.2), "correction.misalignment_enu_rad[2] = -3.2"),
+        (bad(|c| c.sensors.gyro_bias.x = 101.0), "compensation.gyro_bias_rad_s[0] = 101"),
+        (bad(|c| c.sensors.gyro_scale_factor.y = 0.6), "compensation.gyro_scale_factor[1] = 0.6"),
+        (bad(|c| c.sensors.accel_bias.z = f64::INFINITY), "compensation.accel_bias_m_s2[2]"),
+        (bad(|c| c.sensors.accel_scale_factor.x = -0.51), "compensation.accel_scale_factor[0]"),
+    ] {
+        let error = simulator.correct(&correction).unwrap_err();
+        assert_eq!(error.kind, ErrorKind::InvalidArgument);
+        assert!(error.to_string().starts_with(field), "{error}");
+    }
+    assert!((reads(&simulator), snapshot(&simulator)) == before);
+}
+
+/// Constant biases and scale factors that are compensated exactly leave perfect sensors: the navigation is that of ideal ones.
+#[test]
+fn known_sensor_errors_are_compensated() {
+    let compensation = Compensation {
+        gyro_bias: Vector3::new(1.0, -2.0, 3.0) * DEG_PER_HOUR,
+        gyro_scale_factor: Vector3::new(1e-3, -2e-3, 3e-3),
+        accel_bias: Vector3::new(1e-3, -2e-3, 1e-3) * G,
+        accel_scale_factor: Vector3::new(-1e-3, 2e-3, 1e-3),
+    };
+    let triad = |bias: Vector3<f64>, scale: Vector3<f64>| TriadParameters {
+        bias,
+        scale_factor: scale,
+        ..Default::default()
+    };
+    for (frame, is_mounted) in [(Frame::EarthFixed, false), (Frame::Geographic, true)] {
+        let options =
+            Options { frame, error_model: true, vertical: VerticalMode::Free, ..Default::default() };
+        let mut simulator = Simulator::new(&options).unwrap();
+        if is_mounted {
+            simulator
+                .set_mounting(&MountingParameters {
+                    lever_arm_error_m: Vector3::zeros(),
+                    boresight_error: Default::default(),
+                    ..mounting()
+                })
+                .unwrap();
+        }
+        fly_through(&mut simulator, samples(2));
+        let gyro = triad(compensation.gyro_bias, compensation.gyro_scale_factor);
+        let accel = triad(compensation.accel_bias, compensation.accel_scale_factor);
+        simulator.set_gyro(&gyro).unwrap();
+        simulator.set_accel(&accel).unwrap();
+        // In two parts, which are added.
+        let mut half = Correction { sensors: compensation, ..Default::default() };
+        for value in [&mut half.sensors.gyro_bias, &mut half.sensors.accel_bias] {
+            *value *= 0.5;
+        }
+        simulator.correct(&half).unwrap();
+        let rest = Compensation {
+            gyro_bias: half.sensors.gyro_bias,
+            accel_bias: half.sensors.accel_bias,
+            ..Default::default()
+        };
+        simulator.correct(&Correction { sensors: rest, ..Default::default() }).unwrap();
+        assert_eq!(simulator.compensation(), compensation);
+        fly_through(&mut simulator, samples(3000).skip(2));
+        let imu = simulator.imu().unwrap();
+        let [raw, compensated] = [imu.measured, imu.compensated].map(|sum| sum.minus(&imu.ideal));
+        assert!(raw.velocity.norm() > 1e-4 && compensated.velocity.norm() < 1e-15, "{compensated:?}");
+        for source in [ErrorSource::Navigation, ErrorSource::Model] {
+            // A minute of patrol without errors leaves micrometres; with these it would leave more than 10 m.
+            let found = errors(&simulator, source).position_n.norm();
+            assert!(found < 1e-4, "{source:?}: {found}");
+        }
+        simulator.reset();
+        assert_eq!(simulator.compensation(), Compensation::default());
+    }
+}
+
+fn some_correction(k: usize) -> Correction {
+    let one = Vector3::new(1.0, -2.0, 0.5) * (k as f64 + 1.0);
+    Correction {
+        errors: StateErrors { position_n: one * 10.0, velocity_n: one * 0.1, misalignment_n: one * 1e-4 },
+        sensors: Compensation {
+            gyro_bias: one * 1e-7,
+            gyro_scale_factor: one * 1e-5,
+            accel_bias: one * 1e-4,
+            accel_scale_factor: one * 1e-5,
+        },
+    }
+}
+
+/// A run that is saved and loaded between corrections continues to the same bits, also on increments.
+#[test]
+fn a_snapshot_holds_the_corrections() {
+    for (options, is_mounted) in modes() {
+        let mut simulator = simulator(&options, is_mounted, 1.0);
+        let mut loaded = Simulator::new(&Options::default()).unwrap();
+        for (k, sample) in samples(60).enumerate() {
+            step(&mut simulator, &sample);
+            if k % 20 == 10 {
+                simulator.correct(&some_correction(k)).unwrap();
+            }
+            if k == 35 {
+                loaded.load_snapshot(&snapshot(&simulator)).unwrap();
+                assert!(reads(&loaded) == reads(&simulator));
+                assert_eq!(loaded.compensation(), simulator.compensation());
+                assert_ne!(loaded.compensation(), Compensation::default());
+            }
+            if k > 35 {
+                step(&mut loaded, &sample);
+                if k % 20 == 10 {
+                    loaded.correct(&some_correction(k)).unwrap();
+                }
+            }
+        }
+        assert!(reads(&loaded) == reads(&simulator), "{options:?}");
+        assert!(snapshot(&loaded) == snapshot(&simulator), "{options:?}");
+    }
+}
+
+/// Each run of an ensemble that is corrected gives the bits of the simulator with its number, and leaves the others alone.
+#[test]
+fn corrected_runs_equal_corrected_simulators() {
+    for (options, is_mounted) in modes() {
+        for is_disturbed in [false, true] {
+            let make = |run: u64| {
+                let mut options = options;
+                options.key.run = run;
+                let mut simulator = simulator(&options, is_mounted, 1.0);
+                let one = Vector3::repeat(1.0);
+                let noisy =
+                    TriadParameters { bias_sigma: one * 1e-6, random_walk: one * 1e-6, ..Default::default() };
+                simulator.set_gyro(&noisy).unwrap();
+                if is_disturbed {
+                    let anomaly = GravityField { mean: 2e-4, sigma: 1e-4, distance_m: 1e4 };
+                    let gravity = GravityDisturbanceParameters { anomaly, ..Default::default() };
+                    simulator.set_gravity_disturbance(&gravity).unwrap();
+                }
+                simulator
+            };
+            let mut ensemble = Ensemble::new(&make(3), 3, 19).unwrap();
+            assert_eq!(ensemble.correct(3, &some_correction(0)).unwrap_err().kind, ErrorKind::BadState);
+            let mut alone = [3, 7, 21].map(make);
+            for (k, sample) in samples(40).enumerate() {
+                ensemble.push_sample(&sample).unwrap();
+                ensemble.step().unwrap();
+                alone.iter_mut().for_each(|simulator| step(simulator, &sample));
+                if k == 10 || k == 25 {
+                    for (place, run) in [(1, 7), (2, 21)] {
+                        ensemble.correct(run, &some_correction(k)).unwrap();
+                        alone[place].correct(&some_correction(k)).unwrap();
+                    }
+                }
+                if k > 0 {
+                    for (simulator, run) in alone.iter().zip([3, 7, 21]) {
+                        let of_run = (
+                            ensemble.navigation(run).unwrap(),
+                            ensemble.imu(run).unwrap(),
+                            ensemble.errors(run, ErrorSource::Model).unwrap(),
+                            ensemble.compensation(run).unwrap(),
+                        );
+                        let expected = (
+                            simulator.navigation().unwrap(),
+                            simulator.imu(),
+                            simulator.errors(ErrorSource::Model).unwrap(),
+                            simulator.compensation(),
+                        );
+                        assert_eq!(of_run, expected, "run {run}, sample {k}, {options:?}");
+                    }
+                }
+            }
+            assert_eq!(
+                ensemble.correct(22, &some_correction(0)).unwrap_err().kind,
+                ErrorKind::InvalidArgument
+            );
+            ensemble.reset();
+            assert_eq!(ensemble.compensation(7).unwrap(), Compensation::default());
+        }
+    }
+}
