@@ -24,8 +24,8 @@ pub struct sins_correction {
     pub struct_size: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Position error: displacement along true east and north, and difference of heights, -1e6 to 1e6 [m]. The true place that is
-    /// meant is the corrected one.
+    /// Position error: displacement along true east and north, and difference of heights, -1e6 to 1e6 [m]. The true place is
+    /// the corrected one. Near a pole two places can have this displacement; that which turns the attitude less is taken.
     pub position_enu_m: [f64; 3],
     /// Velocity error, -1e4 to 1e4 [m/s].
     pub velocity_enu_m_s: [f64; 3],
