@@ -2004,8 +2004,8 @@ typedef struct sins_correction {
     /** Must be 0. */
     uint32_t reserved;
     /**
-     * Position error: displacement along true east and north, and difference of heights, -1e6 to 1e6 [m]. The true place that is
-     * meant is the corrected one.
+     * Position error: displacement along true east and north, and difference of heights, -1e6 to 1e6 [m]. The true place is
+     * the corrected one. Near a pole two places can have this displacement; that which turns the attitude less is taken.
      */
     double position_enu_m[3];
     /** Velocity error, -1e4 to 1e4 [m/s]. */

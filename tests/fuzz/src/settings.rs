@@ -65,6 +65,16 @@ ranges!(MOUNTING, sins_mounting,
     boresight_error_rad: 3, -3.14, 3.14;
 );
 
+ranges!(CORRECTION, sins_correction,
+    position_enu_m: 3, -1e6, 1e6;
+    velocity_enu_m_s: 3, -1e4, 1e4;
+    misalignment_enu_rad: 3, -3.14, 3.14;
+    gyro_bias_rad_s: 3, -100.0, 100.0;
+    gyro_scale_factor: 3, -0.5, 0.5;
+    accel_bias_m_s2: 3, -1e4, 1e4;
+    accel_scale_factor: 3, -0.5, 0.5;
+);
+
 ranges!(GRAVITY, sins_gravity_params,
     deflection_north_rad: 1, -0.01, 0.01;
     deflection_north_sigma_rad: 1, 0.0, 0.01;
@@ -127,6 +137,10 @@ pub fn some_initial_errors(input: &mut Input) -> sins_initial_errors {
 
 pub fn some_mounting(input: &mut Input) -> sins_mounting {
     filled(input, MOUNTING)
+}
+
+pub fn some_correction(input: &mut Input) -> sins_correction {
+    filled(input, CORRECTION)
 }
 
 pub fn some_gravity(input: &mut Input) -> sins_gravity_params {
@@ -250,6 +264,11 @@ impl Host {
         let errors = some_initial_errors(&mut self.input);
         let place = self.start_again();
         self.giving_to(place, errors, |sim, errors| call!(sins_set_initial_errors(sim, errors)));
+    }
+
+    pub fn correct(&mut self) {
+        let correction = some_correction(&mut self.input);
+        self.giving(correction, |sim, correction| call!(sins_correct(sim, correction)));
     }
 
     pub fn set_mounting(&mut self) {
