@@ -1180,7 +1180,12 @@ typedef enum sins_errors_flags {
      */
     SINS_ERRORS_OUTSIDE_VALIDITY = 2,
     /** In a sins_record: not computed, all zero. */
-    SINS_ERRORS_NOT_COMPUTED = 4
+    SINS_ERRORS_NOT_COMPUTED = 4,
+    /**
+     * In a sins_covariance: since the start sins_correct() has corrected the INS. The covariance is that of an INS without
+     * corrections.
+     */
+    SINS_ERRORS_WITHOUT_CORRECTIONS = 8
 } sins_errors_flags;
 
 /** Errors of the navigated solution, computed less true. */
@@ -1508,8 +1513,8 @@ typedef struct sins_covariance {
     /** sizeof(sins_covariance) */
     uint32_t struct_size;
     /**
-     * Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, and SINS_ERRORS_OUTSIDE_VALIDITY if a standard
-     * deviation exceeds the limits of that flag.
+     * Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, SINS_ERRORS_WITHOUT_CORRECTIONS, and
+     * SINS_ERRORS_OUTSIDE_VALIDITY if a standard deviation exceeds the limits of that flag.
      */
     int32_t flags;
     /** Time [s]. */
@@ -2044,7 +2049,7 @@ typedef struct sins_compensation {
  * change, and the loop of the vertical channel keeps its state. With a mounting the errors are those of the reference point, as
  * in sins_errors. A reposition, a reset and sins_start_navigation() begin without a compensation. No allocation, no system call.
  *
- * The covariance of sins_get_covariance() remains that of an INS without corrections, and is flagged so.
+ * The covariance of sins_get_covariance() remains that of an INS without corrections: SINS_ERRORS_WITHOUT_CORRECTIONS.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value or a sum out of its range; or, within the position error of a pole, no place has this
  * displacement.

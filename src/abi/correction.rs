@@ -100,7 +100,7 @@ impl From<&Compensation> for sins_compensation {
 /// change, and the loop of the vertical channel keeps its state. With a mounting the errors are those of the reference point, as
 /// in sins_errors. A reposition, a reset and sins_start_navigation() begin without a compensation. No allocation, no system call.
 ///
-/// The covariance of sins_get_covariance() remains that of an INS without corrections, and is flagged so.
+/// The covariance of sins_get_covariance() remains that of an INS without corrections: SINS_ERRORS_WITHOUT_CORRECTIONS.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value or a sum out of its range; or, within the position error of a pole, no place has this
 /// displacement.

@@ -82,6 +82,17 @@ fn block_of(page: &str) -> String {
 }
 
 #[test]
+fn a_pilots_update_removes_the_position_error() {
+    let folder = library_folder("landmark");
+    std::fs::write(folder.join("landmark.h"), block_of("docs/close_the_loop.md")).unwrap();
+    let host = std::fs::read_to_string(project_file("tests/c/landmark.c")).unwrap();
+    let check = project_file("tests/c/check.h");
+    let source = folder.join("landmark.c");
+    std::fs::write(&source, host.replace("\"check.h\"", &format!("{check:?}"))).unwrap();
+    prints_alike("landmark", &[source.to_str().unwrap()], &C_AND_CPP, &[]);
+}
+
+#[test]
 fn the_shim_with_old_exports_gives_the_errors_of_the_library() {
     let shim = library_folder("old_program").join("old_sins.c");
     std::fs::write(&shim, block_of("docs/paper.md")).unwrap();

@@ -230,6 +230,36 @@ fn zeros_and_rejected_corrections_change_nothing() {
     assert!((reads(&simulator), snapshot(&simulator)) == before);
 }
 
+/// The covariance stays that of an INS without corrections, and says so, also after a snapshot; until the INS starts anew.
+#[test]
+fn the_covariance_leaves_corrections_out_and_says_so() {
+    let options = Options { covariance: true, ..Default::default() };
+    let (mut corrected, mut free) = (simulator(&options, false, 1.0), simulator(&options, false, 1.0));
+    for simulator in [&mut corrected, &mut free] {
+        simulator
+            .set_initial_errors(&InitialErrorParameters {
+                position_sigma_n: Vector3::repeat(10.0),
+                misalignment_sigma_n: Vector3::repeat(1e-3),
+                ..Default::default()
+            })
+            .unwrap();
+        fly_through(simulator, samples(200));
+    }
+    corrected.correct(&some_correction(1)).unwrap();
+    for simulator in [&mut corrected, &mut free] {
+        fly_through(simulator, samples(400).skip(200));
+    }
+    let mut loaded = Simulator::new(&Options::default()).unwrap();
+    loaded.load_snapshot(&snapshot(&corrected)).unwrap();
+    let read = |simulator: &mut Simulator| simulator.covariance().unwrap().unwrap().1;
+    let [found, loaded, expected] = [&mut corrected, &mut loaded, &mut free].map(read);
+    assert!(expected.matrix[(0, 0)] >= 100.0 && !expected.without_corrections);
+    assert!(found.matrix == expected.matrix && found.without_corrections && loaded == found);
+    corrected.reset();
+    fly_through(&mut corrected, samples(3));
+    assert!(!read(&mut corrected).without_corrections);
+}
+
 /// Constant biases and scale factors that are compensated exactly leave perfect sensors: the navigation is that of ideal ones.
 #[test]
 fn known_sensor_errors_are_compensated() {
