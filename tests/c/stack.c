@@ -109,6 +109,9 @@ static void read_all(sins_sim *sim)
     MEASURE(sins_snapshot_load(sim, snapshot, size));
 }
 
+static sins_correction correction = {.struct_size = sizeof correction, .position_enu_m = {1.0}, .gyro_bias_rad_s = {1e-9}};
+static sins_compensation compensation = {.struct_size = sizeof compensation};
+
 static void set_all(sins_sim *sim)
 {
     sins_gyro_params gyro = scene_gyro();
@@ -178,8 +181,6 @@ static void fly_ensemble(const sins_options *options)
     static sins_statistics statistics, sum;
     sins_figures figures = {.struct_size = sizeof figures};
     sins_navigation navigation = {.struct_size = sizeof navigation};
-    sins_correction correction = {.struct_size = sizeof correction, .position_enu_m = {1.0}, .gyro_bias_rad_s = {1e-9}};
-    sins_compensation compensation = {.struct_size = sizeof compensation};
     sins_imu imu = {.struct_size = sizeof imu};
     sins_errors errors = {.struct_size = sizeof errors};
     sins_failure stuck = {.struct_size = sizeof stuck, .kind = SINS_FAILURE_STUCK};
