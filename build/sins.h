@@ -172,6 +172,10 @@ extern "C" {
 
 @navigator
 
+/* Corrections by the host. */
+
+@correction
+
 /* Snapshots. */
 
 @snapshot

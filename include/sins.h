@@ -1141,7 +1141,12 @@ typedef enum sins_errors_flags {
      */
     SINS_ERRORS_OUTSIDE_VALIDITY = 2,
     /** In a sins_record: not computed, all zero. */
-    SINS_ERRORS_NOT_COMPUTED = 4
+    SINS_ERRORS_NOT_COMPUTED = 4,
+    /**
+     * In a sins_covariance: since the start sins_correct() has corrected the INS. The covariance is that of an INS without
+     * corrections.
+     */
+    SINS_ERRORS_WITHOUT_CORRECTIONS = 8
 } sins_errors_flags;
 
 /** Errors of the navigated solution, computed less true. */
@@ -1263,6 +1268,10 @@ typedef struct sins_imu {
     double measured_angle_rad[3];
     /** Integral of the specific force that the modelled accelerometers measure [m/s]. */
     double measured_velocity_m_s[3];
+    /** measured_angle_rad after the compensation of sins_correct() [rad]. The INS navigates on the compensated increments. */
+    double compensated_angle_rad[3];
+    /** measured_velocity_m_s after the compensation of sins_correct() [m/s]. */
+    double compensated_velocity_m_s[3];
     /** Mean angular rate of perfect gyros: ideal_angle_rad divided by interval_s [rad/s]. */
     double ideal_rate_rad_s[3];
     /** Mean specific force of perfect accelerometers: ideal_velocity_m_s divided by interval_s [m/s2]. */
@@ -1468,8 +1477,8 @@ typedef struct sins_covariance {
     /** sizeof(sins_covariance) */
     uint32_t struct_size;
     /**
-     * Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, and SINS_ERRORS_OUTSIDE_VALIDITY if a standard
-     * deviation exceeds the limits of that flag.
+     * Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, SINS_ERRORS_WITHOUT_CORRECTIONS, and
+     * SINS_ERRORS_OUTSIDE_VALIDITY if a standard deviation exceeds the limits of that flag.
      */
     int32_t flags;
     /** Time [s]. */
@@ -1753,12 +1762,12 @@ typedef struct sins_initial_errors {
     /** Must be 0. */
     uint32_t reserved2;
     /**
-     * Length of the alignment before the first sample, 1 to 86400 [s]; 0: without end. The vehicle rests during
-     * the alignment. Tilt is found from the mean specific force, heading from the mean rate: white noise and quantization are
-     * averaged over this time, and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. The flight begins
-     * with the states with which the alignment ended: ramps and random walks begin at 0 when the alignment begins. The
-     * temperature is that of the first sample. An alignment without end leaves out white noise and quantization, and takes the
-     * errors at the first sample for their mean. A reposition
+     * Length of the alignment before the first sample, 1 to 86400 [s]; 0: without end. The vehicle rests during the
+     * alignment. Tilt is found from the mean specific force, heading from the mean rate: white noise and quantization are
+     * averaged over this time, and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. Dead
+     * zone and range act on the mean. The temperature is that of the first sample. The flight begins with the states with
+     * which the alignment ended: ramps and random walks begin at 0 when the alignment begins. An alignment without end
+     * leaves out white noise and quantization, and takes the errors at the first sample for their mean. A reposition
      * aligns again, from the present states of the sensors. SINS_ALIGNMENT_GIVEN does not use it.
      */
     double alignment_s;
@@ -1911,7 +1920,7 @@ typedef enum sins_grade {
     /**
      * Strategic: gyro bias 0.001 deg/h and accelerometer bias 1e-6 g, each 1 sigma (El-Sheimy and Youssef 2020, table 1, upper
      * ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200). The table states 30 to 100 m/h for this grade.
-     * That holds in straight flight; in turns the scale factor dominates: the built-in racetrack has a CEP of 190 m after an hour, and
+     * That holds in straight flight; in turns the scale factor dominates: from a perfect start the built-in racetrack has a CEP of 190 m after an hour, and
      * 35 m without it, the built-in patrol 1.6 km and 38 m.
      */
     SINS_GRADE_STRATEGIC = 1,
@@ -1988,7 +1997,8 @@ typedef struct sins_imu_increment {
 } sins_imu_increment;
 
 /**
- * Reads the increments on which the INS navigated in one update of the last interval, as the modelled sensors measured them.
+ * Reads the increments on which the INS navigated in one update of the last interval: those of the modelled sensors, after the
+ * compensation of sins_correct().
  * The argument update counts the updates of the interval from 0. Their number is sins_options.updates_per_sample, or more in an
  * interval of several periods. Each update has sins_options.subsamples parts; its interval_s is the interval divided by the
  * number of updates. A navigator of the host that gets all updates of each interval by sins_push_imu() has the solution of the INS
@@ -2037,6 +2047,87 @@ SINS_API sins_status SINS_CALL sins_start_navigation(sins_sim *sim, const sins_n
  * readable, and sins_reset() and sins_start_navigation() start anew.
  */
 SINS_API sins_status SINS_CALL sins_push_imu(sins_sim *sim, const sins_imu_increment *increment);
+
+/* Corrections by the host. */
+
+/**
+ * Errors that the host estimated, for example with a Kalman filter or by a fix, and that the INS removes. All zero, the default,
+ * changes nothing.
+ *
+ * The first three fields are errors of the solution, in the definitions of sins_errors: a sins_errors that is copied into them
+ * leaves no error but rounding. They may have any size within their limits. The other fields are errors of the sensors, along the
+ * sensor axes. They are added to the compensation in force, which sins_get_compensation() reads. From the next interval on the
+ * INS navigates on compensated increments: (measured - bias * time) / (1 + scale factor), axis by axis. The sums must stay within
+ * 100 rad/s, 1e4 m/s2, and 0.5 for scale factors.
+ */
+typedef struct sins_correction {
+    /** sizeof(sins_correction) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /**
+     * Position error: displacement along true east and north, and difference of heights, -1e6 to 1e6 [m]. The true place is
+     * the corrected one. Near a pole two places can have this displacement; that which turns the attitude less is taken.
+     */
+    double position_enu_m[3];
+    /** Velocity error, -1e4 to 1e4 [m/s]. */
+    double velocity_enu_m_s[3];
+    /** Misalignment phi, a rotation vector, each -pi to pi [rad]. */
+    double misalignment_enu_rad[3];
+    /** Gyro bias, added to the compensation in force [rad/s]. */
+    double gyro_bias_rad_s[3];
+    /** Scale factor error of the gyros, added to the compensation in force [1]. */
+    double gyro_scale_factor[3];
+    /** Accelerometer bias, added to the compensation in force [m/s2]. */
+    double accel_bias_m_s2[3];
+    /** Scale factor error of the accelerometers, added to the compensation in force [1]. */
+    double accel_scale_factor[3];
+} sins_correction;
+
+/** Compensation of the measured increments in force: the sum of all corrections since the start. */
+typedef struct sins_compensation {
+    /** sizeof(sins_compensation) */
+    uint32_t struct_size;
+    /** 0 */
+    uint32_t reserved;
+    /** Gyro bias [rad/s]. */
+    double gyro_bias_rad_s[3];
+    /** Scale factor error of the gyros [1]. */
+    double gyro_scale_factor[3];
+    /** Accelerometer bias [m/s2]. */
+    double accel_bias_m_s2[3];
+    /** Scale factor error of the accelerometers [1]. */
+    double accel_scale_factor[3];
+} sins_compensation;
+
+/**
+ * Removes errors that the host estimated. May be called between any two steps, and between the calls of sins_push_imu(). The
+ * solution, its errors and error data 1 are corrected at once. The truth, the modelled sensors and their random numbers do not
+ * change, and the loop of the vertical channel keeps its state. With a mounting the errors are those of the reference point, as
+ * in sins_errors. A reposition, a reset and sins_start_navigation() begin without a compensation. No allocation, no system call.
+ *
+ * The covariance of sins_get_covariance() remains that of an INS without corrections: SINS_ERRORS_WITHOUT_CORRECTIONS.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value or a sum out of its range; or, within the position error of a pole, no place has this
+ * displacement.
+ * SINS_ERROR_BAD_STATE: no step was made yet.
+ * SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: the corrected solution would be beyond the limits of sins_step(). After any error
+ * nothing has changed.
+ *
+ * ```c
+ * sins_correction correction;
+ * int axis;
+ * SINS_INIT(correction);
+ * for (axis = 0; axis < 3; ++axis) correction.position_enu_m[axis] = errors.position_enu_m[axis];
+ * sins_correct(sim, &correction);
+ * sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors);
+ * printf("%.2f nmi north\n", errors.position_enu_m[1] / SINS_NMI);  // 0.00 nmi north
+ * ```
+ */
+SINS_API sins_status SINS_CALL sins_correct(sins_sim *sim, const sins_correction *correction);
+
+/** Reads the compensation in force. It is zero before the first step. After sins_snapshot_load() it is that of the snapshot. */
+SINS_API sins_status SINS_CALL sins_get_compensation(sins_sim *sim, sins_compensation *compensation);
 
 /* Snapshots. */
 
@@ -2543,7 +2634,7 @@ enum sins_sizeof {
     SINS_SIZEOF_ALTIMETER_PARAMS = 56,
     SINS_SIZEOF_NAVIGATION = 128,
     SINS_SIZEOF_ERRORS = 144,
-    SINS_SIZEOF_IMU = 216,
+    SINS_SIZEOF_IMU = 264,
     SINS_SIZEOF_ACCURACY = 256,
     SINS_SIZEOF_TRUTH_SUMMARY = 232,
     SINS_SIZEOF_COVARIANCE = 776,
@@ -2555,6 +2646,8 @@ enum sins_sizeof {
     SINS_SIZEOF_MOUNTING = 104,
     SINS_SIZEOF_GRAVITY_PARAMS = 80,
     SINS_SIZEOF_IMU_INCREMENT = 264,
+    SINS_SIZEOF_CORRECTION = 176,
+    SINS_SIZEOF_COMPENSATION = 104,
     SINS_SIZEOF_FLIGHT_START = 72,
     SINS_SIZEOF_MANOEUVRE = 240,
     SINS_SIZEOF_REQUIREMENT = 48,

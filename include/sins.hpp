@@ -159,6 +159,9 @@ public:
     bool get_truth(sins_navigation &truth) const { return done(sins_get_truth(handle_, &truth)); }
     bool get_navigation(sins_navigation &navigation) const { return done(sins_get_navigation(handle_, &navigation)); }
     bool get_imu(sins_imu &imu) const { return done(sins_get_imu(handle_, &imu)); }
+    /* Removes errors that the host estimated; see sins_correct(). */
+    void correct(const sins_correction &correction) { done(sins_correct(handle_, &correction)); }
+    void get_compensation(sins_compensation &compensation) const { done(sins_get_compensation(handle_, &compensation)); }
     bool get_imu_update(int32_t update, sins_imu_increment &increment) const {
         return done(sins_get_imu_update(handle_, update, &increment));
     }

@@ -213,6 +213,23 @@ SINS_API sins_status SINS_CALL sins_ensemble_get_imu(sins_ensemble *ensemble, ui
  */
 SINS_API sins_status SINS_CALL sins_ensemble_get_diverged(sins_ensemble *ensemble, size_t index, uint64_t *run);
 
+/**
+ * Removes errors of one run, as sins_correct() does. The first compensation of sensors in each group of 16 runs allocates.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such run; or as sins_correct(). SINS_ERROR_DIVERGED: the run has diverged; or as
+ * sins_correct(). SINS_ERROR_BAD_STATE, SINS_ERROR_SINGULAR: as sins_correct(). SINS_ERROR_OUT_OF_MEMORY: no memory.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_correct(sins_ensemble *ensemble, uint64_t run,
+    const sins_correction *correction);
+
+/**
+ * Reads the compensation in force of one run, as sins_get_compensation() does.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged.
+ */
+SINS_API sins_status SINS_CALL sins_ensemble_get_compensation(sins_ensemble *ensemble, uint64_t run,
+    sins_compensation *compensation);
+
 /** Whether a requirement is met: "95 % of the flights are within 2 km". */
 typedef enum sins_decision {
     /** The interval of the fraction contains the required fraction. sins_verdict.more_runs runs more would decide. */

@@ -68,6 +68,13 @@ public:
         return done(sins_ensemble_get_navigation(handle_, run, &navigation));
     }
     bool get_imu(uint64_t run, sins_imu &imu) const { return done(sins_ensemble_get_imu(handle_, run, &imu)); }
+    /* Removes errors that the host estimated from a run; see sins_ensemble_correct(). */
+    void correct(uint64_t run, const sins_correction &correction) {
+        done(sins_ensemble_correct(handle_, run, &correction));
+    }
+    void get_compensation(uint64_t run, sins_compensation &compensation) const {
+        done(sins_ensemble_get_compensation(handle_, run, &compensation));
+    }
     bool get_errors(uint64_t run, int32_t source, sins_errors &errors) const {
         return done(sins_ensemble_get_errors(handle_, run, source, &errors));
     }

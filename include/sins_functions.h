@@ -59,6 +59,8 @@
     X(sins_status, sins_get_imu_update, (sins_sim *sim, int32_t update, sins_imu_increment *increment)) \
     X(sins_status, sins_start_navigation, (sins_sim *sim, const sins_navigation *navigation)) \
     X(sins_status, sins_push_imu, (sins_sim *sim, const sins_imu_increment *increment)) \
+    X(sins_status, sins_correct, (sins_sim *sim, const sins_correction *correction)) \
+    X(sins_status, sins_get_compensation, (sins_sim *sim, sins_compensation *compensation)) \
     X(sins_status, sins_snapshot_size, (sins_sim *sim, size_t *size)) \
     X(sins_status, sins_snapshot_save, (sins_sim *sim, void *buffer, size_t capacity, size_t *written)) \
     X(sins_status, sins_snapshot_load, (sins_sim *sim, const void *snapshot, size_t size)) \
@@ -82,6 +84,8 @@
     X(sins_status, sins_ensemble_get_errors, (sins_ensemble *ensemble, uint64_t run, int32_t source, sins_errors *errors)) \
     X(sins_status, sins_ensemble_get_imu, (sins_ensemble *ensemble, uint64_t run, sins_imu *imu)) \
     X(sins_status, sins_ensemble_get_diverged, (sins_ensemble *ensemble, size_t index, uint64_t *run)) \
+    X(sins_status, sins_ensemble_correct, (sins_ensemble *ensemble, uint64_t run, const sins_correction *correction)) \
+    X(sins_status, sins_ensemble_get_compensation, (sins_ensemble *ensemble, uint64_t run, sins_compensation *compensation)) \
     X(sins_status, sins_ensemble_get_statistics, (sins_ensemble *ensemble, int32_t source, sins_statistics *statistics)) \
     X(sins_status, sins_statistics_merge, (sins_statistics *into, const sins_statistics *other)) \
     X(sins_status, sins_statistics_figures, (const sins_statistics *statistics, sins_figures *figures)) \

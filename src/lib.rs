@@ -39,6 +39,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`flight`] | makes samples from manoeuvres |
+//! | [`correction`] | errors that the host estimated are removed from the navigation and from the measured increments |
 //! | [`covariance`] | propagates the covariance of the errors along the same truth, with the equations of `errors::model` |
 //! | [`ensemble`], [`statistics`] | many runs of one simulator over the same samples, and the statistics of their errors |
 //! | [`recommend`] | finds the cheapest options that meet a required accuracy |
@@ -97,6 +98,7 @@
 //! | no host can damage the library, and the library does not damage its host | `tests/interface/host_machine.rs` and the table of `tests/README.md` |
 //! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/state/snapshots.rs`, `tests/robustness/snapshot_damage.rs` |
 //! | for any sequence of calls within the rules, no accepted step leaves a solution beyond the limits, a rejected call changes nothing, and each snapshot loads | `tests/robustness/any_use.rs` |
+//! | errors that the host feeds back disappear, everywhere and in every mode, and zeros change no bit | `tests/state/corrections.rs` |
 //! | pauses and a changed pace of the host's time change no result | `tests/state/host_time.rs` |
 //! | a slew, and a pause in which the time stamps ran on, keep the errors of the INS | `tests/state/moved` |
 //! | run k of an ensemble gives the same bits as the simulator with this run number, also when other runs diverge | `tests/state/ensemble`, `tests/interface/c_side.rs` |
@@ -163,6 +165,8 @@ pub mod allan;
 pub mod budget;
 #[forbid(unsafe_code)]
 mod checks;
+#[forbid(unsafe_code)]
+pub mod correction;
 #[forbid(unsafe_code)]
 pub mod covariance;
 #[forbid(unsafe_code)]

@@ -2,7 +2,7 @@
 
 use super::answer::write_or_need;
 use super::choice::flag;
-use super::errors::{SINS_ERRORS_NEAR_POLE, SINS_ERRORS_OUTSIDE_VALIDITY};
+use super::errors::{SINS_ERRORS_NEAR_POLE, SINS_ERRORS_OUTSIDE_VALIDITY, SINS_ERRORS_WITHOUT_CORRECTIONS};
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
@@ -29,8 +29,8 @@ use crate::covariance::NavigationCovariance;
 pub struct sins_covariance {
     /// sizeof(sins_covariance)
     pub struct_size: u32,
-    /// Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, and SINS_ERRORS_OUTSIDE_VALIDITY if a standard
-    /// deviation exceeds the limits of that flag.
+    /// Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, SINS_ERRORS_WITHOUT_CORRECTIONS, and
+    /// SINS_ERRORS_OUTSIDE_VALIDITY if a standard deviation exceeds the limits of that flag.
     pub flags: i32,
     /// Time [s].
     pub time_s: f64,
@@ -59,13 +59,14 @@ interface_struct!(sins_covariance, "covariance", 776);
 
 impl sins_covariance {
     fn new(&(time_s, covariance, near_pole): &(f64, NavigationCovariance, bool)) -> Self {
-        let NavigationCovariance { matrix, ellipse, outside_validity } = covariance;
+        let NavigationCovariance { matrix, ellipse, outside_validity, without_corrections } = covariance;
         let sigma = covariance.sigma();
         let [pe, pn, pu, ve, vn, vu, me, mn, mu] = sigma;
         Self {
             struct_size: size_of::<Self>() as u32,
             flags: flag(near_pole, SINS_ERRORS_NEAR_POLE)
-                | flag(outside_validity, SINS_ERRORS_OUTSIDE_VALIDITY),
+                | flag(outside_validity, SINS_ERRORS_OUTSIDE_VALIDITY)
+                | flag(without_corrections, SINS_ERRORS_WITHOUT_CORRECTIONS),
             time_s,
             covariance: core::array::from_fn(|place| matrix[(place / 9, place % 9)]),
             position_sigma_enu_m: [pe, pn, pu],

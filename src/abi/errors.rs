@@ -27,6 +27,9 @@ pub const SINS_ERRORS_NEAR_POLE: sins_errors_flags = 1;
 pub const SINS_ERRORS_OUTSIDE_VALIDITY: sins_errors_flags = 2;
 /// In a sins_record: not computed, all zero.
 pub const SINS_ERRORS_NOT_COMPUTED: sins_errors_flags = 4;
+/// In a sins_covariance: since the start sins_correct() has corrected the INS. The covariance is that of an INS without
+/// corrections.
+pub const SINS_ERRORS_WITHOUT_CORRECTIONS: sins_errors_flags = 8;
 
 /// Errors within a sins_record; never grows. Fields as in sins_errors.
 #[repr(C)]

@@ -40,6 +40,10 @@ pub struct sins_imu {
     pub measured_angle_rad: [f64; 3],
     /// Integral of the specific force that the modelled accelerometers measure [m/s].
     pub measured_velocity_m_s: [f64; 3],
+    /// measured_angle_rad after the compensation of sins_correct() [rad]. The INS navigates on the compensated increments.
+    pub compensated_angle_rad: [f64; 3],
+    /// measured_velocity_m_s after the compensation of sins_correct() [m/s].
+    pub compensated_velocity_m_s: [f64; 3],
     /// Mean angular rate of perfect gyros: ideal_angle_rad divided by interval_s [rad/s].
     pub ideal_rate_rad_s: [f64; 3],
     /// Mean specific force of perfect accelerometers: ideal_velocity_m_s divided by interval_s [m/s2].
@@ -50,7 +54,7 @@ pub struct sins_imu {
     pub measured_force_m_s2: [f64; 3],
 }
 
-interface_struct!(sins_imu, "imu", 216);
+interface_struct!(sins_imu, "imu", 264);
 
 impl From<&ImuInterval> for sins_imu {
     fn from(imu: &ImuInterval) -> Self {
@@ -67,6 +71,8 @@ impl From<&ImuInterval> for sins_imu {
             ideal_velocity_m_s: imu.ideal.velocity.into(),
             measured_angle_rad: imu.measured.angle.into(),
             measured_velocity_m_s: imu.measured.velocity.into(),
+            compensated_angle_rad: imu.compensated.angle.into(),
+            compensated_velocity_m_s: imu.compensated.velocity.into(),
             ideal_rate_rad_s: (imu.ideal.angle / t).into(),
             ideal_force_m_s2: (imu.ideal.velocity / t).into(),
             measured_rate_rad_s: (imu.measured.angle / t).into(),

@@ -62,7 +62,8 @@ impl sins_imu_increment {
     }
 }
 
-/// Reads the increments on which the INS navigated in one update of the last interval, as the modelled sensors measured them.
+/// Reads the increments on which the INS navigated in one update of the last interval: those of the modelled sensors, after the
+/// compensation of sins_correct().
 /// The argument update counts the updates of the interval from 0. Their number is sins_options.updates_per_sample, or more in an
 /// interval of several periods. Each update has sins_options.subsamples parts; its interval_s is the interval divided by the
 /// number of updates. A navigator of the host that gets all updates of each interval by sins_push_imu() has the solution of the INS

@@ -19,6 +19,8 @@ pub struct NavigationCovariance {
     pub ellipse: ErrorEllipse,
     /// Whether a standard deviation is so large that the terms neglected by the linear equations matter.
     pub outside_validity: bool,
+    /// Whether the host has corrected the INS since the start: the covariance leaves the corrections out.
+    pub without_corrections: bool,
 }
 
 /// The error ellipse of one standard deviation of the horizontal position.

@@ -78,5 +78,6 @@ pub(super) fn covariance_of(
         matrix,
         ellipse: ErrorEllipse::new(matrix[(0, 0)], matrix[(1, 1)], matrix[(0, 1)]),
         outside_validity,
+        without_corrections: false,
     }
 }

@@ -6,6 +6,7 @@ mod part;
 mod read;
 mod snapshot;
 
+use crate::correction::Correction;
 use crate::error::{Error, Rule, check_integer};
 use crate::instruction_set::InstructionSet;
 use crate::memory::room;
@@ -139,6 +140,17 @@ impl Ensemble {
         failure.map_or(Ok(()), |failure| failure.validate(output))?;
         self.each(|part| part.set_failure(output, failure));
         Ok(())
+    }
+
+    /// Corrects a run, as [`Simulator::correct`] does. The first compensation of a run allocates.
+    pub fn correct(&mut self, run: u64, correction: &Correction) -> Result<(), Error> {
+        let place = self.place_of(run)?;
+        correction.validate()?;
+        let part = match place / PART_RUNS {
+            0 => &mut self.first,
+            number => &mut self.others[number - 1],
+        };
+        part.correct(place % PART_RUNS, correction)
     }
 
     /// Size of a run [bytes].

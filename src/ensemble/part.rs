@@ -1,9 +1,10 @@
 //! Runs that are flown together: as many as fit into the cache of a core.
 
+use crate::correction::Correction;
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
 use crate::sensors::{Failure, SensorOutput};
-use crate::simulator::{Options, SideBySide, Simulator, Step};
+use crate::simulator::{Options, SideBySide, Simulator, Step, nothing_to_correct};
 use crate::truth::{FlightSample, Intake, Pushed};
 
 /// Largest number of runs in a part; a step uses 0.3 MB of them.
@@ -58,6 +59,12 @@ impl Part {
         self.intervals = 0;
         self.runs.reposition();
         Ok(())
+    }
+
+    /// Corrects the run at `place`.
+    pub fn correct(&mut self, place: usize, correction: &Correction) -> Result<(), Error> {
+        let Some(point) = self.intake.current() else { return Err(nothing_to_correct()) };
+        self.runs.correct(place, point, correction)
     }
 
     pub fn reset(&mut self) {

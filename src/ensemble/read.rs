@@ -2,6 +2,7 @@
 
 use super::Ensemble;
 use super::part::{PART_RUNS, Part};
+use crate::correction::Compensation;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::NavigationErrors;
 use crate::sensors::{Failure, SensorOutput};
@@ -46,6 +47,12 @@ impl Ensemble {
     pub fn imu(&self, run: u64) -> Result<Option<ImuInterval>, Error> {
         let (part, place) = self.at(self.place_of(run)?);
         Ok(part.runs.imu(place))
+    }
+
+    /// Compensation of the sensors of a run. [`ErrorKind::Diverged`]: the run has diverged.
+    pub fn compensation(&self, run: u64) -> Result<Compensation, Error> {
+        let (part, place) = self.at(self.place_of(run)?);
+        Ok(part.runs.compensation(place))
     }
 
     /// The runs that have diverged, in the order of their numbers.
@@ -123,7 +130,7 @@ impl Ensemble {
     }
 
     /// The place of a run, unless the run has diverged.
-    fn place_of(&self, run: u64) -> Result<usize, Error> {
+    pub(super) fn place_of(&self, run: u64) -> Result<usize, Error> {
         let place = run.checked_sub(self.first_run).and_then(|place| usize::try_from(place).ok());
         let Some(place) = place.filter(|&place| place < self.runs()) else {
             let last = self.first_run + (self.runs() as u64 - 1);

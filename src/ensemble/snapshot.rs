@@ -82,7 +82,7 @@ impl Ensemble {
             if let Some(part) = parts.last_mut() {
                 let fits = part.runs.has_sensors_of(simulator);
                 from.require(fits, run as f64, "has other sensors than the runs before")?;
-                part.runs.put_simulator(place % PART_RUNS, simulator, has_diverged);
+                part.runs.put_simulator(place % PART_RUNS, simulator, has_diverged)?;
             }
         }
         if parts.is_empty() {

@@ -38,6 +38,12 @@ pub struct Belief {
 }
 
 impl Belief {
+    /// The inverse of [`Self::reference_point`].
+    pub fn block(&self, reference_point: &EarthFixedState) -> EarthFixedState {
+        let rate_b = rotate(&self.placement.q_bs, &self.rate_s);
+        self.placement.block(reference_point, &rate_b, self.earth_rate)
+    }
+
     /// The INS's output for the reference point, from its solution `block` of the block.
     pub fn reference_point(&self, block: &EarthFixedState) -> EarthFixedState {
         self.placement.reference_point(block, &self.rate_s, self.earth_rate)
@@ -137,9 +143,9 @@ impl Block {
         self.to_block.tr_mul(vector_s)
     }
 
-    /// Takes the sums of the increments of the last interval, of length `t` [s]: without errors and as measured.
-    pub fn observe(&mut self, error_free: &Increment, measured: &Increment, t: f64) {
-        self.gyro_error_s = (measured.angle - error_free.angle) / t;
+    /// Takes the sums of the increments of the last interval, of length `t` [s]: without errors and as navigated on.
+    pub fn observe(&mut self, error_free: &Increment, navigated: &Increment, t: f64) {
+        self.gyro_error_s = (navigated.angle - error_free.angle) / t;
     }
 
     /// The true state of the block while the vehicle is at `truth`, the last sample.

@@ -1,5 +1,6 @@
 //! Truth → signal generator → sensors → mechanization → errors, for the samples of a flight.
 
+mod correct;
 mod covariance;
 mod extended;
 mod fly;
@@ -19,6 +20,7 @@ use super::signals::Signals;
 use super::start::{Start, with_errors};
 use super::views::Views;
 use super::{Imperfections, ImuInterval, Options};
+use crate::correction::Compensation;
 use crate::covariance::Propagation;
 use crate::earth::Earth;
 use crate::error::Error;
@@ -54,6 +56,10 @@ pub(super) struct Chain {
     is_plain: bool,
     pub(super) mechanization: Mechanization,
     pub(super) error_model: Option<ErrorModel>,
+    /// Compensation of the sensors, if there is one.
+    pub(super) compensation: Option<Compensation>,
+    /// Whether there is a covariance, and the host has corrected the solution.
+    pub(super) is_corrected: bool,
     accuracy: Accuracy,
     intervals: u64,
     pub(super) closure: Closure,
@@ -134,6 +140,8 @@ impl Chain {
             disturbance,
             mechanization,
             error_model,
+            compensation: None,
+            is_corrected: false,
             accuracy: Accuracy::new(first.time_s),
             intervals: 0,
             closure: Closure::new(),
@@ -160,28 +168,30 @@ impl Chain {
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {
-        let (time_s, interval_s, sensors_were_ideal, flags) = match self.last {
+        let (time_s, interval_s, on_ideal, before, flags) = match self.last {
             LastInterval::None => return None,
             LastInterval::Loaded { imu, .. } => return Some(imu),
-            LastInterval::Flown { time_s, interval_s, sensors_were_ideal, flags, .. } => {
-                (time_s, interval_s, sensors_were_ideal, flags)
+            LastInterval::Flown { time_s, interval_s, on_ideal, before_compensation, flags, .. } => {
+                (time_s, interval_s, on_ideal, before_compensation, flags)
             }
         };
-        let (ideal, measured) = self.signals.of(&self.parts, sensors_were_ideal);
+        let (ideal, navigated) = self.signals.of(&self.parts, on_ideal);
+        let compensated = Increment::sum(navigated);
         Some(ImuInterval {
             time_s,
             interval_s,
             ideal: Increment::sum(ideal),
-            measured: Increment::sum(measured),
+            measured: before.unwrap_or(compensated),
+            compensated,
             flags,
         })
     }
 
-    /// Measured increments of update `update` of the last interval, and the length of the update [s].
+    /// Increments on which the INS navigated in update `update` of the last interval, and the length of the update [s].
     pub fn measured_update(&self, update: usize) -> Option<(&[Increment], f64)> {
-        let LastInterval::Flown { interval_s, sensors_were_ideal, .. } = self.last else { return None };
-        let (_, measured) = self.signals.of(&self.parts, sensors_were_ideal);
-        let mut updates = measured.chunks_exact(self.options.subsamples);
+        let LastInterval::Flown { interval_s, on_ideal, .. } = self.last else { return None };
+        let (_, navigated) = self.signals.of(&self.parts, on_ideal);
+        let mut updates = navigated.chunks_exact(self.options.subsamples);
         let update_s = interval_s / updates.len() as f64;
         updates.nth(update).map(|increments| (increments, update_s))
     }

@@ -15,11 +15,13 @@ pub struct ImuInterval {
     pub ideal: Increment,
     /// Increment that the modelled sensors measure.
     pub measured: Increment,
+    /// Measured increment after the compensation: the INS navigates on it.
+    pub compensated: Increment,
     /// Flags of the built-in test of the modelled sensors.
     pub flags: ImuFlags,
 }
 
-stored!(ImuInterval { time_s: CLOCK_S, interval_s: INTERVALS_S.1, ideal, measured, flags } then |imu, from| {
+stored!(ImuInterval { time_s: CLOCK_S, interval_s: INTERVALS_S.1, ideal, measured, compensated, flags } then |imu, from| {
     from.require(imu.interval_s >= INTERVALS_S.0, imu.interval_s, "is no interval")
 });
 

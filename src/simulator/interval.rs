@@ -1,6 +1,7 @@
 //! The interval flown last.
 
 use super::{ImuFlags, ImuInterval};
+use crate::signal::Increment;
 
 /// The interval flown last.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -8,7 +9,16 @@ pub(super) enum LastInterval {
     /// No interval was flown yet.
     None,
     /// The increments of the interval are in the chain.
-    Flown { time_s: f64, interval_s: f64, sensors_were_ideal: bool, flags: ImuFlags, vertical_unaided: bool },
+    Flown {
+        time_s: f64,
+        interval_s: f64,
+        /// The INS navigated on the ideal increments.
+        on_ideal: bool,
+        /// Sum of the measured increments, if the INS compensated them.
+        before_compensation: Option<Increment>,
+        flags: ImuFlags,
+        vertical_unaided: bool,
+    },
     /// Only the sums of the increments are known, as a snapshot stores only these.
     Loaded { imu: ImuInterval, vertical_unaided: bool },
 }

@@ -35,6 +35,7 @@ pub use parameters::ErrorParameters;
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;
 
+use crate::correction::Correction;
 use crate::covariance::Propagation;
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
@@ -245,6 +246,18 @@ impl Simulator {
         Ok(())
     }
 
+    /// Removes errors that the host estimated from the solution, and adds those of the sensors to the compensation, which acts from
+    /// the next interval on. Truth, sensors and random numbers stay as they are. On an error nothing has changed.
+    #[inline(never)]
+    pub fn correct(&mut self, correction: &Correction) -> Result<(), Error> {
+        correction.validate()?;
+        match (&mut self.mode, self.intake.current()) {
+            (Mode::Flying(chain), Some(current)) => chain.correct(current, correction),
+            (Mode::Navigating(navigator), _) => navigator.correct(correction),
+            _ => Err(nothing_to_correct()),
+        }
+    }
+
     /// Goes back to before the first sample, with the same parameters, seed and draws, and without failures.
     #[inline(never)]
     pub fn reset(&mut self) {
@@ -308,6 +321,11 @@ impl Simulator {
             _ => Ok(()),
         }
     }
+}
+
+/// The error for a correction without a solution.
+pub(crate) fn nothing_to_correct() -> Error {
+    Error::bad_state("there is nothing to correct before the first step; initial errors can be set")
 }
 
 /// The error for a solution that is singular: `value` of `field` breaks `limit`.

@@ -2,13 +2,14 @@
 
 use super::imperfections::IntervalConditions;
 use super::{Imperfections, ImuInterval, Options, Solution};
+use crate::correction::{Compensation, Correction};
 use crate::earth::Earth;
 use crate::error::{Error, Rule, check_range, check_ranges};
 use crate::math::two_sum;
 use crate::mechanization::{MAX_SUBSAMPLES, Mechanization};
 use crate::signal::Increment;
 use crate::snapshot::{CLOCK_S, stored};
-use crate::state::{BodyAxes, Navigation};
+use crate::state::{BodyAxes, Navigation, StateErrors};
 
 /// A mechanization without a truth: its vertical channel is free.
 #[derive(Debug, Clone)]
@@ -20,15 +21,24 @@ pub(super) struct Navigator {
     time_s: f64,
     time_carry_s: f64,
     imu: Option<ImuInterval>,
+    pub compensation: Option<Compensation>,
 }
 
-stored!(Navigator { mechanization, time_s: CLOCK_S, time_carry_s: 1.0, imu } rebuilt { earth, axes });
+stored!(Navigator { mechanization, time_s: CLOCK_S, time_carry_s: 1.0, imu, compensation } rebuilt { earth, axes });
 
 impl Navigator {
     pub fn new(options: &Options, earth: Earth, time_s: f64, navigation: &Navigation) -> Self {
         let state = navigation.earth_fixed(&earth);
         let mechanization = Mechanization::new(earth, options.frame, options.scheme, &state);
-        Self { earth, axes: options.axes, mechanization, time_s, time_carry_s: 0.0, imu: None }
+        Self {
+            earth,
+            axes: options.axes,
+            mechanization,
+            time_s,
+            time_carry_s: 0.0,
+            imu: None,
+            compensation: None,
+        }
     }
 
     pub fn check(&self) -> Result<(), Error> {
@@ -65,6 +75,10 @@ impl Navigator {
         let measured = &mut measured[..increments.len()];
         imperfections.begin_interval(interval_s, IntervalConditions::default);
         let flags = imperfections.sense(increments, dt, measured);
+        let sum_measured = match &self.compensation {
+            Some(compensation) => compensation.apply(measured, dt),
+            None => Increment::sum(measured),
+        };
         self.mechanization.update(measured, interval_s);
         if let Err(error) = self.mechanization.check() {
             self.mechanization.go_back(&before);
@@ -72,8 +86,22 @@ impl Navigator {
             return Err(error);
         }
         (self.time_s, self.time_carry_s) = (time_s, lost);
-        let measured = Increment::sum(measured);
-        self.imu = Some(ImuInterval { time_s, interval_s, ideal: sum, measured, flags });
+        let compensated = Increment::sum(measured);
+        self.imu =
+            Some(ImuInterval { time_s, interval_s, ideal: sum, measured: sum_measured, compensated, flags });
+        Ok(())
+    }
+
+    /// Removes the errors of `correction`.
+    pub fn correct(&mut self, correction: &Correction) -> Result<(), Error> {
+        let compensation = Compensation::sum(self.compensation.as_ref(), &correction.sensors)?;
+        if correction.errors != StateErrors::NONE {
+            let state = correction.corrected(&self.earth, &self.mechanization.state())?;
+            let mechanization = self.mechanization.moved_to(&state);
+            mechanization.check()?;
+            self.mechanization = mechanization;
+        }
+        self.compensation = compensation;
         Ok(())
     }
 

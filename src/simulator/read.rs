@@ -2,6 +2,7 @@
 
 use super::chain::Chain;
 use super::{ClosureFigures, ErrorSource, ImuInterval, Mode, Moment, Simulator, Solution, TrimFigures, View};
+use crate::correction::Compensation;
 use crate::covariance::{NavigationCovariance, Propagation};
 use crate::error::Error;
 use crate::errors::{AccuracyFigures, NavigationErrors};
@@ -63,7 +64,7 @@ impl Simulator {
         }
     }
 
-    /// Measured increments on which the INS navigated in update `update` of the last interval, and the length of the update [s].
+    /// Increments on which the INS navigated in update `update` of the last interval, measured and compensated, and the length of the update [s].
     /// [`Self::push_imu`] takes them. `None` if there is no such update, while navigating on increments, and from the load of a
     /// snapshot to the next step.
     pub fn measured_update(&self, update: usize) -> Option<(&[Increment], f64)> {
@@ -71,6 +72,16 @@ impl Simulator {
             Mode::Flying(chain) => chain.measured_update(update),
             _ => None,
         }
+    }
+
+    /// Compensation of the sensors in force; all zero before the first step.
+    pub fn compensation(&self) -> Compensation {
+        let compensation = match &self.mode {
+            Mode::Waiting => &None,
+            Mode::Flying(chain) => &chain.compensation,
+            Mode::Navigating(navigator) => &navigator.compensation,
+        };
+        compensation.unwrap_or_default()
     }
 
     /// The ideal sub-increments of the last interval; empty before the first and while navigating on increments.

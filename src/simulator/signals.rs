@@ -2,11 +2,13 @@
 
 use core::ops::Range;
 
+use crate::correction::Compensation;
 use crate::error::Error;
 use crate::memory::room;
 use crate::signal::{Increment, MAX_INCREMENTS};
 
-/// Ideal increments and, unless the sensors were ideal, measured increments. They are those of the last interval and of the current
+/// Ideal increments and, unless the INS navigated on these, the increments on which it navigated: measured ones, after the
+/// compensation. They are those of the last interval and of the current
 /// interval, which use two halves of the memory in turn. On the heap, because 15 KB are large for a stack.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Signals {
@@ -15,7 +17,7 @@ pub(super) struct Signals {
 }
 
 impl Signals {
-    /// Room for ideal and measured increments. This is their only allocation.
+    /// Room for both. This is their only allocation.
     pub fn new() -> Result<Self, Error> {
         let increments = || -> Result<Box<[Increment]>, Error> {
             let mut increments = room(2 * MAX_INCREMENTS)?;
@@ -25,11 +27,29 @@ impl Signals {
         Ok(Self { ideal: increments()?, measured: increments()? })
     }
 
-    /// Ideal and measured increments at the places `parts`. Ideal sensors measure the ideal increments, which are not copied.
+    /// Ideal increments at the places `parts`, and those on which the INS navigated. Ideal sensors measure the ideal increments,
+    /// which are not copied.
     #[inline(always)]
-    pub fn of(&self, parts: &Range<usize>, sensors_were_ideal: bool) -> (&[Increment], &[Increment]) {
-        let measured = if sensors_were_ideal { &self.ideal } else { &self.measured };
+    pub fn of(&self, parts: &Range<usize>, on_ideal: bool) -> (&[Increment], &[Increment]) {
+        let measured = if on_ideal { &self.ideal } else { &self.measured };
         (&self.ideal[parts.clone()], &measured[parts.clone()])
+    }
+
+    /// Compensates the increments at the places `parts`, each over `dt` [s]. Returns their sum before.
+    #[cold]
+    #[inline(never)]
+    pub fn compensate(
+        &mut self,
+        parts: &Range<usize>,
+        on_ideal: bool,
+        compensation: &Compensation,
+        dt: f64,
+    ) -> Increment {
+        let measured = &mut self.measured[parts.clone()];
+        if on_ideal {
+            measured.copy_from_slice(&self.ideal[parts.clone()]);
+        }
+        compensation.apply(measured, dt)
     }
 
     /// Place where the increments of an interval begin, if the increments of the interval before begin at `last`.

@@ -182,11 +182,11 @@ int main(void)
         uint64_t (*flight)(uint64_t hash);
         uint64_t expected;
     } flights[] = {
-        {"simulation 2", simulation2, UINT64_C(0x67b1d58c4446f399)},
-        {"snapshot replay", snapshot_replay, UINT64_C(0x67b1d58c4446f399)},
-        {"aerobatics, every effect", aerobatics, UINT64_C(0xdc6d6e0347c6137b)},
-        {"pole", pole, UINT64_C(0x55db329001e2726f)},
-        {"jitter", jitter, UINT64_C(0x0232613ce0b8d7fb)},
+        {"simulation 2", simulation2, UINT64_C(0xc308d0ff8c8ca9b4)},
+        {"snapshot replay", snapshot_replay, UINT64_C(0xc308d0ff8c8ca9b4)},
+        {"aerobatics, every effect", aerobatics, UINT64_C(0x352fae9020f0bc3f)},
+        {"pole", pole, UINT64_C(0x5a66ea61598dd052)},
+        {"jitter", jitter, UINT64_C(0x579183bd04912d3d)},
     };
     int wrong = 0;
     size_t i;

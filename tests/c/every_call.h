@@ -41,6 +41,8 @@ static inline void every_call(sins_sim *sim, every_call_answer *answer, void *co
     sins_mounting mounting[2];
     sins_gravity_params gravity_params[2];
     sins_imu_increment imu_increment[2];
+    sins_correction correction[2];
+    sins_compensation compensation[2];
     unsigned char bytes[SINS_SNAPSHOT_MAX_SIZE] = "";
     size_t size = 0;
     SINS_INIT(options[0]);
@@ -85,6 +87,10 @@ static inline void every_call(sins_sim *sim, every_call_answer *answer, void *co
     SINS_INIT(imu_increment[1]);
     imu_increment[0].interval_s = 0.01;
     imu_increment[0].count = 1;
+    SINS_INIT(correction[0]);
+    SINS_INIT(correction[1]);
+    SINS_INIT(compensation[0]);
+    SINS_INIT(compensation[1]);
     EVERY_CALL(sins_get_options(sim, options));
     EVERY_CALL(sins_push_sample(sim, flight_sample));
     EVERY_CALL(sins_step(sim));
@@ -118,6 +124,8 @@ static inline void every_call(sins_sim *sim, every_call_answer *answer, void *co
     EVERY_CALL(sins_get_imu_update(sim, 0, imu_increment));
     EVERY_CALL(sins_start_navigation(sim, navigation));
     EVERY_CALL(sins_push_imu(sim, imu_increment));
+    EVERY_CALL(sins_correct(sim, correction));
+    EVERY_CALL(sins_get_compensation(sim, compensation));
     EVERY_CALL(sins_snapshot_size(sim, &size));
     EVERY_CALL(sins_snapshot_save(sim, bytes, sizeof bytes, &size));
     EVERY_CALL(sins_snapshot_load(sim, bytes, size));
@@ -143,6 +151,8 @@ static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answe
     sins_errors errors[2];
     sins_imu imu[2];
     sins_failure failure[2];
+    sins_correction correction[2];
+    sins_compensation compensation[2];
     sins_statistics statistics[2];
     unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
     size_t size = 0;
@@ -159,6 +169,10 @@ static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answe
     SINS_INIT(imu[1]);
     SINS_INIT(failure[0]);
     SINS_INIT(failure[1]);
+    SINS_INIT(correction[0]);
+    SINS_INIT(correction[1]);
+    SINS_INIT(compensation[0]);
+    SINS_INIT(compensation[1]);
     SINS_INIT(statistics[0]);
     SINS_INIT(statistics[1]);
     EVERY_CALL(sins_ensemble_push_sample(ensemble, flight_sample));
@@ -173,6 +187,8 @@ static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answe
     EVERY_CALL(sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN, 0, errors));
     EVERY_CALL(sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN, imu));
     EVERY_CALL(sins_ensemble_get_diverged(ensemble, 0, &word));
+    EVERY_CALL(sins_ensemble_correct(ensemble, SCENE_FIRST_RUN, correction));
+    EVERY_CALL(sins_ensemble_get_compensation(ensemble, SCENE_FIRST_RUN, compensation));
     EVERY_CALL(sins_ensemble_get_statistics(ensemble, 0, statistics));
     EVERY_CALL(sins_ensemble_snapshot_size(ensemble, &size));
     EVERY_CALL(sins_ensemble_snapshot_save(ensemble, bytes, sizeof bytes, &size));
@@ -355,6 +371,8 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble 
     EVERY_CALL(sins_get_imu_update(sim, 0, NULL));
     EVERY_CALL(sins_start_navigation(sim, NULL));
     EVERY_CALL(sins_push_imu(sim, NULL));
+    EVERY_CALL(sins_correct(sim, NULL));
+    EVERY_CALL(sins_get_compensation(sim, NULL));
     EVERY_CALL(sins_snapshot_size(sim, NULL));
     EVERY_CALL(sins_snapshot_save(sim, NULL, sizeof bytes, &size));
     EVERY_CALL(sins_snapshot_load(sim, NULL, size));
@@ -379,6 +397,8 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble 
     EVERY_CALL(sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN, 0, NULL));
     EVERY_CALL(sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN, NULL));
     EVERY_CALL(sins_ensemble_get_diverged(ensemble, 0, NULL));
+    EVERY_CALL(sins_ensemble_correct(ensemble, SCENE_FIRST_RUN, NULL));
+    EVERY_CALL(sins_ensemble_get_compensation(ensemble, SCENE_FIRST_RUN, NULL));
     EVERY_CALL(sins_ensemble_get_statistics(ensemble, 0, NULL));
     EVERY_CALL(sins_statistics_merge(NULL, statistics));
     EVERY_CALL(sins_statistics_merge(statistics, NULL));

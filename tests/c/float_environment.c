@@ -118,6 +118,7 @@ typedef struct {
     sins_navigation truth, navigation, alone;
     sins_errors errors, model;
     sins_imu imu;
+    sins_compensation compensation;
     sins_imu_increment part;
     sins_accuracy accuracy;
     sins_truth_summary summary;
@@ -213,6 +214,7 @@ static void fly_ensemble(results *found)
 /* Flies one second with every effect. Every function is called with this floating-point state. */
 static void fly(const float_state *state, results *found)
 {
+    sins_correction correction;
     sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1e-7};
     sins_imu_increment increment = {.struct_size = sizeof increment, .interval_s = 0.0078125, .count = 1};
     float_state normal = get_state(), before, after;
@@ -228,6 +230,9 @@ static void fly(const float_state *state, results *found)
     SINS_INIT(found->errors);
     SINS_INIT(found->model);
     SINS_INIT(found->imu);
+    SINS_INIT(found->compensation);
+    SINS_INIT(correction);
+    correction.position_enu_m[0] = correction.gyro_bias_rad_s[1] = 1.0 / 1024.0;
     SINS_INIT(found->part);
     SINS_INIT(found->accuracy);
     SINS_INIT(found->summary);
@@ -272,6 +277,8 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_get_errors(sim, SINS_ERRORS_MODEL, &found->model) == SINS_OK);
     CHECK(sins_get_imu(sim, &found->imu) == SINS_OK);
     CHECK(sins_get_imu_update(sim, 0, &found->part) == SINS_OK);
+    CHECK(sins_correct(sim, &correction) == SINS_OK);
+    CHECK(sins_get_compensation(sim, &found->compensation) == SINS_OK);
     CHECK(sins_get_accuracy(sim, &found->accuracy) == SINS_OK);
     CHECK(sins_get_truth_summary(sim, &found->summary) == SINS_OK);
     CHECK(sins_get_covariance(sim, &found->covariance) == SINS_OK);

@@ -163,7 +163,7 @@ AT(sins_errors, heading_rad, 128);
 AT(sins_errors, flags, 136);
 AT(sins_errors, reserved2, 140);
 
-SIZE(sins_imu, SINS_SIZEOF_IMU, 216);
+SIZE(sins_imu, SINS_SIZEOF_IMU, 264);
 AT(sins_imu, struct_size, 0);
 AT(sins_imu, flags, 4);
 AT(sins_imu, time_s, 8);
@@ -172,10 +172,12 @@ AT(sins_imu, ideal_angle_rad, 24);
 AT(sins_imu, ideal_velocity_m_s, 48);
 AT(sins_imu, measured_angle_rad, 72);
 AT(sins_imu, measured_velocity_m_s, 96);
-AT(sins_imu, ideal_rate_rad_s, 120);
-AT(sins_imu, ideal_force_m_s2, 144);
-AT(sins_imu, measured_rate_rad_s, 168);
-AT(sins_imu, measured_force_m_s2, 192);
+AT(sins_imu, compensated_angle_rad, 120);
+AT(sins_imu, compensated_velocity_m_s, 144);
+AT(sins_imu, ideal_rate_rad_s, 168);
+AT(sins_imu, ideal_force_m_s2, 192);
+AT(sins_imu, measured_rate_rad_s, 216);
+AT(sins_imu, measured_force_m_s2, 240);
 
 SIZE(sins_accuracy, SINS_SIZEOF_ACCURACY, 256);
 AT(sins_accuracy, struct_size, 0);
@@ -333,6 +335,25 @@ AT(sins_imu_increment, count, 16);
 AT(sins_imu_increment, reserved2, 20);
 AT(sins_imu_increment, angle_rad, 24);
 AT(sins_imu_increment, velocity_m_s, 144);
+
+SIZE(sins_correction, SINS_SIZEOF_CORRECTION, 176);
+AT(sins_correction, struct_size, 0);
+AT(sins_correction, reserved, 4);
+AT(sins_correction, position_enu_m, 8);
+AT(sins_correction, velocity_enu_m_s, 32);
+AT(sins_correction, misalignment_enu_rad, 56);
+AT(sins_correction, gyro_bias_rad_s, 80);
+AT(sins_correction, gyro_scale_factor, 104);
+AT(sins_correction, accel_bias_m_s2, 128);
+AT(sins_correction, accel_scale_factor, 152);
+
+SIZE(sins_compensation, SINS_SIZEOF_COMPENSATION, 104);
+AT(sins_compensation, struct_size, 0);
+AT(sins_compensation, reserved, 4);
+AT(sins_compensation, gyro_bias_rad_s, 8);
+AT(sins_compensation, gyro_scale_factor, 32);
+AT(sins_compensation, accel_bias_m_s2, 56);
+AT(sins_compensation, accel_scale_factor, 80);
 
 SIZE(sins_flight_start, SINS_SIZEOF_FLIGHT_START, 72);
 AT(sins_flight_start, struct_size, 0);

@@ -79,6 +79,8 @@ static int is_answer(sins_status status, int flown)
 static void read_everything(sins_sim *sim, int flown)
 {
     sins_navigation navigation = {.struct_size = sizeof navigation};
+    sins_correction correction = {.struct_size = sizeof correction, .position_enu_m = {1.0}, .gyro_bias_rad_s = {1e-9}};
+    sins_compensation compensation = {.struct_size = sizeof compensation};
     sins_imu imu = {.struct_size = sizeof imu};
     sins_imu_increment part = {.struct_size = sizeof part};
     sins_errors errors = {.struct_size = sizeof errors};
@@ -112,6 +114,8 @@ static void read_everything(sins_sim *sim, int flown)
     FRAME_CHECK(is_answer(sins_get_navigation(sim, &navigation), flown));
     FRAME_CHECK(is_answer(sins_get_imu(sim, &imu), flown));
     FRAME_CHECK(is_answer(sins_get_imu_update(sim, 0, &part), flown));
+    FRAME_CHECK(sins_correct(sim, &correction) == (flown ? SINS_OK : SINS_ERROR_BAD_STATE));
+    FRAME_CHECK(sins_get_compensation(sim, &compensation) == SINS_OK);
     FRAME_CHECK(is_answer(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &errors), flown));
     FRAME_CHECK(is_answer(sins_get_errors(sim, SINS_ERRORS_MODEL, &errors), flown));
     FRAME_CHECK(is_answer(sins_get_accuracy(sim, &accuracy), flown));
@@ -238,6 +242,8 @@ static void fly_ensemble_frames(sins_ensemble *ensemble, sins_scene *scene)
     sins_verdict verdict = {.struct_size = sizeof verdict};
     sins_navigation navigation = {.struct_size = sizeof navigation};
     sins_imu imu = {.struct_size = sizeof imu};
+    sins_correction correction = {.struct_size = sizeof correction, .position_enu_m = {1.0}};
+    sins_compensation compensation = {.struct_size = sizeof compensation};
     sins_errors errors = {.struct_size = sizeof errors};
     sins_failure stuck = {.struct_size = sizeof stuck, .kind = SINS_FAILURE_STUCK};
     uint64_t run;
@@ -256,6 +262,8 @@ static void fly_ensemble_frames(sins_ensemble *ensemble, sins_scene *scene)
         FRAME_CHECK(sins_ensemble_get_truth(ensemble, &navigation) == SINS_OK);
         FRAME_CHECK(sins_ensemble_get_navigation(ensemble, run, &navigation) == SINS_OK);
         FRAME_CHECK(is_answer(sins_ensemble_get_imu(ensemble, run + 1, &imu), k > 0));
+        FRAME_CHECK(sins_ensemble_correct(ensemble, run, &correction) == (k > 0 ? SINS_OK : SINS_ERROR_BAD_STATE));
+        FRAME_CHECK(sins_ensemble_get_compensation(ensemble, run, &compensation) == SINS_OK);
         FRAME_CHECK(sins_ensemble_get_errors(ensemble, run + 2, SINS_ERRORS_MODEL, &errors) == SINS_OK);
         FRAME_CHECK(sins_ensemble_get_errors(ensemble, run + 3, SINS_ERRORS_MODEL, &errors)
                     == SINS_ERROR_INVALID_ARGUMENT);

@@ -109,6 +109,9 @@ static void read_all(sins_sim *sim)
     MEASURE(sins_snapshot_load(sim, snapshot, size));
 }
 
+static sins_correction correction = {.struct_size = sizeof correction, .position_enu_m = {1.0}, .gyro_bias_rad_s = {1e-9}};
+static sins_compensation compensation = {.struct_size = sizeof compensation};
+
 static void set_all(sins_sim *sim)
 {
     sins_gyro_params gyro = scene_gyro();
@@ -152,6 +155,8 @@ static void fly(const sins_options *options)
         TRY(sins_step(sim));
     }
     read_all(sim);
+    MEASURE(sins_correct(sim, &correction));
+    MEASURE(sins_get_compensation(sim, &compensation));
     MEASURE(sins_run(sim, &samples[SAMPLES], SAMPLES, 1, records, SAMPLES, NULL));
     MEASURE(sins_move_time(sim, 1e6));
     MEASURE(sins_move_truth(sim, &samples[0]));
@@ -165,6 +170,7 @@ static void fly(const sins_options *options)
     MEASURE(sins_start_navigation(sim, &start));
     for (k = 0; k < 3; k++) {
         MEASURE(sins_push_imu(sim, &increment));
+        MEASURE(sins_correct(sim, &correction));
     }
     MEASURE(sins_destroy(sim));
 }
@@ -203,6 +209,8 @@ static void fly_ensemble(const sins_options *options)
     MEASURE(sins_ensemble_get_navigation(ensemble, 3, &navigation));
     MEASURE(sins_ensemble_get_errors(ensemble, 4, SINS_ERRORS_NAVIGATION, &errors));
     MEASURE(sins_ensemble_get_imu(ensemble, 4, &imu));
+    MEASURE(sins_ensemble_correct(ensemble, 4, &correction));
+    MEASURE(sins_ensemble_get_compensation(ensemble, 4, &compensation));
     TRY(sins_ensemble_get_diverged(ensemble, 0, &run)); /* no run has diverged */
     MEASURE(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics));
     MEASURE(sins_statistics_merge(&sum, &statistics));

@@ -259,6 +259,8 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_navigation, sins_get_truth(sim, pointer));
     OUTPUT_SIZES(sins_navigation, sins_get_navigation(sim, pointer));
     OUTPUT_SIZES(sins_imu, sins_get_imu(sim, pointer));
+    INPUT_SIZES(sins_correction, sins_correct(sim, pointer));
+    OUTPUT_SIZES(sins_compensation, sins_get_compensation(sim, pointer));
     OUTPUT_SIZES(sins_imu_increment, sins_get_imu_update(sim, 0, pointer));
     OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_NAVIGATION, pointer));
     OUTPUT_SIZES(sins_errors, sins_get_errors(sim, SINS_ERRORS_MODEL, pointer));
@@ -344,6 +346,8 @@ static void struct_sizes_of_ensembles(void)
     OUTPUT_SIZES(sins_navigation, sins_ensemble_get_truth(ensemble, pointer));
     OUTPUT_SIZES(sins_navigation, sins_ensemble_get_navigation(ensemble, SCENE_FIRST_RUN, pointer));
     OUTPUT_SIZES(sins_imu, sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN, pointer));
+    INPUT_SIZES(sins_correction, sins_ensemble_correct(ensemble, SCENE_FIRST_RUN, pointer));
+    OUTPUT_SIZES(sins_compensation, sins_ensemble_get_compensation(ensemble, SCENE_FIRST_RUN, pointer));
     OUTPUT_SIZES(sins_errors, sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN, SINS_ERRORS_MODEL, pointer));
     OUTPUT_SIZES(sins_figures, sins_statistics_figures(&statistics, pointer));
     OUTPUT_SIZES(sins_verdict, sins_meets(&statistics, 1.0, 95.0, pointer));

@@ -32,6 +32,36 @@ fn the_small_examples_run() {
     assert!(text.contains("nmi/h") && text.contains("gyro.markov_time_s[1] = 0"), "{text}");
 }
 
+/// The numbers of a line of text.
+fn numbers(text: &str) -> Vec<f64> {
+    let words = text.split(|c: char| !(c.is_ascii_digit() || c == '.'));
+    words.filter_map(|word| word.parse().ok()).collect()
+}
+
+/// A filter of the host closes the loop: its errors have the sizes that it predicts, also after an outage of its receiver.
+///
+/// The limits are for 40 runs, 99.9 %. The normalized squares of a moment are chi-square of 600 degrees of freedom, and there are 30
+/// moments: the quantile 1 - 0.0005 / 30 of a normal number is 4.15. The position error at the end of the outage is mostly along two
+/// axes: at least 40 degrees of freedom, chi-square quantiles 0.37 and 1.84, whose roots limit the ratio. During the fixes each
+/// component takes a new value within ten seconds: 40 runs of 18 values of two components, 3.3 of their standard deviations.
+#[test]
+fn a_filter_of_the_host_closes_the_loop() {
+    let log = project_file("c_examples/flights/fighter_aerobatics.csv");
+    let folder = library_folder("gnss_filter");
+    let program = built_to("c99", &["c_examples/gnss_filter.c"], &folder, "gnss_filter");
+    let output = succeed(Command::new(program).arg(log).arg("40"));
+    let found = numbers(text(&output.stdout));
+    println!("{}", text(&output.stdout));
+    let &[40.0, ratio, 60.0, error_m, predicted_m, 15.0, 30.0, least, most] = &found[..] else {
+        panic!("{found:?}")
+    };
+    assert!((ratio - 1.0).abs() < 3.3 / f64::sqrt(2.0 * 40.0 * 18.0 * 2.0), "{ratio}");
+    let share = error_m / predicted_m;
+    assert!((0.61..1.36).contains(&share) && predicted_m > 8.0, "{share}");
+    let scatter = 4.15 * f64::sqrt(2.0 / (15.0 * 40.0));
+    assert!(least > 1.0 - scatter && most < 1.0 + scatter, "{least} {most}");
+}
+
 #[test]
 fn the_example_of_the_readme_prints_what_it_says() {
     let readme = std::fs::read_to_string(project_file("README.md")).unwrap();
@@ -49,6 +79,17 @@ fn block_of(page: &str) -> String {
     let blocks: Vec<&str> = text.split("```c\n").skip(1).collect();
     assert_eq!(blocks.len(), 1, "{page}");
     blocks[0].split_once("```").unwrap().0.to_owned()
+}
+
+#[test]
+fn a_pilots_update_removes_the_position_error() {
+    let folder = library_folder("landmark");
+    std::fs::write(folder.join("landmark.h"), block_of("docs/close_the_loop.md")).unwrap();
+    let host = std::fs::read_to_string(project_file("tests/c/landmark.c")).unwrap();
+    let check = project_file("tests/c/check.h");
+    let source = folder.join("landmark.c");
+    std::fs::write(&source, host.replace("\"check.h\"", &format!("{check:?}"))).unwrap();
+    prints_alike("landmark", &[source.to_str().unwrap()], &C_AND_CPP, &[]);
 }
 
 #[test]

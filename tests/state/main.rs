@@ -3,6 +3,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod corrections;
 mod determinism;
 mod ensemble;
 mod ensemble_widths;

@@ -3,6 +3,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use sins::Options;
+use sins::correction::{Compensation, Correction};
 use sins::earth::Geodetic;
 use sins::math::{Euler, mix};
 use sins::mechanization::{Frame, Scheme, VerticalMode};
@@ -12,7 +13,7 @@ use sins::sensors::{
     SensorOutput, TriadParameters,
 };
 use sins::signal::Increment;
-use sins::state::{BodyAxes, Navigation};
+use sins::state::{BodyAxes, Navigation, StateErrors};
 use sins::truth::{FlightSample, IntakeLimits};
 
 use super::moments::Call;
@@ -155,6 +156,7 @@ impl Host {
                 self.waiting = 0;
                 Call::Reset
             }
+            6 if self.draws.one_in(2) => self.correction(),
             6 => Call::Initial(self.initial()),
             7 => Call::Mounting(self.mounting()),
             8 => Call::Gravity(self.gravity()),
@@ -191,6 +193,7 @@ impl Host {
             0 => Call::Gyro(self.gyro()),
             1 => Call::Accel(self.accel()),
             2 => self.failure(),
+            4 if draws.one_in(2) => self.correction(),
             4 => self.jump(),
             3 => {
                 let q_nb = sins::math::attitude_from_euler(&Euler { roll: 0.3, pitch: -0.1, heading: 2.0 });
@@ -370,6 +373,24 @@ impl Host {
             lever_arm_error_m: draws.signed(0.01, end),
             boresight_error: angles(draws),
         }
+    }
+
+    fn correction(&mut self) -> Call {
+        let share = if self.absurd { 1.0 } else { 1e-3 };
+        let draws = &mut self.draws;
+        Call::Correct(Box::new(Correction {
+            errors: StateErrors {
+                position_n: draws.signed(10.0, 1e6 * share),
+                velocity_n: draws.signed(0.1, 1e4 * share),
+                misalignment_n: draws.signed(1e-3, 3.0 * share),
+            },
+            sensors: Compensation {
+                gyro_bias: draws.signed(1e-6, 100.0 * share),
+                gyro_scale_factor: draws.signed(1e-4, 0.5 * share),
+                accel_bias: draws.signed(1e-3, 1e4 * share),
+                accel_scale_factor: draws.signed(1e-4, 0.5 * share),
+            },
+        }))
     }
 
     fn gravity(&mut self) -> GravityDisturbanceParameters {

@@ -1,6 +1,7 @@
 //! The calls of a host as a list, and everything that it can read after each call.
 
 use nalgebra::{Matrix3, Vector3};
+use sins::correction::Correction;
 use sins::mounting::MountingParameters;
 use sins::sensors::{
     Alignment, AltimeterParameters, Failure, GravityDisturbanceParameters, InitialErrorParameters, Sensor,
@@ -31,6 +32,7 @@ pub enum Call {
     Reset,
     Start(f64, Box<Navigation>),
     Imu(Vec<Increment>, f64),
+    Correct(Box<Correction>),
 }
 
 impl Call {
@@ -56,6 +58,7 @@ impl Call {
             Self::Start(time_s, navigation) => {
                 format!("{:?}", simulator.start_navigation(*time_s, navigation))
             }
+            Self::Correct(correction) => format!("{:?}", simulator.correct(correction)),
             Self::Imu(increments, interval_s) => format!("{:?}", simulator.push_imu(increments, *interval_s)),
         }
     }
@@ -70,7 +73,7 @@ pub fn reads(simulator: &Simulator) -> String {
             (simulator.intervals(), simulator.has_started(), simulator.waiting_samples()),
             (simulator.truth(), simulator.navigation(), simulator.imu()),
             (simulator.errors(ErrorSource::Navigation), simulator.errors(ErrorSource::Model)),
-            (simulator.accuracy(), simulator.trim(), simulator.truth_summary()),
+            (simulator.accuracy(), simulator.trim(), simulator.truth_summary(), simulator.compensation()),
             simulator.clone().covariance(),
         )
     )

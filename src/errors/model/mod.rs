@@ -53,6 +53,15 @@ enum Form {
 
 variants!(Form { EarthFixed, Geographic });
 
+/// Errors of attitude, velocity and position, in the terms of the form.
+#[inline(always)]
+fn states_of(form: &mut Form) -> [&mut Vector3<f64>; 3] {
+    match form {
+        Form::EarthFixed(form) => form.state(),
+        Form::Geographic(form) => form.state(),
+    }
+}
+
 /// The linear error model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErrorModel {
@@ -158,10 +167,7 @@ impl ErrorModel {
     /// Errors of attitude, velocity and position, in the terms of the form.
     #[inline(always)]
     fn state(&mut self) -> [&mut Vector3<f64>; 3] {
-        match &mut self.form {
-            Form::EarthFixed(form) => form.state(),
-            Form::Geographic(form) => form.state(),
-        }
+        states_of(&mut self.form)
     }
 
     /// Corrects the vertical channel over an interval of `t` [s].

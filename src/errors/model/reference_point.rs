@@ -2,15 +2,43 @@
 
 use nalgebra::Vector3;
 
-use super::ErrorModel;
 use super::earth_fixed::EarthFixedForm;
+use super::geographic::GeographicForm;
 use super::geometry::LocalGeometry;
+use super::{ErrorModel, Form, states_of};
 use crate::math::axis_cross;
 use crate::mounting::{Block, MountingErrors};
 use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 impl ErrorModel {
+    /// Removes `errors` of the reference point at `truth`. With a mounting, the errors of the block that are removed follow from the
+    /// equations of [`Self::of_reference_point`].
+    pub(crate) fn correct(&mut self, truth: &TruthPoint, block: Option<&Block>, errors: &StateErrors) {
+        let local = LocalGeometry::new(&self.earth, &truth.vertical());
+        let mut removed = EarthFixedForm::new(&local, &truth.state.v_e, errors);
+        let (mut at_block, mut v_e) = (local, truth.state.v_e);
+        if let Some(block) = block {
+            let (state, mounting) = (block.state(truth), block.errors());
+            let displacement = removed.psi.cross(&(truth.to_earth * mounting.arm_b));
+            removed.dr -= displacement;
+            removed.dv += axis_cross(self.earth.rate_rad_s, &displacement)
+                - removed.psi.cross(&(truth.to_earth * mounting.arm_rate_b));
+            at_block = LocalGeometry::new(&self.earth, &self.earth.vertical(&state.r_e));
+            v_e = state.v_e;
+        }
+        let mut form = match self.form {
+            Form::EarthFixed(_) => Form::EarthFixed(removed),
+            Form::Geographic(_) => {
+                Form::Geographic(GeographicForm::new(&at_block, &removed.errors(&at_block, &v_e)))
+            }
+        };
+        for (error, removed) in self.state().into_iter().zip(states_of(&mut form)) {
+            *error -= *removed;
+        }
+        self.keep_within();
+    }
+
     /// Errors of the reference point, with the believed arm l~, its velocity u~ relative to inertial axes, and the errors of the
     /// mounting itself (`_m`):
     /// ```text

@@ -46,6 +46,7 @@ impl Chain {
     ) -> Option<(f64, NavigationCovariance, bool)> {
         let covariance = self.covariance.first_mut()?;
         let matrix = covariance.read(truth, self.block.as_ref(), &imperfections.parameters());
+        let matrix = NavigationCovariance { without_corrections: self.is_corrected, ..matrix };
         Some((truth.time_s, matrix, truth.is_near_pole()))
     }
 }

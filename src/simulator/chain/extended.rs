@@ -73,11 +73,11 @@ impl Chain {
 
     /// Aids the vertical channel of a chain that is not plain, and updates block and closed loop after the interval to `next`.
     #[inline(never)]
-    pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid, sensors_were_ideal: bool) {
+    pub(super) fn aid_and_observe(&mut self, next: &TruthPoint, aid: &VerticalAid, on_ideal: bool) {
         let t = next.interval_s;
         if let Some(block) = &mut self.block {
-            let (ideal, measured) = self.signals.of(&self.parts, sensors_were_ideal);
-            block.observe(&Increment::sum(ideal), &Increment::sum(measured), t);
+            let (ideal, navigated) = self.signals.of(&self.parts, on_ideal);
+            block.observe(&Increment::sum(ideal), &Increment::sum(navigated), t);
         }
         let belief = self.block.as_ref().map(Block::belief);
         aid_vertical(&mut self.mechanization, &self.earth, aid, t, belief);

@@ -89,9 +89,9 @@ impl Chain {
         let ideal = &self.signals.ideal[parts.clone()];
 
         // Sensors.
-        let sensors_were_ideal = imperfections.triads_are_ideal();
+        let mut on_ideal = imperfections.triads_are_ideal();
         let mut flags = ImuFlags::default();
-        let increments = if sensors_were_ideal {
+        let mut increments = if on_ideal {
             ideal
         } else {
             let measured = &mut self.signals.measured[parts.clone()];
@@ -101,6 +101,13 @@ impl Chain {
         };
 
         // Mechanization.
+        let mut before_compensation = None;
+        if let Some(compensation) = &self.compensation {
+            let dt = t / parts.len() as f64;
+            before_compensation = Some(self.signals.compensate(&parts, on_ideal, compensation, dt));
+            on_ideal = false;
+            increments = &self.signals.measured[parts.clone()];
+        }
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
             imperfections.altimeter.sense(height_m, next.interval_s)
         });
@@ -109,7 +116,7 @@ impl Chain {
             self.mechanization.aid_vertical(&aid, t);
             self.mechanization.check()
         } else {
-            self.aid_and_observe(next, &aid, sensors_were_ideal);
+            self.aid_and_observe(next, &aid, on_ideal);
             self.check()
         };
         if let Err(error) = result {
@@ -123,15 +130,16 @@ impl Chain {
         self.last = LastInterval::Flown {
             time_s: next.time_s,
             interval_s: t,
-            sensors_were_ideal,
+            on_ideal,
+            before_compensation,
             flags,
             vertical_unaided: aid == VerticalAid::None,
         };
 
         // Errors.
         if let Some(model) = &mut self.error_model {
-            let (ideal, measured) = self.signals.of(&parts, sensors_were_ideal);
-            let mut errors = SensorErrors::between(ideal, measured, t);
+            let (ideal, navigated) = self.signals.of(&parts, on_ideal);
+            let mut errors = SensorErrors::between(ideal, navigated, t);
             if let Some(disturbance) = &self.disturbance {
                 errors = errors.plus(disturbance.apparent_errors());
             }

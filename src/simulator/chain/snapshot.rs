@@ -27,6 +27,8 @@ impl Stored for Chain {
             north_unknown,
             mechanization,
             error_model,
+            compensation,
+            is_corrected,
             accuracy,
             intervals,
             closure,
@@ -50,6 +52,8 @@ impl Stored for Chain {
         if let Some(model) = error_model {
             model.save(to);
         }
+        compensation.save(to);
+        to.flag(*is_corrected);
         accuracy.save(to);
         intervals.save(to);
         closure.save(to);
@@ -79,6 +83,8 @@ impl Stored for Chain {
         if let Some(model) = &mut self.error_model {
             model.load(from)?;
         }
+        self.compensation.load(from)?;
+        self.is_corrected = from.flag()?;
         self.accuracy.load(from)?;
         from.enter("snapshot: intervals");
         Numbers::load(&mut self.intervals, from, COUNT)?;

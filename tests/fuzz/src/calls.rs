@@ -26,7 +26,8 @@ impl Host {
             144..148 => self.set_altimeter(),
             148..152 => self.set_initial_errors(),
             152..158 => self.set_failure(),
-            158..162 => self.set_mounting(),
+            158..161 => self.set_mounting(),
+            161 => self.correct(),
             162..165 => self.set_gravity(),
             165..168 => self.set_preset(),
             168..172 => {

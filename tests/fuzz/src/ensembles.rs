@@ -9,7 +9,9 @@ use crate::call;
 use crate::host::{Host, check, init};
 use crate::input::{Argument, Input};
 use crate::motion::Motion;
-use crate::settings::{some_accel, some_altimeter, some_gyro, some_initial_errors, some_options};
+use crate::settings::{
+    some_accel, some_altimeter, some_correction, some_gyro, some_initial_errors, some_options,
+};
 
 const SAMPLES: usize = 12;
 
@@ -84,6 +86,18 @@ impl Host {
                 let (sensor, axis) = (self.input.pick(&[0, 1, 3]), self.input.below(3) as i32);
                 let status = call!(sins_ensemble_set_failure(ensemble, sensor, axis, &failure));
                 assert_eq!(status, call!(sins_set_failure(single, sensor, axis, &failure)));
+            }
+            if k > 1 && self.input.one_in(8) {
+                let correction = some_correction(&mut self.input);
+                let of_run = call!(sins_ensemble_correct(ensemble, run, &correction));
+                assert!(lost || of_run == call!(sins_correct(single, &correction)), "another answer");
+                let of_run = check::<sins_compensation>(|found| {
+                    call!(sins_ensemble_get_compensation(ensemble, run, found))
+                });
+                let of_single =
+                    check::<sins_compensation>(|found| call!(sins_get_compensation(single, found)));
+                let bytes = |found: Option<sins_compensation>| found.map(|found| Argument::of(&found).bytes);
+                assert!(lost || bytes(of_run) == bytes(of_single), "another compensation");
             }
             let prepared =
                 call!(sins_scene_prepare_ensemble(self.scene, ensemble, sample.time_s, &mut sample));

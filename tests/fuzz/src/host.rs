@@ -76,6 +76,7 @@ pub fn look(sim: *mut sins_sim, what: usize) {
         3 => {
             drop(check::<sins_imu>(|imu| call!(sins_get_imu(sim, imu))));
             drop(check::<sins_imu_increment>(|part| call!(sins_get_imu_update(sim, 0, part))));
+            drop(check::<sins_compensation>(|found| call!(sins_get_compensation(sim, found))));
         }
         4 => drop(check::<sins_accuracy>(|accuracy| call!(sins_get_accuracy(sim, accuracy)))),
         5 => {

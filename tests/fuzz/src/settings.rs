@@ -67,6 +67,16 @@ static ALTIMETER: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&surrounding
 static MOUNTING: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&surroundings::MOUNTING));
 static GRAVITY: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&surroundings::GRAVITY));
 
+ranges!(CORRECTION, sins_correction,
+    position_enu_m: 3, -1e6, 1e6;
+    velocity_enu_m_s: 3, -1e4, 1e4;
+    misalignment_enu_rad: 3, -3.14, 3.14;
+    gyro_bias_rad_s: 3, -100.0, 100.0;
+    gyro_scale_factor: 3, -0.5, 0.5;
+    accel_bias_m_s2: 3, -1e4, 1e4;
+    accel_scale_factor: 3, -0.5, 0.5;
+);
+
 const SINUSOIDS: usize = 6;
 
 /// A struct with some of its numbers set and all others 0. Most structs use a thousandth of their ranges.
@@ -119,6 +129,10 @@ pub fn some_initial_errors(input: &mut Input) -> sins_initial_errors {
 
 pub fn some_mounting(input: &mut Input) -> sins_mounting {
     filled(input, &MOUNTING)
+}
+
+pub fn some_correction(input: &mut Input) -> sins_correction {
+    filled(input, CORRECTION)
 }
 
 pub fn some_gravity(input: &mut Input) -> sins_gravity_params {
@@ -242,6 +256,11 @@ impl Host {
         let errors = some_initial_errors(&mut self.input);
         let place = self.start_again();
         self.giving_to(place, errors, |sim, errors| call!(sins_set_initial_errors(sim, errors)));
+    }
+
+    pub fn correct(&mut self) {
+        let correction = some_correction(&mut self.input);
+        self.giving(correction, |sim, correction| call!(sins_correct(sim, correction)));
     }
 
     pub fn set_mounting(&mut self) {

@@ -45,6 +45,15 @@ impl Pair {
     /// Makes a call on both and compares the answers. `false`: an ensemble does not have this call.
     fn call(&mut self, call: &Call, who: &str) -> bool {
         let ensemble = &mut self.ensemble;
+        if let Call::Correct(correction) = call {
+            for (k, single) in self.singles.iter_mut().enumerate().filter(|(k, _)| !self.diverged[*k]) {
+                let run = ensemble.first_run() + k as u64;
+                let answer = format!("{:?}", ensemble.correct(run, correction));
+                assert_eq!(call.make(single), answer, "{who}, run {run}");
+                assert_eq!(ensemble.compensation(run), Ok(single.compensation()), "{who}, run {run}");
+            }
+            return true;
+        }
         let answer = match call {
             Call::Push(sample) => format!("{:?}", ensemble.push_sample(sample)),
             Call::Step => format!("{:?}", ensemble.step()),

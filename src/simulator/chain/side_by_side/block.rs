@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use super::disturbed::Disturbed;
 use super::interval::LastGood;
+use crate::correction::Compensation;
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{ErrorModel, ModelBlock};
@@ -20,6 +21,15 @@ pub(super) struct Report {
     pub flags: ImuFlags,
     /// Nothing aided the vertical channel.
     pub is_unaided: bool,
+}
+
+/// Compensation of the sensors of a run.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Compensated {
+    pub compensation: Option<Compensation>,
+    /// Sum of the compensated increments of the last interval, and of the interval before it.
+    pub sum: Increment,
+    pub sum_before: Increment,
 }
 
 /// Up to [`RUNS`] runs. All lanes are computed, so that each loop has the same length. Lanes beyond the last run are copies of it.
@@ -42,6 +52,8 @@ pub(super) struct Block {
     pub(super) failures: [Box<[FailingTriad]>; 2],
     /// Altimeters, if they damp the vertical channel. They are up to date only if they have errors.
     pub(super) altimeters: Box<[Altimeter]>,
+    /// Compensation of the sensors of each lane; empty until a run has one.
+    pub(super) compensated: Vec<Compensated>,
     /// If gravity is not normal: all sensors of each run, in place of the sensors above.
     pub(super) disturbed: Box<[Disturbed]>,
 }
@@ -93,6 +105,7 @@ impl Block {
             diverged: [None; RUNS],
             failures: failures(imperfections, count)?,
             altimeters: altimeters.into_boxed_slice(),
+            compensated: Vec::new(),
             disturbed: Disturbed::room(imperfections, count)?,
         })
     }
@@ -108,7 +121,41 @@ impl Block {
             + size_of_val(&*self.altimeters) / self.count
             + 2 * size_of::<FailingTriad>()
             + size_of_val(&*self.disturbed) / self.count
+            + size_of_val(&*self.compensated) / RUNS
             + (size_of_val(&*self.navigators) + size_of_val(&*self.models)) / RUNS
+    }
+
+    /// Makes room for compensations.
+    pub fn make_room_for_compensations(&mut self) -> Result<(), Error> {
+        if self.compensated.is_empty() {
+            self.compensated = room(RUNS)?;
+            self.compensated.resize(RUNS, Compensated::default());
+            for (lane, compensated) in self.compensated.iter_mut().enumerate() {
+                compensated.sum = increment_of(&self.measured, lane);
+            }
+        }
+        Ok(())
+    }
+
+    /// Compensation of a run.
+    pub fn compensation(&self, lane: usize) -> Option<Compensation> {
+        self.compensated.get(lane).and_then(|compensated| compensated.compensation)
+    }
+
+    /// Sets the compensation of a run. Without room for it there is none.
+    pub fn put_compensation(&mut self, lane: usize, compensation: Option<Compensation>) {
+        let lanes = self.copies_of(lane);
+        for compensated in self.compensated.get_mut(lanes).into_iter().flatten() {
+            compensated.compensation = compensation;
+        }
+    }
+
+    /// Sum of the increments of the last interval on which a run navigated.
+    pub fn navigated(&self, lane: usize) -> Increment {
+        match self.compensated.get(lane) {
+            Some(Compensated { sum, .. }) => *sum,
+            None => increment_of(&self.measured, lane),
+        }
     }
 
     /// Copies the sensors of a run into the block.
@@ -192,9 +239,10 @@ impl Block {
         self.diverged[lane].map(|last_good| last_good.time_s)
     }
 
-    /// Marks all runs as good again.
+    /// Marks all runs as good again, without compensations.
     pub fn revive(&mut self) {
         self.diverged = [None; RUNS];
+        self.compensated.clear();
     }
 
     pub fn navigator(&self, lane: usize, earth: &Earth, options: &Options) -> Mechanization {
@@ -228,8 +276,12 @@ impl Block {
             disturbed.put_run(chain);
         }
         self.north_unknown[lane] = chain.north_unknown;
-        if let Some(ImuInterval { measured, flags, .. }) = chain.imu() {
+        self.put_compensation(lane, chain.compensation);
+        if let Some(ImuInterval { measured, compensated, flags, .. }) = chain.imu() {
             put_increment(&mut self.measured, lane, &measured);
+            if let Some(of_run) = self.compensated.get_mut(lane) {
+                of_run.sum = compensated;
+            }
             let is_unaided = chain.last.vertical_unaided().unwrap_or_default();
             self.reports[lane] = Report { flags, is_unaided };
         }

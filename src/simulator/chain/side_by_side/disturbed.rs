@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::interval::Interval;
+use crate::correction::Compensation;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::mechanization::VerticalAid;
@@ -107,13 +108,15 @@ impl Disturbed {
         }
     }
 
-    /// Flies an interval. Returns the measured increments, the flags and the indicated height, if there is one [m].
+    /// Flies an interval. Returns the sum of the measured increments, the increments after the compensation, the flags and the
+    /// indicated height, if there is one [m].
     pub fn sense<'a>(
         &mut self,
         interval: &Interval<'_>,
         workspace: &'a mut DisturbedWorkspace,
         lane: usize,
-    ) -> (&'a [Increment], ImuFlags, Option<f64>) {
+        compensation: Option<&Compensation>,
+    ) -> (Increment, &'a [Increment], ImuFlags, Option<f64>) {
         let &Interval { earth, recent, motion, mounting, t, count, aid, .. } = interval;
         let Self { imperfections, flown, before } = self;
         *before = *flown;
@@ -129,12 +132,16 @@ impl Disturbed {
             imperfections.begin_interval(t, || IntervalConditions::of(recent, motion, mounting));
             imperfections.sense(ideal, interval.dt, measured)
         };
+        let sum = match compensation {
+            Some(compensation) => compensation.apply(measured, interval.dt),
+            None => Increment::sum(measured),
+        };
         errors[lane] = SensorErrors::between(ideal, measured, t).plus(flown.disturbance.apparent_errors());
         let indicated_m = match aid {
             VerticalAid::Barometer { height_m } => imperfections.altimeter.sense(height_m, t),
             _ => None,
         };
-        (measured, flags, indicated_m)
+        (sum, measured, flags, indicated_m)
     }
 
     /// Undoes the interval.

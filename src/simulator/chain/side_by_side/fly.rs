@@ -24,6 +24,9 @@ impl Block {
             self.begin_failures(interval, workspace);
             self.sense_heights(interval, workspace);
             set.run(Sensing { block: self, interval, workspace });
+            if !self.compensated.is_empty() {
+                self.compensate(interval, workspace);
+            }
         } else {
             self.sense_disturbed(interval, workspace);
         }
@@ -33,6 +36,26 @@ impl Block {
             if self.diverged[lane].is_some() || !is_good {
                 self.look_closely(lane, interval, workspace);
             }
+        }
+    }
+
+    /// Compensates the measured increments of each run.
+    #[cold]
+    #[inline(never)]
+    fn compensate(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
+        let rows = &mut workspace.measured[..interval.count];
+        let increments = &mut workspace.compensated[..interval.count];
+        for (lane, of_run) in self.compensated.iter_mut().enumerate() {
+            for (increment, rows) in increments.iter_mut().zip(&*rows) {
+                *increment = increment_of(rows, lane);
+            }
+            if let Some(compensation) = &of_run.compensation {
+                compensation.apply(increments, interval.dt);
+                for (rows, increment) in rows.iter_mut().zip(&*increments) {
+                    put_increment(rows, lane, increment);
+                }
+            }
+            of_run.sum_before = core::mem::replace(&mut of_run.sum, Increment::sum(increments));
         }
     }
 
@@ -65,10 +88,14 @@ impl Block {
             if self.diverged[lane].is_some() {
                 continue;
             }
-            let (measured, flags, indicated_m) =
-                self.disturbed[lane].sense(interval, &mut workspace.disturbed, lane);
-            put_increment(&mut self.measured, lane, &Increment::sum(measured));
-            for (rows, increment) in workspace.measured.iter_mut().zip(measured) {
+            let compensation = self.compensation(lane);
+            let (sum, navigated, flags, indicated_m) =
+                self.disturbed[lane].sense(interval, &mut workspace.disturbed, lane, compensation.as_ref());
+            put_increment(&mut self.measured, lane, &sum);
+            if let Some(of_run) = self.compensated.get_mut(lane) {
+                of_run.sum_before = core::mem::replace(&mut of_run.sum, Increment::sum(navigated));
+            }
+            for (rows, increment) in workspace.measured.iter_mut().zip(navigated) {
                 put_increment(rows, lane, increment);
             }
             if let VerticalAid::Barometer { height_m } = interval.aid {
@@ -101,6 +128,9 @@ impl Block {
         }
         self.measured.iter_mut().zip(&workspace.sums).for_each(|(row, before)| row[lane] = before[lane]);
         self.reports[lane] = workspace.reports[lane];
+        if let Some(of_run) = self.compensated.get_mut(lane) {
+            of_run.sum = of_run.sum_before;
+        }
         if self.disturbed.is_empty() {
             self.gyro.go_back(lane, &workspace.gyro);
             self.accel.go_back(lane, &workspace.accel);
@@ -113,7 +143,7 @@ impl Block {
     /// Whether all solutions of a run are within their limits.
     fn is_good(&self, lane: usize, interval: &Interval<'_>) -> bool {
         let navigator = self.navigator(lane, interval.earth, interval.options);
-        let mounting = interval.mounting_of(&increment_of(&self.measured, lane));
+        let mounting = interval.mounting_of(&self.navigated(lane));
         let is_reference_point_good = |mounting: mounting::Block| {
             check_state(interval.earth, &mounting.belief().reference_point(&navigator.state())).is_ok()
         };
@@ -190,7 +220,7 @@ impl Work for Navigating<'_> {
         let Workspace { navigators: before, models: models_before, measured, scratch, .. } = workspace;
         let Workspace { heights_m, is_unaided, is_good, disturbed, .. } = workspace;
         let &Interval { earth, options, t, count, aid, has_altimeters, .. } = interval;
-        let Block { navigators, models, measured: sums, .. } = block;
+        let Block { navigators, models, measured: sums, compensated, .. } = block;
         let ([navigators], [before]) = (&mut **navigators, &**before) else { return };
         let (measured, sums) = (&measured[..count], &*sums);
         let aid = match has_altimeters {
@@ -199,7 +229,11 @@ impl Work for Navigating<'_> {
             true => AidOfEach::Barometer { heights_m },
         };
         let kind = (earth, options.scheme);
-        let mounting_of = |lane: usize| interval.mounting_of(&increment_of(sums, lane));
+        let compensated = &*compensated;
+        let mounting_of = |lane: usize| {
+            let sum = compensated.get(lane).map_or_else(|| increment_of(sums, lane), |of_run| of_run.sum);
+            interval.mounting_of(&sum)
+        };
         navigators.navigate(
             (before, interval.shift_e.as_ref()),
             kind,

@@ -11,6 +11,7 @@ mod workspace;
 use core::cell::RefCell;
 
 use super::Chain;
+use crate::correction::{Compensation, Correction};
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{ModelInterval, NavigationErrors};
@@ -24,7 +25,7 @@ use crate::simulator::interval::LastInterval;
 use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
 use crate::simulator::views::Views;
-use crate::simulator::{ErrorSource, Imperfections, ImuInterval, Options, Solution};
+use crate::simulator::{ErrorSource, Imperfections, ImuInterval, Options, Solution, nothing_to_correct};
 use crate::truth::{FlightSample, Intake, Recent, TruthPoint};
 use block::Block;
 use interval::{Interval, LastGood};
@@ -224,12 +225,14 @@ impl SideBySide {
         chain.mechanization = block.navigator(lane, &self.earth, &self.options);
         chain.error_model = block.error_model(lane, &self.earth);
         chain.north_unknown = block.north_unknown(lane);
+        chain.compensation = block.compensation(lane);
         if let LastInterval::Loaded { imu, vertical_unaided } = &mut chain.last {
             (imu.measured, imu.flags) = block.measured(lane);
+            imu.compensated = block.navigated(lane);
             *vertical_unaided = block.is_unaided(lane);
             imu.time_s = block.diverged_s(lane).unwrap_or(imu.time_s);
             if let Some(mounting) = &mut chain.block {
-                mounting.observe(&imu.ideal, &imu.measured, imu.interval_s);
+                mounting.observe(&imu.ideal, &imu.compensated, imu.interval_s);
             }
         }
         if let Some(disturbed) = block.disturbed(lane) {
@@ -262,6 +265,35 @@ impl SideBySide {
                 (chain.closed_loop, chain.mechanization) = shared;
             }
         }
+    }
+
+    /// Corrects a run, as [`Simulator::correct`](crate::Simulator::correct) does, while the truth is at `point`.
+    #[cold]
+    #[inline(never)]
+    pub fn correct(
+        &mut self,
+        place: usize,
+        point: &TruthPoint,
+        correction: &Correction,
+    ) -> Result<(), Error> {
+        let Some(mut chain) = self.chain_of(place) else { return Err(nothing_to_correct()) };
+        chain.correct(point, correction)?;
+        let (block, lane) = (&mut self.blocks[place / RUNS], place % RUNS);
+        if chain.compensation.is_some() {
+            block.make_room_for_compensations()?;
+        }
+        block.put_solution(lane, &chain);
+        block.put_compensation(lane, chain.compensation);
+        if let (Some(shared), true) = (&mut self.chain[0], *correction != Correction::default()) {
+            let navigator = shared.mechanization;
+            shared.part_from_shadow(&navigator);
+        }
+        Ok(())
+    }
+
+    /// Compensation of a run.
+    pub fn compensation(&self, place: usize) -> Compensation {
+        self.blocks[place / RUNS].compensation(place % RUNS).unwrap_or_default()
     }
 
     /// Follows a jump of the truth: the runs are before their first step again.

@@ -6,6 +6,7 @@ use super::block::Block;
 use super::interval::LastGood;
 use super::workspace::Workspace;
 use super::{Chain, SideBySide};
+use crate::correction::Compensation;
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
 use crate::memory::room;
@@ -154,8 +155,16 @@ impl SideBySide {
     }
 
     /// Takes in the state of `simulator` as a run.
-    pub fn put_simulator(&mut self, place: usize, simulator: &mut Simulator, has_diverged: bool) {
+    pub fn put_simulator(
+        &mut self,
+        place: usize,
+        simulator: &mut Simulator,
+        has_diverged: bool,
+    ) -> Result<(), Error> {
         let (block, lane) = (&mut self.blocks[place / RUNS], place % RUNS);
+        if simulator.compensation() != Compensation::default() {
+            block.make_room_for_compensations()?;
+        }
         block.put_imperfections(lane, &mut simulator.imperfections);
         if let Mode::Flying(chain) = &simulator.mode {
             block.put_run(lane, chain);
@@ -174,5 +183,6 @@ impl SideBySide {
         }
         // A run that has diverged is used too, because its snapshot holds what all runs share.
         self.imperfections[0].follow_as(&simulator.imperfections);
+        Ok(())
     }
 }

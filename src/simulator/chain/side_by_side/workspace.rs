@@ -7,7 +7,7 @@ use crate::errors::ModelBlock;
 use crate::mechanization::{NavigatorBlock, Scratch};
 use crate::memory::room;
 use crate::sensors::{FailingTriad, StateRows};
-use crate::signal::{IncrementRows, MAX_INCREMENTS, RUNS, Row};
+use crate::signal::{Increment, IncrementRows, MAX_INCREMENTS, RUNS, Row};
 use crate::simulator::{Imperfections, Options};
 
 /// Memory that a step needs in addition to a block, and the state of the block before the step.
@@ -17,6 +17,8 @@ pub(super) struct Workspace {
     /// cannot assume that they do not overlap the other fields.
     pub measured: Box<[IncrementRows]>,
     pub scratch: Scratch,
+    /// Increments of a run that are compensated.
+    pub compensated: Box<[Increment]>,
     pub heights_m: Row,
     pub is_unaided: [bool; RUNS],
     pub saturated: [[u64; RUNS]; 2],
@@ -35,11 +37,14 @@ impl Workspace {
     /// For blocks of `imperfections`. On the heap, because it is large for a stack.
     pub fn new(options: &Options, imperfections: &mut Imperfections) -> Result<Box<[Self]>, Error> {
         let (gyro, accel) = (imperfections.gyro.rows()?, imperfections.accel.rows()?);
-        let (mut memory, mut measured) = (room(1)?, room(MAX_INCREMENTS)?);
+        let (mut memory, mut measured, mut compensated) =
+            (room(1)?, room(MAX_INCREMENTS)?, room(MAX_INCREMENTS)?);
+        compensated.resize(MAX_INCREMENTS, Increment::ZERO);
         measured.resize(MAX_INCREMENTS, [[0.0; RUNS]; 6]);
         memory.push(Self {
             measured: measured.into_boxed_slice(),
             scratch: Scratch::NONE,
+            compensated: compensated.into_boxed_slice(),
             heights_m: [0.0; RUNS],
             is_unaided: [false; RUNS],
             saturated: [[0; RUNS]; 2],
