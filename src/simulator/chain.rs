@@ -58,6 +58,8 @@ pub(super) struct Chain {
     pub(super) error_model: Option<ErrorModel>,
     /// Compensation of the sensors, if there is one.
     pub(super) compensation: Option<Compensation>,
+    /// Sum of the measured increments of the last interval, if they were compensated.
+    measured: Increment,
     /// Whether there is a covariance, and the host has corrected the solution.
     pub(super) is_corrected: bool,
     accuracy: Accuracy,
@@ -141,6 +143,7 @@ impl Chain {
             mechanization,
             error_model,
             compensation: None,
+            measured: Increment::ZERO,
             is_corrected: false,
             accuracy: Accuracy::new(first.time_s),
             intervals: 0,
@@ -168,11 +171,11 @@ impl Chain {
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {
-        let (time_s, interval_s, on_ideal, before, flags) = match self.last {
+        let (time_s, interval_s, on_ideal, is_compensated, flags) = match self.last {
             LastInterval::None => return None,
             LastInterval::Loaded { imu, .. } => return Some(imu),
-            LastInterval::Flown { time_s, interval_s, on_ideal, before_compensation, flags, .. } => {
-                (time_s, interval_s, on_ideal, before_compensation, flags)
+            LastInterval::Flown { time_s, interval_s, on_ideal, is_compensated, flags, .. } => {
+                (time_s, interval_s, on_ideal, is_compensated, flags)
             }
         };
         let (ideal, navigated) = self.signals.of(&self.parts, on_ideal);
@@ -181,7 +184,7 @@ impl Chain {
             time_s,
             interval_s,
             ideal: Increment::sum(ideal),
-            measured: before.unwrap_or(compensated),
+            measured: if is_compensated { self.measured } else { compensated },
             compensated,
             flags,
         })

@@ -1,7 +1,6 @@
 //! The interval flown last.
 
 use super::{ImuFlags, ImuInterval};
-use crate::signal::Increment;
 
 /// The interval flown last.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,8 +13,8 @@ pub(super) enum LastInterval {
         interval_s: f64,
         /// The INS navigated on the ideal increments.
         on_ideal: bool,
-        /// Sum of the measured increments, if the INS compensated them.
-        before_compensation: Option<Increment>,
+        /// The INS compensated the measured increments.
+        is_compensated: bool,
         flags: ImuFlags,
         vertical_unaided: bool,
     },

@@ -166,6 +166,8 @@ fn simulators(tried: &mut Tried) {
             sins_step(sim);
         }
         tried.each_word(&sample(3.0), &[], &read, sim, &|words| sins_push_sample(sim, words));
+        let good = Words::new::<sins_correction>(0);
+        tried.each_word(&good, &[], &read, sim, &|words| sins_correct(sim, words));
         let good = Words::new::<sins_gyro_params>(0);
         tried.each_word(&good, &[], &read, sim, &|words| sins_set_gyro(sim, words));
         let good = Words::new::<sins_accel_params>(0);

@@ -101,11 +101,9 @@ impl Chain {
         };
 
         // Mechanization.
-        let mut before_compensation = None;
-        if let Some(compensation) = &self.compensation {
-            let dt = t / parts.len() as f64;
-            before_compensation = Some(self.signals.compensate(&parts, on_ideal, compensation, dt));
-            on_ideal = false;
+        let is_compensated = self.compensation.is_some();
+        if is_compensated {
+            on_ideal = self.compensate(&parts, on_ideal, t);
             increments = &self.signals.measured[parts.clone()];
         }
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
@@ -131,7 +129,7 @@ impl Chain {
             time_s: next.time_s,
             interval_s: t,
             on_ideal,
-            before_compensation,
+            is_compensated,
             flags,
             vertical_unaided: aid == VerticalAid::None,
         };
@@ -157,6 +155,17 @@ impl Chain {
             self.accuracy.add(next.time_s, &errors, next.is_near_pole());
         }
         Ok(())
+    }
+
+    /// Compensates the increments of an interval of length `t` [s]. Returns whether the INS navigates on ideal ones: no.
+    #[cold]
+    #[inline(never)]
+    fn compensate(&mut self, parts: &Range<usize>, on_ideal: bool, t: f64) -> bool {
+        if let Some(compensation) = &self.compensation {
+            let dt = t / parts.len() as f64;
+            self.measured = self.signals.compensate(parts, on_ideal, compensation, dt);
+        }
+        false
     }
 
     /// Adds the truth of an interval to the closure, and counts the interval.

@@ -28,6 +28,7 @@ impl Stored for Chain {
             mechanization,
             error_model,
             compensation,
+            measured: _,
             is_corrected,
             accuracy,
             intervals,
