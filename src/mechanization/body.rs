@@ -119,7 +119,7 @@ impl BodyMotion {
     /// Derivation of this addition: the second Picard iterate of C has ∫ α×(ω×) dt. With rate a + b τ and force p + q τ about the
     /// middle it is T⁴/24 (a×(a×q) - b×(a×p)); Θ = b T²/12, Φ = q T²/12. Evidence: 10 min of S-turns at 100 Hz go from 2.7e-5 to
     /// 7e-7 m, of order 4 instead of 3.
-    #[inline]
+    #[inline(always)] // 50 to 70 instructions less in each step
     pub fn exact(increments: &[Increment]) -> Self {
         Self::exact_by(increments, Any).0
     }
