@@ -1,7 +1,8 @@
 //! The covariance with failures of sensors, against the scatter of many runs about their mean.
 
+use sins::ErrorParameters;
 use sins::ensemble::Ensemble;
-use sins::sensors::{Axis, Failure, SensorOutput};
+use sins::sensors::{Axis, Failure, InitialErrorParameters, SensorOutput};
 
 use super::scenes::{Scene, everything};
 use super::{chi_square_bounds, quantile};
@@ -15,8 +16,10 @@ const END: usize = 241;
 
 /// The variances of the nine errors over those of the covariance, in units of the interval of 99.9 % for all: within -1 to 1.
 fn compare(output: SensorOutput, failure: Failure) -> [f64; 9] {
-    let scene =
-        Scene::new("failing", (0..=END).map(|k| resting_sample(PERIOD_S * k as f64)).collect(), everything());
+    // Errors of the start would hide those of the sensors.
+    let setting = ErrorParameters { initial: InitialErrorParameters::default(), ..everything() };
+    let samples = (0..=END).map(|k| resting_sample(PERIOD_S * k as f64)).collect();
+    let scene = Scene::new("failing", samples, setting);
     let mut simulator = scene.simulator(&scene.setting, true);
     let mut ensemble = Ensemble::new(&scene.simulator(&scene.setting, false), 0, RUNS).unwrap();
     for (k, sample) in scene.samples.iter().enumerate() {
