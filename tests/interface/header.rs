@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::support::c_programs::shared_library;
-use crate::support::{headers, project_file};
+use crate::support::{headers, project_file, without_comments};
 
 /// Paths of the files below a folder.
 fn files(folder: &Path) -> Vec<PathBuf> {
@@ -42,11 +42,7 @@ fn declared() -> BTreeSet<String> {
 
 /// The words of the header outside of comments: names and numbers.
 fn words() -> BTreeSet<String> {
-    let header = headers();
-    let mut code = String::new();
-    for part in header.split("/*") {
-        code.push_str(part.split_once("*/").map_or(part, |(_, code)| code));
-    }
+    let code = without_comments(&headers());
     let is_of_word = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
     code.split(|c| !is_of_word(c)).filter(|word| !word.is_empty()).map(str::to_owned).collect()
 }

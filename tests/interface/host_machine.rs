@@ -1,7 +1,8 @@
 //! Effects of a host and its machine on the library: programs in C, built and run. `tests/README.md` has the table.
 
 use crate::support::c_programs::{library_folder, run_test_program, succeed, test_program};
-use crate::support::{headers, project_file};
+use crate::support::{headers, project_file, without_comments};
+use std::path::PathBuf;
 
 #[test]
 fn misuse_of_every_function_is_answered() {
@@ -23,6 +24,7 @@ fn sentences_name_field_value_and_limit() {
 #[test]
 fn every_function_and_struct_is_in_the_programs() {
     let header = headers();
+    let code = |path: PathBuf| without_comments(&std::fs::read_to_string(path).unwrap());
     let [main, handle, ensembles, scenes, calls, sizes, states, scene, stack] = [
         "include/sins.hpp",
         "include/sins_handle.hpp",
@@ -34,11 +36,11 @@ fn every_function_and_struct_is_in_the_programs() {
         "tests/c/scene.h",
         "tests/c/stack.c",
     ]
-    .map(|path| std::fs::read_to_string(project_file(path)).unwrap());
+    .map(|path| code(project_file(path)));
     let wrapper = main + &handle + &ensembles + &scenes;
     let fuzzed: Vec<String> = std::fs::read_dir(project_file("tests/fuzz/src"))
         .unwrap()
-        .map(|file| std::fs::read_to_string(file.unwrap().path()).unwrap())
+        .map(|file| code(file.unwrap().path()))
         .collect();
     let mut missing = Vec::new();
     for prototype in header.split("SINS_CALL ").skip(1).filter(|text| text.starts_with("sins_")) {

@@ -62,6 +62,13 @@ pub fn project_file(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
+/// A source in C, C++ or Rust without its comments, which name functions that it does not call.
+pub fn without_comments(source: &str) -> String {
+    let blocks = source.split("/*").map(|part| part.split_once("*/").map_or(part, |(_, code)| code));
+    let code: String = blocks.collect();
+    code.lines().flat_map(|line| [line.split("//").next().unwrap_or_default(), "\n"]).collect()
+}
+
 /// The three C headers, one after the other.
 pub fn headers() -> String {
     let names = ["sins.h", "sins_ensemble.h", "sins_scene.h"];
