@@ -64,15 +64,15 @@ fn on_sphere(r: f64, g: f64) -> AtRest {
 fn closed_form_gives_its_fixture() {
     let arcsec = support::DEG / 3600.0;
     for (hours, phi, velocity, position) in [
-        (1.0, [7.3146, 8.6147, -4.7529], [0.233_980, -0.424_526], (None, -1307.596)),
-        (48.0, [-7.0965, 7.9712, 5.7862], [0.593_953, -0.212_284], (Some(57_941.013), 73.850)),
+        (1.0, [7.3146, 8.6147, -4.7529], [0.233_981, -0.424_528], (None, -1307.602)),
+        (48.0, [-7.0965, 7.9712, 5.7862], [0.593_954, -0.212_285], (Some(57_941.286), 73.850)),
     ] {
         let solution = on_sphere(6_374_390.0, 9.8015).after(hours * 3600.0);
         assert!((solution.phi / arcsec - Vector3::from(phi)).norm() < 2e-4, "{}", solution.phi / arcsec);
         let velocity = Complex::new(velocity[0], velocity[1]) - solution.velocity;
-        assert!(velocity.modulus() < 3e-6, "{}", solution.velocity);
-        assert!((solution.position.im - position.1).abs() < 0.01, "{}", solution.position);
-        assert!(position.0.is_none_or(|east: f64| (solution.position.re - east).abs() < 0.5));
+        assert!(velocity.modulus() < 1e-6, "{}", solution.velocity);
+        assert!((solution.position.im - position.1).abs() < 1e-3, "{}", solution.position);
+        assert!(position.0.is_none_or(|east: f64| (solution.position.re - east).abs() < 1e-3));
     }
 }
 
