@@ -101,7 +101,7 @@ windows() {
     [ "$2" = i686 ] || platform=win_amd64
     wheel "$bin/sins.dll" $platform "$folder"
     # Lines end as old editors of Windows need it.
-    find "$folder" \( -name '*.md' -o -name '*.txt' -o -name '*.cff' -o -name '*.h' -o -name '*.hpp' -o -name '*.c' -o -name '*.cpp' \
+    find "$folder" -type f \( -name '*.md' -o -name '*.txt' -o -name '*.cff' -o -name '*.h' -o -name '*.hpp' -o -name '*.c' -o -name '*.cpp' \
         -o -name '*.toml' -o -name 'LICENSE-*' \) -exec sed -i 's/$/\r/' {} +
     need zip zip
     archive "$folder" zip
