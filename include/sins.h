@@ -1919,9 +1919,9 @@ SINS_API sins_status SINS_CALL sins_get_gravity_disturbance(sins_sim *sim, sins_
 typedef enum sins_grade {
     /**
      * Strategic: gyro bias 0.001 deg/h and accelerometer bias 1e-6 g, each 1 sigma (El-Sheimy and Youssef 2020, table 1, upper
-     * ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200). The table states 30 to 100 m/h for this grade.
-     * That holds in straight flight; in turns the scale factor dominates: from a perfect start the built-in racetrack has a CEP of 190 m after an hour, and
-     * 35 m without it, the built-in patrol 1.6 km and 38 m.
+     * ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200). The table states 30 to 100 m/h
+     * for this grade. That holds in straight flight; in turns the scale factor dominates: from a perfect start the built-in racetrack
+     * has a CEP of 190 m after an hour, and 35 m without it, the built-in patrol 1.6 km and 38 m.
      */
     SINS_GRADE_STRATEGIC = 1,
     /** Navigation: Honeywell HG9900, brochure N61-1638. It states no accelerometer noise, so the preset has none: set your own. */
