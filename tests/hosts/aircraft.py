@@ -22,8 +22,9 @@ RUN = 5
 
 def fly():
     """The records of an hour with sensors of navigation grade, one a second, as columns of the aircraft; R50 of the program."""
-    options = ["--preset", "navigation", "--set", f"options.run={RUN}", "--set", "output.every_s=1", "--set", "flight.rate_hz=50"]
-    command = [SINS, "fly", "racetrack", *options, "--set", "options.vertical=follow", "--out", FOLDER, "--name", "flight", "-q"]
+    options = ["--preset", "navigation", "--set", "start.preset=ideal", "--set", f"options.run={RUN}"]
+    options += ["--set", "output.every_s=1", "--set", "flight.rate_hz=50", "--set", "options.vertical=follow"]
+    command = [SINS, "fly", "racetrack", *options, "--out", FOLDER, "--name", "flight", "-q"]
     subprocess.run(command, check=True)
     records = numpy.genfromtxt(FOLDER / "flight.csv", delimiter=",", names=True)
     scale = {name: math.degrees(1) if field.endswith("_rad") else 1.0 for name, field in COLUMNS.items()}
