@@ -7,7 +7,7 @@ use crate::covariance::Flown;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::mechanization::{VerticalAid, VerticalMode, check_state};
-use crate::signal::IntervalMotion;
+use crate::signal::{Increment, IntervalMotion};
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::imperfections::IntervalConditions;
 use crate::simulator::interval::LastInterval;
@@ -101,9 +101,10 @@ impl Chain {
         };
 
         // Mechanization.
-        let is_compensated = self.compensation.is_some();
-        if is_compensated {
-            on_ideal = self.compensate(&parts, on_ideal, t);
+        let mut measured = None;
+        if self.compensation.is_some() {
+            measured = self.compensate(&parts, on_ideal, t);
+            on_ideal = false;
             increments = &self.signals.measured[parts.clone()];
         }
         let aid = vertical_aid(self.options.vertical, next, |height_m| {
@@ -124,6 +125,10 @@ impl Chain {
             self.parts = last;
             Self::undo_imperfections(&self.options, self.disturbance.is_some(), imperfections);
             return Err(error);
+        }
+        let is_compensated = measured.is_some();
+        if let Some(measured) = measured {
+            self.measured = measured;
         }
         self.last = LastInterval::Flown {
             time_s: next.time_s,
@@ -157,15 +162,13 @@ impl Chain {
         Ok(())
     }
 
-    /// Compensates the increments of an interval of length `t` [s]. Returns whether the INS navigates on ideal ones: no.
+    /// Compensates the increments of an interval of length `t` [s]. Returns their sum before.
     #[cold]
     #[inline(never)]
-    fn compensate(&mut self, parts: &Range<usize>, on_ideal: bool, t: f64) -> bool {
-        if let Some(compensation) = &self.compensation {
-            let dt = t / parts.len() as f64;
-            self.measured = self.signals.compensate(parts, on_ideal, compensation, dt);
-        }
-        false
+    fn compensate(&mut self, parts: &Range<usize>, on_ideal: bool, t: f64) -> Option<Increment> {
+        let compensation = self.compensation.as_ref()?;
+        let dt = t / parts.len() as f64;
+        Some(self.signals.compensate(parts, on_ideal, compensation, dt))
     }
 
     /// Adds the truth of an interval to the closure, and counts the interval.
