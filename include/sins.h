@@ -2422,6 +2422,21 @@ typedef struct sins_cost {
     double ns_per_step;
     /** Number of algorithms that were tried, including the recommended one. */
     uint64_t tried;
+    /** Largest angular rate of the samples, as in sins_truth_summary [rad/s]. */
+    double rate_max_rad_s;
+    /** Time stamp of rate_max_rad_s [s]. */
+    double rate_max_at_s;
+    /** Largest specific force of the samples, as in sins_truth_summary [m/s2]. */
+    double force_max_m_s2;
+    /** Time stamp of force_max_m_s2 [s]. */
+    double force_max_at_s;
+    /**
+     * Largest vibration of the samples: change of the mean angular rate from an interval to the next, divided by the time
+     * between their middles [rad/s2]; 0 for two samples.
+     */
+    double vibration_max_rad_s2;
+    /** Time stamp of vibration_max_rad_s2: that of the last sample of the two intervals [s]. */
+    double vibration_max_at_s;
 } sins_cost;
 
 /**
@@ -2434,7 +2449,8 @@ typedef struct sins_cost {
  * updates_per_sample are replaced by the recommended values. The values of these three in configured do not matter.
  *
  * The piece must contain the hardest motion of the flight: its largest rates, specific forces and vibration. A calmer piece,
- * such as the time on the ramp, gives an answer that is false for the flight. The plainest piece is the whole flight.
+ * such as the time on the ramp, gives an answer that is false for the flight. The plainest piece is the whole flight. cost
+ * returns the largest rate, specific force and vibration of the samples: if the flight has larger ones, the piece was too calm.
  *
  * Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
  * reference: a solution of SINS_SCHEME_POLYNOMIAL in Earth-fixed axes with 16 updates of 5 subsamples. The uncertainty of
@@ -2651,7 +2667,7 @@ enum sins_sizeof {
     SINS_SIZEOF_FLIGHT_START = 72,
     SINS_SIZEOF_MANOEUVRE = 240,
     SINS_SIZEOF_REQUIREMENT = 48,
-    SINS_SIZEOF_COST = 96,
+    SINS_SIZEOF_COST = 144,
     SINS_SIZEOF_BUDGET_REQUEST = 40,
     SINS_SIZEOF_BUDGET_ROW = 152,
     SINS_SIZEOF_BUDGET = 128

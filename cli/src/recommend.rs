@@ -1,8 +1,8 @@
 //! `sins recommend`: the cheapest options that meet a required accuracy on a scene.
 
-use sins::math::{attitude_from_euler, relative_rotation, rotation_vector};
 use sins::recommend::{
-    MAX_SAMPLES, Recommendation, Requirement, Setup, SolutionError, recommend_by, step_time_ns,
+    MAX_SAMPLES, Motion, Piece as Figures, Recommendation, Requirement, Setup, SolutionError, recommend_by,
+    step_time_ns,
 };
 use sins::truth::FlightSample;
 
@@ -38,6 +38,9 @@ pub struct Order {
     /// Factor by which the predicted error must be smaller than the required one
     #[arg(long, default_value_t = 2.0)]
     pub margin: f64,
+    /// Also measures the time of a step on this machine
+    #[arg(long)]
+    pub time_steps: bool,
 }
 
 const NO_LIMIT: &str =
@@ -71,8 +74,14 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         None => Failure::new(format!("{}: {}", given.origin, refusal.error)),
     })?;
     drop(working);
-    let ns = step_time_ns(&setup.with(&answer.rung), samples[0])?;
-    print(&text(&given, &answer, ns, &judged(&given, order, &pieces)))?;
+    let timed = match order.time_steps {
+        true => {
+            let ns = step_time_ns(&setup.with(&answer.rung), samples[0])?;
+            format!("a step takes {ns:.0} ns on this machine\n")
+        }
+        false => String::new(),
+    };
+    print(&(text(&given, &answer, &judged(&given, order, &pieces)) + &timed))?;
     if answer.met {
         return Ok(());
     }
@@ -131,23 +140,20 @@ fn pieces(order: &Order, given: &Given) -> Result<Vec<Piece>, Failure> {
     hardest.into_iter().map(|first| Piece::new(given, first, length.min(given.count - first))).collect()
 }
 
-/// Where the pieces of `length` samples begin that have the largest rate, force and vibration, which is the change of the rate. They
-/// are looked at in up to [`SEARCHED`] pairs of intervals.
+/// Where the pieces of `length` samples begin that have the largest rate, force and vibration of up to [`SEARCHED`] pairs of
+/// intervals.
 fn hardest(given: &Given, first: usize, count: usize, length: usize) -> Result<Vec<usize>, Failure> {
+    let options = given.scene.simulator_options();
     let mut worst = [(0.0, first); 3];
     for index in (first..first + count - 2).step_by(count.div_ceil(SEARCHED)) {
-        let [a, b, c] = [given.sample(index)?, given.sample(index + 1)?, given.sample(index + 2)?];
-        let rate = |from: &FlightSample, to: &FlightSample| {
-            let [q_from, q_to] = [from, to].map(|sample| attitude_from_euler(&sample.euler));
-            rotation_vector(&relative_rotation(&q_from, &q_to)) / (to.time_s - from.time_s)
-        };
-        let rates = [rate(&a, &b), rate(&b, &c)];
-        let span_s = c.time_s - a.time_s;
-        let acceleration = a.v_n.zip(c.v_n).map_or(0.0, |(from, to)| (to - from).norm() / span_s);
-        let figures = [rates[1].norm(), acceleration, (rates[1] - rates[0]).norm() / span_s];
-        for (worst, figure) in worst.iter_mut().zip(figures) {
-            if figure > worst.0 {
-                *worst = (figure, index);
+        let samples = [given.sample(index)?, given.sample(index + 1)?, given.sample(index + 2)?];
+        let pair = Figures::new(&options, &samples).map_err(|refusal| {
+            given.failure_at(index + refusal.sample.unwrap_or_default(), &refusal.error)
+        })?;
+        let Motion { rate_max, force_max, vibration_max } = pair.motion;
+        for (worst, figure) in worst.iter_mut().zip([rate_max, force_max, vibration_max]) {
+            if figure.value > worst.0 {
+                *worst = (figure.value, index);
             }
         }
     }
@@ -182,15 +188,23 @@ fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> String {
 }
 
 /// Text of the answer: the options as in a scene, and their remaining errors.
-fn text(given: &Given, answer: &Recommendation, ns: f64, judged: &str) -> String {
+fn text(given: &Given, answer: &Recommendation, judged: &str) -> String {
+    let Motion { rate_max, force_max, vibration_max } = answer.motion;
     let scheme = scheme_name(answer.rung.scheme);
     format!(
         "# {}: {}\n[options]\nscheme = \"{scheme}\"\nsubsamples = {}\nupdates_per_sample = {}\n\n\
-         {judged}\nerror within {}: {}\n  of which uncertainty of the reference: {}\na step takes {ns:.0} ns on this machine; {} algorithms were tried\n",
+         {judged}\n  largest rate {} deg/s at {:.6} s, specific force {} m/s2 at {:.6} s, vibration {} deg/s2 at {:.6} s\n\
+         error within {}: {}\n  of which uncertainty of the reference: {}\n{} algorithms were tried\n",
         given.origin,
         given.title,
         answer.rung.subsamples,
         answer.rung.updates_per_sample,
+        two_digits(rate_max.value.to_degrees()),
+        rate_max.time_s,
+        two_digits(force_max.value),
+        force_max.time_s,
+        two_digits(vibration_max.value.to_degrees()),
+        vibration_max.time_s,
         time_text(answer.duration_s),
         brief_parts(answer.predicted.parts()),
         brief_parts(answer.uncertainty.parts()),

@@ -72,9 +72,22 @@ pub struct sins_cost {
     pub ns_per_step: f64,
     /// Number of algorithms that were tried, including the recommended one.
     pub tried: u64,
+    /// Largest angular rate of the samples, as in sins_truth_summary [rad/s].
+    pub rate_max_rad_s: f64,
+    /// Time stamp of rate_max_rad_s [s].
+    pub rate_max_at_s: f64,
+    /// Largest specific force of the samples, as in sins_truth_summary [m/s2].
+    pub force_max_m_s2: f64,
+    /// Time stamp of force_max_m_s2 [s].
+    pub force_max_at_s: f64,
+    /// Largest vibration of the samples: change of the mean angular rate from an interval to the next, divided by the time
+    /// between their middles [rad/s2]; 0 for two samples.
+    pub vibration_max_rad_s2: f64,
+    /// Time stamp of vibration_max_rad_s2: that of the last sample of the two intervals [s].
+    pub vibration_max_at_s: f64,
 }
 
-interface_struct!(sins_cost, "cost", 96);
+interface_struct!(sins_cost, "cost", 144);
 
 impl sins_requirement {
     fn to_requirement(self) -> Result<Requirement, Failure> {
@@ -110,7 +123,8 @@ impl From<Refusal> for Failure {
 /// updates_per_sample are replaced by the recommended values. The values of these three in configured do not matter.
 ///
 /// The piece must contain the hardest motion of the flight: its largest rates, specific forces and vibration. A calmer piece,
-/// such as the time on the ramp, gives an answer that is false for the flight. The plainest piece is the whole flight.
+/// such as the time on the ramp, gives an answer that is false for the flight. The plainest piece is the whole flight. cost
+/// returns the largest rate, specific force and vibration of the samples: if the flight has larger ones, the piece was too calm.
 ///
 /// Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
 /// reference: a solution of SINS_SCHEME_POLYNOMIAL in Earth-fixed axes with 16 updates of 5 subsamples. The uncertainty of
@@ -179,7 +193,7 @@ fn read_samples(samples: &Array<sins_flight_sample>) -> Result<Vec<FlightSample>
 
 impl sins_cost {
     fn new(answer: &Recommendation, instructions_per_step: f64, ns_per_step: f64) -> Self {
-        let Recommendation { share, duration_s, predicted, uncertainty, tried, .. } = *answer;
+        let Recommendation { share, duration_s, predicted, uncertainty, motion, tried, .. } = *answer;
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
@@ -194,6 +208,12 @@ impl sins_cost {
             instructions_per_step,
             ns_per_step,
             tried: tried as u64,
+            rate_max_rad_s: motion.rate_max.value,
+            rate_max_at_s: motion.rate_max.time_s,
+            force_max_m_s2: motion.force_max.value,
+            force_max_at_s: motion.force_max.time_s,
+            vibration_max_rad_s2: motion.vibration_max.value,
+            vibration_max_at_s: motion.vibration_max.time_s,
         }
     }
 }

@@ -13,7 +13,7 @@ mod timing;
 pub use choice::{Recommendation, recommend, recommend_by};
 pub use growth::Growth;
 pub use ladder::{Rung, ladder};
-pub use piece::{MAX_SAMPLES, MIN_SAMPLES, Piece, Refusal};
+pub use piece::{MAX_SAMPLES, MIN_SAMPLES, Motion, Piece, Refusal};
 pub(crate) use reference::fly_looking;
 pub use reference::{Reference, SolutionError, Track, track};
 pub use requirement::Requirement;

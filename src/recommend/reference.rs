@@ -63,11 +63,6 @@ impl SolutionError {
         self.with(limits, share).parts().into_iter().fold(0.0, f64::max)
     }
 
-    /// The larger of each two errors.
-    pub fn larger(&self, other: &Self) -> Self {
-        self.with(other, f64::max)
-    }
-
     /// Keeps the difference of `state` from `reference` if it is larger.
     fn include(&mut self, state: &EarthFixedState, reference: &EarthFixedState) {
         let rotation = rotation_vector(&relative_rotation(&reference.q_eb, &state.q_eb));

@@ -21,7 +21,7 @@ stored!(Extreme { value: ANY, time_s: CLOCK_S });
 
 impl Extreme {
     /// Keeps `value` if its size is larger.
-    fn take_larger(&mut self, value: f64, time_s: f64) {
+    pub(crate) fn take_larger(&mut self, value: f64, time_s: f64) {
         if value.abs() > self.value.abs() {
             *self = Self { value, time_s };
         }

@@ -394,7 +394,7 @@ AT(sins_requirement, velocity_m_s, 24);
 AT(sins_requirement, attitude_rad, 32);
 AT(sins_requirement, margin, 40);
 
-SIZE(sins_cost, SINS_SIZEOF_COST, 96);
+SIZE(sins_cost, SINS_SIZEOF_COST, 144);
 AT(sins_cost, struct_size, 0);
 AT(sins_cost, reserved, 4);
 AT(sins_cost, duration_s, 8);
@@ -408,6 +408,12 @@ AT(sins_cost, share, 64);
 AT(sins_cost, instructions_per_step, 72);
 AT(sins_cost, ns_per_step, 80);
 AT(sins_cost, tried, 88);
+AT(sins_cost, rate_max_rad_s, 96);
+AT(sins_cost, rate_max_at_s, 104);
+AT(sins_cost, force_max_m_s2, 112);
+AT(sins_cost, force_max_at_s, 120);
+AT(sins_cost, vibration_max_rad_s2, 128);
+AT(sins_cost, vibration_max_at_s, 136);
 
 SIZE(sins_budget_request, SINS_SIZEOF_BUDGET_REQUEST, 40);
 AT(sins_budget_request, struct_size, 0);

@@ -85,6 +85,17 @@ static void answers(void)
     other.ns_per_step = cost.ns_per_step;
     CHECK(memcmp(&cost, &other, sizeof cost) == 0);
 
+    /* A bank of 1 rad turns at g tan(1)/v = 0.076 rad/s, and has 1/cos(1) = 1.85 g. */
+    CHECK(cost.rate_max_rad_s > 0.07 && cost.rate_max_at_s > 0.0 && cost.rate_max_at_s <= 10.0);
+    CHECK(cost.force_max_m_s2 > 18.0 && cost.force_max_m_s2 < 18.3 && cost.vibration_max_rad_s2 > 0.0);
+
+    /* Only time_steps measures the time; it changes nothing else. */
+    requirement.time_steps = 0;
+    CHECK(sins_recommend(sim, piece, COUNT, &requirement, &again, &other) == SINS_OK);
+    CHECK(other.ns_per_step == 0.0);
+    other.ns_per_step = cost.ns_per_step;
+    CHECK(memcmp(&cost, &other, sizeof cost) == 0);
+
     /* A margin of 0 means 2. */
     requirement.margin = 2.0;
     CHECK(sins_recommend(sim, piece, COUNT, &requirement, &again, &other) == SINS_OK);

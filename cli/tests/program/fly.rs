@@ -233,6 +233,9 @@ fn options_are_recommended_and_too_much_is_reported() {
     let scene = ["recommend", "aerobatics", "--piece", "30", "--hours", "0.01"];
     let said = done(&folder, &[&scene[..], &["--position", "1"]].concat());
     assert!(said.contains("[options]\nscheme = \"") && said.contains("algorithms were tried"), "{said}");
+    assert!(!said.contains("a step takes"), "{said}");
+    let timed = done(&folder, &[&scene[..], &["--position", "1", "--time-steps"]].concat());
+    assert!(timed.starts_with(&said) && timed.contains("a step takes "), "{timed}");
     // The printed options are a valid part of a scene.
     let options = said.split("\n\n").next().unwrap();
     std::fs::write(folder.join("own.toml"), format!("[flight]\nbuiltin = \"aerobatics\"\n{options}\n"))
@@ -302,4 +305,9 @@ fn a_long_scene_is_judged_by_its_hardest_parts() {
     assert!(line.contains("largest rate, force and vibration") && begins.len() >= 3, "{line} {begins:?}");
     let pieces = &begins[1..begins.len() - 1];
     assert!(pieces.iter().any(|from_s| (from_s..&(from_s + 60.0)).contains(&&3004.0)), "{line}");
+    // Two turns in 8 s are 90 deg/s on average.
+    let line = said.lines().find_map(|line| line.strip_prefix("  largest rate ")).unwrap();
+    let (rate_deg_s, rest) = line.split_once(" deg/s at ").unwrap();
+    let at_s: f64 = rest.split_once(" s, ").unwrap().0.parse().unwrap();
+    assert!(rate_deg_s.parse::<f64>().unwrap() > 90.0 && (3000.0..3008.0).contains(&at_s), "{line}");
 }

@@ -108,4 +108,9 @@ fn the_interface_has_the_same_answer() {
     assert_eq!(budget.remainder_attitude_rad, expected.remainder.attitude_rad);
     assert_eq!(budget.left_out_attitude_rad, expected.left_out.attitude_rad);
     assert!(budget.ns_per_step > 0.0 && rows[0].ns_per_step > 0.0);
+
+    let untimed = sins_budget_request { time_steps: 0, ..request };
+    let (status, _, rows, budget) = through_the_interface(samples, &gyro, &untimed, 6);
+    assert_eq!((status, budget.ns_per_step, budget.flights), (SINS_OK, 0.0, expected.flights));
+    assert!(rows[..4].iter().all(|row| row.ns_per_step == 0.0));
 }

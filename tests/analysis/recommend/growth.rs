@@ -156,7 +156,8 @@ fn seconds_and_minutes_of_a_bias_predict_an_hour() {
 /// Up to the duration of the piece the errors are those of the piece; a longer duration never has smaller ones.
 #[test]
 fn errors_are_the_pieces_own_at_first_and_only_grow() {
-    let piece = Piece { duration_s: 120.0, speed_m_s: 200.0, velocity_change_m_s: 50.0 };
+    let piece =
+        Piece { duration_s: 120.0, speed_m_s: 200.0, velocity_change_m_s: 50.0, ..Default::default() };
     let measured = SolutionError { position_m: 3.0, velocity_m_s: 0.2, attitude_rad: 1e-5 };
     for vertical in [VerticalMode::Damped, VerticalMode::FollowTruth, VerticalMode::Free] {
         let at = |duration_s| Growth::new(&piece, duration_s, vertical).of(&measured);

@@ -2,6 +2,7 @@
 
 mod growth;
 mod limits;
+mod motion;
 mod mounting;
 
 use sins::abi::{
@@ -75,6 +76,7 @@ fn asked_through_the_interface(
         let (samples, count) = (samples.as_ptr(), samples.len());
         let status = sins_recommend(configured, samples, count, &requirement, &mut options, &mut cost);
         assert_eq!(sins_destroy(configured), SINS_OK);
+        assert_eq!(cost.ns_per_step, 0.0, "steps were not to be timed");
         (status, [options.scheme, options.subsamples, options.updates_per_sample], cost)
     }
 }
