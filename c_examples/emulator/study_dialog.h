@@ -24,7 +24,9 @@ inline Result find_options(const sins::Simulator &sim, const Piece &piece, sins_
     sins_options options = sins::make<sins_options>();
     const Key &scheme = *key_of("options.scheme");
     limits.duration_s = duration_s;
-    limits.time_steps = 1;
+    auto at = [](double value, const wchar_t *unit, double time_s) {
+        return shown(value, 4) + unit + L" @ " + shown(time_s, 8) + L" s";
+    };
     bool is_met = sim.recommend(piece.data(), piece.size(), limits, options, cost);
     Rows rows = rows_of("recommend_rows", {scheme.word_label(scheme.choices()[options.scheme]),
                                            std::to_wstring(options.subsamples),
@@ -33,8 +35,11 @@ inline Result find_options(const sins::Simulator &sim, const Piece &piece, sins_
                                            shown(cost.velocity_m_s, 4) + L" m/s",
                                            shown(cost.attitude_rad / SINS_ARCSEC, 4) + L" \u2033",
                                            shown(cost.instructions_per_step, 6),
-                                           shown(cost.ns_per_step, 4) + L" ns",
-                                           std::to_wstring(cost.tried)});
+                                           std::to_wstring(cost.tried),
+                                           at(cost.rate_max_rad_s / SINS_DEG, L"\u00b0/s", cost.rate_max_at_s),
+                                           at(cost.force_max_m_s2, L" m/s\u00b2", cost.force_max_at_s),
+                                           at(cost.vibration_max_rad_s2 / SINS_DEG, L"\u00b0/s\u00b2",
+                                              cost.vibration_max_at_s)});
     return {rows, parts("met")[is_met ? 0 : 1], options};
 }
 
@@ -52,7 +57,6 @@ inline std::wstring name_of(const sins_budget_row &row) {
 inline Result find_shares(const sins::Simulator &sim, const Piece &piece, sins_requirement limits, double runs) {
     sins_budget_request request = sins::make<sins_budget_request>();
     std::vector<sins_budget_row> shares;
-    request.time_steps = 1;
     request.runs = (uint64_t)runs;
     request.position_m = limits.position_m;
     request.velocity_m_s = limits.velocity_m_s;
