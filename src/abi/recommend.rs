@@ -137,8 +137,8 @@ impl From<Refusal> for Failure {
 /// With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
 ///
 /// Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step
-/// differs. Not for a real-time frame: it allocates, and takes about 25 to 70 us a sample, up to 0.4 ms if nothing meets the
-/// requirement.
+/// differs. Not for a real-time frame: it allocates, and takes about 18 to 70 us a sample, 0.1 to 0.4 ms if nothing meets the
+/// requirement. time_steps adds 5 to 100 ms.
 ///
 /// SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
 /// closest.

@@ -58,7 +58,7 @@ impl<'a> Judge<'a> {
 /// The algorithms fly ideal signals, so errors of sensors, and contradictions between position, velocity and attitude of the host,
 /// do not matter. A closed loop would hide the error, and is left out. The same samples have the same answer on every machine.
 ///
-/// 25 to 70 µs a sample, up to 0.4 ms where nothing meets the requirement (2.8 GHz Xeon).
+/// 18 to 70 µs a sample, 0.1 to 0.4 ms where nothing meets the requirement (2.8 GHz Xeon).
 pub fn recommend(
     setup: &Setup,
     samples: &[FlightSample],
