@@ -67,8 +67,9 @@ interface_struct!(sins_budget_request, "request", 40);
 ///
 /// The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
 /// allocates, and flies the samples many times, each time in 0.8 to 1.8 us a sample with the recommended options, in 11 us with
-/// SINS_SCHEME_POLYNOMIAL, 5 subsamples and 16 updates. It flies them once with no effect, once for each effect, once in each run with all effects together, and, if there are random effects, once in each run with the
-/// random effects alone. With limits it flies them once more in each run, and further times if effects do not add up.
+/// SINS_SCHEME_POLYNOMIAL, 5 subsamples and 16 updates. It flies them once with no effect, once for each effect,
+/// once in each run with all effects together, and, if there are random effects, once in each run with the random effects alone.
+/// With limits it flies them once more in each run, and further times if effects do not add up.
 /// time_steps adds 61 rounds of about 250 steps with no effect, with all, and without each effect: with three effects 0.05 s with
 /// the recommended options, 0.6 s with the others.
 ///
