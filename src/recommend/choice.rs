@@ -34,16 +34,10 @@ struct Judge<'a> {
 }
 
 impl<'a> Judge<'a> {
-    fn new(
-        setup: &Setup,
-        samples: &'a [FlightSample],
-        piece: &Piece,
-        duration_s: f64,
-    ) -> Result<Self, Refusal> {
+    fn new(setup: &Setup, samples: &'a [FlightSample], growth: Growth) -> Result<Self, Refusal> {
         let mut instants = room(samples.len())?;
         instants.extend(1..samples.len());
-        let reference = Reference::new(setup, samples, &instants)?;
-        Ok(Self { samples, reference, growth: Growth::new(piece, duration_s, setup.options.vertical) })
+        Ok(Self { samples, reference: Reference::new(setup, samples, &instants)?, growth })
     }
 
     /// The error over the duration of an algorithm with the error `error` in the piece.
@@ -85,7 +79,8 @@ pub fn recommend_by(
     }
     let mut judges = room(pieces.len())?;
     for (index, (samples, piece)) in pieces.iter().zip(&figures).enumerate() {
-        judges.push(Judge::new(setup, samples, piece, duration_s).map_err(in_piece(index))?);
+        let growth = Growth::new(piece, duration_s, setup.options.vertical);
+        judges.push(Judge::new(setup, samples, growth).map_err(in_piece(index))?);
     }
     let none = SolutionError::default();
     let uncertainty = judges.iter().fold(none, |worst, judge| worst.max(&judge.predict(&none)));

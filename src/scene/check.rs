@@ -54,7 +54,7 @@ impl Draft {
             let Target::Numbers { field, place, limits_si: Some((low, high)), .. } = key.target else {
                 continue;
             };
-            for number in place.of(&mut draft).into_iter().filter(|number| !number.is_nan()) {
+            for number in place.of(&mut draft).filter(|number| !number.is_nan()) {
                 check_range(field, *number, low, high)?;
             }
         }

@@ -91,7 +91,7 @@ impl Reader<'_> {
         match key.target {
             Target::Numbers { place, .. } => {
                 let mut has_changed = false;
-                for (number, default) in place.of(&mut self.draft).into_iter().zip(place.of(&mut default)) {
+                for (number, default) in place.of(&mut self.draft).zip(place.of(&mut default)) {
                     has_changed |= number.to_bits() != default.to_bits();
                     *number = *default;
                 }

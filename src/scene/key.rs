@@ -124,7 +124,7 @@ impl Shape {
 }
 
 /// References to up to nine numbers of a draft, row by row.
-pub type Places<'d> = Vec<&'d mut f64>;
+pub type Places<'d> = core::iter::Flatten<core::array::IntoIter<Option<&'d mut f64>, 9>>;
 
 /// Where the numbers of a key are in a draft.
 #[derive(Debug, Clone, Copy)]
@@ -142,13 +142,13 @@ impl Place {
     pub fn of(self, draft: &mut Draft) -> Places<'_> {
         match self {
             Self::At(places) => places(draft),
-            Self::Row(path) => draft.scene.errors.numbers_of(path).collect(),
+            Self::Row(path) => places(draft.scene.errors.numbers_of(path)),
             Self::Parameter(sensor, row) => {
                 let triad = match sensor {
                     Sensor::Gyro => &mut draft.scene.errors.gyro,
                     Sensor::Accelerometer => &mut draft.scene.errors.accel,
                 };
-                triad.numbers_mut().into_iter().nth(row).map_or_else(Vec::new, row_by_row)
+                triad.numbers_mut().into_iter().nth(row).map_or_else(|| places([]), row_by_row)
             }
         }
     }
@@ -221,18 +221,24 @@ impl Key {
     }
 }
 
+/// A writer compares hundreds of keys with their defaults, so no list is allocated.
+fn places<'d>(numbers: impl IntoIterator<Item = &'d mut f64>) -> Places<'d> {
+    let mut numbers = numbers.into_iter();
+    [(); 9].map(|()| numbers.next()).into_iter().flatten()
+}
+
 pub fn one(number: &mut f64) -> Places<'_> {
-    vec![number]
+    places([number])
 }
 
 pub fn vector(vector: &mut Vector3<f64>) -> Places<'_> {
-    vector.iter_mut().collect()
+    places(vector.iter_mut())
 }
 
 /// The elements row by row. (The matrix stores them column by column.)
 fn row_by_row(numbers: &mut [f64]) -> Places<'_> {
     match numbers {
-        [a, d, g, b, e, h, c, f, i] => vec![a, b, c, d, e, f, g, h, i],
-        _ => numbers.iter_mut().collect(),
+        [a, d, g, b, e, h, c, f, i] => places([a, b, c, d, e, f, g, h, i]),
+        _ => places(numbers),
     }
 }

@@ -112,7 +112,7 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
                 return Err(refused(shape.expected().to_owned() + &unit.behind()));
             };
             let unit_si = if in_si { 1.0 } else { unit.si };
-            for (to, number) in place.of(draft).into_iter().zip(numbers) {
+            for (to, number) in place.of(draft).zip(numbers) {
                 *to = number * unit_si;
             }
         }
@@ -168,7 +168,7 @@ pub fn put_element(
             return Err(format!("{path}[{element}] = {}: expected a number{unit}", value.shown()));
         }
     };
-    if let Some(to) = place.of(draft).into_iter().nth(element) {
+    if let Some(to) = place.of(draft).nth(element) {
         *to = number * if in_si { 1.0 } else { unit.si };
     }
     Ok(())
@@ -191,7 +191,7 @@ pub fn shown(draft: &mut Draft, key: &Key, in_si: bool, element: Option<usize>) 
         Target::Numbers { shape, unit, place, .. } => {
             let unit_si = if in_si { 1.0 } else { unit.si };
             let in_unit = |number: &mut f64| divided(*number, unit_si).unwrap_or(*number / unit_si);
-            let numbers: Vec<f64> = place.of(draft).into_iter().map(in_unit).collect();
+            let numbers: Vec<f64> = place.of(draft).map(in_unit).collect();
             match element.and_then(|element| numbers.get(element)) {
                 Some(number) => number_text(*number),
                 None if numbers.iter().all(|number| number.is_nan()) => String::new(),
@@ -207,7 +207,7 @@ pub fn shown(draft: &mut Draft, key: &Key, in_si: bool, element: Option<usize>) 
 pub fn written(draft: &mut Draft, key: &Key) -> (String, bool) {
     match key.target {
         Target::Numbers { shape, unit, place, .. } => {
-            let numbers: Vec<f64> = place.of(draft).into_iter().map(|number| *number).collect();
+            let numbers: Vec<f64> = place.of(draft).map(|number| *number).collect();
             let in_unit: Option<Vec<f64>> = numbers.iter().map(|&number| divided(number, unit.si)).collect();
             match in_unit {
                 Some(in_unit) => (numbers_text(shape, &in_unit), false),

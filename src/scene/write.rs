@@ -117,7 +117,7 @@ impl Scene {
         let path = ValuePath::read(path).ok()?;
         let Target::Numbers { place, unit, .. } = path.key().target else { return None };
         let in_unit = |number: &mut f64| divided(*number, unit.si).unwrap_or(*number / unit.si);
-        Some(place.of(&mut self.draft_of(path.site)?).into_iter().map(in_unit).collect())
+        Some(place.of(&mut self.draft_of(path.site)?).map(in_unit).collect())
     }
 
     /// A draft with the item at `site`, if that is one of a list.
@@ -201,9 +201,8 @@ impl Writer {
     fn is_default(&mut self, key: &Key) -> bool {
         match key.target {
             Target::Numbers { place, .. } => {
-                let bits =
-                    |draft| place.of(draft).into_iter().map(|number| number.to_bits()).collect::<Vec<_>>();
-                bits(&mut self.draft) == bits(&mut self.default)
+                let bits = |number: &mut f64| number.to_bits();
+                place.of(&mut self.draft).map(bits).eq(place.of(&mut self.default).map(bits))
             }
             Target::Choice { get, .. } => get(&self.draft) == get(&self.default),
             Target::Count { get, .. } => get(&self.draft) == get(&self.default),

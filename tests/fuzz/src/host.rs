@@ -74,9 +74,9 @@ pub fn look(sim: *mut sins_sim, what: usize) {
         1 => drop(check::<sins_errors>(|errors| call!(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, errors)))),
         2 => drop(check::<sins_errors>(|errors| call!(sins_get_errors(sim, SINS_ERRORS_MODEL, errors)))),
         3 => {
-            drop(check::<sins_imu>(|imu| call!(sins_get_imu(sim, imu))));
-            drop(check::<sins_imu_increment>(|part| call!(sins_get_imu_update(sim, 0, part))));
-            drop(check::<sins_compensation>(|found| call!(sins_get_compensation(sim, found))));
+            let _ = check::<sins_imu>(|imu| call!(sins_get_imu(sim, imu)));
+            let _ = check::<sins_imu_increment>(|part| call!(sins_get_imu_update(sim, 0, part)));
+            let _ = check::<sins_compensation>(|found| call!(sins_get_compensation(sim, found)));
         }
         4 => drop(check::<sins_accuracy>(|accuracy| call!(sins_get_accuracy(sim, accuracy)))),
         5 => {

@@ -29,8 +29,23 @@ pub fn written(write: impl Fn(*mut c_char, usize, *mut usize) -> sins_status) ->
     Some(text)
 }
 
-pub fn text_of(scene: *const sins_scene) -> Option<Vec<u8>> {
+/// The text of a scene, with the checks of [`written`].
+fn checked_text_of(scene: *const sins_scene) -> Option<Vec<u8>> {
     written(|buffer, capacity, needed| call!(sins_scene_write(scene, buffer, capacity, needed)))
+}
+
+/// The text of a scene. Most of an execution is the writing of texts, so it is written once.
+pub fn text_of(scene: *const sins_scene) -> Option<Vec<u8>> {
+    let (mut text, mut needed) = (vec![0x55_u8; 1 << 14], 0);
+    match call!(sins_scene_write(scene, text.as_mut_ptr().cast(), text.len(), &mut needed)) {
+        SINS_OK => {
+            text.truncate(needed);
+            assert_eq!(text.pop(), Some(0));
+            Some(text)
+        }
+        SINS_ERROR_BUFFER_TOO_SMALL => checked_text_of(scene),
+        _ => None,
+    }
 }
 
 /// Checks the fields of a fault.
@@ -97,7 +112,7 @@ pub fn parse_scene(text: &[u8]) -> *mut sins_scene {
     let mut scene = null_mut();
     match call!(sins_scene_parse(text.as_ptr().cast(), text.len(), &mut scene)) {
         SINS_OK => {
-            let first = text_of(scene).expect("a scene that cannot be written");
+            let first = checked_text_of(scene).expect("a scene that cannot be written");
             let mut again = null_mut();
             let status = call!(sins_scene_parse(first.as_ptr().cast(), first.len(), &mut again));
             assert_eq!(status, SINS_OK, "{}", String::from_utf8_lossy(&first));
