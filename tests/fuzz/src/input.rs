@@ -198,9 +198,10 @@ impl Argument {
         });
     }
 
-    /// Whether all numbers are finite. Integers below 2^52 and pairs of small integers look like small numbers.
+    /// Whether all numbers are finite. Integers below 2^52 and pairs of small integers look like small numbers. UINT64_MAX is a value
+    /// of `more_runs`; no arithmetic makes a NaN with these bits.
     pub fn is_finite(&self) -> bool {
         let (words, _) = self.bytes.as_chunks();
-        words.iter().all(|&word| f64::from_le_bytes(word).is_finite())
+        words.iter().all(|&word| word == [0xff; 8] || f64::from_le_bytes(word).is_finite())
     }
 }
