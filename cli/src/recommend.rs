@@ -81,7 +81,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         }
         false => String::new(),
     };
-    print(&(text(&given, &answer, &judged(&given, order, &pieces)) + &timed))?;
+    let judged = judged(&given, order, &pieces, &answer.motion)?;
+    print(&(text(&given, &answer, &judged) + &timed))?;
     if answer.met {
         return Ok(());
     }
@@ -136,13 +137,17 @@ fn pieces(order: &Order, given: &Given) -> Result<Vec<Piece>, Failure> {
     if order.piece.is_some() || count <= MAX_SAMPLES || length >= count {
         return Ok(vec![Piece::new(given, first, count)?]);
     }
-    let hardest = hardest(given, first, count, length)?;
-    hardest.into_iter().map(|first| Piece::new(given, first, length.min(given.count - first))).collect()
+    // In the middle of its piece.
+    let latest = first + count - length;
+    let begin = |(_, at): (f64, usize)| at.saturating_sub(length / 2).clamp(first, latest);
+    let mut begins = hardest(given, first, count)?.map(begin).to_vec();
+    begins.sort_unstable();
+    begins.dedup();
+    begins.into_iter().map(|first| Piece::new(given, first, length.min(given.count - first))).collect()
 }
 
-/// Where the pieces of `length` samples begin that have the largest rate, force and vibration of up to [`SEARCHED`] pairs of
-/// intervals.
-fn hardest(given: &Given, first: usize, count: usize, length: usize) -> Result<Vec<usize>, Failure> {
+/// The largest rate, specific force and vibration of up to [`SEARCHED`] pairs of intervals, and the index of the pair.
+fn hardest(given: &Given, first: usize, count: usize) -> Result<[(f64, usize); 3], Failure> {
     let options = given.scene.simulator_options();
     let mut worst = [(0.0, first); 3];
     for index in (first..first + count - 2).step_by(count.div_ceil(SEARCHED)) {
@@ -150,41 +155,43 @@ fn hardest(given: &Given, first: usize, count: usize, length: usize) -> Result<V
         let pair = Figures::new(&options, &samples).map_err(|refusal| {
             given.failure_at(index + refusal.sample.unwrap_or_default(), &refusal.error)
         })?;
-        let Motion { rate_max, force_max, vibration_max } = pair.motion;
-        for (worst, figure) in worst.iter_mut().zip([rate_max, force_max, vibration_max]) {
-            if figure.value > worst.0 {
-                *worst = (figure.value, index);
+        for (worst, value) in worst.iter_mut().zip(pair.motion.values()) {
+            if value > worst.0 {
+                *worst = (value, index);
             }
         }
     }
-    // In the middle of its piece.
-    let latest = first + count - length;
-    let mut begins: Vec<_> =
-        worst.iter().map(|(_, at)| at.saturating_sub(length / 2).clamp(first, latest)).collect();
-    begins.sort_unstable();
-    begins.dedup();
-    Ok(begins)
+    Ok(worst)
 }
 
-/// What the algorithms were judged by.
-fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> String {
+/// What the algorithms were judged by, and whether another part of the scene is harder than a piece that was chosen.
+fn judged(given: &Given, order: &Order, pieces: &[Piece], motion: &Motion) -> Result<String, Failure> {
     let whole_s = given.duration_s;
     if pieces.iter().any(|piece| piece.samples.len() == given.count) {
-        return format!("judged by the whole scene of {whole_s:.6} s");
+        return Ok(format!("judged by the whole scene of {whole_s:.6} s"));
     }
     let (first, piece_s) = (&pieces[0], (pieces[0].samples.len() - 1) as f64 * given.period_s);
     if order.piece.is_some() || order.from > 0.0 && pieces.len() == 1 {
+        let own = first.first..first.first + first.samples.len();
+        let harder = ["rate", "specific force", "vibration"]
+            .into_iter()
+            .zip(hardest(given, 0, given.count)?.into_iter().zip(motion.values()))
+            .filter(|(_, ((value, at), of_piece))| value > of_piece && !own.contains(at))
+            .map(|(name, ((_, at), _))| format!("a larger {name} at {:.6} s", at as f64 * given.period_s))
+            .collect::<Vec<_>>();
+        let verdict = match harder.is_empty() {
+            true => "no other part is harder".to_owned(),
+            false => format!("may not hold elsewhere, with {}", harder.join(", ")),
+        };
         let from_s = first.start_s(given);
-        return format!(
-            "judged by {piece_s:.6} s from {from_s:.6} s, of {whole_s:.6} s; true only if no other part is harder"
-        );
+        return Ok(format!("judged by {piece_s:.6} s from {from_s:.6} s, of {whole_s:.6} s: {verdict}"));
     }
     let begins: Vec<_> = pieces.iter().map(|piece| format!("{:.6} s", piece.start_s(given))).collect();
-    format!(
+    Ok(format!(
         "judged by {} of {piece_s:.6} s, at {}, of {whole_s:.6} s: the largest rate, force and vibration",
         if pieces.len() == 1 { "1 piece".to_owned() } else { format!("{} pieces", pieces.len()) },
         begins.join(", ")
-    )
+    ))
 }
 
 /// Text of the answer: the options as in a scene, and their remaining errors.

@@ -111,6 +111,11 @@ impl Motion {
         self.vibration_max.take_larger(change / between_s, next.time_s);
     }
 
+    /// Largest rate, specific force and vibration.
+    pub fn values(&self) -> [f64; 3] {
+        [self.rate_max.value, self.force_max.value, self.vibration_max.value]
+    }
+
     /// Keeps the values of `other` that are larger.
     pub(super) fn include(&mut self, other: &Self) {
         let Self { rate_max, force_max, vibration_max } = other;

@@ -234,6 +234,10 @@ fn options_are_recommended_and_too_much_is_reported() {
     let said = done(&folder, &[&scene[..], &["--position", "1"]].concat());
     assert!(said.contains("[options]\nscheme = \"") && said.contains("algorithms were tried"), "{said}");
     assert!(!said.contains("a step takes"), "{said}");
+    // The rolls come after 30 s.
+    assert!(said.contains("may not hold elsewhere, with a larger rate at "), "{said}");
+    let hard = done(&folder, &["recommend", "rest", "--piece", "30", "--position", "1"]);
+    assert!(hard.contains("no other part is harder"), "{hard}");
     let timed = done(&folder, &[&scene[..], &["--position", "1", "--time-steps"]].concat());
     assert!(timed.starts_with(&said) && timed.contains("a step takes "), "{timed}");
     // The printed options are a valid part of a scene.
