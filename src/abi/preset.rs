@@ -14,8 +14,8 @@ pub type sins_grade = i32;
 
 /// Strategic: gyro bias 0.001 deg/h and accelerometer bias 1e-6 g, each 1 sigma (El-Sheimy and Youssef 2020, table 1, upper
 /// ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200). The table states 30 to 100 m/h
-/// for this grade. That holds in straight flight; in turns the scale factor dominates: from a perfect start the built-in racetrack
-/// has a CEP of 190 m after an hour, and 35 m without it, the built-in patrol 1.6 km and 38 m.
+/// for this grade, which holds in straight flight. In turns the scale factor dominates. From a perfect start, the CEP after an hour is
+/// 190 m on the built-in racetrack, and 35 m without the scale factor error. On the built-in patrol it is 1.6 km and 38 m.
 pub const SINS_GRADE_STRATEGIC: sins_grade = 1;
 /// Navigation: Honeywell HG9900, brochure N61-1638. It states no accelerometer noise, so the preset has none: set your own.
 pub const SINS_GRADE_NAVIGATION: sins_grade = 2;

@@ -45,6 +45,10 @@ impl Spread {
         Self { mean, both: 0.0, change: 12.0 * mean }
     }
 
+    fn scaled(self, factor: f64) -> Self {
+        Self { mean: self.mean * factor, both: self.both * factor, change: self.change * factor }
+    }
+
     pub fn add(&mut self, other: &Self) {
         self.mean += other.mean;
         self.both += other.both;
@@ -158,12 +162,6 @@ impl Advance {
             of_draw: of_draw.scaled(step),
             rest: rest.scaled(step * step),
         }
-    }
-}
-
-impl Spread {
-    fn scaled(self, factor: f64) -> Self {
-        Self { mean: self.mean * factor, both: self.both * factor, change: self.change * factor }
     }
 }
 

@@ -21,9 +21,9 @@ pub struct Stretch {
     pub intervals: u64,
     /// Number of intervals with a height of the altimeter.
     pub aided: u64,
-    /// Of each axis, the integrals of the share of its signal that is in its output [s], and the variance of the noise of failures [u²
-    /// s²].
+    /// Integral of the share of the signal of each axis that is in its output [s].
     shares: [f64; AXES],
+    /// Variance of the integral of what failures add at random to each axis [u² s²].
     noise: [f64; AXES],
     /// Increments of the sensors.
     pub increments: u64,
@@ -74,6 +74,7 @@ pub struct Piece<'a> {
     pub motion: &'a IntervalMotion<'a>,
     pub ideal: &'a [Increment],
     pub is_aided: bool,
+    /// As in `Parameters`.
     pub outputs: [(f64, f64); AXES],
     pub ground_m: f64,
     pub block: Option<&'a Block>,
@@ -192,8 +193,8 @@ impl Stretch {
         self.shares[axis] / self.length_s
     }
 
-    /// Density of the noise [u √s] of an axis whose sensor has the noise `density`, so that the share of it that is in the output has
-    /// the noise of the output: that of the sensor while there is a signal, and that of failures.
+    /// Density of noise [u √s] of which [`Self::share`] is the noise in the output of an axis: that of the sensor, of density `density`,
+    /// while there is a signal, and that of failures.
     pub fn noise(&self, axis: usize, density: f64) -> f64 {
         let share = self.share(axis);
         if share == 0.0 {

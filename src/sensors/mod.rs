@@ -49,7 +49,6 @@ mod xoshiro;
 
 pub use crate::parameter::{Field, Parameter, Range as ParameterRange, Row, Shape as ParameterShape};
 pub use crate::surroundings::AltimeterParameters;
-use crate::{checks, parameter};
 pub use alignment::{Aligned, Sensed, level, level_and_gyrocompass};
 pub use altimeter::Altimeter;
 pub use draw::StandardNormal;

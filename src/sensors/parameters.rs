@@ -4,9 +4,9 @@ use core::slice::{from_mut, from_ref};
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::parameter::{Field, Parameter};
 use super::stream::Source;
 use super::table::PARAMETERS;
+use crate::parameter::{Field, Parameter};
 use crate::signal::Increment;
 use crate::snapshot::{ANY, stored};
 

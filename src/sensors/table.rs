@@ -8,9 +8,9 @@
 //! release on, structs of the interface grow only at their ends: a new row is then the last one, and each struct keeps its first
 //! size.
 
-use super::parameter::Range::{OffOr, TimeOf, Within};
-use super::parameter::Shape::{Axes, Diagonal, Matrix, Number, OffDiagonal};
-use super::parameter::{CORRELATION_TIMES_S, Parameter, Range, defined, field};
+use crate::parameter::Range::{OffOr, TimeOf, Within};
+use crate::parameter::Shape::{Axes, Diagonal, Matrix, Number, OffDiagonal};
+use crate::parameter::{CORRELATION_TIMES_S, Parameter, Range, defined, field};
 use crate::units::{
     ARCSEC, DEG, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G, PPM, STANDARD_GRAVITY, TEMPERATURE_RANGE_C,
 };

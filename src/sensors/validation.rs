@@ -1,10 +1,10 @@
 //! Checks of the parameters that a host sets for a triad, against the table.
 
-use super::checks::check_value;
-use super::parameter::{Field, Parameter, Shape};
 use super::parameters::{Sensor, TriadParameters};
 use super::table::PARAMETERS;
+use crate::checks::check_value;
 use crate::error::{Error, Rule};
+use crate::parameter::{Field, Parameter, Shape};
 
 impl TriadParameters {
     /// Checks every field.

@@ -8,8 +8,8 @@ use crate::memory::room;
 use crate::signal::{Increment, MAX_INCREMENTS};
 
 /// Ideal increments and, unless the INS navigated on these, the increments on which it navigated: measured ones, after the
-/// compensation. They are those of the last interval and of the current
-/// interval, which use two halves of the memory in turn. On the heap, because 15 KB are large for a stack.
+/// compensation. They are those of the last interval and of the current interval, which use two halves of the memory in turn. On the
+/// heap, because 15 KB are large for a stack.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Signals {
     pub ideal: Box<[Increment]>,

@@ -9,7 +9,6 @@ use nalgebra::Vector3;
 use crate::checks::check_value;
 use crate::error::Error;
 use crate::math::Euler;
-use crate::parameter;
 use crate::parameter::Row;
 use crate::sensors::GravityDisturbanceParameters;
 use crate::simulator::ErrorParameters;

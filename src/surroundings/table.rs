@@ -3,9 +3,9 @@
 //! `build.rs` makes from the tables the structs of the interface with the header, `AltimeterParameters`, `MountingParameters`, and the
 //! numbers of these and of `GravityDisturbanceParameters`. Checks, keys of scene files and rows of an error budget read the tables.
 
-use super::parameter::Range::{DistanceOf, TimeOf, Within};
-use super::parameter::Shape::{Angles, Number, Vector};
-use super::parameter::{CORRELATION_TIMES_S, Range, Row, own_field as field, row};
+use crate::parameter::Range::{DistanceOf, TimeOf, Within};
+use crate::parameter::Shape::{Angles, Number, Vector};
+use crate::parameter::{CORRELATION_TIMES_S, Range, Row, own_field as field, row};
 use crate::units::{ARCSEC, DEG, MILLIGAL, PPM};
 
 const PI: f64 = core::f64::consts::PI;
