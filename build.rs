@@ -46,6 +46,8 @@ mod table;
 mod template;
 #[path = "build/text.rs"]
 mod text;
+#[path = "src/unit/table.rs"]
+mod unit_table;
 #[allow(dead_code, reason = "the crate uses the rest")]
 #[path = "src/units.rs"]
 mod units;
@@ -62,6 +64,7 @@ fn main() {
         "src/parameter.rs",
         "src/sensors/table.rs",
         "src/surroundings/table.rs",
+        "src/unit/table.rs",
         "src/units.rs",
     ] {
         println!("cargo:rerun-if-changed={source}");
@@ -81,6 +84,7 @@ fn main() {
     generated_sources.push(("sensor_params".to_owned(), sensor_structs::interface()));
     write(&out.join("triad_parameters.rs"), &sensor_structs::triad());
     write(&out.join("surroundings.rs"), &surroundings_structs::own());
+    write(&out.join("unit.rs"), &surroundings_structs::own_of_unit());
     for (name, text) in &generated_sources {
         write(&out.join(format!("{name}.rs")), text);
     }

@@ -1,8 +1,9 @@
-//! The structs that the tables of the altimeter, of the mounting and of gravity make, as Rust sources.
+//! The structs that the tables of the altimeter, of the mounting, of gravity and of a unit make, as Rust sources.
 
 use crate::parameter::{Row, Shape};
 use crate::sensor_structs::{comment, definition, sentence, unit};
 use crate::surroundings::{ALTIMETER, GRAVITY, MOUNTING};
+use crate::unit_table::UNIT;
 
 /// A struct of the interface with that of the crate.
 struct Pair {
@@ -69,14 +70,33 @@ R xi, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_
     },
 ];
 
+const OF_UNIT: Pair = Pair {
+    name: "sins_unit_params",
+    doc: "\
+Times and limits of a unit. All zero, the default, is the unit that the comments describe.",
+    own: "UnitParameters",
+    own_doc: "Times and limits of a unit. 0 is the default of the table.",
+    rows: &UNIT,
+    table: "UNIT",
+};
+
 /// The structs of the interface: sources by their names.
 pub fn interface() -> Vec<(String, String)> {
-    PAIRS.iter().map(|pair| (pair.table.to_lowercase() + "_params", pair.interface())).collect()
+    PAIRS
+        .iter()
+        .chain([&OF_UNIT])
+        .map(|pair| (pair.table.to_lowercase() + "_params", pair.interface()))
+        .collect()
 }
 
 /// The structs of the crate, their checks and their numbers.
 pub fn own() -> String {
     PAIRS.iter().map(Pair::own).collect()
+}
+
+/// The same for a unit.
+pub fn own_of_unit() -> String {
+    OF_UNIT.own()
 }
 
 impl Pair {

@@ -16,6 +16,10 @@ pub fn check_value(
     };
     match field.range {
         Range::OffOr(..) => check_off_or(field.path, value, low, high),
+        Range::OrDefault(..) if value == 0.0 => Ok(()),
+        Range::OrDefault(..) => {
+            with_rule(check_range(field.path, value, low, high), Rule::DefaultOr(low, high))
+        }
         _ if !is_needed => check_range(field.path, value, 0.0, high),
         Range::Within(..) | Range::DistanceOf(..) => check_range(field.path, value, low, high),
         Range::TimeOf(..) => {

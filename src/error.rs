@@ -40,6 +40,8 @@ pub enum Rule {
     BetweenIntegers(u64, u64),
     /// value = 0, which means none, or `low` ≤ value ≤ `high`.
     OffOr(f64, f64),
+    /// value = 0, which means a default, or `low` ≤ value ≤ `high`.
+    DefaultOr(f64, f64),
     /// `low` ≤ value ≤ `high`, because the named field is not 0.
     NeededBy(f64, f64, &'static str),
     /// value < limit.
@@ -65,9 +67,10 @@ impl Rule {
     pub fn limits(&self) -> (Option<f64>, Option<f64>) {
         match *self {
             Self::Finite | Self::Sentence(_) | Self::SentenceWith(..) => (None, None),
-            Self::Between(low, high) | Self::OffOr(low, high) | Self::NeededBy(low, high, _) => {
-                (Some(low), Some(high))
-            }
+            Self::Between(low, high)
+            | Self::OffOr(low, high)
+            | Self::DefaultOr(low, high)
+            | Self::NeededBy(low, high, _) => (Some(low), Some(high)),
             Self::BetweenIntegers(low, high) => (Some(low as f64), Some(high as f64)),
             Self::OneOf(_, low, high) => (Some(low.into()), Some(high.into())),
             Self::AtLeast(_, low) => (Some(low), None),
@@ -190,6 +193,9 @@ impl fmt::Display for Error {
             Rule::BetweenIntegers(low, high) => write!(f, "must be from {low} to {high}"),
             Rule::OffOr(low, high) => {
                 write!(f, "must be 0 for none, or from {} to {}", limit(low), limit(high))
+            }
+            Rule::DefaultOr(low, high) => {
+                write!(f, "must be 0 for the default, or from {} to {}", limit(low), limit(high))
             }
             Rule::NeededBy(low, high, field) => {
                 write!(f, "must be from {} to {} where {field} is not 0", limit(low), limit(high))

@@ -46,6 +46,7 @@
 //! | [`budget`] | finds the contribution of each effect to the errors |
 //! | [`allan`] | estimates the noise of a sensor from its record |
 //! | [`surroundings`] | has the tables of the parameters of the altimeter, of the mounting and of gravity |
+//! | [`unit`] | an INS as an aircraft knows it: modes, alignment, status |
 //! | [`snapshot`] | saves the state of all blocks |
 //! | `scene`, `log` | read and write a whole scene as text, and read flight logs (feature `scenes`) |
 //! | [`abi`] | the C interface |
@@ -217,6 +218,8 @@ pub mod statistics;
 pub mod surroundings;
 #[forbid(unsafe_code)]
 pub mod truth;
+#[forbid(unsafe_code)]
+pub mod unit;
 #[forbid(unsafe_code)]
 pub mod units;
 

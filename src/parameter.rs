@@ -85,6 +85,9 @@ pub enum Range {
     Within(f64, f64),
     /// 0, which means off, or a value from the first to the second number.
     OffOr(f64, f64),
+    /// 0, which means the first number or, if that is 0, a default that depends on other things; or a value from the second to the
+    /// third number.
+    OrDefault(f64, f64, f64),
     /// Correlation time of the process whose standard deviation is the named parameter. It is from the first to the second number
     /// if the standard deviation is not 0; otherwise it may also be 0.
     TimeOf(&'static str, f64, f64),
@@ -117,11 +120,12 @@ impl Shape {
 }
 
 impl Range {
-    /// Least and largest value, except for a 0 that means off.
+    /// Least and largest value, except for a 0 that means off or a default.
     pub const fn ends(self) -> (f64, f64) {
         match self {
             Self::Within(low, high)
             | Self::OffOr(low, high)
+            | Self::OrDefault(_, low, high)
             | Self::TimeOf(_, low, high)
             | Self::DistanceOf(_, low, high) => (low, high),
         }
@@ -131,7 +135,7 @@ impl Range {
     pub const fn needed_by(self) -> Option<&'static str> {
         match self {
             Self::TimeOf(sigma, ..) | Self::DistanceOf(sigma, ..) => Some(sigma),
-            Self::Within(..) | Self::OffOr(..) => None,
+            Self::Within(..) | Self::OffOr(..) | Self::OrDefault(..) => None,
         }
     }
 }

@@ -4,9 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::{MountingParameters, Placement, centripetal, lever_arm_velocity};
 use crate::earth::Earth;
-use crate::math::{
-    Euler, VectorPair, relative_rotation, rotate, rotate_inverse, rotation_matrix, rotation_vector,
-};
+use crate::math::{VectorPair, relative_rotation, rotate, rotate_inverse, rotation_matrix, rotation_vector};
 use crate::signal::{DERIVATIVES, Increment, IntervalMotion, MotionNode};
 use crate::snapshot::{SIGNALS, stored};
 use crate::state::{BodyAxes, EarthFixedState};
@@ -75,13 +73,7 @@ impl Block {
         rate_b: Vector3<f64>,
     ) -> Self {
         let placement = Placement::new(parameters.lever_arm_m, &parameters.boresight, axes);
-        let MountingParameters { boresight, boresight_error: error, .. } = parameters;
-        let believed = Euler {
-            roll: boresight.roll + error.roll,
-            pitch: boresight.pitch + error.pitch,
-            heading: boresight.heading + error.heading,
-        };
-        let believed = Placement::new(parameters.lever_arm_m + parameters.lever_arm_error_m, &believed, axes);
+        let believed = parameters.believed_placement(axes);
         Self {
             earth_rate,
             placement,

@@ -19,12 +19,24 @@ pub use placement::Placement;
 use nalgebra::Vector3;
 
 use crate::math::Euler;
+use crate::state::BodyAxes;
 pub use crate::surroundings::MountingParameters;
 
 impl MountingParameters {
     /// The same mounting, about which the INS believes the truth.
     pub(crate) fn believed(&self) -> Self {
         Self { lever_arm_m: self.lever_arm_m, boresight: self.boresight, ..Self::default() }
+    }
+
+    /// Where the INS believes the block to be, in a vehicle with `axes`.
+    pub(crate) fn believed_placement(&self, axes: BodyAxes) -> Placement {
+        let Self { boresight, boresight_error: error, .. } = self;
+        let believed = Euler {
+            roll: boresight.roll + error.roll,
+            pitch: boresight.pitch + error.pitch,
+            heading: boresight.heading + error.heading,
+        };
+        Placement::new(self.lever_arm_m + self.lever_arm_error_m, &believed, axes)
     }
 
     /// Whether the INS believes the truth.

@@ -163,6 +163,7 @@ fn in_unit_of(error: &Error, key: &Key) -> Error {
     let rule = match error.rule {
         Rule::Between(low, high) => Rule::Between(in_unit(low), in_unit(high)),
         Rule::OffOr(low, high) => Rule::OffOr(in_unit(low), in_unit(high)),
+        Rule::DefaultOr(low, high) => Rule::DefaultOr(in_unit(low), in_unit(high)),
         Rule::NeededBy(low, high, field) => Rule::NeededBy(in_unit(low), in_unit(high), field),
         Rule::Below(limit) => Rule::Below(in_unit(limit)),
         Rule::AtLeast(words, number) => Rule::AtLeast(words, in_unit(number)),

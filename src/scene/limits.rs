@@ -65,7 +65,7 @@ fn stated(key: &Key, checked: Result<(), Error>) -> Option<Limits> {
         return None;
     }
     let si = if let Target::Numbers { unit, .. } = key.target { unit.si } else { 1.0 };
-    let zero_is_off = matches!(error.rule, Rule::OffOr(..));
+    let zero_is_off = matches!(error.rule, Rule::OffOr(..) | Rule::DefaultOr(..));
     let is_within = |number: f64| (low..=high).contains(&(number * si));
     Some(Limits { low: in_unit(low / si, is_within), high: in_unit(high / si, is_within), zero_is_off })
 }

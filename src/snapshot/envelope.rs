@@ -13,6 +13,8 @@ pub enum SnapshotOf {
     Simulator,
     /// A snapshot of an ensemble.
     Ensemble,
+    /// A snapshot of a unit.
+    Unit,
 }
 
 impl SnapshotOf {
@@ -20,6 +22,7 @@ impl SnapshotOf {
         match self {
             Self::Simulator => *b"SINSsnap",
             Self::Ensemble => *b"SINSruns",
+            Self::Unit => *b"SINSunit",
         }
     }
 }
@@ -51,13 +54,12 @@ pub(super) fn open(snapshot: &[u8], of: SnapshotOf) -> Result<&[u8], Error> {
     };
     let number = |at: usize| u32::from_le_bytes(core::array::from_fn(|byte| header[at + byte]));
     if header[..8] != of.magic() {
-        let is_of = |other: SnapshotOf| header[..8] == other.magic();
-        let words = if is_of(SnapshotOf::Simulator) {
-            "snapshot: it is one of a simulator, not of an ensemble"
-        } else if is_of(SnapshotOf::Ensemble) {
-            "snapshot: it is one of an ensemble, not of a simulator"
-        } else {
-            "snapshot: these bytes are not a snapshot"
+        let kinds = [SnapshotOf::Simulator, SnapshotOf::Ensemble, SnapshotOf::Unit];
+        let words = match kinds.into_iter().find(|kind| header[..8] == kind.magic()) {
+            Some(SnapshotOf::Simulator) => "snapshot: it is one of a simulator",
+            Some(SnapshotOf::Ensemble) => "snapshot: it is one of an ensemble",
+            Some(SnapshotOf::Unit) => "snapshot: it is one of a unit",
+            None => "snapshot: these bytes are not a snapshot",
         };
         return Err(Error { kind: ErrorKind::Snapshot, ..Error::bad_state(words) });
     }
@@ -124,7 +126,7 @@ mod tests {
         };
         assert_eq!(altered(0, 1), "snapshot: these bytes are not a snapshot");
         let other = open(&good, SnapshotOf::Ensemble).unwrap_err();
-        assert_eq!(other.to_string(), "snapshot: it is one of a simulator, not of an ensemble");
+        assert_eq!(other.to_string(), "snapshot: it is one of a simulator");
         assert_eq!(
             altered(8, 3),
             "snapshot format version = 2: is of another release; this one reads version 1"

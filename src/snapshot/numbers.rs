@@ -1,6 +1,6 @@
 //! Numbers, single and in arrays. Each has a limit of its size, which is checked when it is read.
 
-use nalgebra::SMatrix;
+use nalgebra::{Quaternion, SMatrix};
 
 use super::{Reader, Writer};
 use crate::error::{Error, Rule};
@@ -100,6 +100,16 @@ impl<const R: usize, const C: usize> Numbers for SMatrix<f64, R, C> {
 
     fn load(&mut self, from: &mut Reader<'_>, limit: f64) -> Result<(), Error> {
         self.iter_mut().try_for_each(|number| number.load(from, limit))
+    }
+}
+
+impl Numbers for Quaternion<f64> {
+    fn save(&self, to: &mut Writer<'_>) {
+        self.coords.save(to);
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>, limit: f64) -> Result<(), Error> {
+        self.coords.load(from, limit)
     }
 }
 

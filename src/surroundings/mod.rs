@@ -47,7 +47,7 @@ pub(crate) fn copy<const N: usize>(from: [f64; N], to: [&mut f64; N]) {
 }
 
 /// Checks the numbers of all rows of a table.
-fn check(rows: &[Row], numbers: &[f64]) -> Result<(), Error> {
+pub(crate) fn check(rows: &[Row], numbers: &[f64]) -> Result<(), Error> {
     for (row, start) in places(rows.iter()) {
         for index in 0..row.shape.count() {
             let checked = check_value(&row.field, numbers[start + index], |sigma| {

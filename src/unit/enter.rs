@@ -1,0 +1,76 @@
+//! The panel: what the crew and the aircraft do.
+
+use super::{AlignmentKind, Mode, Power, State, Stored, Unit};
+use crate::error::{Error, check_range};
+
+const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
+const HALF: f64 = core::f64::consts::PI;
+const WHOLE: f64 = core::f64::consts::TAU;
+
+impl Unit {
+    /// Turns the mode selector. The unit follows with the next update.
+    pub fn select(&mut self, mode: Mode) {
+        self.selector = mode;
+    }
+
+    /// Sets the supply of power.
+    pub fn set_power(&mut self, power: Power) {
+        self.power = power;
+    }
+
+    /// Sets how the next alignment is made.
+    pub fn set_alignment(&mut self, kind: AlignmentKind) {
+        self.kind = kind;
+    }
+
+    /// Presses the test button: for the length of the power-up test the status says so.
+    pub fn press_test(&mut self) {
+        self.test_s = self.parameters.with_defaults().power_up_test_s;
+    }
+
+    /// Enters the present position, of an alignment or a realignment. A position that is far from the stored one is refused, with a
+    /// reason in the status, until it is entered again.
+    pub fn enter_position(&mut self, latitude_rad: f64, longitude_rad: f64) -> Result<(), Error> {
+        check_range("latitude_rad", latitude_rad, -QUARTER, QUARTER)?;
+        check_range("longitude_rad", longitude_rad, -WHOLE, WHOLE)?;
+        if !self.aligns() && self.state != State::Ready {
+            return Err(Error::bad_state("a position can be entered during an alignment"));
+        }
+        let longitude_rad = crate::math::wrap_angle(longitude_rad);
+        let position = (latitude_rad, longitude_rad);
+        let tolerance = self.parameters.with_defaults().position_tolerance_rad;
+        let is_far = self.stored.is_some_and(|stored| {
+            let east = crate::math::wrap_angle(longitude_rad - stored.longitude_rad);
+            (latitude_rad - stored.latitude_rad).abs() > tolerance || east.abs() > tolerance
+        });
+        self.reasons.position_disagrees = is_far && self.refused != Some(position);
+        if self.reasons.position_disagrees {
+            self.refused = Some(position);
+        } else {
+            self.entered = Some(position);
+        }
+        Ok(())
+    }
+
+    /// Enters the heading of ATT.
+    pub fn enter_heading(&mut self, heading_rad: f64) -> Result<(), Error> {
+        check_range("heading_rad", heading_rad, -WHOLE, WHOLE)?;
+        if self.state != State::Attitude {
+            return Err(Error::bad_state("a heading can be entered when the attitude of ATT is valid"));
+        }
+        self.turn_to(heading_rad);
+        self.heading_entered = true;
+        Ok(())
+    }
+
+    /// Sets what the unit stored at its last switching off; `None`: nothing.
+    pub fn set_stored(&mut self, stored: Option<Stored>) -> Result<(), Error> {
+        if let Some(stored) = stored {
+            check_range("latitude_rad", stored.latitude_rad, -QUARTER, QUARTER)?;
+            check_range("longitude_rad", stored.longitude_rad, -HALF, HALF)?;
+            check_range("heading_rad", stored.heading_rad, 0.0, WHOLE)?;
+        }
+        self.stored = stored;
+        Ok(())
+    }
+}

@@ -1,0 +1,174 @@
+//! The unit: an INS as the rest of an aircraft knows it, with a mode selector, an alignment, and a status.
+//!
+//! A [`Unit`] stands beside a [`Simulator`]. The host pushes samples and makes steps as without a unit, and calls [`Unit::update`] after
+//! each step. The unit reads the measured increments of the step. While it aligns, it finds the attitude from them (`alignment`). Its
+//! result becomes the solution of the simulator by a [`Correction`]. From then on the unit shows the navigation of the simulator.
+//! While the unit does not navigate, it keeps the solution of the simulator near the truth, so that it cannot diverge unseen.
+//!
+//! ```text
+//! OFF ─► test ─► coarse ─► fine alignment ─► ready ─► navigation ─► power-down ─► OFF
+//!          │                 ▲    (motion: from the start)    │  ▲
+//!          └► erection ─► attitude                realignment ◄┘──┘          fault: until OFF
+//! ```
+
+mod aligned;
+mod alignment;
+mod enter;
+mod inertial;
+mod output;
+mod panel;
+mod parameters;
+mod snapshot;
+mod states;
+mod table;
+
+pub use output::UnitNavigation;
+pub use panel::{AlignmentKind, Mode, Power, Reasons, State, Status, Stored, Validity};
+pub use parameters::UnitParameters;
+pub use table::UNIT;
+
+use nalgebra::Quaternion;
+
+use crate::error::Error;
+use crate::signal::Increment;
+use crate::simulator::{ImuInterval, Simulator};
+use crate::state::BodyAxes;
+use alignment::Alignment;
+use inertial::{Inertial, Motion};
+
+/// While the unit does not navigate, the solution of the simulator is brought back to the truth after this time \[s\].
+const KEEP_S: f64 = 60.0;
+
+/// A unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// As they were set.
+    parameters: UnitParameters,
+    kind: AlignmentKind,
+    selector: Mode,
+    power: Power,
+    state: State,
+    /// Time in the state \[s\].
+    state_s: f64,
+    /// Time of the last update \[s\].
+    time_s: Option<f64>,
+    /// Entered latitude and longitude \[rad\].
+    entered: Option<(f64, f64)>,
+    /// Entered, and refused because it is far from what is stored.
+    refused: Option<(f64, f64)>,
+    stored: Option<Stored>,
+    /// Rotates block axes to the axes of the vehicle.
+    q_bs: Quaternion<f64>,
+    axes: BodyAxes,
+    inertial: Inertial,
+    motion: Motion,
+    alignment: Alignment,
+    /// In ATT: rotates the level axes to inertial axes.
+    q_il: Quaternion<f64>,
+    /// In ATT a heading was entered.
+    heading_entered: bool,
+    /// The solution was levelled again after a flight; its heading was kept.
+    realigned: bool,
+    reasons: Reasons,
+    found_latitude_rad: Option<f64>,
+    latitude_failures: usize,
+    /// Clocks \[s\].
+    invalid_s: f64,
+    on_battery_s: f64,
+    kept_s: f64,
+    test_s: f64,
+    in_navigation_s: f64,
+    /// Measured increment of the last interval, block axes, and its length \[s\].
+    measured: Increment,
+    interval_s: f64,
+}
+
+impl Unit {
+    /// A unit with its selector at OFF; or at NAV, which navigates from the first step with the start of the simulator.
+    pub fn new(parameters: &UnitParameters, mode: Mode) -> Result<Self, Error> {
+        parameters.validate()?;
+        let state = match mode {
+            Mode::Off => State::Off,
+            Mode::Navigate => State::Navigation,
+            Mode::Align | Mode::Attitude => {
+                return Err(Error::bad_state("a unit starts at OFF, or aligned at NAV"));
+            }
+        };
+        Ok(Self {
+            parameters: *parameters,
+            kind: AlignmentKind::default(),
+            selector: mode,
+            power: Power::default(),
+            state,
+            state_s: 0.0,
+            time_s: None,
+            entered: None,
+            refused: None,
+            stored: None,
+            q_bs: Quaternion::identity(),
+            axes: BodyAxes::default(),
+            inertial: Inertial::default(),
+            motion: Motion::default(),
+            alignment: Alignment::default(),
+            q_il: Quaternion::identity(),
+            heading_entered: false,
+            realigned: false,
+            reasons: Reasons::default(),
+            found_latitude_rad: None,
+            latitude_failures: 0,
+            invalid_s: 0.0,
+            on_battery_s: 0.0,
+            kept_s: 0.0,
+            test_s: 0.0,
+            in_navigation_s: 0.0,
+            measured: Increment::ZERO,
+            interval_s: 1.0,
+        })
+    }
+
+    /// The parameters, as they were set.
+    pub fn parameters(&self) -> &UnitParameters {
+        &self.parameters
+    }
+
+    /// Sets the parameters; they act at once.
+    pub fn set_parameters(&mut self, parameters: &UnitParameters) -> Result<(), Error> {
+        parameters.validate()?;
+        self.parameters = *parameters;
+        Ok(())
+    }
+
+    /// Takes the last step of `simulator`, and corrects its solution when an alignment ends. To be called after each step.
+    pub fn update(&mut self, simulator: &mut Simulator) -> Result<(), Error> {
+        let Some(imu) = simulator.imu() else {
+            return Err(Error::bad_state("the simulator has made no step yet"));
+        };
+        if self.time_s == Some(imu.time_s) {
+            return Err(Error::bad_state("the unit has taken this step already"));
+        }
+        let mut next = *self;
+        next.take(&imu, simulator)?;
+        *self = next;
+        Ok(())
+    }
+
+    fn take(&mut self, imu: &ImuInterval, simulator: &mut Simulator) -> Result<(), Error> {
+        let dt = imu.interval_s;
+        let begun_s = imu.time_s - dt;
+        if self.time_s.is_none() {
+            self.look_at(simulator);
+        }
+        let goes_on = self.time_s.is_none_or(|time_s| (time_s - begun_s).abs() <= 0.5 * dt);
+        self.time_s = Some(imu.time_s);
+        self.state_s += dt;
+        if !goes_on {
+            self.alignment = Alignment::default();
+            self.motion = Motion::default();
+        }
+        self.measured = imu.compensated;
+        self.interval_s = dt;
+        self.supply(imu);
+        self.keep(dt, simulator)?;
+        self.go_on(dt, simulator)
+    }
+}

@@ -1,0 +1,36 @@
+//! A unit as a snapshot, and back.
+
+use super::{Mode, Unit, UnitParameters};
+use crate::error::Error;
+use crate::snapshot::{CLOCK_S, Reader, SIGNALS, SnapshotOf, Stored as _, Writer, fitting, stored};
+
+stored!(Unit {
+    parameters, kind, selector, power, state, state_s: CLOCK_S, time_s: CLOCK_S, entered: 6.3, refused: 6.3, stored, q_bs: 2.0, axes,
+    inertial, motion, alignment, q_il: 2.0, heading_entered, realigned, reasons, found_latitude_rad: 1.6, latitude_failures: 2.0,
+    invalid_s: CLOCK_S, on_battery_s: CLOCK_S, kept_s: CLOCK_S, test_s: CLOCK_S, in_navigation_s: CLOCK_S, measured,
+    interval_s: SIGNALS
+} then |unit, from| {
+    unit.parameters.validate()?;
+    let sizes = unit.q_bs.norm_squared().min(unit.q_il.norm_squared());
+    from.require(sizes > 0.9 && unit.interval_s > 0.0, sizes, "is not of size 1")
+});
+
+impl Unit {
+    /// Writes a snapshot into `buffer` and returns its length. The call does not allocate.
+    pub fn save_snapshot(&self, buffer: &mut [u8]) -> Result<usize, Error> {
+        let capacity = buffer.len();
+        let mut to = Writer::new(buffer, SnapshotOf::Unit);
+        self.save(&mut to);
+        fitting(to.finish(), capacity)
+    }
+
+    /// Becomes the unit of a snapshot. On an error nothing has changed.
+    pub fn load_snapshot(&mut self, snapshot: &[u8]) -> Result<(), Error> {
+        *self = Reader::read(snapshot, SnapshotOf::Unit, |from| {
+            let mut unit = Self::new(&UnitParameters::default(), Mode::Off)?;
+            unit.load(from)?;
+            Ok(unit)
+        })?;
+        Ok(())
+    }
+}

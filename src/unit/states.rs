@@ -1,0 +1,287 @@
+//! What the unit does in its states, and how it goes from one to another.
+
+use super::alignment::Alignment;
+use super::{AlignmentKind, KEEP_S, Mode, Power, Reasons, State, Stored, Unit, UnitParameters};
+use crate::correction::Correction;
+use crate::error::Error;
+use crate::errors::NavigationErrors;
+use crate::simulator::{ErrorSource, ImuInterval, Simulator};
+use crate::state::StateErrors;
+
+/// Least number of windows of an alignment.
+const WINDOWS: f64 = 20.0;
+
+impl Unit {
+    /// Whether an alignment or a realignment is in progress.
+    pub(super) fn aligns(&self) -> bool {
+        matches!(self.state, State::CoarseAlignment | State::FineAlignment | State::Realignment)
+    }
+
+    /// Whether the unit shows the solution of the simulator.
+    pub(super) fn shows_solution(&self) -> bool {
+        matches!(self.state, State::Ready | State::Navigation | State::Realignment)
+    }
+
+    pub(super) fn enter(&mut self, state: State) {
+        (self.state, self.state_s) = (state, 0.0);
+    }
+
+    /// Power, and the built-in test of the sensors.
+    pub(super) fn supply(&mut self, imu: &ImuInterval) {
+        let dt = imu.interval_s;
+        self.test_s = (self.test_s - dt).max(0.0);
+        if matches!(self.state, State::Off | State::PowerDown) {
+            return;
+        }
+        let parameters = &self.parameters;
+        self.on_battery_s = if self.power == Power::Battery { self.on_battery_s + dt } else { 0.0 };
+        let is_empty = parameters.battery_s != 0.0 && self.on_battery_s > parameters.battery_s;
+        if self.power == Power::None || is_empty {
+            self.reasons.battery_empty = is_empty;
+            self.enter(State::Off);
+            return;
+        }
+        let has_signal = !(imu.flags.gyro_invalid || imu.flags.accel_invalid);
+        self.invalid_s = if has_signal { 0.0 } else { self.invalid_s + dt };
+        if self.invalid_s != 0.0 && self.invalid_s > parameters.with_defaults().fault_s {
+            self.reasons.no_signal = true;
+            self.enter(State::Fault);
+        }
+    }
+
+    /// Keeps a solution that is not shown near the truth.
+    pub(super) fn keep(&mut self, dt: f64, simulator: &mut Simulator) -> Result<(), Error> {
+        self.kept_s = if self.shows_solution() { 0.0 } else { self.kept_s + dt };
+        if self.kept_s < KEEP_S {
+            return Ok(());
+        }
+        self.kept_s = 0.0;
+        remove_errors(simulator, &StateErrors::NONE)
+    }
+
+    /// Follows the selector, and continues what the state does.
+    pub(super) fn go_on(&mut self, dt: f64, simulator: &mut Simulator) -> Result<(), Error> {
+        if self.selector == Mode::Off && !matches!(self.state, State::Off | State::PowerDown) {
+            self.power_down(simulator)?;
+        }
+        match self.state {
+            State::Navigation if self.selector == Mode::Navigate => {
+                self.in_navigation_s += dt;
+                return Ok(());
+            }
+            State::Off if self.selector != Mode::Off && self.has_power() => self.power_up(),
+            State::Off | State::Fault => return Ok(()),
+            State::PowerDown => return self.switch_off(simulator),
+            _ => {}
+        }
+        let parameters = self.parameters.with_defaults();
+        match (self.state, self.selector) {
+            (State::Test, _) => {
+                let is_over =
+                    self.state_s >= parameters.power_up_test_s || self.kind == AlignmentKind::Instant;
+                match self.selector {
+                    _ if !is_over => {}
+                    Mode::Attitude => self.begin(State::Erection, simulator),
+                    _ => self.begin(State::CoarseAlignment, simulator),
+                }
+            }
+            (State::Erection | State::Attitude, Mode::Attitude) => {}
+            (_, Mode::Attitude) => self.begin(State::Erection, simulator),
+            (State::Erection | State::Attitude, _) => self.begin(State::CoarseAlignment, simulator),
+            (State::Ready, Mode::Navigate) => self.enter(State::Navigation),
+            (State::Navigation, Mode::Align) => self.leave_navigation(&parameters, simulator)?,
+            _ => {}
+        }
+        if !matches!(self.state, State::Test | State::Navigation) {
+            self.sense(dt, &parameters, simulator)?;
+        }
+        Ok(())
+    }
+
+    fn has_power(&self) -> bool {
+        self.power != Power::None && !(self.power == Power::Battery && self.reasons.battery_empty)
+    }
+
+    fn power_up(&mut self) {
+        self.reasons = Reasons::default();
+        (self.entered, self.refused, self.latitude_failures) = (None, None, 0);
+        self.found_latitude_rad = None;
+        (self.in_navigation_s, self.on_battery_s, self.invalid_s) = (0.0, 0.0, 0.0);
+        self.enter(State::Test);
+    }
+
+    /// Begins an alignment, or the erection of ATT.
+    fn begin(&mut self, state: State, simulator: &Simulator) {
+        self.look_at(simulator);
+        self.alignment = Alignment::default();
+        self.motion = Default::default();
+        self.inertial = Default::default();
+        (self.heading_entered, self.realigned) = (false, false);
+        self.reasons.motion = false;
+        self.in_navigation_s = 0.0;
+        self.enter(state);
+    }
+
+    /// ALIGN after a flight: parked, a realignment; in motion the navigation is lost.
+    fn leave_navigation(&mut self, parameters: &UnitParameters, simulator: &Simulator) -> Result<(), Error> {
+        let speed = simulator
+            .navigation()?
+            .map_or(0.0, |solution| solution.navigation.v_n.xy().norm_squared().sqrt());
+        let is_parked = speed < parameters.realignment_speed_m_s;
+        (self.entered, self.refused) = (None, None);
+        self.begin(if is_parked { State::Realignment } else { State::CoarseAlignment }, simulator);
+        self.realigned = is_parked;
+        self.reasons.motion = !is_parked;
+        Ok(())
+    }
+
+    /// Stores position and heading, if they are valid.
+    fn power_down(&mut self, simulator: &Simulator) -> Result<(), Error> {
+        let navigated = self.state == State::Navigation;
+        if let (true, Some(solution)) = (self.shows_solution(), simulator.navigation()?) {
+            let navigation = &solution.navigation;
+            self.stored = Some(Stored {
+                latitude_rad: navigation.place.latitude_rad,
+                longitude_rad: navigation.place.longitude_rad,
+                heading_rad: navigation.euler.heading,
+            });
+        }
+        self.enter(State::PowerDown);
+        self.realigned = navigated;
+        Ok(())
+    }
+
+    /// OFF, after the time for storing; before, back to work if the selector says so.
+    fn switch_off(&mut self, simulator: &Simulator) -> Result<(), Error> {
+        let parameters = self.parameters.with_defaults();
+        if self.selector == Mode::Navigate && self.realigned && self.state_s <= parameters.quick_off_s {
+            return self.leave_navigation(&parameters, simulator);
+        }
+        if self.state_s >= parameters.power_down_s {
+            self.realigned = false;
+            self.enter(State::Off);
+        }
+        Ok(())
+    }
+
+    /// Takes the increments of the interval where the unit itself needs them.
+    fn sense(
+        &mut self,
+        dt: f64,
+        parameters: &UnitParameters,
+        simulator: &mut Simulator,
+    ) -> Result<(), Error> {
+        let mut velocity_i = nalgebra::Vector3::zeros();
+        let mut updates = 0;
+        while let Some((increments, _)) = simulator.measured_update(updates) {
+            velocity_i += self.inertial.turn(increments);
+            updates += 1;
+        }
+        if updates == 0 {
+            velocity_i = self.inertial.turn(&[self.measured]);
+        }
+        if matches!(self.state, State::Erection | State::Attitude) {
+            self.erect(&velocity_i, dt, parameters);
+            return Ok(());
+        }
+        self.align(&velocity_i, dt, parameters, simulator)
+    }
+
+    fn align(
+        &mut self,
+        velocity_i: &nalgebra::Vector3<f64>,
+        dt: f64,
+        parameters: &UnitParameters,
+        simulator: &mut Simulator,
+    ) -> Result<(), Error> {
+        let is_made_up = self.is_made_up();
+        if is_made_up && self.state == State::Ready {
+            return Ok(());
+        }
+        let moves = self.motion.feel(velocity_i, dt, parameters);
+        let is_tested = self.alignment.elapsed_s >= parameters.motion_inhibition_s;
+        if moves && is_tested && !is_made_up {
+            self.reasons.motion = true;
+        }
+        if self.reasons.motion {
+            if self.motion.still_s < parameters.still_s {
+                self.alignment = Alignment::default();
+                let state = if self.realigned { State::Realignment } else { State::CoarseAlignment };
+                if self.state != state {
+                    self.enter(state);
+                }
+                return Ok(());
+            }
+            self.reasons.motion = false;
+        }
+        let whole_s = self.length_s(parameters);
+        let window_s = self.window_s(whole_s, parameters);
+        let is_complete = self.alignment.advance(velocity_i, &self.inertial.q_is, dt, window_s);
+        let elapsed_s = self.alignment.elapsed_s;
+        let has_attitude = elapsed_s >= parameters.coarse_alignment_s - 0.5 * dt;
+        if self.state == State::CoarseAlignment && has_attitude && self.alignment.newest().is_some() {
+            self.enter(State::FineAlignment);
+        }
+        let is_over = elapsed_s >= whole_s - 0.5 * dt || self.state == State::Ready;
+        if is_over && (is_complete || is_made_up) {
+            self.finish(parameters, simulator)?;
+        }
+        Ok(())
+    }
+
+    /// Whether the alignment in progress is one that only a simulation can make.
+    pub(super) fn is_made_up(&self) -> bool {
+        matches!(self.kind, AlignmentKind::Fast | AlignmentKind::Instant) && !self.realigned
+    }
+
+    /// Length of the alignment in progress \[s\].
+    pub(super) fn length_s(&self, parameters: &UnitParameters) -> f64 {
+        if self.realigned {
+            return parameters.realignment_s;
+        }
+        match self.kind {
+            AlignmentKind::Instant => 0.0,
+            AlignmentKind::Fast => parameters.fast_alignment_s,
+            AlignmentKind::StoredHeading if self.stored.is_some() => parameters.stored_heading_alignment_s,
+            // Without a latitude the unit waits as long as at the largest one.
+            _ => parameters.alignment_at_s(self.latitude_rad().unwrap_or(parameters.max_latitude_rad)),
+        }
+    }
+
+    /// The entered latitude, else the stored one.
+    pub(super) fn latitude_rad(&self) -> Option<f64> {
+        self.entered.map(|(latitude, _)| latitude).or(self.stored.map(|stored| stored.latitude_rad))
+    }
+
+    /// Length of a window \[s\]: the whole time is a multiple of it.
+    fn window_s(&self, whole_s: f64, parameters: &UnitParameters) -> f64 {
+        if self.realigned || whole_s == 0.0 {
+            return parameters.realignment_s;
+        }
+        whole_s / (whole_s / parameters.coarse_alignment_s).ceil().max(WINDOWS)
+    }
+}
+
+/// Sets the errors of the solution of the simulator to `errors`. Without a truth nothing changes.
+pub(super) fn remove_errors(simulator: &mut Simulator, errors: &StateErrors) -> Result<(), Error> {
+    if simulator.refuse_while_navigating().is_err() {
+        return Ok(());
+    }
+    let Some((_, present)) = simulator.errors(ErrorSource::Navigation)? else { return Ok(()) };
+    correct(simulator, &present)?;
+    let StateErrors { position_n, velocity_n, misalignment_n } = errors;
+    let wanted =
+        StateErrors { position_n: -position_n, velocity_n: -velocity_n, misalignment_n: -misalignment_n };
+    if *errors == StateErrors::NONE {
+        Ok(())
+    } else {
+        simulator.correct(&Correction { errors: wanted, ..Correction::default() })
+    }
+}
+
+/// Removes `errors` from the solution of the simulator.
+pub(super) fn correct(simulator: &mut Simulator, errors: &NavigationErrors) -> Result<(), Error> {
+    let NavigationErrors { position_n, velocity_n, misalignment_n, .. } = *errors;
+    let errors = StateErrors { position_n, velocity_n, misalignment_n };
+    simulator.correct(&Correction { errors, ..Correction::default() })
+}
