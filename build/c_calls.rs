@@ -58,9 +58,10 @@ const TEXTS: [(&str, &str); 6] = [
 ];
 
 /// Pointers that may be null, of all functions or of one.
-const MAY_BE_NULL: [(&str, &[&str]); 11] = [
+const MAY_BE_NULL: [(&str, &[&str]); 12] = [
     ("", &["written", "needed"]),
     ("sins_create", &["options"]),
+    ("sins_unit_create", &["params"]),
     ("sins_recommend", &["configured"]),
     ("sins_error_budget", &["configured", "request", "budget"]),
     ("sins_record_line", &["record", "sensor_errors", "covariance"]),
@@ -79,7 +80,7 @@ pub fn write(interface: &Interface) -> String {
             interface.functions.iter().filter(|one| is_call_of(one, handle)).collect();
         let noun = handle.trim_start_matches("sins_");
         let name = if noun == "sim" { "every_call".to_owned() } else { format!("every_{noun}_call") };
-        let other = if noun == "scene" { "sins_sim *sim, " } else { "" };
+        let other = if noun == "scene" || noun == "unit" { "sins_sim *sim, " } else { "" };
         let lines: String = of_handle
             .iter()
             .map(|one| format!("    EVERY_CALL({}({}));\n", one.name, arguments(interface, one, None)))

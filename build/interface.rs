@@ -11,8 +11,9 @@ use super::template::{Source, Template};
 use super::{ada, c_calls, c_functions, c_layout, fortran, python, sizes};
 
 /// The headers, each of which includes those above it.
-const HEADERS: [(&str, &str); 3] = [
+const HEADERS: [(&str, &str); 4] = [
     ("include/sins.h", include_str!("sins.h")),
+    ("include/sins_unit.h", include_str!("sins_unit.h")),
     ("include/sins_ensemble.h", include_str!("sins_ensemble.h")),
     ("include/sins_scene.h", include_str!("sins_scene.h")),
 ];

@@ -70,6 +70,22 @@
     X(sins_status, sins_flight_destroy, (sins_flight *flight)) \
     X(sins_status, sins_recommend, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_requirement *requirement, sins_options *options, sins_cost *cost)) \
     X(sins_status, sins_error_budget, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written, sins_budget *budget)) \
+    X(sins_status, sins_unit_create, (const sins_unit_params *params, int32_t mode, sins_unit **unit)) \
+    X(sins_status, sins_unit_destroy, (sins_unit *unit)) \
+    X(sins_status, sins_unit_set_params, (sins_unit *unit, const sins_unit_params *params)) \
+    X(sins_status, sins_unit_get_params, (sins_unit *unit, sins_unit_params *params)) \
+    X(sins_status, sins_unit_select, (sins_unit *unit, int32_t mode)) \
+    X(sins_status, sins_unit_set_power, (sins_unit *unit, int32_t power)) \
+    X(sins_status, sins_unit_set_alignment, (sins_unit *unit, int32_t kind)) \
+    X(sins_status, sins_unit_press_test, (sins_unit *unit)) \
+    X(sins_status, sins_unit_enter_position, (sins_unit *unit, double latitude_rad, double longitude_rad)) \
+    X(sins_status, sins_unit_enter_heading, (sins_unit *unit, double heading_rad)) \
+    X(sins_status, sins_unit_set_stored, (sins_unit *unit, double latitude_rad, double longitude_rad, double heading_rad)) \
+    X(sins_status, sins_unit_update, (sins_unit *unit, sins_sim *sim)) \
+    X(sins_status, sins_unit_snapshot_save, (sins_unit *unit, void *buffer, size_t capacity, size_t *written)) \
+    X(sins_status, sins_unit_snapshot_load, (sins_unit *unit, const void *snapshot, size_t size)) \
+    X(sins_status, sins_unit_get_status, (sins_unit *unit, sins_unit_status *status)) \
+    X(sins_status, sins_unit_get_navigation, (sins_unit *unit, const sins_sim *sim, sins_unit_navigation *navigation)) \
     X(sins_status, sins_ensemble_create, (const sins_sim *configured, uint64_t first_run, size_t runs, sins_ensemble **ensemble)) \
     X(sins_status, sins_ensemble_destroy, (sins_ensemble *ensemble)) \
     X(sins_status, sins_ensemble_push_sample, (sins_ensemble *ensemble, const sins_flight_sample *sample)) \

@@ -63,6 +63,8 @@ mod solution;
 mod statistics;
 mod text;
 mod truth_summary;
+mod unit;
+mod unit_status;
 mod version;
 
 pub use accel::*;
@@ -106,6 +108,8 @@ pub use snapshot::*;
 pub use solution::*;
 pub use statistics::*;
 pub use truth_summary::{sins_get_truth_summary, sins_truth_summary};
+pub use unit::*;
+pub use unit_status::*;
 pub use version::*;
 
 // That the sizes which the header states are those of the structs; a library without scenes lacks some of these.

@@ -60,12 +60,21 @@ pub(super) fn look_at<T>(
     name: &'static str,
     view: impl FnOnce(&Simulator) -> T,
 ) -> Result<T, Failure> {
-    let mut seen = None;
+    work_with(sim, name, |simulator| view(simulator))
+}
+
+/// [`look_at`] that may change the simulator.
+pub(super) fn work_with<T>(
+    sim: *const sins_sim,
+    name: &'static str,
+    work: impl FnOnce(&mut Simulator) -> T,
+) -> Result<T, Failure> {
+    let mut made = None;
     let status = SIMULATORS.with(sim.addr(), |memory| {
-        seen = Some(view(&memory[0]));
+        made = Some(work(&mut memory[0]));
         Ok(SINS_OK)
     });
-    seen.ok_or_else(|| Failure::of_handle(status, name))
+    made.ok_or_else(|| Failure::of_handle(status, name))
 }
 
 /// Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.

@@ -39,19 +39,28 @@ impl Default for Fix {
 /// Sums over the present window.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Window {
-    elapsed_s: f64,
+    /// Start and end since the start of the alignment \[s\].
+    from_s: f64,
+    to_s: f64,
     weight: f64,
     time_s: f64,
     force_i: Vector3<f64>,
     q_is: Quaternion<f64>,
 }
 
-stored!(Window { elapsed_s: SIGNALS, weight: SIGNALS, time_s: SIGNALS, force_i: SIGNALS, q_is: SIGNALS });
+stored!(Window {
+    from_s: SIGNALS,
+    to_s: SIGNALS,
+    weight: SIGNALS,
+    time_s: SIGNALS,
+    force_i: SIGNALS,
+    q_is: SIGNALS
+});
 
 impl Default for Window {
     fn default() -> Self {
         let q_is = Quaternion::new(0.0, 0.0, 0.0, 0.0);
-        Self { elapsed_s: 0.0, weight: 0.0, time_s: 0.0, force_i: Vector3::zeros(), q_is }
+        Self { from_s: 0.0, to_s: 0.0, weight: 0.0, time_s: 0.0, force_i: Vector3::zeros(), q_is }
     }
 }
 
@@ -97,19 +106,23 @@ impl Alignment {
         window_s: f64,
     ) -> bool {
         let window = &mut self.window;
-        let (_, cos) = sin_cos(core::f64::consts::TAU * (window.elapsed_s + 0.5 * dt) / window_s);
-        let weight = 1.0 - cos;
-        window.weight += weight * dt;
-        window.time_s += weight * dt * (self.elapsed_s + 0.5 * dt);
-        window.force_i += velocity_i * weight;
-        window.q_is += q_is * (weight * dt);
-        window.elapsed_s += dt;
+        if window.weight == 0.0 {
+            (window.from_s, window.to_s) = (self.elapsed_s, window.to_s + window_s);
+        }
+        let middle_s = self.elapsed_s + 0.5 * dt;
+        let (_, cos) =
+            sin_cos(core::f64::consts::TAU * (middle_s - window.from_s) / (window.to_s - window.from_s));
+        let weight = (1.0 - cos) * dt;
+        window.weight += weight;
+        window.time_s += weight * middle_s;
+        window.force_i += velocity_i * (weight / dt);
+        window.q_is += q_is * weight;
         self.elapsed_s += dt;
-        if window.elapsed_s < window_s - 0.5 * dt {
+        if self.elapsed_s < window.to_s - 0.5 * dt {
             return false;
         }
         let fix = window.fix();
-        self.window = Window::default();
+        self.window = Window { to_s: window.to_s, ..Window::default() };
         if self.first.is_none() {
             self.first = Some(fix);
         } else {

@@ -253,12 +253,14 @@ impl Unit {
         self.entered.map(|(latitude, _)| latitude).or(self.stored.map(|stored| stored.latitude_rad))
     }
 
-    /// Length of a window \[s\]: the whole time is a multiple of it.
+    /// Length of the next window \[s\]: the rest of the alignment is a multiple of it.
     fn window_s(&self, whole_s: f64, parameters: &UnitParameters) -> f64 {
         if self.realigned || whole_s == 0.0 {
             return parameters.realignment_s;
         }
-        whole_s / (whole_s / parameters.coarse_alignment_s).ceil().max(WINDOWS)
+        let longest_s = parameters.coarse_alignment_s.min(whole_s / WINDOWS);
+        let rest_s = whole_s - self.alignment.elapsed_s;
+        if rest_s > 0.1 * longest_s { rest_s / (rest_s / longest_s).ceil() } else { longest_s }
     }
 }
 

@@ -143,6 +143,36 @@ static inline void every_flight_call(sins_flight *flight, every_call_answer *ans
     EVERY_CALL(sins_flight_sample_at(flight, 0.0, flight_sample));
 }
 
+/* All functions of a sins_unit, except those that destroy it and that read its last failure. */
+static inline void every_unit_call(sins_unit *unit, sins_sim *sim, every_call_answer *answer, void *context)
+{
+    sins_unit_params unit_params[2];
+    sins_unit_status unit_status[2];
+    sins_unit_navigation unit_navigation[2];
+    unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
+    size_t size = 0;
+    SINS_INIT(unit_params[0]);
+    SINS_INIT(unit_params[1]);
+    SINS_INIT(unit_status[0]);
+    SINS_INIT(unit_status[1]);
+    SINS_INIT(unit_navigation[0]);
+    SINS_INIT(unit_navigation[1]);
+    EVERY_CALL(sins_unit_set_params(unit, unit_params));
+    EVERY_CALL(sins_unit_get_params(unit, unit_params));
+    EVERY_CALL(sins_unit_select(unit, 0));
+    EVERY_CALL(sins_unit_set_power(unit, 0));
+    EVERY_CALL(sins_unit_set_alignment(unit, 0));
+    EVERY_CALL(sins_unit_press_test(unit));
+    EVERY_CALL(sins_unit_enter_position(unit, 0.0, 0.0));
+    EVERY_CALL(sins_unit_enter_heading(unit, 0.0));
+    EVERY_CALL(sins_unit_set_stored(unit, 0.0, 0.0, 0.0));
+    EVERY_CALL(sins_unit_update(unit, sim));
+    EVERY_CALL(sins_unit_snapshot_save(unit, bytes, sizeof bytes, &size));
+    EVERY_CALL(sins_unit_snapshot_load(unit, bytes, size));
+    EVERY_CALL(sins_unit_get_status(unit, unit_status));
+    EVERY_CALL(sins_unit_get_navigation(unit, sim, unit_navigation));
+}
+
 /* All functions of a sins_ensemble, except those that destroy it and that read its last failure. */
 static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answer *answer, void *context)
 {
@@ -273,7 +303,7 @@ static inline void every_log_call(sins_log *log, every_call_answer *answer, void
 }
 
 /* Every function with null for each pointer that may not be null. */
-static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, every_call_answer *answer, void *context)
+static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *unit, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, every_call_answer *answer, void *context)
 {
     sins_options options[2];
     sins_flight_sample flight_sample[2];
@@ -287,6 +317,7 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble 
     sins_budget_request budget_request[2];
     sins_budget_row budget_row[2];
     sins_budget budget[2];
+    sins_unit_params unit_params[2];
     sins_statistics statistics[2];
     sins_figures figures[2];
     sins_verdict verdict[2];
@@ -327,6 +358,8 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble 
     SINS_INIT(budget_row[1]);
     SINS_INIT(budget[0]);
     SINS_INIT(budget[1]);
+    SINS_INIT(unit_params[0]);
+    SINS_INIT(unit_params[1]);
     SINS_INIT(statistics[0]);
     SINS_INIT(statistics[1]);
     SINS_INIT(figures[0]);
@@ -387,6 +420,13 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_ensemble 
     EVERY_CALL(sins_recommend(sim, flight_sample, 2, requirement, options, NULL));
     EVERY_CALL(sins_error_budget(sim, NULL, 2, budget_request, budget_row, 2, &size, budget));
     EVERY_CALL(sins_error_budget(sim, flight_sample, 2, budget_request, NULL, 2, &size, budget));
+    EVERY_CALL(sins_unit_create(unit_params, 0, NULL));
+    EVERY_CALL(sins_unit_set_params(unit, NULL));
+    EVERY_CALL(sins_unit_get_params(unit, NULL));
+    EVERY_CALL(sins_unit_snapshot_save(unit, NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_unit_snapshot_load(unit, NULL, size));
+    EVERY_CALL(sins_unit_get_status(unit, NULL));
+    EVERY_CALL(sins_unit_get_navigation(unit, sim, NULL));
     EVERY_CALL(sins_ensemble_create(sim, SCENE_FIRST_RUN, 1, NULL));
     EVERY_CALL(sins_ensemble_push_sample(ensemble, NULL));
     EVERY_CALL(sins_ensemble_run(ensemble, NULL, 2));

@@ -69,7 +69,7 @@ impl<T> Slot<T> {
 }
 
 impl<T> Registry<T> {
-    /// An empty table for objects of `kind` (1 to 5).
+    /// An empty table for objects of `kind` (1 to 7).
     pub const fn new(kind: usize) -> Self {
         Self {
             kind,

@@ -8,6 +8,7 @@ use crate::log::FlightLog;
 #[cfg(feature = "scenes")]
 use crate::scene::{Fault, Scene};
 use crate::simulator::Simulator;
+use crate::unit::Unit;
 
 /// Simulators, each made by [`crate::memory::only`], as memory for it can be missing.
 pub(in crate::abi) static SIMULATORS: Registry<Box<[Simulator; 1]>> = Registry::new(1);
@@ -17,6 +18,7 @@ pub(in crate::abi) static SCENES: Registry<SceneText> = Registry::new(3);
 #[cfg(feature = "scenes")]
 pub(in crate::abi) static LOGS: Registry<FlightLog> = Registry::new(4);
 pub(in crate::abi) static ENSEMBLES: Registry<Ensemble> = Registry::new(5);
+pub(in crate::abi) static UNITS: Registry<Unit> = Registry::new(6);
 
 /// The result of reading a text: a scene, unless the text has faults.
 #[cfg(feature = "scenes")]
@@ -32,7 +34,10 @@ pub(in crate::abi) fn is_inside_a_handle() -> bool {
     if SCENES.is_in_use_here() || LOGS.is_in_use_here() {
         return true;
     }
-    SIMULATORS.is_in_use_here() || FLIGHTS.is_in_use_here() || ENSEMBLES.is_in_use_here()
+    SIMULATORS.is_in_use_here()
+        || FLIGHTS.is_in_use_here()
+        || ENSEMBLES.is_in_use_here()
+        || UNITS.is_in_use_here()
 }
 
 /// Called in a forked process: objects that other threads had in use are lost.
@@ -41,6 +46,7 @@ pub(in crate::abi) fn lose_what_others_use() {
     SIMULATORS.lose_what_others_use();
     FLIGHTS.lose_what_others_use();
     ENSEMBLES.lose_what_others_use();
+    UNITS.lose_what_others_use();
     #[cfg(feature = "scenes")]
     {
         SCENES.lose_what_others_use();

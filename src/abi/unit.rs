@@ -1,0 +1,340 @@
+//! `sins_unit`: the unit, its panel, and its update.
+
+use core::ffi::c_void;
+
+use super::boundary::handle::{hand_out, with_object};
+use super::boundary::tables::UNITS;
+use super::boundary::{enter, enter_without_simulator};
+use super::choice::{Choice, choices};
+use super::failure::{Failure, SINS_OK, sins_status};
+use super::memory::{Output, put_if_wanted, read};
+use super::parameters::{Parameters, params};
+use super::simulator::{sins_sim, work_with};
+use super::text::{bytes_of, put_bytes};
+use crate::surroundings::copy;
+use crate::unit::{AlignmentKind, Mode, Power, Stored, Unit, UnitParameters};
+
+include!(concat!(env!("OUT_DIR"), "/unit_params.rs"));
+
+params!(sins_unit_params, "unit", 168, UnitParameters, copy);
+
+/// A unit. A handle is a checked key, like that of a sins_sim, and is never confused with one. sins_last_error(NULL, ...) on the same
+/// thread gives the failures of its functions.
+#[repr(C)]
+pub struct sins_unit {
+    _opaque: [u8; 0],
+}
+
+/// Positions of the mode selector.
+pub type sins_unit_mode = i32;
+
+/// Off.
+pub const SINS_UNIT_OFF: sins_unit_mode = 0;
+/// Alignment. An aligned unit is ready and waits for SINS_UNIT_NAV. In navigation, at a ground speed below
+/// realignment_speed_m_s, it is a fast realignment; at a higher speed the navigation is lost.
+pub const SINS_UNIT_ALIGN: sins_unit_mode = 1;
+/// Navigation, after an alignment if the unit is not aligned.
+pub const SINS_UNIT_NAV: sins_unit_mode = 2;
+/// Attitude, and a heading that was entered. Navigation is lost.
+pub const SINS_UNIT_ATT: sins_unit_mode = 3;
+
+choices!(sins_unit_mode: Mode {
+    Off = SINS_UNIT_OFF, Align = SINS_UNIT_ALIGN, Navigate = SINS_UNIT_NAV, Attitude = SINS_UNIT_ATT,
+});
+
+/// Supplies of power.
+pub type sins_unit_power = i32;
+
+/// The aircraft.
+pub const SINS_UNIT_POWER_AIRCRAFT: sins_unit_power = 0;
+/// The battery, which lasts battery_s.
+pub const SINS_UNIT_POWER_BATTERY: sins_unit_power = 1;
+/// None: the unit is off at once, and stores nothing.
+pub const SINS_UNIT_POWER_NONE: sins_unit_power = 2;
+
+choices!(sins_unit_power: Power {
+    Aircraft = SINS_UNIT_POWER_AIRCRAFT, Battery = SINS_UNIT_POWER_BATTERY, None = SINS_UNIT_POWER_NONE,
+});
+
+/// Kinds of alignment at rest.
+pub type sins_unit_alignment = i32;
+
+/// Levelling and gyrocompassing on the measured increments.
+pub const SINS_UNIT_ALIGNMENT_GYROCOMPASS: sins_unit_alignment = 0;
+/// Levelling on the measured increments, with the stored heading; without one a gyrocompass.
+pub const SINS_UNIT_ALIGNMENT_STORED_HEADING: sins_unit_alignment = 1;
+/// Only in a simulation: after fast_alignment_s the unit has the true state, with the errors of sins_initial_errors that need no
+/// alignment, drawn for this run.
+pub const SINS_UNIT_ALIGNMENT_FAST: sins_unit_alignment = 2;
+/// The same at once, without a test after power-up.
+pub const SINS_UNIT_ALIGNMENT_INSTANT: sins_unit_alignment = 3;
+
+choices!(sins_unit_alignment: AlignmentKind {
+    Gyrocompass = SINS_UNIT_ALIGNMENT_GYROCOMPASS, StoredHeading = SINS_UNIT_ALIGNMENT_STORED_HEADING,
+    Fast = SINS_UNIT_ALIGNMENT_FAST, Instant = SINS_UNIT_ALIGNMENT_INSTANT,
+});
+
+/// A buffer of this size holds every snapshot of a unit that this release saves.
+pub const SINS_UNIT_SNAPSHOT_MAX_SIZE: usize = 1024;
+
+/// Runs `body` on the unit of a handle, as the inside of an exported function.
+pub(super) fn with_unit(
+    unit: *const sins_unit,
+    body: impl FnOnce(&mut Unit) -> Result<sins_status, Failure>,
+) -> sins_status {
+    with_object(&UNITS, unit, body)
+}
+
+/// Creates a unit. If params is NULL, all are 0, the defaults. mode is SINS_UNIT_OFF; or SINS_UNIT_NAV for a unit that navigates
+/// already, with the start of its simulator.
+///
+/// A unit works with one simulator, which the host creates and sets as without a unit. In each frame the host pushes a sample, makes a
+/// step, and calls sins_unit_update().
+///
+/// After an error *unit is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason. Not for a real-time frame: it
+/// allocates.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_STATE: mode is SINS_UNIT_ALIGN or SINS_UNIT_ATT.
+/// SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 units exist.
+///
+/// ```c
+/// sins_sim *inertial = NULL;
+/// sins_unit *unit = NULL;
+/// sins_unit_status unit_status;
+/// SINS_INIT(unit_status);
+/// SINS_INIT(sample);
+/// sample.latitude_rad = 40.0 * SINS_DEG;
+/// sins_create(NULL, &inertial);
+/// sins_unit_create(NULL, SINS_UNIT_OFF, &unit);
+/// sins_unit_select(unit, SINS_UNIT_NAV);
+/// for (sample.time_s = 0.0; sample.time_s <= 600.0; sample.time_s += 1.0) {
+///     sins_push_sample(inertial, &sample);
+///     if (sins_step(inertial) == SINS_OK) sins_unit_update(unit, inertial);
+///     if (sample.time_s == 60.0) sins_unit_enter_position(unit, 40.0 * SINS_DEG, 0.0);
+/// }
+/// sins_unit_get_status(unit, &unit_status);
+/// printf("navigates: %d\n", unit_status.state == SINS_UNIT_STATE_NAVIGATION);  // navigates: 1
+/// sins_unit_destroy(unit);
+/// sins_destroy(inertial);
+/// ```
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_create(
+    params: *const sins_unit_params,
+    mode: i32,
+    unit: *mut *mut sins_unit,
+) -> sins_status {
+    enter_without_simulator(|| {
+        let make = || {
+            let parameters = if params.is_null() {
+                UnitParameters::default()
+            } else {
+                // SAFETY: the host's promise.
+                unsafe { read(params, "params")? }.to_parameters()?
+            };
+            Ok(Unit::new(&parameters, Mode::of("mode", mode)?)?)
+        };
+        // SAFETY: the host's promise.
+        unsafe { hand_out(&UNITS, unit, "unit", make) }
+    })
+}
+
+/// Waits until the calls of other threads on this handle have returned, and destroys the unit. The handle is never used again.
+///
+/// SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_destroy(unit: *mut sins_unit) -> sins_status {
+    enter(|| UNITS.remove(unit.addr()))
+}
+
+/// Sets times and limits. May be called at any moment; they act at once.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_set_params(
+    unit: *mut sins_unit,
+    params: *const sins_unit_params,
+) -> sins_status {
+    with_unit(unit, |unit| {
+        // SAFETY: the host's promise.
+        unit.set_parameters(&unsafe { read(params, "params")? }.to_parameters()?)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Reads times and limits, as they were set.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_get_params(
+    unit: *mut sins_unit,
+    params: *mut sins_unit_params,
+) -> sins_status {
+    with_unit(unit, |unit| {
+        // SAFETY: the host's promise.
+        unsafe { Output::new(params, "params")? }.write(&Parameters::from_parameters(unit.parameters()));
+        Ok(SINS_OK)
+    })
+}
+
+/// Turns the mode selector, of enum sins_unit_mode. The unit follows with the next sins_unit_update().
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such mode.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_select(unit: *mut sins_unit, mode: i32) -> sins_status {
+    with_unit(unit, |unit| {
+        unit.select(Mode::of("mode", mode)?);
+        Ok(SINS_OK)
+    })
+}
+
+/// Sets the supply of power, of enum sins_unit_power. The unit follows with the next sins_unit_update().
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such supply.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_set_power(unit: *mut sins_unit, power: i32) -> sins_status {
+    with_unit(unit, |unit| {
+        unit.set_power(Power::of("power", power)?);
+        Ok(SINS_OK)
+    })
+}
+
+/// Sets how the unit aligns at rest, of enum sins_unit_alignment.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such kind.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_set_alignment(unit: *mut sins_unit, kind: i32) -> sins_status {
+    with_unit(unit, |unit| {
+        unit.set_alignment(AlignmentKind::of("kind", kind)?);
+        Ok(SINS_OK)
+    })
+}
+
+/// Presses the button of the panel's test: the status has SINS_UNIT_IN_TEST for power_up_test_s. Nothing else changes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_press_test(unit: *mut sins_unit) -> sins_status {
+    with_unit(unit, |unit| {
+        unit.press_test();
+        Ok(SINS_OK)
+    })
+}
+
+/// Enters the present position: latitude, -pi/2 to pi/2 [rad], and longitude, -2 pi to 2 pi [rad]. A gyrocompass and an alignment with
+/// the stored heading need it. If it is further from the stored position than position_tolerance_rad, it is not taken, and the
+/// status has SINS_UNIT_REASON_POSITION_DISAGREES; the same position is taken when it is entered again.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+/// SINS_ERROR_BAD_STATE: the unit does not align.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_enter_position(
+    unit: *mut sins_unit,
+    latitude_rad: f64,
+    longitude_rad: f64,
+) -> sins_status {
+    with_unit(unit, |unit| {
+        unit.enter_position(latitude_rad, longitude_rad)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Enters the heading of the mode ATT, -2 pi to 2 pi [rad]. The gyros carry it on. They measure the Earth's rotation too, so it drifts by
+/// up to 15 deg/h. A magnetic heading that is entered remains one.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: out of its range.
+/// SINS_ERROR_BAD_STATE: the attitude of ATT is not valid.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_enter_heading(
+    unit: *mut sins_unit,
+    heading_rad: f64,
+) -> sins_status {
+    with_unit(unit, |unit| {
+        unit.enter_heading(heading_rad)?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Sets what the unit stored when it was last switched off: latitude, -pi/2 to pi/2, longitude, -pi to pi, and true heading, 0 to 2 pi
+/// [rad]. A new unit has nothing stored. sins_unit_status has what a host may keep from one session to the next.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_set_stored(
+    unit: *mut sins_unit,
+    latitude_rad: f64,
+    longitude_rad: f64,
+    heading_rad: f64,
+) -> sins_status {
+    with_unit(unit, |unit| {
+        unit.set_stored(Some(Stored { latitude_rad, longitude_rad, heading_rad }))?;
+        Ok(SINS_OK)
+    })
+}
+
+/// Takes the last step of the simulator: to be called after each step that was made. The unit reads the measured increments of the
+/// step, and corrects the solution of the simulator, as sins_correct() does, in three cases: an alignment ends; a realignment ends;
+/// while the unit does not navigate, once a minute, so that the solution stays near the truth. Truth, modelled sensors and random
+/// numbers do not change. No allocation, no system call.
+///
+/// An alignment averages the specific force in the inertial axes that the gyros keep, over windows of at most coarse_alignment_s. The
+/// motion of the vertical in these axes shows east. So a sway of the aircraft does no harm. With white noise N of the gyros the standard
+/// deviation of the heading error after the time T is 1.02 N / (Omega cos(latitude) sqrt(T)), where Omega is the Earth rate; a gyro bias
+/// b to the east adds b / (Omega cos(latitude)). Height and vertical velocity begin without errors.
+///
+/// Test for motion: the unit integrates the specific force less its mean over 8 s. It cannot feel a constant velocity.
+///
+/// Test of the latitude: the speed of that motion gives the cosine of latitude. It must agree with that of the entered latitude to 0.004
+/// plus the largest gyro bias plus 5 standard deviations of what is drawn, divided by Omega; or to latitude_tolerance_rad. The north or
+/// south of the entered latitude is tested to 0.2 in its sine. After the first failure the position must be entered again; after the
+/// second the unit fails.
+///
+/// If the time of the simulator does not continue from the last update (a reposition, a jump, an interval without an update), an
+/// alignment starts anew.
+///
+/// SINS_ERROR_BAD_STATE: the simulator has made no step, or the unit has taken this step already.
+/// SINS_ERROR_BAD_HANDLE: sim is not a simulator. The errors of sins_correct(). After any error nothing has changed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_update(unit: *mut sins_unit, sim: *mut sins_sim) -> sins_status {
+    with_unit(unit, |unit| {
+        work_with(sim, "sim", |simulator| unit.update(simulator))??;
+        Ok(SINS_OK)
+    })
+}
+
+/// Saves the whole unit; its simulator has a snapshot of its own. written (may be NULL) gets the size. The same state gives the same
+/// bytes, on every platform. No allocation, no system call.
+///
+/// SINS_ERROR_BUFFER_TOO_SMALL: see SINS_UNIT_SNAPSHOT_MAX_SIZE; buffer and written are unchanged.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_snapshot_save(
+    unit: *mut sins_unit,
+    buffer: *mut c_void,
+    capacity: usize,
+    written: *mut usize,
+) -> sins_status {
+    with_unit(unit, |unit| {
+        if buffer.is_null() {
+            return Err(Failure::null("buffer"));
+        }
+        let mut bytes = [0; SINS_UNIT_SNAPSHOT_MAX_SIZE];
+        let length = unit.save_snapshot(&mut bytes)?;
+        // SAFETY: the host's promise.
+        unsafe { put_bytes(&bytes[..length], buffer.cast(), capacity)? };
+        // SAFETY: the host's promise.
+        unsafe { put_if_wanted(written, length) };
+        Ok(SINS_OK)
+    })
+}
+
+/// Replaces the unit by the saved one, including its parameters. It continues to the same bits with the simulator of the same moment.
+///
+/// SINS_ERROR_SNAPSHOT: the bytes are not a snapshot of a unit, or are cut off, altered, or of a newer release; nothing has changed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_snapshot_load(
+    unit: *mut sins_unit,
+    snapshot: *const c_void,
+    size: usize,
+) -> sins_status {
+    with_unit(unit, |unit| {
+        // SAFETY: the host's promise.
+        let snapshot = unsafe { bytes_of(snapshot.cast(), size, "snapshot")? };
+        unit.load_snapshot(snapshot)?;
+        Ok(SINS_OK)
+    })
+}

@@ -1,0 +1,13 @@
+//! The unit: what a crew and an aircraft see of an INS.
+
+#[path = "../support/mod.rs"]
+#[allow(dead_code, reason = "the other tests use the rest")]
+mod support;
+
+mod aircraft;
+mod alignment;
+mod attitude;
+mod faults;
+mod realignment;
+mod saved;
+mod states;
