@@ -112,8 +112,10 @@ pub fn definition(doc: &str, field: &Field, sigma: Option<&str>, note: &str) -> 
     let range = match field.range {
         Range::Within(..) => range,
         Range::OffOr(..) => format!("{range}; 0: none"),
-        Range::OrDefault(0.0, ..) => format!("{range}; 0: the default"),
-        Range::OrDefault(default, ..) => format!("{range}; 0: {}", number(default)),
+        Range::OrDefault(default, ..) if default != 0.0 && number(default).len() < 8 => {
+            format!("{range}; 0: {}", number(default))
+        }
+        Range::OrDefault(..) => format!("{range}; 0: the default"),
         Range::TimeOf(..) | Range::DistanceOf(..) => {
             format!("{range}; needed where {} is not 0", sigma.expect("a parameter needs it"))
         }

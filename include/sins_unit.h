@@ -66,14 +66,14 @@ typedef struct sins_unit_params {
      */
     double quick_off_s;
     /**
-     * Largest latitude at which the unit aligns [rad], 0.01 to 1.56; 0: 1.4311699866353502. The default is 82
-     * degrees, that of flybywiresim/aircraft.
+     * Largest latitude at which the unit aligns [rad], 0.01 to 1.56; 0: the default. The default is 82 degrees,
+     * that of flybywiresim/aircraft.
      */
     double max_latitude_rad;
     /**
      * Largest difference of latitude, and of longitude, between the entered and the stored position [rad],
-     * 1e-9 to 4; 0: 0.017453292519943295. A position further away is accepted when it is entered a second time.
-     * The default is 1 degree, and this library's.
+     * 1e-9 to 4; 0: the default. A position further away is accepted when it is entered a second time. The default
+     * is 1 degree, and this library's.
      */
     double position_tolerance_rad;
     /**
@@ -102,8 +102,8 @@ typedef struct sins_unit_params {
      */
     double still_s;
     /**
-     * Ground speed of the navigation from which ALIGN ends it instead of realigning [m/s], 1e-3 to 10000; 0:
-     * 10.28888888888889. The default is 20 kt, that of flybywiresim/aircraft.
+     * Ground speed of the navigation from which ALIGN ends it instead of realigning [m/s], 1e-3 to 10000; 0: the
+     * default. The default is 20 kt, that of flybywiresim/aircraft.
      */
     double realignment_speed_m_s;
     /**
@@ -288,7 +288,7 @@ SINS_API sins_status SINS_CALL sins_unit_set_stored(sins_unit *unit, double lati
  * An alignment averages the specific force in the inertial axes that the gyros keep, over windows of at most coarse_alignment_s. The
  * motion of the vertical in these axes shows east. So a sway of the aircraft does no harm. With white noise N of the gyros the standard
  * deviation of the heading error after the time T is 1.02 N / (Omega cos(latitude) sqrt(T)), where Omega is the Earth rate; a gyro bias
- * b to the east adds b / (Omega cos(latitude)). Height and vertical velocity begin without errors.
+ * b to the east adds b / (Omega cos(latitude)), an accelerometer bias B to the east B tan(latitude) / g. Height and vertical velocity begin without errors.
  *
  * Test for motion: the unit integrates the specific force less its mean over 8 s. It cannot feel a constant velocity.
  *

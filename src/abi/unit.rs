@@ -275,7 +275,7 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
 /// An alignment averages the specific force in the inertial axes that the gyros keep, over windows of at most coarse_alignment_s. The
 /// motion of the vertical in these axes shows east. So a sway of the aircraft does no harm. With white noise N of the gyros the standard
 /// deviation of the heading error after the time T is 1.02 N / (Omega cos(latitude) sqrt(T)), where Omega is the Earth rate; a gyro bias
-/// b to the east adds b / (Omega cos(latitude)). Height and vertical velocity begin without errors.
+/// b to the east adds b / (Omega cos(latitude)), an accelerometer bias B to the east B tan(latitude) / g. Height and vertical velocity begin without errors.
 ///
 /// Test for motion: the unit integrates the specific force less its mean over 8 s. It cannot feel a constant velocity.
 ///

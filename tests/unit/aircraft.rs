@@ -23,6 +23,7 @@ pub enum Motion {
     Turn(f64),
 }
 
+#[derive(Clone)]
 pub struct Aircraft {
     pub simulator: Simulator,
     pub unit: Unit,

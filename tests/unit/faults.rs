@@ -1,1 +1,111 @@
-//! (to be filled)
+//! Tests of the unit: sensors, power, entered positions.
+
+use sins::sensors::{Axis, Failure, SensorOutput};
+use sins::unit::{Mode, Power, State, Stored, UnitParameters};
+
+use crate::aircraft::{Aircraft, Motion};
+use crate::support::DEG;
+
+#[test]
+fn a_dead_gyro_is_a_fault_until_the_unit_is_off() {
+    let mut aircraft = Aircraft::ideal(40.0);
+    aircraft.unit = sins::unit::Unit::new(&UnitParameters::default(), Mode::Navigate).unwrap();
+    assert_eq!(aircraft.stand(10.0).state, State::Navigation);
+    let output = SensorOutput::Gyro(Axis::Y);
+    aircraft.simulator.set_failure(output, Some(Failure::Dead)).unwrap();
+    assert!(!aircraft.stand(0.9).fault);
+    let status = aircraft.stand(0.3);
+    assert!(status.fault && status.reasons.no_signal && status.validity == Default::default());
+    aircraft.simulator.set_failure(output, None).unwrap();
+    assert!(aircraft.stand(10.0).fault);
+    aircraft.unit.select(Mode::Off);
+    assert_eq!(aircraft.stand(6.0).state, State::Off);
+}
+
+#[test]
+fn the_battery_lasts_its_time() {
+    let mut aircraft = Aircraft::ideal(40.0);
+    aircraft.unit =
+        sins::unit::Unit::new(&UnitParameters { battery_s: 20.0, ..Default::default() }, Mode::Navigate)
+            .unwrap();
+    aircraft.stand(5.0);
+    aircraft.unit.set_power(Power::Battery);
+    let status = aircraft.stand(19.0);
+    assert!(status.on_battery && status.state == State::Navigation);
+    let status = aircraft.stand(2.0);
+    assert!(status.state == State::Off && status.reasons.battery_empty && status.stored.is_none());
+}
+
+#[test]
+fn without_power_the_unit_is_off_and_stores_nothing() {
+    let mut aircraft = Aircraft::ideal(40.0);
+    aircraft.unit = sins::unit::Unit::new(&UnitParameters::default(), Mode::Navigate).unwrap();
+    aircraft.stand(5.0);
+    aircraft.unit.set_power(Power::None);
+    let status = aircraft.stand(0.1);
+    assert!(status.state == State::Off && status.stored.is_none());
+    aircraft.unit.set_power(Power::Aircraft);
+    assert_eq!(aircraft.stand(0.1).state, State::Test);
+}
+
+/// The gyros find a latitude that is a degree, or a hemisphere, off; a tenth of a degree is below what they find.
+#[test]
+fn a_wrong_latitude_is_found_and_the_second_one_is_a_fault() {
+    for (wrong_deg, is_found) in [(41.0, true), (-40.0, true), (40.1, false)] {
+        let mut aircraft = Aircraft::ideal(40.0);
+        aircraft.unit.select(Mode::Align);
+        aircraft.stand(10.0);
+        let longitude_rad = aircraft.place().longitude_rad;
+        aircraft.unit.enter_position(wrong_deg * DEG, longitude_rad).unwrap();
+        let status = aircraft.go(Motion::Rest, 530.0);
+        assert_eq!(status.reasons.latitude_disagrees, is_found, "{wrong_deg}");
+        assert_eq!(status.state == State::Ready, !is_found, "{wrong_deg}");
+        if is_found {
+            assert!((status.found_latitude_rad.unwrap() / DEG - 40.0).abs() < 0.01);
+            let mut right = aircraft.clone();
+            right.enter_true_position();
+            right.until(Motion::Rest, State::Ready, 60.0);
+            aircraft.unit.enter_position(wrong_deg * DEG, longitude_rad).unwrap();
+            aircraft.until(Motion::Rest, State::Fault, 60.0);
+        }
+    }
+}
+
+#[test]
+fn a_position_far_from_the_stored_one_must_be_entered_twice() {
+    let mut aircraft = Aircraft::ideal(10.0);
+    let stored = Stored { latitude_rad: 12.0 * DEG, longitude_rad: 0.3, heading_rad: 0.0 };
+    aircraft.unit.set_stored(Some(stored)).unwrap();
+    aircraft.unit.select(Mode::Align);
+    aircraft.stand(10.0);
+    aircraft.enter_true_position();
+    let status = aircraft.stand(1.0);
+    assert!(status.reasons.position_disagrees && status.reasons.no_position && status.align_flashes);
+    aircraft.enter_true_position();
+    let status = aircraft.stand(1.0);
+    assert!(!status.reasons.position_disagrees && !status.reasons.no_position);
+    aircraft.until(Motion::Rest, State::Ready, 330.0);
+}
+
+#[test]
+fn entries_at_the_wrong_moment_and_out_of_range_are_rejected() {
+    let mut aircraft = Aircraft::ideal(10.0);
+    let error = aircraft.unit.enter_position(0.1, 0.3).unwrap_err();
+    assert_eq!(error.to_string(), "a position can be entered during an alignment");
+    let error = aircraft.unit.enter_heading(0.1).unwrap_err();
+    assert_eq!(error.to_string(), "a heading can be entered when the attitude of ATT is valid");
+    aircraft.unit.select(Mode::Align);
+    aircraft.stand(10.0);
+    let error = aircraft.unit.enter_position(47.5, 0.3).unwrap_err();
+    assert!(error.to_string().ends_with("is it in degrees?"), "{error}");
+    let error =
+        aircraft.unit.set_parameters(&UnitParameters { erection_s: -1.0, ..Default::default() }).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "unit.erection_s = -1: must be 0 for the default, or from 0.001 to 1000000"
+    );
+    let before = aircraft.unit;
+    let error = aircraft.unit.update(&mut aircraft.simulator).unwrap_err();
+    assert_eq!(error.to_string(), "the unit has taken this step already");
+    assert!(aircraft.unit == before);
+}

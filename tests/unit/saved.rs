@@ -1,1 +1,82 @@
-//! (to be filled)
+//! Snapshots of a unit.
+
+use sins::unit::{Mode, Unit, UnitParameters};
+use sins::{ErrorKind, snapshot};
+
+use crate::aircraft::{Aircraft, Motion, papers_sensors};
+use crate::support::bits;
+
+fn saved(unit: &Unit) -> Vec<u8> {
+    let mut buffer = vec![0; sins::abi::SINS_UNIT_SNAPSHOT_MAX_SIZE];
+    let length = unit.save_snapshot(&mut buffer).unwrap();
+    buffer.truncate(length);
+    buffer
+}
+
+/// A day: alignment, taxi, flight, realignment, ATT, off. At each moment both snapshots go on to the same bits.
+#[test]
+fn a_day_goes_on_to_the_same_bits_from_any_moment() {
+    let mut aircraft = Aircraft::new(10.0, 2, 5.0, &papers_sensors());
+    let day: [(Mode, Motion, f64); 9] = [
+        (Mode::Off, Motion::Rest, 10.0),
+        (Mode::Align, Motion::Rest, 100.0),
+        (Mode::Align, Motion::Sway, 230.0),
+        (Mode::Navigate, Motion::Drive { acceleration: 1.0, to: 5.0 }, 60.0),
+        (Mode::Navigate, Motion::Turn(0.03), 60.0),
+        (Mode::Navigate, Motion::Rest, 20.0),
+        (Mode::Align, Motion::Rest, 40.0),
+        (Mode::Attitude, Motion::Rest, 60.0),
+        (Mode::Off, Motion::Rest, 20.0),
+    ];
+    let mut longest = 0;
+    for (mode, motion, seconds) in day {
+        aircraft.unit.select(mode);
+        aircraft.go(motion, 7.0);
+        if mode == Mode::Align {
+            aircraft.enter_true_position();
+        }
+        let unit = saved(&aircraft.unit);
+        longest = longest.max(unit.len());
+        let mut other = aircraft.clone();
+        other.unit = Unit::new(&UnitParameters { fault_s: 3.0, ..Default::default() }, Mode::Off).unwrap();
+        other.unit.load_snapshot(&unit).unwrap();
+        assert_eq!(saved(&other.unit), unit);
+        for each in [&mut aircraft, &mut other] {
+            each.go(motion, seconds);
+        }
+        assert!(
+            other.unit == aircraft.unit && bits(&other.simulator) == bits(&aircraft.simulator),
+            "{mode:?}"
+        );
+    }
+    println!("longest snapshot: {longest} bytes");
+}
+
+#[test]
+fn damaged_bytes_are_refused_and_change_nothing() {
+    let mut aircraft = Aircraft::ideal(10.0);
+    aircraft.unit.select(Mode::Align);
+    aircraft.stand(100.0);
+    let good = saved(&aircraft.unit);
+    let before = aircraft.unit;
+    for at in 0..good.len() {
+        let mut bytes = good.clone();
+        bytes[at] ^= 0x10;
+        assert_eq!(aircraft.unit.load_snapshot(&bytes).unwrap_err().kind, ErrorKind::Snapshot, "{at}");
+        // With a correct checksum: refused, or a unit that works.
+        snapshot::seal(&mut bytes, snapshot::SnapshotOf::Unit);
+        let mut forged = before;
+        if forged.load_snapshot(&bytes).is_ok() {
+            let mut other = aircraft.clone();
+            other.unit = forged;
+            other.stand(1.0);
+            let shown = other.navigation();
+            assert!(shown.euler.roll.is_finite() && shown.rate_b.iter().all(|rate| rate.is_finite()), "{at}");
+        }
+        assert!(aircraft.unit == before);
+    }
+    let mut simulators = vec![0; 20480];
+    let length = aircraft.simulator.save_snapshot(&mut simulators).unwrap();
+    let error = aircraft.unit.load_snapshot(&simulators[..length]).unwrap_err();
+    assert!(error.to_string().ends_with("it is one of a simulator"), "{error}");
+}
