@@ -51,7 +51,7 @@
  * Same bits. The same options, seed, samples and settings give the same outputs bit for bit on every platform, however the
  *   samples are split into calls (times excepted, as ns_per_step of sins_cost). Each random effect has its own stream.
  *
- * Ensembles of runs are in sins_ensemble.h, scenes and flight logs in sins_scene.h, classes for C++ in sins.hpp and its kin, a
+ * A unit with its modes is in sins_unit.h, ensembles of runs are in sins_ensemble.h, scenes and flight logs in sins_scene.h, classes for C++ in sins.hpp and its kin, a
  * table of all functions for hosts that look them up in sins_functions.h. build/ writes the *.h files; do not edit them.
  */
 

@@ -20,7 +20,7 @@
  * also made of a text that has faults: see faults(). Structs and constants are those of sins.h.
  * The wrapper needs exceptions. A std::string with a NUL, where C takes a terminated text, throws SINS_ERROR_INVALID_ARGUMENT. If
  * two threads share a Simulator, its sentence is that of the last failure of either: lock around calls that may fail.
- * Ensembles are in sins_ensemble.hpp, scenes and logs in sins_scene.hpp. The wrapper is these headers only: each function makes the call and
+ * Units are in sins_unit.hpp, ensembles in sins_ensemble.hpp, scenes and logs in sins_scene.hpp. The wrapper is these headers only: each function makes the call and
  * checks its status.
  */
 

@@ -5,6 +5,7 @@
 
 #include "sins_ensemble.hpp"
 #include "sins_scene.h"
+#include "sins_unit.hpp"
 
 namespace sins {
 

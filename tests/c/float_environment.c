@@ -134,6 +134,8 @@ typedef struct {
     uint32_t version, reserved;
     double duration_s;
     sins_flight_sample piece[COUNT];
+    sins_unit_navigation shown;
+    unsigned char unit[SINS_UNIT_SNAPSHOT_MAX_SIZE];
     sins_error_info info;
     char sentence[200], written[8192], keys[32768], name[32];
     sins_fault fault;
@@ -209,6 +211,31 @@ static void fly_ensemble(results *found)
     CHECK(found->figures.runs == 2 * SCENE_RUNS && found->figures.cep50_m > 0.0);
     every_ensemble_call(ensemble, ignore, NULL);
     CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
+}
+
+/* A unit that aligns for a second of the simulator, and navigates for the next. */
+static void fly_unit(results *found)
+{
+    sins_unit *unit = NULL;
+    sins_sim *sim = NULL;
+    sins_unit_params params = {.struct_size = sizeof params, .power_up_test_s = 0.1, .alignment_s = 0.5};
+    sins_flight_sample sample = {.struct_size = sizeof sample, .latitude_rad = 0.7};
+    size_t size = 0;
+    int k;
+    CHECK(sins_create(NULL, &sim) == SINS_OK && sins_unit_create(&params, SINS_UNIT_OFF, &unit) == SINS_OK);
+    CHECK(sins_unit_select(unit, SINS_UNIT_NAV) == SINS_OK);
+    for (k = 0; k < COUNT; k++) {
+        sample.time_s = scene_time(k);
+        CHECK(sins_push_sample(sim, &sample) == SINS_OK && sins_step(sim) == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
+        CHECK(k == 0 || sins_unit_update(unit, sim) == SINS_OK);
+        CHECK(k != 20 || sins_unit_enter_position(unit, 0.7, 0.0) == SINS_OK);
+    }
+    SINS_INIT(found->shown);
+    CHECK(sins_unit_get_navigation(unit, sim, &found->shown) == SINS_OK);
+    CHECK(found->shown.validity & SINS_UNIT_VALID_VELOCITY);
+    CHECK(sins_unit_snapshot_save(unit, found->unit, sizeof found->unit, &size) == SINS_OK);
+    every_unit_call(unit, sim, ignore, NULL);
+    CHECK(sins_unit_destroy(unit) == SINS_OK && sins_destroy(sim) == SINS_OK);
 }
 
 /* Flies one second with every effect. Every function is called with this floating-point state. */
@@ -297,6 +324,7 @@ static void fly(const float_state *state, results *found)
     every_flight_call(flight, ignore, NULL);
     fly_scene(found);
     fly_ensemble(found);
+    fly_unit(found);
     CHECK(sins_flight_destroy(flight) == SINS_OK);
     CHECK(sins_destroy(sim) == SINS_OK && sins_destroy(other) == SINS_OK);
     after = get_state();

@@ -15,6 +15,7 @@ static sins_flight *wrong_flights[WRONG_HANDLES];
 static sins_scene *wrong_scenes[WRONG_HANDLES];
 static sins_log *wrong_logs[WRONG_HANDLES];
 static sins_ensemble *wrong_ensembles[WRONG_HANDLES];
+static sins_unit *wrong_units[WRONG_HANDLES];
 
 static sins_flight *make_flight(void)
 {
@@ -50,6 +51,10 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
     wrong_ensembles[STALE] = scene_ensemble();
     wrong_ensembles[MADE_UP] = (sins_ensemble *)(uintptr_t)0xfffffff5;
     wrong_ensembles[OTHER_KIND] = (sins_ensemble *)(void *)sim;
+    wrong_units[STALE] = scene_unit();
+    wrong_units[MADE_UP] = (sins_unit *)(uintptr_t)0xfffffff6;
+    wrong_units[OTHER_KIND] = (sins_unit *)(void *)sim;
+    CHECK(sins_unit_destroy(wrong_units[STALE]) == SINS_OK);
     CHECK(sins_ensemble_destroy(wrong_ensembles[STALE]) == SINS_OK);
     CHECK(sins_scene_destroy(wrong_scenes[STALE]) == SINS_OK);
     CHECK(sins_log_destroy(wrong_logs[STALE]) == SINS_OK);
@@ -100,6 +105,7 @@ static void wrong_template(const sins_sim *sim)
 static void handles(sins_sim *living)
 {
     sins_scene *scene = scene_of_text();
+    sins_unit *unit = scene_unit();
     int i;
     for (i = 0; i < WRONG_HANDLES; i++) {
         sins_sim *sim = wrong_sims[i];
@@ -115,6 +121,9 @@ static void handles(sins_sim *living)
         every_scene_call(wrong_scenes[i], living, is_refused, NULL);
         every_log_call(wrong_logs[i], is_refused, NULL);
         every_ensemble_call(wrong_ensembles[i], is_refused, NULL);
+        every_unit_call(wrong_units[i], living, is_refused, NULL);
+        is_refused("sins_unit_update", sins_unit_update(unit, sim), NULL);
+        is_refused("sins_unit_destroy", sins_unit_destroy(wrong_units[i]), NULL);
         wrong_template(sim);
         is_refused("sins_scene_prepare_ensemble", sins_scene_prepare_ensemble(scene, wrong_ensembles[i], 0.0, &sample),
                    NULL);
@@ -135,7 +144,7 @@ static void handles(sins_sim *living)
             CHECK(sins_last_error_info(sim, &info) == SINS_ERROR_BAD_HANDLE && info.index == 0);
         }
     }
-    CHECK(sins_scene_destroy(scene) == SINS_OK);
+    CHECK(sins_scene_destroy(scene) == SINS_OK && sins_unit_destroy(unit) == SINS_OK);
 }
 
 /* Each call leaves its own failure: on the simulator that `sim` points to, or on this thread. */
@@ -154,16 +163,17 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     sins_scene *scene = scene_of_text();
     sins_log *log = scene_log();
     sins_ensemble *ensemble = scene_ensemble();
+    sins_unit *unit = scene_unit();
     sins_record record = {.struct_size = sizeof record};
     char text[16];
     plant(sim);
     /* Null only with a count of 0. */
     is_null_pointer("sins_record_line", sins_record_line(&record, NULL, 6, NULL, text, sizeof text, NULL), sim);
-    null_calls(sim, flight, ensemble, scene, log, is_null_pointer, sim);
+    null_calls(sim, flight, unit, ensemble, scene, log, is_null_pointer, sim);
     CHECK(sins_last_error(sim, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_last_error_info(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
-    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
+    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK && sins_unit_destroy(unit) == SINS_OK);
 }
 
 int main(void)

@@ -281,6 +281,41 @@ static void fly_ensemble_frames(sins_ensemble *ensemble, sins_scene *scene)
     FRAME_CHECK(sins_ensemble_reset(ensemble) == SINS_OK);
 }
 
+/* A unit through all its modes: all calls except for those that create or destroy one. */
+static void fly_unit_frames(sins_sim *sim, sins_unit *unit)
+{
+    unsigned char snapshot[SINS_UNIT_SNAPSHOT_MAX_SIZE];
+    sins_unit_params params = {.struct_size = sizeof params};
+    sins_unit_status status = {.struct_size = sizeof status};
+    sins_unit_navigation navigation = {.struct_size = sizeof navigation};
+    sins_status answer;
+    size_t size;
+    int k;
+    FRAME_CHECK(sins_unit_get_params(unit, &params) == SINS_OK);
+    params.power_up_test_s = params.power_down_s = params.erection_s = params.realignment_s = 0.05;
+    params.alignment_s = 0.2;
+    FRAME_CHECK(sins_unit_set_params(unit, &params) == SINS_OK);
+    FRAME_CHECK(sins_unit_set_stored(unit, 0.7, 2.0, 0.0) == SINS_OK);
+    FRAME_CHECK(sins_unit_set_power(unit, SINS_UNIT_POWER_BATTERY) == SINS_OK);
+    FRAME_CHECK(sins_unit_press_test(unit) == SINS_OK);
+    for (k = 0; k < SCENE_COUNT; k++) {
+        FRAME_CHECK(sins_push_sample(sim, &samples[k]) == SINS_OK);
+        FRAME_CHECK(sins_unit_select(unit, k / 100 % 4) == SINS_OK);
+        FRAME_CHECK(sins_unit_set_alignment(unit, k / 400) == SINS_OK);
+        if (sins_step(sim) == SINS_OK) {
+            FRAME_CHECK(sins_unit_update(unit, sim) == SINS_OK);
+        }
+        answer = sins_unit_enter_position(unit, samples[k].latitude_rad, samples[k].longitude_rad);
+        FRAME_CHECK(answer == SINS_OK || answer == SINS_ERROR_BAD_STATE);
+        answer = sins_unit_enter_heading(unit, 0.0);
+        FRAME_CHECK(answer == SINS_OK || answer == SINS_ERROR_BAD_STATE);
+        FRAME_CHECK(sins_unit_get_status(unit, &status) == SINS_OK);
+        FRAME_CHECK(sins_unit_get_navigation(unit, sim, &navigation) == SINS_OK);
+        FRAME_CHECK(sins_unit_snapshot_save(unit, snapshot, sizeof snapshot, &size) == SINS_OK);
+        FRAME_CHECK(sins_unit_snapshot_load(unit, snapshot, size) == SINS_OK);
+    }
+}
+
 int main(void)
 {
     enum { FRAMES = 2, SCHEMES = 3, VERTICALS = 3, SIGNALS = 2, ALL = FRAMES * SCHEMES * VERTICALS * SIGNALS };
@@ -288,7 +323,8 @@ int main(void)
     sins_scene *scene = scene_of_text();
     sins_log *log = scene_log();
     sins_ensemble *ensemble = scene_ensemble();
-    sins_sim *of_scene = NULL;
+    sins_sim *of_scene = NULL, *of_unit = scene_simulator(NULL, 3);
+    sins_unit *unit = scene_unit();
     sins_flight *flight = NULL;
     sins_navigation start = {.struct_size = sizeof start};
     pthread_t others[2];
@@ -339,6 +375,7 @@ int main(void)
     }
     fly_scene_frames(scene, of_scene, flight, log);
     fly_ensemble_frames(ensemble, scene);
+    fly_unit_frames(of_unit, unit);
     for (i = 0; i < navigator_count; i++) {
         navigate_frames(navigators[i]);
     }

@@ -161,6 +161,13 @@ static inline sins_ensemble *scene_ensemble(void)
     return ensemble;
 }
 
+static inline sins_unit *scene_unit(void)
+{
+    sins_unit *unit = NULL;
+    CHECK(sins_unit_create(NULL, SINS_UNIT_NAV, &unit) == SINS_OK);
+    return unit;
+}
+
 /* A record of every interval. */
 static inline void scene_fly(sins_sim *sim, const sins_flight_sample *samples, sins_record records[SCENE_COUNT - 1])
 {

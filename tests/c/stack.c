@@ -226,6 +226,41 @@ static void fly_ensemble(const sins_options *options)
     CHECK(sins_destroy(sim) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
 }
 
+static void fly_unit(const sins_options *options)
+{
+    sins_unit_params params = {.struct_size = sizeof params, .power_up_test_s = 0.01, .alignment_s = 0.1};
+    sins_unit_status status = {.struct_size = sizeof status};
+    sins_unit_navigation navigation = {.struct_size = sizeof navigation};
+    sins_unit *unit = NULL;
+    sins_sim *sim = NULL;
+    size_t size;
+    int k;
+    CHECK(sins_create(options, &sim) == SINS_OK);
+    MEASURE(sins_unit_create(&params, SINS_UNIT_OFF, &unit));
+    MEASURE(sins_unit_set_params(unit, &params));
+    MEASURE(sins_unit_get_params(unit, &params));
+    MEASURE(sins_unit_set_stored(unit, 0.0, 0.0, 0.0));
+    MEASURE(sins_unit_set_power(unit, SINS_UNIT_POWER_BATTERY));
+    MEASURE(sins_unit_set_alignment(unit, SINS_UNIT_ALIGNMENT_INSTANT));
+    MEASURE(sins_unit_select(unit, SINS_UNIT_NAV));
+    MEASURE(sins_unit_press_test(unit));
+    TRY(sins_unit_enter_position(unit, 0.0, 0.0)); /* no alignment */
+    TRY(sins_unit_enter_heading(unit, 0.0));       /* no attitude */
+    for (k = 0; k < SAMPLES; k++) {
+        CHECK(sins_push_sample(sim, &samples[k]) == SINS_OK);
+        if (sins_step(sim) == SINS_OK) {
+            MEASURE(sins_unit_update(unit, sim));
+            MEASURE(sins_unit_get_status(unit, &status));
+            MEASURE(sins_unit_get_navigation(unit, sim, &navigation));
+        }
+        CHECK(sins_unit_set_alignment(unit, k % 4) == SINS_OK && sins_unit_select(unit, k / 2 % 4) == SINS_OK);
+    }
+    MEASURE(sins_unit_snapshot_save(unit, text, sizeof text, &size));
+    MEASURE(sins_unit_snapshot_load(unit, text, size));
+    MEASURE(sins_unit_destroy(unit));
+    CHECK(sins_destroy(sim) == SINS_OK);
+}
+
 static void ask(const sins_options *options)
 {
     sins_requirement requirement = {.struct_size = sizeof requirement, .position_m = 1e-20};
@@ -361,6 +396,7 @@ static void call_all(void)
             for (options.signal = SINS_SIGNAL_PHYSICAL; options.signal <= SINS_SIGNAL_CLOSED_LOOP; options.signal++) {
                 fly(&options);
                 fly_ensemble(&options);
+                fly_unit(&options);
             }
         }
         options.scheme = SINS_SCHEME_EXACT;

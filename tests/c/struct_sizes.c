@@ -360,6 +360,25 @@ static void struct_sizes_of_ensembles(void)
     CHECK(sins_ensemble_destroy(ensemble) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
 }
 
+static sins_status create_unit(const sins_unit_params *params)
+{
+    sins_unit *unit = NULL;
+    sins_status status = sins_unit_create(params, SINS_UNIT_OFF, &unit);
+    CHECK(status != SINS_OK || sins_unit_destroy(unit) == SINS_OK);
+    return status;
+}
+
+static void struct_sizes_of_units(const sins_sim *sim)
+{
+    sins_unit *unit = scene_unit();
+    INPUT_SIZES(sins_unit_params, create_unit(pointer));
+    INPUT_SIZES(sins_unit_params, sins_unit_set_params(unit, pointer));
+    OUTPUT_SIZES(sins_unit_params, sins_unit_get_params(unit, pointer));
+    OUTPUT_SIZES(sins_unit_status, sins_unit_get_status(unit, pointer));
+    OUTPUT_SIZES(sins_unit_navigation, sins_unit_get_navigation(unit, sim, pointer));
+    CHECK(sins_unit_destroy(unit) == SINS_OK);
+}
+
 int main(void)
 {
     sins_options options = {.struct_size = sizeof options};
@@ -376,6 +395,7 @@ int main(void)
     struct_sizes(sim, flight);
     struct_sizes_of_scenes(sim);
     struct_sizes_of_ensembles();
+    struct_sizes_of_units(sim);
     CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK);
     printf("struct_sizes: every struct, from 0 to twice its size\n");
     return 0;

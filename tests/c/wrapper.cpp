@@ -44,6 +44,7 @@ static void moved_objects() {
     sins::Simulator sim, other(std::move(sim));
     sins::Scene scene, kept(std::move(scene));
     sins::Ensemble ensemble(other, 0, 3), runs(std::move(ensemble));
+    sins::Unit unit(sins::make<sins_unit_params>(), SINS_UNIT_NAV), aligned(std::move(unit));
     auto options = sins::make<sins_options>();
     auto cost = sins::make<sins_cost>();
     auto requirement = sins::make<sins_requirement>();
@@ -61,6 +62,8 @@ static void moved_objects() {
     rejects_no_handle([&] { scene.set_values("gyro.preset = tactical"); });
     rejects_no_handle([&] { ensemble.diverged(); });
     rejects_no_handle([&] { ensemble.runs(); });
+    rejects_no_handle([&] { unit.select(SINS_UNIT_NAV); });
+    CHECK(aligned.status().state == SINS_UNIT_STATE_NAVIGATION);
 
     sim = std::move(other); /* and back */
     CHECK(!sim.step() && runs.runs() == 3 && runs.diverged().empty() && kept.faults().empty());

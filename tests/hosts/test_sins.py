@@ -17,7 +17,7 @@ import sins
 from pycparser import CParser, c_ast
 
 HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/sins_scene.h"
-DECLARATIONS = "".join((HEADER.parent / name).read_text() for name in ("sins.h", "sins_ensemble.h", "sins_scene.h"))
+DECLARATIONS = "".join((HEADER.parent / name).read_text() for name in ("sins.h", "sins_unit.h", "sins_ensemble.h", "sins_scene.h"))
 COMPILER = os.environ.get("CC", "cc")
 # Words of the system's headers that pycparser does not know; sins.h does not use them.
 GNU = ["__attribute__(x)", "__asm__(x)", "__extension__", "__restrict"]

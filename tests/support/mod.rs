@@ -71,7 +71,7 @@ pub fn without_comments(source: &str) -> String {
 
 /// The three C headers, one after the other.
 pub fn headers() -> String {
-    let names = ["sins.h", "sins_ensemble.h", "sins_scene.h"];
+    let names = ["sins.h", "sins_unit.h", "sins_ensemble.h", "sins_scene.h"];
     names.map(|name| std::fs::read_to_string(project_file("include").join(name)).unwrap()).concat()
 }
 

@@ -86,6 +86,7 @@ impl Host {
             222 if self.input.one_in(8) => self.log(),
             223 if self.input.one_in(8) => self.misuse_scene(),
             224 if self.input.one_in(4) => self.fly_ensemble(),
+            225 if self.input.one_in(4) => self.fly_unit(),
             // Most calls fly.
             _ => self.fly(),
         }

@@ -23,6 +23,7 @@ mod settings;
 mod snapshots;
 mod texts;
 pub mod trace;
+mod units;
 pub mod words;
 
 pub use host::run;

@@ -1,0 +1,65 @@
+/* sins.hpp for sins_unit.h: the unit, an INS as the rest of an aircraft knows it. */
+
+#ifndef SINS_UNIT_HPP
+#define SINS_UNIT_HPP
+
+#include "sins.hpp"
+#include "sins_unit.h"
+
+namespace sins {
+
+namespace detail {
+template <> struct Destroyer<sins_unit> {
+    static void destroy(sins_unit *unit) noexcept { sins_unit_destroy(unit); }
+};
+} // namespace detail
+
+/* A unit beside a simulator. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
+class Unit : public detail::Owner<sins_unit> {
+public:
+    /* mode is SINS_UNIT_OFF, or SINS_UNIT_NAV for a unit that navigates already. */
+    explicit Unit(const sins_unit_params &params = make<sins_unit_params>(), int32_t mode = SINS_UNIT_OFF)
+        : Owner(detail::given<sins_unit *>(nullptr, sins_unit_create, &params, mode)) {}
+
+    void set_params(const sins_unit_params &params) { done(sins_unit_set_params(handle_, &params)); }
+    sins_unit_params params() const { return detail::filled<sins_unit_params>(nullptr, sins_unit_get_params, handle_); }
+
+    /* The panel; the unit follows with the next update(). */
+    void select(int32_t mode) { done(sins_unit_select(handle_, mode)); }
+    void set_power(int32_t power) { done(sins_unit_set_power(handle_, power)); }
+    void set_alignment(int32_t kind) { done(sins_unit_set_alignment(handle_, kind)); }
+    void press_test() { done(sins_unit_press_test(handle_)); }
+    void enter_position(double latitude_rad, double longitude_rad) {
+        done(sins_unit_enter_position(handle_, latitude_rad, longitude_rad));
+    }
+    void enter_heading(double heading_rad) { done(sins_unit_enter_heading(handle_, heading_rad)); }
+    void set_stored(double latitude_rad, double longitude_rad, double heading_rad) {
+        done(sins_unit_set_stored(handle_, latitude_rad, longitude_rad, heading_rad));
+    }
+
+    /* After each step of its simulator. */
+    void update(Simulator &simulator) { done(sins_unit_update(handle_, simulator.handle())); }
+
+    sins_unit_status status() const { return detail::filled<sins_unit_status>(nullptr, sins_unit_get_status, handle_); }
+    sins_unit_navigation navigation(const Simulator &simulator) const {
+        return detail::filled<sins_unit_navigation>(nullptr, sins_unit_get_navigation, handle_, simulator.handle());
+    }
+
+    std::vector<unsigned char> snapshot_save() const {
+        std::vector<unsigned char> bytes(SINS_UNIT_SNAPSHOT_MAX_SIZE);
+        void *const buffer = bytes.data();
+        bytes.resize(detail::given<std::size_t>(nullptr, sins_unit_snapshot_save, handle_, buffer, bytes.size()));
+        return bytes;
+    }
+
+    void snapshot_load(const std::vector<unsigned char> &snapshot) {
+        done(sins_unit_snapshot_load(handle_, snapshot.data(), snapshot.size()));
+    }
+
+private:
+    static bool done(sins_status status) { return detail::done(status, nullptr); }
+};
+
+} // namespace sins
+
+#endif /* SINS_UNIT_HPP */

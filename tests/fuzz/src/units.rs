@@ -1,0 +1,96 @@
+//! Units: a panel in any hands, over a flight; status, outputs and snapshots at any moment.
+
+use std::ptr::null_mut;
+
+use sins::abi::*;
+
+use crate::call;
+use crate::host::{Host, init};
+use crate::motion::Motion;
+use crate::settings::{some_gyro, some_options};
+
+const SAMPLES: usize = 24;
+
+fn saved(unit: *mut sins_unit) -> Vec<u8> {
+    let (mut bytes, mut size) = (vec![0_u8; SINS_UNIT_SNAPSHOT_MAX_SIZE], 0);
+    let status = call!(sins_unit_snapshot_save(unit, bytes.as_mut_ptr().cast(), bytes.len(), &mut size));
+    assert_eq!(status, SINS_OK);
+    bytes.truncate(size);
+    bytes
+}
+
+impl Host {
+    /// A unit from its creation to its end.
+    pub fn fly_unit(&mut self) {
+        let options = some_options(&mut self.input);
+        let gyro = some_gyro(&mut self.input);
+        let (mut sim, mut unit) = (null_mut(), null_mut());
+        if call!(sins_create(&options, &mut sim)) != SINS_OK {
+            return;
+        }
+        call!(sins_set_gyro(sim, &gyro));
+        let mut params = init::<sins_unit_params>();
+        params.power_up_test_s = self.input.pick(&[0.0, 1e-3, 0.1]);
+        params.alignment_s = self.input.pick(&[0.0, 1e-3, 0.5, 1e6]);
+        params.coarse_alignment_s = self.input.pick(&[0.0, 1e-3, 1.0]);
+        params.erection_s = self.input.pick(&[0.0, 1e-3, 1.0]);
+        params.realignment_s = self.input.pick(&[0.0, 1e-3, 1.0]);
+        params.fault_s = self.input.pick(&[0.0, 1e-3, f64::NAN]);
+        params.battery_s = self.input.pick(&[0.0, 0.1]);
+        let mode = i32::from(self.input.byte() % 5) - 1;
+        if call!(sins_unit_create(&params, mode, &mut unit)) == SINS_OK {
+            self.handle_panel(unit, sim);
+            let good = saved(unit);
+            let mut other = null_mut();
+            assert_eq!(call!(sins_unit_create(std::ptr::null(), SINS_UNIT_OFF, &mut other)), SINS_OK);
+            let load = |bytes: &[u8]| call!(sins_unit_snapshot_load(other, bytes.as_ptr().cast(), bytes.len()));
+            assert_eq!(load(&good), SINS_OK, "an unaltered snapshot was refused");
+            assert!(saved(other) == good);
+            let mut forged = good;
+            let at = 24 + self.input.below(forged.len() - 24);
+            forged[at] ^= self.input.byte();
+            sins::snapshot::seal(&mut forged, sins::snapshot::SnapshotOf::Unit);
+            if load(&forged) == SINS_OK {
+                self.handle_panel(other, sim);
+            }
+            assert_eq!(call!(sins_unit_get_params(unit, &mut params)), SINS_OK);
+            assert_eq!(call!(sins_unit_set_params(other, &params)), SINS_OK);
+            assert_eq!(call!(sins_unit_destroy(other)), SINS_OK);
+            assert_eq!(call!(sins_unit_destroy(unit)), SINS_OK);
+        }
+        assert_eq!(call!(sins_destroy(sim)), SINS_OK);
+        assert_eq!(call!(sins_unit_update(unit, sim)), SINS_ERROR_BAD_HANDLE);
+    }
+
+    fn handle_panel(&mut self, unit: *mut sins_unit, sim: *mut sins_sim) {
+        let mut options = init();
+        call!(sins_get_options(sim, &mut options));
+        let mut motion = Motion::new(&mut self.input, &options);
+        for _ in 0..SAMPLES {
+            let choice = i32::from(self.input.byte() % 6) - 1;
+            let numbers = [0.0, 0.7, -1.6, 7.0, 1e300, f64::NAN];
+            let (one, two, three) = (self.input.pick(&numbers), self.input.pick(&numbers), self.input.pick(&numbers));
+            match self.input.byte() % 10 {
+                0..3 => call!(sins_unit_select(unit, choice)),
+                3 => call!(sins_unit_set_power(unit, choice)),
+                4 => call!(sins_unit_set_alignment(unit, choice)),
+                5 => call!(sins_unit_press_test(unit)),
+                6 => call!(sins_unit_enter_heading(unit, one)),
+                7 => call!(sins_unit_set_stored(unit, one, two, three)),
+                _ => call!(sins_unit_enter_position(unit, one, two)),
+            };
+            motion = motion.next(&mut self.input);
+            call!(sins_push_sample(sim, &motion.sample()));
+            if call!(sins_step(sim)) == SINS_OK {
+                call!(sins_unit_update(unit, sim));
+            }
+            let (mut status, mut shown) = (init::<sins_unit_status>(), init::<sins_unit_navigation>());
+            assert_eq!(call!(sins_unit_get_status(unit, &mut status)), SINS_OK);
+            assert!((0..=10).contains(&status.state) && status.to_go_s >= 0.0 && status.to_go_s <= 2e6);
+            assert_eq!(call!(sins_unit_get_navigation(unit, sim, &mut shown)), SINS_OK);
+            let angles = [shown.roll_rad, shown.pitch_rad, shown.heading_rad, shown.latitude_rad, shown.longitude_rad];
+            let vectors = [shown.velocity_enu_m_s, shown.angular_rate_rad_s, shown.specific_force_m_s2];
+            assert!(angles.iter().chain(vectors.iter().flatten()).all(|number| number.is_finite()), "not a number");
+        }
+    }
+}
