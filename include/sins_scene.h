@@ -133,7 +133,7 @@ SINS_API sins_status SINS_CALL sins_scene_builtin_name(size_t index, char *buffe
  *
  * needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for the size
  * only. SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or
- * so many manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * so many manoeuvres, failures and updates that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
  */
 SINS_API sins_status SINS_CALL sins_scene_write(const sins_scene *scene, char *buffer, size_t capacity,
     size_t *needed);
@@ -146,7 +146,7 @@ SINS_API sins_status SINS_CALL sins_scene_write_keys(char *buffer, size_t capaci
 
 /**
  * Creates the simulator of the scene, ready for the first sample: options, sensor errors, initial errors, mounting, gravity
- * disturbance. sins_scene_prepare() sets the failures at their times. If the flight is not a log,
+ * disturbance. sins_scene_prepare() sets the failures and makes the updates at their times. If the flight is not a log,
  * sins_options.sample_period_s of the simulator is 1 / rate_hz.
  *
  * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.
@@ -176,20 +176,30 @@ SINS_API sins_status SINS_CALL sins_scene_destroy(sins_scene *scene);
  * sample gets the temperature of the scene, if the scene has one. The call sets and clears the failures of the scene on sim.
  * A failure begins at the first interval that starts at or after from_s, and ends at the first interval that starts at or
  * after until_s. If the scene plans no failure of an output, the call does not touch the failure of that output.
+ *
+ * The call also makes the updates ([[update]]) that are due at the last sample: the first one at or after the planned time. It
+ * corrects the solution as sins_correct() does; then the solution has the error of the fix. That error is a normal random number. It
+ * depends only on seed and run, on the kind and on the planned time, and no other random number changes. So a simulator goes on from a
+ * snapshot with the same updates. An update in a jump of the truth, or at the last sample of the flight, is not made; of
+ * several updates of one kind that are due, the last one counts. A height that follows the truth is not corrected.
+ *
  * flight_start_s is the time stamp of the flight's first sample. No allocation, no system call.
  *
  * SINS_ERROR_BAD_HANDLE: scene or sim is not a valid handle.
- * SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10.
- * SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ * SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or flight_start_s not from -2e10 to 2e10; or, if an update is due, as
+ * sins_correct().
+ * SINS_ERROR_DIVERGED, SINS_ERROR_SINGULAR: if an update is due, as sins_correct().
+ * SINS_ERROR_BAD_STATE: as sins_scene_parse(). After any error sim has not changed.
  */
 SINS_API sins_status SINS_CALL sins_scene_prepare(const sins_scene *scene, sins_sim *sim, double flight_start_s,
     sins_flight_sample *sample);
 
 /**
- * Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. No allocation, no
- * system call.
+ * Prepares the next interval of all runs of an ensemble, as sins_scene_prepare() does for a simulator. At an update each run has a
+ * fix of its own; a run that cannot be corrected diverges. No allocation, no system call.
  *
- * SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. The other errors: as sins_scene_prepare().
+ * SINS_ERROR_BAD_HANDLE: scene or ensemble is not a valid handle. SINS_ERROR_INVALID_ARGUMENT: a sample out of its ranges, or
+ * flight_start_s not from -2e10 to 2e10. SINS_ERROR_BAD_STATE: as sins_scene_parse().
  */
 SINS_API sins_status SINS_CALL sins_scene_prepare_ensemble(const sins_scene *scene, sins_ensemble *ensemble,
     double flight_start_s, sins_flight_sample *sample);
@@ -470,10 +480,10 @@ SINS_API sins_status SINS_CALL sins_scene_get_value(const sins_scene *scene, con
 SINS_API sins_status SINS_CALL sins_scene_set_values(sins_scene *scene, const char *values);
 
 /**
- * Replaces all items of a list, "manoeuvre" or "failure". items is a terminated text with the items as in the text of a scene:
+ * Replaces all items of a list, "manoeuvre", "failure" or "update". items is a terminated text with the items as in the text of a scene:
  * [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an item, give
- * the texts of all items that the list shall have, in order. An empty text removes all failures; for "manoeuvre" an empty
- * text is a fault. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0,
+ * the texts of all items that the list shall have, in order. An empty text removes all failures or updates; for "manoeuvre" an
+ * empty text is a fault. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0,
  * longitude 0, height 0.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives

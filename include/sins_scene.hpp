@@ -58,7 +58,7 @@ public:
         return changed(sins_scene_set_values(handle_, detail::terminated(values, "values")));
     }
 
-    /* Sets all items of a list, "manoeuvre" or "failure", by their text. False: as set_values(). */
+    /* Sets all items of a list, "manoeuvre", "failure" or "update", by their text. False: as set_values(). */
     bool set_items(const std::string &list, const std::string &items) {
         const char *const text = detail::terminated(items, "items");
         return changed(sins_scene_set_items(handle_, detail::terminated(list, "list"), text));

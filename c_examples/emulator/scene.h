@@ -148,7 +148,7 @@ public:
         return faults;
     }
 
-    /* The items of a list, "manoeuvre" or "failure", in the text format of a scene. */
+    /* The items of a list, "manoeuvre", "failure" or "update", in the text format of a scene. */
     std::vector<std::string> items(const std::string &list) const {
         std::vector<std::string> items;
         for (std::string item; !(item = get(place(list, items.size()))).empty();)

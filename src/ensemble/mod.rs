@@ -8,10 +8,11 @@ mod snapshot;
 
 use crate::correction::Correction;
 use crate::error::{Error, Rule, check_integer};
+use crate::errors::NavigationErrors;
 use crate::instruction_set::InstructionSet;
 use crate::memory::room;
-use crate::sensors::{Failure, SensorOutput};
-use crate::simulator::{Options, Simulator, Step};
+use crate::sensors::{Failure, SensorOutput, StreamKey};
+use crate::simulator::{ErrorSource, Options, Simulator, Step, nothing_to_correct};
 use crate::truth::{FlightSample, Pushed};
 use part::{PART_RUNS, Part};
 
@@ -146,11 +147,36 @@ impl Ensemble {
     pub fn correct(&mut self, run: u64, correction: &Correction) -> Result<(), Error> {
         let place = self.place_of(run)?;
         correction.validate()?;
-        let part = match place / PART_RUNS {
+        self.part_of(place).correct(place % PART_RUNS, correction)
+    }
+
+    /// Removes from each run that has not diverged what `correction` gives for the key of its random numbers and for its errors. A run
+    /// that cannot be corrected diverges.
+    #[cold]
+    pub fn correct_each(
+        &mut self,
+        correction: impl Fn(StreamKey, &NavigationErrors) -> Correction,
+    ) -> Result<(), Error> {
+        if self.intervals() == 0 {
+            return Err(nothing_to_correct());
+        }
+        for place in 0..self.runs() {
+            let run = self.first_run + place as u64;
+            let Ok(Some((_, errors))) = self.errors(run, ErrorSource::Navigation) else { continue };
+            let key = StreamKey { run, ..self.options.key };
+            if self.correct(run, &correction(key, &errors)).is_err() {
+                self.part_of(place).diverge(place % PART_RUNS);
+            }
+        }
+        Ok(())
+    }
+
+    /// The part that has the run at `place`.
+    fn part_of(&mut self, place: usize) -> &mut Part {
+        match place / PART_RUNS {
             0 => &mut self.first,
             number => &mut self.others[number - 1],
-        };
-        part.correct(place % PART_RUNS, correction)
+        }
     }
 
     /// Size of a run [bytes].

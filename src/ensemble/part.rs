@@ -67,6 +67,13 @@ impl Part {
         self.runs.correct(place, point, correction)
     }
 
+    /// Marks the run at `place` as diverged.
+    pub fn diverge(&mut self, place: usize) {
+        if let Some(point) = self.intake.current() {
+            self.runs.diverge(place, point);
+        }
+    }
+
     pub fn reset(&mut self) {
         self.intake.clear();
         self.intervals = 0;

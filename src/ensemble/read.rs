@@ -99,6 +99,11 @@ impl Ensemble {
         self.first.runs.failure(output)
     }
 
+    /// Time stamps of the start and the end of the interval that was flown last, as [`Simulator::last_interval_s`](crate::Simulator).
+    pub fn last_interval_s(&self) -> Option<[f64; 2]> {
+        self.first.intake.last_interval_s()
+    }
+
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
     pub fn last_sample_time_s(&self) -> Option<f64> {
         self.first.intake.newest().map(|point| point.stamp_s())

@@ -43,7 +43,7 @@ impl Draft {
                 self.check_limits(section)?;
                 self.scene.output.validate()
             }
-            Section::Manoeuvre | Section::Sinusoid | Section::Failure => Ok(()),
+            Section::Manoeuvre | Section::Sinusoid | Section::Failure | Section::Update => Ok(()),
         }
     }
 

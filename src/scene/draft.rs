@@ -1,6 +1,8 @@
 //! A scene while it is read or written: plain numbers, texts and indices, one place for each key.
 
-use super::{Failing, FlightPath, FlightSource, PlannedFailure, Scene, Temperature};
+use nalgebra::Vector3;
+
+use super::{Failing, FlightPath, FlightSource, PlannedFailure, PlannedUpdate, Scene, Temperature, Updated};
 use crate::error::Error;
 use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
 use crate::sensors::{Axis, FAILURE_KIND_COUNT, Failure, FailureFields, SensorOutput};
@@ -24,6 +26,7 @@ pub struct Draft {
     pub manoeuvre: ManoeuvreFields,
     pub sinusoid: SinusoidDraft,
     pub failure: FailureDraft,
+    pub update: UpdateDraft,
 }
 
 /// A sinusoid of any channel.
@@ -49,6 +52,16 @@ pub struct FailureDraft {
     pub interval_s: f64,
     pub duration_s: f64,
     pub probability: f64,
+}
+
+/// An update of any kind.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UpdateDraft {
+    pub updated: Updated,
+    pub at_s: f64,
+    pub every_s: f64,
+    pub sigma_m: Vector3<f64>,
+    pub sigma_m_s: Vector3<f64>,
 }
 
 /// Time constant of the closed loop if the scene does not state it [s].
@@ -159,6 +172,41 @@ impl From<&PlannedFailure> for FailureDraft {
     }
 }
 
+impl Default for UpdateDraft {
+    fn default() -> Self {
+        Self {
+            updated: Updated::Position,
+            at_s: f64::NAN,
+            every_s: f64::NAN,
+            sigma_m: Vector3::zeros(),
+            sigma_m_s: Vector3::zeros(),
+        }
+    }
+}
+
+impl UpdateDraft {
+    /// The planned update, checked.
+    pub fn to_planned(&self) -> Result<PlannedUpdate, Error> {
+        let Self { updated, at_s, every_s, sigma_m, sigma_m_s } = *self;
+        let every_s = if every_s.is_nan() { f64::INFINITY } else { every_s };
+        let sigma_n = if updated == Updated::Velocity { sigma_m_s } else { sigma_m };
+        let planned = PlannedUpdate { updated, at_s, every_s, sigma_n };
+        planned.validate().map(|()| planned)
+    }
+}
+
+impl From<&PlannedUpdate> for UpdateDraft {
+    fn from(planned: &PlannedUpdate) -> Self {
+        let PlannedUpdate { updated, at_s, every_s, sigma_n } = *planned;
+        let every_s = if every_s.is_infinite() { f64::NAN } else { every_s };
+        let none = Self { updated, at_s, every_s, ..Self::default() };
+        match updated {
+            Updated::Velocity => Self { sigma_m_s: sigma_n, ..none },
+            _ => Self { sigma_m: sigma_n, ..none },
+        }
+    }
+}
+
 impl From<&Scene> for Draft {
     fn from(scene: &Scene) -> Self {
         let (mut file, mut builtin, mut start, mut repeat) =
@@ -183,6 +231,7 @@ impl From<&Scene> for Draft {
             manoeuvre: ManoeuvreFields::default(),
             sinusoid: SinusoidDraft::default(),
             failure: FailureDraft::default(),
+            update: UpdateDraft::default(),
             scene: scene.clone(),
         }
     }

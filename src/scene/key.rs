@@ -42,13 +42,14 @@ sections! {
     Mounting "mounting" "mounting of the sensor block, and errors of what the INS believes about it: believed less true"
     Gravity "gravity" "true gravity less normal gravity: constant, and random over the distance flown"
     Failure "failure" "failure of one output of a sensor, for a time"
+    Update "update" "update: a fix takes the place of the navigated position or velocity"
     Output "output" "what a program that flies the scene writes"
 }
 
 impl Section {
     /// Whether it stands in double brackets, any number of times.
     pub fn is_list(self) -> bool {
-        matches!(self, Self::Manoeuvre | Self::Sinusoid | Self::Failure)
+        matches!(self, Self::Manoeuvre | Self::Sinusoid | Self::Failure | Self::Update)
     }
 
     /// How many lists an item of it is in: 0, it is no list.
@@ -201,6 +202,15 @@ impl Key {
         let field = self.field().strip_prefix("failure.");
         let is_general = ["sensor", "axis", "kind", "from_s", "until_s"].contains(&self.name);
         is_general || field.is_some_and(|field| uses.iter().any(|quantity| field.starts_with(quantity)))
+    }
+
+    /// Whether only updates of the velocity have the key; `None`: all updates have it.
+    pub fn is_of_velocity(&self) -> Option<bool> {
+        match self.name {
+            "sigma_m" => Some(false),
+            "sigma_m_s" => Some(true),
+            _ => None,
+        }
     }
 
     /// Whether only a flight of the scene's own manoeuvres has the value.

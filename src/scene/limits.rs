@@ -2,9 +2,9 @@
 //! every limit, and its error is read.
 
 use super::Scene;
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft};
+use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft, UpdateDraft};
 use super::key::{Key, Section, Target};
-use super::table::{CHANNELS, SENSORS, of_sensor};
+use super::table::{CHANNELS, SENSORS, UPDATED, of_sensor};
 use super::value::{Value, put};
 use crate::error::{Error, Rule};
 use crate::flight::{MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields};
@@ -29,6 +29,7 @@ pub fn limits(key: &Key) -> Option<Limits> {
         Section::Manoeuvre => of_manoeuvre(key),
         Section::Sinusoid => of_sinusoid(key),
         Section::Failure => of_failure(key),
+        Section::Update => of_update(key),
         _ => vec![of_section(key)],
     };
     of_kinds.into_iter().flatten().reduce(|one, other| Limits {
@@ -149,4 +150,13 @@ fn of_failure(key: &Key) -> Vec<Option<Limits>> {
         }
     }
     all
+}
+
+fn of_update(key: &Key) -> Vec<Option<Limits>> {
+    let of_kind = |&(_, updated): &(&str, _)| {
+        let mut draft = Draft::from(&Scene::default());
+        draft.update = UpdateDraft { updated, at_s: 1.0, ..UpdateDraft::default() };
+        if exceed(&mut draft, key) { stated(key, draft.update.to_planned().map(|_| ())) } else { None }
+    };
+    UPDATED.iter().map(of_kind).collect()
 }

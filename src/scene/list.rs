@@ -1,10 +1,11 @@
 //! The list of keys, for those who write a scene.
 
 use super::Scene;
+use super::Updated;
 use super::draft::{Draft, FAILURE_KINDS};
 use super::key::{Key, Section, Target, Unit};
 use super::limits::{Limits, limits};
-use super::table::{CHANNELS, KEYS, SENSORS, of_section, of_sensor};
+use super::table::{CHANNELS, KEYS, SENSORS, UPDATED, of_section, of_sensor};
 use super::value::shown;
 use crate::flight::{Channel, MANOEUVRE_KINDS};
 
@@ -155,6 +156,11 @@ fn condition(key: &Key) -> String {
                 format!("{kinds} {}", one_of("sensor", sensors))
             }
         }
+        (Section::Update, _) => key.is_of_velocity().map_or(String::new(), |is_of_velocity| {
+            let kinds =
+                UPDATED.iter().filter(|(_, updated)| (*updated == Updated::Velocity) == is_of_velocity);
+            one_of("kind", kinds.map(|(word, _)| *word).collect())
+        }),
         _ => String::new(),
     }
 }

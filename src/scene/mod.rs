@@ -1,4 +1,4 @@
-//! Scenes: a flight, the simulator that flies it, and the failures on the way, as a text in TOML.
+//! Scenes: a flight, the simulator that flies it, and the failures and updates on the way, as a text in TOML.
 //!
 //! [`Scene::parse`] reads a scene, and reports every fault of a text at once. [`Scene::write`] writes a text that reads
 //! back as the same scene to the bit. [`Scene::parse_with`] sets single keys in addition to the text; [`Scene::value`],
@@ -23,6 +23,7 @@ mod schedule;
 mod setting;
 mod site;
 mod table;
+mod update;
 mod value;
 mod write;
 
@@ -35,7 +36,8 @@ pub(crate) use names::excerpt;
 pub use names::nearest;
 pub(crate) use read::utf8;
 pub use samples::Samples;
-pub use schedule::TakesFailures;
+pub use schedule::FliesScene;
+pub use update::{PlannedUpdate, Updated};
 pub(crate) use value::MAX_TEXT_VALUE;
 pub use write::ChangedKey;
 
@@ -67,6 +69,8 @@ pub struct Scene {
     pub errors: ErrorParameters,
     /// Failures of sensors; those of one output do not overlap in time.
     pub failures: Vec<PlannedFailure>,
+    /// Updates of the position and of the velocity.
+    pub updates: Vec<PlannedUpdate>,
     /// What a program that flies the scene writes.
     pub output: Output,
 }
@@ -151,6 +155,7 @@ impl Default for Scene {
             options: Options::default(),
             errors: ErrorParameters::default(),
             failures: Vec::new(),
+            updates: Vec::new(),
             output: Output::default(),
         }
     }
@@ -200,6 +205,11 @@ impl Scene {
             FlightSource::Path(path) => &path.manoeuvres,
             FlightSource::Log(_) | FlightSource::Builtin(_) => &[],
         }
+    }
+
+    /// Number of items in its lists.
+    pub(crate) fn items(&self) -> usize {
+        self.manoeuvres().len() + self.failures.len() + self.updates.len()
     }
 
     /// The options of the simulator: those of the scene, and, if the flight is not a log, the period of its sample rate.

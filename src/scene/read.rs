@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft};
+use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft, UpdateDraft};
 use super::fault::{About, Fault, Faults};
 use super::key::{Key, Section};
 use super::names::{excerpt, nearest, unknown};
@@ -12,7 +12,7 @@ use super::nesting::{MAX_NESTING, too_deep};
 use super::reader::{Item, Reader};
 use super::setting::take_settings;
 use super::table::{self, KEYS};
-use super::{MAX_TEXT, Scene};
+use super::{MAX_TEXT, Scene, Updated};
 use crate::error::Error;
 use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields};
 
@@ -106,7 +106,10 @@ impl Reader<'_> {
                             DeValue::Table(item) if section == Section::Manoeuvre => {
                                 self.read_manoeuvre(head, item);
                             }
-                            DeValue::Table(item) => self.read_failure(head, item),
+                            DeValue::Table(item) if section == Section::Failure => {
+                                self.read_failure(head, item);
+                            }
+                            DeValue::Table(item) => self.read_update(head, item),
                             _ => self.faults.add(&head, format!("expected [[{name}]]")),
                         }
                     }
@@ -224,6 +227,31 @@ impl Reader<'_> {
                 }
             }
             Ok(None) => {}
+            Err(error) => self.add_error(&error, &item),
+        }
+    }
+
+    fn read_update(&mut self, head: Span, section_table: &DeTable<'_>) {
+        self.draft.update = UpdateDraft::default();
+        let item = self.read_keys(Section::Update, head.clone(), section_table);
+        for name in ["kind", "at_s"] {
+            if item.key(name).is_none() {
+                self.faults.add(&head, format!("[[update]]: expected its {name}"));
+                return;
+            }
+        }
+        let update = self.draft.update.clone();
+        let is_of_velocity = update.updated == Updated::Velocity;
+        let (own, other) = if is_of_velocity { ("sigma_m_s", "sigma_m") } else { ("sigma_m", "sigma_m_s") };
+        if let Some(span) = item.key(other) {
+            self.faults.add(span, format!("update.{other}: not for this kind; expected {own}"));
+        }
+        match update.to_planned() {
+            Ok(planned) => {
+                if let Err(error) = self.draft.scene.add_update(planned) {
+                    self.faults.add(&head, error.to_string());
+                }
+            }
             Err(error) => self.add_error(&error, &item),
         }
     }

@@ -1,10 +1,12 @@
-//! What a scene does over the time of its flight: temperature and failures.
+//! What a scene does over the time of its flight: temperature, failures and updates.
 
 use super::{Failing, PlannedFailure, Scene, Temperature};
 use crate::Simulator;
+use crate::correction::Correction;
 use crate::ensemble::Ensemble;
 use crate::error::{Error, Rule, check_range};
-use crate::sensors::{Failure, SensorOutput};
+use crate::errors::NavigationErrors;
+use crate::sensors::{Failure, SensorOutput, StreamKey};
 use crate::truth::FlightSample;
 
 impl Failing {
@@ -18,8 +20,8 @@ impl Failing {
     }
 }
 
-/// Times of a planned failure [s].
-const TIMES_S: (f64, f64) = (0.0, 1e9);
+/// Times of a planned failure or update [s].
+pub(super) const TIMES_S: (f64, f64) = (0.0, 1e9);
 
 impl PlannedFailure {
     /// A failure from `from_s` to `until_s`, infinite: to the end of the flight [s].
@@ -44,30 +46,48 @@ impl Temperature {
     }
 }
 
-/// Largest number of planned failures.
-const MAX_FAILURES: usize = 4096;
+/// Largest number of planned failures, and of planned updates.
+pub(super) const MAX_ITEMS: usize = 4096;
 
 /// Largest size of the time stamp of a flight's first sample [s]: twice that of a sample, because moved time moves it too.
 const LATEST_START_S: f64 = 2e10;
 
-/// Largest error of the time of a failure by the rounding of time stamps, in intervals.
+/// Largest error of the time of a failure or an update by the rounding of time stamps, in intervals.
 const ROUNDING: f64 = 1e-9;
 
 /// What flies a scene: one simulator, or an ensemble of them.
-pub trait TakesFailures {
+pub trait FliesScene {
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
     fn last_sample_time_s(&self) -> Option<f64>;
+    /// Time stamps of the start and the end of the interval that was flown last [s]; `None`: none since the start or the last jump.
+    fn last_interval_s(&self) -> Option<[f64; 2]>;
+    /// Removes from each run what `correction` gives for the key of its random numbers and for its errors.
+    fn correct_each(
+        &mut self,
+        correction: &dyn Fn(StreamKey, &NavigationErrors) -> Correction,
+    ) -> Result<(), Error>;
     /// The failure of an output; `None`: it has no failure.
     fn failure(&self, output: SensorOutput) -> Option<Failure>;
     /// Lets an output fail, or clears its failure.
     fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error>;
 }
 
-macro_rules! takes_failures {
+macro_rules! flies_scene {
     ($($type:ty),*) => {
-        $(impl TakesFailures for $type {
+        $(impl FliesScene for $type {
             fn last_sample_time_s(&self) -> Option<f64> {
                 self.last_sample_time_s()
+            }
+
+            fn last_interval_s(&self) -> Option<[f64; 2]> {
+                self.last_interval_s()
+            }
+
+            fn correct_each(
+                &mut self,
+                correction: &dyn Fn(StreamKey, &NavigationErrors) -> Correction,
+            ) -> Result<(), Error> {
+                self.correct_each(correction)
             }
 
             fn failure(&self, output: SensorOutput) -> Option<Failure> {
@@ -80,16 +100,16 @@ macro_rules! takes_failures {
         })*
     };
 }
-takes_failures!(Simulator, Ensemble);
+flies_scene!(Simulator, Ensemble);
 
 impl Scene {
     /// Prepares the interval that `sample` ends: call it for each sample before the push, and step before the next call.
     /// `start_s` is the time stamp of the flight's first sample. The sample gets the scene's temperature; a failure
     /// begins, or ends, with the first interval that starts at its time or later. Outputs for which the scene plans no failure
-    /// are left alone.
+    /// are left alone. An update is made where the first interval ends at its time or later.
     pub fn prepare(
         &self,
-        flown: &mut dyn TakesFailures,
+        flown: &mut dyn FliesScene,
         start_s: f64,
         sample: &mut FlightSample,
     ) -> Result<(), Error> {
@@ -100,7 +120,9 @@ impl Scene {
         }
         // A flight's first sample ends no interval; its failures begin with the interval behind it.
         let Some(begin_s) = flown.last_sample_time_s() else { return Ok(()) };
-        let time_s = begin_s - start_s + ROUNDING * (sample.time_s - begin_s);
+        let late_s = |interval_s: f64| ROUNDING * interval_s;
+        let time_s = begin_s - start_s + late_s(sample.time_s - begin_s);
+        self.update(flown, start_s, time_s, late_s)?;
         for output in SensorOutput::ALL {
             let mut planned = self.failures.iter().filter(|planned| planned.output == output).peekable();
             if planned.peek().is_none() {
@@ -116,7 +138,7 @@ impl Scene {
 
     /// Plans another failure, which has been validated. Failures of one output must not overlap in time.
     pub fn add_failure(&mut self, planned: PlannedFailure) -> Result<(), Error> {
-        check_range("failures of the scene", (self.failures.len() + 1) as f64, 0.0, MAX_FAILURES as f64)?;
+        check_range("failures of the scene", (self.failures.len() + 1) as f64, 0.0, MAX_ITEMS as f64)?;
         let meets =
             |other: &&PlannedFailure| other.output == planned.output && other.failing.meets(&planned.failing);
         if let Some(other) = self.failures.iter().find(meets) {

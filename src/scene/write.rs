@@ -6,7 +6,7 @@ use super::list::meaning;
 use super::site::{Site, ValuePath};
 use super::table::{of_section, of_sensor};
 use super::value::{divided, shown, written};
-use super::{FlightSource, PlannedFailure, Scene};
+use super::{FlightSource, PlannedFailure, PlannedUpdate, Scene, Updated};
 use crate::flight::{Channel, MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields};
 
 impl Scene {
@@ -17,6 +17,7 @@ impl Scene {
             match section {
                 Section::Manoeuvre => self.manoeuvres().iter().for_each(|one| writer.manoeuvre(one)),
                 Section::Failure => self.failures.iter().for_each(|one| writer.failure(one)),
+                Section::Update => self.updates.iter().for_each(|one| writer.update(one)),
                 Section::Sinusoid => {}
                 _ => writer.section(section, |_| true),
             }
@@ -63,8 +64,8 @@ impl Scene {
     }
 
     /// The value at a path: `"options.scheme"`, `"gyro.bias_deg_h[1]"`, `"manoeuvre[3].bank_deg"`, `"failure[0].sensor"`, default or
-    /// not. It is written as in the text of a scene; a value that the scene does not have is empty. `"manoeuvre[3]"` and
-    /// `"failure[0]"` are all lines of an item. `None`: there is no such value.
+    /// not. It is written as in the text of a scene; a value that the scene does not have is empty. `"manoeuvre[3]"`,
+    /// `"failure[0]"` and `"update[0]"` are all lines of an item. `None`: there is no such value.
     pub fn value(&self, path: &str) -> Option<String> {
         let mut writer = Writer::new(self);
         match Site::read(path) {
@@ -74,6 +75,10 @@ impl Scene {
             }
             Ok(Site { section: Section::Failure, item: [index, _] }) => {
                 writer.failure(self.failures.get(index)?);
+                Some(writer.text)
+            }
+            Ok(Site { section: Section::Update, item: [index, _] }) => {
+                writer.update(self.updates.get(index)?);
                 Some(writer.text)
             }
             _ => {
@@ -108,6 +113,7 @@ impl Scene {
                 let other = if is_random { "interval_s" } else { "probability" };
                 own_failure_key(key, sensor) && key.is_used_by(&draft.failure) && key.name != other
             }
+            Section::Update => key.is_of_velocity() != Some(draft.update.updated != Updated::Velocity),
             _ => true,
         }
     }
@@ -130,6 +136,7 @@ impl Scene {
                 draft.sinusoid = sinusoids[..sinusoid_count].get(inner)?.into();
             }
             Section::Failure => draft.failure = self.failures.get(index)?.into(),
+            Section::Update => draft.update = self.updates.get(index)?.into(),
             _ => {}
         }
         Some(draft)
@@ -167,6 +174,11 @@ impl Writer {
         self.draft.failure = planned.into();
         let sensor = self.draft.failure.sensor;
         self.section(Section::Failure, |key| own_failure_key(key, sensor));
+    }
+
+    fn update(&mut self, planned: &PlannedUpdate) {
+        self.draft.update = planned.into();
+        self.section(Section::Update, |_| true);
     }
 
     /// Writes a section with its keys that are not at their default, if there are any. Items of a list are always written, with their

@@ -1,5 +1,6 @@
 //! Random streams: one for each (seed, run, sensor, axis, effect), so that no effect changes the draws of another one.
 
+use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 
 use super::draw::normal;
@@ -14,6 +15,7 @@ pub(super) enum Source {
     Accelerometer = 1,
     Altimeter = 2,
     InitialErrors = 3,
+    Fix = 4,
     Gravity = 16,
     Host = 64,
 }
@@ -63,6 +65,12 @@ impl StreamKey {
     /// ```
     pub fn host_stream(self, number: u64) -> Xoshiro256PlusPlus {
         self.generator([Source::Host as u64, 0, number])
+    }
+
+    /// Normal numbers for the three errors of the fix of a `quantity` at `time_s` [s], which depend on nothing else.
+    pub(crate) fn fix(self, quantity: u64, time_s: f64) -> Vector3<f64> {
+        let mut generator = self.generator([Source::Fix as u64, quantity, time_s.to_bits()]);
+        Vector3::from_fn(|_, _| normal(&mut generator))
     }
 
     fn generator(self, words: [u64; 3]) -> Xoshiro256PlusPlus {

@@ -39,6 +39,8 @@ use crate::correction::Correction;
 use crate::covariance::Propagation;
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
+use crate::errors::NavigationErrors;
+use crate::sensors::StreamKey;
 use crate::signal::Increment;
 use crate::state::Navigation;
 use crate::truth::{FlightSample, Intake, Pushed, TruthSummary};
@@ -255,6 +257,18 @@ impl Simulator {
             (Mode::Flying(chain), Some(current)) => chain.correct(current, correction),
             (Mode::Navigating(navigator), _) => navigator.correct(correction),
             _ => Err(nothing_to_correct()),
+        }
+    }
+
+    /// Removes what `correction` gives for the key of the random numbers and for the errors of the solution.
+    #[cold]
+    pub fn correct_each(
+        &mut self,
+        correction: impl Fn(StreamKey, &NavigationErrors) -> Correction,
+    ) -> Result<(), Error> {
+        match self.errors(ErrorSource::Navigation)? {
+            Some((_, errors)) => self.correct(&correction(self.options.key, &errors)),
+            None => Err(nothing_to_correct()),
         }
     }
 

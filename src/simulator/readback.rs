@@ -44,6 +44,12 @@ impl Simulator {
         self.imperfections.failure(output)
     }
 
+    /// Time stamps of the start and the end of the interval that was flown last [s]; `None`: none since the start or the last jump of the
+    /// truth.
+    pub fn last_interval_s(&self) -> Option<[f64; 2]> {
+        self.intake.last_interval_s()
+    }
+
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
     pub fn last_sample_time_s(&self) -> Option<f64> {
         self.intake.newest().map(|point: &TruthPoint| point.stamp_s())

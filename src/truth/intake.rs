@@ -149,6 +149,11 @@ impl Intake {
         [0, 1, 2].map(|back| self.ring.taken(back))
     }
 
+    /// Time stamps of the current point and of the one before it, the older one first [s].
+    pub fn last_interval_s(&self) -> Option<[f64; 2]> {
+        Some([self.ring.taken(1)?.stamp_s(), self.ring.taken(0)?.stamp_s()])
+    }
+
     /// The interval from the current point to the oldest that waits.
     pub fn recent(&self) -> Option<Recent<'_>> {
         let (next, current) = (self.ring.front()?, self.ring.taken(0)?);

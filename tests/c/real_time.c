@@ -216,7 +216,7 @@ static void navigate_frames(sins_sim *sim)
     FRAME_CHECK(status == SINS_ERROR_DIVERGED && k > 1);
 }
 
-/* A scene with a failure and a temperature, and a log. */
+/* A scene with a failure, updates and a temperature, and a log. */
 static void fly_scene_frames(sins_scene *scene, sins_sim *sim, sins_flight *flight, sins_log *log)
 {
     sins_flight_sample sample = {.struct_size = sizeof sample};

@@ -177,14 +177,15 @@ static inline void scene_fly(sins_sim *sim, const sins_flight_sample *samples, s
     CHECK(written == SCENE_COUNT - 1);
 }
 
-/* A scene with manoeuvres, errors and a failure, and a flight log. */
+/* A scene with manoeuvres, errors, a failure and updates, and a flight log. */
 static const char scene_text[] =
     "[flight]\ntitle = \"a turn\"\nlatitude_deg = 40\nheight_m = 3000\nspeed_m_s = 150\nrate_hz = 128\ntemperature_c = 20\n"
     "[[manoeuvre]]\nkind = \"turn\"\nheading_change_deg = 90\nbank_deg = 30\n"
     "[[manoeuvre]]\nkind = \"sinusoids\"\nduration_s = 60\n[[manoeuvre.sinusoid]]\nchannel = \"course\"\n"
     "amplitude_deg = 5\nfrequency_hz = 0.1\n"
     "[options]\nscheme = \"polynomial\"\n[gyro]\npreset = \"tactical\"\nbias_deg_h = [0.1, -0.2, 0.3]\n"
-    "[[failure]]\nsensor = \"gyro\"\naxis = \"z\"\nkind = \"stuck\"\nfrom_s = 0.25\nuntil_s = 0.5\n";
+    "[[failure]]\nsensor = \"gyro\"\naxis = \"z\"\nkind = \"stuck\"\nfrom_s = 0.25\nuntil_s = 0.5\n"
+    "[[update]]\nkind = \"position\"\nat_s = 0.125\nevery_s = 0.25\nsigma_m = 10\n";
 static const char scene_log_text[] =
     "# at rest\ntime_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg,temperature_c\n"
     "0,40,10,100,0,1,90,20\n0.01,40,10,100,0,1,90,20\n0.02,40,10,100,0,1,90,20\n";

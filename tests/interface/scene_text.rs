@@ -14,7 +14,7 @@ fn example(name: &str) -> String {
 }
 
 fn examples() -> Vec<String> {
-    ["drone", "fighter", "patrol", "trainer"].map(example).to_vec()
+    ["drone", "fighter", "patrol", "resets", "trainer"].map(example).to_vec()
 }
 
 fn read(text: &str) -> Scene {
@@ -94,6 +94,11 @@ fn around(section: &str, name: &str) -> (String, String) {
             failing("\"gyro\"\naxis = \"x\"\nkind = \"spikes\"\nsize_deg_h = 1\ninterval_s = 1e3")
         }
         ("failure", _) => failing("\"gyro\"\naxis = \"x\"\nkind = \"dead\""),
+        ("update", name) => {
+            let kind = if name == "sigma_m_s" { "velocity" } else { "position" };
+            let at_s = if name == "at_s" { "" } else { "at_s = 1\n" };
+            format!("[flight]\nbuiltin = \"rest\"\n[[update]]\nkind = \"{kind}\"\n{at_s}")
+        }
         (_, "sample_period_s") => "[flight]\nfile = \"a.csv\"\n[options]\n".to_owned(),
         (_, name) => {
             let needed = match name {
@@ -240,6 +245,17 @@ fn what_does_not_go_together_is_told() {
         &failure("sensor = \"gyro\"\naxis = \"x\"\nkind = \"dead\"\nsize_deg_h = 3\n"),
         7,
         "dead does not use it",
+    );
+    let update = |keys: &str| format!("{flight}[[update]]\n{keys}");
+    one(&update("at_s = 3\n"), 3, "expected its kind");
+    one(&update("kind = \"velocity\"\n"), 3, "expected its at_s");
+    one(&update("kind = \"velocity\"\nat_s = 3\nsigma_m = 3\n"), 6, "expected sigma_m_s");
+    one(&update("kind = \"position\"\nat_s = 0\n"), 5, "update.at_s = 0: must be from 0.0001 to 1e9");
+    one(&update("kind = \"position\"\nat_s = 3\nevery_s = -1\n"), 6, "update.every_s = -1: must be");
+    one(
+        &update("kind = \"position\"\nat_s = 3\nsigma_m = [0, -1, 0]\n"),
+        6,
+        "update.sigma_m[1] = -1: must be",
     );
     let twice = "[[failure]]\nsensor = \"gyro\"\naxis = \"x\"\nkind = \"dead\"\nfrom_s = 3\n";
     one(&format!("{flight}{twice}{twice}"), 8, "overlaps");

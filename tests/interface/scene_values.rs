@@ -39,6 +39,11 @@ axis = \"z\"
 kind = \"bias_step\"
 from_s = 20
 size_deg_h = 3
+
+[[update]]
+kind = \"velocity\"
+at_s = 20
+sigma_m_s = [0.1, 0.1, 0]
 ";
 
 fn scene() -> Scene {
@@ -50,6 +55,7 @@ fn path_of(key: &KeyLine) -> String {
         "manoeuvre" => "manoeuvre[1]",
         "manoeuvre.sinusoid" => "manoeuvre[2].sinusoid[1]",
         "failure" => "failure[0]",
+        "update" => "update[0]",
         section => section,
     };
     format!("{section}.{}", key.name)
@@ -80,6 +86,9 @@ fn values_are_read_by_their_paths() {
         ("manoeuvre[2].sinusoid[1].channel", "\"roll\""),
         ("failure[0].size_deg_h", "3"),
         ("failure[0].until_s", ""),
+        ("update[0].sigma_m_s", "[0.1, 0.1, 0]"),
+        ("update[0].sigma_m", ""),
+        ("update[0].every_s", ""),
     ] {
         assert_eq!(scene.value(path).as_deref(), Some(value), "{path}");
     }
@@ -217,7 +226,11 @@ fn items_are_added_moved_and_removed_by_their_texts() {
     let faults = scene.set_items("failure", &format!("{failure}\n{failure}")).unwrap_err();
     assert_eq!((faults[0].line, faults[0].about.path.as_str()), (8, "failure[1]"), "{faults:?}");
     scene.set_items("failure", "").unwrap();
-    assert!(scene.failures.is_empty());
+    let update = scene.value("update[0]").unwrap();
+    scene.set_items("update", &format!("{update}\n{update}")).unwrap();
+    assert_eq!(scene.value("update[1].at_s").as_deref(), Some("20"));
+    scene.set_items("update", "").unwrap();
+    assert!(scene.failures.is_empty() && scene.updates.is_empty());
     for (list, text, line, sentence) in [
         ("manoeuvre", "", 1, "[flight]: expected a flight: file, builtin or [[manoeuvre]]s"),
         ("failure", "# first\n[output]\nquiet = true\n", 2, "expected only [[failure]]"),
@@ -230,7 +243,7 @@ fn items_are_added_moved_and_removed_by_their_texts() {
             3,
             "manoeuvre.duration_s = -1: must be from 0.001 to 1e8",
         ),
-        ("gyro", "", 0, "expected manoeuvre or failure"),
+        ("gyro", "", 0, "expected manoeuvre, failure or update"),
     ] {
         let before = scene.clone();
         let faults = scene.set_items(list, text).unwrap_err();
@@ -308,6 +321,8 @@ fn conditions_name_the_items_that_use_a_key() {
     assert_eq!(of("failure", "axis"), "sensor=gyro|accelerometer");
     assert_eq!(of("failure", "size_m"), "kind=bias_step|spikes sensor=altimeter");
     assert_eq!(of("failure", "interval_s"), "kind=spikes|drop_outs");
+    assert_eq!(of("update", "sigma_m"), "kind=position|horizontal_position");
+    assert_eq!((of("update", "sigma_m_s").as_str(), of("update", "every_s").as_str()), ("kind=velocity", ""));
     assert_eq!(of("gyro", "bias_deg_h"), "");
 }
 

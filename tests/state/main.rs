@@ -13,3 +13,5 @@ mod increments;
 mod moved;
 mod read_back;
 mod snapshots;
+#[cfg(feature = "scenes")]
+mod updates;

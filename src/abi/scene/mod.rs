@@ -42,7 +42,7 @@ pub struct sins_scene {
     _opaque: [u8; 0],
 }
 
-/// What a copy of a scene and its text take at the most, and with each manoeuvre and each failure more [bytes].
+/// What a copy of a scene and its text take at the most, and with each item of a list more [bytes].
 const ROOM: usize = 1 << 16;
 const ROOM_OF_ITEM: usize = 1 << 12;
 /// What the parser makes of a byte at the most [bytes].
@@ -58,7 +58,7 @@ pub(in crate::abi) fn with_scene(
     body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
 ) -> sins_status {
     with_sound_scene(scene, |scene| {
-        probe(ROOM + ROOM_OF_ITEM * (scene.manoeuvres().len() + scene.failures.len()))?;
+        probe(ROOM + ROOM_OF_ITEM * scene.items())?;
         body(scene)
     })
 }
@@ -108,7 +108,7 @@ pub(in crate::abi) fn change_scene(
 ) -> sins_status {
     with_object(&SCENES, scene, |SceneText { scene, faults }| {
         let Some(scene) = scene else { return Err(text_has_faults().into()) };
-        let items = ROOM_OF_ITEM * (scene.manoeuvres().len() + scene.failures.len());
+        let items = ROOM_OF_ITEM * scene.items();
         probe(ROOM + items + ROOM_OF_BYTE * (ROOM + items + size).min(MAX_TEXT))?;
         faults.clear();
         match body(scene) {
@@ -252,7 +252,7 @@ pub unsafe extern "C-unwind" fn sins_scene_builtin_name(
 ///
 /// needed (may be NULL) gets the size of the whole text with its terminator; buffer NULL and capacity 0 ask for the size
 /// only. SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_INVALID_ARGUMENT: settings that do not go together, or
-/// so many manoeuvres and failures that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+/// so many manoeuvres, failures and updates that the text would have more than 1 MiB. SINS_ERROR_BAD_STATE: as sins_scene_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_scene_write(
     scene: *const sins_scene,
@@ -285,7 +285,7 @@ pub unsafe extern "C-unwind" fn sins_scene_write_keys(
 }
 
 /// Creates the simulator of the scene, ready for the first sample: options, sensor errors, initial errors, mounting, gravity
-/// disturbance. sins_scene_prepare() sets the failures at their times. If the flight is not a log,
+/// disturbance. sins_scene_prepare() sets the failures and makes the updates at their times. If the flight is not a log,
 /// sins_options.sample_period_s of the simulator is 1 / rate_hz.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: settings that do not go together.

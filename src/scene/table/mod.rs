@@ -5,9 +5,11 @@ mod flight;
 mod options;
 mod sensors;
 mod surroundings;
+mod update;
 
 pub use failure::SENSORS;
 pub use flight::CHANNELS;
+pub use update::UPDATED;
 
 use super::draft::Draft;
 use super::key::{Key, Section, Target, Unit};
@@ -28,6 +30,7 @@ const PARTS: &[&[Key]] = &[
     surroundings::MOUNTING,
     surroundings::GRAVITY,
     failure::FAILURE,
+    update::UPDATE,
     options::OUTPUT,
 ];
 

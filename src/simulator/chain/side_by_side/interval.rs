@@ -8,8 +8,9 @@ use crate::mechanization::VerticalAid;
 use crate::mounting;
 use crate::sensors::SharedInput;
 use crate::signal::{Increment, IntervalMotion};
+use crate::simulator::chain::Chain;
 use crate::simulator::{Imperfections, Options};
-use crate::truth::Recent;
+use crate::truth::{Recent, TruthPoint};
 
 /// Data of an interval that all blocks share.
 pub(super) struct Interval<'a> {
@@ -61,4 +62,11 @@ pub(super) struct LastGood {
     pub time_s: f64,
     /// Length of the interval that led to this solution [s]; 0: the solution is the start.
     pub interval_s: f64,
+}
+
+impl LastGood {
+    /// The solution of the runs of `chain` while the truth is at `point`.
+    pub fn of(chain: &Chain, point: &TruthPoint) -> Self {
+        Self { time_s: point.time_s, interval_s: chain.imu().map_or(0.0, |imu| imu.interval_s) }
+    }
 }

@@ -98,10 +98,7 @@ impl SideBySide {
         let aid = vertical_aid(options.vertical, next, |height_m| {
             if has_altimeters { Some(height_m) } else { imperfections.altimeter.sense(height_m, t) }
         });
-        let last_good = LastGood {
-            time_s: recent.current.time_s,
-            interval_s: chain.imu().map_or(0.0, |imu| imu.interval_s),
-        };
+        let last_good = LastGood::of(chain, recent.current);
         let model = options.error_model.then(|| ModelInterval::new(earth, &motion, next, ideal));
         let count = ideal.len();
         let interval = Interval {
@@ -289,6 +286,14 @@ impl SideBySide {
             shared.part_from_shadow(&navigator);
         }
         Ok(())
+    }
+
+    /// Marks a run as diverged, with the solution that it has while the truth is at `point`.
+    #[cold]
+    pub fn diverge(&mut self, place: usize, point: &TruthPoint) {
+        if let Some(chain) = &self.chain[0] {
+            self.blocks[place / RUNS].put_diverged(place % RUNS, LastGood::of(chain, point));
+        }
     }
 
     /// Compensation of a run.

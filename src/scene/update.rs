@@ -1,0 +1,154 @@
+//! Planned updates: at their times a fix of the position or of the velocity takes the place of the navigated one.
+
+use nalgebra::Vector3;
+
+use super::Scene;
+use super::schedule::{FliesScene, MAX_ITEMS, TIMES_S};
+use crate::correction::Correction;
+use crate::error::{Error, check_range, check_ranges};
+use crate::errors::NavigationErrors;
+use crate::mechanization::VerticalMode;
+use crate::sensors::StreamKey;
+
+/// What an update corrects. The numbers are part of the bit-for-bit guarantee: never reuse one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Updated {
+    /// Position: east, north and height.
+    #[default]
+    Position = 0,
+    /// Position along east and north.
+    HorizontalPosition = 1,
+    /// Velocity: east, north and up.
+    Velocity = 2,
+}
+
+/// A planned update. After it the solution has the error of the fix.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlannedUpdate {
+    /// What it corrects.
+    pub updated: Updated,
+    /// Its time since the start of the flight [s].
+    pub at_s: f64,
+    /// Time from one update to the next [s]; infinite: there is only one.
+    pub every_s: f64,
+    /// Standard deviation of the error of the fix, east-north-up [m] or [m/s]; that of a height that is not corrected does not count.
+    pub sigma_n: Vector3<f64>,
+}
+
+impl PlannedUpdate {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        let Self { updated, at_s, every_s, sigma_n } = self;
+        // The navigation starts with the first interval.
+        let shortest_s = 1e-4;
+        check_range("update.at_s", *at_s, shortest_s, TIMES_S.1)?;
+        if *every_s != f64::INFINITY {
+            check_range("update.every_s", *every_s, shortest_s, TIMES_S.1)?;
+        }
+        match updated {
+            Updated::Velocity => check_ranges("update.sigma_m_s", sigma_n.as_slice(), 0.0, 1e3),
+            _ => check_ranges("update.sigma_m", sigma_n.as_slice(), 0.0, 1e5),
+        }
+    }
+
+    /// The planned time of the last update that is due after `before_s` and not after `time_s` [s].
+    fn due_s(&self, before_s: f64, time_s: f64) -> Option<f64> {
+        let &Self { at_s, every_s, .. } = self;
+        let count = if every_s.is_finite() { ((time_s - at_s) / every_s).floor().max(0.0) } else { 0.0 };
+        // The quotient is rounded, so its neighbours may be the last one.
+        let planned = [count + 1.0, count, count - 1.0].into_iter().filter(|count| *count >= 0.0);
+        let planned_s = planned.map(|count| if count == 0.0 { at_s } else { at_s + count * every_s });
+        planned_s.into_iter().find(|planned_s| *planned_s <= time_s).filter(|planned_s| *planned_s > before_s)
+    }
+
+    /// Adds this update, planned for `at_s` [s], to the correction of the run `key`, whose solution has the errors `errors`. The error
+    /// of the fix depends on the run, on what is updated, and on the planned time alone.
+    fn add_to(
+        &self,
+        correction: &mut Correction,
+        at_s: f64,
+        vertical: VerticalMode,
+        key: StreamKey,
+        errors: &NavigationErrors,
+    ) {
+        let (of_solution, removed) = match self.updated {
+            Updated::Velocity => (&errors.velocity_n, &mut correction.errors.velocity_n),
+            _ => (&errors.position_n, &mut correction.errors.position_n),
+        };
+        let of_fix = self.sigma_n.component_mul(&key.fix(self.updated as u64, at_s));
+        let has_height = self.updated != Updated::HorizontalPosition && vertical != VerticalMode::FollowTruth;
+        for axis in 0..if has_height { 3 } else { 2 } {
+            removed[axis] = of_solution[axis] - of_fix[axis];
+        }
+    }
+}
+
+impl Scene {
+    /// Plans another update, which has been validated.
+    pub fn add_update(&mut self, planned: PlannedUpdate) -> Result<(), Error> {
+        check_range("updates of the scene", (self.updates.len() + 1) as f64, 0.0, MAX_ITEMS as f64)?;
+        self.updates.push(planned);
+        Ok(())
+    }
+
+    /// Makes the updates that are due at `time_s` [s] since the start of the flight, whose first time stamp is `start_s` [s]. `late_s`
+    /// is the allowance for the rounding of the stamps at the end of an interval.
+    pub(super) fn update(
+        &self,
+        flown: &mut dyn FliesScene,
+        start_s: f64,
+        time_s: f64,
+        late_s: impl Fn(f64) -> f64,
+    ) -> Result<(), Error> {
+        if self.updates.is_empty() {
+            return Ok(());
+        }
+        let Some([from_s, to_s]) = flown.last_interval_s() else { return Ok(()) };
+        // To the bit the `time_s` of the call before, so that no update is lost or made twice.
+        let before_s = from_s - start_s + late_s(to_s - from_s);
+        let due = |planned: &PlannedUpdate| planned.due_s(before_s, time_s);
+        if self.updates.iter().all(|planned| due(planned).is_none()) {
+            return Ok(());
+        }
+        flown.correct_each(&|key, errors| {
+            let mut correction = Correction::default();
+            for planned in &self.updates {
+                if let Some(at_s) = due(planned) {
+                    planned.add_to(&mut correction, at_s, self.options.vertical, key, errors);
+                }
+            }
+            correction
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Over many intervals of a length that binary numbers cannot hold, each planned time is due once.
+    #[test]
+    fn every_planned_time_is_due_in_one_interval() {
+        for (at_s, every_s, period_s) in [(0.3, 0.1, 0.01), (0.1, 0.7, 0.1), (1.0, 1.0, 1.0 / 3.0)] {
+            let planned =
+                PlannedUpdate { updated: Updated::Velocity, at_s, every_s, sigma_n: Vector3::zeros() };
+            let end = |index: i32| f64::from(index) * period_s + 1e-9 * period_s;
+            let due: Vec<f64> =
+                (1..100_000).filter_map(|index| planned.due_s(end(index - 1), end(index))).collect();
+            let count = ((end(99_999) - at_s) / every_s).floor() as usize + 1;
+            assert_eq!(due.len(), count);
+            let is_planned = |(k, due_s): (usize, &f64)| *due_s == at_s + k as f64 * every_s;
+            assert!(due.iter().enumerate().all(is_planned));
+        }
+        let once = PlannedUpdate {
+            updated: Updated::Position,
+            at_s: 5.0,
+            every_s: f64::INFINITY,
+            sigma_n: Vector3::zeros(),
+        };
+        assert_eq!(
+            [once.due_s(4.0, 4.9), once.due_s(4.0, 5.0), once.due_s(5.0, 6.0)],
+            [None, Some(5.0), None]
+        );
+    }
+}
