@@ -236,7 +236,7 @@ fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
         }
     }
     if noun == "scene" {
-        declared += "    sins_ensemble *ensemble = scene_ensemble();\n";
+        declared += "    sins_ensemble *ensemble = scene_ensemble();\n    sins_unit *unit = scene_unit();\n";
     }
     let size = if noun == "sim" { "SINS_SNAPSHOT_MAX_SIZE" } else { "SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE" };
     for (name, line) in [
@@ -262,7 +262,8 @@ fn end(functions: &[&Function]) -> String {
         text += &format!("    CHECK(made_{noun} == NULL || {destroy}(made_{noun}) == SINS_OK);\n");
     }
     if functions.iter().any(|one| one.name == "sins_scene_prepare_ensemble") {
-        text += "    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);\n";
+        text +=
+            "    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK && sins_unit_destroy(unit) == SINS_OK);\n";
     }
     text
 }

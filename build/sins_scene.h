@@ -34,7 +34,7 @@ extern "C" {
 
 /* Scenes. */
 
-@scene/fault scene/mod scene/prepare scene/settings scene/flight scene/text scene/failure
+@scene/fault scene/mod scene/prepare scene/unit scene/settings scene/flight scene/text scene/failure
 
 /* Values of a scene by their paths. */
 

@@ -123,6 +123,8 @@
     X(sins_status, sins_scene_destroy, (sins_scene *scene)) \
     X(sins_status, sins_scene_prepare, (const sins_scene *scene, sins_sim *sim, double flight_start_s, sins_flight_sample *sample)) \
     X(sins_status, sins_scene_prepare_ensemble, (const sins_scene *scene, sins_ensemble *ensemble, double flight_start_s, sins_flight_sample *sample)) \
+    X(sins_status, sins_scene_create_unit, (const sins_scene *scene, sins_unit **unit)) \
+    X(sins_status, sins_scene_update_unit, (const sins_scene *scene, sins_unit *unit, sins_sim *sim, double flight_start_s)) \
     X(sins_status, sins_scene_get_options, (const sins_scene *scene, sins_options *options)) \
     X(sins_status, sins_scene_get_setup, (const sins_scene *scene, sins_scene_setup *setup)) \
     X(sins_status, sins_scene_get_manoeuvres, (const sins_scene *scene, sins_flight_start *start, sins_manoeuvre *manoeuvres, size_t capacity, size_t *count, size_t *repeat)) \

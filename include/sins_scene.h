@@ -205,6 +205,24 @@ SINS_API sins_status SINS_CALL sins_scene_prepare_ensemble(const sins_scene *sce
     double flight_start_s, sins_flight_sample *sample);
 
 /**
+ * Creates the unit of the scene ([unit]). Not for a real-time frame: it allocates.
+ *
+ * SINS_ERROR_BAD_STATE: the scene has no unit; or as sins_scene_parse(). SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 units exist.
+ */
+SINS_API sins_status SINS_CALL sins_scene_create_unit(const sins_scene *scene, sins_unit **unit);
+
+/**
+ * Does what the scene plans at the panel ([[panel]]) in the last interval of sim, and updates the unit, as sins_unit_update() does: in its
+ * place after each step. flight_start_s is the time stamp of the flight's first sample. An action acts in the interval in which
+ * its time is, the start of the interval included. No allocation, no system call.
+ *
+ * SINS_ERROR_BAD_HANDLE: scene, unit or sim is not a valid handle.
+ * SINS_ERROR_BAD_STATE: an entry at the wrong moment; sins_last_error(NULL, ...) says which. As sins_unit_update(); as sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_update_unit(const sins_scene *scene, sins_unit *unit, sins_sim *sim,
+    double flight_start_s);
+
+/**
  * Reads the options of the scene. sins_scene_set_values() sets them.
  *
  * SINS_ERROR_BAD_STATE: as sins_scene_parse(), as for all functions that read or set a part of a scene.
@@ -480,9 +498,9 @@ SINS_API sins_status SINS_CALL sins_scene_get_value(const sins_scene *scene, con
 SINS_API sins_status SINS_CALL sins_scene_set_values(sins_scene *scene, const char *values);
 
 /**
- * Replaces all items of a list, "manoeuvre", "failure" or "update". items is a terminated text with the items as in the text of a scene:
- * [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an item, give
- * the texts of all items that the list shall have, in order. An empty text removes all failures or updates; for "manoeuvre" an
+ * Replaces all items of a list, "manoeuvre", "failure", "update" or "panel". items is a terminated text with the items as in the
+ * text of a scene: [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an item, give
+ * the texts of all items that the list shall have, in order. An empty text removes all failures, updates or actions; for "manoeuvre" an
  * empty text is a fault. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0,
  * longitude 0, height 0.
  *

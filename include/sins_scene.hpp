@@ -87,6 +87,12 @@ public:
         done(sins_scene_prepare(handle_, sim.handle(), flight_start_s, &sample));
     }
 
+    /* The unit of the scene, and its update after each step: what is planned at its panel, then Unit::update(). */
+    Unit unit() const { return Unit(detail::given<sins_unit *>(nullptr, sins_scene_create_unit, handle_)); }
+    void update_unit(Unit &unit, Simulator &sim, double flight_start_s) const {
+        done(sins_scene_update_unit(handle_, unit.handle(), sim.handle(), flight_start_s));
+    }
+
     void prepare(Ensemble &ensemble, double flight_start_s, sins_flight_sample &sample) const {
         done(sins_scene_prepare_ensemble(handle_, ensemble.handle(), flight_start_s, &sample));
     }

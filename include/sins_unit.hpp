@@ -17,6 +17,8 @@ template <> struct Destroyer<sins_unit> {
 /* A unit beside a simulator. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
 class Unit : public detail::Owner<sins_unit> {
 public:
+    using Owner::Owner;
+
     /* mode is SINS_UNIT_OFF, or SINS_UNIT_NAV for a unit that navigates already. */
     explicit Unit(const sins_unit_params &params = make<sins_unit_params>(), int32_t mode = SINS_UNIT_OFF)
         : Owner(detail::given<sins_unit *>(nullptr, sins_unit_create, &params, mode)) {}

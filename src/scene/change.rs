@@ -10,7 +10,7 @@ use crate::flight::FlightStart;
 use crate::sensors::{InitialErrorParameters, TriadParameters};
 
 /// The lists whose items can be set.
-const LISTS: [Section; 3] = [Section::Manoeuvre, Section::Failure, Section::Update];
+const LISTS: [Section; 4] = [Section::Manoeuvre, Section::Failure, Section::Update, Section::Panel];
 
 /// Largest number of values that are set at once: each is compared with each.
 const MAX_SETTINGS: usize = 4096;
@@ -49,18 +49,19 @@ impl Scene {
         Ok(())
     }
 
-    /// Puts the items of `text` in the place of all items of a list, "manoeuvre", "failure" or "update". They are written as in the text of
+    /// Puts the items of `text` in the place of all items of a list, "manoeuvre", "failure", "update" or "panel". They are written as in the text of
     /// a scene; lines of faults are those of `text`. On faults the scene stays what it was. Manoeuvres replace a log or a built-in
     /// flight.
     pub fn set_items(&mut self, list: &str, text: &str) -> Result<(), Vec<Fault>> {
         let Some(section) = LISTS.into_iter().find(|section| section.name() == list) else {
-            let sentence = "expected manoeuvre, failure or update".to_owned();
+            let sentence = "expected manoeuvre, failure, update or panel".to_owned();
             return Err(vec![Fault { sentence, ..Fault::default() }]);
         };
         let mut base = self.clone();
         match section {
             Section::Failure => base.failures.clear(),
             Section::Update => base.updates.clear(),
+            Section::Panel => base.panel.clear(),
             _ => {
                 let start = FlightStart { ellipsoid: base.options.ellipsoid, ..FlightStart::default() };
                 let path = base.path().unwrap_or(FlightPath { start, manoeuvres: Vec::new(), repeat: 1 });

@@ -43,7 +43,10 @@ impl Draft {
                 self.check_limits(section)?;
                 self.scene.output.validate()
             }
-            Section::Manoeuvre | Section::Sinusoid | Section::Failure | Section::Update => Ok(()),
+            Section::Unit => self.scene.unit.parameters.validate(),
+            Section::Manoeuvre | Section::Sinusoid | Section::Failure | Section::Update | Section::Panel => {
+                Ok(())
+            }
         }
     }
 
@@ -70,6 +73,7 @@ impl Scene {
         self.options.validate()?;
         self.errors.validate()?;
         self.output.validate()?;
+        self.unit.parameters.validate()?;
         if let Some(error) = self.conflicts().into_iter().next() {
             return Err(error);
         }
@@ -110,6 +114,9 @@ impl Scene {
             let words = "samples would be farther apart than options.max_gap_s =";
             let rule = Rule::SentenceWith(words, self.options.intake.max_gap_s);
             conflicts.push(Error::invalid("flight.rate_hz", self.rate_hz, rule));
+        }
+        if self.unit.start.is_none() && !self.panel.is_empty() {
+            conflicts.push(at_odds("unit.start", "must be off or nav: [[panel]] needs a unit"));
         }
         if self.options.vertical != VerticalMode::Damped {
             if self.errors.altimeter != AltimeterParameters::default() {

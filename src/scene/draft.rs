@@ -2,7 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::{Failing, FlightPath, FlightSource, PlannedFailure, PlannedUpdate, Scene, Temperature, Updated};
+use super::{
+    Failing, FlightPath, FlightSource, PlannedAction, PlannedFailure, PlannedUpdate, Scene, Temperature,
+    Updated,
+};
 use crate::error::Error;
 use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
 use crate::sensors::{Axis, FAILURE_KIND_COUNT, Failure, FailureFields, SensorOutput};
@@ -27,6 +30,7 @@ pub struct Draft {
     pub sinusoid: SinusoidDraft,
     pub failure: FailureDraft,
     pub update: UpdateDraft,
+    pub action: PlannedAction,
 }
 
 /// A sinusoid of any channel.
@@ -232,6 +236,7 @@ impl From<&Scene> for Draft {
             sinusoid: SinusoidDraft::default(),
             failure: FailureDraft::default(),
             update: UpdateDraft::default(),
+            action: PlannedAction::default(),
             scene: scene.clone(),
         }
     }

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
+use super::{Action, Scene};
 use crate::sensors::Sensor;
 
 /// The sections, each with its name, as it stands in brackets, and what its keys set, in words.
@@ -43,13 +44,15 @@ sections! {
     Gravity "gravity" "true gravity less normal gravity: constant, and random over the distance flown"
     Failure "failure" "failure of one output of a sensor, for a time"
     Update "update" "update: a fix takes the place of the navigated position or velocity"
+    Unit "unit" "the unit: an INS with a mode selector, an alignment and a status; times: 0 is a default"
+    Panel "panel" "what the crew does at the panel of the unit, and when"
     Output "output" "what a program that flies the scene writes"
 }
 
 impl Section {
     /// Whether it stands in double brackets, any number of times.
     pub fn is_list(self) -> bool {
-        matches!(self, Self::Manoeuvre | Self::Sinusoid | Self::Failure | Self::Update)
+        matches!(self, Self::Manoeuvre | Self::Sinusoid | Self::Failure | Self::Update | Self::Panel)
     }
 
     /// How many lists an item of it is in: 0, it is no list.
@@ -143,7 +146,10 @@ impl Place {
     pub fn of(self, draft: &mut Draft) -> Places<'_> {
         match self {
             Self::At(places) => places(draft),
-            Self::Row(path) => places(draft.scene.errors.numbers_of(path)),
+            Self::Row(path) => {
+                let Scene { errors, unit, .. } = &mut draft.scene;
+                places(errors.numbers_of(path).chain(unit.parameters.number_of(path)))
+            }
             Self::Parameter(sensor, row) => {
                 let triad = match sensor {
                     Sensor::Gyro => &mut draft.scene.errors.gyro,
@@ -210,6 +216,15 @@ impl Key {
             "sigma_m" => Some(false),
             "sigma_m_s" => Some(true),
             _ => None,
+        }
+    }
+
+    /// Whether an action at the panel uses the key.
+    pub fn is_used_by_action(&self, action: Action) -> bool {
+        match self.name {
+            "latitude_deg" | "longitude_deg" => action == Action::Position,
+            "heading_deg" => action == Action::Heading,
+            _ => true,
         }
     }
 

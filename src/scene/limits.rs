@@ -30,6 +30,7 @@ pub fn limits(key: &Key) -> Option<Limits> {
         Section::Sinusoid => of_sinusoid(key),
         Section::Failure => of_failure(key),
         Section::Update => of_update(key),
+        Section::Panel => vec![of_action(key)],
         _ => vec![of_section(key)],
     };
     of_kinds.into_iter().flatten().reduce(|one, other| Limits {
@@ -159,4 +160,9 @@ fn of_update(key: &Key) -> Vec<Option<Limits>> {
         if exceed(&mut draft, key) { stated(key, draft.update.to_planned().map(|_| ())) } else { None }
     };
     UPDATED.iter().map(of_kind).collect()
+}
+
+fn of_action(key: &Key) -> Option<Limits> {
+    let mut draft = Draft::from(&Scene::default());
+    if exceed(&mut draft, key) { stated(key, draft.action.validate()) } else { None }
 }

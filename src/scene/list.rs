@@ -5,7 +5,7 @@ use super::Updated;
 use super::draft::{Draft, FAILURE_KINDS};
 use super::key::{Key, Section, Target, Unit};
 use super::limits::{Limits, limits};
-use super::table::{CHANNELS, KEYS, SENSORS, UPDATED, of_section, of_sensor};
+use super::table::{ACTIONS, CHANNELS, KEYS, SENSORS, UPDATED, of_section, of_sensor};
 use super::value::shown;
 use crate::flight::{Channel, MANOEUVRE_KINDS};
 
@@ -161,6 +161,14 @@ fn condition(key: &Key) -> String {
                 UPDATED.iter().filter(|(_, updated)| (*updated == Updated::Velocity) == is_of_velocity);
             one_of("kind", kinds.map(|(word, _)| *word).collect())
         }),
+        (Section::Panel, _) => {
+            let users: Vec<&str> = ACTIONS
+                .iter()
+                .filter(|(_, action)| key.is_used_by_action(*action))
+                .map(|(word, _)| *word)
+                .collect();
+            if users.len() == ACTIONS.len() { String::new() } else { one_of("kind", users) }
+        }
         _ => String::new(),
     }
 }

@@ -1,4 +1,4 @@
-//! Scenes: a flight, the simulator that flies it, and the failures and updates on the way, as a text in TOML.
+//! Scenes: a flight, the simulator that flies it, the failures and updates on the way, and the unit, as a text in TOML.
 //!
 //! [`Scene::parse`] reads a scene, and reports every fault of a text at once. [`Scene::write`] writes a text that reads
 //! back as the same scene to the bit. [`Scene::parse_with`] sets single keys in addition to the text; [`Scene::value`],
@@ -16,6 +16,7 @@ mod limits;
 mod list;
 mod names;
 mod nesting;
+mod panel;
 mod read;
 mod reader;
 mod samples;
@@ -34,6 +35,7 @@ pub(crate) use list::key_line;
 pub use list::{KeyKind, KeyLine, keys, keys_text};
 pub(crate) use names::excerpt;
 pub use names::nearest;
+pub use panel::{Action, PlannedAction, UnitPlan};
 pub(crate) use read::utf8;
 pub use samples::Samples;
 pub use schedule::FliesScene;
@@ -71,6 +73,10 @@ pub struct Scene {
     pub failures: Vec<PlannedFailure>,
     /// Updates of the position and of the velocity.
     pub updates: Vec<PlannedUpdate>,
+    /// The unit.
+    pub unit: UnitPlan,
+    /// What is done at its panel.
+    pub panel: Vec<PlannedAction>,
     /// What a program that flies the scene writes.
     pub output: Output,
 }
@@ -156,6 +162,8 @@ impl Default for Scene {
             errors: ErrorParameters::default(),
             failures: Vec::new(),
             updates: Vec::new(),
+            unit: UnitPlan::default(),
+            panel: Vec::new(),
             output: Output::default(),
         }
     }
@@ -209,7 +217,7 @@ impl Scene {
 
     /// Number of items in its lists.
     pub(crate) fn items(&self) -> usize {
-        self.manoeuvres().len() + self.failures.len() + self.updates.len()
+        self.manoeuvres().len() + self.failures.len() + self.updates.len() + self.panel.len()
     }
 
     /// The options of the simulator: those of the scene, and, if the flight is not a log, the period of its sample rate.

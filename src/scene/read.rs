@@ -12,7 +12,7 @@ use super::nesting::{MAX_NESTING, too_deep};
 use super::reader::{Item, Reader};
 use super::setting::take_settings;
 use super::table::{self, KEYS};
-use super::{MAX_TEXT, Scene, Updated};
+use super::{Action, MAX_TEXT, PlannedAction, Scene, Updated};
 use crate::error::Error;
 use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields};
 
@@ -108,6 +108,9 @@ impl Reader<'_> {
                             }
                             DeValue::Table(item) if section == Section::Failure => {
                                 self.read_failure(head, item);
+                            }
+                            DeValue::Table(item) if section == Section::Panel => {
+                                self.read_action(head, item);
                             }
                             DeValue::Table(item) => self.read_update(head, item),
                             _ => self.faults.add(&head, format!("expected [[{name}]]")),
@@ -252,6 +255,33 @@ impl Reader<'_> {
                     self.faults.add(&head, error.to_string());
                 }
             }
+            Err(error) => self.add_error(&error, &item),
+        }
+    }
+
+    fn read_action(&mut self, head: Span, section_table: &DeTable<'_>) {
+        self.draft.action = PlannedAction::default();
+        let item = self.read_keys(Section::Panel, head.clone(), section_table);
+        let needed = |action| match action {
+            Action::Position => &["kind", "at_s", "latitude_deg", "longitude_deg"][..],
+            Action::Heading => &["kind", "at_s", "heading_deg"],
+            _ => &["kind", "at_s"],
+        };
+        let planned = self.draft.action;
+        let has = |name: &str| item.key(name).or(item.key(&name.replace("_deg", "_rad"))).is_some();
+        if let Some(name) = needed(planned.action).iter().find(|name| !has(name)) {
+            self.faults.add(&head, format!("[[panel]]: expected its {name}"));
+            return;
+        }
+        for (_, key) in
+            table::of_section(Section::Panel).filter(|(_, key)| !key.is_used_by_action(planned.action))
+        {
+            if let Some(span) = item.key(key.name) {
+                self.faults.add(span, format!("panel.{}: not for this kind", key.name));
+            }
+        }
+        match planned.validate().and_then(|()| self.draft.scene.add_action(planned)) {
+            Ok(()) => {}
             Err(error) => self.add_error(&error, &item),
         }
     }

@@ -53,7 +53,7 @@ pub(super) const MAX_ITEMS: usize = 4096;
 const LATEST_START_S: f64 = 2e10;
 
 /// Largest error of the time of a failure or an update by the rounding of time stamps, in intervals.
-const ROUNDING: f64 = 1e-9;
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// What flies a scene: one simulator, or an ensemble of them.
 pub trait FliesScene {

@@ -6,7 +6,7 @@ use super::list::meaning;
 use super::site::{Site, ValuePath};
 use super::table::{of_section, of_sensor};
 use super::value::{divided, shown, written};
-use super::{FlightSource, PlannedFailure, PlannedUpdate, Scene, Updated};
+use super::{FlightSource, PlannedAction, PlannedFailure, PlannedUpdate, Scene, Updated};
 use crate::flight::{Channel, MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields};
 
 impl Scene {
@@ -18,6 +18,7 @@ impl Scene {
                 Section::Manoeuvre => self.manoeuvres().iter().for_each(|one| writer.manoeuvre(one)),
                 Section::Failure => self.failures.iter().for_each(|one| writer.failure(one)),
                 Section::Update => self.updates.iter().for_each(|one| writer.update(one)),
+                Section::Panel => self.panel.iter().for_each(|one| writer.action(one)),
                 Section::Sinusoid => {}
                 _ => writer.section(section, |_| true),
             }
@@ -65,7 +66,7 @@ impl Scene {
 
     /// The value at a path: `"options.scheme"`, `"gyro.bias_deg_h[1]"`, `"manoeuvre[3].bank_deg"`, `"failure[0].sensor"`, default or
     /// not. It is written as in the text of a scene; a value that the scene does not have is empty. `"manoeuvre[3]"`,
-    /// `"failure[0]"` and `"update[0]"` are all lines of an item. `None`: there is no such value.
+    /// `"failure[0]"`, `"update[0]"` and `"panel[0]"` are all lines of an item. `None`: there is no such value.
     pub fn value(&self, path: &str) -> Option<String> {
         let mut writer = Writer::new(self);
         match Site::read(path) {
@@ -75,6 +76,10 @@ impl Scene {
             }
             Ok(Site { section: Section::Failure, item: [index, _] }) => {
                 writer.failure(self.failures.get(index)?);
+                Some(writer.text)
+            }
+            Ok(Site { section: Section::Panel, item: [index, _] }) => {
+                writer.action(self.panel.get(index)?);
                 Some(writer.text)
             }
             Ok(Site { section: Section::Update, item: [index, _] }) => {
@@ -113,6 +118,7 @@ impl Scene {
                 let other = if is_random { "interval_s" } else { "probability" };
                 own_failure_key(key, sensor) && key.is_used_by(&draft.failure) && key.name != other
             }
+            Section::Panel => key.is_used_by_action(draft.action.action),
             Section::Update => key.is_of_velocity() != Some(draft.update.updated != Updated::Velocity),
             _ => true,
         }
@@ -137,6 +143,7 @@ impl Scene {
             }
             Section::Failure => draft.failure = self.failures.get(index)?.into(),
             Section::Update => draft.update = self.updates.get(index)?.into(),
+            Section::Panel => draft.action = *self.panel.get(index)?,
             _ => {}
         }
         Some(draft)
@@ -174,6 +181,12 @@ impl Writer {
         self.draft.failure = planned.into();
         let sensor = self.draft.failure.sensor;
         self.section(Section::Failure, |key| own_failure_key(key, sensor));
+    }
+
+    fn action(&mut self, planned: &PlannedAction) {
+        self.draft.action = *planned;
+        let action = planned.action;
+        self.section(Section::Panel, |key| key.is_used_by_action(action));
     }
 
     fn update(&mut self, planned: &PlannedUpdate) {

@@ -30,7 +30,7 @@ pub enum Power {
     None,
 }
 
-codes!(Power { Aircraft = 0 "aircraft", Battery = 1 "battery", None = 2 "none" });
+codes!(Power { Aircraft = 0 "aircraft_power", Battery = 1 "battery", None = 2 "no_power" });
 
 /// How an alignment at rest is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -81,6 +81,14 @@ codes!(State {
     Navigation = 5 "navigation", Realignment = 6 "realignment", Erection = 7 "erection", Attitude = 8 "attitude", Fault = 9 "fault",
     PowerDown = 10 "power-down",
 });
+
+#[cfg(feature = "scenes")]
+impl State {
+    /// The state in words, as a program shows it.
+    pub fn words(self) -> &'static str {
+        Self::WORDS[self as usize].0
+    }
+}
 
 /// Why a unit is not ready, or has failed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -21,6 +21,13 @@ impl UnitParameters {
         self
     }
 
+    /// The number of the row with the field `path` of the interface.
+    #[cfg(feature = "scenes")]
+    pub(crate) fn number_of(&mut self, path: &str) -> Option<&mut f64> {
+        let index = UNIT.iter().position(|row| row.field.path == path)?;
+        self.numbers_mut().into_iter().nth(index)
+    }
+
     /// Length of a whole alignment at `latitude_rad` \[s\].
     pub(super) fn alignment_at_s(&self, latitude_rad: f64) -> f64 {
         if self.alignment_s != 0.0 {

@@ -239,7 +239,9 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     sins_scene_samples scene_samples[2];
     sins_sim *made_sim = NULL;
     sins_flight *made_flight = NULL;
+    sins_unit *made_unit = NULL;
     sins_ensemble *ensemble = scene_ensemble();
+    sins_unit *unit = scene_unit();
     unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
     size_t size = 0;
     SINS_INIT(options[0]);
@@ -270,6 +272,8 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     EVERY_CALL(sins_scene_create_flight(scene, &made_flight));
     EVERY_CALL(sins_scene_prepare(scene, sim, 0.0, flight_sample));
     EVERY_CALL(sins_scene_prepare_ensemble(scene, ensemble, 0.0, flight_sample));
+    EVERY_CALL(sins_scene_create_unit(scene, &made_unit));
+    EVERY_CALL(sins_scene_update_unit(scene, unit, sim, 0.0));
     EVERY_CALL(sins_scene_get_options(scene, options));
     EVERY_CALL(sins_scene_get_setup(scene, scene_setup));
     EVERY_CALL(sins_scene_get_manoeuvres(scene, flight_start, manoeuvre, 2, &size, &size));
@@ -284,7 +288,8 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     EVERY_CALL(sins_scene_get_samples(scene, NULL, scene_samples));
     CHECK(made_sim == NULL || sins_destroy(made_sim) == SINS_OK);
     CHECK(made_flight == NULL || sins_flight_destroy(made_flight) == SINS_OK);
-    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
+    CHECK(made_unit == NULL || sins_unit_destroy(made_unit) == SINS_OK);
+    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK && sins_unit_destroy(unit) == SINS_OK);
 }
 
 /* All functions of a sins_log, except those that destroy it and that read its last failure. */
@@ -462,6 +467,7 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     EVERY_CALL(sins_scene_create_flight(scene, NULL));
     EVERY_CALL(sins_scene_prepare(scene, sim, 0.0, NULL));
     EVERY_CALL(sins_scene_prepare_ensemble(scene, ensemble, 0.0, NULL));
+    EVERY_CALL(sins_scene_create_unit(scene, NULL));
     EVERY_CALL(sins_scene_get_options(scene, NULL));
     EVERY_CALL(sins_scene_get_setup(scene, NULL));
     EVERY_CALL(sins_scene_get_manoeuvres(scene, flight_start, NULL, 2, &size, &size));

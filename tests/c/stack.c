@@ -231,6 +231,8 @@ static void fly_unit(const sins_options *options)
     sins_unit_params params = {.struct_size = sizeof params, .power_up_test_s = 0.01, .alignment_s = 0.1};
     sins_unit_status status = {.struct_size = sizeof status};
     sins_unit_navigation navigation = {.struct_size = sizeof navigation};
+    static const char UNIT_SCENE[] = "[flight]\nbuiltin = \"rest\"\n[unit]\nstart = \"off\"\n";
+    sins_scene *scene = NULL;
     sins_unit *unit = NULL;
     sins_sim *sim = NULL;
     size_t size;
@@ -258,6 +260,10 @@ static void fly_unit(const sins_options *options)
     MEASURE(sins_unit_snapshot_save(unit, text, sizeof text, &size));
     MEASURE(sins_unit_snapshot_load(unit, text, size));
     MEASURE(sins_unit_destroy(unit));
+    CHECK(sins_scene_parse(UNIT_SCENE, sizeof UNIT_SCENE - 1, &scene) == SINS_OK);
+    MEASURE(sins_scene_create_unit(scene, &unit));
+    MEASURE(sins_scene_update_unit(scene, unit, sim, 0.0));
+    CHECK(sins_unit_destroy(unit) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
     CHECK(sins_destroy(sim) == SINS_OK);
 }
 

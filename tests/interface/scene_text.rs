@@ -99,6 +99,15 @@ fn around(section: &str, name: &str) -> (String, String) {
             let at_s = if name == "at_s" { "" } else { "at_s = 1\n" };
             format!("[flight]\nbuiltin = \"rest\"\n[[update]]\nkind = \"{kind}\"\n{at_s}")
         }
+        ("panel", name) => {
+            let entered = match name {
+                "latitude_deg" => "\"position\"\nat_s = 1\nlongitude_deg = 1\n",
+                "longitude_deg" => "\"position\"\nat_s = 1\nlatitude_deg = 1\n",
+                "heading_deg" => "\"heading\"\nat_s = 1\n",
+                _ => "\"nav\"\n",
+            };
+            format!("[flight]\nbuiltin = \"rest\"\n[unit]\nstart = \"off\"\n[[panel]]\nkind = {entered}")
+        }
         (_, "sample_period_s") => "[flight]\nfile = \"a.csv\"\n[options]\n".to_owned(),
         (_, name) => {
             let needed = match name {
@@ -256,6 +265,26 @@ fn what_does_not_go_together_is_told() {
         &update("kind = \"position\"\nat_s = 3\nsigma_m = [0, -1, 0]\n"),
         6,
         "update.sigma_m[1] = -1: must be",
+    );
+    let panel = |keys: &str| format!("{flight}[unit]\nstart = \"off\"\n[[panel]]\n{keys}");
+    one(&panel("at_s = 3\n"), 5, "expected its kind");
+    one(&panel("kind = \"nav\"\n"), 5, "expected its at_s");
+    one(&panel("kind = \"position\"\nat_s = 3\nlatitude_deg = 4\n"), 5, "expected its longitude_deg");
+    one(&panel("kind = \"nav\"\nat_s = 3\nheading_deg = 4\n"), 8, "panel.heading_deg: not for this kind");
+    one(
+        &panel("kind = \"heading\"\nat_s = 3\nheading_deg = 400\n"),
+        8,
+        "panel.heading_deg = 400: must be from -360 to 360",
+    );
+    one(
+        &format!("{flight}[[panel]]\nkind = \"nav\"\nat_s = 3\n"),
+        1,
+        "unit.start: must be off or nav: [[panel]] needs a unit",
+    );
+    one(
+        &format!("{flight}[unit]\nerection_s = -3\n"),
+        4,
+        "unit.erection_s = -3: must be 0 for the default, or from",
     );
     let twice = "[[failure]]\nsensor = \"gyro\"\naxis = \"x\"\nkind = \"dead\"\nfrom_s = 3\n";
     one(&format!("{flight}{twice}{twice}"), 8, "overlaps");

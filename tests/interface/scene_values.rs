@@ -44,6 +44,15 @@ size_deg_h = 3
 kind = \"velocity\"
 at_s = 20
 sigma_m_s = [0.1, 0.1, 0]
+
+[unit]
+start = \"off\"
+
+[[panel]]
+kind = \"position\"
+at_s = 20
+latitude_deg = 40
+longitude_deg = 7
 ";
 
 fn scene() -> Scene {
@@ -56,6 +65,7 @@ fn path_of(key: &KeyLine) -> String {
         "manoeuvre.sinusoid" => "manoeuvre[2].sinusoid[1]",
         "failure" => "failure[0]",
         "update" => "update[0]",
+        "panel" => "panel[0]",
         section => section,
     };
     format!("{section}.{}", key.name)
@@ -89,6 +99,9 @@ fn values_are_read_by_their_paths() {
         ("update[0].sigma_m_s", "[0.1, 0.1, 0]"),
         ("update[0].sigma_m", ""),
         ("update[0].every_s", ""),
+        ("panel[0].longitude_deg", "7"),
+        ("panel[0].heading_deg", ""),
+        ("unit.erection_s", "0"),
     ] {
         assert_eq!(scene.value(path).as_deref(), Some(value), "{path}");
     }
@@ -230,6 +243,12 @@ fn items_are_added_moved_and_removed_by_their_texts() {
     scene.set_items("update", &format!("{update}\n{update}")).unwrap();
     assert_eq!(scene.value("update[1].at_s").as_deref(), Some("20"));
     scene.set_items("update", "").unwrap();
+    let action = scene.value("panel[0]").unwrap();
+    scene.set_items("panel", &format!("{action}\n{action}")).unwrap();
+    assert_eq!(scene.value("panel[1].latitude_deg").as_deref(), Some("40"));
+    scene.set_items("panel", "").unwrap();
+    assert!(scene.panel.is_empty());
+    scene.set(&[("unit.start", "")]).unwrap();
     assert!(scene.failures.is_empty() && scene.updates.is_empty());
     for (list, text, line, sentence) in [
         ("manoeuvre", "", 1, "[flight]: expected a flight: file, builtin or [[manoeuvre]]s"),
@@ -243,7 +262,7 @@ fn items_are_added_moved_and_removed_by_their_texts() {
             3,
             "manoeuvre.duration_s = -1: must be from 0.001 to 1e8",
         ),
-        ("gyro", "", 0, "expected manoeuvre, failure or update"),
+        ("gyro", "", 0, "expected manoeuvre, failure, update or panel"),
     ] {
         let before = scene.clone();
         let faults = scene.set_items(list, text).unwrap_err();
@@ -323,6 +342,7 @@ fn conditions_name_the_items_that_use_a_key() {
     assert_eq!(of("failure", "interval_s"), "kind=spikes|drop_outs");
     assert_eq!(of("update", "sigma_m"), "kind=position|horizontal_position");
     assert_eq!((of("update", "sigma_m_s").as_str(), of("update", "every_s").as_str()), ("kind=velocity", ""));
+    assert_eq!((of("panel", "heading_deg").as_str(), of("panel", "at_s").as_str()), ("kind=heading", ""));
     assert_eq!(of("gyro", "bias_deg_h"), "");
 }
 

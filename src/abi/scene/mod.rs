@@ -9,6 +9,7 @@ mod prepare;
 mod samples;
 mod settings;
 mod text;
+mod unit;
 mod value;
 
 pub use failure::*;
@@ -20,6 +21,7 @@ pub use prepare::*;
 pub use samples::*;
 pub use settings::*;
 pub use text::*;
+pub use unit::*;
 pub use value::*;
 
 use core::ffi::c_char;

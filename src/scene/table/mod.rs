@@ -3,12 +3,14 @@
 mod failure;
 mod flight;
 mod options;
+mod panel;
 mod sensors;
 mod surroundings;
 mod update;
 
 pub use failure::SENSORS;
 pub use flight::CHANNELS;
+pub use panel::ACTIONS;
 pub use update::UPDATED;
 
 use super::draft::Draft;
@@ -31,6 +33,9 @@ const PARTS: &[&[Key]] = &[
     surroundings::GRAVITY,
     failure::FAILURE,
     update::UPDATE,
+    panel::START,
+    panel::UNIT_KEYS,
+    panel::PANEL,
     options::OUTPUT,
 ];
 

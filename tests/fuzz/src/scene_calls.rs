@@ -162,6 +162,8 @@ impl Host {
         if call!(sins_scene_get_samples(self.scene, null(), &mut samples)) == SINS_OK {
             assert!(samples.count >= 1 && samples.record_every >= 1 && samples.duration_s >= 0.0);
         }
+        let mut unit = null_mut();
+        call!(sins_scene_create_unit(self.scene, &mut unit));
         if setup.flown_s <= LONG_S && call!(sins_scene_create_flight(self.scene, &mut flight)) == SINS_OK {
             for k in 0..self.input.below(16) {
                 let mut sample = init();
@@ -174,9 +176,11 @@ impl Host {
                     break;
                 }
                 call!(sins_step(sim));
+                call!(sins_scene_update_unit(self.scene, unit, sim, 0.0));
             }
             assert_eq!(call!(sins_flight_destroy(flight)), SINS_OK);
         }
+        assert!(unit.is_null() || call!(sins_unit_destroy(unit)) == SINS_OK);
         assert_eq!(call!(sins_destroy(sim)), SINS_OK);
     }
 

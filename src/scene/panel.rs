@@ -1,0 +1,121 @@
+//! The unit of a scene, and what its crew does: `[unit]`, `[[panel]]`.
+
+use super::Scene;
+use super::schedule::{MAX_ITEMS, ROUNDING, TIMES_S};
+use crate::Simulator;
+use crate::error::{Error, Rule, check_range};
+use crate::unit::{AlignmentKind, Mode, Power, Unit, UnitParameters};
+
+/// The unit of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct UnitPlan {
+    /// Position of the mode selector at the start, OFF or NAV; `None`: the scene has no unit.
+    pub start: Option<Mode>,
+    /// How it aligns.
+    pub alignment: AlignmentKind,
+    /// Times and limits.
+    pub parameters: UnitParameters,
+}
+
+/// What is done at the panel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Action {
+    /// The selector is turned.
+    Select(Mode),
+    /// A position is entered.
+    Position,
+    /// The true position is entered.
+    TruePosition,
+    /// A heading is entered.
+    Heading,
+    /// The supply of power changes.
+    Power(Power),
+    /// The button of the test is pressed.
+    Test,
+}
+
+impl Default for Action {
+    fn default() -> Self {
+        Self::Select(Mode::Align)
+    }
+}
+
+/// What is done, and when.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PlannedAction {
+    /// What is done.
+    pub action: Action,
+    /// Its time since the start of the flight \[s\].
+    pub at_s: f64,
+    /// Latitude, of [`Action::Position`] \[rad\].
+    pub latitude_rad: f64,
+    /// Longitude, of [`Action::Position`] \[rad\].
+    pub longitude_rad: f64,
+    /// Heading, of [`Action::Heading`] \[rad\].
+    pub heading_rad: f64,
+}
+
+impl PlannedAction {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        let half = core::f64::consts::PI;
+        check_range("panel.at_s", self.at_s, TIMES_S.0, TIMES_S.1)?;
+        check_range("panel.latitude_rad", self.latitude_rad, -0.5 * half, 0.5 * half)?;
+        check_range("panel.longitude_rad", self.longitude_rad, -2.0 * half, 2.0 * half)?;
+        check_range("panel.heading_rad", self.heading_rad, -2.0 * half, 2.0 * half)
+    }
+
+    fn act(&self, unit: &mut Unit, simulator: &Simulator) -> Result<(), Error> {
+        match self.action {
+            Action::Select(mode) => unit.select(mode),
+            Action::Position => unit.enter_position(self.latitude_rad, self.longitude_rad)?,
+            Action::TruePosition => {
+                if let Some(truth) = simulator.truth()? {
+                    let place = &truth.navigation.place;
+                    unit.enter_position(place.latitude_rad, place.longitude_rad)?;
+                }
+            }
+            Action::Heading => unit.enter_heading(self.heading_rad)?,
+            Action::Power(power) => unit.set_power(power),
+            Action::Test => unit.press_test(),
+        }
+        Ok(())
+    }
+}
+
+impl Scene {
+    /// Plans another action at the panel, which has been validated.
+    pub fn add_action(&mut self, planned: PlannedAction) -> Result<(), Error> {
+        check_range("actions at the panel", (self.panel.len() + 1) as f64, 0.0, MAX_ITEMS as f64)?;
+        self.panel.push(planned);
+        Ok(())
+    }
+
+    /// The unit of the scene; `None`: it has none.
+    pub fn unit(&self) -> Result<Option<Unit>, Error> {
+        let UnitPlan { start, alignment, parameters } = &self.unit;
+        let Some(mode) = start else { return Ok(None) };
+        let mut unit = Unit::new(parameters, *mode)?;
+        unit.set_alignment(*alignment);
+        Ok(Some(unit))
+    }
+
+    /// Does what is planned at the panel in the last interval of `simulator`, and updates the unit: to be called after each step.
+    /// `start_s` is the time stamp of the flight's first sample. An error of an action has its index.
+    pub fn update_unit(&self, unit: &mut Unit, simulator: &mut Simulator, start_s: f64) -> Result<(), Error> {
+        let Some(imu) = simulator.imu() else { return unit.update(simulator) };
+        let end_s = imu.time_s - start_s - ROUNDING * imu.interval_s;
+        let due = end_s - imu.interval_s..end_s;
+        for (index, planned) in
+            self.panel.iter().enumerate().filter(|(_, planned)| due.contains(&planned.at_s))
+        {
+            planned.act(unit, simulator).map_err(|error| match error.rule {
+                Rule::Sentence(words) if error.field.is_empty() => {
+                    Error { field: "panel", index: Some(index), ..Error::bad_state(words) }
+                }
+                _ => error,
+            })?;
+        }
+        unit.update(simulator)
+    }
+}
