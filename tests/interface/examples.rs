@@ -24,6 +24,14 @@ fn the_small_examples_run() {
     let text = prints_alike("budget_example", &["c_examples/budget.c"], &C_AND_CPP, &[]);
     assert!(text.contains("can be left out") && text.contains("left out: "), "{text}");
 
+    let text = prints_alike("unit_day", &["c_examples/unit_day.c"], &C_AND_CPP, &[]);
+    let states: Vec<&str> = text.lines().map(|line| line[10..27].trim_end()).collect();
+    let first = ["off", "test", "coarse alignment", "fine alignment", "ready", "navigation"];
+    assert_eq!(states, [&first[..], &["realignment", "ready", "navigation", "power-down", "off"]].concat());
+    let east_m = |line: &str| line.split_whitespace().nth_back(4).unwrap().parse::<f64>().unwrap().abs();
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(east_m(lines[6]) > 100.0 && east_m(lines[7]) < 1.0, "{text}");
+
     let text = prints_alike("cpp_host", &["c_examples/cpp_host.cpp"], &C_AND_CPP[1..], &[]);
     assert!(
         text.contains("line 3: flight.builtin = \"petrol\": no such flight; did you mean patrol?"),

@@ -10,6 +10,7 @@ use sins::truth::{FlightSample, TruthSummary};
 use sins::{ClosureFigures, Error, ImuInterval, Simulator, TrimFigures};
 
 use super::imu;
+use super::unit::UnitInFlight;
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
 use crate::interrupt;
@@ -24,6 +25,7 @@ const CHUNK: usize = 4096;
 pub struct Files {
     pub records: OutputFile,
     pub imu: Option<OutputFile>,
+    pub unit: Option<UnitInFlight>,
 }
 
 /// Results of a flight, or of a part of it.
@@ -150,9 +152,15 @@ impl InFlight<'_> {
             }
         }
         let is_last = index + 1 == self.given.count;
-        if (self.simulator.intervals().is_multiple_of(self.every) || is_last)
-            && let Some(mut record) = self.record(index)?
+        let is_due = self.simulator.intervals().is_multiple_of(self.every) || is_last;
+        if let Some(unit) = &mut self.files.unit
+            && let Some(interval) = self.simulator.imu()
         {
+            let updated = unit.update(&self.given.scene, self.simulator, self.given.start_s);
+            updated.map_err(|error| self.given.stopped_at(index, &error))?;
+            unit.record(interval.time_s, is_due)?;
+        }
+        if is_due && let Some(mut record) = self.record(index)? {
             [record.gyro_error, record.accel_error] = self.sensor_errors.take();
             keep(self.flown, &mut self.files.records, &record)?;
         }

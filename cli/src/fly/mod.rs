@@ -8,6 +8,7 @@ mod imu;
 mod print;
 mod spacing;
 mod summary;
+mod unit;
 
 use crate::failure::{Failure, Kind};
 use crate::given::SceneArguments;
@@ -18,11 +19,14 @@ use crate::record::COLUMNS;
 use crate::terminal::print;
 use figures::Figures;
 use flight::{Files, Flown};
+use unit::UnitInFlight;
 
 /// Scene of a log that has no scene: the recommended simulator with ideal sensors.
 pub const FOR_LOGS: &str = "[flight]\nfile = \"log\"\n";
 
 /// Flies a scene, writes its records (DIR/NAME.csv) and figures (DIR/NAME_summary.csv), and prints a summary
+///
+/// The states of a unit ([unit] in the scene) are written into DIR/NAME_unit.csv.
 ///
 /// A log without a scene is flown with ideal sensors.
 #[derive(Debug, clap::Args)]
@@ -58,6 +62,12 @@ pub fn run(order: &Order) -> Result<(), Failure> {
             }
             None => None,
         },
+        unit: match given.scene.unit().map_err(|error| Failure::new(error.to_string()))? {
+            Some(unit) => {
+                Some(UnitInFlight::new(unit, outputs.file(&file("_unit.csv"), &unit::COLUMNS.join(","))?)?)
+            }
+            None => None,
+        },
     };
     let quiet = order.output.is_quiet(&given);
     let mut flown = Flown::default();
@@ -79,10 +89,13 @@ pub fn run(order: &Order) -> Result<(), Failure> {
 
 /// Puts all files in place. The records are last, because the report looks for the summary beside the records.
 fn finish(figures: &Figures, files: Files, summary_file: OutputFile) -> Result<(), Failure> {
-    let Files { records, imu } = files;
+    let Files { records, imu, unit } = files;
     let text = summary::text(figures)?;
     if let Some(imu) = imu {
         imu.commit()?;
+    }
+    if let Some(unit) = unit {
+        unit.commit()?;
     }
     summary_file.finish(text)?;
     records.commit()

@@ -30,8 +30,8 @@ use run::Run;
 /// Draws recorded runs on one self-contained page (sins_out/report.html)
 #[derive(Debug, clap::Args)]
 pub struct Order {
-    /// Records that `sins fly` wrote, each with its RUN_summary.csv in the same folder. Arguments that end in _summary.csv are
-    /// ignored: *.csv means all runs of a folder
+    /// Records that `sins fly` wrote, each with its RUN_summary.csv in the same folder. Arguments that end in _summary.csv or
+    /// _unit.csv are ignored: *.csv means all runs of a folder
     #[arg(required = true, value_name = "RUN.csv")]
     pub runs: Vec<PathBuf>,
     /// The page [default: sins_out/report.html]
@@ -46,10 +46,13 @@ pub struct Order {
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let is_run = |path: &&PathBuf| !path.to_string_lossy().ends_with("_summary.csv");
+    let is_beside = |path: &str| path.ends_with("_summary.csv") || path.ends_with("_unit.csv");
+    let is_run = |path: &&PathBuf| !is_beside(&path.to_string_lossy());
     let paths: Vec<&PathBuf> = order.runs.iter().filter(is_run).collect();
     if paths.is_empty() {
-        return Err(Failure::new("expected at least one RUN.csv; found only files that end in _summary.csv"));
+        return Err(Failure::new(
+            "expected at least one RUN.csv; found only files that end in _summary.csv or _unit.csv",
+        ));
     }
     let inputs: Vec<PathBuf> =
         paths.iter().flat_map(|path| [(*path).clone(), run::summary_path(path)]).collect();

@@ -1,0 +1,77 @@
+//! The unit of a scene in flight: its file has a row at each record and at each change of its state.
+
+use std::io::Write;
+
+use sins::records;
+use sins::scene::Scene;
+use sins::unit::{State, Unit};
+use sins::{Error, Simulator};
+
+use crate::failure::Failure;
+use crate::output::OutputFile;
+
+/// Columns of the file.
+pub const COLUMNS: [&str; 5] = ["time_s", "state", "to_go_s", "valid", "reasons"];
+
+/// The unit, and its file.
+pub struct UnitInFlight {
+    unit: Unit,
+    file: OutputFile,
+    written: Option<State>,
+}
+
+impl UnitInFlight {
+    pub fn new(unit: Unit, mut file: OutputFile) -> Result<Self, Failure> {
+        write_line(&mut file, &COLUMNS.join(","))?;
+        Ok(Self { unit, file, written: None })
+    }
+
+    /// Takes the last step: first what is planned at the panel, then the unit.
+    pub fn update(&mut self, scene: &Scene, simulator: &mut Simulator, start_s: f64) -> Result<(), Error> {
+        scene.update_unit(&mut self.unit, simulator, start_s)
+    }
+
+    /// Writes a row if the state has changed, or if it `is_due`.
+    pub fn record(&mut self, time_s: f64, is_due: bool) -> Result<(), Failure> {
+        let status = self.unit.status();
+        if !is_due && self.written == Some(status.state) {
+            return Ok(());
+        }
+        self.written = Some(status.state);
+        let (valid, reasons) = (&status.validity, &status.reasons);
+        let valid = words(&[
+            (valid.rates, "rates"),
+            (valid.attitude, "attitude"),
+            (valid.heading, "heading"),
+            (valid.position, "position"),
+            (valid.velocity, "velocity"),
+        ]);
+        let reasons = words(&[
+            (reasons.no_position, "no-position"),
+            (reasons.position_disagrees, "position-disagrees"),
+            (reasons.latitude_disagrees, "latitude-disagrees"),
+            (reasons.motion, "motion"),
+            (reasons.latitude_too_high, "latitude-too-high"),
+            (reasons.no_signal, "no-signal"),
+            (reasons.battery_empty, "battery-empty"),
+        ]);
+        let state = status.state.words();
+        write_line(
+            &mut self.file,
+            &format!("{},{state},{:.1},{valid},{reasons}", records::line([time_s]), status.to_go_s),
+        )
+    }
+
+    pub fn commit(self) -> Result<(), Failure> {
+        self.file.commit()
+    }
+}
+
+/// The words that hold, with spaces between them.
+fn words(all: &[(bool, &str)]) -> String {
+    all.iter().filter(|(holds, _)| *holds).map(|(_, word)| *word).collect::<Vec<_>>().join(" ")
+}
+
+fn write_line(file: &mut OutputFile, line: &str) -> Result<(), Failure> {
+    writeln!(file, "{line}").map_err(|error| Failure::of_output(file.path(), &error))
+}
