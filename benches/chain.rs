@@ -185,7 +185,7 @@ fn chain(criterion: &mut Criterion) {
         // SAFETY: a valid handle at the start of a flight.
         bencher.iter(|| unsafe {
             assert_eq!(sins_reset(sim), SINS_OK);
-            c_scene::push_step_read(sim, &samples);
+            c_scene::push_step_read(sim, &samples, || ());
         });
     });
     group.finish();

@@ -21,7 +21,7 @@ if [ "${1:-}" = matrix ]; then
     row exact,2,2,Earth-fixed
     row polynomial,4,2,Earth-fixed
 else
-    for what in simulation2 calls reads record ideal free; do
+    for what in simulation2 calls reads nav shown align att record ideal free; do
         count=$(per_step 10000 20000 target/release/steps $what)
         echo "$what: $count instructions a step"
     done

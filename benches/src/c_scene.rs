@@ -67,11 +67,12 @@ pub unsafe fn push_step(sim: *mut sins_sim, samples: &[sins_flight_sample], mut 
     }
 }
 
-/// Flies the samples as [`push_step`], and reads navigation and both errors after each step, each in a call of its own.
+/// Flies the samples as [`push_step`], and reads navigation and both errors after each step, each in a call of its own. Then it
+/// calls `and`.
 ///
 /// # Safety
 /// As [`push_step`].
-pub unsafe fn push_step_read(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
+pub unsafe fn push_step_read(sim: *mut sins_sim, samples: &[sins_flight_sample], mut and: impl FnMut()) {
     // SAFETY: structs of their own size.
     unsafe {
         let mut navigation: sins_navigation = core::mem::zeroed();
@@ -82,6 +83,7 @@ pub unsafe fn push_step_read(sim: *mut sins_sim, samples: &[sins_flight_sample])
             assert_eq!(sins_get_navigation(sim, &mut navigation), SINS_OK);
             assert_eq!(sins_get_errors(sim, SINS_ERRORS_NAVIGATION, &mut errors), SINS_OK);
             assert_eq!(sins_get_errors(sim, SINS_ERRORS_MODEL, &mut errors), SINS_OK);
+            and();
         });
     }
 }

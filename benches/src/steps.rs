@@ -5,6 +5,7 @@
 //! - `simulation2`, `ideal`, `free`: through `sins_run`;
 //! - `calls`: simulation 2 with push and step, each in a call of its own;
 //! - `reads`: as `calls`, and reads navigation and both errors, each in a call of its own;
+//! - `nav`, `align`, `att`: as `reads`, with the update of a unit in this mode; `shown`: as `nav`, with its status and what it shows;
 //! - `record`: as `calls`, and reads truth, navigation and both errors in one call;
 //! - `SCHEME,SUBSAMPLES,UPDATES,FRAME` (`exact,2,1,Earth-fixed`): by push and step of the Rust simulator;
 //! - `save`, `load`: COUNT snapshots of simulation 2 in flight.
@@ -30,6 +31,7 @@ fn main() {
     let count = arguments.get(2).and_then(|count| count.parse::<usize>().ok());
     match (what, options(what), count) {
         ("simulation2" | "calls" | "reads" | "record" | "ideal" | "free", _, Some(count)) => run(what, count),
+        ("nav" | "shown" | "align" | "att", _, Some(count)) => run(what, count),
         ("save" | "load", _, Some(count)) => snapshots(what == "load", count),
         (_, Some(options), Some(count)) => {
             let samples = scene::patrol(FEW_SAMPLES);
@@ -37,7 +39,7 @@ fn main() {
         }
         _ => {
             eprintln!(
-                "usage: steps simulation2|calls|reads|record|ideal|free|save|load|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT"
+                "usage: steps simulation2|calls|reads|nav|shown|align|att|record|ideal|free|save|load|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT"
             );
             std::process::exit(2);
         }
@@ -98,7 +100,7 @@ fn push_and_step(options: &Options, samples: &[FlightSample]) {
 fn run(what: &str, count: usize) {
     let samples = c_scene::c_samples(&scene::patrol(if count < FEW_SAMPLES { FEW_SAMPLES } else { SAMPLES }));
     let mut options = c_scene::c_options();
-    let noisy = matches!(what, "simulation2" | "calls" | "reads" | "record");
+    let noisy = !matches!(what, "ideal" | "free");
     if !noisy {
         options.error_model = SINS_ERROR_MODEL_OFF;
     }
@@ -111,7 +113,10 @@ fn run(what: &str, count: usize) {
     unsafe {
         match what {
             "calls" => c_scene::push_step(sim, samples, || ()),
-            "reads" => c_scene::push_step_read(sim, samples),
+            "reads" => c_scene::push_step_read(sim, samples, || ()),
+            "nav" | "shown" => push_step_unit(sim, samples, SINS_UNIT_NAV, what == "shown"),
+            "align" => push_step_unit(sim, samples, SINS_UNIT_ALIGN, false),
+            "att" => push_step_unit(sim, samples, SINS_UNIT_ATT, false),
             "record" => push_step_record(sim, samples),
             _ => c_scene::run(sim, samples),
         }
@@ -129,5 +134,39 @@ unsafe fn push_step_record(sim: *mut sins_sim, samples: &[sins_flight_sample]) {
         let mut record: sins_record = core::mem::zeroed();
         record.struct_size = size_of::<sins_record>() as u32;
         c_scene::push_step(sim, samples, || assert_eq!(sins_get_record(sim, &mut record), SINS_OK));
+    }
+}
+
+/// Flies the samples as `reads`, with a unit in `mode`.
+///
+/// # Safety
+/// `sim` is a valid handle at the start of a flight.
+unsafe fn push_step_unit(sim: *mut sins_sim, samples: &[sins_flight_sample], mode: i32, reads: bool) {
+    // SAFETY: structs of their own size.
+    unsafe {
+        let mut params: sins_unit_params = core::mem::zeroed();
+        params.struct_size = size_of::<sins_unit_params>() as u32;
+        // The aircraft flies: ALIGN continues all the same.
+        (params.motion_threshold_m_s, params.power_up_test_s, params.erection_s) = (1e3, 1e-3, 1e-3);
+        let mut status: sins_unit_status = core::mem::zeroed();
+        status.struct_size = size_of::<sins_unit_status>() as u32;
+        let mut shown: sins_unit_navigation = core::mem::zeroed();
+        shown.struct_size = size_of::<sins_unit_navigation>() as u32;
+        let mut unit = core::ptr::null_mut();
+        let start = if mode == SINS_UNIT_NAV { SINS_UNIT_NAV } else { SINS_UNIT_OFF };
+        assert_eq!(sins_unit_create(&params, start, &mut unit), SINS_OK);
+        assert_eq!(sins_unit_select(unit, mode), SINS_OK);
+        let mut began = false;
+        c_scene::push_step_read(sim, samples, || {
+            if began {
+                assert_eq!(sins_unit_update(unit, sim), SINS_OK);
+            }
+            if began && reads {
+                assert_eq!(sins_unit_get_status(unit, &mut status), SINS_OK);
+                assert_eq!(sins_unit_get_navigation(unit, sim, &mut shown), SINS_OK);
+            }
+            began = true;
+        });
+        assert_eq!(sins_unit_destroy(unit), SINS_OK);
     }
 }

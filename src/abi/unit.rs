@@ -288,7 +288,8 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
 /// alignment starts anew.
 ///
 /// SINS_ERROR_BAD_STATE: the simulator has made no step, or the unit has taken this step already.
-/// SINS_ERROR_BAD_HANDLE: sim is not a simulator. The errors of sins_correct(). After any error nothing has changed.
+/// SINS_ERROR_BAD_HANDLE: sim is not a simulator.
+/// The errors of sins_correct(): the simulator rejects a correction. The unit has noted the interval and tries again with the next.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_unit_update(unit: *mut sins_unit, sim: *mut sins_sim) -> sins_status {
     with_unit(unit, |unit| {

@@ -25,7 +25,7 @@ impl Unit {
 
     /// Presses the test button: for the length of the power-up test the status says so.
     pub fn press_test(&mut self) {
-        self.test_s = self.parameters.with_defaults().power_up_test_s;
+        self.test_s = self.limits.power_up_test_s;
     }
 
     /// Enters the present position, of an alignment or a realignment. A position that is far from the stored one is refused, with a
@@ -38,7 +38,7 @@ impl Unit {
         }
         let longitude_rad = crate::math::wrap_angle(longitude_rad);
         let position = (latitude_rad, longitude_rad);
-        let tolerance = self.parameters.with_defaults().position_tolerance_rad;
+        let tolerance = self.limits.position_tolerance_rad;
         let is_far = self.stored.is_some_and(|stored| {
             let east = crate::math::wrap_angle(longitude_rad - stored.longitude_rad);
             (latitude_rad - stored.latitude_rad).abs() > tolerance || east.abs() > tolerance

@@ -44,6 +44,8 @@ const KEEP_S: f64 = 60.0;
 pub struct Unit {
     /// As they were set.
     parameters: UnitParameters,
+    /// The same with the defaults in place of zeros.
+    limits: UnitParameters,
     kind: AlignmentKind,
     selector: Mode,
     power: Power,
@@ -96,6 +98,7 @@ impl Unit {
         };
         Ok(Self {
             parameters: *parameters,
+            limits: parameters.with_defaults(),
             kind: AlignmentKind::default(),
             selector: mode,
             power: Power::default(),
@@ -134,7 +137,7 @@ impl Unit {
     /// Sets the parameters; they act at once.
     pub fn set_parameters(&mut self, parameters: &UnitParameters) -> Result<(), Error> {
         parameters.validate()?;
-        self.parameters = *parameters;
+        (self.parameters, self.limits) = (*parameters, parameters.with_defaults());
         Ok(())
     }
 
@@ -146,29 +149,40 @@ impl Unit {
         if self.time_s == Some(imu.time_s) {
             return Err(Error::bad_state("the unit has taken this step already"));
         }
-        let mut next = *self;
-        next.take(&imu, simulator)?;
-        *self = next;
-        Ok(())
+        self.note(&imu, simulator);
+        if self.state == State::Navigation && self.selector == Mode::Navigate {
+            self.in_navigation_s += imu.interval_s;
+            return Ok(());
+        }
+        self.work(imu.interval_s, simulator)
     }
 
-    fn take(&mut self, imu: &ImuInterval, simulator: &mut Simulator) -> Result<(), Error> {
-        let dt = imu.interval_s;
-        let begun_s = imu.time_s - dt;
+    /// Takes over the interval.
+    fn note(&mut self, imu: &ImuInterval, simulator: &Simulator) {
         if self.time_s.is_none() {
             self.look_at(simulator);
         }
-        let goes_on = self.time_s.is_none_or(|time_s| (time_s - begun_s).abs() <= 0.5 * dt);
-        self.time_s = Some(imu.time_s);
-        self.state_s += dt;
-        if !goes_on {
+        let dt = imu.interval_s;
+        let begun_s = imu.time_s - dt;
+        if self.time_s.is_some_and(|time_s| (time_s - begun_s).abs() > 0.5 * dt) {
             self.alignment = Alignment::default();
             self.motion = Motion::default();
         }
+        self.time_s = Some(imu.time_s);
+        self.state_s += dt;
         self.measured = imu.compensated;
         self.interval_s = dt;
         self.supply(imu);
-        self.keep(dt, simulator)?;
-        self.go_on(dt, simulator)
+    }
+
+    /// What the unit does in an interval without navigation, or to begin or end it. If the simulator rejects a correction, the unit
+    /// stays as it was, and tries again with the next interval.
+    #[inline(never)]
+    fn work(&mut self, dt: f64, simulator: &mut Simulator) -> Result<(), Error> {
+        let mut next = *self;
+        next.keep(dt, simulator)?;
+        next.go_on(dt, simulator)?;
+        *self = next;
+        Ok(())
     }
 }

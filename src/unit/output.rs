@@ -31,7 +31,7 @@ pub struct UnitNavigation {
 impl Unit {
     /// What the unit reports of itself.
     pub fn status(&self) -> Status {
-        let parameters = self.parameters.with_defaults();
+        let parameters = self.limits;
         let aligns = self.aligns();
         let whole_s = self.length_s(&parameters);
         let elapsed_s = self.alignment.elapsed_s;
@@ -85,7 +85,7 @@ impl Unit {
 
     /// In an alignment the heading is shown from its half on.
     fn shows_heading(&self) -> bool {
-        let parameters = self.parameters.with_defaults();
+        let parameters = self.limits;
         self.alignment.last.is_some()
             && self.latitude_rad().is_some()
             && self.alignment.elapsed_s >= 0.5 * self.length_s(&parameters)

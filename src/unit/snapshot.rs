@@ -9,8 +9,9 @@ stored!(Unit {
     inertial, motion, alignment, q_il: 2.0, heading_entered, realigned, reasons, found_latitude_rad: 1.6, latitude_failures: 2.0,
     invalid_s: CLOCK_S, on_battery_s: CLOCK_S, kept_s: CLOCK_S, test_s: CLOCK_S, in_navigation_s: CLOCK_S, measured,
     interval_s: SIGNALS
-} then |unit, from| {
+} rebuilt { limits } then |unit, from| {
     unit.parameters.validate()?;
+    unit.limits = unit.parameters.with_defaults();
     let sizes = unit.q_bs.norm_squared().min(unit.q_il.norm_squared());
     from.require(sizes > 0.9 && unit.interval_s > 0.0, sizes, "is not of size 1")
 });

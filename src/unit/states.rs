@@ -43,7 +43,7 @@ impl Unit {
         }
         let has_signal = !(imu.flags.gyro_invalid || imu.flags.accel_invalid);
         self.invalid_s = if has_signal { 0.0 } else { self.invalid_s + dt };
-        if self.invalid_s != 0.0 && self.invalid_s > parameters.with_defaults().fault_s {
+        if self.invalid_s != 0.0 && self.invalid_s > self.limits.fault_s {
             self.reasons.no_signal = true;
             self.enter(State::Fault);
         }
@@ -65,16 +65,12 @@ impl Unit {
             self.power_down(simulator)?;
         }
         match self.state {
-            State::Navigation if self.selector == Mode::Navigate => {
-                self.in_navigation_s += dt;
-                return Ok(());
-            }
             State::Off if self.selector != Mode::Off && self.has_power() => self.power_up(),
             State::Off | State::Fault => return Ok(()),
             State::PowerDown => return self.switch_off(simulator),
             _ => {}
         }
-        let parameters = self.parameters.with_defaults();
+        let parameters = self.limits;
         match (self.state, self.selector) {
             (State::Test, _) => {
                 let is_over =
@@ -153,7 +149,7 @@ impl Unit {
 
     /// OFF, after the time for storing; before, back to work if the selector says so.
     fn switch_off(&mut self, simulator: &Simulator) -> Result<(), Error> {
-        let parameters = self.parameters.with_defaults();
+        let parameters = self.limits;
         if self.selector == Mode::Navigate && self.realigned && self.state_s <= parameters.quick_off_s {
             return self.leave_navigation(&parameters, simulator);
         }

@@ -28,7 +28,7 @@ fn the_small_examples_run() {
     let states: Vec<&str> = text.lines().map(|line| line[10..27].trim_end()).collect();
     let first = ["off", "test", "coarse alignment", "fine alignment", "ready", "navigation"];
     assert_eq!(states, [&first[..], &["realignment", "ready", "navigation", "power-down", "off"]].concat());
-    let east_m = |line: &str| line.split_whitespace().nth_back(4).unwrap().parse::<f64>().unwrap().abs();
+    let east_m = |line: &str| line.split_whitespace().nth_back(5).unwrap().parse::<f64>().unwrap().abs();
     let lines: Vec<&str> = text.lines().collect();
     assert!(east_m(lines[6]) > 100.0 && east_m(lines[7]) < 1.0, "{text}");
 
