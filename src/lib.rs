@@ -99,6 +99,7 @@
 //! | no host can damage the library, and the library does not damage its host | `tests/interface/host_machine.rs` and the table of `tests/README.md` |
 //! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/state/snapshots.rs`, `tests/robustness/snapshot_damage.rs` |
 //! | for any sequence of calls within the rules, no accepted step leaves a solution beyond the limits, a rejected call changes nothing, and each snapshot loads | `tests/robustness/any_use.rs` |
+//! | a unit aligns as well as theory permits, and behaves as its table says at each mode, entry and fault | `tests/unit` |
 //! | errors that the host feeds back disappear, everywhere and in every mode, and zeros change no bit | `tests/state/corrections.rs` |
 //! | pauses and a changed pace of the host's time change no result | `tests/state/host_time.rs` |
 //! | a slew, and a pause in which the time stamps ran on, keep the errors of the INS | `tests/state/moved` |
