@@ -47,7 +47,7 @@
 //! | [`allan`] | estimates the noise of a sensor from its record |
 //! | [`surroundings`] | has the tables of the parameters of the altimeter, of the mounting and of gravity |
 //! | [`snapshot`] | saves the state of all blocks |
-//! | `scene`, `log` | read and write a whole scene as text, and read flight logs (feature `scenes`) |
+//! | `scene`, `log` | read and write a whole scene as text, make its failures and updates, and read flight logs (feature `scenes`) |
 //! | [`abi`] | the C interface |
 //!
 //! # Notation
@@ -99,6 +99,7 @@
 //! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/state/snapshots.rs`, `tests/robustness/snapshot_damage.rs` |
 //! | for any sequence of calls within the rules, no accepted step leaves a solution beyond the limits, a rejected call changes nothing, and each snapshot loads | `tests/robustness/any_use.rs` |
 //! | errors that the host feeds back disappear, everywhere and in every mode, and zeros change no bit | `tests/state/corrections.rs` |
+//! | a planned update leaves the error of its fix, and changes no other random number | `tests/state/updates.rs` |
 //! | pauses and a changed pace of the host's time change no result | `tests/state/host_time.rs` |
 //! | a slew, and a pause in which the time stamps ran on, keep the errors of the INS | `tests/state/moved` |
 //! | run k of an ensemble gives the same bits as the simulator with this run number, also when other runs diverge | `tests/state/ensemble`, `tests/interface/c_side.rs` |
