@@ -48,7 +48,7 @@
 //! | [`surroundings`] | has the tables of the parameters of the altimeter, of the mounting and of gravity |
 //! | [`unit`] | an INS as an aircraft knows it: modes, alignment, status |
 //! | [`snapshot`] | saves the state of all blocks |
-//! | `scene`, `log` | read and write a whole scene as text, and read flight logs (feature `scenes`) |
+//! | `scene`, `log` | read and write a whole scene as text, make its failures and updates, and read flight logs (feature `scenes`) |
 //! | [`abi`] | the C interface |
 //!
 //! # Notation
@@ -101,6 +101,7 @@
 //! | for any sequence of calls within the rules, no accepted step leaves a solution beyond the limits, a rejected call changes nothing, and each snapshot loads | `tests/robustness/any_use.rs` |
 //! | a unit aligns as well as theory permits, and behaves as its table says at each mode, entry and fault | `tests/unit` |
 //! | errors that the host feeds back disappear, everywhere and in every mode, and zeros change no bit | `tests/state/corrections.rs` |
+//! | a planned update leaves the error of its fix, and changes no other random number | `tests/state/updates.rs` |
 //! | pauses and a changed pace of the host's time change no result | `tests/state/host_time.rs` |
 //! | a slew, and a pause in which the time stamps ran on, keep the errors of the INS | `tests/state/moved` |
 //! | run k of an ensemble gives the same bits as the simulator with this run number, also when other runs diverge | `tests/state/ensemble`, `tests/interface/c_side.rs` |

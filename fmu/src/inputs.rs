@@ -1,4 +1,4 @@
-//! The inputs: the truth at the start of a step.
+//! The inputs of the truth at the start of a step.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -11,7 +11,7 @@ use sins::units::TEMPERATURE_RANGE_C;
 use crate::values::Value;
 use crate::variable::{Role, Variable};
 
-/// Inputs that a master sets together. The inputs of all groups are the first reals of the table, in this order.
+/// Inputs that a master sets together. They are the first reals of the table, in this order.
 struct Group {
     name: &'static str,
     /// Whether a sample requires the group.
@@ -67,7 +67,7 @@ const GROUPS: [Group; 6] = [
     ] },
 ];
 
-/// Number of inputs.
+/// Number of inputs of the truth.
 pub const COUNT: usize = {
     let (mut group, mut count) = (0, 0);
     while group < GROUPS.len() {
@@ -77,7 +77,7 @@ pub const COUNT: usize = {
     count
 };
 
-/// The inputs as variables.
+/// The inputs of the truth as variables.
 pub fn variables() -> impl Iterator<Item = Variable> {
     GROUPS.iter().flat_map(|group| {
         let rest = if group.is_needed { "" } else { "; off until the master sets it" };

@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use sins::correction::Correction;
 use sins::scene::Scene;
 use sins::sensors::SensorOutput;
 use sins::truth::Pushed;
 use sins::{Error, Simulator};
 
+use crate::corrections;
 use crate::inputs;
 use crate::outputs;
 use crate::scene;
@@ -59,6 +61,17 @@ pub struct Flown {
     pub turn_rad: f64,
 }
 
+/// The last sample that was taken.
+#[derive(Debug, Clone)]
+pub struct Taken {
+    /// Time stamp [s].
+    pub time_s: f64,
+    /// Inputs of the truth.
+    pub inputs: Vec<f64>,
+    /// Number of corrections that the master had counted.
+    pub corrections: i32,
+}
+
 /// Scene and simulator made from the parameters, and the state of the flight.
 #[derive(Debug, Clone)]
 pub struct Flight {
@@ -66,8 +79,7 @@ pub struct Flight {
     pub simulator: Box<Simulator>,
     /// Time stamp of the first sample [s].
     pub first_s: Option<f64>,
-    /// Time stamp [s] and inputs of the last sample that was taken.
-    pub taken: Option<(f64, Vec<f64>)>,
+    pub taken: Option<Taken>,
 }
 
 impl Flight {
@@ -101,16 +113,21 @@ impl Flight {
         Ok(())
     }
 
-    /// The simulator after the interval that ends at `time_s` [s] with these inputs, and whether the sample closed a gap.
+    /// The simulator after `correction` and the interval that ends at `time_s` [s] with these inputs, and whether the sample closed a
+    /// gap.
     fn flown(
         &self,
         time_s: f64,
         values: &[f64],
         is_set: &[bool; inputs::COUNT],
+        correction: Option<Correction>,
     ) -> Result<(Box<Simulator>, bool), String> {
         let mut sample = inputs::sample(time_s, values, is_set)?;
         let mut simulator = self.simulator.clone();
         let mut fly = || {
+            if let Some(correction) = &correction {
+                simulator.correct(correction)?;
+            }
             self.scene.prepare(&mut *simulator, self.first_s.unwrap_or(time_s), &mut sample)?;
             let pushed = simulator.push_sample(&sample)?;
             simulator.step()?;
@@ -129,7 +146,7 @@ pub struct Instance {
     pub resources: Option<PathBuf>,
     pub phase: Phase,
     pub values: Values,
-    /// Whether the master has set each input.
+    /// Whether the master has set each input of the truth.
     pub is_set: [bool; inputs::COUNT],
     pub flight: Option<Flight>,
     /// End of the last step [s].
@@ -193,7 +210,10 @@ impl Instance {
                 Refused::error(format!("{} cannot be set: {}", variable.name, refused.text))
             })?;
             match variable.role {
-                Role::Input => is_set[place] = true,
+                Role::Input => {
+                    let of_truth = is_set.get_mut(place).filter(|_| base == Base::Real);
+                    of_truth.into_iter().for_each(|is_set| *is_set = true);
+                }
                 _ => is_tuned |= next.get(base, place).as_ref() != Some(&value),
             }
             let _ = next.set(place, value);
@@ -223,8 +243,8 @@ impl Instance {
         let Some(flight) = &mut self.flight else { return Err(Refused::error("there is no flight")) };
         let inputs = &self.values.reals[..inputs::COUNT];
         match &flight.taken {
-            Some((taken_s, taken)) if *taken_s == time_s => {
-                if taken != inputs {
+            Some(taken) if taken.time_s == time_s => {
+                if taken.inputs != inputs {
                     let text =
                         format!("the inputs at {time_s} s have changed, and their sample has been taken");
                     return Err(Refused::error(text));
@@ -234,15 +254,18 @@ impl Instance {
             }
             _ => {}
         }
+        let corrections = corrections::count(&self.values);
+        let is_corrected = flight.taken.as_ref().is_some_and(|taken| taken.corrections != corrections);
+        let correction = is_corrected.then(|| corrections::correction(&self.values));
         let (mut simulator, behind_gap) =
-            flight.flown(time_s, inputs, &self.is_set).map_err(Refused::error)?;
-        let turn_rad = flight.taken.as_ref().map_or(0.0, |(_, before)| inputs::turn_rad(before, inputs));
-        let taken = inputs.to_vec();
+            flight.flown(time_s, inputs, &self.is_set, correction).map_err(Refused::error)?;
+        let turn_rad = flight.taken.as_ref().map_or(0.0, |before| inputs::turn_rad(&before.inputs, inputs));
+        let taken = Taken { time_s, inputs: inputs.to_vec(), corrections };
         outputs::read(&mut simulator, behind_gap, &mut self.values)
             .map_err(|error| Refused::error(error.to_string()))?;
         flight.simulator = simulator;
         flight.first_s = flight.first_s.or(Some(time_s));
-        flight.taken = Some((time_s, taken));
+        flight.taken = Some(taken);
         self.end_s = time_s + length_s;
         Ok(Flown { behind_gap, turn_rad })
     }

@@ -7,7 +7,7 @@
 //!  instance        phases, values, the simulator                `instance`, saved by `saved`
 //!    |        \
 //!    v         v
-//!  scene       sample             parameters, inputs            `parameters`, `inputs`
+//!  scene       sample             parameters, inputs            `parameters`, `inputs`, `corrections`
 //!    |          |
 //!    v          v
 //!  sins::Simulator  ->  outputs                                 `outputs`
@@ -24,6 +24,7 @@
 //! step from a time whose sample has been taken changes nothing, if the inputs are the same.
 #![deny(missing_docs, unsafe_op_in_unsafe_fn)]
 
+mod corrections;
 mod description;
 pub mod get_set;
 mod inputs;

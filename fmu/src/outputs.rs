@@ -1,13 +1,15 @@
 //! The outputs, which are read from the simulator after a step.
 
+use sins::correction::Compensation;
 use sins::state::Navigation;
 use sins::{Error, ErrorSource, Simulator};
 
+use crate::corrections;
 use crate::values::{Value, Values};
 use crate::variable::{Role, Variable};
 
 /// A number: name, unit, usual size, meaning.
-type Number = (&'static str, &'static str, f64, &'static str);
+pub type Number = (&'static str, &'static str, f64, &'static str);
 
 const SOLUTION: [Number; 10] = [
     ("time_of_solution_s", "s", 1.0, "time of the truth that all outputs belong to"),
@@ -22,8 +24,9 @@ const SOLUTION: [Number; 10] = [
     ("navigation.heading_rad", "rad", 1.0, "navigated heading"),
 ];
 
-/// Errors: all are outputs of the navigation and of the error equations, and the first nine also of the covariance.
-const ERRORS: [Number; 12] = [
+/// Errors: all are outputs of the navigation and of the error equations, the first nine also of the covariance; these a master can
+/// correct.
+pub const ERRORS: [Number; 12] = [
     ("position_east_m", "m", 100.0, "displacement east"),
     ("position_north_m", "m", 100.0, "displacement north"),
     ("position_up_m", "m", 100.0, "height"),
@@ -54,7 +57,7 @@ const IMU: [Number; 13] = [
     ("imu.mean_force_m_s2[3]", "m/s2", 10.0, "measured specific force, mean of the interval, sensor axis z"),
 ];
 
-const COUNT: usize = SOLUTION.len() + 2 * ERRORS.len() + IMU.len() + 9;
+const COUNT: usize = SOLUTION.len() + 2 * ERRORS.len() + IMU.len() + 9 + corrections::COMPENSATIONS;
 
 const FLAGS: [(&str, &str); 11] = [
     ("flags.available", "there is a solution: a sample was taken"),
@@ -83,6 +86,7 @@ pub fn variables() -> impl Iterator<Item = Variable> {
     let numbers =
         numbers.chain(errors("model_errors", "by the error equations", 12)).chain(IMU.iter().map(own));
     let numbers = numbers.chain(errors("sigma", "standard deviation by the covariance", 9));
+    let numbers = numbers.chain(corrections::compensations());
     let numbers = numbers.map(|(name, unit, nominal, doc)| {
         let variable = Variable::new(name, Role::Output, Value::Real(0.0), doc).in_unit(unit, 1.0);
         Variable { nominal, ..variable }
@@ -136,6 +140,11 @@ pub fn read(simulator: &mut Simulator, behind_gap: bool, into: &mut Values) -> R
     put((imu.measured.angle * per_s).as_slice());
     put((imu.measured.velocity * per_s).as_slice());
     put(&covariance.map_or([0.0; 9], |(_, covariance, _)| covariance.sigma()));
+    let Compensation { gyro_bias, gyro_scale_factor, accel_bias, accel_scale_factor } =
+        simulator.compensation();
+    [gyro_bias, gyro_scale_factor, accel_bias, accel_scale_factor]
+        .iter()
+        .for_each(|three| put(three.as_slice()));
 
     flags.copy_from_slice(&[
         true,

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::inputs;
-use crate::instance::{Flight, Instance, Phase};
+use crate::instance::{Flight, Instance, Phase, Taken};
 use crate::table::table;
 use crate::values::Values;
 use crate::variable::Role;
@@ -35,9 +35,10 @@ pub fn save(instance: &Instance) -> Result<Vec<u8>, String> {
     to.push(1);
     to.push(u8::from(flight.taken.is_some()));
     to.extend(flight.first_s.unwrap_or(0.0).to_le_bytes());
-    if let Some((time_s, taken)) = &flight.taken {
+    if let Some(Taken { time_s, inputs, corrections }) = &flight.taken {
         to.extend(time_s.to_le_bytes());
-        taken.iter().for_each(|value| to.extend(value.to_le_bytes()));
+        inputs.iter().for_each(|value| to.extend(value.to_le_bytes()));
+        to.extend(corrections.to_le_bytes());
     }
     let from = to.len();
     to.resize(from + flight.simulator.snapshot_size(), 0);
@@ -82,10 +83,11 @@ fn read(state: &[u8], resources: Option<PathBuf>, now: &Instance) -> Option<Resu
     let has_taken = from.flag()?;
     let first_s = from.number()?;
     let taken = match has_taken {
-        true => {
-            let time_s = from.number()?;
-            Some((time_s, (0..inputs::COUNT).map(|_| from.number()).collect::<Option<Vec<f64>>>()?))
-        }
+        true => Some(Taken {
+            time_s: from.number()?,
+            inputs: (0..inputs::COUNT).map(|_| from.number()).collect::<Option<Vec<f64>>>()?,
+            corrections: i32::from_le_bytes(from.bytes()?),
+        }),
         false => None,
     };
     Some(with_flight(instance, has_taken.then_some(first_s), taken, from.rest, now))
@@ -95,7 +97,7 @@ fn read(state: &[u8], resources: Option<PathBuf>, now: &Instance) -> Option<Resu
 fn with_flight(
     mut instance: Instance,
     first_s: Option<f64>,
-    taken: Option<(f64, Vec<f64>)>,
+    taken: Option<Taken>,
     snapshot: &[u8],
     now: &Instance,
 ) -> Result<Instance, String> {

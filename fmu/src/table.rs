@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 use crate::values::{Base, Values};
 use crate::variable::{Role, Variable};
-use crate::{description, inputs, outputs, parameters};
+use crate::{corrections, description, inputs, outputs, parameters};
 
 /// All variables, in the order of the model description, with the place of each in its row.
 #[derive(Debug)]
@@ -37,7 +37,8 @@ impl Table {
 
     fn new() -> Self {
         let mut start = Values::default();
-        let all = inputs::variables().chain(parameters::variables()).chain(outputs::variables());
+        let inputs = inputs::variables().chain(corrections::inputs());
+        let all = inputs.chain(parameters::variables()).chain(outputs::variables());
         let variables: Vec<(Variable, usize)> = all
             .map(|variable| {
                 let place = start.push(variable.start.clone());

@@ -68,7 +68,7 @@ impl StreamKey {
     }
 
     /// Normal numbers for the three errors of the fix of a `quantity` at `time_s` [s], which depend on nothing else.
-    pub(crate) fn fix(self, quantity: u64, time_s: f64) -> Vector3<f64> {
+    pub fn fix(self, quantity: u64, time_s: f64) -> Vector3<f64> {
         let mut generator = self.generator([Source::Fix as u64, quantity, time_s.to_bits()]);
         Vector3::from_fn(|_, _| normal(&mut generator))
     }

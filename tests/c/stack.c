@@ -344,6 +344,7 @@ static void call_with_scenes(void)
     sins_flight_start start = {.struct_size = sizeof start};
     static sins_manoeuvre manoeuvres[4];
     size_t count;
+    int k;
     parse_deep("a = ", "[");
     parse_deep("a = ", "{ a = ");
     parse_deep("", "a.");
@@ -369,8 +370,12 @@ static void call_with_scenes(void)
     MEASURE(sins_scene_set_values(scene, "gyro.bias_deg_h[2] = 0.5\noptions.scheme = paper"));
     MEASURE(sins_scene_create_simulator(scene, &sim));
     MEASURE(sins_scene_create_flight(scene, &flight));
-    MEASURE(sins_flight_sample_at(flight, 0.0, &sample));
-    MEASURE(sins_scene_prepare(scene, sim, 0.0, &sample));
+    for (k = 0; k < 18; k++) { /* to an update */
+        MEASURE(sins_flight_sample_at(flight, scene_time(k), &sample));
+        MEASURE(sins_scene_prepare(scene, sim, 0.0, &sample));
+        CHECK(sins_push_sample(sim, &sample) == SINS_OK);
+        TRY(sins_step(sim));
+    }
     MEASURE(sins_scene_get_options(scene, &options));
     MEASURE(sins_scene_get_setup(scene, &setup));
     MEASURE(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 4, &count, NULL));

@@ -22,7 +22,7 @@ preset = \"navigation\"
 /// Finds which errors of a scene matter: flies each error alone, and all errors together
 ///
 /// Writes into DIR: budget.html; SCENE.svg; budget.csv, a row for each effect; table.md, which it also prints. Errors of
-/// sensors, altimeter, start, mounting and gravity are those that the scene sets; failures of sensors are not flown.
+/// sensors, altimeter, start, mounting and gravity are those that the scene sets; failures and updates are not flown.
 ///
 /// With limits it also finds the effects that can be left out: without all of them together, no error changes by more than its
 /// limit at any time.

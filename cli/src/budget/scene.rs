@@ -1,4 +1,4 @@
-//! Samples of a budget: a scene, or its first part, without its failures.
+//! Samples of a budget: a scene, or its first part, without its failures and updates.
 
 use sins::truth::FlightSample;
 use sins::{Error, ErrorParameters, Options};
@@ -26,12 +26,17 @@ impl Scene {
         let scene = &given.scene;
         let title = given.title.trim_end_matches('.');
         let span_s = (count - 1) as f64 * given.period_s;
-        let failures = if scene.failures.is_empty() { "" } else { ", without its failures" };
+        let without = match (scene.failures.is_empty(), scene.updates.is_empty()) {
+            (true, true) => "",
+            (false, true) => ", without its failures",
+            (true, false) => ", without its updates",
+            (false, false) => ", without its failures and updates",
+        };
         let rate_hz = 1.0 / given.period_s;
         Self {
             name: given.name.clone(),
             title: format!(
-                "{title}, {} at {} Hz{failures}",
+                "{title}, {} at {} Hz{without}",
                 time_text(span_s),
                 (rate_hz * 10.0).round() / 10.0
             ),

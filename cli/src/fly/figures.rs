@@ -1,7 +1,7 @@
 //! Figures of a flight: what was flown, and its accuracy.
 
 use sins::errors::AccuracyFigures;
-use sins::scene::{PlannedFailure, Scene};
+use sins::scene::{PlannedFailure, PlannedUpdate, Scene, Updated};
 use sins::sensors::{Axis, Failure as SensorFailure, SensorOutput};
 use sins::{ClosureFigures, TrimFigures};
 
@@ -96,9 +96,18 @@ impl<'a> Figures<'a> {
 
     /// Each failure with its time; "none" if there are no failures.
     pub fn failures(&self) -> String {
-        let words: Vec<String> = self.scene().failures.iter().map(failure_text).collect();
-        if words.is_empty() { "none".to_owned() } else { words.join(", ") }
+        listed(self.scene().failures.iter().map(failure_text))
     }
+
+    /// Each update with its time; "none" if there are no updates.
+    pub fn updates(&self) -> String {
+        listed(self.scene().updates.iter().map(update_text))
+    }
+}
+
+fn listed(items: impl Iterator<Item = String>) -> String {
+    let words: Vec<String> = items.collect();
+    if words.is_empty() { "none".to_owned() } else { words.join(", ") }
 }
 
 /// Name of what a key sets, without the explanation after the name.
@@ -142,6 +151,20 @@ fn failure_text(planned: &PlannedFailure) -> String {
     let until_s = planned.failing.until_s;
     let until = if until_s.is_finite() { format!("{until_s} s") } else { "the end".to_owned() };
     format!("{output} {kind} {} s to {until}", planned.failing.from_s)
+}
+
+fn update_text(planned: &PlannedUpdate) -> String {
+    let PlannedUpdate { updated, at_s, every_s, sigma_n } = planned;
+    let (what, axes, unit) = match updated {
+        Updated::Position => ("position", 3, "m"),
+        Updated::HorizontalPosition => ("horizontal position", 2, "m"),
+        Updated::Velocity => ("velocity", 3, "m/s"),
+    };
+    let every = if every_s.is_finite() { format!(" every {every_s} s") } else { String::new() };
+    let sigma = &sigma_n.as_slice()[..axes];
+    let is_same = sigma.iter().all(|size| *size == sigma[0]);
+    let sizes: Vec<String> = sigma[..if is_same { 1 } else { axes }].iter().map(f64::to_string).collect();
+    format!("{what} {at_s} s{every} sigma {} {unit}", sizes.join(" "))
 }
 
 #[cfg(test)]

@@ -40,6 +40,7 @@ fn setting(figures: &Figures, records: &Path) -> String {
         line(what, figures.set_in(section));
     }
     line("failures", figures.failures());
+    line("updates", figures.updates());
     line("options", figures.set_in("options"));
     let interrupted = if figures.is_interrupted { ", stopped before the end" } else { "" };
     line(

@@ -85,6 +85,7 @@ fn settings(figures: &Figures, rows: &mut Rows) {
         rows.text(key, &figures.set_in(section), label);
     }
     rows.text("failures_text", &figures.failures(), "failures");
+    rows.text("updates_text", &figures.updates(), "updates by fixes");
 }
 
 fn flight(figures: &Figures, rows: &mut Rows) {

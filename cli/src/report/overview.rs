@@ -86,7 +86,7 @@ fn own_error(run: &Run) -> Option<String> {
     let is_none = |key: &str| run.summary.value(key) == Some("none");
     let may_lack = |key: &str| run.summary.value(key).is_none() || is_none(key);
     if !["gyro_text", "accel_text", "start_text"].into_iter().all(is_none)
-        || !["mounting_text", "gravity_text", "failures_text"].into_iter().all(may_lack)
+        || !["mounting_text", "gravity_text", "failures_text", "updates_text"].into_iter().all(may_lack)
     {
         return None;
     }

@@ -182,7 +182,7 @@ fn scenes_are_listed_checked_and_written() {
     let order = ["scene", "write", "patrol", "-o", "own.toml"];
     assert!(rejected(&folder, &order).contains("--force"));
     done(&folder, &[&order[..], &["--force"]].concat());
-    for scene in ["drone", "fighter", "patrol", "trainer"] {
+    for scene in ["drone", "fighter", "patrol", "resets", "trainer"] {
         let path = project_file(&format!("c_examples/scenes/{scene}.toml"));
         done(&folder, &["scene", "check", path.to_str().unwrap()]);
     }

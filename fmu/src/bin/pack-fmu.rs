@@ -11,7 +11,7 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
 /// Files of every unit: place in the archive, place in the project's folder.
-const FILES: [(&str, &str); 8] = [
+const FILES: [(&str, &str); 9] = [
     ("documentation/index.html", "fmu/documentation/index.html"),
     ("documentation/licenses/LICENSE-APACHE", "LICENSE-APACHE"),
     ("documentation/licenses/LICENSE-MIT", "LICENSE-MIT"),
@@ -19,6 +19,7 @@ const FILES: [(&str, &str); 8] = [
     ("resources/drone.toml", "c_examples/scenes/drone.toml"),
     ("resources/fighter.toml", "c_examples/scenes/fighter.toml"),
     ("resources/patrol.toml", "c_examples/scenes/patrol.toml"),
+    ("resources/resets.toml", "c_examples/scenes/resets.toml"),
     ("resources/trainer.toml", "c_examples/scenes/trainer.toml"),
 ];
 

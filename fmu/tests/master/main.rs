@@ -1,5 +1,6 @@
-//! Calls of a master: wrong calls, calls in random order, the URI of the resources.
+//! Calls of a master: corrections, wrong calls, calls in random order, the URI of the resources.
 
+mod corrections;
 mod misuse;
 mod random_calls;
 mod support;

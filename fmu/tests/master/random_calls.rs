@@ -137,9 +137,10 @@ impl Master {
         let settable = |variable: &&Described| variable.causality != "output" && variable.element != "String";
         let all: Vec<&Described> = self.described.iter().filter(settable).collect();
         let variable = all[random.below(all.len())].clone();
+        let bias = all.iter().find(|variable| variable.name == "gyro.bias_deg_h[1]").unwrap().reference;
         let reference = if random.one_in(30) { random.next() as u32 } else { variable.reference };
         // Sometimes two variables are set at once; the second one is a bias.
-        let pair = [reference, 30];
+        let pair = [reference, bias];
         let count = if random.one_in(4) { 2 } else { 1 };
         unsafe {
             match variable.element.as_str() {

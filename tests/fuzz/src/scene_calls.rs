@@ -76,7 +76,7 @@ impl Host {
 
     /// Sets the items of a list in another order: some items twice, some removed, some new.
     fn change_items(&mut self) {
-        let list = self.input.pick(&["manoeuvre", "failure", "gyro"]);
+        let list = self.input.pick(&["manoeuvre", "failure", "update", "gyro"]);
         let mut items = String::new();
         for _ in 0..self.input.below(5) {
             let path = CString::new(format!("{list}[{}]", self.input.below(4))).unwrap_or_default();
@@ -87,6 +87,7 @@ impl Host {
             let other = self.input.pick(&[
                 "",
                 "[[manoeuvre]]\nkind = \"rest\"\nduration_s = 9\n",
+                "[[update]]\nkind = \"position\"\nat_s = 0.01\nevery_s = 0.05\nsigma_m = 30\n",
                 "[output]\nquiet = true\n",
             ]);
             items
