@@ -8,6 +8,7 @@ mod conditions;
 mod curve;
 mod ensemble;
 mod fly;
+mod increments;
 mod inputs;
 mod numbers;
 mod outputs;
