@@ -94,10 +94,15 @@ impl<'a> Figures<'a> {
         }
     }
 
-    /// Each failure with its time; "none" if there are no failures.
+    /// Each failure with its time, numbered if there are several; "none" if there are no failures.
     pub fn failures(&self) -> String {
-        let words: Vec<String> = self.scene().failures.iter().map(failure_text).collect();
-        if words.is_empty() { "none".to_owned() } else { words.join(", ") }
+        let failures = &self.scene().failures;
+        let numbered = |(number, planned)| format!("{number} {}", failure_text(planned));
+        match failures.as_slice() {
+            [] => "none".to_owned(),
+            [planned] => failure_text(planned),
+            several => (1..).zip(several).map(numbered).collect::<Vec<String>>().join(", "),
+        }
     }
 }
 

@@ -12,6 +12,7 @@ mod increments;
 mod inputs;
 mod numbers;
 mod outputs;
+mod pages;
 #[cfg(target_os = "linux")]
 mod progress;
 #[cfg(target_os = "linux")]
