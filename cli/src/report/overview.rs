@@ -13,14 +13,15 @@ struct Column {
     value: fn(&Run) -> Option<String>,
 }
 
-/// Title of the only column with a sentence.
+/// Titles of the columns with a sentence.
 const SENSORS: &str = "Sensor errors";
+const FAILURES: &str = "Failures";
 
 const COLUMNS: [Column; 10] = [
     Column { title: "Motion", value: |run| text(run, "motion") },
     Column { title: "Time flown", value: |run| Some(time_text(run.duration_s())) },
     Column { title: SENSORS, value: sensors },
-    Column { title: "Failures", value: failures },
+    Column { title: FAILURES, value: failures },
     Column { title: "Largest position error", value: |run| text(run, "max_position_m") },
     Column { title: "Largest velocity error", value: |run| text(run, "max_velocity_m_s") },
     Column { title: "R50", value: radial_error_rate },
@@ -58,7 +59,9 @@ pub fn overview(runs: &[Run]) -> Markup {
 
 fn cell(column: &Column, run: &Run) -> Markup {
     match (column.value)(run) {
-        Some(value) => html! { td.sensors[column.title == SENSORS] data-label=(column.title) { (value) } },
+        Some(value) => {
+            html! { td.sensors[[SENSORS, FAILURES].contains(&column.title)] data-label=(column.title) { (value) } }
+        }
         None => html! { td.none { "–" } },
     }
 }
