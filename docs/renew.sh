@@ -40,7 +40,7 @@ effects() {
     benches/effects.sh --check all catalogue
 }
 budget() {
-    "$sins" budget --force --position 10 --out "$figures/budget.out" simulation2
+    "$sins" budget --force --time-steps --position 10 --out "$figures/budget.out" simulation2
     "$sins" budget --force --position 30 --preset industrial --set start.preset=ideal --out "$figures/budget.out" c_examples/flights/fighter_aerobatics.csv
     cp "$figures/budget.out/fighter_aerobatics.svg" benches/budget/
 }

@@ -1283,7 +1283,8 @@ typedef struct sins_imu {
 } sins_imu;
 
 /**
- * Reads ideal and measured signals of the last interval.
+ * Reads ideal and measured signals of the last interval. They are sums: for own navigation, sins_get_imu_update() reads the
+ * parts on which the INS navigates.
  *
  * SINS_NEED_SAMPLE: no interval yet.
  */

@@ -301,7 +301,8 @@ SINS_API sins_status SINS_CALL sins_unit_set_stored(sins_unit *unit, double lati
  * alignment starts anew.
  *
  * SINS_ERROR_BAD_STATE: the simulator has made no step, or the unit has taken this step already.
- * SINS_ERROR_BAD_HANDLE: sim is not a simulator. The errors of sins_correct(). After any error nothing has changed.
+ * SINS_ERROR_BAD_HANDLE: sim is not a simulator.
+ * The errors of sins_correct(): the simulator rejects a correction. The unit has noted the interval and tries again with the next.
  */
 SINS_API sins_status SINS_CALL sins_unit_update(sins_unit *unit, sins_sim *sim);
 

@@ -136,7 +136,7 @@ check() {
     refuses "a binary file as scene" "binary.toml:" /scene "$(path "$folder/binary.toml")"
     refuses "a binary file as log" "binary.csv:" /scene "$(path "$folder/log.toml")" /run
 
-    # With the command line: the measured increments of each interval, standard deviations, and a title of 4,000 letters.
+    # With the command line: the measured increments, standard deviations, and a title of 4,000 letters.
     "$sins" scene write simulation2 --set flight.hours=0.1 --set options.covariance=on >"$folder/flown/increments.toml"
     { printf 'title = "'; head -c 4000 /dev/zero | tr '\0' x; printf '"\n'; } >"$folder/title"
     sed -i -e '/^title = /d' -e "/^\[flight\]/r $folder/title" "$folder/flown/increments.toml"

@@ -122,7 +122,7 @@ public:
         set_pace(pace_);
     }
 
-    /* Writes the records so far in the format of `sins fly`, or the measured increments of each interval. */
+    /* Writes the records so far in the format of `sins fly`, or the measured increments. */
     void write(const fs::path &path, bool increments) {
         auto held = hold();
         (increments ? *increments_ : records_).copy(path);
@@ -200,11 +200,27 @@ private:
         now_.time_s += imu.interval_s;
         now_.curves.put(RATE, imu.measured_rate_rad_s);
         now_.curves.put(FORCE, imu.measured_force_m_s2);
-        if (increments_) {
-            std::string line = shortest(imu.time_s);
-            for (const double *values : {imu.measured_angle_rad, imu.measured_velocity_m_s})
-                line += "," + shortest(values[0]) + "," + shortest(values[1]) + "," + shortest(values[2]);
-            increments_->add(line);
+        if (increments_)
+            keep_increments(imu.time_s);
+    }
+
+    /* Adds a row for each part of the interval that ends at end_s, as `sins fly` does. */
+    void keep_increments(double end_s) {
+        std::vector<sins_imu_increment> updates(1, sins::make<sins_imu_increment>());
+        size_t left = 0;
+        for (; sim_.get_imu_update((int32_t)updates.size() - 1, updates.back()); updates.push_back(updates.back()))
+            left += updates.back().count;
+        updates.pop_back();
+        for (const sins_imu_increment &update : updates) {
+            for (int part = 0; part < update.count; part++) {
+                double time_s = end_s - (double)--left * (update.interval_s / update.count);
+                std::string line = shortest(time_s) + "," + shortest(update.interval_s) + "," +
+                                   std::to_string(part + 1) + "," + std::to_string(update.count);
+                for (const double *values : {update.angle_rad, update.velocity_m_s})
+                    for (int axis = 0; axis < 3; axis++)
+                        line += "," + shortest(values[3 * part + axis]);
+                increments_->add(line);
+            }
         }
     }
 

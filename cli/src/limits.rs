@@ -1,7 +1,10 @@
 //! Limits of errors on the command line.
 
+use sins::Error;
 use sins::recommend::SolutionError;
 use sins::units::ARCSEC;
+
+use crate::failure::Failure;
 
 /// Limits in the units of a person.
 #[derive(Debug, clap::Args)]
@@ -26,4 +29,18 @@ impl LimitArguments {
             attitude_rad: ARCSEC * self.attitude,
         }
     }
+}
+
+/// The sentence of `error` about a field of a request, with the option of the command line that sets the field.
+pub fn of_option(error: &Error) -> Failure {
+    let option = match error.field.rsplit('.').next().unwrap_or_default() {
+        "runs" => "--runs",
+        "position_m" => "--position",
+        "velocity_m_s" => "--velocity",
+        "attitude_rad" => "--attitude [rad]",
+        "margin" => "--margin",
+        "duration_s" => "--hours [s]",
+        _ => error.field,
+    };
+    Failure::new(error.to_string().replacen(error.field, option, 1))
 }

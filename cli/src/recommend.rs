@@ -10,7 +10,7 @@ use crate::curve::scheme_name;
 use crate::failure::{Failure, Kind};
 use crate::fly::FOR_LOGS;
 use crate::given::{Given, SceneArguments};
-use crate::limits::LimitArguments;
+use crate::limits::{LimitArguments, of_option};
 use crate::progress::Progress;
 use crate::terminal::print;
 use crate::units::{brief_parts, time_text, two_digits};
@@ -64,7 +64,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         attitude_rad,
         margin: order.margin,
     };
-    requirement.validate()?;
+    requirement.validate().map_err(|error| of_option(&error))?;
     let pieces = pieces(order, &given)?;
     let samples: Vec<&[FlightSample]> = pieces.iter().map(|piece| &*piece.samples).collect();
     let setup = Setup { options: given.scene.simulator_options(), mounting: given.scene.errors.mounting };

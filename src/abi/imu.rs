@@ -81,7 +81,8 @@ impl From<&ImuInterval> for sins_imu {
     }
 }
 
-/// Reads ideal and measured signals of the last interval.
+/// Reads ideal and measured signals of the last interval. They are sums: for own navigation, sins_get_imu_update() reads the
+/// parts on which the INS navigates.
 ///
 /// SINS_NEED_SAMPLE: no interval yet.
 #[unsafe(no_mangle)]

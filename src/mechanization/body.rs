@@ -167,23 +167,55 @@ impl BodyMotion {
 mod tests {
     use super::*;
 
-    /// The sums along the diagonals j - i = 1, 2, ... are the published coefficients, which stand on the products with the last
-    /// increment there: Miller 1983 for three subsamples, Ignagni 1996 for the others.
+    /// Published coefficients of the products with the last increment, by distance j - i, times their denominator: Miller 1983 for
+    /// three subsamples, Ignagni 1996 for the others. Public codes have the same table.
+    const PUBLISHED: [(f64, &[i128]); 4] =
+        [(3.0, &[2]), (20.0, &[27, 9]), (105.0, &[214, 92, 54]), (504.0, &[1375, 650, 525, 250])];
+
+    /// The sums along the diagonals j - i = 1, 2, ... are the published coefficients.
     #[test]
     fn the_coning_coefficients_add_up_to_the_published_ones() {
-        let published: [&[f64]; 4] = [
-            &[2.0 / 3.0],
-            &[27.0 / 20.0, 9.0 / 20.0],
-            &[214.0 / 105.0, 92.0 / 105.0, 54.0 / 105.0],
-            &[1375.0 / 504.0, 650.0 / 504.0, 525.0 / 504.0, 250.0 / 504.0],
-        ];
-        for (rows, published) in CONING[1..].iter().zip(published) {
-            for (distance, sum) in (1..).zip(published) {
+        for (rows, (denominator, published)) in CONING[1..].iter().zip(PUBLISHED) {
+            for (distance, numerator) in (1..).zip(published) {
                 // Row j - 2 has the products with increment j.
                 let of_row = |row: &&[f64]| row.len().checked_sub(distance).map(|i| row[i]);
                 let own: f64 = rows.iter().filter_map(of_row).sum();
+                let sum = *numerator as f64 / denominator;
                 assert!((own - sum).abs() < 4.0 * f64::EPSILON * sum, "{distance}: {own} {sum}");
             }
+        }
+    }
+
+    /// The published coefficients c are the only ones with the least drift. Under small coning, x of phase a subsample, the axis needs
+    /// (n x - sin n x)/2, and products of increments at distance k give (2 - 2 cos x) sin k x = 2 sin k x - sin (k+1) x - sin (k-1) x, both
+    /// times the squared half angle. The powers p = 3, 5, ... 2n - 1 of x are equal if
+    ///
+    /// Σ c_k ((k+1)^p + (k-1)^p - 2 k^p) = n^p / 2
+    ///
+    /// These n - 1 equations have one solution: a combination of the second differences of x^3, x^5, ..., an odd polynomial of degree up to
+    /// 2n - 3 without a constant, vanishes at 0, ±1, ... ±(n - 1) only if it is zero. All numbers are integers. The first power that is
+    /// left makes the drift in an update, (n x)^(2n+1)/K, with the K of docs/accuracy.md.
+    #[test]
+    fn the_published_coning_coefficients_follow_from_least_drift() {
+        for (n, (denominator, published), expected_k) in [
+            (2, PUBLISHED[0], 960.0),
+            (3, PUBLISHED[1], 204_120.0),
+            (4, PUBLISHED[2], 82_575_360.0),
+            (5, PUBLISHED[3], 5.414e10),
+        ] {
+            let missing = |p: u32| {
+                let differences = (1i128..)
+                    .zip(published)
+                    .map(|(k, c)| c * ((k + 1).pow(p) + (k - 1).pow(p) - 2 * k.pow(p)));
+                2 * differences.sum::<i128>() - denominator as i128 * (n as i128).pow(p)
+            };
+            for p in (3..2 * n).step_by(2) {
+                assert_eq!(missing(p), 0, "{n} subsamples, x^{p}");
+            }
+            let p = 2 * n + 1;
+            let factorial: f64 = (1..=p).map(f64::from).product();
+            let k = 2.0 * denominator * factorial * f64::from(n).powi(p as i32) / missing(p).abs() as f64;
+            assert!((k / expected_k - 1.0).abs() < 1e-4, "{n}: {k}");
         }
     }
 }

@@ -67,6 +67,11 @@ pub fn key_line(index: usize) -> (Option<KeyLine>, usize) {
     (KEYS.get(index).map(line), KEYS.len())
 }
 
+/// The key that sets a field of the interface: "gyro.bias_deg_h" for "gyro.bias_rad_s".
+pub fn key_of_field(field: &str) -> Option<String> {
+    KEYS.iter().find(|key| key.field() == field).map(Key::path)
+}
+
 /// Every section and key as a page of text.
 pub fn keys_text() -> String {
     let mut text = String::new();

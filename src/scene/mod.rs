@@ -32,7 +32,7 @@ pub use builtin::{BUILTIN_SCENES, builtin};
 pub use fault::{About, Fault, MAX_FAULTS};
 pub use limits::Limits;
 pub(crate) use list::key_line;
-pub use list::{KeyKind, KeyLine, keys, keys_text};
+pub use list::{KeyKind, KeyLine, key_of_field, keys, keys_text};
 pub(crate) use names::excerpt;
 pub use names::nearest;
 pub use panel::{Action, PlannedAction, UnitPlan};

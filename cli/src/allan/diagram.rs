@@ -59,8 +59,8 @@ pub fn drawing(analysis: &Analysis) -> Drawing {
         traces.push(Trace::new(Pen::Asymptote, line));
     }
     let fitted = |place: f64| (place, (analysis.fit.variance(10f64.powf(place)).sqrt() / unit.si).log10());
-    let visible = |point: &(f64, f64)| (bottom..=top).contains(&point.1);
-    traces.push(Trace::new(Pen::Fit, places((left, right)).map(fitted).filter(visible).collect()));
+    let fit: Points = places((left, right)).map(fitted).collect();
+    traces.extend(within(&fit, (bottom, top)).map(|part| Trace::new(Pen::Fit, part.to_vec())));
     traces.push(Trace::new(Pen::Computed, measured));
     let caption = format!("Allan deviation [{}]", unit.name);
     let mut panel = Panel::new(caption, Axis::decades(bottom, top, 6), HEIGHT, traces);
@@ -73,6 +73,11 @@ pub fn drawing(analysis: &Analysis) -> Drawing {
 fn curve(analysis: &Analysis, value: impl Fn(&Estimate) -> f64) -> Points {
     let unit = sheet::deviation(analysis.sensor);
     analysis.estimates.iter().map(|e| (e.tau_s.log10(), (value(e) / unit.si).log10())).collect()
+}
+
+/// The parts of a curve from low to high. A line from the end of one part to the begin of the next would go along the edge.
+fn within(curve: &[(f64, f64)], (low, high): (f64, f64)) -> impl Iterator<Item = &[(f64, f64)]> {
+    curve.split(move |point| !(low..=high).contains(&point.1)).filter(|part| !part.is_empty())
 }
 
 fn places((left, right): (f64, f64)) -> impl Iterator<Item = f64> {
@@ -127,6 +132,13 @@ fn label(
 mod tests {
     use super::super::analysis::tests::made;
     use super::*;
+
+    #[test]
+    fn a_curve_that_leaves_the_diagram_is_interrupted() {
+        let curve: Points = [0.5, 2.0, -1.0, 0.2, 0.8, 1.5].into_iter().map(|y| (0.0, y)).collect();
+        let parts: Vec<usize> = within(&curve, (0.0, 1.0)).map(<[_]>::len).collect();
+        assert_eq!(parts, [1, 2]);
+    }
 
     #[test]
     fn only_what_is_resolved_has_an_asymptote() {

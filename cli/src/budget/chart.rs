@@ -1,15 +1,15 @@
 //! Bars: position, velocity and attitude side by side, a line for each effect.
 
 use maud::{Markup, html};
-use sins::recommend::SolutionError;
 
 use super::survey::{Kind, Line, Survey};
+use super::table::Columns;
 use crate::drawing::axis::Axis;
 use crate::drawing::figure::Legend;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::FINE;
 use crate::drawing::series::positive_range;
-use crate::units::{ANGLE, Family, LENGTH, SPEED, short};
+use crate::units::{Unit, short};
 
 /// Widths of the names, of a panel and of the value after its longest bar; heights of a line, of its bar, of the panels' titles and
 /// of the ticks below [drawing units].
@@ -21,23 +21,31 @@ const BAR: f64 = 13.0;
 const TITLE: f64 = 24.0;
 const TICKS: f64 = 26.0;
 
-/// Width of the chart.
-pub const WIDTH: f64 = NAMES + 3.0 * (PANEL + VALUE);
+/// How the three panels are arranged: side by side, or above one another on a narrow page.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    Row,
+    Column,
+}
+
+impl Layout {
+    /// Width and height of the chart of `survey` [drawing units].
+    pub fn size(self, survey: &Survey) -> (f64, f64) {
+        let (width, height) = (PANEL + VALUE, height(survey));
+        match self {
+            Self::Row => (NAMES + 3.0 * width, height),
+            Self::Column => (NAMES + width, 3.0 * height),
+        }
+    }
+}
 
 /// Largest number of decades that a panel shows.
 const DECADES: f64 = 9.0;
 
-/// Title, part of an error, units.
-type Quantity = (&'static str, fn(&SolutionError) -> f64, &'static Family);
+const QUANTITIES: [&str; 3] = ["position", "velocity", "attitude"];
 
-const QUANTITIES: [Quantity; 3] = [
-    ("position", |error| error.position_m, LENGTH),
-    ("velocity", |error| error.velocity_m_s, SPEED),
-    ("attitude", |error| error.attitude_rad, ANGLE),
-];
-
-/// Height of the chart of `survey`.
-pub fn height(survey: &Survey) -> f64 {
+/// Height of a panel with its title and ticks.
+fn height(survey: &Survey) -> f64 {
     TITLE + survey.lines().len() as f64 * LINE + TICKS
 }
 
@@ -55,15 +63,25 @@ pub fn legend(survey: &Survey) -> Legend {
     legend
 }
 
-/// The chart as the inside of an SVG element.
-pub fn chart(survey: &Survey) -> Markup {
+/// The chart as the inside of an SVG element, in the units of the table.
+pub fn chart(survey: &Survey, layout: Layout) -> Markup {
     let lines = survey.lines();
+    let units = Columns::of(survey).units;
+    let moved = |k: f64| match layout {
+        Layout::Row => (k * (PANEL + VALUE), 0.0),
+        Layout::Column => (0.0, k * height(survey)),
+    };
     html! {
-        @for (k, line) in lines.iter().enumerate() {
-            text class=(label_class(line)) x=((NAMES - 8.0) * FINE) y=(text_y(k)) { (line.name) }
-        }
-        @for (k, quantity) in QUANTITIES.iter().enumerate() {
-            (panel(survey, &lines, quantity, NAMES + k as f64 * (PANEL + VALUE)))
+        @for (k, unit) in units.into_iter().enumerate() {
+            @let (right, down) = moved(k as f64);
+            g transform={ "translate(" (right * FINE) " " (down * FINE) ")" } {
+                @if k == 0 || layout == Layout::Column {
+                    @for (k, line) in lines.iter().enumerate() {
+                        text class=(label_class(line)) x=((NAMES - 8.0) * FINE) y=(text_y(k)) { (line.name) }
+                    }
+                }
+                (panel(&lines, survey.request.limits.parts()[k], k, unit))
+            }
         }
     }
 }
@@ -77,25 +95,28 @@ fn text_y(k: usize) -> f64 {
     (TITLE + (k as f64 + 0.7) * LINE) * FINE
 }
 
-fn panel(survey: &Survey, lines: &[Line], (title, part, family): &Quantity, left: f64) -> Markup {
-    let limit = part(&survey.request.limits);
-    let axis = axis(lines.iter().map(|line| part(&line.worst)).chain([limit]));
+/// The panel of part `part` of the errors.
+fn panel(lines: &[Line], limit: f64, part: usize, unit: Unit) -> Markup {
+    let left = NAMES;
+    let (title, limit) = (QUANTITIES[part], limit / unit.si);
+    let value = |line: &Line| line.worst.parts()[part] / unit.si;
+    let axis = axis(lines.iter().map(value).chain([limit]));
     let at = |value: f64| {
         let share = (value.log10() - axis.low) / (axis.high - axis.low);
         PANEL * share.clamp(0.0, 1.0)
     };
     let bottom = TITLE + lines.len() as f64 * LINE;
     html! {
-        text class="title" x=(left * FINE) y=(0.65 * TITLE * FINE) { (title) " [" (family.si.name) "]" }
+        text class="title" x=(left * FINE) y=(0.65 * TITLE * FINE) { (title) " [" (unit.name) "]" }
         @for (place, tick) in &axis.ticks {
             (upright(Pen::Grid, left + at(10f64.powf(*place)), TITLE, bottom))
             text class="tick" x=((left + at(10f64.powf(*place))) * FINE) y=((bottom + 18.0) * FINE) { (tick) }
         }
         @if limit > 0.0 { (upright(Pen::Limit, left + at(limit), TITLE, bottom)) }
         @for (k, line) in lines.iter().enumerate() {
-            (bar(line, at(part(&line.worst)), left, k))
-            text class="value" x=((left + at(part(&line.worst)) + 6.0) * FINE) y=(text_y(k)) {
-                (short(part(&line.worst)))
+            (bar(line, at(value(line)), left, k))
+            text class="value" x=((left + at(value(line)) + 6.0) * FINE) y=(text_y(k)) {
+                (short(value(line)))
             }
         }
         (upright(Pen::Axis, left, TITLE, bottom))

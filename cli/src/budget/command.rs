@@ -7,7 +7,7 @@ use sins::budget::BudgetRequest;
 
 use crate::failure::Failure;
 use crate::given::Settings;
-use crate::limits::LimitArguments;
+use crate::limits::{LimitArguments, of_option};
 
 /// Scene of a log that has no scene: the recommended simulator with sensors of navigation grade.
 pub const FOR_LOGS: &str = "\
@@ -44,6 +44,9 @@ pub struct Order {
     pub runs: u64,
     #[command(flatten)]
     limits: LimitArguments,
+    /// Also measures the time that a step saves on this machine without each error
+    #[arg(long)]
+    pub time_steps: bool,
     /// Also replaces files that this program did not write
     #[arg(long)]
     pub force: bool,
@@ -56,7 +59,7 @@ impl Order {
             return Err(Failure::new(format!("--hours {}: expected 0.001 to 1000", self.hours)));
         }
         let request = BudgetRequest { runs: self.runs, limits: self.limits.errors() };
-        request.validate()?;
+        request.validate().map_err(|error| of_option(&error))?;
         Ok(request)
     }
 }
@@ -81,8 +84,8 @@ mod tests {
     fn what_is_wrong_is_named() {
         for (arguments, named) in [
             (["--hours", "0"], "--hours 0"),
-            (["--runs", "3"], "request.runs = 3"),
-            (["--position", "1e13"], "request.position_m"),
+            (["--runs", "3"], "--runs = 3: must be from 8 to 1000"),
+            (["--position", "1e13"], "--position = 1e13"),
             (["--quick", "x"], "--quick"),
         ] {
             assert!(request(&arguments).unwrap_err().contains(named), "{arguments:?}");

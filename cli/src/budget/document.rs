@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 
+use super::chart::Layout;
 use super::survey::{Line, Survey};
 use super::{chart, table};
 use crate::drawing::document as page;
@@ -11,13 +12,13 @@ use crate::drawing::plot::FINE;
 
 /// The chart of a scene as a file.
 pub fn picture(survey: &Survey) -> String {
-    let (top, height) = (TITLE + LEGEND, chart::height(survey));
+    let (top, (width, height)) = (TITLE + LEGEND, Layout::Row.size(survey));
     let content = html! {
         text class="title" x=(MARGIN * FINE) y=(0.8 * TITLE * FINE) { (title(survey)) }
         (legend_row(&chart::legend(survey), TITLE))
-        (placed(MARGIN, top, chart::WIDTH, height, &chart::chart(survey)))
+        (placed(MARGIN, top, width, height, &chart::chart(survey, Layout::Row)))
     };
-    file(chart::WIDTH + 2.0 * MARGIN, top + height + MARGIN, &content)
+    file(width + 2.0 * MARGIN, top + height + MARGIN, &content)
 }
 
 fn title(survey: &Survey) -> String {
@@ -31,7 +32,8 @@ pub fn page(surveys: &[Survey]) -> String {
             h1 { "Error budget" }
             p {
                 "What each effect contributes to the errors of a scene: the error with this effect alone, less the error with no effect; "
-                "the largest in the flight. Times of a step are uncertain by 1 to 5 %."
+                "the largest in the flight."
+                @if surveys.iter().any(|survey| survey.costs.is_some()) { " Times of a step are uncertain by 1 to 5 %." }
             }
         }
         main {
@@ -49,32 +51,34 @@ pub fn page(surveys: &[Survey]) -> String {
 }
 
 fn figure(survey: &Survey) -> Figure {
-    let view = format!("0 0 {} {}", chart::WIDTH * FINE, chart::height(survey) * FINE);
     let alt = format!("Error budget. {}", title(survey));
-    let drawing = html! {
-        svg class="plot" role="img" aria-label=(alt) viewBox=(view) { (chart::chart(survey)) }
-    };
+    // The style sheet shows one of them, by the width of the page.
+    let drawings = [("plot broad", Layout::Row), ("plot narrow", Layout::Column)].map(|(class, layout)| {
+        let (width, height) = layout.size(survey);
+        let view = format!("0 0 {} {}", width * FINE, height * FINE);
+        let chart = chart::chart(survey, layout);
+        html! { svg class=(class) role="img" aria-label=(alt) viewBox=(view) { (chart) } }.into_string()
+    });
     Figure {
         title: "Which effects matter".to_owned(),
         legend: chart::legend(survey),
-        drawings: vec![drawing.into_string()],
+        drawings: drawings.into(),
         note: table::remark(survey),
     }
 }
 
 fn figures(survey: &Survey) -> Markup {
     let columns = table::Columns::of(survey);
-    let heads = columns.heads().into_iter().chain(["field".to_owned()]).collect();
+    let heads = columns.heads().into_iter().filter(|head| !head.is_empty()).collect();
     let row = |line: Line| {
-        let cells = html! {
-            td { (table::kind(&line)) }
-            @for cell in columns.cells(&line) { td.number { (cell) } }
-            td.number { (columns.cost(&line)) }
-            td { code { (line.field) } }
+        let kind = table::kind(&line);
+        let name = html! {
+            (line.name) @if !kind.is_empty() { " (" (kind) ")" }
+            @if !line.key.is_empty() { br; code { (line.key) } }
         };
-        (html! { (line.name) }, cells)
+        (name, html! { @for cell in columns.cells(&line) { td { (cell) } } })
     };
-    page::table(None, heads, survey.lines().into_iter().map(row))
+    page::table(Some("effects"), heads, survey.lines().into_iter().map(row))
 }
 
 #[cfg(test)]
@@ -111,7 +115,7 @@ mod tests {
                 interval: Interval::of(16),
                 flights: 51,
             },
-            costs: Costs { own_ns: 600.0, total_ns: 640.0, saved_ns: vec![30.0, 10.4] },
+            costs: Some(Costs { own_ns: 600.0, total_ns: 640.0, saved_ns: vec![30.0, 10.4] }),
         }
     }
 
@@ -120,7 +124,8 @@ mod tests {
         let surveys = [made()];
         let (svg, page) = (picture(&surveys[0]), page(&surveys));
         assert!(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"") && svg.ends_with("</svg>\n"));
-        assert!(page.starts_with("<!DOCTYPE html>") && page.contains("gyro.bias_sigma_rad_s"));
+        assert!(page.starts_with("<!DOCTYPE html>") && page.contains("<code>gyro.bias_sigma_deg_h</code>"));
+        assert!(!page.contains("rad_s"), "keys of a scene, not fields of the interface");
         for (text, addresses) in [(&svg, 1), (&page, 0)] {
             assert_eq!(text.matches("http").count(), addresses, "nothing from outside");
             assert!(text.contains("a&lt;b") && !text.contains("a<b") && text.contains("made &amp; flown"));
@@ -134,10 +139,28 @@ mod tests {
     #[test]
     fn a_cost_that_the_clock_cannot_tell_is_below_noise() {
         let mut survey = made();
-        survey.costs.saved_ns = vec![-12.0, 6.3];
+        survey.costs.as_mut().unwrap().saved_ns = vec![-12.0, 6.3];
         let tables = table::tables(&[survey]);
         assert_eq!(tables.matches("| below noise |").count(), 2, "{tables}");
         assert!(!tables.contains("-12"));
+    }
+
+    #[test]
+    fn without_times_there_is_no_column_of_times() {
+        let survey = Survey { costs: None, ..made() };
+        let tables = table::tables(std::slice::from_ref(&survey));
+        assert!(tables.contains("| attitude [rad] |\n|---|---|---|---|---|\n"), "{tables}");
+        assert!(!page(&[survey]).contains("[ns]"));
+    }
+
+    /// Chart and table have the same units.
+    #[test]
+    fn a_budget_has_one_unit() {
+        let page = page(&[made()]);
+        assert_eq!(page.matches("position [km]").count(), 3, "two layouts and the table");
+        assert_eq!(page.matches("position [m]").count(), 0);
+        // The bias and all together are 1.2 km and 1.2 m/s, in both layouts and in the table.
+        assert_eq!(page.matches(">1.2<").count(), 3 * 2 * 2);
     }
 
     /// The line of the limit is drawn first, and the labels over it have a halo.

@@ -40,7 +40,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let pictures = scenes.iter().map(|scene| file(&format!("{}.svg", scene.name), PICTURE_MARK));
     let pictures = pictures.collect::<Result<Vec<_>, _>>()?;
 
-    let surveys = Survey::of_all(&scenes, &request)?;
+    let surveys = Survey::of_all(&scenes, &request, order.time_steps)?;
     for (survey, picture) in surveys.iter().zip(pictures) {
         picture.finish(document::picture(survey))?;
     }

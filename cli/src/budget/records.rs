@@ -9,7 +9,7 @@ use crate::rows::text;
 pub const COLUMNS: [&str; 12] = [
     "scene",
     "effect",
-    "field",
+    "key",
     "kind",
     "position_m",
     "velocity_m_s",
@@ -35,7 +35,7 @@ fn row(survey: &Survey, line: &Line) -> Vec<String> {
         Kind::Own => "own",
         Kind::Together => "together",
     };
-    let mut row = [&survey.name, line.name, line.field, kind].map(str::to_owned).to_vec();
+    let mut row = [&survey.name, line.name, &line.key, kind].map(str::to_owned).to_vec();
     let parts = |error: SolutionError| error.parts().map(|part| format!("{part:.6e}"));
     for error in [Some(line.worst), line.end] {
         row.extend(error.map_or_else(Default::default, parts));

@@ -27,7 +27,8 @@ pub struct Survey {
     pub title: String,
     pub request: BudgetRequest,
     pub budget: Budget,
-    pub costs: Costs,
+    /// Times of a step, if they are wanted.
+    pub costs: Option<Costs>,
 }
 
 /// Kind of a line of chart and table.
@@ -45,19 +46,21 @@ pub enum Kind {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
     pub name: &'static str,
-    pub field: &'static str,
+    /// Key of a scene that sets the effect; empty for other lines.
+    pub key: String,
     pub kind: Kind,
     pub worst: SolutionError,
     /// Error at the end of the scene, if it is known.
     pub end: Option<SolutionError>,
     pub can_be_left_out: bool,
-    /// Time that a step saves without the effect; for other lines, time of a step with no effect or with all effects [ns].
+    /// Time that a step saves without the effect; for other lines, time of a step with no effect or with all effects [ns], if they were
+    /// timed.
     pub cost_ns: Option<f64>,
 }
 
 impl Survey {
-    /// Computes the budgets of all scenes on all cores, then measures the times of their steps, one scene after the other.
-    pub fn of_all(scenes: &[Scene], request: &BudgetRequest) -> Result<Vec<Self>, Failure> {
+    /// Computes the budgets of all scenes on all cores, then, if wanted, measures the times of their steps, one scene after the other.
+    pub fn of_all(scenes: &[Scene], request: &BudgetRequest, time_steps: bool) -> Result<Vec<Self>, Failure> {
         scenes.iter().for_each(|scene| say(&format!("{}: {}", scene.name, scene.title)));
         let steps = scenes.iter().map(|scene| flights(scene, request) * scene.count).sum();
         let progress = Progress::flying("flying each effect alone", steps, false);
@@ -76,36 +79,30 @@ impl Survey {
             let refused = |refusal: Refusal| {
                 Failure::new(format!("{}: {}", scene.place(refusal.sample), refusal.error))
             };
-            Self::timed(scene, request, budget.map_err(refused)?)
+            let budget = budget.map_err(refused)?;
+            let costs = if time_steps { Some(costs(scene, &budget)?) } else { None };
+            let (name, title) = (scene.name.clone(), scene.title.clone());
+            Ok(Self { name, title, request: *request, budget, costs })
         });
         surveyed.collect()
-    }
-
-    fn timed(scene: &Scene, request: &BudgetRequest, budget: Budget) -> Result<Self, Failure> {
-        let sample = |index| scene.sample(index);
-        let flown = sins::budget::Scene { count: scene.count, sample: &sample };
-        let _timing = Progress::working(format!("timing a step of {}", scene.name));
-        let effects = budget.rows.iter().map(|row| row.effect);
-        let costs = step_costs_ns(&scene.options, &flown, &scene.parameters, effects)?;
-        let (name, title) = (scene.name.clone(), scene.title.clone());
-        Ok(Self { name, title, request: *request, budget, costs })
     }
 
     /// Lines of the effects (the largest first), of the mechanization, of the unexplained remainder, and of all effects together.
     pub fn lines(&self) -> Vec<Line> {
         let Budget { own, rows, total, remainder, .. } = &self.budget;
-        let effects = rows.iter().zip(&self.costs.saved_ns).map(|(row, saved_ns)| Line {
+        let costs = self.costs.as_ref();
+        let effects = rows.iter().enumerate().map(|(place, row)| Line {
             name: row.effect.name,
-            field: row.effect.field,
+            key: sins::scene::key_of_field(row.effect.field).unwrap_or_default(),
             kind: if row.effect.is_random { Kind::Random } else { Kind::Deterministic },
             worst: row.worst,
             end: Some(row.end),
             can_be_left_out: row.can_be_left_out,
-            cost_ns: Some(*saved_ns),
+            cost_ns: costs.map(|costs| costs.saved_ns[place]),
         });
         let other = |name, kind, worst, end, cost_ns| Line {
             name,
-            field: "",
+            key: String::new(),
             kind,
             worst,
             end,
@@ -113,9 +110,18 @@ impl Survey {
             cost_ns,
         };
         let mut lines: Vec<Line> = effects.collect();
-        lines.push(other("mechanization", Kind::Own, own.0, Some(own.1), Some(self.costs.own_ns)));
+        lines.push(other("mechanization", Kind::Own, own.0, Some(own.1), costs.map(|costs| costs.own_ns)));
         lines.push(other("not their sum", Kind::Together, *remainder, None, None));
-        lines.push(other("all together", Kind::Together, *total, None, Some(self.costs.total_ns)));
+        lines.push(other("all together", Kind::Together, *total, None, costs.map(|costs| costs.total_ns)));
         lines
     }
+}
+
+/// Times of a step of `scene` with and without the effects of its budget.
+fn costs(scene: &Scene, budget: &Budget) -> Result<Costs, Failure> {
+    let sample = |index| scene.sample(index);
+    let flown = sins::budget::Scene { count: scene.count, sample: &sample };
+    let _timing = Progress::working(format!("timing a step of {}", scene.name));
+    let effects = budget.rows.iter().map(|row| row.effect);
+    Ok(step_costs_ns(&scene.options, &flown, &scene.parameters, effects)?)
 }

@@ -3,7 +3,7 @@
 use super::survey::{Kind, Line, Survey};
 use crate::units::{ANGLE, Family, LENGTH, SPEED, Unit, brief_parts, short, time_text, usual};
 
-/// Uncertainty of a cost, as a part of the time of a step. A smaller cost is noise and may be negative.
+/// Uncertainty of a cost, as a part of the time of a step.
 const NOISE: f64 = 0.01;
 
 /// A table for each scene.
@@ -17,20 +17,19 @@ fn table(survey: &Survey) -> String {
     for head in columns.heads() {
         text += &format!(" {head} |");
     }
-    text += "\n|---|---|---|---|---|---|\n";
+    text += &format!("\n{}|\n", "|---".repeat(columns.heads().len()));
     for line in survey.lines() {
-        let [position, velocity, attitude] = columns.cells(&line);
-        let cost = columns.cost(&line);
-        text +=
-            &format!("| {} | {} | {position} | {velocity} | {attitude} | {cost} |\n", line.name, kind(&line));
+        text += &format!("| {} | {} | {} |\n", line.name, kind(&line), columns.cells(&line).join(" | "));
     }
     text + "\n" + &remark(survey) + "\n"
 }
 
 /// One unit for each column, chosen for its largest value, so that rows can be compared.
 pub struct Columns {
-    units: [Unit; 3],
-    step_ns: f64,
+    /// Of position, velocity and attitude.
+    pub units: [Unit; 3],
+    /// Time of a step with all effects [ns]; without it, there is no column of times.
+    step_ns: Option<f64>,
 }
 
 impl Columns {
@@ -40,34 +39,34 @@ impl Columns {
             let largest = lines.iter().map(|line| line.worst.parts()[part]).fold(0.0, f64::max);
             usual(largest, family)
         };
-        Self { units: [unit(0, LENGTH), unit(1, SPEED), unit(2, ANGLE)], step_ns: survey.costs.total_ns }
+        let step_ns = survey.costs.as_ref().map(|costs| costs.total_ns);
+        Self { units: [unit(0, LENGTH), unit(1, SPEED), unit(2, ANGLE)], step_ns }
     }
 
-    pub fn heads(&self) -> [String; 6] {
+    pub fn heads(&self) -> Vec<String> {
         let [position, velocity, attitude] = self.units.map(|unit| unit.name);
-        [
+        let mut heads = vec![
             "effect".to_owned(),
             String::new(),
             format!("position [{position}]"),
             format!("velocity [{velocity}]"),
             format!("attitude [{attitude}]"),
-            "a step [ns]".to_owned(),
-        ]
+        ];
+        heads.extend(self.step_ns.map(|_| "a step [ns]".to_owned()));
+        heads
     }
 
-    /// Position, velocity and attitude.
-    pub fn cells(&self, line: &Line) -> [String; 3] {
-        let parts = line.worst.parts();
-        std::array::from_fn(|part| short(parts[part] / self.units[part].si))
-    }
-
-    /// Cost of a step, if it is large enough to be measured.
-    pub fn cost(&self, line: &Line) -> String {
-        match line.cost_ns {
+    /// Position, velocity and attitude, and the cost of a step.
+    pub fn cells(&self, line: &Line) -> Vec<String> {
+        let parts = line.worst.parts().into_iter().zip(self.units);
+        let mut cells: Vec<String> = parts.map(|(part, unit)| short(part / unit.si)).collect();
+        // A cost below the noise of the clock may be negative.
+        cells.extend(self.step_ns.map(|step_ns| match line.cost_ns {
             None => String::new(),
-            Some(cost) if cost < NOISE * self.step_ns => "below noise".to_owned(),
+            Some(cost) if cost < NOISE * step_ns => "below noise".to_owned(),
             Some(cost) => format!("{cost:.0}"),
-        }
+        }));
+        cells
     }
 }
 

@@ -44,6 +44,10 @@ pens! {
     /// Single records of a noisy signal.
     Record "record",
     Fit "fit", NauticalMile "nautical-mile", Schuler "schuler", Foucault "foucault", Day "day", Start "start" dot,
+    /// End of the truth.
+    End "end" dot,
+    /// Begin and end of a failure of a sensor.
+    Failure "failure",
     /// Computed values at the end of a long track.
     Late "late",
     /// Points of a scheme, and the line that joins them.

@@ -42,7 +42,7 @@ pub struct Trace {
     pub pen: Pen,
 }
 
-/// A vertical line over the whole panel, with a word above it.
+/// A vertical line over the whole panel, with a word above it, or none.
 pub struct Mark {
     pub at: f64,
     pub pen: Pen,
@@ -108,7 +108,7 @@ impl Panel {
     }
 
     fn above(&self) -> f64 {
-        if self.marks.is_empty() { CAPTION } else { CAPTION + MARK_TEXT }
+        if self.marks.iter().all(|mark| mark.text.is_empty()) { CAPTION } else { CAPTION + MARK_TEXT }
     }
 }
 

@@ -94,9 +94,15 @@ impl<'a> Figures<'a> {
         }
     }
 
-    /// Each failure with its time; "none" if there are no failures.
+    /// Each failure with its time, numbered if there are several; "none" if there are no failures.
     pub fn failures(&self) -> String {
-        listed(self.scene().failures.iter().map(failure_text))
+        let failures = &self.scene().failures;
+        let numbered = |(number, planned)| format!("{number} {}", failure_text(planned));
+        match failures.as_slice() {
+            [] => "none".to_owned(),
+            [planned] => failure_text(planned),
+            several => (1..).zip(several).map(numbered).collect::<Vec<String>>().join(", "),
+        }
     }
 
     /// Each update with its time; "none" if there are no updates.

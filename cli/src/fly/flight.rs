@@ -147,7 +147,7 @@ impl InFlight<'_> {
         if let Some(interval) = self.simulator.imu() {
             self.sensor_errors.add(&interval);
             if let Some(file) = &mut self.files.imu {
-                let written = imu::write_row(file, &interval);
+                let written = imu::write_rows(file, self.simulator, interval.time_s);
                 written.map_err(|error| Failure::of_output(file.path(), &error))?;
             }
         }

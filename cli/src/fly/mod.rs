@@ -35,7 +35,7 @@ pub struct Order {
     scene: SceneArguments,
     #[command(flatten)]
     output: OutputArguments,
-    /// Also writes what the sensors measure in each sample interval into this file in DIR
+    /// Also writes the measured increments on which the INS navigates into this file in DIR, a row for each part of an update
     #[arg(long, value_name = "FILE.csv")]
     imu: Option<String>,
 }

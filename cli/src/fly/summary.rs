@@ -64,7 +64,7 @@ fn settings(figures: &Figures, rows: &mut Rows) {
         ("gravity", "gravity model"),
         ("axes", "sensor axes"),
         ("vertical", "vertical channel"),
-        ("error_model", "error data 1"),
+        ("error_model", "error differential equations"),
         ("subsamples", "subsamples of an update"),
         ("updates_per_sample", "updates in each sample interval"),
         ("seed", "random seed"),
@@ -86,6 +86,14 @@ fn settings(figures: &Figures, rows: &mut Rows) {
     }
     rows.text("failures_text", &figures.failures(), "failures");
     rows.text("updates_text", &figures.updates(), "updates by fixes");
+    for (number, planned) in (1..).zip(&scene.failures) {
+        for (end, time_s) in [("from", planned.failing.from_s), ("until", planned.failing.until_s)] {
+            if time_s.is_finite() {
+                let label = format!("failure {number}, {end}");
+                rows.number(&format!("failure_{number}_{end}_s"), time_s, "s", &label);
+            }
+        }
+    }
 }
 
 fn flight(figures: &Figures, rows: &mut Rows) {
@@ -151,13 +159,13 @@ fn accuracy(figures: &Figures, rows: &mut Rows) {
             "max_model_difference_position_m",
             flown.largest_difference[0],
             "m",
-            "largest position difference of error data 1 and 2",
+            "largest difference from the error equations, position",
         ),
         (
             "max_model_difference_velocity_m_s",
             flown.largest_difference[1],
             "m/s",
-            "largest velocity difference of error data 1 and 2",
+            "largest difference from the error equations, velocity",
         ),
     ] {
         if figures.scene().options.error_model {

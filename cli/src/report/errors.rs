@@ -7,6 +7,7 @@ use crate::drawing::scales::{line, over_time, panel, time_axis};
 use crate::drawing::series::{difference, magnitude};
 use crate::failure::Failure;
 use crate::record::EAST_NORTH_UP;
+use crate::report::failures;
 use crate::report::run::{Errors, Run};
 use crate::units::{self, Family, Unit, fitting, fitting_axis, in_unit, usual, with_unit};
 
@@ -15,7 +16,9 @@ const PENS: [Pen; 3] = [Pen::East, Pen::North, Pen::Up];
 
 /// One of the three errors.
 pub struct Quantity {
-    pub title: &'static str,
+    title: &'static str,
+    /// Figure of the paper with this error.
+    figure: u32,
     name: &'static str,
     family: &'static Family,
     of: fn(&Errors) -> &[Vec<f64>; 3],
@@ -23,27 +26,27 @@ pub struct Quantity {
     is_motion: bool,
 }
 
-/// Figure 3 of the paper.
 pub const ATTITUDE: Quantity = Quantity {
-    title: "Attitude errors (figure 3 of the paper)",
+    title: "Attitude errors",
+    figure: 3,
     name: "misalignment",
     family: units::ANGLE,
     of: |errors| &errors.misalignment_rad,
     is_motion: false,
 };
 
-/// Figure 4 of the paper.
 pub const VELOCITY: Quantity = Quantity {
-    title: "Velocity errors (figure 4 of the paper)",
+    title: "Velocity errors",
+    figure: 4,
     name: "velocity",
     family: units::SPEED,
     of: |errors| &errors.velocity_m_s,
     is_motion: true,
 };
 
-/// Figure 5 of the paper.
 pub const POSITION: Quantity = Quantity {
-    title: "Position errors (figure 5 of the paper)",
+    title: "Position errors",
+    figure: 5,
     name: "position",
     family: units::LENGTH,
     of: |errors| &errors.position_m,
@@ -54,7 +57,23 @@ pub const POSITION: Quantity = Quantity {
 pub fn figure(run: &Run, quantity: &Quantity) -> Result<Figure, Failure> {
     let axes = axes(run, quantity);
     let note = note(run, quantity, axes);
-    Figure::new(quantity.title, " over time", legend(run, quantity), &drawing(run, quantity), note)
+    Figure::new(title(run, quantity), " over time", legend(run, quantity), &drawing(run, quantity), note)
+}
+
+/// Title of the figure; a simulation of the paper has the number of the paper's figure.
+pub fn title(run: &Run, quantity: &Quantity) -> String {
+    let Quantity { title, figure, .. } = quantity;
+    if run.is_of_paper() { format!("{title} (figure {figure} of the paper)") } else { (*title).to_owned() }
+}
+
+/// The name of navigation minus truth, and that of the solution of the error differential equations. The paper's own names stand before
+/// them in its simulations.
+fn names(run: &Run) -> [&'static str; 2] {
+    if run.is_of_paper() {
+        ["data 2: navigation minus truth", "data 1: error differential equations"]
+    } else {
+        ["navigation minus truth", "error differential equations"]
+    }
 }
 
 /// A panel for each axis, and the difference of data 2 and data 1 below.
@@ -87,16 +106,18 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
             .into_iter()
             .zip(&differences[..axes])
             .map(|(pen, values)| Trace::new(pen, line(&run.time_s, values, &time, unit)));
-        panels.push(panel(caption("data 2", "minus data 1", unit), 80.0, 4, traces.collect()));
+        panels.push(panel(format!("difference of the two [{}]", unit.name), 80.0, 4, traces.collect()));
     }
+    failures::mark(run, &time, &mut panels);
     over_time(time, panels)
 }
 
 /// Legend of the lines.
 pub fn legend(run: &Run, quantity: &Quantity) -> Legend {
-    let mut legend = vec![(Pen::Computed, "data 2: navigation minus truth".to_owned())];
+    let [computed, model] = names(run).map(str::to_owned);
+    let mut legend = vec![(Pen::Computed, computed)];
     if run.model.is_some() {
-        legend.push((Pen::Reference, "data 1: error differential equations".to_owned()));
+        legend.push((Pen::Reference, model));
     }
     if run.sigma.is_some() {
         legend.push((Pen::Sigma, "±1σ of all runs, by the covariance".to_owned()));
@@ -105,6 +126,7 @@ pub fn legend(run: &Run, quantity: &Quantity) -> Legend {
         let names = PENS.into_iter().zip(EAST_NORTH_UP).take(axes(run, quantity));
         legend.extend(names.map(|(pen, name)| (pen, format!("difference, {name}"))));
     }
+    legend.extend(failures::legend(run));
     legend
 }
 
@@ -142,10 +164,10 @@ fn note(run: &Run, quantity: &Quantity, axes: usize) -> String {
     let mut note = format!("Largest: {}.", as_text((quantity.of)(&run.errors)));
     let differences = differences(run, quantity);
     if let Some(differences) = &differences {
-        note += &format!(" Largest difference of data 2 and 1: {}.", as_text(differences));
+        note += &format!(" Largest difference of the two: {}.", as_text(differences));
     }
     if run.model.is_some() && differences.is_none() {
-        note += " Data 1 is zero.";
+        note += " The error differential equations have no error to solve.";
     }
     if axes < 3 {
         note += " Up is not shown: the vertical channel follows the truth.";
@@ -195,6 +217,6 @@ mod tests {
         assert_eq!(drawing(&run, &VELOCITY).panels.len(), 3);
         let figure = figure(&run, &VELOCITY).unwrap();
         assert_eq!(figure.legend.len(), 2);
-        assert!(figure.note.ends_with("Data 1 is zero."), "{}", figure.note);
+        assert!(figure.note.ends_with("no error to solve."), "{}", figure.note);
     }
 }

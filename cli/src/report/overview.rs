@@ -13,28 +13,32 @@ struct Column {
     value: fn(&Run) -> Option<String>,
 }
 
-/// Title of the only column with a sentence.
+/// Titles of the columns with a sentence.
 const SENSORS: &str = "Sensor errors";
+const FAILURES: &str = "Failures";
 
-const COLUMNS: [Column; 9] = [
+const COLUMNS: [Column; 10] = [
     Column { title: "Motion", value: |run| text(run, "motion") },
     Column { title: "Time flown", value: |run| Some(time_text(run.duration_s())) },
     Column { title: SENSORS, value: sensors },
+    Column { title: FAILURES, value: failures },
     Column { title: "Largest position error", value: |run| text(run, "max_position_m") },
     Column { title: "Largest velocity error", value: |run| text(run, "max_velocity_m_s") },
     Column { title: "R50", value: radial_error_rate },
-    Column { title: "Largest |data 1 − data 2|, position", value: model_difference },
+    Column { title: "Largest difference from the error equations, position", value: model_difference },
     Column { title: "Simulator’s own error", value: own_error },
     Column { title: "Time per step", value: |run| text(run, "ns_per_step") },
 ];
 
 /// The table, with the meaning of its columns below.
 pub fn overview(runs: &[Run]) -> Markup {
-    let heads = ["Run"].into_iter().chain(COLUMNS.iter().map(|column| column.title));
+    let is_used = |column: &&Column| runs.iter().any(|run| (column.value)(run).is_some());
+    let columns: Vec<&Column> = COLUMNS.iter().filter(is_used).collect();
+    let heads = ["Run"].into_iter().chain(columns.iter().map(|column| column.title));
     let heads = heads.map(str::to_owned).collect();
     let row = |(place, run): (usize, &Run)| {
         let name = html! { a href={ "#run-" (place + 1) } { (run.name) } };
-        (name, html! { @for column in &COLUMNS { (cell(column, run)) } })
+        (name, html! { @for column in &columns { (cell(column, run)) } })
     };
     html! {
         section {
@@ -43,10 +47,10 @@ pub fn overview(runs: &[Run]) -> Markup {
                 (table(Some("runs"), heads, runs.iter().enumerate().map(row)))
             }
             p.source {
-                "Data 1: error differential equations. Data 2: navigation minus truth. "
+                "Errors: navigation minus truth; the error equations compute them independently. "
                 "R50: 0.8326 rms of horizontal position error / time, the CEP rate; for runs longer than a Schuler period. "
                 "Simulator’s own error: horizontal position error at the end with ideal sensors, less the part that "
-                "comes from inconsistent flight data. Time per step: truth, sensors, navigation and both error data."
+                "comes from inconsistent flight data. Time per step: truth, sensors, navigation and error equations, if they are on."
                 @if runs.len() > 1 { " " a href="#comparison" { "All settings and figures of the runs" } "." }
             }
         }
@@ -55,7 +59,9 @@ pub fn overview(runs: &[Run]) -> Markup {
 
 fn cell(column: &Column, run: &Run) -> Markup {
     match (column.value)(run) {
-        Some(value) => html! { td.sensors[column.title == SENSORS] data-label=(column.title) { (value) } },
+        Some(value) => {
+            html! { td.sensors[[SENSORS, FAILURES].contains(&column.title)] data-label=(column.title) { (value) } }
+        }
         None => html! { td.none { "–" } },
     }
 }
@@ -72,6 +78,11 @@ pub fn sensors(run: &Run) -> Option<String> {
     }
 }
 
+/// Failures of the sensors in words, numbered if there are several.
+pub fn failures(run: &Run) -> Option<String> {
+    text(run, "failures_text").filter(|text| text != "none")
+}
+
 fn radial_error_rate(run: &Run) -> Option<String> {
     text(run, "r50_nmi_h").filter(|_| run.duration_s() > SCHULER_S)
 }
@@ -83,7 +94,8 @@ fn model_difference(run: &Run) -> Option<String> {
 
 /// Horizontal closure less the part of the flight data; `None` if there are other errors.
 fn own_error(run: &Run) -> Option<String> {
-    let is_none = |key: &str| run.summary.value(key) == Some("none");
+    let is_none =
+        |key: &str| run.summary.value(key).is_some_and(|text| text.split(':').next() == Some("none"));
     let may_lack = |key: &str| run.summary.value(key).is_none() || is_none(key);
     if !["gyro_text", "accel_text", "start_text"].into_iter().all(is_none)
         || !["mounting_text", "gravity_text", "failures_text", "updates_text"].into_iter().all(may_lack)
@@ -114,7 +126,7 @@ mod tests {
         let ideal = [
             ("gyro_text", "none", ""),
             ("accel_text", "none", ""),
-            ("start_text", "none", ""),
+            ("start_text", "none: true position, velocity and attitude", ""),
             ("closure_position_east_m", "0.005", "m"),
             ("closure_position_north_m", "0.001", "m"),
             ("host_position_east_m", "0.002", "m"),
@@ -138,7 +150,13 @@ mod tests {
     fn rates_are_reported_of_long_runs_alone() {
         let run = with(&[("r50_nmi_h", "0.25", "nmi/h")]);
         assert_eq!(radial_error_rate(&run), None);
-        let html = overview(&[run]).into_string();
+        let mut long = with(&[("r50_nmi_h", "0.25", "nmi/h")]);
+        long.time_s = vec![0.0, 1e4, 2e4];
+        let html = overview(&[run, long]).into_string();
         assert!(html.contains("<td class=\"none\">–</td>") && html.contains("1.234 km"));
+        assert!(
+            !html.contains("Failures") && !html.contains("error equations, position"),
+            "columns without a value"
+        );
     }
 }

@@ -59,11 +59,12 @@ fn section(place: usize, run: &Run) -> Result<Markup, Failure> {
     })
 }
 
-/// The flight and the sensors in one line.
+/// The flight, the sensors and their failures in one line.
 fn scene(run: &Run) -> String {
     let flight = run.summary.value("scene_text").or(run.summary.value("motion")).map(str::to_owned);
     let sensors = overview::sensors(run).map(|text| format!("Sensor errors: {text}"));
-    let sentences = [flight, sensors].into_iter().flatten();
+    let failures = overview::failures(run).map(|text| format!("Failures: {text}"));
+    let sentences = [flight, sensors, failures].into_iter().flatten();
     sentences.map(|text| text.trim_end_matches('.').to_owned() + ". ").collect()
 }
 
@@ -71,12 +72,12 @@ fn scene(run: &Run) -> String {
 fn remarks(run: &Run) -> Vec<String> {
     let mut remarks = Vec::new();
     let span = |(from, to): (f64, f64)| format!("between {} and {}", time_text(from), time_text(to));
-    if run.model.is_none() {
+    if run.model.is_none() && run.is_of_paper() {
         remarks.push("The error differential equations (error data 1) were off.".to_owned());
     }
     if let Some(times) = run.model_invalid_s() {
         remarks.push(format!(
-            "Error data 1 was outside its validity {}: misalignment above 2 degrees or displacement above 100 km.",
+            "The error differential equations were outside their validity {}: misalignment above 2 degrees or displacement above 100 km.",
             span(times)
         ));
     }

@@ -26,9 +26,10 @@ pub fn picture(run: &Run) -> Result<String, Failure> {
 fn half(run: &Run, quantity: &Quantity) -> Result<(Markup, f64), Failure> {
     let drawing = errors::drawing(run, quantity);
     let height = drawing.height();
-    let svg = drawing.svg(quantity.title)?;
+    let title = errors::title(run, quantity);
+    let svg = drawing.svg(&title)?;
     let markup = html! {
-        text class="title" x="0" y=(0.7 * TITLE * FINE) { (quantity.title) }
+        text class="title" x="0" y=(0.7 * TITLE * FINE) { (title) }
         (placed(0.0, TITLE, WIDTH, height, &PreEscaped(svg)))
     };
     Ok((markup, height))
@@ -38,10 +39,14 @@ fn half(run: &Run, quantity: &Quantity) -> Result<(Markup, f64), Failure> {
 mod tests {
     use super::*;
     use crate::report::run::tests::made;
+    use crate::report::summary::Row;
 
     #[test]
     fn the_picture_stands_alone() {
-        let svg = picture(&made(3000, |_, t| (t / 806.0).sin())).unwrap();
+        let mut run = made(3000, |_, t| (t / 806.0).sin());
+        assert!(!picture(&run).unwrap().contains("of the paper"));
+        run.summary.rows.push(Row::made("scene", "simulation2 (built in)", ""));
+        let svg = picture(&run).unwrap();
         assert!(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"") && svg.ends_with("</svg>\n"));
         assert!(svg.contains("figure 4 of the paper") && svg.contains("figure 5 of the paper"));
         assert_eq!(svg.matches("<svg").count(), svg.matches("</svg>").count());

@@ -6,6 +6,7 @@ use crate::drawing::plot::Trace;
 use crate::drawing::scales::{line, over_time, panel, scaled, time_axis};
 use crate::drawing::series::{magnitude, mean, straight_line};
 use crate::failure::Failure;
+use crate::report::failures;
 use crate::report::run::Run;
 use crate::units::{self, fitting, significant, time_text, with_unit};
 
@@ -70,8 +71,10 @@ pub fn figure(run: &Run) -> Result<Figure, Failure> {
         legend.push((Pen::NauticalMile, "1 nmi/h".to_owned()));
     }
     let note = format!("Largest: {}. Slope of the straight line: {rate}.", with_unit(largest, units::LENGTH));
-    let panels = vec![panel(format!("radial position error [{}]", unit.name), 260.0, 6, traces)];
-    Figure::new("Radial position error", " over time", legend, &over_time(time, panels), note)
+    let mut panels = [panel(format!("radial position error [{}]", unit.name), 260.0, 6, traces)];
+    failures::mark(run, &time, &mut panels);
+    legend.extend(failures::legend(run));
+    Figure::new("Radial position error", " over time", legend, &over_time(time, panels.into()), note)
 }
 
 #[cfg(test)]

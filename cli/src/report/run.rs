@@ -31,6 +31,8 @@ pub struct Run {
     pub gyro_error_rad_s: [Vec<f64>; 3],
     /// Error of the accelerometers, measured less ideal, x, y, z [m/s²].
     pub accel_error_m_s2: [Vec<f64>; 3],
+    /// Begin of each failure of a sensor, and its end, unless it lasts [s].
+    pub failures_s: Vec<(f64, Option<f64>)>,
     pub summary: Summary,
 }
 
@@ -87,6 +89,7 @@ impl Run {
             sigma,
             gyro_error_rad_s: axes(|record| &record.gyro_error),
             accel_error_m_s2: axes(|record| &record.accel_error),
+            failures_s: summary.failures_s(),
             summary,
         })
     }
@@ -104,6 +107,12 @@ impl Run {
     /// Whether the height is taken from the truth, so that up position and velocity have no errors of their own.
     pub fn follows_height(&self) -> bool {
         self.summary.value("vertical") == Some("follow")
+    }
+
+    /// Whether it is one of the paper's two simulations, whose figures the paper has.
+    pub fn is_of_paper(&self) -> bool {
+        let scene = self.summary.value("scene").unwrap_or_default();
+        ["simulation1", "simulation2"].iter().any(|name| scene.strip_suffix(" (built in)") == Some(name))
     }
 
     /// First and last time at which navigation or truth was near a pole [s].

@@ -6,6 +6,7 @@ use crate::drawing::plot::Trace;
 use crate::drawing::scales::{line, over_time, panel, scaled, time_axis};
 use crate::drawing::series::{block_means, magnitude, mean};
 use crate::failure::Failure;
+use crate::report::failures;
 use crate::report::run::Run;
 use crate::units::{Unit, significant, time_text};
 
@@ -23,7 +24,7 @@ pub fn figure(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Res
     let time = time_axis(run.duration_s());
     // Each record has the mean since the previous record; the first record has none.
     let (time_s, values) = (&run.time_s[1..], values.each_ref().map(|values| &values[1..]));
-    let panels: Vec<_> = AXES
+    let mut panels: Vec<_> = AXES
         .iter()
         .zip(values)
         .map(|(axis, values)| {
@@ -35,12 +36,14 @@ pub fn figure(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Res
             panel(format!("{axis} [{}]", unit.name), 100.0, 5, traces)
         })
         .collect();
+    failures::mark(run, &time, &mut panels);
     let drawing = over_time(time, panels);
     let stretch = time_text(run.duration_s() / MEANS as f64);
-    let legend = vec![
+    let mut legend = vec![
         (Pen::Record, "measured minus ideal, each record".to_owned()),
         (Pen::Computed, format!("mean over {stretch}")),
     ];
+    legend.extend(failures::legend(run));
     let [x, y, z] = values.map(|values| significant(mean(values) / unit.si));
     let note = format!("Mean over the run: x {x}, y {y}, z {z} {}.", unit.name);
     Figure::new(title, " over time", legend, &drawing, note).map(Some)

@@ -61,6 +61,12 @@ impl Summary {
         self.value(key)?.parse().ok().filter(|value: &f64| value.is_finite())
     }
 
+    /// Begin of each failure of a sensor, and its end, unless it lasts [s].
+    pub fn failures_s(&self) -> Vec<(f64, Option<f64>)> {
+        let time = |number: u32, end: &str| self.number(&format!("failure_{number}_{end}_s"));
+        (1..).map_while(|number| Some((time(number, "from")?, time(number, "until")))).collect()
+    }
+
     /// The row `key`.
     pub fn row(&self, key: &str) -> Option<&Row> {
         self.rows.iter().find(|row| row.key == key)

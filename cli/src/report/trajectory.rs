@@ -47,7 +47,7 @@ pub fn figure(run: &Run) -> Result<Figure, Failure> {
             time_text(run.duration_s())
         );
     }
-    legend.push((Pen::Start, "start".to_owned()));
+    legend.extend([(Pen::Start, "start".to_owned()), (Pen::End, "end of the true path".to_owned())]);
     let (track, track_note) = track(run, &truth, &navigation, stretch_s)?;
     let (height, height_note) = height(run, stretch_s.unwrap_or(run.duration_s()))?;
     note += &format!("{track_note} {height_note}");
@@ -101,7 +101,11 @@ fn track(
     let traces = lines.into_iter().map(|(pen, points)| Trace::new(pen, scaled(points))).collect();
     let caption = format!("north of the start [{}]", unit.name);
     let mut panel = Panel::new(caption, y, height, traces);
-    panel.dots.push(Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 6.0 });
+    let end = |values: &[f64]| values.last().map_or(0.0, |value| value / unit.si);
+    panel.dots.extend([
+        Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 6.0 },
+        Dot { at: (end(&truth.0), end(&truth.1)), pen: Pen::End, radius: 6.0 },
+    ]);
     let x_label = format!("east of the start [{}]", unit.name);
     let drawing = Drawing { width: WIDTH, x, x_label, panels: vec![panel] };
     let far = truth.0.iter().zip(&truth.1).fold(0.0, |most: f64, (e, n)| most.max(e.hypot(*n)));

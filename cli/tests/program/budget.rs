@@ -31,7 +31,7 @@ fn the_patrol_and_a_log_have_their_budgets() {
     }
     // Three minutes of a bias b of 1e-5 g along three axes: the error is at most b t^2/2 of three axes. The patrol has turned by
     // less than 1.5 rad by then, so the error is at least a tenth of b t^2/2 of two axes.
-    let bias = patrol.iter().find(|row| row["field"] == "accel.bias_m_s2").unwrap();
+    let bias = patrol.iter().find(|row| row["key"] == "accelerometer.bias_micro_g").unwrap();
     let along_one = 0.5 * 9.80665e-5 * 180.0f64.powi(2);
     let axes = number(bias, "end_position_m") / along_one;
     assert!((0.1 * 2f64.sqrt()..3f64.sqrt()).contains(&axes) && bias["kind"] == "deterministic", "{axes}");

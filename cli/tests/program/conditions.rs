@@ -7,9 +7,9 @@ use crate::support::{done, folder, read, rejected};
 
 const DEG_PER_HOUR: f64 = std::f64::consts::PI / 180.0 / 3600.0;
 
-/// Two minutes at rest, a sample each second, without random errors; the increments are written.
-const REST: &str =
-    "[output]\nimu = 'imu.csv'\n[flight]\nbuiltin = 'rest'\nhours = 0.03333333333333333\nrate_hz = 1\n";
+/// Two minutes at rest, a sample each second, without random errors; the increments are written, one part a second.
+const REST: &str = "[options]\nsubsamples = 1\n[output]\nimu = 'imu.csv'\n[flight]\nbuiltin = 'rest'\n\
+    hours = 0.03333333333333333\nrate_hz = 1\n";
 
 /// Flies a scene and returns the text of its increments.
 fn fly(folder: &Path, text: &str) -> String {
@@ -73,7 +73,7 @@ fn the_temperature_changes_steadily_and_a_log_gives_its_own() {
         writeln!(log, "{second},39.9,116.4,50,0,0,0,0,0,0,{}", 20 + second).unwrap();
     }
     std::fs::write(folder.join("log.csv"), &log).unwrap();
-    let flight = "[output]\nimu = 'imu.csv'\n[options]\nsample_period_s = 1\n[flight]\nfile = 'log.csv'\n";
+    let flight = "[output]\nimu = 'imu.csv'\n[options]\nsubsamples = 1\nsample_period_s = 1\n[flight]\nfile = 'log.csv'\n";
     let by_column = fly(&folder, &format!("{flight}{gyro}"));
 
     // A log without the column uses the keys, from its first time stamp on.
@@ -97,7 +97,7 @@ fn the_temperature_changes_steadily_and_a_log_gives_its_own() {
         (
             format!("{flight}{keys}"),
             log,
-            "scene.toml:7: flight.temperature_c: the log has a column of that name",
+            "scene.toml:8: flight.temperature_c: the log has a column of that name",
         ),
     ] {
         std::fs::write(folder.join("log.csv"), log).unwrap();
@@ -143,7 +143,7 @@ fn a_failure_acts_between_its_times() {
     assert_eq!(column(&failed, "velocity_increment_z_m_s")[41..44], [0.0; 3]);
     assert_eq!(seconds(&undisturbed, &failed, "velocity_increment_x_m_s"), []);
     let summary = read(folder.join("sins_out/scene_summary.csv"));
-    let reported = "accelerometer z dead 40.5 s to 43.2 s, gyro z bias step 115 s to the end";
+    let reported = "3 accelerometer z dead 40.5 s to 43.2 s, 4 gyro z bias step 115 s to the end";
     assert!(summary.contains(reported), "{summary}");
 
     // 49 times a 49th of a second is less than a second by rounding. The step still begins at 1 s.
@@ -158,7 +158,7 @@ fn a_failure_acts_between_its_times() {
 #[test]
 fn failures_of_a_log_count_from_its_first_sample() {
     let folder = folder("late");
-    let flight = "[output]\nimu = 'imu.csv'\n[options]\nvertical = 'damped'\nsample_period_s = 1\n\
+    let flight = "[output]\nimu = 'imu.csv'\n[options]\nsubsamples = 1\nvertical = 'damped'\nsample_period_s = 1\n\
         [flight]\nfile = 'log.csv'\n";
     let gyro = "[[failure]]\nsensor = 'gyro'\naxis = 'x'\nkind = 'noise'\ndensity_deg_sqrt_h = 3\nfrom_s = 30\nuntil_s = 33\n";
     let altimeter = "[[failure]]\nsensor = 'altimeter'\nkind = 'bias_step'\nsize_m = 40\nfrom_s = 60\n";

@@ -8,9 +8,11 @@ mod conditions;
 mod curve;
 mod ensemble;
 mod fly;
+mod increments;
 mod inputs;
 mod numbers;
 mod outputs;
+mod pages;
 #[cfg(target_os = "linux")]
 mod progress;
 #[cfg(target_os = "linux")]

@@ -43,7 +43,7 @@ pub const OUTPUT: &[Key] = &[
     text(P, "name", "patrol", "base name of the output files; default from the scene", |d| {
         &mut d.scene.output.name
     }),
-    text(P, "imu", "imu.csv", "file of the measured increments of every sample interval", |d| {
+    text(P, "imu", "imu.csv", "file of the measured increments on which the INS navigates", |d| {
         &mut d.scene.output.imu
     }),
     number!(P, N, "every_s", si("s"), "time between two records; default: about 2000 records",

@@ -1,0 +1,54 @@
+//! What the page of a flight says and marks.
+
+use crate::support::{done, folder, read};
+
+/// Flies a built-in scene with settings, and returns its page.
+fn page(name: &str, scene: &str, settings: &[&str]) -> String {
+    let folder = folder(name);
+    let mut arguments = vec!["fly", scene, "--quiet", "--name", "run"];
+    settings.iter().for_each(|setting| arguments.extend(["--set", setting]));
+    done(&folder, &arguments);
+    done(&folder, &["report", "sins_out/run.csv"]);
+    read(folder.join("sins_out/report.html"))
+}
+
+#[test]
+fn failures_are_named_and_marked() {
+    let folder = folder("failures");
+    let failure =
+        "[[failure]]\nsensor = 'gyro'\naxis = 'z'\nkind = 'bias_step'\nsize_deg_h = 100\nfrom_s = 60\n";
+    let text = format!("[flight]\nbuiltin = 'aerobatics'\nhours = 0.05\n{failure}until_s = 90\n");
+    std::fs::write(folder.join("scene.toml"), text).unwrap();
+    done(&folder, &["fly", "scene.toml", "--quiet"]);
+    done(&folder, &["report", "sins_out/scene.csv"]);
+    let page = read(folder.join("sins_out/report.html"));
+    assert_eq!(page.matches("gyro z bias step 60 s to 90 s").count(), 3, "overview, heading, settings");
+    // Begin and end in three panels of three errors, in the radial error and in the three panels of the gyros.
+    let marks = page.matches("<polyline class=\"failure\"").count();
+    assert_eq!(marks, 2 * (3 * 3 + 1 + 3));
+    assert!(page.contains("<circle class=\"end\""));
+}
+
+#[test]
+fn only_a_simulation_of_the_paper_has_the_names_of_the_paper() {
+    let settings = ["flight.hours=0.02"];
+    let paper = page("paper", "simulation2", &settings);
+    assert!(paper.contains("(figure 3 of the paper)") && paper.contains("data 2: navigation minus truth"));
+    for (name, model) in [("other", "off"), ("other_model", "rk4")] {
+        let model = format!("options.error_model={model}");
+        let other = page(name, "aerobatics", &["flight.hours=0.02", &model]);
+        // The style sheet has classes of the curves' schemes.
+        let (_, body) = other.split_once("</style>").unwrap();
+        for word in ["the paper", "data 1", "data 2", "Data 1", "Data 2"] {
+            assert!(!body.contains(word), "{name}: {word}");
+        }
+    }
+}
+
+#[test]
+fn a_flight_with_ideal_sensors_shows_the_error_of_the_simulator() {
+    let settings = ["flight.hours=0.02"];
+    assert!(page("ideal", "aerobatics", &settings).contains("data-label=\"Simulator’s own error\""));
+    let biased = ["flight.hours=0.02", "gyro.bias_deg_h=0.01"];
+    assert!(!page("biased", "aerobatics", &biased).contains("data-label=\"Simulator’s own error\""));
+}
