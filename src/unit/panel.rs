@@ -88,6 +88,11 @@ impl State {
     pub fn words(self) -> &'static str {
         Self::WORDS[self as usize].0
     }
+
+    /// The state of these words.
+    pub fn of_words(words: &str) -> Option<Self> {
+        Self::WORDS.iter().find(|(of, _)| *of == words).map(|(_, state)| *state)
+    }
 }
 
 /// Why a unit is not ready, or has failed.

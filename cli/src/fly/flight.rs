@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use sins::errors::AccuracyFigures;
 use sins::records;
 use sins::truth::{FlightSample, TruthSummary};
+use sins::unit::State;
 use sins::{ClosureFigures, Error, ImuInterval, Simulator, TrimFigures};
 
 use super::imu;
@@ -40,6 +41,8 @@ pub struct Flown {
     /// Largest |error data 1 - error data 2| of the records: position [m], velocity [m/s].
     pub largest_difference: [f64; 2],
     pub accuracy: Option<(AccuracyFigures, ClosureFigures, TrimFigures)>,
+    /// States of the unit, each with the time of its begin [s].
+    pub states: Vec<(f64, State)>,
     /// Summary of the true motion, if the scene requests it.
     pub truth: Option<TruthSummary>,
 }
@@ -158,7 +161,9 @@ impl InFlight<'_> {
         {
             let updated = unit.update(&self.given.scene, self.simulator, self.given.start_s);
             updated.map_err(|error| self.given.stopped_at(index, &error))?;
-            unit.record(interval.time_s, is_due)?;
+            if let Some(state) = unit.record(interval.time_s, is_due)? {
+                self.flown.states.push((interval.time_s - self.given.start_s, state));
+            }
         }
         if is_due && let Some(mut record) = self.record(index)? {
             [record.gyro_error, record.accel_error] = self.sensor_errors.take();

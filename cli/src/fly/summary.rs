@@ -98,6 +98,15 @@ fn settings(figures: &Figures, rows: &mut Rows) {
 
 fn flight(figures: &Figures, rows: &mut Rows) {
     let flown = figures.flown;
+    for (number, (from_s, state)) in (1..).zip(&flown.states) {
+        rows.text(&format!("unit_{number}_state"), state.words(), &format!("state {number} of the unit"));
+        rows.number(
+            &format!("unit_{number}_from_s"),
+            *from_s,
+            "s",
+            &format!("state {number} of the unit, from"),
+        );
+    }
     rows.number("duration_s", figures.accuracy.duration_s, "s", "simulated time");
     rows.whole("steps", flown.steps, "navigation steps (sample intervals)");
     rows.number("ns_per_step", figures.ns_per_step(), "ns", "computing time of a step (wall clock)");

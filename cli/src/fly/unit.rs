@@ -31,11 +31,12 @@ impl UnitInFlight {
         scene.update_unit(&mut self.unit, simulator, start_s)
     }
 
-    /// Writes a row if the state has changed, or if it `is_due`.
-    pub fn record(&mut self, time_s: f64, is_due: bool) -> Result<(), Failure> {
+    /// Writes a row if the state has changed, or if it `is_due`. Returns a state that is new.
+    pub fn record(&mut self, time_s: f64, is_due: bool) -> Result<Option<State>, Failure> {
         let status = self.unit.status();
-        if !is_due && self.written == Some(status.state) {
-            return Ok(());
+        let new = (self.written != Some(status.state)).then_some(status.state);
+        if !is_due && new.is_none() {
+            return Ok(None);
         }
         self.written = Some(status.state);
         let (valid, reasons) = (&status.validity, &status.reasons);
@@ -56,10 +57,9 @@ impl UnitInFlight {
             (reasons.battery_empty, "battery-empty"),
         ]);
         let state = status.state.words();
-        write_line(
-            &mut self.file,
-            &format!("{},{state},{:.1},{valid},{reasons}", records::line([time_s]), status.to_go_s),
-        )
+        let time = records::line([time_s]);
+        write_line(&mut self.file, &format!("{time},{state},{:.1},{valid},{reasons}", status.to_go_s))?;
+        Ok(new)
     }
 
     pub fn commit(self) -> Result<(), Failure> {

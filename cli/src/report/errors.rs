@@ -7,8 +7,8 @@ use crate::drawing::scales::{line, over_time, panel, time_axis};
 use crate::drawing::series::{difference, magnitude};
 use crate::failure::Failure;
 use crate::record::EAST_NORTH_UP;
-use crate::report::failures;
 use crate::report::run::{Errors, Run};
+use crate::report::{failures, unit};
 use crate::units::{self, Family, Unit, fitting, fitting_axis, in_unit, usual, with_unit};
 
 /// Pens of the differences.
@@ -109,6 +109,7 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
         panels.push(panel(format!("difference of the two [{}]", unit.name), 80.0, 4, traces.collect()));
     }
     failures::mark(run, &time, &mut panels);
+    panels.extend(unit::band(run, &time));
     over_time(time, panels)
 }
 

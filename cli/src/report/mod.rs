@@ -16,6 +16,7 @@ mod sensors;
 mod spectrum;
 mod summary;
 mod trajectory;
+mod unit;
 
 use std::path::{Path, PathBuf};
 

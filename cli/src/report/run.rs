@@ -4,6 +4,7 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
+use sins::unit::State;
 
 use crate::failure::Failure;
 use crate::places::beside;
@@ -33,6 +34,8 @@ pub struct Run {
     pub accel_error_m_s2: [Vec<f64>; 3],
     /// Begin of each failure of a sensor, and its end, unless it lasts [s].
     pub failures_s: Vec<(f64, Option<f64>)>,
+    /// States of the unit, each with its begin [s]; empty: there was no unit.
+    pub states: Vec<(f64, State)>,
     pub summary: Summary,
 }
 
@@ -90,6 +93,7 @@ impl Run {
             gyro_error_rad_s: axes(|record| &record.gyro_error),
             accel_error_m_s2: axes(|record| &record.accel_error),
             failures_s: summary.failures_s(),
+            states: summary.states(),
             summary,
         })
     }

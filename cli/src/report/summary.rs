@@ -5,6 +5,8 @@ use std::path::Path;
 
 use csv::ReaderBuilder;
 
+use sins::unit::State;
+
 use crate::failure::Failure;
 use crate::table::number;
 use crate::units;
@@ -65,6 +67,13 @@ impl Summary {
     pub fn failures_s(&self) -> Vec<(f64, Option<f64>)> {
         let time = |number: u32, end: &str| self.number(&format!("failure_{number}_{end}_s"));
         (1..).map_while(|number| Some((time(number, "from")?, time(number, "until")))).collect()
+    }
+
+    /// States of the unit, each with its begin [s].
+    pub fn states(&self) -> Vec<(f64, State)> {
+        let from_s = |number: u32| self.number(&format!("unit_{number}_from_s"));
+        let state = |number: u32| State::of_words(self.value(&format!("unit_{number}_state"))?);
+        (1..).map_while(|number| Some((from_s(number)?, state(number)?))).collect()
     }
 
     /// The row `key`.
