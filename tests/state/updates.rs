@@ -3,12 +3,14 @@
 use std::sync::OnceLock;
 
 use nalgebra::Vector3;
+use sins::correction::Correction;
 use sins::ensemble::Ensemble;
 use sins::errors::NavigationErrors;
 use sins::flight::Flight;
 use sins::scene::{FliesScene, Scene};
+use sins::sensors::{Failure, SensorOutput, StreamKey};
 use sins::truth::FlightSample;
-use sins::{ErrorKind, ErrorSource, Simulator};
+use sins::{Error, ErrorKind, ErrorSource, Simulator};
 
 use crate::support::errors;
 use crate::support::moments::{reads, snapshot};
@@ -98,24 +100,55 @@ fn a_perfect_fix_leaves_no_error() {
     }
 }
 
-/// Before the time of an update, and behind it, nothing is corrected: the position jumps once in an hour, and each second with `every_s`.
+/// What a scene asks of a simulator, and the time stamps at which it corrected.
+struct Asked {
+    stamps: Vec<f64>,
+    corrected_s: Vec<f64>,
+}
+
+impl FliesScene for Asked {
+    fn last_sample_time_s(&self) -> Option<f64> {
+        self.stamps.last().copied()
+    }
+
+    fn last_interval_s(&self) -> Option<[f64; 2]> {
+        self.stamps.last_chunk().copied()
+    }
+
+    fn correct_each(&mut self, _: &dyn Fn(StreamKey, &NavigationErrors) -> Correction) -> Result<(), Error> {
+        self.corrected_s.extend(self.stamps.last());
+        Ok(())
+    }
+
+    fn failure(&self, _: SensorOutput) -> Option<Failure> {
+        None
+    }
+
+    fn set_failure(&mut self, _: SensorOutput, _: Option<Failure>) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+/// Each planned time is made once, at the first sample at or after it, but for the rounding of the stamps; also far from the time 0,
+/// where the stamps are rounded in other ways.
 #[test]
 fn an_update_is_made_once_at_its_time() {
-    for (lines, expected) in [("", 1), ("every_s = 1\n", 21)] {
-        let scene = scene(&format!("[[update]]\nkind = \"position\"\nat_s = 10.0\nsigma_m = 1000\n{lines}"));
-        for start_s in [0.0, 123_456.7] {
-            let (mut jumps, mut last) = (Vec::new(), None);
-            fly(&scene, start_s, 0..601, &mut simulator(&scene, 0), |simulator, sample| {
-                step(simulator, sample);
-                let now = errors(simulator, ErrorSource::Navigation).position_n;
-                if last.is_some_and(|last: Vector3<f64>| (now - last).norm() > 30.0) {
-                    jumps.push(((sample.time_s - start_s) * 20.0).round() as u32);
-                }
-                last = Some(now);
-            });
-            // The first sample behind the update shows it. At the last sample, that of 30 s, there is none behind it.
-            let first: Vec<u32> = (0..expected).map(|k| 201 + 20 * k).filter(|k| *k < 601).collect();
-            assert_eq!(jumps, first, "{lines}");
+    for (at_s, every) in
+        [(10.0, ""), (0.3, "every_s = 0.1\n"), (0.05, "every_s = 0.05\n"), (0.72, "every_s = 0.36\n")]
+    {
+        let scene = scene(&format!("[[update]]\nkind = \"position\"\nat_s = {at_s}\n{every}"));
+        let every_s = scene.updates[0].every_s;
+        for start_s in [0.0, -7.3, 1000.1, 123_456.7, 1e5 / 3.0] {
+            let mut asked = Asked { stamps: Vec::new(), corrected_s: Vec::new() };
+            fly(&scene, start_s, 0..2001, &mut asked, |asked, sample| asked.stamps.push(sample.time_s));
+            // At the last sample, at 100 s, there is no interval behind an update.
+            let due = (0..).map(|k| at_s + f64::from(k) * if k > 0 { every_s } else { 0.0 });
+            let due: Vec<f64> = due.take_while(|due_s| *due_s < 99.99).collect();
+            assert_eq!(asked.corrected_s.len(), due.len(), "{at_s} {every} {start_s}");
+            for (made_s, due_s) in asked.corrected_s.iter().zip(due) {
+                let late_s = made_s - start_s - due_s;
+                assert!((-1e-10..0.05 - 1e-10).contains(&late_s), "{at_s} {every} {start_s}: {late_s}");
+            }
         }
     }
 }

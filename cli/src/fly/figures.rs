@@ -105,9 +105,11 @@ impl<'a> Figures<'a> {
         }
     }
 
-    /// Each update with its time; "none" if there are no updates.
+    /// Each update with its time, and what leaves them out; "none" if there are no updates.
     pub fn updates(&self) -> String {
-        listed(self.scene().updates.iter().map(update_text))
+        let Scene { updates, options, .. } = self.scene();
+        let is_left_out = options.covariance && !updates.is_empty();
+        listed(updates.iter().map(update_text)) + if is_left_out { "; not in the covariance" } else { "" }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Scenes from a file: mounting, gravity, temperature and failures act on a flight as computed in closed form.
+//! Scenes from a file: mounting, gravity, temperature, failures and updates act on a flight as computed in closed form.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -152,6 +152,30 @@ fn a_failure_acts_between_its_times() {
     let (undisturbed, failed) = (fly(&folder, &fast), fly(&folder, &format!("{fast}{step}")));
     let steps: Vec<usize> = (49..98).collect();
     assert_eq!(seconds(&undisturbed, &failed, "angle_increment_x_rad"), steps);
+}
+
+/// An update at a sample shows in the next record; from then on the position error grows from the error of the fix.
+#[test]
+fn an_update_acts_from_its_time_on() {
+    let folder = folder("updates");
+    let with = |lines: &str| {
+        format!("{REST}[start]\nposition_m = [3000, 0, 0]\n[options]\ncovariance = \"on\"\n{lines}")
+    };
+    let update = "[[update]]\nkind = \"position\"\nat_s = 30\nevery_s = 60\nsigma_m = [10, 10, 0]\n";
+    let flown = |lines: &str| (fly(&folder, &with(lines)), read(folder.join("sins_out/scene.csv")));
+    let ((free_imu, free), (updated_imu, updated)) = (flown(""), flown(update));
+    assert!(free_imu == updated_imu, "the sensors measure what they measured");
+    let time_s = column(&updated, "time_s");
+    let changed = seconds(&free, &updated, "navigation_error_position_east_m");
+    assert_eq!(time_s[changed[0]], 31.0);
+    let east_m = column(&updated, "navigation_error_position_east_m");
+    for (time_s, error) in time_s.into_iter().zip(&east_m) {
+        assert!(if time_s < 30.5 { *error > 2990.0 } else { error.abs() < 100.0 }, "{time_s}: {error}");
+    }
+    assert_eq!(seconds(&free, &updated, "sigma_position_east_m"), []);
+    let summary = read(folder.join("sins_out/scene_summary.csv"));
+    let reported = "updates_text,\"position 30 s every 60 s sigma 10 10 0 m; not in the covariance\"";
+    assert!(summary.contains(&reported.replace('"', "")), "{summary}");
 }
 
 /// A flight whose first time stamp is not 0: times of failures count from its first sample.
