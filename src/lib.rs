@@ -46,6 +46,7 @@
 //! | [`budget`] | finds the contribution of each effect to the errors |
 //! | [`allan`] | estimates the noise of a sensor from its record |
 //! | [`surroundings`] | has the tables of the parameters of the altimeter, of the mounting and of gravity |
+//! | [`bus`] | words of ARINC 429 of a unit |
 //! | [`unit`] | an INS as an aircraft knows it: modes, alignment, status |
 //! | [`snapshot`] | saves the state of all blocks |
 //! | `scene`, `log` | read and write a whole scene as text, make its failures and updates, and read flight logs (feature `scenes`) |
@@ -166,6 +167,8 @@ pub mod abi;
 pub mod allan;
 #[forbid(unsafe_code)]
 pub mod budget;
+#[forbid(unsafe_code)]
+pub mod bus;
 #[forbid(unsafe_code)]
 mod checks;
 #[forbid(unsafe_code)]

@@ -56,13 +56,13 @@ fn a_long_turn_leaves_a_false_vertical() {
     let mut aircraft = in_flight(60.0, 60.0);
     aircraft.unit.select(Mode::Attitude);
     aircraft.until(Motion::Drive { acceleration: 1.0, to: 60.0 }, State::Attitude, 31.0);
-    let (rate, tau, t) = (1.0 * DEG, 120.0, 120.0);
+    let (rate, tau, t) = (1.0 * DEG, 120.0f64, 120.0);
     aircraft.go(Motion::Turn(rate), t);
     let bank = (rate * 60.0 / 9.81f64).atan();
     let shown = aircraft.navigation();
     // Real and imaginary part: towards the wing now, and across.
     let (sin, cos) = (rate * t).sin_cos();
-    let decay = (-t / tau as f64).exp();
+    let decay = (-t / tau).exp();
     let (re, im) = (cos - decay, sin);
     let (a, b) = (1.0, rate * tau);
     let e = (bank * (re * a + im * b) / (a * a + b * b), bank * (im * a - re * b) / (a * a + b * b));

@@ -1,7 +1,6 @@
 //! The unit: what a crew and an aircraft see of an INS.
 
 #[path = "../support/mod.rs"]
-#[allow(dead_code, reason = "the other tests use the rest")]
 mod support;
 
 mod aircraft;

@@ -43,7 +43,8 @@ impl Host {
             let good = saved(unit);
             let mut other = null_mut();
             assert_eq!(call!(sins_unit_create(std::ptr::null(), SINS_UNIT_OFF, &mut other)), SINS_OK);
-            let load = |bytes: &[u8]| call!(sins_unit_snapshot_load(other, bytes.as_ptr().cast(), bytes.len()));
+            let load =
+                |bytes: &[u8]| call!(sins_unit_snapshot_load(other, bytes.as_ptr().cast(), bytes.len()));
             assert_eq!(load(&good), SINS_OK, "an unaltered snapshot was refused");
             assert!(saved(other) == good);
             let mut forged = good;
@@ -69,7 +70,8 @@ impl Host {
         for _ in 0..SAMPLES {
             let choice = i32::from(self.input.byte() % 6) - 1;
             let numbers = [0.0, 0.7, -1.6, 7.0, 1e300, f64::NAN];
-            let (one, two, three) = (self.input.pick(&numbers), self.input.pick(&numbers), self.input.pick(&numbers));
+            let (one, two, three) =
+                (self.input.pick(&numbers), self.input.pick(&numbers), self.input.pick(&numbers));
             match self.input.byte() % 10 {
                 0..3 => call!(sins_unit_select(unit, choice)),
                 3 => call!(sins_unit_set_power(unit, choice)),
@@ -88,9 +90,13 @@ impl Host {
             assert_eq!(call!(sins_unit_get_status(unit, &mut status)), SINS_OK);
             assert!((0..=10).contains(&status.state) && status.to_go_s >= 0.0 && status.to_go_s <= 2e6);
             assert_eq!(call!(sins_unit_get_navigation(unit, sim, &mut shown)), SINS_OK);
-            let angles = [shown.roll_rad, shown.pitch_rad, shown.heading_rad, shown.latitude_rad, shown.longitude_rad];
+            let angles =
+                [shown.roll_rad, shown.pitch_rad, shown.heading_rad, shown.latitude_rad, shown.longitude_rad];
             let vectors = [shown.velocity_enu_m_s, shown.angular_rate_rad_s, shown.specific_force_m_s2];
-            assert!(angles.iter().chain(vectors.iter().flatten()).all(|number| number.is_finite()), "not a number");
+            assert!(
+                angles.iter().chain(vectors.iter().flatten()).all(|number| number.is_finite()),
+                "not a number"
+            );
         }
     }
 }
