@@ -29,6 +29,10 @@ extern "C" {
 
 @unit_params unit unit_status
 
+/* Words of ARINC 429. */
+
+@bus
+
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_unit_sizeof {
 @sizes

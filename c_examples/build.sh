@@ -31,8 +31,9 @@ build harness ${CC:-cc} -std=c99 harness.c
 build recommend ${CC:-cc} -std=c99 recommend.c
 build budget ${CC:-cc} -std=c99 budget.c
 build unit_day ${CC:-cc} -std=c99 unit_day.c
+build bus ${CC:-cc} -std=c99 bus.c
 build gnss_filter ${CC:-cc} -std=c99 gnss_filter.c
 build cpp_host ${CXX:-c++} -std=c++11 cpp_host.cpp
 # loadlibrary loads the library at run time.
 ${CC:-cc} -std=c99 $warnings -I../include -o "$out/loadlibrary" loadlibrary.c -ldl
-echo "built in target/c_examples: minimal harness recommend budget gnss_filter unit_day cpp_host loadlibrary"
+echo "built in target/c_examples: minimal harness recommend budget gnss_filter unit_day bus cpp_host loadlibrary"

@@ -86,6 +86,9 @@
     X(sins_status, sins_unit_snapshot_load, (sins_unit *unit, const void *snapshot, size_t size)) \
     X(sins_status, sins_unit_get_status, (sins_unit *unit, sins_unit_status *status)) \
     X(sins_status, sins_unit_get_navigation, (sins_unit *unit, const sins_sim *sim, sins_unit_navigation *navigation)) \
+    X(sins_status, sins_bus_words, (const sins_unit_status *status, const sins_unit_navigation *navigation, const sins_bus_inputs *inputs, double from_s, double to_s, sins_bus_word *words, size_t capacity, size_t *count)) \
+    X(sins_status, sins_bus_get_label, (size_t index, sins_bus_label *label)) \
+    X(sins_status, sins_bus_decode, (uint32_t word, uint32_t flags, sins_bus_label *label)) \
     X(sins_status, sins_ensemble_create, (const sins_sim *configured, uint64_t first_run, size_t runs, sins_ensemble **ensemble)) \
     X(sins_status, sins_ensemble_destroy, (sins_ensemble *ensemble)) \
     X(sins_status, sins_ensemble_push_sample, (sins_ensemble *ensemble, const sins_flight_sample *sample)) \

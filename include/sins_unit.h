@@ -472,11 +472,146 @@ SINS_API sins_status SINS_CALL sins_unit_get_status(sins_unit *unit, sins_unit_s
 SINS_API sins_status SINS_CALL sins_unit_get_navigation(sins_unit *unit, const sins_sim *sim,
     sins_unit_navigation *navigation);
 
+/* Words of ARINC 429. */
+
+/** Flags of a sins_bus_inputs. */
+typedef enum sins_bus_flags {
+    /** The fields wind_... hold values. */
+    SINS_BUS_WIND = 1,
+    /** The field magnetic_variation_rad holds a value. */
+    SINS_BUS_MAGNETIC_VARIATION = 2,
+    /** The label bits of the words are in the order in which most cards take them: the first bit of the label is the highest of the byte. */
+    SINS_BUS_REVERSED_LABEL = 4
+} sins_bus_flags;
+
+/** Statuses of a word. */
+typedef enum sins_bus_word_status {
+    /** The value is valid. */
+    SINS_BUS_NORMAL = 0,
+    /** There is no value. */
+    SINS_BUS_NO_COMPUTED_DATA = 1,
+    /** The equipment is in its test. */
+    SINS_BUS_FUNCTIONAL_TEST = 2,
+    /** The equipment has failed. A decimal word has no such status: it then says "no computed data". */
+    SINS_BUS_FAILURE_WARNING = 3
+} sins_bus_word_status;
+
+/** What a host knows beside the unit. All zero, or NULL: nothing; the words that need it say "no computed data". */
+typedef struct sins_bus_inputs {
+    /** sizeof(sins_bus_inputs) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Flags of enum sins_bus_flags, or'ed. */
+    uint32_t flags;
+    /** Source/destination identifier of the words, 0 to 3. Words whose data need these bits have none. */
+    uint32_t source;
+    /** Axes of the simulator, of enum sins_axes. */
+    int32_t axes;
+    /** Must be 0. */
+    uint32_t reserved2;
+    /** Wind speed, 0 to 500 [m/s]. */
+    double wind_speed_m_s;
+    /** Direction from which the wind blows, clockwise from true north, -10 to 10 [rad]. */
+    double wind_direction_rad;
+    /** Magnetic variation, east positive, -3.2 to 3.2 [rad]. */
+    double magnetic_variation_rad;
+} sins_bus_inputs;
+
+/** A word and its time. */
+typedef struct sins_bus_word {
+    /** sizeof(sins_bus_word) */
+    uint32_t struct_size;
+    /** Number of the label: 200 is the octal 310. */
+    uint32_t label;
+    /** The word. Bit 1, the first bit of the label, is the lowest bit. */
+    uint32_t word;
+    /** 0 */
+    uint32_t reserved;
+    /** Time of the word [s]. */
+    double time_s;
+} sins_bus_word;
+
+/** A label of the table, with a decoded value where a function gives one. */
+typedef struct sins_bus_label {
+    /** sizeof(sins_bus_label) */
+    uint32_t struct_size;
+    /** Number of the label: 200 is the octal 310. */
+    uint32_t label;
+    /** Name, terminated: "ground speed". */
+    char name[40];
+    /** Unit of the value, terminated: "kt"; empty: a pure number, or single bits. */
+    char unit[8];
+    /** Value of the lowest bit or digit, in the unit. */
+    double resolution;
+    /** Time from one word to the next [s]; 0: an input, which the unit does not send. */
+    double interval_s;
+    /** Value of a decoded word, in the unit; 0 from sins_bus_get_label(). */
+    double value;
+    /** Status of a decoded word, of enum sins_bus_word_status. */
+    int32_t status;
+    /** 0 */
+    uint32_t reserved;
+} sins_bus_label;
+
+/**
+ * Gives the words that are due after from_s and not after to_s, in the order of their times, into words[0] to words[*count - 1]; at
+ * most 10 s at a time. status and navigation are those of sins_unit_get_status() and sins_unit_get_navigation(). Each label is sent
+ * at the multiples of its interval. A unit that is off sends nothing. A value beyond the range of its word is the end of the range;
+ * angles wrap.
+ *
+ * The words show what navigation holds. A real unit is some 80 ms late: a host that wants that keeps status and navigation for this
+ * time. A simulator without a panel sends words too, with a unit that was created with SINS_UNIT_NAV.
+ *
+ * inputs may be NULL. count gets the number of words that are due. With capacity 0, words may be NULL. No allocation, no system call.
+ *
+ * SINS_ERROR_BUFFER_TOO_SMALL: more words are due than capacity; *count has their number, and words the first ones.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+ *
+ * ```c
+ * sins_unit_status bus_status;
+ * sins_unit_navigation bus_navigation;
+ * sins_bus_word word;
+ * sins_bus_label label;
+ * size_t word_count = 0;
+ * SINS_INIT(bus_status);
+ * SINS_INIT(bus_navigation);
+ * SINS_INIT(word);
+ * SINS_INIT(label);
+ * bus_status.state = SINS_UNIT_STATE_NAVIGATION;
+ * bus_navigation.validity = SINS_UNIT_VALID_POSITION;
+ * bus_navigation.latitude_rad = 45.0 * SINS_DEG;
+ * sins_bus_words(&bus_status, &bus_navigation, NULL, 0.0, 0.1, &word, 1, &word_count);
+ * sins_bus_decode(word.word, 0, &label);
+ * printf("label %o: %08lx, %g %s\n", (unsigned)label.label, (unsigned long)word.word, label.value, label.unit);  // label 312: 200000ca, 0 kt
+ * ```
+ */
+SINS_API sins_status SINS_CALL sins_bus_words(const sins_unit_status *status, const sins_unit_navigation *navigation,
+    const sins_bus_inputs *inputs, double from_s, double to_s, sins_bus_word *words, size_t capacity, size_t *count);
+
+/**
+ * Reads row `index` of the table of labels, from 0: what a unit sends, and the two inputs behind it.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such row.
+ */
+SINS_API sins_status SINS_CALL sins_bus_get_label(size_t index, sins_bus_label *label);
+
+/**
+ * Decodes a word of the table: its label, its value and its status. A word that an input sends, set latitude (041) or set longitude
+ * (042), is given to sins_unit_enter_position() by the host. flags is 0, or SINS_BUS_REVERSED_LABEL.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the parity of the word is even, or the table does not have its label.
+ */
+SINS_API sins_status SINS_CALL sins_bus_decode(uint32_t word, uint32_t flags, sins_bus_label *label);
+
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_unit_sizeof {
     SINS_SIZEOF_UNIT_PARAMS = 168,
     SINS_SIZEOF_UNIT_STATUS = 80,
-    SINS_SIZEOF_UNIT_NAVIGATION = 136
+    SINS_SIZEOF_UNIT_NAVIGATION = 136,
+    SINS_SIZEOF_BUS_INPUTS = 48,
+    SINS_SIZEOF_BUS_WORD = 24,
+    SINS_SIZEOF_BUS_LABEL = 88
 };
 
 #ifdef __cplusplus

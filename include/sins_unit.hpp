@@ -14,6 +14,26 @@ template <> struct Destroyer<sins_unit> {
 };
 } // namespace detail
 
+/* The words of ARINC 429 that are due after from_s and not after to_s; see sins_bus_words(). inputs may be NULL. */
+inline std::vector<sins_bus_word> bus_words(const sins_unit_status &status, const sins_unit_navigation &navigation,
+                                            const sins_bus_inputs *inputs, double from_s, double to_s) {
+    std::size_t count = 0;
+    const sins_status asked = sins_bus_words(&status, &navigation, inputs, from_s, to_s, nullptr, 0, &count);
+    if (asked != SINS_ERROR_BUFFER_TOO_SMALL)
+        detail::done(asked, nullptr);
+    std::vector<sins_bus_word> words(count, make<sins_bus_word>());
+    detail::done(sins_bus_words(&status, &navigation, inputs, from_s, to_s, words.data(), count, &count), nullptr);
+    return words;
+}
+
+/* The table of labels. */
+inline std::vector<sins_bus_label> bus_labels() { return detail::all(make<sins_bus_label>(), sins_bus_get_label); }
+
+/* Label, value and status of a word; flags is 0, or SINS_BUS_REVERSED_LABEL. */
+inline sins_bus_label bus_decode(uint32_t word, uint32_t flags = 0) {
+    return detail::filled<sins_bus_label>(nullptr, sins_bus_decode, word, flags);
+}
+
 /* A unit beside a simulator. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
 class Unit : public detail::Owner<sins_unit> {
 public:

@@ -1,10 +1,12 @@
 //! `sins_unit_status`, `sins_unit_navigation`: what a unit reports and shows.
 
 use super::choice::{Choice, choices, flag};
-use super::failure::{SINS_OK, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct};
 use super::simulator::{look_at, sins_sim};
 use super::unit::{sins_unit, with_unit};
+use crate::earth::Geodetic;
+use crate::math::Euler;
 use crate::unit::{Reasons, State, Status, UnitNavigation, Validity};
 
 /// What a unit is doing.
@@ -222,6 +224,58 @@ impl From<&UnitNavigation> for sins_unit_navigation {
             heading_rad: shown.euler.heading,
             angular_rate_rad_s: shown.rate_b.into(),
             specific_force_m_s2: shown.force_b.into(),
+        }
+    }
+}
+
+impl sins_unit_status {
+    /// The status, as far as words on a bus show it.
+    pub(super) fn to_status(self) -> Result<Status, Failure> {
+        let (lit, why) = (|bit| self.annunciators & bit != 0, |bit| self.reasons & bit != 0);
+        Ok(Status {
+            state: State::of("status.state", self.state)?,
+            fault: lit(SINS_UNIT_FAULT),
+            on_battery: lit(SINS_UNIT_ON_BATTERY),
+            in_test: lit(SINS_UNIT_IN_TEST),
+            reasons: Reasons {
+                no_position: why(SINS_UNIT_REASON_NO_POSITION),
+                position_disagrees: why(SINS_UNIT_REASON_POSITION_DISAGREES),
+                latitude_disagrees: why(SINS_UNIT_REASON_LATITUDE_DISAGREES),
+                motion: why(SINS_UNIT_REASON_MOTION),
+                latitude_too_high: why(SINS_UNIT_REASON_LATITUDE_TOO_HIGH),
+                no_signal: why(SINS_UNIT_REASON_NO_SIGNAL),
+                battery_empty: why(SINS_UNIT_REASON_BATTERY_EMPTY),
+            },
+            validity: to_validity(self.validity),
+            to_go_s: self.to_go_s,
+            in_navigation_s: self.in_navigation_s,
+            ..Status::default()
+        })
+    }
+}
+
+fn to_validity(validity: u32) -> Validity {
+    let is = |bit| validity & bit != 0;
+    Validity {
+        rates: is(SINS_UNIT_VALID_RATES),
+        attitude: is(SINS_UNIT_VALID_ATTITUDE),
+        heading: is(SINS_UNIT_VALID_HEADING),
+        position: is(SINS_UNIT_VALID_POSITION),
+        velocity: is(SINS_UNIT_VALID_VELOCITY),
+    }
+}
+
+impl sins_unit_navigation {
+    pub(super) fn to_shown(self) -> UnitNavigation {
+        let Self { latitude_rad, longitude_rad, height_m, roll_rad, pitch_rad, heading_rad, .. } = self;
+        UnitNavigation {
+            time_s: self.time_s,
+            validity: to_validity(self.validity),
+            place: Geodetic { latitude_rad, longitude_rad, height_m },
+            v_n: self.velocity_enu_m_s.into(),
+            euler: Euler { roll: roll_rad, pitch: pitch_rad, heading: heading_rad },
+            rate_b: self.angular_rate_rad_s.into(),
+            force_b: self.specific_force_m_s2.into(),
         }
     }
 }

@@ -323,6 +323,10 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     sins_budget_row budget_row[2];
     sins_budget budget[2];
     sins_unit_params unit_params[2];
+    sins_unit_status unit_status[2];
+    sins_unit_navigation unit_navigation[2];
+    sins_bus_inputs bus_inputs[2];
+    sins_bus_word bus_word[2];
     sins_statistics statistics[2];
     sins_figures figures[2];
     sins_verdict verdict[2];
@@ -365,6 +369,14 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     SINS_INIT(budget[1]);
     SINS_INIT(unit_params[0]);
     SINS_INIT(unit_params[1]);
+    SINS_INIT(unit_status[0]);
+    SINS_INIT(unit_status[1]);
+    SINS_INIT(unit_navigation[0]);
+    SINS_INIT(unit_navigation[1]);
+    SINS_INIT(bus_inputs[0]);
+    SINS_INIT(bus_inputs[1]);
+    SINS_INIT(bus_word[0]);
+    SINS_INIT(bus_word[1]);
     SINS_INIT(statistics[0]);
     SINS_INIT(statistics[1]);
     SINS_INIT(figures[0]);
@@ -432,6 +444,11 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     EVERY_CALL(sins_unit_snapshot_load(unit, NULL, size));
     EVERY_CALL(sins_unit_get_status(unit, NULL));
     EVERY_CALL(sins_unit_get_navigation(unit, sim, NULL));
+    EVERY_CALL(sins_bus_words(NULL, unit_navigation, bus_inputs, 0.0, 0.0, bus_word, 2, &size));
+    EVERY_CALL(sins_bus_words(unit_status, NULL, bus_inputs, 0.0, 0.0, bus_word, 2, &size));
+    EVERY_CALL(sins_bus_words(unit_status, unit_navigation, bus_inputs, 0.0, 0.0, bus_word, 2, NULL));
+    EVERY_CALL(sins_bus_get_label(0, NULL));
+    EVERY_CALL(sins_bus_decode(0, 0, NULL));
     EVERY_CALL(sins_ensemble_create(sim, SCENE_FIRST_RUN, 1, NULL));
     EVERY_CALL(sins_ensemble_push_sample(ensemble, NULL));
     EVERY_CALL(sins_ensemble_run(ensemble, NULL, 2));

@@ -135,6 +135,8 @@ typedef struct {
     double duration_s;
     sins_flight_sample piece[COUNT];
     sins_unit_navigation shown;
+    sins_bus_word words[64];
+    sins_bus_label label;
     unsigned char unit[SINS_UNIT_SNAPSHOT_MAX_SIZE];
     sins_error_info info;
     char sentence[200], written[8192], keys[32768], name[32];
@@ -220,6 +222,8 @@ static void fly_unit(results *found)
     sins_sim *sim = NULL;
     sins_unit_params params = {.struct_size = sizeof params, .power_up_test_s = 0.1, .alignment_s = 0.5};
     sins_flight_sample sample = {.struct_size = sizeof sample, .latitude_rad = 0.7};
+    sins_unit_status status;
+    sins_bus_label label = {.struct_size = sizeof label};
     size_t size = 0;
     int k;
     CHECK(sins_create(NULL, &sim) == SINS_OK && sins_unit_create(&params, SINS_UNIT_OFF, &unit) == SINS_OK);
@@ -233,6 +237,13 @@ static void fly_unit(results *found)
     SINS_INIT(found->shown);
     CHECK(sins_unit_get_navigation(unit, sim, &found->shown) == SINS_OK);
     CHECK(found->shown.validity & SINS_UNIT_VALID_VELOCITY);
+    SINS_INIT(status);
+    SINS_INIT(found->words[0]);
+    SINS_INIT(found->label);
+    CHECK(sins_unit_get_status(unit, &status) == SINS_OK);
+    CHECK(sins_bus_words(&status, &found->shown, NULL, 0.0, 0.04, found->words, 64, &size) == SINS_OK && size > 20);
+    CHECK(sins_bus_decode(found->words[0].word, 0, &found->label) == SINS_OK);
+    CHECK(sins_bus_get_label(1, &label) == SINS_OK);
     CHECK(sins_unit_snapshot_save(unit, found->unit, sizeof found->unit, &size) == SINS_OK);
     every_unit_call(unit, sim, ignore, NULL);
     CHECK(sins_unit_destroy(unit) == SINS_OK && sins_destroy(sim) == SINS_OK);

@@ -510,6 +510,35 @@ AT(sins_unit_navigation, heading_rad, 80);
 AT(sins_unit_navigation, angular_rate_rad_s, 88);
 AT(sins_unit_navigation, specific_force_m_s2, 112);
 
+SIZE(sins_bus_inputs, SINS_SIZEOF_BUS_INPUTS, 48);
+AT(sins_bus_inputs, struct_size, 0);
+AT(sins_bus_inputs, reserved, 4);
+AT(sins_bus_inputs, flags, 8);
+AT(sins_bus_inputs, source, 12);
+AT(sins_bus_inputs, axes, 16);
+AT(sins_bus_inputs, reserved2, 20);
+AT(sins_bus_inputs, wind_speed_m_s, 24);
+AT(sins_bus_inputs, wind_direction_rad, 32);
+AT(sins_bus_inputs, magnetic_variation_rad, 40);
+
+SIZE(sins_bus_word, SINS_SIZEOF_BUS_WORD, 24);
+AT(sins_bus_word, struct_size, 0);
+AT(sins_bus_word, label, 4);
+AT(sins_bus_word, word, 8);
+AT(sins_bus_word, reserved, 12);
+AT(sins_bus_word, time_s, 16);
+
+SIZE(sins_bus_label, SINS_SIZEOF_BUS_LABEL, 88);
+AT(sins_bus_label, struct_size, 0);
+AT(sins_bus_label, label, 4);
+AT(sins_bus_label, name, 8);
+AT(sins_bus_label, unit, 48);
+AT(sins_bus_label, resolution, 56);
+AT(sins_bus_label, interval_s, 64);
+AT(sins_bus_label, value, 72);
+AT(sins_bus_label, status, 80);
+AT(sins_bus_label, reserved, 84);
+
 SIZE(sins_statistics, SINS_SIZEOF_STATISTICS, 14920);
 AT(sins_statistics, struct_size, 0);
 AT(sins_statistics, layout, 4);

@@ -288,6 +288,8 @@ static void fly_unit_frames(sins_sim *sim, sins_unit *unit)
     sins_unit_params params = {.struct_size = sizeof params};
     sins_unit_status status = {.struct_size = sizeof status};
     sins_unit_navigation navigation = {.struct_size = sizeof navigation};
+    sins_bus_word words[64] = {{.struct_size = sizeof words[0]}};
+    sins_bus_label label = {.struct_size = sizeof label};
     sins_status answer;
     size_t size;
     int k;
@@ -311,6 +313,9 @@ static void fly_unit_frames(sins_sim *sim, sins_unit *unit)
         FRAME_CHECK(answer == SINS_OK || answer == SINS_ERROR_BAD_STATE);
         FRAME_CHECK(sins_unit_get_status(unit, &status) == SINS_OK);
         FRAME_CHECK(sins_unit_get_navigation(unit, sim, &navigation) == SINS_OK);
+        FRAME_CHECK(sins_bus_words(&status, &navigation, NULL, scene_time(k), scene_time(k + 1), words, 64, &size) == SINS_OK);
+        FRAME_CHECK(size == 0 || sins_bus_decode(words[0].word, 0, &label) == SINS_OK);
+        FRAME_CHECK(sins_bus_get_label(0, &label) == SINS_OK);
         FRAME_CHECK(sins_unit_snapshot_save(unit, snapshot, sizeof snapshot, &size) == SINS_OK);
         FRAME_CHECK(sins_unit_snapshot_load(unit, snapshot, size) == SINS_OK);
     }

@@ -231,6 +231,8 @@ static void fly_unit(const sins_options *options)
     sins_unit_params params = {.struct_size = sizeof params, .power_up_test_s = 0.01, .alignment_s = 0.1};
     sins_unit_status status = {.struct_size = sizeof status};
     sins_unit_navigation navigation = {.struct_size = sizeof navigation};
+    sins_bus_word word = {.struct_size = sizeof word};
+    sins_bus_label label = {.struct_size = sizeof label};
     static const char UNIT_SCENE[] = "[flight]\nbuiltin = \"rest\"\n[unit]\nstart = \"off\"\n";
     sins_scene *scene = NULL;
     sins_unit *unit = NULL;
@@ -257,6 +259,9 @@ static void fly_unit(const sins_options *options)
         }
         CHECK(sins_unit_set_alignment(unit, k % 4) == SINS_OK && sins_unit_select(unit, k / 2 % 4) == SINS_OK);
     }
+    TRY(sins_bus_words(&status, &navigation, NULL, 0.0, 1.0, &word, 1, &size));
+    MEASURE(sins_bus_get_label(0, &label));
+    TRY(sins_bus_decode(0, 0, &label));
     MEASURE(sins_unit_snapshot_save(unit, text, sizeof text, &size));
     MEASURE(sins_unit_snapshot_load(unit, text, size));
     MEASURE(sins_unit_destroy(unit));

@@ -368,6 +368,25 @@ static sins_status create_unit(const sins_unit_params *params)
     return status;
 }
 
+/* All words of a millisecond; NULL: a struct of the right size. */
+static sins_status words_of(const sins_unit_status *status, const sins_unit_navigation *navigation, const sins_bus_inputs *inputs)
+{
+    sins_unit_status own_status = {.struct_size = sizeof own_status};
+    sins_unit_navigation own_navigation = {.struct_size = sizeof own_navigation};
+    size_t count;
+    return sins_bus_words(status ? status : &own_status, navigation ? navigation : &own_navigation, inputs, 0.0, 0.001, NULL, 0,
+                          &count);
+}
+
+static sins_status first_word(sins_bus_word *word)
+{
+    sins_unit_status status = {.struct_size = sizeof status, .state = SINS_UNIT_STATE_NAVIGATION};
+    sins_unit_navigation navigation = {.struct_size = sizeof navigation};
+    size_t count;
+    sins_status answer = sins_bus_words(&status, &navigation, NULL, 0.0, 0.1, word, 1, &count);
+    return answer == SINS_ERROR_BUFFER_TOO_SMALL ? SINS_OK : answer;
+}
+
 static void struct_sizes_of_units(const sins_sim *sim)
 {
     sins_unit *unit = scene_unit();
@@ -376,6 +395,11 @@ static void struct_sizes_of_units(const sins_sim *sim)
     OUTPUT_SIZES(sins_unit_params, sins_unit_get_params(unit, pointer));
     OUTPUT_SIZES(sins_unit_status, sins_unit_get_status(unit, pointer));
     OUTPUT_SIZES(sins_unit_navigation, sins_unit_get_navigation(unit, sim, pointer));
+    INPUT_SIZES(sins_unit_status, words_of(pointer, NULL, NULL));
+    INPUT_SIZES(sins_unit_navigation, words_of(NULL, pointer, NULL));
+    INPUT_SIZES(sins_bus_inputs, words_of(NULL, NULL, pointer));
+    OUTPUT_SIZES(sins_bus_word, first_word(pointer));
+    OUTPUT_SIZES(sins_bus_label, sins_bus_get_label(3, pointer));
     CHECK(sins_unit_destroy(unit) == SINS_OK);
 }
 

@@ -24,6 +24,9 @@ fn the_small_examples_run() {
     let text = prints_alike("budget_example", &["c_examples/budget.c"], &C_AND_CPP, &[]);
     assert!(text.contains("can be left out") && text.contains("left out: "), "{text}");
 
+    let text = prints_alike("bus_example", &["c_examples/bus.c"], &C_AND_CPP, &[]);
+    assert!(text.contains("label 310") && text.contains("heading magnetic 87.0000 deg"), "{text}");
+
     let text = prints_alike("unit_day", &["c_examples/unit_day.c"], &C_AND_CPP, &[]);
     let states: Vec<&str> = text.lines().map(|line| line[10..27].trim_end()).collect();
     let first = ["off", "test", "coarse alignment", "fine alignment", "ready", "navigation"];

@@ -6,6 +6,7 @@ mod support;
 mod aircraft;
 mod alignment;
 mod attitude;
+mod bus;
 mod faults;
 mod realignment;
 mod saved;

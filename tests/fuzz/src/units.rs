@@ -90,6 +90,7 @@ impl Host {
             assert_eq!(call!(sins_unit_get_status(unit, &mut status)), SINS_OK);
             assert!((0..=10).contains(&status.state) && status.to_go_s >= 0.0 && status.to_go_s <= 2e6);
             assert_eq!(call!(sins_unit_get_navigation(unit, sim, &mut shown)), SINS_OK);
+            self.send_words(&status, &shown);
             let angles =
                 [shown.roll_rad, shown.pitch_rad, shown.heading_rad, shown.latitude_rad, shown.longitude_rad];
             let vectors = [shown.velocity_enu_m_s, shown.angular_rate_rad_s, shown.specific_force_m_s2];
@@ -98,5 +99,39 @@ impl Host {
                 "not a number"
             );
         }
+    }
+
+    /// All words of a tenth of a second are decoded again; any word may be decoded.
+    fn send_words(&mut self, status: &sins_unit_status, shown: &sins_unit_navigation) {
+        let mut inputs = init::<sins_bus_inputs>();
+        inputs.flags = u32::from(self.input.byte() % 9);
+        inputs.source = u32::from(self.input.byte() % 5);
+        inputs.axes = i32::from(self.input.byte() % 3);
+        inputs.magnetic_variation_rad = self.input.pick(&[0.0, 1.0, f64::NAN]);
+        let (mut words, mut count) = ([init::<sins_bus_word>(); 256], 0);
+        let (from_s, to_s) =
+            (self.input.pick(&[0.0, -3.05, 1e9]), self.input.pick(&[0.1, -2.9, 1e9 + 0.125, f64::NAN]));
+        let sent = call!(sins_bus_words(
+            status,
+            shown,
+            &inputs,
+            from_s,
+            to_s,
+            words.as_mut_ptr(),
+            words.len(),
+            &mut count
+        ));
+        let mut label = init::<sins_bus_label>();
+        if sent == SINS_OK {
+            for word in &words[..count] {
+                assert_eq!(
+                    call!(sins_bus_decode(word.word, inputs.flags & SINS_BUS_REVERSED_LABEL, &mut label)),
+                    SINS_OK
+                );
+                assert!(label.value.is_finite() && label.label == word.label);
+            }
+        }
+        call!(sins_bus_decode(self.input.word() as u32, 0, &mut label));
+        call!(sins_bus_get_label(self.input.below(64), &mut label));
     }
 }
