@@ -101,6 +101,7 @@
 //! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/state/snapshots.rs`, `tests/robustness/snapshot_damage.rs` |
 //! | for any sequence of calls within the rules, no accepted step leaves a solution beyond the limits, a rejected call changes nothing, and each snapshot loads | `tests/robustness/any_use.rs` |
 //! | a unit aligns as well as theory permits, and behaves as its table says at each mode, entry and fault | `tests/unit` |
+//! | each word of ARINC 429 is its value to half its resolution, with the status of the unit | `tests/unit/bus.rs`, `tests/hosts/arinc429.py` |
 //! | errors that the host feeds back disappear, everywhere and in every mode, and zeros change no bit | `tests/state/corrections.rs` |
 //! | a planned update leaves the error of its fix, and changes no other random number | `tests/state/updates.rs` |
 //! | pauses and a changed pace of the host's time change no result | `tests/state/host_time.rs` |

@@ -112,6 +112,10 @@ python() {
     build_program
     mkdir -p "$out/aircraft"
     /usr/bin/python3 tests/hosts/aircraft.py "$built/sins" "$out/aircraft"
+    for scene in c_examples/scenes/day.toml over_the_pole; do
+        "$built/sins" fly "$scene" --quiet --force --out "$out/bus" --name flight --bus words.csv
+        /usr/bin/python3 tests/hosts/arinc429.py "$out/bus/words.csv" "$out/bus/flight.csv"
+    done
 }
 
 # The MEX file flies a log: a matrix of samples.

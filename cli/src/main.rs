@@ -5,6 +5,7 @@
 
 mod allan;
 mod budget;
+mod bus;
 mod completions;
 mod curve;
 mod drawing;
@@ -65,6 +66,8 @@ enum Command {
     },
     #[command(subcommand)]
     Scene(scene::Order),
+    #[command(subcommand)]
+    Bus(bus::Order),
     Completions(completions::Order),
 }
 
@@ -95,6 +98,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Keys { word: Some(word), fields: false } => scene::print_keys_of(word),
         Command::Keys { fields: true, .. } => scene::print_key_fields(),
         Command::Scene(order) => scene::run(order),
+        Command::Bus(order) => bus::run(order),
         Command::Completions(order) => completions::run::<CommandLine>(order),
     }
 }

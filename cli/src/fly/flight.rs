@@ -161,6 +161,8 @@ impl InFlight<'_> {
         {
             let updated = unit.update(&self.given.scene, self.simulator, self.given.start_s);
             updated.map_err(|error| self.given.stopped_at(index, &error))?;
+            let words = unit.send(self.simulator, &interval);
+            unit.write(&words.map_err(|error| self.given.stopped_at(index, &error))?)?;
             if let Some(state) = unit.record(interval.time_s, is_due)? {
                 self.flown.states.push((interval.time_s - self.given.start_s, state));
             }

@@ -2,6 +2,7 @@
 //!
 //! The data flow is `crate::given` → `flight` → `crate::record`, `imu` → `figures` → `summary` (file), `print` (terminal).
 
+mod bus;
 mod figures;
 mod flight;
 mod imu;
@@ -10,13 +11,19 @@ mod spacing;
 mod summary;
 mod unit;
 
+use std::path::Path;
+
+use sins::bus::Inputs;
+use sins::unit::{Mode, Unit, UnitParameters};
+
 use crate::failure::{Failure, Kind};
-use crate::given::SceneArguments;
+use crate::given::{Given, SceneArguments};
 use crate::interrupt;
 use crate::output::{OutputFile, Outputs};
 use crate::places::{OutputArguments, below};
 use crate::record::COLUMNS;
 use crate::terminal::print;
+use bus::Bus;
 use figures::Figures;
 use flight::{Files, Flown};
 use unit::UnitInFlight;
@@ -38,6 +45,12 @@ pub struct Order {
     /// Also writes the measured increments on which the INS navigates into this file in DIR, a row for each part of an update
     #[arg(long, value_name = "FILE.csv")]
     imu: Option<String>,
+    /// Also writes the ARINC 429 words of the scene's unit into this file in DIR. A scene without a unit has one that navigates
+    #[arg(long, value_name = "FILE.csv")]
+    bus: Option<String>,
+    /// How late the words are [ms], 0 to 200
+    #[arg(long, value_name = "MS", requires = "bus", default_value_t = 0.0)]
+    bus_delay: f64,
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
@@ -62,12 +75,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
             }
             None => None,
         },
-        unit: match given.scene.unit().map_err(|error| Failure::new(error.to_string()))? {
-            Some(unit) => {
-                Some(UnitInFlight::new(unit, outputs.file(&file("_unit.csv"), &unit::COLUMNS.join(","))?)?)
-            }
-            None => None,
-        },
+        unit: unit(order, &given, &mut outputs, &folder, &file("_unit.csv"))?,
     };
     let quiet = order.output.is_quiet(&given);
     let mut flown = Flown::default();
@@ -99,4 +107,35 @@ fn finish(figures: &Figures, files: Files, summary_file: OutputFile) -> Result<(
     }
     summary_file.finish(text)?;
     records.commit()
+}
+
+/// The unit in flight, with its files, if the scene has a unit or the words of one are wanted.
+fn unit(
+    order: &Order,
+    given: &Given,
+    outputs: &mut Outputs,
+    folder: &Path,
+    path: &Path,
+) -> Result<Option<UnitInFlight>, Failure> {
+    let failed = |error: sins::Error| Failure::new(error.to_string());
+    let own = given.scene.unit().map_err(failed)?;
+    let file = own.map(|_| outputs.file(path, &unit::COLUMNS.join(","))).transpose()?;
+    let bus = match &order.bus {
+        None => None,
+        Some(_) if !(0.0..=200.0).contains(&order.bus_delay) => {
+            return Err(Failure::new(format!("--bus-delay {}: must be from 0 to 200", order.bus_delay)));
+        }
+        Some(name) => {
+            let path = below(folder, name, "--bus", "--bus")?;
+            let inputs = Inputs { axes: given.scene.options.axes, ..Inputs::default() };
+            let file = outputs.file(&path, &bus::COLUMNS.join(","))?;
+            Some(Bus::new(file, order.bus_delay / 1e3, inputs)?)
+        }
+    };
+    let unit = match own {
+        None if bus.is_none() => return Ok(None),
+        Some(unit) => unit,
+        None => Unit::new(&UnitParameters::default(), Mode::Navigate).map_err(failed)?,
+    };
+    UnitInFlight::new(unit, file, bus).map(Some)
 }

@@ -2,28 +2,47 @@
 
 use std::io::Write;
 
+use sins::bus::Word;
 use sins::records;
 use sins::scene::Scene;
 use sins::unit::{State, Unit};
-use sins::{Error, Simulator};
+use sins::{Error, ImuInterval, Simulator};
 
+use super::bus::Bus;
 use crate::failure::Failure;
 use crate::output::OutputFile;
 
 /// Columns of the file.
 pub const COLUMNS: [&str; 5] = ["time_s", "state", "to_go_s", "valid", "reasons"];
 
-/// The unit, and its file.
+/// The unit, its file if it is the scene's, and its bus.
 pub struct UnitInFlight {
     unit: Unit,
-    file: OutputFile,
+    file: Option<OutputFile>,
+    bus: Option<Bus>,
     written: Option<State>,
 }
 
 impl UnitInFlight {
-    pub fn new(unit: Unit, mut file: OutputFile) -> Result<Self, Failure> {
-        write_line(&mut file, &COLUMNS.join(","))?;
-        Ok(Self { unit, file, written: None })
+    pub fn new(unit: Unit, mut file: Option<OutputFile>, bus: Option<Bus>) -> Result<Self, Failure> {
+        if let Some(file) = &mut file {
+            write_line(file, &COLUMNS.join(","))?;
+        }
+        Ok(Self { unit, file, bus, written: None })
+    }
+
+    /// Sends the words that are due in the last interval.
+    pub fn send(&mut self, simulator: &Simulator, interval: &ImuInterval) -> Result<Vec<Word>, Error> {
+        let from_s = interval.time_s - interval.interval_s;
+        match &mut self.bus {
+            Some(bus) => bus.due(&self.unit, simulator, from_s, interval.time_s),
+            None => Ok(Vec::new()),
+        }
+    }
+
+    /// Writes words.
+    pub fn write(&mut self, words: &[Word]) -> Result<(), Failure> {
+        self.bus.as_mut().map_or(Ok(()), |bus| bus.write(words))
     }
 
     /// Takes the last step: first what is planned at the panel, then the unit.
@@ -33,6 +52,7 @@ impl UnitInFlight {
 
     /// Writes a row if the state has changed, or if it `is_due`. Returns a state that is new.
     pub fn record(&mut self, time_s: f64, is_due: bool) -> Result<Option<State>, Failure> {
+        let Some(file) = &mut self.file else { return Ok(None) };
         let status = self.unit.status();
         let new = (self.written != Some(status.state)).then_some(status.state);
         if !is_due && new.is_none() {
@@ -58,12 +78,13 @@ impl UnitInFlight {
         ]);
         let state = status.state.words();
         let time = records::line([time_s]);
-        write_line(&mut self.file, &format!("{time},{state},{:.1},{valid},{reasons}", status.to_go_s))?;
+        write_line(file, &format!("{time},{state},{:.1},{valid},{reasons}", status.to_go_s))?;
         Ok(new)
     }
 
     pub fn commit(self) -> Result<(), Failure> {
-        self.file.commit()
+        self.file.map_or(Ok(()), OutputFile::commit)?;
+        self.bus.map_or(Ok(()), Bus::commit)
     }
 }
 

@@ -18,3 +18,4 @@ mod progress;
 #[cfg(target_os = "linux")]
 mod same_records;
 mod support;
+mod unit;

@@ -1,0 +1,102 @@
+//! The unit of a scene: its states as a file and in the summary, and its words of ARINC 429.
+
+use crate::support::{done, folder, project_file, read, rejected};
+
+const SCENE: &str = "
+[flight]
+latitude_deg = -34.5
+longitude_deg = -151.2
+rate_hz = 20
+[[manoeuvre]]
+kind = \"rest\"
+duration_s = 120
+[unit]
+start = \"off\"
+alignment_s = 60
+[[panel]]
+kind = \"nav\"
+at_s = 10
+[[panel]]
+kind = \"true_position\"
+at_s = 30
+[[panel]]
+kind = \"off\"
+at_s = 110
+";
+
+#[test]
+fn the_states_are_a_file_and_stand_in_the_summary_and_on_the_page() {
+    let folder = folder("unit_states");
+    std::fs::write(folder.join("box.toml"), SCENE).unwrap();
+    done(&folder, &["fly", "box.toml", "-q"]);
+    let rows = read(folder.join("sins_out/box_unit.csv"));
+    let mut states: Vec<&str> = rows.lines().skip(1).map(|row| row.split(',').nth(1).unwrap()).collect();
+    states.dedup();
+    let expected = ["off", "test", "coarse alignment", "fine alignment", "navigation", "power-down", "off"];
+    assert_eq!(states, expected);
+    assert!(rows.contains(",fine alignment,") && rows.contains(",rates attitude heading position velocity,"));
+    let summary = read(folder.join("sins_out/box_summary.csv"));
+    assert!(
+        summary.contains("unit_5_state,navigation,") && summary.contains("unit_5_from_s,75"),
+        "{summary}"
+    );
+    done(&folder, &["report", "sins_out/box.csv"]);
+    assert!(read(folder.join("sins_out/report.html")).contains(">ALIGN<"));
+    // An entry at the wrong moment ends the flight with its reason.
+    std::fs::write(folder.join("late.toml"), SCENE.replace("at_s = 30", "at_s = 100")).unwrap();
+    let errors = rejected(&folder, &["fly", "late.toml", "-q"]);
+    assert!(errors.contains("panel[1]: a position can be entered during an alignment"), "{errors}");
+}
+
+/// Time, label, value and status of the words of a flight.
+fn words(text: &str) -> Vec<(f64, String, String)> {
+    let row = |line: &str| {
+        let fields: Vec<&str> = line.split(',').collect();
+        (fields[0].parse().unwrap(), fields[1].to_owned(), format!("{} {}", fields[3], fields[5]))
+    };
+    text.lines().skip(1).map(row).collect()
+}
+
+/// With a delay of 100 ms, the words begin to be valid 100 ms later.
+#[test]
+fn words_on_the_bus_have_their_delay() {
+    let folder = folder("unit_bus");
+    std::fs::write(folder.join("box.toml"), SCENE).unwrap();
+    done(&folder, &["fly", "box.toml", "-q", "--bus", "now.csv"]);
+    done(&folder, &["fly", "box.toml", "-q", "--bus", "late.csv", "--bus-delay", "100"]);
+    let of = |name: &str| words(&read(folder.join("sins_out").join(name)));
+    let (now, late) = (of("now.csv"), of("late.csv"));
+    let begin = |all: &[(f64, String, String)], status: &str| {
+        all.iter().find(|(_, label, value)| label == "310" && value.ends_with(status)).unwrap().0
+    };
+    // 310 is sent each 0.1 s.
+    let difference = begin(&late, " normal") - begin(&now, " normal");
+    assert!((difference - 0.1).abs() < 1e-9, "{difference}");
+    let latitude =
+        &now.iter().rfind(|(_, label, value)| label == "310" && value.ends_with(" normal")).unwrap().2;
+    assert!(latitude.starts_with("-34.500"), "{latitude}");
+    // A scene without a unit has one that navigates.
+    done(&folder, &["fly", "rest", "-q", "--bus", "rest.csv"]);
+    let rest = of("rest.csv");
+    assert!(rest.len() > 1000 && rest.iter().all(|(_, _, value)| !value.ends_with("failure-warning")));
+    let errors = rejected(&folder, &["fly", "rest", "-q", "--bus", "rest.csv", "--bus-delay", "300"]);
+    assert!(errors.contains("--bus-delay 300: must be from 0 to 200"), "{errors}");
+}
+
+#[test]
+fn the_labels_are_those_of_the_page_and_words_are_decoded() {
+    let folder = folder("bus_labels");
+    let page = read(project_file("docs/bus.md"));
+    let labels = done(&folder, &["bus", "labels"]);
+    assert!(page.contains(&labels), "docs/bus.md lacks the table that sins bus labels prints");
+    let decoded = done(&folder, &["bus", "decode", "e40000c8", "72222509"]);
+    assert_eq!(decoded, "310 latitude 45.0000 deg normal\n011 longitude -122.375 deg normal\n");
+    assert_eq!(
+        done(&folder, &["bus", "decode", "--reversed", "e4000013"]),
+        "310 latitude 45.0000 deg normal\n"
+    );
+    for (word, reason) in [("e40000c9", "even parity"), ("bus", "hexadecimal")] {
+        let errors = rejected(&folder, &["bus", "decode", word]);
+        assert!(errors.contains(reason), "{errors}");
+    }
+}
