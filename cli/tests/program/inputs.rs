@@ -133,7 +133,7 @@ fn a_bad_sample_is_reported_in_the_words_of_the_log() {
         ),
     ] {
         flight(["0,39,116,50,0,0,0", "1,39,116,50,0,0,0", last]);
-        for command in ["fly", "budget", "ensemble"] {
+        for command in ["fly", "budget", "ensemble", "curve"] {
             let errors = rejected(&folder, &[command, "log.csv"]);
             assert!(errors.ends_with(expected), "{command}: {errors}");
         }
