@@ -52,3 +52,17 @@ fn a_flight_with_ideal_sensors_shows_the_error_of_the_simulator() {
     let biased = ["flight.hours=0.02", "gyro.bias_deg_h=0.01"];
     assert!(!page("biased", "aerobatics", &biased).contains("data-label=\"Simulator’s own error\""));
 }
+
+#[test]
+fn the_page_of_an_ensemble_names_its_errors() {
+    let folder = folder("ensemble");
+    let settings = ["--set", "flight.hours=0.01", "--set", "options.error_model=rk4", "--preset", "tactical"];
+    done(
+        &folder,
+        &[&["ensemble", "aerobatics", "--runs", "16", "--quiet", "--out", "."], &settings[..]].concat(),
+    );
+    let page = read(folder.join("aerobatics_ensemble.html"));
+    let (_, body) = page.split_once("</style>").unwrap();
+    assert!(body.contains("RMS, navigation") && body.contains("RMS, model"));
+    assert!(!body.to_lowercase().contains("data 2") && !body.contains("the paper"));
+}
