@@ -11,6 +11,7 @@ use super::verdict::{self, Judged};
 use super::{bands, ends};
 use crate::drawing::document::{document, figure, table};
 use crate::failure::Failure;
+use crate::planned;
 use crate::record::EAST_NORTH_UP;
 use crate::units::{LENGTH, time_text, with_unit};
 
@@ -34,7 +35,10 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
         main {
             section.run {
                 div.intro {
-                    p { (study.given.title) "." }
+                    p {
+                        (study.given.title) "."
+                        @if !study.given.scene.failures.is_empty() { " Failures: " (planned::text(&study.given.scene)) "." }
+                    }
                     p.source {
                         (study.runs()) ". Flown: " (time_text(study.given.duration_s)) ". A row of statistics each "
                         (time_text(study.plan.every as f64 * study.given.period_s)) "."

@@ -1,5 +1,6 @@
 //! Attitude, velocity and position errors over time: error data 2 over error data 1.
 
+use crate::drawing::failures;
 use crate::drawing::figure::{Figure, Legend};
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Drawing, Panel, Trace};
@@ -7,7 +8,6 @@ use crate::drawing::scales::{line, over_time, panel, time_axis};
 use crate::drawing::series::{difference, magnitude};
 use crate::failure::Failure;
 use crate::record::EAST_NORTH_UP;
-use crate::report::failures;
 use crate::report::run::{Errors, Run};
 use crate::units::{self, Family, Unit, fitting, fitting_axis, in_unit, usual, with_unit};
 
@@ -108,7 +108,7 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
             .map(|(pen, values)| Trace::new(pen, line(&run.time_s, values, &time, unit)));
         panels.push(panel(format!("difference of the two [{}]", unit.name), 80.0, 4, traces.collect()));
     }
-    failures::mark(run, &time, &mut panels);
+    failures::mark(&run.failures_s, &time, &mut panels);
     over_time(time, panels)
 }
 
@@ -126,7 +126,7 @@ pub fn legend(run: &Run, quantity: &Quantity) -> Legend {
         let names = PENS.into_iter().zip(EAST_NORTH_UP).take(axes(run, quantity));
         legend.extend(names.map(|(pen, name)| (pen, format!("difference, {name}"))));
     }
-    legend.extend(failures::legend(run));
+    legend.extend(failures::legend(&run.failures_s));
     legend
 }
 

@@ -27,6 +27,11 @@ fn failures_are_named_and_marked() {
     let marks = page.matches("<polyline class=\"failure\"").count();
     assert_eq!(marks, 2 * (3 * 3 + 1 + 3));
     assert!(page.contains("<circle class=\"end\""));
+    done(&folder, &["ensemble", "scene.toml", "--preset", "tactical", "--runs", "16", "--quiet"]);
+    let page = read(folder.join("sins_out/scene_ensemble.html"));
+    assert!(page.contains("Failures: gyro z bias step 60 s to 90 s."));
+    // In the panels of three errors, of the error along and across the track, and of the horizontal error.
+    assert_eq!(page.matches("<polyline class=\"failure\"").count(), 2 * (3 * 3 + 2 + 1));
 }
 
 #[test]
