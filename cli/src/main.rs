@@ -21,6 +21,7 @@ mod parallel;
 #[cfg(test)]
 mod parsed;
 mod places;
+mod planned;
 mod progress;
 mod recommend;
 mod record;

@@ -226,15 +226,19 @@ mod tests {
     #[test]
     fn gravity_on_the_ellipsoid_is_the_published_one() {
         // NIMA TR8350.2 table 3.4, Moritz 2000, Chinese standard of CGCS2000.
+        let mut worst: f64 = 0.0;
         for (ellipsoid, equator, pole) in [
             (Ellipsoid::Wgs84, 9.780_325_335_9, 9.832_184_937_8),
             (Ellipsoid::Grs80, 9.780_326_771_5, 9.832_186_368_5),
             (Ellipsoid::Cgcs2000, 9.780_325_336_1, 9.832_184_937_9),
         ] {
             let earth = Earth::new(ellipsoid, GravityModel::Normal);
-            assert!((earth.gravity(&at(&earth, 0.0, 0.0)).norm() - equator).abs() < 2e-10);
-            assert!((earth.gravity(&at(&earth, 90.0, 0.0)).norm() - pole).abs() < 2e-10);
+            for (latitude, published) in [(0.0, equator), (90.0, pole)] {
+                worst = worst.max((earth.gravity(&at(&earth, latitude, 0.0)).norm() - published).abs());
+            }
         }
+        println!("normal gravity on the ellipsoid: {worst:.1e} m/s² from the published values");
+        assert!(worst < 2e-10);
     }
 
     #[test]
@@ -243,7 +247,9 @@ mod tests {
         let somigliana = Earth::new(Ellipsoid::Wgs84, GravityModel::Somigliana);
         for latitude in [-90.0, -45.0, -1e-9, 0.0, 30.0, 60.0, 89.999_999, 90.0] {
             let r_e = at(&normal, latitude, 0.0);
-            assert!((normal.gravity(&r_e) - somigliana.gravity(&r_e)).norm() < 1e-14 * 9.8 * 4.0);
+            let difference = (normal.gravity(&r_e) - somigliana.gravity(&r_e)).norm();
+            println!("closed form less Somigliana's formula at {latitude}°: {difference:.1e} m/s²");
+            assert!(difference < 1e-14 * 9.8 * 4.0);
         }
     }
 

@@ -5,6 +5,7 @@ use sins::recommend::{Refusal, SolutionError};
 
 use super::scene::Scene;
 use crate::failure::Failure;
+use crate::given::of_sample;
 use crate::parallel::in_parallel;
 use crate::progress::Progress;
 use crate::terminal::say;
@@ -77,7 +78,7 @@ impl Survey {
         drop(progress);
         let surveyed = scenes.iter().zip(budgets).map(|(scene, budget)| {
             let refused = |refusal: Refusal| {
-                Failure::new(format!("{}: {}", scene.place(refusal.sample), refusal.error))
+                Failure::new(format!("{}: {}", scene.place(refusal.sample), of_sample(&refusal.error)))
             };
             let budget = budget.map_err(refused)?;
             let costs = if time_steps { Some(costs(scene, &budget)?) } else { None };

@@ -2,6 +2,7 @@
 
 use sins::Options;
 use sins::flight::Manoeuvre;
+use sins::recommend::Refusal;
 use sins::scene::{FlightSource, builtin};
 use sins::truth::FlightSample;
 
@@ -50,8 +51,11 @@ fn of_log(given: &Given, base: Options) -> Result<Scene, Failure> {
         .map(|stride| Rate::of_stamps(stride, own_hz / stride as f64))
         .collect();
     let instants = Scene::instants(samples.len(), &rates, 1);
-    let judge = Judge::of_log(&base, &samples, &instants)
-        .map_err(|failure| Failure::new(format!("{}: {failure}", given.origin)))?;
+    let judge =
+        Judge::of_log(&base, &samples, &instants).map_err(|Refusal { error, sample, .. }| match sample {
+            Some(index) => given.failure_at(index, &error),
+            None => Failure::new(format!("{}: {error}", given.origin)),
+        })?;
     let title = format!("{} s at {} Hz", round(given.duration_s), round(own_hz));
     Ok(Scene { name: given.name.clone(), title, highest_hz: 0.0, samples, rates, judge, base })
 }

@@ -5,7 +5,7 @@ use sins::Options;
 use sins::earth::Earth;
 use sins::flight::Flight;
 use sins::math::{Compensated, GAUSS_5, attitude_from_euler};
-use sins::recommend::{Reference, SolutionError, Track};
+use sins::recommend::{Reference, Refusal, SolutionError, Track};
 use sins::state::{BodyAxes, EarthFixedState, Navigation};
 use sins::truth::FlightSample;
 
@@ -70,7 +70,7 @@ impl Judge {
     }
 
     /// The reference is the finest solution that the samples of a log allow. The motion between the samples is unknown.
-    pub fn of_log(options: &Options, samples: &[FlightSample], instants: &[usize]) -> Result<Self, Failure> {
+    pub fn of_log(options: &Options, samples: &[FlightSample], instants: &[usize]) -> Result<Self, Refusal> {
         let Reference { track, uncertainty } = Reference::new(&(*options).into(), samples, instants)?;
         let uncertainty = uncertainty.max(&of_inconsistency(0.0, options.earth().equatorial_radius_m, 0.0));
         let description = "polynomials through 5 subsamples, 16 updates a sample of the log; uncertainty: against 8 updates";

@@ -2,6 +2,7 @@
 
 pub mod axis;
 pub mod document;
+pub mod failures;
 pub mod figure;
 pub mod file;
 pub mod pen;

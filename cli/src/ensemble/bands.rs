@@ -9,12 +9,14 @@ use super::results::State;
 use super::study::{Quantity, Study};
 use super::table::Row;
 use crate::drawing::axis::TimeAxis;
+use crate::drawing::failures;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::Trace;
 use crate::drawing::scales::{over_time, panel, scaled, time_axis};
 use crate::drawing::series::Points;
 use crate::failure::Failure;
+use crate::planned;
 use crate::record::EAST_NORTH_UP;
 use crate::units::{Family, LENGTH, Unit, fitting, fitting_axis, with_unit};
 
@@ -61,7 +63,9 @@ fn bands(
         let unit = fitting_axis(lines.size(), largest, family);
         panel(format!("{name} {axis} [{}]", unit.name), 130.0, 5, lines.traces(&time, unit))
     });
-    let panels = panels.collect();
+    let mut panels: Vec<_> = panels.collect();
+    let failures = planned::spans(&study.given.scene);
+    failures::mark(&failures, &time, &mut panels);
     let drawn = study.results.drawn.len();
     let mut legend = vec![
         (Pen::Computed, "mean of the runs".to_owned()),
@@ -70,6 +74,7 @@ fn bands(
         (Pen::Record, if drawn == 1 { "the run".to_owned() } else { format!("the first {drawn} runs") }),
     ];
     legend.extend(lines.iter().flat_map(|(_, lines)| lines.limits.legend()).take(1));
+    legend.extend(failures::legend(&failures));
     let sigma = |(axis, lines): &(&str, Lines)| {
         format!("{axis} {}", with_unit(lines.sigma.last().copied().unwrap_or(0.0), family))
     };
@@ -201,6 +206,9 @@ pub fn radial(study: &Study) -> Result<Figure, Failure> {
             .map(|size| with_unit(size, LENGTH));
         format!("At the end: CEP50 {cep50}, R95 {r95}, largest {largest}.")
     });
-    let panels = vec![panel(format!("horizontal error [{}]", unit.name), 400.0, 6, traces)];
+    let mut panels = vec![panel(format!("horizontal error [{}]", unit.name), 400.0, 6, traces)];
+    let failures = planned::spans(&study.given.scene);
+    failures::mark(&failures, &time, &mut panels);
+    legend.extend(failures::legend(&failures));
     Figure::new("Horizontal position error", " over time", legend, &over_time(time, panels), note)
 }

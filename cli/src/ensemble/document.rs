@@ -11,6 +11,7 @@ use super::verdict::{self, Judged};
 use super::{bands, ends};
 use crate::drawing::document::{document, figure, table};
 use crate::failure::Failure;
+use crate::planned;
 use crate::record::EAST_NORTH_UP;
 use crate::units::{LENGTH, time_text, with_unit};
 
@@ -34,7 +35,10 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
         main {
             section.run {
                 div.intro {
-                    p { (study.given.title) "." }
+                    p {
+                        (study.given.title) "."
+                        @if !study.given.scene.failures.is_empty() { " Failures: " (planned::text(&study.given.scene)) "." }
+                    }
                     p.source {
                         (study.runs()) ". Flown: " (time_text(study.given.duration_s)) ". A row of statistics each "
                         (time_text(study.plan.every as f64 * study.given.period_s)) "."
@@ -49,8 +53,9 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
                 div.table { (numbers(study)) }
                 div.table { (radii(study)) }
                 p.source {
-                    "Data 2: navigation minus truth. Data 1: error differential equations. CEP50 and R95: the radii about the "
-                    "truth within which 50 % and 95 % of the runs are."
+                    "Navigation: navigation minus truth. "
+                    @if study.end(ErrorSource::Model).is_some() { "Model: error differential equations. " }
+                    "CEP50 and R95: the radii about the truth within which 50 % and 95 % of the runs are."
                 }
                 details {
                     summary { "What the scene sets" }
@@ -64,7 +69,7 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
 
 /// The last row of each of the error data that is on.
 fn ends_by_data<'a>(study: &'a Study) -> Vec<(&'static str, &'a Row)> {
-    let sources = [(ErrorSource::Navigation, "data 2"), (ErrorSource::Model, "data 1")];
+    let sources = [(ErrorSource::Navigation, "navigation"), (ErrorSource::Model, "model")];
     sources.into_iter().filter_map(|(source, name)| Some((name, study.end(source)?))).collect()
 }
 

@@ -1,8 +1,7 @@
 //! Figures of a flight: what was flown, and its accuracy.
 
 use sins::errors::AccuracyFigures;
-use sins::scene::{PlannedFailure, PlannedUpdate, Scene, Updated};
-use sins::sensors::{Axis, Failure as SensorFailure, SensorOutput};
+use sins::scene::{PlannedUpdate, Scene, Updated};
 use sins::{ClosureFigures, TrimFigures};
 
 use super::flight::Flown;
@@ -94,17 +93,6 @@ impl<'a> Figures<'a> {
         }
     }
 
-    /// Each failure with its time, numbered if there are several; "none" if there are no failures.
-    pub fn failures(&self) -> String {
-        let failures = &self.scene().failures;
-        let numbered = |(number, planned)| format!("{number} {}", failure_text(planned));
-        match failures.as_slice() {
-            [] => "none".to_owned(),
-            [planned] => failure_text(planned),
-            several => (1..).zip(several).map(numbered).collect::<Vec<String>>().join(", "),
-        }
-    }
-
     /// Each update with its time, and what leaves them out; "none" if there are no updates.
     pub fn updates(&self) -> String {
         let Scene { updates, options, .. } = self.scene();
@@ -135,30 +123,6 @@ fn rounded(value: &str) -> String {
         None => number(part),
     });
     words.collect::<String>().replace('"', "")
-}
-
-fn failure_text(planned: &PlannedFailure) -> String {
-    let axis = |axis: Axis| match axis {
-        Axis::X => "x",
-        Axis::Y => "y",
-        Axis::Z => "z",
-    };
-    let output = match planned.output {
-        SensorOutput::Gyro(which) => format!("gyro {}", axis(which)),
-        SensorOutput::Accelerometer(which) => format!("accelerometer {}", axis(which)),
-        SensorOutput::Altimeter => "altimeter".to_owned(),
-    };
-    let kind = match planned.failure {
-        SensorFailure::Stuck => "stuck",
-        SensorFailure::Dead => "dead",
-        SensorFailure::BiasStep { .. } => "bias step",
-        SensorFailure::Spikes { .. } => "spikes",
-        SensorFailure::Noise { .. } => "noise",
-        SensorFailure::RandomDropOuts { .. } | SensorFailure::PeriodicDropOuts { .. } => "drop-outs",
-    };
-    let until_s = planned.failing.until_s;
-    let until = if until_s.is_finite() { format!("{until_s} s") } else { "the end".to_owned() };
-    format!("{output} {kind} {} s to {until}", planned.failing.from_s)
 }
 
 fn update_text(planned: &PlannedUpdate) -> String {

@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use sins::units::{ARCMIN, NMI_PER_HOUR};
 
 use super::figures::Figures;
+use crate::planned;
 use crate::units::{six_digits, time_text};
 
 /// Text of the summary; `records` is the path of the records.
@@ -39,7 +40,7 @@ fn setting(figures: &Figures, records: &Path) -> String {
     ] {
         line(what, figures.set_in(section));
     }
-    line("failures", figures.failures());
+    line("failures", planned::text(figures.scene()));
     line("updates", figures.updates());
     line("options", figures.set_in("options"));
     let interrupted = if figures.is_interrupted { ", stopped before the end" } else { "" };

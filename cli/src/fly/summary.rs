@@ -5,6 +5,7 @@ use sins::units::NMI_PER_HOUR;
 
 use super::figures::Figures;
 use crate::failure::{Failure, printable};
+use crate::planned;
 use crate::record::EAST_NORTH_UP;
 use crate::rows;
 use crate::units::six_digits;
@@ -84,11 +85,11 @@ fn settings(figures: &Figures, rows: &mut Rows) {
     ] {
         rows.text(key, &figures.set_in(section), label);
     }
-    rows.text("failures_text", &figures.failures(), "failures");
+    rows.text("failures_text", &planned::text(scene), "failures");
     rows.text("updates_text", &figures.updates(), "updates by fixes");
-    for (number, planned) in (1..).zip(&scene.failures) {
-        for (end, time_s) in [("from", planned.failing.from_s), ("until", planned.failing.until_s)] {
-            if time_s.is_finite() {
+    for (number, (from_s, until_s)) in (1..).zip(planned::spans(scene)) {
+        for (end, time_s) in [("from", Some(from_s)), ("until", until_s)] {
+            if let Some(time_s) = time_s {
                 let label = format!("failure {number}, {end}");
                 rows.number(&format!("failure_{number}_{end}_s"), time_s, "s", &label);
             }

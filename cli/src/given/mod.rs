@@ -4,6 +4,7 @@ mod arguments;
 mod log;
 mod settings;
 mod text;
+mod words;
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -18,6 +19,7 @@ pub use arguments::SceneArguments;
 pub use log::open;
 pub use settings::Settings;
 pub use text::is_log;
+pub use words::of_sample;
 
 use crate::failure::{Failure, Kind};
 use crate::units::rounded;
@@ -171,8 +173,8 @@ impl Given {
     }
 
     /// Failure about the sample `index`, with its place.
-    pub fn failure_at(&self, index: usize, error: &dyn std::fmt::Display) -> Failure {
-        Failure::new(format!("{}: {error}", self.place(index)))
+    pub fn failure_at(&self, index: usize, error: &Error) -> Failure {
+        Failure::new(format!("{}: {}", self.place(index), of_sample(error)))
     }
 }
 

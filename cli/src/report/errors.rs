@@ -1,5 +1,6 @@
 //! Attitude, velocity and position errors over time: error data 2 over error data 1.
 
+use crate::drawing::failures;
 use crate::drawing::figure::{Figure, Legend};
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Drawing, Panel, Trace};
@@ -8,7 +9,7 @@ use crate::drawing::series::{difference, magnitude};
 use crate::failure::Failure;
 use crate::record::EAST_NORTH_UP;
 use crate::report::run::{Errors, Run};
-use crate::report::{failures, unit};
+use crate::report::unit;
 use crate::units::{self, Family, Unit, fitting, fitting_axis, in_unit, usual, with_unit};
 
 /// Pens of the differences.
@@ -108,7 +109,7 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
             .map(|(pen, values)| Trace::new(pen, line(&run.time_s, values, &time, unit)));
         panels.push(panel(format!("difference of the two [{}]", unit.name), 80.0, 4, traces.collect()));
     }
-    failures::mark(run, &time, &mut panels);
+    failures::mark(&run.failures_s, &time, &mut panels);
     panels.extend(unit::band(run, &time));
     over_time(time, panels)
 }
@@ -127,7 +128,7 @@ pub fn legend(run: &Run, quantity: &Quantity) -> Legend {
         let names = PENS.into_iter().zip(EAST_NORTH_UP).take(axes(run, quantity));
         legend.extend(names.map(|(pen, name)| (pen, format!("difference, {name}"))));
     }
-    legend.extend(failures::legend(run));
+    legend.extend(failures::legend(&run.failures_s));
     legend
 }
 

@@ -1,11 +1,10 @@
 //! `sins report`: recorded runs as one page that needs nothing from outside.
 //!
-//! The data flow is `run`, `summary` → `trajectory`, `errors`, `radial`, `spectrum`, `sensors`, with the marks of `failures` → `figures` →
-//! `overview`, `comparison`, `page`, `picture`.
+//! The data flow is `run`, `summary` → `trajectory`, `errors`, `radial`, `spectrum`, `sensors` → `figures` → `overview`, `comparison`,
+//! `page`, `picture`.
 
 mod comparison;
 mod errors;
-mod failures;
 mod figures;
 mod overview;
 mod page;

@@ -1,12 +1,12 @@
 //! The radial position error over time, with its growth.
 
+use crate::drawing::failures;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::Trace;
 use crate::drawing::scales::{line, over_time, panel, scaled, time_axis};
 use crate::drawing::series::{magnitude, mean, straight_line};
 use crate::failure::Failure;
-use crate::report::failures;
 use crate::report::run::Run;
 use crate::units::{self, fitting, significant, time_text, with_unit};
 
@@ -72,8 +72,8 @@ pub fn figure(run: &Run) -> Result<Figure, Failure> {
     }
     let note = format!("Largest: {}. Slope of the straight line: {rate}.", with_unit(largest, units::LENGTH));
     let mut panels = [panel(format!("radial position error [{}]", unit.name), 260.0, 6, traces)];
-    failures::mark(run, &time, &mut panels);
-    legend.extend(failures::legend(run));
+    failures::mark(&run.failures_s, &time, &mut panels);
+    legend.extend(failures::legend(&run.failures_s));
     Figure::new("Radial position error", " over time", legend, &over_time(time, panels.into()), note)
 }
 

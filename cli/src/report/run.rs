@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::Vector3;
 use sins::unit::State;
 
+use crate::drawing::failures::Span;
 use crate::failure::Failure;
 use crate::places::beside;
 use crate::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
@@ -32,8 +33,8 @@ pub struct Run {
     pub gyro_error_rad_s: [Vec<f64>; 3],
     /// Error of the accelerometers, measured less ideal, x, y, z [m/s²].
     pub accel_error_m_s2: [Vec<f64>; 3],
-    /// Begin of each failure of a sensor, and its end, unless it lasts [s].
-    pub failures_s: Vec<(f64, Option<f64>)>,
+    /// Failures of the sensors.
+    pub failures_s: Vec<Span>,
     /// States of the unit, each with its begin [s]; empty: there was no unit.
     pub states: Vec<(f64, State)>,
     pub summary: Summary,

@@ -1,12 +1,12 @@
 //! The errors of the sensors over time.
 
+use crate::drawing::failures;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::Trace;
 use crate::drawing::scales::{line, over_time, panel, scaled, time_axis};
 use crate::drawing::series::{block_means, magnitude, mean};
 use crate::failure::Failure;
-use crate::report::failures;
 use crate::report::run::Run;
 use crate::units::{Unit, significant, time_text};
 
@@ -36,14 +36,14 @@ pub fn figure(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Res
             panel(format!("{axis} [{}]", unit.name), 100.0, 5, traces)
         })
         .collect();
-    failures::mark(run, &time, &mut panels);
+    failures::mark(&run.failures_s, &time, &mut panels);
     let drawing = over_time(time, panels);
     let stretch = time_text(run.duration_s() / MEANS as f64);
     let mut legend = vec![
         (Pen::Record, "measured minus ideal, each record".to_owned()),
         (Pen::Computed, format!("mean over {stretch}")),
     ];
-    legend.extend(failures::legend(run));
+    legend.extend(failures::legend(&run.failures_s));
     let [x, y, z] = values.map(|values| significant(mean(values) / unit.si));
     let note = format!("Mean over the run: x {x}, y {y}, z {z} {}.", unit.name);
     Figure::new(title, " over time", legend, &drawing, note).map(Some)

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use csv::ReaderBuilder;
 
+use crate::drawing::failures::Span;
 use sins::unit::State;
 
 use crate::failure::Failure;
@@ -63,8 +64,8 @@ impl Summary {
         self.value(key)?.parse().ok().filter(|value: &f64| value.is_finite())
     }
 
-    /// Begin of each failure of a sensor, and its end, unless it lasts [s].
-    pub fn failures_s(&self) -> Vec<(f64, Option<f64>)> {
+    /// Failures of the sensors.
+    pub fn failures_s(&self) -> Vec<Span> {
         let time = |number: u32, end: &str| self.number(&format!("failure_{number}_{end}_s"));
         (1..).map_while(|number| Some((time(number, "from")?, time(number, "until")))).collect()
     }

@@ -113,3 +113,32 @@ fn every_fault_of_a_scene_has_its_line() {
     assert!(errors.starts_with("jump.csv:7: "), "{errors}");
     assert!(project_file("README.md").exists());
 }
+
+/// A sample that cannot be flown is reported by the names of its log and of its scene, in degrees.
+#[test]
+fn a_bad_sample_is_reported_in_the_words_of_the_log() {
+    let folder = folder("sample");
+    let flight = |rows: [&str; 3]| {
+        let header = "time_s,latitude_deg,longitude_deg,height_m,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,\
+            roll_deg,pitch_deg,heading_deg";
+        let rows = rows.map(|row| format!("{row},0,0,0\n")).concat();
+        std::fs::write(folder.join("log.csv"), format!("{header}\n{rows}")).unwrap();
+    };
+    for (last, expected) in [
+        ("2,95,116,50,0,0,0", "log.csv:4: latitude = 95 deg: must be from -90 to 90 deg\n"),
+        ("2,39,116,50,0,1e6,0", "log.csv:4: velocity_north_m_s = 1000000: must be from -20000 to 20000\n"),
+        (
+            "9,39,116,50,0,0,0",
+            "log.csv:4: time_s = 9: the gap after the previous sample must be at most options.max_gap_s = 2.5\n",
+        ),
+    ] {
+        flight(["0,39,116,50,0,0,0", "1,39,116,50,0,0,0", last]);
+        for command in ["fly", "budget", "ensemble", "curve"] {
+            let errors = rejected(&folder, &[command, "log.csv"]);
+            assert!(errors.ends_with(expected), "{command}: {errors}");
+        }
+    }
+    let warm = ["fly", "simulation1", "--set", "gyro.bias_temperature_deg_h_per_k=1"];
+    let expected = "flight.temperature_c: is needed while temperature coefficients are set\n";
+    assert!(rejected(&folder, &warm).ends_with(expected));
+}

@@ -27,6 +27,11 @@ fn failures_are_named_and_marked() {
     let marks = page.matches("<polyline class=\"failure\"").count();
     assert_eq!(marks, 2 * (3 * 3 + 1 + 3));
     assert!(page.contains("<circle class=\"end\""));
+    done(&folder, &["ensemble", "scene.toml", "--preset", "tactical", "--runs", "16", "--quiet"]);
+    let page = read(folder.join("sins_out/scene_ensemble.html"));
+    assert!(page.contains("Failures: gyro z bias step 60 s to 90 s."));
+    // In the panels of three errors, of the error along and across the track, and of the horizontal error.
+    assert_eq!(page.matches("<polyline class=\"failure\"").count(), 2 * (3 * 3 + 2 + 1));
 }
 
 #[test]
@@ -51,4 +56,18 @@ fn a_flight_with_ideal_sensors_shows_the_error_of_the_simulator() {
     assert!(page("ideal", "aerobatics", &settings).contains("data-label=\"Simulator’s own error\""));
     let biased = ["flight.hours=0.02", "gyro.bias_deg_h=0.01"];
     assert!(!page("biased", "aerobatics", &biased).contains("data-label=\"Simulator’s own error\""));
+}
+
+#[test]
+fn the_page_of_an_ensemble_names_its_errors() {
+    let folder = folder("ensemble");
+    let settings = ["--set", "flight.hours=0.01", "--set", "options.error_model=rk4", "--preset", "tactical"];
+    done(
+        &folder,
+        &[&["ensemble", "aerobatics", "--runs", "16", "--quiet", "--out", "."], &settings[..]].concat(),
+    );
+    let page = read(folder.join("aerobatics_ensemble.html"));
+    let (_, body) = page.split_once("</style>").unwrap();
+    assert!(body.contains("RMS, navigation") && body.contains("RMS, model"));
+    assert!(!body.to_lowercase().contains("data 2") && !body.contains("the paper"));
 }

@@ -6,8 +6,8 @@ use crate::abi::failure::{Failure, SINS_OK, sins_status};
 use crate::abi::memory::put;
 
 /// Runs `body` on the object of a handle, as the inside of an exported function. A failure is kept for this thread.
-pub(in crate::abi) fn with_object<T, H>(
-    table: &Registry<T>,
+pub(in crate::abi) fn with_object<T, H, const KIND: usize>(
+    table: &Registry<T, KIND>,
     handle: *const H,
     body: impl FnOnce(&mut T) -> Result<sins_status, Failure>,
 ) -> sins_status {
@@ -18,8 +18,8 @@ pub(in crate::abi) fn with_object<T, H>(
 ///
 /// # Safety
 /// `place` is null or writable.
-pub(in crate::abi) unsafe fn hand_out<T, H>(
-    table: &Registry<T>,
+pub(in crate::abi) unsafe fn hand_out<T, H, const KIND: usize>(
+    table: &Registry<T, KIND>,
     place: *mut *mut H,
     name: &'static str,
     make: impl FnOnce() -> Result<T, Failure>,

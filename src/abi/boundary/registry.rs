@@ -19,8 +19,9 @@ const CLAIMED: usize = usize::MAX;
 /// The living objects of one kind. Each slot has its own lock, so calls on one handle are serialised and different handles
 /// never wait for each other. A nested call of one thread on one handle, and a call on a handle that an abandoned call
 /// holds, are `SINS_ERROR_BAD_STATE`.
-pub(in crate::abi) struct Registry<T> {
-    kind: usize,
+///
+/// The kind (1 to 5) is no field: an empty table is all zeros, so its 128 KiB are not in the file of the library.
+pub(in crate::abi) struct Registry<T, const KIND: usize> {
     slots: [Slot<T>; SLOTS],
     /// Slot at which the search for a free one begins.
     next: AtomicUsize,
@@ -68,11 +69,10 @@ impl<T> Slot<T> {
     }
 }
 
-impl<T> Registry<T> {
-    /// An empty table for objects of `kind` (1 to 7).
-    pub const fn new(kind: usize) -> Self {
+impl<T, const KIND: usize> Registry<T, KIND> {
+    /// An empty table.
+    pub const fn new() -> Self {
         Self {
-            kind,
             slots: [const { Slot::empty() }; SLOTS],
             next: AtomicUsize::new(0),
             first_generation: FirstGeneration::new(),
@@ -99,7 +99,7 @@ impl<T> Registry<T> {
             };
             let generation = first_generation + place.used;
             if generation < LAST_GENERATION {
-                let key = key_of(generation, index, self.kind);
+                let key = key_of(generation, index, KIND);
                 place.content = Some(content);
                 slot.key.store(key, Ordering::Release);
                 return Ok(key);
@@ -173,7 +173,7 @@ impl<T> Registry<T> {
     /// The slot of `key`, if the key is of this kind.
     #[inline]
     fn slot(&self, key: usize) -> Option<&Slot<T>> {
-        (kind_of(key) == self.kind).then(|| &self.slots[slot_of(key)])
+        (kind_of(key) == KIND).then(|| &self.slots[slot_of(key)])
     }
 
     /// The place of `key`, locked, if the key is valid and of this kind.
@@ -187,7 +187,7 @@ impl<T> Registry<T> {
 mod tests {
     use super::*;
 
-    static NUMBERS: Registry<u32> = Registry::new(1);
+    static NUMBERS: Registry<u32, 1> = Registry::new();
 
     fn read(key: usize) -> Result<u32, sins_status> {
         let mut number = 0;
@@ -222,7 +222,7 @@ mod tests {
 
     #[test]
     fn a_dead_key_does_not_wait_for_who_lives_in_its_slot() {
-        static TABLE: Registry<u32> = Registry::new(1);
+        static TABLE: Registry<u32, 1> = Registry::new();
         let dead = TABLE.insert(0).unwrap();
         assert_eq!(TABLE.remove(dead), SINS_OK);
         let keys: Vec<usize> = (0..SLOTS).map(|_| TABLE.insert(1).unwrap()).collect();
@@ -247,7 +247,7 @@ mod tests {
 
     #[test]
     fn the_key_of_another_table_is_none_here() {
-        static TABLES: [Registry<u32>; 2] = [const { Registry::new(1) }; 2];
+        static TABLES: [Registry<u32, 1>; 2] = [const { Registry::new() }; 2];
         let [first, second] = [0, 1].map(|i| TABLES[i].insert(0).unwrap());
         assert_ne!(first, second);
         assert_eq!(TABLES[0].remove(second), SINS_ERROR_BAD_HANDLE);
@@ -256,7 +256,7 @@ mod tests {
 
     #[test]
     fn a_call_within_a_call_on_the_same_handle_is_answered() {
-        static TABLE: Registry<u32> = Registry::new(1);
+        static TABLE: Registry<u32, 1> = Registry::new();
         let [outer, inner] = [0, 1].map(|value| TABLE.insert(value).unwrap());
         let status = TABLE.with(outer, |_| {
             assert!(TABLE.is_in_use_here());
@@ -272,7 +272,7 @@ mod tests {
         assert_eq!((status, TABLE.remove(outer), TABLE.remove(inner)), (SINS_OK, SINS_OK, SINS_OK));
     }
 
-    static BROKEN: Registry<u32> = Registry::new(2);
+    static BROKEN: Registry<u32, 2> = Registry::new();
 
     #[test]
     fn a_defect_breaks_its_own_handle_alone() {

@@ -11,14 +11,14 @@ use crate::simulator::Simulator;
 use crate::unit::Unit;
 
 /// Simulators, each made by [`crate::memory::only`], as memory for it can be missing.
-pub(in crate::abi) static SIMULATORS: Registry<Box<[Simulator; 1]>> = Registry::new(1);
-pub(in crate::abi) static FLIGHTS: Registry<Flight> = Registry::new(2);
+pub(in crate::abi) static SIMULATORS: Registry<Box<[Simulator; 1]>, 1> = Registry::new();
+pub(in crate::abi) static FLIGHTS: Registry<Flight, 2> = Registry::new();
 #[cfg(feature = "scenes")]
-pub(in crate::abi) static SCENES: Registry<SceneText> = Registry::new(3);
+pub(in crate::abi) static SCENES: Registry<SceneText, 3> = Registry::new();
 #[cfg(feature = "scenes")]
-pub(in crate::abi) static LOGS: Registry<FlightLog> = Registry::new(4);
-pub(in crate::abi) static ENSEMBLES: Registry<Ensemble> = Registry::new(5);
-pub(in crate::abi) static UNITS: Registry<Unit> = Registry::new(6);
+pub(in crate::abi) static LOGS: Registry<FlightLog, 4> = Registry::new();
+pub(in crate::abi) static ENSEMBLES: Registry<Ensemble, 5> = Registry::new();
+pub(in crate::abi) static UNITS: Registry<Unit, 6> = Registry::new();
 
 /// The result of reading a text: a scene, unless the text has faults.
 #[cfg(feature = "scenes")]

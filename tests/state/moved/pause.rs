@@ -138,6 +138,24 @@ fn a_gap_is_told_by_its_push() {
     assert_eq!(simulator.push_sample(&resting_sample(1.1)), Ok(Pushed::BehindGap));
 }
 
+/// A pause of 2 s that the library is not told of: the INS flies on, with a positive status alone. The truth does not move, so the error
+/// is the path of 2 s, less the bend of the path.
+#[test]
+fn a_pause_that_is_not_told_moves_the_ins_by_its_speed() {
+    let flight = patrol(100.0);
+    let mut simulator = Simulator::new(&Options::default()).unwrap();
+    let at = |k: u32| flight.sample_at(f64::from(k) * 0.01).unwrap();
+    fly_through(&mut simulator, (0..6000).map(at));
+    let speed = at(6000).v_n.unwrap().norm();
+    let late = FlightSample { time_s: at(6000).time_s + 2.0, ..at(6000) };
+    assert_eq!(simulator.push_sample(&late), Ok(Pushed::BehindGap));
+    simulator.step().unwrap();
+    let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
+    let moved = errors.position_n.xy().norm();
+    println!("a pause of 2 s at {speed:.0} m/s moves the INS by {moved:.0} m");
+    assert!((moved / (2.0 * speed) - 1.0).abs() < 0.01, "{moved} {speed}");
+}
+
 /// A first stamp of -0 with a stated period survives a snapshot.
 #[test]
 fn a_first_stamp_of_minus_zero_is_zero() {

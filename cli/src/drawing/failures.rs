@@ -1,20 +1,23 @@
 //! Failures of the sensors, marked over time.
 
-use crate::drawing::axis::TimeAxis;
-use crate::drawing::figure::Legend;
-use crate::drawing::pen::Pen;
-use crate::drawing::plot::{Mark, Panel};
-use crate::report::run::Run;
+use super::axis::TimeAxis;
+use super::figure::Legend;
+use super::pen::Pen;
+use super::plot::{Mark, Panel};
 
-/// Marks begin and end of each failure in all `panels`. Its number stands above the first of them.
-pub fn mark(run: &Run, time: &TimeAxis, panels: &mut [Panel]) {
-    for (number, (from_s, until_s)) in (1..).zip(&run.failures_s) {
+/// Begin of a failure, and its end, unless it lasts [s].
+pub type Span = (f64, Option<f64>);
+
+/// Marks begin and end of each failure within `time` in all `panels`. Its number stands above the first of them.
+pub fn mark(failures: &[Span], time: &TimeAxis, panels: &mut [Panel]) {
+    for (number, (from_s, until_s)) in (1..).zip(failures) {
         for (place, panel) in panels.iter_mut().enumerate() {
             let text = if place == 0 { number.to_string() } else { String::new() };
             let ends = [(Some(*from_s), text), (*until_s, String::new())];
             for (at_s, text) in ends.into_iter().filter_map(|(at_s, text)| Some((at_s?, text))) {
-                if at_s <= run.duration_s() {
-                    panel.marks.push(Mark { at: at_s / time.seconds, pen: Pen::Failure, text });
+                let at = at_s / time.seconds;
+                if at <= time.axis.high {
+                    panel.marks.push(Mark { at, pen: Pen::Failure, text });
                 }
             }
         }
@@ -22,8 +25,8 @@ pub fn mark(run: &Run, time: &TimeAxis, panels: &mut [Panel]) {
 }
 
 /// Meaning of the marks, if there are any.
-pub fn legend(run: &Run) -> Legend {
-    match run.failures_s.first() {
+pub fn legend(failures: &[Span]) -> Legend {
+    match failures.first() {
         Some(_) => vec![(Pen::Failure, "failure: begin, with its number, and end".to_owned())],
         None => Vec::new(),
     }
@@ -33,26 +36,24 @@ pub fn legend(run: &Run) -> Legend {
 mod tests {
     use super::*;
     use crate::drawing::scales::{panel, time_axis};
-    use crate::report::run::tests::made;
 
     #[test]
     fn begin_and_end_within_the_run_are_marked() {
-        let mut run = made(13, |_, _| 0.0);
-        let time = time_axis(run.duration_s());
+        let time = time_axis(120.0);
         let panels = || [0, 1].map(|_| panel("p".into(), 100.0, 4, Vec::new()));
         let mut without = panels();
-        mark(&run, &time, &mut without);
-        assert!(without.iter().all(|panel| panel.marks.is_empty()) && legend(&run).is_empty());
+        mark(&[], &time, &mut without);
+        assert!(without.iter().all(|panel| panel.marks.is_empty()) && legend(&[]).is_empty());
 
-        run.failures_s = vec![(30.0, Some(60.0)), (90.0, None), (90.0, Some(1e3)), (121.0, None)];
+        let failures = [(30.0, Some(60.0)), (90.0, None), (90.0, Some(1e3)), (121.0, None)];
         let mut with = panels();
-        mark(&run, &time, &mut with);
+        mark(&failures, &time, &mut with);
         let marks = |panel: &Panel| -> Vec<(f64, String)> {
             panel.marks.iter().map(|mark| ((mark.at * time.seconds).round(), mark.text.clone())).collect()
         };
         let expected = [(30.0, "1"), (60.0, ""), (90.0, "2"), (90.0, "3")];
         assert_eq!(marks(&with[0]), expected.map(|(at_s, text)| (at_s, text.to_owned())));
         assert_eq!(marks(&with[1]), expected.map(|(at_s, _)| (at_s, String::new())));
-        assert_eq!(legend(&run).len(), 1);
+        assert_eq!(legend(&failures).len(), 1);
     }
 }
