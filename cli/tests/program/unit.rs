@@ -43,7 +43,7 @@ fn the_states_are_a_file_and_stand_in_the_summary_and_on_the_page() {
     done(&folder, &["report", "sins_out/box.csv"]);
     assert!(read(folder.join("sins_out/report.html")).contains("ALIGN"));
     // An entry at the wrong moment ends the flight with its reason.
-    std::fs::write(folder.join("late.toml"), SCENE.replace("at_s = 30", "at_s = 100")).unwrap();
+    std::fs::write(folder.join("late.toml"), SCENE.replace("at_s = 30", "at_s = 115")).unwrap();
     let errors = rejected(&folder, &["fly", "late.toml", "-q"]);
     assert!(errors.contains("panel[1]: a position can be entered during an alignment"), "{errors}");
 }
