@@ -1,6 +1,6 @@
 //! The unit of a scene: its states as a file and in the summary, and its words of ARINC 429.
 
-use crate::support::{done, folder, project_file, read, rejected};
+use crate::support::{done, folder, project_file, read, rejected, run};
 
 const SCENE: &str = "
 [flight]
@@ -44,7 +44,8 @@ fn the_states_are_a_file_and_stand_in_the_summary_and_on_the_page() {
     assert!(read(folder.join("sins_out/report.html")).contains("ALIGN"));
     // An entry at the wrong moment ends the flight with its reason.
     std::fs::write(folder.join("late.toml"), SCENE.replace("at_s = 30", "at_s = 115")).unwrap();
-    let errors = rejected(&folder, &["fly", "late.toml", "-q"]);
+    let (code, _, errors) = run(&folder, &["fly", "late.toml", "-q"]);
+    assert_eq!(code, 1);
     assert!(errors.contains("panel[1]: a position can be entered during an alignment"), "{errors}");
 }
 
