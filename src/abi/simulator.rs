@@ -60,7 +60,12 @@ pub(super) fn look_at<T>(
     name: &'static str,
     view: impl FnOnce(&Simulator) -> T,
 ) -> Result<T, Failure> {
-    work_with(sim, name, |simulator| view(simulator))
+    let mut seen = None;
+    let status = SIMULATORS.with(sim.addr(), |memory| {
+        seen = Some(view(&memory[0]));
+        Ok(SINS_OK)
+    });
+    seen.ok_or_else(|| Failure::of_handle(status, name))
 }
 
 /// [`look_at`] that may change the simulator.
