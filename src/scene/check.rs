@@ -28,7 +28,7 @@ impl Draft {
     pub(super) fn validate(&self, section: Section) -> Result<(), Error> {
         let errors = &self.scene.errors;
         match section {
-            Section::Options => self.clone().into_scene(Vec::new()).options.validate(),
+            Section::Options => self.options().validate(),
             Section::Gyro => errors.gyro.validate(Sensor::Gyro),
             Section::Accelerometer => errors.accel.validate(Sensor::Accelerometer),
             Section::Altimeter => errors.altimeter.validate(),

@@ -6,6 +6,7 @@ use super::{
     Failing, FlightPath, FlightSource, PlannedAction, PlannedFailure, PlannedUpdate, Scene, Temperature,
     Updated,
 };
+use crate::Options;
 use crate::error::Error;
 use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
 use crate::sensors::{Axis, FAILURE_KIND_COUNT, Failure, FailureFields, SensorOutput};
@@ -243,9 +244,23 @@ impl From<&Scene> for Draft {
 }
 
 impl Draft {
+    /// The draft of the default scene. Not inlined: its stack is not needed while a scene is read.
+    #[inline(never)]
+    pub fn of_nothing() -> Box<Self> {
+        Box::new(Self::from(&Scene::default()))
+    }
+
+    /// The options of the scene.
+    pub fn options(&self) -> Options {
+        let mut options = self.scene.options;
+        options.closed_loop_time_s = self.closed_loop.then_some(self.closed_loop_time_s);
+        options.intake.period_s = some(self.sample_period_s);
+        options
+    }
+
     /// The scene. Its flight is made of `manoeuvres` if it is neither a log nor a built-in flight.
     pub fn into_scene(mut self, manoeuvres: Vec<Manoeuvre>) -> Scene {
-        let some = |number: f64| (!number.is_nan()).then_some(number);
+        let options = self.options();
         let mut scene = self.scene;
         scene.flight = if !self.file.is_empty() {
             FlightSource::Log(self.file)
@@ -258,9 +273,13 @@ impl Draft {
         scene.duration_s = some(self.duration_s);
         let change_c_s = self.temperature_change_c_s;
         scene.temperature = some(self.temperature_c).map(|at_start_c| Temperature { at_start_c, change_c_s });
-        scene.options.closed_loop_time_s = self.closed_loop.then_some(self.closed_loop_time_s);
-        scene.options.intake.period_s = some(self.sample_period_s);
+        scene.options = options;
         scene.output.every_s = some(self.every_s);
         scene
     }
+}
+
+/// A number that may be missing.
+fn some(number: f64) -> Option<f64> {
+    (!number.is_nan()).then_some(number)
 }

@@ -138,9 +138,15 @@ impl Reader<'_> {
         }
     }
 
-    pub(super) fn into_scene(mut self) -> Result<Scene, Vec<Fault>> {
+    /// What was read. Not inlined, as [`Draft::of_nothing`](super::draft::Draft::of_nothing).
+    #[inline(never)]
+    fn scene(&mut self) -> Box<Scene> {
         let manoeuvres = core::mem::take(&mut self.manoeuvres);
-        let scene = self.draft.clone().into_scene(manoeuvres);
+        Box::new(Draft::clone(&self.draft).into_scene(manoeuvres))
+    }
+
+    pub(super) fn into_scene(mut self) -> Result<Scene, Vec<Fault>> {
+        let scene = self.scene();
         self.check_conflicts(&scene);
         if self.faults.is_empty() {
             self.check_flight(&scene);
@@ -152,7 +158,7 @@ impl Reader<'_> {
             let item = self.item_of(&error);
             self.add_error(&error, &item);
         }
-        if self.faults.is_empty() { Ok(scene) } else { Err(self.faults.into_list()) }
+        if self.faults.is_empty() { Ok(*scene) } else { Err(self.faults.into_list()) }
     }
 }
 

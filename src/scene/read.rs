@@ -56,7 +56,7 @@ impl Scene {
         let settings = take_settings(settings, &mut faults);
         let mut reader = Reader {
             faults,
-            draft: Draft::from(&Self::default()),
+            draft: Draft::of_nothing(),
             sections: Section::ALL.map(|section| Item::empty(section.into(), 0..0)),
             manoeuvres: Vec::new(),
             items: Vec::new(),

@@ -55,7 +55,8 @@ impl Item {
 /// What has been read of a text, and what is wrong with it.
 pub(super) struct Reader<'t> {
     pub faults: Faults<'t>,
-    pub draft: Draft,
+    /// On the heap: a scene can have the flight of another one, which is read within its own reading.
+    pub draft: Box<Draft>,
     pub sections: [Item; Section::ALL.len()],
     pub manoeuvres: Vec<Manoeuvre>,
     /// Where each manoeuvre stands.
