@@ -590,15 +590,15 @@ SINS_API sins_status SINS_CALL sins_bus_words(const sins_unit_status *status, co
     const sins_bus_inputs *inputs, double from_s, double to_s, sins_bus_word *words, size_t capacity, size_t *count);
 
 /**
- * Reads row `index` of the table of labels, from 0: what a unit sends, and the two inputs behind it.
+ * Reads row `index` of the table of labels, from 0: what a unit sends, and the three inputs behind it.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such row.
  */
 SINS_API sins_status SINS_CALL sins_bus_get_label(size_t index, sins_bus_label *label);
 
 /**
- * Decodes a word of the table: its label, its value and its status. A word that an input sends, set latitude (041) or set longitude
- * (042), is given to sins_unit_enter_position() by the host. flags is 0, or SINS_BUS_REVERSED_LABEL.
+ * Decodes a word of the table: its label, its value and its status. The host gives the value of an input, set latitude (041), set
+ * longitude (042) or set heading (043), to sins_unit_enter_position() or sins_unit_enter_heading(). flags is 0, or SINS_BUS_REVERSED_LABEL.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the parity of the word is even, or the table does not have its label.
  */

@@ -220,7 +220,7 @@ pub unsafe extern "C-unwind" fn sins_bus_words(
     })
 }
 
-/// Reads row `index` of the table of labels, from 0: what a unit sends, and the two inputs behind it.
+/// Reads row `index` of the table of labels, from 0: what a unit sends, and the three inputs behind it.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such row.
 #[unsafe(no_mangle)]
@@ -236,8 +236,8 @@ pub unsafe extern "C-unwind" fn sins_bus_get_label(index: usize, label: *mut sin
     })
 }
 
-/// Decodes a word of the table: its label, its value and its status. A word that an input sends, set latitude (041) or set longitude
-/// (042), is given to sins_unit_enter_position() by the host. flags is 0, or SINS_BUS_REVERSED_LABEL.
+/// Decodes a word of the table: its label, its value and its status. The host gives the value of an input, set latitude (041), set
+/// longitude (042) or set heading (043), to sins_unit_enter_position() or sins_unit_enter_heading(). flags is 0, or SINS_BUS_REVERSED_LABEL.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the parity of the word is even, or the table does not have its label.
 #[unsafe(no_mangle)]

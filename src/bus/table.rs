@@ -1,8 +1,9 @@
 //! The labels of an inertial reference unit: each is listed here once.
 //!
-//! Labels, bits and resolutions are those of a Honeywell HG2001GD as an open decoder reads them (NCAR/nidas, `IRS_HW_HG2001GD.cc`); set
-//! latitude and longitude as in the installation manual of the CMA-5024 (1.8, 1.9). Intervals of 310 to 314, 324, 325 and 361 are within those of
-//! the Aspire 400 manual (tables 5-5, 5-6); the others are this library's.
+//! Labels, bits and resolutions are those of a Honeywell HG2001GD as an open decoder reads them (NCAR/nidas, `IRS_HW_HG2001GD.cc`). Set
+//! latitude and longitude are as in the installation manual of the CMA-5024 (1.8, 1.9); set heading has the digits of the wind direction,
+//! for want of a source. Intervals of 310 to 314, 324, 325 and 361 are within those of the Aspire 400 manual (tables 5-5, 5-6); the others
+//! are this library's.
 
 use super::source::{Group, Source};
 use super::word::Format;
@@ -64,7 +65,7 @@ const fn label(
 
 /// Every label, in the order in which words of one time are sent.
 #[rustfmt::skip]
-pub const LABELS: [Label; 47] = [
+pub const LABELS: [Label; 49] = [
     label(0o310, ("latitude", "deg"), (angle(8, 21), PLACE), 100, Group::Position, |s| s.shown.place.latitude_rad.to_degrees()),
     label(0o311, ("longitude", "deg"), (angle(8, 21), PLACE), 100, Group::Position, |s| s.shown.place.longitude_rad.to_degrees()),
     label(0o312, ("ground speed", "kt"), (unsigned(10, 18), 1.0 / 64.0), 40, Group::Velocity, Source::ground_speed_kt),
@@ -107,9 +108,11 @@ pub const LABELS: [Label; 47] = [
     label(0o044, ("heading true", "deg"), (TENTHS, 0.1), 500, Group::Heading, |s| Source::whole_turn(s.heading_deg())),
     label(0o015, ("wind speed", "kt"), (WHOLE, 1.0), 500, Group::Wind, Source::wind_speed_kt),
     label(0o016, ("wind direction true", "deg"), (WHOLE, 1.0), 500, Group::Wind, |s| Source::whole_turn(s.wind_direction_deg())),
+    label(0o007, ("time to navigation", "min"), (Format::Decimal(&[(22, 4, 10), (18, 4, 1)]), 0.1), 500, Group::Always, |s| s.status.to_go_s / 60.0),
     label(0o351, ("time to navigation", "min"), (Format::Decimal(&[(18, 4, 10), (14, 4, 1)]), 0.1), 500, Group::Always, |s| s.status.to_go_s / 60.0),
     label(0o126, ("time in navigation", "min"), (unsigned(13, 15), 1.0), 500, Group::Always, |s| s.status.in_navigation_s / 60.0),
     label(0o270, ("discretes", ""), (Format::Bits, 1.0), 500, Group::Always, Source::discretes),
     label(0o041, ("set latitude", "deg"), (DEGREES_AND_MINUTES, 1.0 / 600.0), 0, Group::Always, |_| 0.0),
     label(0o042, ("set longitude", "deg"), (DEGREES_AND_MINUTES, 1.0 / 600.0), 0, Group::Always, |_| 0.0),
+    label(0o043, ("set heading", "deg"), (WHOLE, 1.0), 0, Group::Always, |_| 0.0),
 ];
