@@ -112,7 +112,9 @@ python() {
     build_program
     mkdir -p "$out/aircraft"
     /usr/bin/python3 tests/hosts/aircraft.py "$built/sins" "$out/aircraft"
-    for scene in c_examples/scenes/day.toml over_the_pole; do
+    # The day in the south, over the date line.
+    sed 's/^latitude_deg = .*/latitude_deg = -34.5/; s/^longitude_deg = .*/longitude_deg = 179.9/' c_examples/scenes/day.toml >"$out/south.toml"
+    for scene in c_examples/scenes/day.toml "$out/south.toml" over_the_pole; do
         "$built/sins" fly "$scene" --quiet --force --out "$out/bus" --name flight --bus words.csv
         /usr/bin/python3 tests/hosts/arinc429.py "$out/bus/words.csv" "$out/bus/flight.csv"
     done

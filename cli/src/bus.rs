@@ -72,7 +72,7 @@ fn decoded(text: &str, is_reversed: bool) -> Result<String, Failure> {
 
 /// A value with the digits of its resolution.
 pub fn value(label: &Label, value: f64) -> String {
-    let digits = (0..9).find(|digits| label.resolution * 10_f64.powi(*digits) >= 0.5).unwrap_or(9);
+    let digits = (0..9).find(|digits| label.resolution * 10_f64.powi(*digits) >= 1.0).unwrap_or(9);
     format!("{value:.0$}", digits as usize)
 }
 
