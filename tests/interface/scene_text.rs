@@ -14,7 +14,7 @@ fn example(name: &str) -> String {
 }
 
 fn examples() -> Vec<String> {
-    ["drone", "fighter", "patrol", "resets", "trainer"].map(example).to_vec()
+    ["day", "drone", "fighter", "patrol", "resets", "trainer"].map(example).to_vec()
 }
 
 fn read(text: &str) -> Scene {
