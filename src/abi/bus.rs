@@ -196,7 +196,7 @@ pub unsafe extern "C-unwind" fn sins_bus_words(
         // SAFETY: the host's promise.
         let place = unsafe { Array::new(words, capacity, "words")? };
         let ((inputs, is_reversed), mut due, mut written) = (inputs, 0, Ok(()));
-        let (status, navigation) = (status.to_status()?, navigation.to_shown());
+        let (status, navigation) = (status.to_status()?, navigation.to_shown()?);
         crate::bus::words(&status, &navigation, &inputs, (from_s, to_s), |word| {
             if due < capacity && written.is_ok() {
                 let bits = if is_reversed { reversed(word.word) } else { word.word };

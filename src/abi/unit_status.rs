@@ -1,13 +1,15 @@
 //! `sins_unit_status`, `sins_unit_navigation`: what a unit reports and shows.
 
-use super::choice::{Choice, choices, flag};
+use super::choice::{Choice, check_reserved, choices, flag};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct};
 use super::simulator::{look_at, sins_sim};
 use super::unit::{sins_unit, with_unit};
 use crate::earth::Geodetic;
+use crate::error::{Error, Rule, check_range, check_ranges};
 use crate::math::Euler;
-use crate::unit::{Reasons, State, Status, UnitNavigation, Validity};
+use crate::snapshot::CLOCK_S;
+use crate::unit::{Mode, Reasons, State, Status, UnitNavigation, Validity};
 
 /// What a unit is doing.
 pub type sins_unit_state = i32;
@@ -231,9 +233,25 @@ impl From<&UnitNavigation> for sins_unit_navigation {
 impl sins_unit_status {
     /// The status, as far as words on a bus show it.
     pub(super) fn to_status(self) -> Result<Status, Failure> {
+        check_reserved("status.reserved", self.reserved)?;
+        check_flags("status.annunciators", self.annunciators, 2 * SINS_UNIT_HAS_STORED - 1)?;
+        check_flags("status.reasons", self.reasons, 2 * SINS_UNIT_REASON_BATTERY_EMPTY - 1)?;
+        check_flags("status.validity", self.validity, 2 * SINS_UNIT_VALID_VELOCITY - 1)?;
+        check_range("status.minutes_to_go", self.minutes_to_go.into(), 0.0, 1e6)?;
+        check_range("status.to_go_s", self.to_go_s, 0.0, 1e7)?;
+        check_range("status.in_navigation_s", self.in_navigation_s, 0.0, CLOCK_S)?;
+        for (field, angle) in [
+            ("status.found_latitude_rad", self.found_latitude_rad),
+            ("status.stored_latitude_rad", self.stored_latitude_rad),
+            ("status.stored_longitude_rad", self.stored_longitude_rad),
+            ("status.stored_heading_rad", self.stored_heading_rad),
+        ] {
+            check_range(field, angle, -10.0, 10.0)?;
+        }
         let (lit, why) = (|bit| self.annunciators & bit != 0, |bit| self.reasons & bit != 0);
         Ok(Status {
             state: State::of("status.state", self.state)?,
+            selector: Mode::of("status.mode", self.mode)?,
             fault: lit(SINS_UNIT_FAULT),
             on_battery: lit(SINS_UNIT_ON_BATTERY),
             in_test: lit(SINS_UNIT_IN_TEST),
@@ -254,6 +272,14 @@ impl sins_unit_status {
     }
 }
 
+/// Rejects flags that this release does not know.
+fn check_flags(field: &'static str, flags: u32, most: u32) -> Result<(), Failure> {
+    if flags > most {
+        return Err(Error::invalid(field, flags, Rule::BetweenIntegers(0, most.into())).into());
+    }
+    Ok(())
+}
+
 fn to_validity(validity: u32) -> Validity {
     let is = |bit| validity & bit != 0;
     Validity {
@@ -266,9 +292,24 @@ fn to_validity(validity: u32) -> Validity {
 }
 
 impl sins_unit_navigation {
-    pub(super) fn to_shown(self) -> UnitNavigation {
+    pub(super) fn to_shown(self) -> Result<UnitNavigation, Failure> {
+        check_flags("navigation.validity", self.validity, 2 * SINS_UNIT_VALID_VELOCITY - 1)?;
+        for (field, number, size) in [
+            ("navigation.time_s", self.time_s, CLOCK_S),
+            ("navigation.latitude_rad", self.latitude_rad, 10.0),
+            ("navigation.longitude_rad", self.longitude_rad, 10.0),
+            ("navigation.height_m", self.height_m, 1e9),
+            ("navigation.roll_rad", self.roll_rad, 10.0),
+            ("navigation.pitch_rad", self.pitch_rad, 10.0),
+            ("navigation.heading_rad", self.heading_rad, 10.0),
+        ] {
+            check_range(field, number, -size, size)?;
+        }
+        check_ranges("navigation.velocity_enu_m_s", &self.velocity_enu_m_s, -1e6, 1e6)?;
+        check_ranges("navigation.angular_rate_rad_s", &self.angular_rate_rad_s, -1e7, 1e7)?;
+        check_ranges("navigation.specific_force_m_s2", &self.specific_force_m_s2, -1e9, 1e9)?;
         let Self { latitude_rad, longitude_rad, height_m, roll_rad, pitch_rad, heading_rad, .. } = self;
-        UnitNavigation {
+        Ok(UnitNavigation {
             time_s: self.time_s,
             validity: to_validity(self.validity),
             place: Geodetic { latitude_rad, longitude_rad, height_m },
@@ -276,7 +317,7 @@ impl sins_unit_navigation {
             euler: Euler { roll: roll_rad, pitch: pitch_rad, heading: heading_rad },
             rate_b: self.angular_rate_rad_s.into(),
             force_b: self.specific_force_m_s2.into(),
-        }
+        })
     }
 }
 

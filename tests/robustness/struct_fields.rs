@@ -292,6 +292,34 @@ fn questions(tried: &mut Tried) {
     });
 }
 
+/// Structs of a unit and of its words.
+fn units(tried: &mut Tried) {
+    let made = Cell::new(null_mut());
+    let address = || vec![made.get() as u64];
+    // SAFETY: for all calls: the words have the size of the struct, the handle belongs to this test.
+    unsafe {
+        let good = Words::new::<sins_unit_params>(0);
+        tried.each_word(&good, &[], &address, null(), &|words| {
+            sins_unit_create(words, SINS_UNIT_OFF, made.as_ptr())
+        });
+        assert_eq!(sins_unit_destroy(made.get()), SINS_OK);
+    }
+    let count = Cell::new(0);
+    let due = || vec![count.get() as u64];
+    let words = |status: *const sins_unit_status, navigation: *const sins_unit_navigation, inputs| {
+        // SAFETY: as above; no word is due in a millisecond from 1 ms on.
+        unsafe { sins_bus_words(status, navigation, inputs, 0.001, 0.002, null_mut(), 0, count.as_ptr()) }
+    };
+    // State and mode; annunciators and reasons; validity and minutes; times, latitudes, longitude, heading.
+    let status = Words::new::<sins_unit_status>(0);
+    let navigation = Words::new::<sins_unit_navigation>(0);
+    let inputs =
+        Words::new::<sins_bus_inputs>(0).with_pair(1, SINS_BUS_WIND | SINS_BUS_MAGNETIC_VARIATION, 0);
+    tried.each_word(&status, &[], &due, null(), &|bad| words(bad, navigation.pointer(), null()));
+    tried.each_word(&navigation, &[], &due, null(), &|bad| words(status.pointer(), bad, null()));
+    tried.each_word(&inputs, &[], &due, null(), &|bad| words(status.pointer(), navigation.pointer(), bad));
+}
+
 /// Calls `call` with the words as its output.
 fn written(words: &Cell<Vec<u64>>, call: impl FnOnce(*mut u64) -> sins_status) -> sins_status {
     let mut inside = words.take();
@@ -320,6 +348,7 @@ fn every_field_of_every_struct() {
     simulators(&mut tried);
     flights(&mut tried);
     questions(&mut tried);
+    units(&mut tried);
     println!("{} bad values refused", tried.refused);
     let mut expected = structs_that_come_in();
     // sins_statistics has integers alone: c/ensemble.c and statistics.rs damage it.
