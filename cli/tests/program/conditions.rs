@@ -159,7 +159,8 @@ fn a_failure_acts_between_its_times() {
 fn an_update_acts_from_its_time_on() {
     let folder = folder("updates");
     let with = |lines: &str| {
-        format!("{REST}[start]\nposition_m = [3000, 0, 0]\n[options]\ncovariance = \"on\"\n{lines}")
+        let rest = REST.replace("subsamples = 1\n", "subsamples = 1\ncovariance = 'on'\n");
+        format!("{rest}[start]\nposition_m = [3000, 0, 0]\n{lines}")
     };
     let update = "[[update]]\nkind = \"position\"\nat_s = 30\nevery_s = 60\nsigma_m = [10, 10, 0]\n";
     let flown = |lines: &str| (fly(&folder, &with(lines)), read(folder.join("sins_out/scene.csv")));
