@@ -468,6 +468,7 @@ SINS_API sins_status SINS_CALL sins_unit_get_status(sins_unit *unit, sins_unit_s
  * sins_get_navigation(). No allocation, no system call.
  *
  * SINS_ERROR_BAD_HANDLE: sim is not a simulator.
+ * SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: in navigation, as sins_get_navigation().
  */
 SINS_API sins_status SINS_CALL sins_unit_get_navigation(sins_unit *unit, const sins_sim *sim,
     sins_unit_navigation *navigation);

@@ -338,6 +338,7 @@ pub unsafe extern "C-unwind" fn sins_unit_get_status(
 /// sins_get_navigation(). No allocation, no system call.
 ///
 /// SINS_ERROR_BAD_HANDLE: sim is not a simulator.
+/// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: in navigation, as sins_get_navigation().
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_unit_get_navigation(
     unit: *mut sins_unit,

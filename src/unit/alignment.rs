@@ -65,12 +65,14 @@ impl Default for Window {
 }
 
 impl Window {
-    fn fix(&self) -> Fix {
-        Fix {
+    /// `None`: free fall, or whole turns, show no direction.
+    fn fix(&self) -> Option<Fix> {
+        let (force, size) = (self.force_i.norm_squared().sqrt(), self.q_is.norm_squared().sqrt());
+        (force.min(size) > 1e-6 * self.weight).then(|| Fix {
             time_s: self.time_s / self.weight,
-            up_i: self.force_i / self.force_i.norm_squared().sqrt().max(f64::MIN_POSITIVE),
-            q_is: self.q_is / self.q_is.norm_squared().sqrt().max(f64::MIN_POSITIVE),
-        }
+            up_i: self.force_i / force,
+            q_is: self.q_is / size,
+        })
     }
 }
 
@@ -107,7 +109,9 @@ impl Alignment {
     ) -> bool {
         let window = &mut self.window;
         if window.weight == 0.0 {
-            (window.from_s, window.to_s) = (self.elapsed_s, window.to_s + window_s);
+            // A window of less than one interval is one interval long.
+            (window.from_s, window.to_s) =
+                (self.elapsed_s, (window.to_s + window_s).max(self.elapsed_s + dt));
         }
         let middle_s = self.elapsed_s + 0.5 * dt;
         let (_, cos) =
@@ -124,11 +128,11 @@ impl Alignment {
         let fix = window.fix();
         self.window = Window { to_s: window.to_s, ..Window::default() };
         if self.first.is_none() {
-            self.first = Some(fix);
+            self.first = fix;
         } else {
-            self.last = Some(fix);
+            self.last = fix.or(self.last);
         }
-        true
+        fix.is_some()
     }
 
     /// The last complete window.
@@ -175,4 +179,19 @@ pub(super) fn shortest_rotation(from: &Vector3<f64>, to: &Vector3<f64>) -> Quate
         return Quaternion::identity();
     }
     rotation_quaternion(&(axis * (atan2(sin, from.dot(to)) / sin)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_window_of_free_fall_shows_no_vertical() {
+        let mut alignment = Alignment::default();
+        let level = Quaternion::identity();
+        assert!(!alignment.advance(&Vector3::zeros(), &level, 0.1, 0.1));
+        assert_eq!(alignment.newest(), None);
+        assert!(alignment.advance(&Vector3::z(), &level, 0.1, 0.1));
+        assert_eq!(alignment.newest().unwrap().up_i, Vector3::z());
+    }
 }

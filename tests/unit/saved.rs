@@ -52,6 +52,32 @@ fn a_day_goes_on_to_the_same_bits_from_any_moment() {
     println!("longest snapshot: {longest} bytes");
 }
 
+/// Windows of an alignment, and of the erection of ATT, that are shorter than an interval of samples.
+#[test]
+fn an_alignment_in_windows_of_less_than_an_interval_is_saved_at_every_sample() {
+    for mode in [Mode::Align, Mode::Attitude] {
+        let mut aircraft = Aircraft::ideal(10.0);
+        let short_s = 1e-3;
+        let parameters = UnitParameters {
+            power_up_test_s: short_s,
+            coarse_alignment_s: short_s,
+            alignment_s: short_s,
+            erection_s: short_s,
+            ..Default::default()
+        };
+        aircraft.unit = Unit::new(&parameters, Mode::Off).unwrap();
+        aircraft.unit.select(mode);
+        for _ in 0..30 {
+            aircraft.stand(0.1);
+            let unit = saved(&aircraft.unit);
+            let mut other = Unit::new(&UnitParameters::default(), Mode::Off).unwrap();
+            other.load_snapshot(&unit).unwrap();
+            assert!(other == aircraft.unit && saved(&other) == unit);
+        }
+        assert!(aircraft.unit.status().validity.attitude, "{mode:?}");
+    }
+}
+
 #[test]
 fn damaged_bytes_are_refused_and_change_nothing() {
     let mut aircraft = Aircraft::ideal(10.0);

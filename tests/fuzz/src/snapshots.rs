@@ -83,7 +83,7 @@ impl Follower {
 }
 
 /// The words of the last failed call, without its numbers.
-fn sentence(sim: *mut sins_sim) -> String {
+pub fn sentence(sim: *mut sins_sim) -> String {
     let mut text = [0_u8; 256];
     // SAFETY: the buffer has the stated size.
     unsafe { sins_last_error(sim, text.as_mut_ptr().cast(), text.len(), null_mut()) };

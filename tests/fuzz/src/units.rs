@@ -8,6 +8,7 @@ use crate::call;
 use crate::host::{Host, init};
 use crate::motion::Motion;
 use crate::settings::{some_gyro, some_options};
+use crate::snapshots::sentence;
 
 const SAMPLES: usize = 24;
 
@@ -45,7 +46,8 @@ impl Host {
             assert_eq!(call!(sins_unit_create(std::ptr::null(), SINS_UNIT_OFF, &mut other)), SINS_OK);
             let load =
                 |bytes: &[u8]| call!(sins_unit_snapshot_load(other, bytes.as_ptr().cast(), bytes.len()));
-            assert_eq!(load(&good), SINS_OK, "an unaltered snapshot was refused");
+            let loaded = load(&good);
+            assert!(loaded == SINS_OK, "an unaltered snapshot was refused: {}", sentence(null_mut()));
             assert!(saved(other) == good);
             let mut forged = good;
             let at = 24 + self.input.below(forged.len() - 24);
@@ -89,7 +91,11 @@ impl Host {
             let (mut status, mut shown) = (init::<sins_unit_status>(), init::<sins_unit_navigation>());
             assert_eq!(call!(sins_unit_get_status(unit, &mut status)), SINS_OK);
             assert!((0..=10).contains(&status.state) && status.to_go_s >= 0.0 && status.to_go_s <= 2e6);
-            assert_eq!(call!(sins_unit_get_navigation(unit, sim, &mut shown)), SINS_OK);
+            let read = call!(sins_unit_get_navigation(unit, sim, &mut shown));
+            if read != SINS_OK {
+                // Before the first step no INS may be able to start at the first sample.
+                assert_eq!(read, call!(sins_get_navigation(sim, &mut init())));
+            }
             self.send_words(&status, &shown);
             let angles =
                 [shown.roll_rad, shown.pitch_rad, shown.heading_rad, shown.latitude_rad, shown.longitude_rad];
