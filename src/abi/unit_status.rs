@@ -334,11 +334,11 @@ pub unsafe extern "C-unwind" fn sins_unit_get_status(
     })
 }
 
-/// Reads what the unit shows. sim is the simulator of the last sins_unit_update(). In navigation it is the solution of
-/// sins_get_navigation(). No allocation, no system call.
+/// Reads what the unit shows. sim is the simulator of the last sins_unit_update(). In navigation and realignment, and while the
+/// unit is ready, its valid attitude, position and velocity are those of sins_get_navigation(). No allocation, no system call.
 ///
 /// SINS_ERROR_BAD_HANDLE: sim is not a simulator.
-/// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: in navigation, as sins_get_navigation().
+/// SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: in these states, as sins_get_navigation().
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_unit_get_navigation(
     unit: *mut sins_unit,

@@ -65,6 +65,11 @@ stored!(Stretch {
     elements_moment: SIGNALS,
 } then |stretch, from| {
     from.require(stretch.length_s >= 0.0 && stretch.turn_rad >= 0.0, stretch.length_s, "must not be negative")?;
+    // Each share is at most 1; the sums round differently.
+    let longest_s = stretch.length_s * (1.0 + 1e-6);
+    for share_s in stretch.shares {
+        from.require((0.0..=longest_s).contains(&share_s), share_s, "is not a share of the stretch")?;
+    }
     let is_counted = stretch.intervals > 0 && stretch.increments > 0;
     from.require(stretch.is_empty() || is_counted, stretch.length_s, "has no intervals")
 });
@@ -231,4 +236,36 @@ fn axes_at_nodes(motion: &IntervalMotion<'_>, block: Option<&Block>) -> [Matrix3
     let (xy, zz) = (VectorPair::new(&x, &y), VectorPair::both(&z));
     let (xy, zz) = (motion.to_earth_axes(&[xy; 3]), motion.to_earth_axes(&[zz; 3]));
     core::array::from_fn(|k| Matrix3::from_columns(&[xy[k].first(), xy[k].second(), zz[k].first()]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Error;
+    use crate::snapshot::{Reader, SnapshotOf, Stored as _, Writer};
+
+    /// A stretch of 0.1 s, an interval long, whose axes have each `share_s` [s] of the signal, written and read.
+    fn read_back(share_s: f64) -> Result<Stretch, Error> {
+        let stretch =
+            Stretch { length_s: 0.1, intervals: 1, increments: 1, shares: [share_s; AXES], ..Stretch::EMPTY };
+        let mut bytes = [0; 4096];
+        let mut to = Writer::new(&mut bytes, SnapshotOf::Simulator);
+        stretch.save(&mut to);
+        let size = to.finish();
+        Reader::read(&bytes[..size], SnapshotOf::Simulator, |from| {
+            let mut read = Stretch::EMPTY;
+            read.load(from)?;
+            Ok(read)
+        })
+    }
+
+    #[test]
+    fn a_share_is_at_most_the_length_of_the_stretch() {
+        for share_s in [0.0, 0.07, 0.1] {
+            assert_eq!(read_back(share_s).unwrap().shares, [share_s; AXES]);
+        }
+        for share_s in [-0.01, 0.11, 1e6] {
+            assert!(read_back(share_s).is_err(), "{share_s}");
+        }
+    }
 }

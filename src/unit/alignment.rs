@@ -65,7 +65,7 @@ impl Default for Window {
 }
 
 impl Window {
-    /// `None`: free fall, or whole turns, show no direction.
+    /// `None`: in free fall there is no vertical; over whole turns there is no mean attitude.
     fn fix(&self) -> Option<Fix> {
         let (force, size) = (self.force_i.norm_squared().sqrt(), self.q_is.norm_squared().sqrt());
         (force.min(size) > 1e-6 * self.weight).then(|| Fix {
@@ -99,7 +99,7 @@ pub(super) struct North {
 
 impl Alignment {
     /// Takes the integral of the specific force over `dt` \[s\] that ends at the attitude `q_is`. Returns whether a window of length
-    /// `window_s` \[s\] is complete.
+    /// `window_s` \[s\], at least `dt`, is complete and has a mean.
     pub fn advance(
         &mut self,
         velocity_i: &Vector3<f64>,
@@ -109,7 +109,7 @@ impl Alignment {
     ) -> bool {
         let window = &mut self.window;
         if window.weight == 0.0 {
-            // A window of less than one interval is one interval long.
+            // A window of no interval would have no weight.
             (window.from_s, window.to_s) =
                 (self.elapsed_s, (window.to_s + window_s).max(self.elapsed_s + dt));
         }
@@ -186,10 +186,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_window_of_free_fall_shows_no_vertical() {
+    fn a_window_of_free_fall_or_of_whole_turns_has_no_mean() {
         let mut alignment = Alignment::default();
         let level = Quaternion::identity();
         assert!(!alignment.advance(&Vector3::zeros(), &level, 0.1, 0.1));
+        // A turn by 2π changes the sign of the quaternion. Half-way through a window both intervals have the same weight.
+        assert!(!alignment.advance(&Vector3::z(), &level, 0.1, 0.2));
+        assert!(!alignment.advance(&Vector3::z(), &-level, 0.1, 0.2));
         assert_eq!(alignment.newest(), None);
         assert!(alignment.advance(&Vector3::z(), &level, 0.1, 0.1));
         assert_eq!(alignment.newest().unwrap().up_i, Vector3::z());

@@ -93,7 +93,8 @@ impl Host {
             assert!((0..=10).contains(&status.state) && status.to_go_s >= 0.0 && status.to_go_s <= 2e6);
             let read = call!(sins_unit_get_navigation(unit, sim, &mut shown));
             if read != SINS_OK {
-                // Before the first step no INS may be able to start at the first sample.
+                // No INS can start at the first sample.
+                assert!(matches!(read, SINS_ERROR_SINGULAR | SINS_ERROR_DIVERGED), "{read}");
                 assert_eq!(read, call!(sins_get_navigation(sim, &mut init())));
             }
             self.send_words(&status, &shown);
