@@ -6,8 +6,9 @@ use std::time::Instant;
 use nalgebra::Vector3;
 use sins::errors::AccuracyFigures;
 use sins::records;
+use sins::scene::Scene;
 use sins::truth::{FlightSample, TruthSummary};
-use sins::unit::State;
+use sins::unit::{State, Unit};
 use sins::{ClosureFigures, Error, ImuInterval, Simulator, TrimFigures};
 
 use super::imu;
@@ -69,49 +70,87 @@ impl SensorSum {
     }
 }
 
-/// Flies all of `given`, with a record after every `every` intervals. After an error or a request to stop, `flown` has the results
-/// up to then.
+/// Flies all of `given`, with a record after every `every` intervals. After an error or a request to stop, the files and the results
+/// are those up to then.
 pub fn fly(
     given: &Given,
     every: u64,
-    files: &mut Files,
-    flown: &mut Flown,
+    files: Files,
     quiet: bool,
-) -> Result<(), Failure> {
-    let [simulator] = &mut *given.scene.simulator()?;
-    let sensor_errors = SensorSum::default();
-    let result = InFlight { simulator, given, every, files, flown, sensor_errors }.fly(quiet);
-    if let Ok(Some((_, accuracy, closure))) = simulator.accuracy() {
-        flown.accuracy = Some((accuracy, closure, simulator.trim()?.unwrap_or_default()));
-    }
-    if given.scene.options.truth_summary {
-        flown.truth = simulator.truth_summary()?;
-    }
-    result
+) -> Result<(Files, Flown, Result<(), Failure>), Failure> {
+    let mut flight = InFlight::new(&given.scene, every, given.start_s, files)?;
+    let ended = flight.fly(given, quiet);
+    let (files, flown) = flight.end()?;
+    Ok((files, flown, ended))
 }
 
-/// A flight in progress.
-struct InFlight<'a> {
-    simulator: &'a mut Simulator,
-    given: &'a Given,
+/// What ends a flight.
+pub enum Stopped {
+    /// The sample is invalid, or the truth or the solution left its range.
+    Sample(Error),
+    /// A file cannot be written.
+    Output(Failure),
+}
+
+impl From<Error> for Stopped {
+    fn from(error: Error) -> Self {
+        Self::Sample(error)
+    }
+}
+
+impl From<Failure> for Stopped {
+    fn from(failure: Failure) -> Self {
+        Self::Output(failure)
+    }
+}
+
+/// A flight in progress: for each sample a push and a step.
+pub struct InFlight<'a> {
+    scene: &'a Scene,
+    simulator: Box<[Simulator; 1]>,
     /// Intervals from one record to the next.
     every: u64,
-    files: &'a mut Files,
-    flown: &'a mut Flown,
+    /// Time stamp of the first sample [s].
+    start_s: f64,
+    files: Files,
+    flown: Flown,
     sensor_errors: SensorSum,
+    /// Whether the last interval has its record, and its row of the unit.
+    is_recorded: [bool; 2],
 }
 
-impl InFlight<'_> {
-    fn fly(&mut self, quiet: bool) -> Result<(), Failure> {
-        let given = self.given;
-        write_line(&mut self.files.records, &records::head(given.scene.options.covariance))?;
-        if let Some(file) = &mut self.files.imu {
+impl<'a> InFlight<'a> {
+    /// A flight whose first sample is at `start_s` [s].
+    pub fn new(scene: &'a Scene, every: u64, start_s: f64, mut files: Files) -> Result<Self, Failure> {
+        write_line(&mut files.records, &records::head(scene.options.covariance))?;
+        if let Some(file) = &mut files.imu {
             write_line(file, &imu::COLUMNS.join(","))?;
         }
-        self.push(0, given.sample(0)?)?;
-        if let Some(start) = self.record(0)? {
-            keep(self.flown, &mut self.files.records, &start)?;
-        }
+        let (simulator, flown, sensor_errors) = (scene.simulator()?, Flown::default(), SensorSum::default());
+        Ok(Self { scene, simulator, every, start_s, files, flown, sensor_errors, is_recorded: [true; 2] })
+    }
+
+    pub fn simulator(&mut self) -> &mut Simulator {
+        let [simulator] = &mut *self.simulator;
+        simulator
+    }
+
+    pub fn unit(&self) -> Option<&Unit> {
+        self.files.unit.as_ref().map(UnitInFlight::unit)
+    }
+
+    pub fn flown(&self) -> &Flown {
+        &self.flown
+    }
+
+    fn fly(&mut self, given: &Given, quiet: bool) -> Result<(), Failure> {
+        let stopped = |index: usize| {
+            move |stopped| match stopped {
+                Stopped::Sample(error) => given.stopped_at(index, &error),
+                Stopped::Output(failure) => failure,
+            }
+        };
+        self.begin(given.sample(0)?).map_err(stopped(0))?;
         let progress = Progress::flying("flying", given.count - 1, quiet);
         for first in (1..given.count).step_by(CHUNK) {
             let last = (first + CHUNK).min(given.count);
@@ -120,14 +159,13 @@ impl InFlight<'_> {
                 (first..last).map(|index| given.sample(index)).collect::<Result<Vec<_>, Error>>()?;
             let began = Instant::now();
             for (index, sample) in (first..last).zip(samples) {
-                self.push(index, sample)?;
-                self.step(index)?;
+                self.go_on(sample).map_err(stopped(index))?;
+                if index + 1 == given.count {
+                    self.record_last().map_err(stopped(index))?;
+                }
             }
             self.flown.seconds += began.elapsed().as_secs_f64();
-            self.files.records.check()?;
-            if let Some(file) = &mut self.files.imu {
-                file.check()?;
-            }
+            self.check()?;
             if interrupt::is_asked() {
                 return Err(Failure::of_kind(Kind::Interrupted, "interrupted; the files are complete"));
             }
@@ -136,47 +174,98 @@ impl InFlight<'_> {
         Ok(())
     }
 
-    /// Pushes the sample `index`, with the failures and the temperature that are due.
-    fn push(&mut self, index: usize, mut sample: FlightSample) -> Result<(), Failure> {
-        let prepared = self.given.scene.prepare(self.simulator, self.given.start_s, &mut sample);
-        let pushed = prepared.and_then(|()| self.simulator.push_sample(&sample));
-        pushed.map(|_| ()).map_err(|error| self.given.stopped_at(index, &error))
-    }
-
-    /// Flies the interval that the sample `index` ends.
-    fn step(&mut self, index: usize) -> Result<(), Failure> {
-        self.simulator.step().map_err(|error| self.given.stopped_at(index, &error))?;
-        self.flown.steps += 1;
-        if let Some(interval) = self.simulator.imu() {
-            self.sensor_errors.add(&interval);
-            if let Some(file) = &mut self.files.imu {
-                let written = imu::write_rows(file, self.simulator, interval.time_s);
-                written.map_err(|error| Failure::of_output(file.path(), &error))?;
-            }
-        }
-        let is_last = index + 1 == self.given.count;
-        let is_due = self.simulator.intervals().is_multiple_of(self.every) || is_last;
-        if let Some(unit) = &mut self.files.unit
-            && let Some(interval) = self.simulator.imu()
-        {
-            let updated = unit.update(&self.given.scene, self.simulator, self.given.start_s);
-            updated.map_err(|error| self.given.stopped_at(index, &error))?;
-            let words = unit.send(self.simulator, &interval);
-            unit.write(&words.map_err(|error| self.given.stopped_at(index, &error))?)?;
-            if let Some(state) = unit.record(interval.time_s, is_due)? {
-                self.flown.states.push((interval.time_s - self.given.start_s, state));
-            }
-        }
-        if is_due && let Some(mut record) = self.record(index)? {
-            [record.gyro_error, record.accel_error] = self.sensor_errors.take();
-            keep(self.flown, &mut self.files.records, &record)?;
+    /// Takes the first sample.
+    pub fn begin(&mut self, sample: FlightSample) -> Result<(), Stopped> {
+        self.push(sample)?;
+        if let Some(start) = Record::now(self.simulator())? {
+            self.keep(&start)?;
         }
         Ok(())
     }
 
-    /// Current record, after the sample `index`.
-    fn record(&mut self, index: usize) -> Result<Option<Record>, Failure> {
-        Record::now(self.simulator).map_err(|error| self.given.stopped_at(index, &error))
+    /// Takes the next sample, and flies the interval that it ends.
+    pub fn go_on(&mut self, sample: FlightSample) -> Result<(), Stopped> {
+        self.push(sample)?;
+        self.step()
+    }
+
+    /// Pushes a sample, with the failures and the temperature that are due.
+    fn push(&mut self, mut sample: FlightSample) -> Result<(), Error> {
+        let [simulator] = &mut *self.simulator;
+        self.scene.prepare(simulator, self.start_s, &mut sample)?;
+        simulator.push_sample(&sample).map(|_| ())
+    }
+
+    fn step(&mut self) -> Result<(), Stopped> {
+        let [simulator] = &mut *self.simulator;
+        simulator.step()?;
+        self.flown.steps += 1;
+        let Some(interval) = simulator.imu() else { return Ok(()) };
+        self.sensor_errors.add(&interval);
+        if let Some(file) = &mut self.files.imu {
+            let written = imu::write_rows(file, simulator, interval.time_s);
+            written.map_err(|error| Failure::of_output(file.path(), &error))?;
+        }
+        let is_due = simulator.intervals().is_multiple_of(self.every);
+        if let Some(unit) = &mut self.files.unit {
+            unit.update(self.scene, simulator, self.start_s)?;
+            let words = unit.send(simulator, &interval)?;
+            unit.write(&words)?;
+        }
+        self.is_recorded = [false; 2];
+        self.record(is_due)
+    }
+
+    /// Records the last interval of the flight, if it has no record yet.
+    pub fn record_last(&mut self) -> Result<(), Stopped> {
+        self.record(true)
+    }
+
+    /// Writes what the last interval lacks: its record and the row of the unit if they are due, and a new state of the unit.
+    fn record(&mut self, is_due: bool) -> Result<(), Stopped> {
+        let [simulator] = &mut *self.simulator;
+        let [has_record, has_row] = &mut self.is_recorded;
+        if let Some(unit) = &mut self.files.unit
+            && let Some(interval) = simulator.imu()
+            && !*has_row
+        {
+            let new = unit.record(interval.time_s, is_due)?;
+            *has_row = is_due || new.is_some();
+            if let Some(state) = new {
+                self.flown.states.push((interval.time_s - self.start_s, state));
+            }
+        }
+        if is_due
+            && !*has_record
+            && let Some(mut record) = Record::now(simulator)?
+        {
+            *has_record = true;
+            [record.gyro_error, record.accel_error] = self.sensor_errors.take();
+            self.keep(&record)?;
+        }
+        Ok(())
+    }
+
+    /// Reports an error of the disk.
+    pub fn check(&mut self) -> Result<(), Failure> {
+        self.files.records.check()?;
+        self.files.imu.as_mut().map_or(Ok(()), OutputFile::check)
+    }
+
+    /// The files and the results of the flight.
+    pub fn end(mut self) -> Result<(Files, Flown), Failure> {
+        let [simulator] = &mut *self.simulator;
+        if let Ok(Some((_, accuracy, closure))) = simulator.accuracy() {
+            self.flown.accuracy = Some((accuracy, closure, simulator.trim()?.unwrap_or_default()));
+        }
+        if self.scene.options.truth_summary {
+            self.flown.truth = simulator.truth_summary()?;
+        }
+        Ok((self.files, self.flown))
+    }
+
+    fn keep(&mut self, record: &Record) -> Result<(), Failure> {
+        keep(&mut self.flown, &mut self.files.records, record)
     }
 }
 

@@ -25,7 +25,7 @@ use crate::record::COLUMNS;
 use crate::terminal::print;
 use bus::Bus;
 use figures::Figures;
-use flight::{Files, Flown};
+use flight::Files;
 use unit::UnitInFlight;
 
 /// Scene of a log that has no scene: the recommended simulator with ideal sensors.
@@ -64,7 +64,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     outputs.folder(&folder)?;
     let file = |ending: &str| folder.join(format!("{name}{ending}"));
     let summary_file = outputs.file(&file("_summary.csv"), summary::MARK)?;
-    let mut files = Files {
+    let files = Files {
         records: outputs.file(&file(".csv"), &COLUMNS.join(","))?,
         imu: match &imu {
             Some(path) => {
@@ -78,9 +78,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         unit: unit(order, &given, &mut outputs, &folder, &file("_unit.csv"))?,
     };
     let quiet = order.output.is_quiet(&given);
-    let mut flown = Flown::default();
     interrupt::graceful(true);
-    let ended = flight::fly(&given, every, &mut files, &mut flown, quiet);
+    let (files, flown, ended) = flight::fly(&given, every, files, quiet)?;
     if let Err(failure) = &ended
         && (failure.kind() == Kind::Input || flown.records == 0)
     {

@@ -31,6 +31,10 @@ impl UnitInFlight {
         Ok(Self { unit, file, bus, written: None })
     }
 
+    pub fn unit(&self) -> &Unit {
+        &self.unit
+    }
+
     /// Sends the words that are due in the last interval.
     pub fn send(&mut self, simulator: &Simulator, interval: &ImuInterval) -> Result<Vec<Word>, Error> {
         let from_s = interval.time_s - interval.interval_s;
