@@ -16,6 +16,7 @@ mod given;
 mod interrupt;
 mod limits;
 mod lines;
+mod live;
 mod output;
 mod parallel;
 #[cfg(test)]
@@ -50,6 +51,7 @@ struct CommandLine {
 #[derive(Debug, clap::Subcommand)]
 enum Command {
     Fly(fly::Order),
+    Live(live::Order),
     Ensemble(ensemble::Order),
     Report(report::Order),
     Allan(allan::Order),
@@ -89,6 +91,7 @@ fn main() -> ExitCode {
 fn run(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Fly(order) => fly::run(order),
+        Command::Live(order) => live::run(order),
         Command::Ensemble(order) => ensemble::run(order),
         Command::Report(order) => report::run(order),
         Command::Allan(order) => allan::run(order),

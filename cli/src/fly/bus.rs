@@ -53,22 +53,21 @@ impl Bus {
     }
 
     pub fn write(&mut self, due: &[Word]) -> Result<(), Failure> {
-        for word in due {
-            let Some(found) = decode(word.word) else { continue };
-            let (time, label) = (records::line([word.time_s]), found.label);
-            let value = bus::value(label, found.value);
-            let status = bus::status(found.status);
-            write_line(
-                &mut self.file,
-                &format!("{time},{:03o},{:08x},{value},{},{status}", word.label, word.word, label.unit),
-            )?;
-        }
-        Ok(())
+        due.iter().filter_map(line).try_for_each(|line| write_line(&mut self.file, &line))
     }
 
     pub fn commit(self) -> Result<(), Failure> {
         self.file.commit()
     }
+}
+
+/// The line of a word.
+pub fn line(word: &Word) -> Option<String> {
+    let found = decode(word.word)?;
+    let (time, label) = (records::line([word.time_s]), found.label);
+    let value = bus::value(label, found.value);
+    let status = bus::status(found.status);
+    Some(format!("{time},{:03o},{:08x},{value},{},{status}", word.label, word.word, label.unit))
 }
 
 fn write_line(file: &mut OutputFile, line: &str) -> Result<(), Failure> {

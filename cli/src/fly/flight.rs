@@ -7,9 +7,10 @@ use nalgebra::Vector3;
 use sins::errors::AccuracyFigures;
 use sins::records;
 use sins::scene::Scene;
+use sins::state::Navigation;
 use sins::truth::{FlightSample, TruthSummary};
-use sins::unit::{State, Unit};
-use sins::{ClosureFigures, Error, ImuInterval, Simulator, TrimFigures};
+use sins::unit::{State, Status, UnitNavigation, Validity};
+use sins::{ClosureFigures, Error, ErrorSource, ImuInterval, Simulator, Solution, TrimFigures};
 
 use super::imu;
 use super::unit::UnitInFlight;
@@ -104,6 +105,14 @@ impl From<Failure> for Stopped {
     }
 }
 
+/// What an INS shows, and its error.
+pub struct Shown {
+    pub status: Status,
+    pub navigation: UnitNavigation,
+    /// Position error of the solution, east, north, up [m].
+    pub position_error_n: Vector3<f64>,
+}
+
 /// A flight in progress: for each sample a push and a step.
 pub struct InFlight<'a> {
     scene: &'a Scene,
@@ -130,17 +139,24 @@ impl<'a> InFlight<'a> {
         Ok(Self { scene, simulator, every, start_s, files, flown, sensor_errors, is_recorded: [true; 2] })
     }
 
-    pub fn simulator(&mut self) -> &mut Simulator {
-        let [simulator] = &mut *self.simulator;
-        simulator
-    }
-
-    pub fn unit(&self) -> Option<&Unit> {
-        self.files.unit.as_ref().map(UnitInFlight::unit)
-    }
-
-    pub fn flown(&self) -> &Flown {
-        &self.flown
+    /// What the INS shows after the last interval. Without a unit, it navigates.
+    pub fn shown(&self) -> Result<Shown, Error> {
+        let [simulator] = &*self.simulator;
+        let errors = simulator.errors(ErrorSource::Navigation)?;
+        let position_error_n = errors.map(|(_, errors)| errors.position_n).unwrap_or_default();
+        if let Some(unit) = &self.files.unit {
+            let (status, navigation) = unit.shown(simulator)?;
+            return Ok(Shown { status, navigation, position_error_n });
+        }
+        let Some(Solution { time_s, navigation, .. }) = simulator.navigation()? else {
+            return Err(Error::bad_state("no interval was flown"));
+        };
+        let validity =
+            Validity { rates: false, attitude: true, heading: true, position: true, velocity: true };
+        let Navigation { place, v_n, euler, .. } = navigation;
+        let navigation = UnitNavigation { time_s, validity, place, v_n, euler, ..UnitNavigation::default() };
+        let status = Status { state: State::Navigation, validity, ..Status::default() };
+        Ok(Shown { status, navigation, position_error_n })
     }
 
     fn fly(&mut self, given: &Given, quiet: bool) -> Result<(), Failure> {
@@ -177,7 +193,8 @@ impl<'a> InFlight<'a> {
     /// Takes the first sample.
     pub fn begin(&mut self, sample: FlightSample) -> Result<(), Stopped> {
         self.push(sample)?;
-        if let Some(start) = Record::now(self.simulator())? {
+        let [simulator] = &mut *self.simulator;
+        if let Some(start) = Record::now(simulator)? {
             self.keep(&start)?;
         }
         Ok(())

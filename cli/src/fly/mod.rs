@@ -24,9 +24,13 @@ use crate::places::{OutputArguments, below};
 use crate::record::COLUMNS;
 use crate::terminal::print;
 use bus::Bus;
-use figures::Figures;
-use flight::Files;
-use unit::UnitInFlight;
+
+pub use bus::line as bus_line;
+pub use figures::Figures;
+pub use flight::{Files, InFlight, Shown, Stopped};
+pub use print::text;
+pub use summary::MARK;
+pub use unit::{COLUMNS as UNIT_COLUMNS, UnitInFlight};
 
 /// Scene of a log that has no scene: the recommended simulator with ideal sensors.
 pub const FOR_LOGS: &str = "[flight]\nfile = \"log\"\n";
@@ -88,14 +92,14 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let figures = Figures::gather(&given, &name, every, &flown, ended.is_err());
     let finished = figures.and_then(|figures| {
         finish(&figures, files, summary_file)?;
-        if quiet { Ok(()) } else { print(&print::text(&figures, &file(".csv"))) }
+        if quiet { Ok(()) } else { print(&text(&figures, &file(".csv"))) }
     });
     // A failure of the flight has priority.
     ended.and(finished)
 }
 
 /// Puts all files in place. The records are last, because the report looks for the summary beside the records.
-fn finish(figures: &Figures, files: Files, summary_file: OutputFile) -> Result<(), Failure> {
+pub fn finish(figures: &Figures, files: Files, summary_file: OutputFile) -> Result<(), Failure> {
     let Files { records, imu, unit } = files;
     let text = summary::text(figures)?;
     if let Some(imu) = imu {

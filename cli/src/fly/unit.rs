@@ -5,7 +5,7 @@ use std::io::Write;
 use sins::bus::Word;
 use sins::records;
 use sins::scene::Scene;
-use sins::unit::{State, Unit};
+use sins::unit::{State, Status, Unit, UnitNavigation};
 use sins::{Error, ImuInterval, Simulator};
 
 use super::bus::Bus;
@@ -31,8 +31,9 @@ impl UnitInFlight {
         Ok(Self { unit, file, bus, written: None })
     }
 
-    pub fn unit(&self) -> &Unit {
-        &self.unit
+    /// What it reports and shows after the last step of `simulator`.
+    pub fn shown(&self, simulator: &Simulator) -> Result<(Status, UnitNavigation), Error> {
+        Ok((self.unit.status(), self.unit.navigation(simulator)?))
     }
 
     /// Sends the words that are due in the last interval.

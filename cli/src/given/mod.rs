@@ -27,7 +27,7 @@ use log::read_log;
 use text::{Text, name_of};
 
 /// A scene with its flight.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Given {
     pub scene: Scene,
     /// Name of the scene: its file name without the ending, or the name of the built-in scene.
@@ -49,10 +49,12 @@ pub struct Given {
     motion: Motion,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 enum Motion {
     Flight(Flight),
     Log(PathBuf, FlightLog),
+    /// The samples come from outside.
+    Live,
 }
 
 impl Given {
@@ -111,7 +113,7 @@ impl Given {
             _ => Motion::Flight(scene.flight()?),
         };
         let samples = match &motion {
-            Motion::Flight(_) => scene.samples(None)?,
+            Motion::Flight(_) | Motion::Live => scene.samples(None)?,
             Motion::Log(path, log) => {
                 scene.samples(Some(log)).map_err(|error| Failure::of_file(path, &error))?
             }
@@ -132,6 +134,42 @@ impl Given {
         })
     }
 
+    /// The scene called `name` (built in or a file) for samples that come from outside, or without a name that of the text `for_logs`.
+    /// Its own flight is left out. There are no samples yet.
+    pub fn live(name: Option<&OsStr>, settings: &Settings, for_logs: &str) -> Result<Self, Failure> {
+        let text = match name {
+            Some(name) if is_log(name) => {
+                return Err(Failure::of_file(Path::new(name), &"is a flight log: expected a scene"));
+            }
+            Some(name) => Text::find(name)?,
+            None => Text::for_log(Path::new("live"), for_logs),
+        };
+        let mut scene = text.parse(settings)?;
+        (scene.flight, scene.duration_s) = (FlightSource::Log(String::new()), None);
+        if !settings.has("flight.title") {
+            scene.title = "live flight".to_owned();
+        }
+        let name = if name.is_some() { format!("{}_live", text.name) } else { text.name };
+        Ok(Self {
+            title: scene.title.clone(),
+            scene,
+            name,
+            origin: text.origin,
+            inputs: text.path.into_iter().collect(),
+            count: 0,
+            start_s: 0.0,
+            period_s: 0.0,
+            duration_s: 0.0,
+            motion: Motion::Live,
+        })
+    }
+
+    /// The same with the samples that came.
+    pub fn with_samples(&self, samples: &Samples) -> Self {
+        let Samples { count, start_s, period_s, duration_s } = *samples;
+        Self { count, start_s, period_s, duration_s, ..self.clone() }
+    }
+
     /// The sample `index`.
     pub fn sample(&self, index: usize) -> Result<FlightSample, Error> {
         match &self.motion {
@@ -140,6 +178,7 @@ impl Given {
                 flight.sample_at((index as f64 / self.scene.rate_hz).min(flight.duration_s()))
             }
             Motion::Log(_, log) => Ok(log.samples()[index]),
+            Motion::Live => Err(Error::bad_state("the samples come from outside")),
         }
     }
 
@@ -147,14 +186,14 @@ impl Given {
     pub fn flight(&self) -> Option<&Flight> {
         match &self.motion {
             Motion::Flight(flight) => Some(flight),
-            Motion::Log(..) => None,
+            Motion::Log(..) | Motion::Live => None,
         }
     }
 
     /// Place of the sample `index`: the line of a log, or the time.
     pub fn place(&self, index: usize) -> String {
         match &self.motion {
-            Motion::Flight(_) => {
+            Motion::Flight(_) | Motion::Live => {
                 format!("{}: at {} s", self.origin, rounded(index as f64 * self.period_s, 10))
             }
             Motion::Log(path, log) => {
