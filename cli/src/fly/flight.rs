@@ -1,7 +1,7 @@
 //! The flight: sample by sample through the simulator, with its records.
 
 use std::io::Write;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
 use sins::errors::AccuracyFigures;
@@ -180,7 +180,7 @@ impl<'a> InFlight<'a> {
                     self.record_last().map_err(stopped(index))?;
                 }
             }
-            self.flown.seconds += began.elapsed().as_secs_f64();
+            self.add_time(began.elapsed());
             self.check()?;
             if interrupt::is_asked() {
                 return Err(Failure::of_kind(Kind::Interrupted, "interrupted; the files are complete"));
@@ -261,6 +261,11 @@ impl<'a> InFlight<'a> {
             self.keep(&record)?;
         }
         Ok(())
+    }
+
+    /// Adds the time that steps took.
+    pub fn add_time(&mut self, time: Duration) {
+        self.flown.seconds += time.as_secs_f64();
     }
 
     /// Reports an error of the disk.

@@ -2,6 +2,7 @@
 //! flies it again.
 
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use sins::records;
 use sins::scene::{FlightSource, Samples};
@@ -133,7 +134,9 @@ impl<'a> Leg<'a> {
         let State::Flying(flight) = &mut self.state else {
             return Err(sins::Error::bad_state("the flight has ended").into());
         };
+        let began = Instant::now();
         flight.go_on(sample)?;
+        flight.add_time(began.elapsed());
         self.last = sample;
         if let Some(log) = &mut self.log {
             log.sample(&sample)?;

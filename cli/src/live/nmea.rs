@@ -64,7 +64,8 @@ fn wrapped(angle_rad: f64) -> f64 {
 
 /// Degrees from 0 to 359.99.
 fn heading(angle_rad: f64) -> String {
-    let hundredths = (angle_rad / DEG * 100.0).round().rem_euclid(36_000.0);
+    // Adding 0 turns -0 into 0.
+    let hundredths = (angle_rad / DEG * 100.0).round().rem_euclid(36_000.0) + 0.0;
     format!("{:.2}", hundredths / 100.0)
 }
 

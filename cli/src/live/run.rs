@@ -253,7 +253,9 @@ fn line(shown: &Shown, traffic: &Traffic) -> String {
     }
     let error = match status.validity.position {
         true => {
-            let [east, north, up] = shown.position_error_n.into();
+            // Adding 0 turns -0 into 0.
+            let [east, north, up] =
+                shown.position_error_n.map(|error_m| (10.0 * error_m).round() / 10.0 + 0.0).into();
             format!("position error {east:.1} m east, {north:.1} m north, {up:.1} m up")
         }
         false => "no position".to_owned(),
