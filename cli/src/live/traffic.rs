@@ -7,7 +7,7 @@ use super::packet::Why;
 use crate::units::six_digits;
 
 /// Number of intervals whose median is the usual one.
-const USUAL: usize = 15;
+const USUAL: usize = 31;
 
 /// Counts, in constant memory.
 #[derive(Debug, Clone, Default)]
