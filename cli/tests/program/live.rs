@@ -17,6 +17,9 @@ use crate::support::{done, folder, number, read, rejected, rows, sins};
 /// Packets on their way: a receive buffer of Linux holds some 160 of them.
 const WINDOW: usize = 24;
 
+/// Packets of a pause. They have no answer to wait for.
+const PAUSE: u64 = 100;
+
 /// A flight simulator, with the program that listens to it.
 struct Peer {
     folder: PathBuf,
@@ -253,9 +256,9 @@ fn jitter_and_losses_do_no_harm() {
     fly_the_patrol("fgfs", ticks);
 }
 
-/// `cargo test -p sins-cli --test program two_days -- --ignored --nocapture`
+/// Takes a quarter of an hour.
 #[test]
-#[ignore = "takes a quarter of an hour"]
+#[cfg(feature = "long-tests")]
 fn two_days_need_no_more_memory() {
     fly_the_patrol("fgfs", 60 * 48 * 3600);
 }
@@ -357,7 +360,7 @@ fn pauses_are_left_out_and_jumps_begin_a_flight() {
             peer.answer();
         }
         if tick == 400 {
-            for _ in 0..200 {
+            for _ in 0..PAUSE {
                 clock_s += 0.02;
                 send(&sample, clock_s);
             }
@@ -374,7 +377,7 @@ fn pauses_are_left_out_and_jumps_begin_a_flight() {
         }
     }
     let (folder, said) = peer.finish();
-    assert_eq!(counted(&said, "in pauses"), 200, "{said}");
+    assert_eq!(counted(&said, "in pauses"), PAUSE, "{said}");
     assert!(said.contains("2 with a jump") && said.contains("another flight begins"), "{said}");
     let duration_s = |run| figure(&folder, run, "duration_s");
     assert!((duration_s("live") - 19.98).abs() < 1e-9 && (duration_s("live_2") - 9.98).abs() < 1e-9);
@@ -555,30 +558,4 @@ fn an_interrupt_ends_a_run() {
     let (code, _, errors) = peer.end();
     assert!(code == 130 && errors.contains("no interval was flown"), "{code} {errors}");
     assert!(!folder.join("sins_out/none.csv").exists());
-}
-
-/// The time from a packet to its answer, both ways through the sockets, at 60 Hz:
-/// `cargo test --release -p sins-cli --test program packet_to_answer -- --ignored --nocapture`
-#[test]
-#[ignore = "measures in real time"]
-fn packet_to_answer() {
-    let truth = at("aerobatics");
-    let peer = Peer::start(&folder("latency"), &["--rate-hz", "60", "--preset", "navigation"]);
-    let mut delays_s: Vec<f64> = Vec::new();
-    for tick in 0..3600 {
-        let packet = fgfs(&truth(f64::from(tick) / 60.0));
-        let sent = Instant::now();
-        peer.send(&packet);
-        if tick > 0 {
-            peer.answer();
-            delays_s.push(sent.elapsed().as_secs_f64());
-        }
-        std::thread::sleep(Duration::from_secs_f64(1.0 / 60.0));
-    }
-    let (_, said) = peer.finish();
-    delays_s.sort_by(f64::total_cmp);
-    let [median, late] = [0.5, 0.999].map(|part| 1e3 * delays_s[(part * delays_s.len() as f64) as usize]);
-    println!("packet to answer: {median:.3} ms (median), {late:.3} ms (99.9 %)");
-    println!("{}", said.lines().find(|line| line.contains("answers")).unwrap());
-    assert!(median < 1.0 && late < 1e3 / 60.0);
 }
