@@ -109,6 +109,7 @@ python() {
     done
     /usr/bin/python3 tests/hosts/test_sins.py 2>"$out/test_sins" || { cat "$out/test_sins"; return 1; }
     echo "python: $(grep -o "^Ran .* tests" "$out/test_sins"); the patrol is drawn in target/hosts/patrol.png"
+    /usr/bin/python3 tests/hosts/xplane.py
     build_program
     mkdir -p "$out/aircraft"
     /usr/bin/python3 tests/hosts/aircraft.py "$built/sins" "$out/aircraft"

@@ -125,8 +125,8 @@ impl<'a> Leg<'a> {
             && let Some(files) = files.take()
         {
             let scene = &self.given.scene;
-            let period_s = scene.options.intake.period_s.unwrap_or(sample.time_s - self.first.time_s);
-            self.every = (scene.output.every_s.unwrap_or(EVERY_S) / period_s).round().max(1.0) as u64;
+            let first_s = sample.time_s - self.first.time_s;
+            self.every = (scene.output.every_s.unwrap_or(EVERY_S) / first_s).round().max(1.0) as u64;
             let mut flight = InFlight::new(scene, self.every, self.first.time_s, *files)?;
             flight.begin(self.first)?;
             self.state = State::Flying(Box::new(flight));
