@@ -1,10 +1,11 @@
-/* An INS on a bus: the words of ARINC 429 that a unit sends, given to the send function of a card. This one prints them. */
+/* An INS on a bus: the words of ARINC 429 that a unit sends, given to the send function of a card. This one prints them. As those of a
+ * real unit, they show what was so 80 ms ago. */
 
 #include <stdio.h>
 
 #include "sins_unit.h"
 
-enum { WORDS = 256 };
+enum { WORDS = 256, LATE = 8 /* samples of 10 ms */ };
 
 /* In its place stands the function of the card. */
 static void send_word(const sins_bus_word *word)
@@ -23,8 +24,8 @@ int main(void)
     sins_unit *unit = NULL;
     sins_gyro_params gyro;
     sins_flight_sample sample;
-    sins_unit_status status;
-    sins_unit_navigation navigation;
+    sins_unit_status status[LATE]; /* a ring: the newest replaces the oldest */
+    sins_unit_navigation navigation[LATE];
     sins_bus_inputs inputs;
     sins_bus_word words[WORDS];
     size_t count, i;
@@ -32,8 +33,10 @@ int main(void)
 
     SINS_INIT(gyro);
     SINS_INIT(sample);
-    SINS_INIT(status);
-    SINS_INIT(navigation);
+    for (k = 0; k < LATE; k++) {
+        SINS_INIT(status[k]);
+        SINS_INIT(navigation[k]);
+    }
     SINS_INIT(inputs);
     SINS_INIT(words[0]);
     gyro.bias_rad_s[1] = 0.01 * SINS_DEG_PER_HOUR;
@@ -56,11 +59,12 @@ int main(void)
         if (k == 0 || sins_unit_update(unit, sim) != SINS_OK) {
             continue;
         }
-        sins_unit_get_status(unit, &status);
-        sins_unit_get_navigation(unit, sim, &navigation);
-        if (sins_bus_words(&status, &navigation, &inputs, before_s, sample.time_s, words, WORDS, &count) != SINS_OK) {
+        count = 0;
+        if (k > LATE && sins_bus_words(&status[k % LATE], &navigation[k % LATE], &inputs, before_s, sample.time_s, words, WORDS, &count)) {
             return 1;
         }
+        sins_unit_get_status(unit, &status[k % LATE]);
+        sins_unit_get_navigation(unit, sim, &navigation[k % LATE]);
         for (i = 0; i < count && k == 100; i++) {
             send_word(&words[i]);
         }

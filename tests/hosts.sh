@@ -116,9 +116,11 @@ python() {
     # The day in the south, over the date line.
     sed 's/^latitude_deg = .*/latitude_deg = -34.5/; s/^longitude_deg = .*/longitude_deg = 179.9/' c_examples/scenes/day.toml >"$out/south.toml"
     for scene in c_examples/scenes/day.toml "$out/south.toml" over_the_pole; do
-        "$built/sins" fly "$scene" --quiet --force --out "$out/bus" --name flight --bus words.csv
-        /usr/bin/python3 tests/hosts/arinc429.py "$out/bus/words.csv" "$out/bus/flight.csv"
+        rm -rf "$out/bus"
+        "$built/sins" fly "$scene" --quiet --out "$out/bus" --name flight --bus words.csv --imu imu.csv
+        /usr/bin/python3 tests/hosts/arinc429.py "$out"/bus/{words,flight,imu}.csv $(ls "$out"/bus/flight_unit.csv 2>/dev/null)
     done
+    /usr/bin/python3 tests/hosts/arinc429.py
 }
 
 # The MEX file flies a log: a matrix of samples.
