@@ -114,7 +114,7 @@ windows() {
     unzip -q "$dist/$name.zip" -d "$out"
     files "$folder" bin/{sins.dll,sins.exe,loadlibrary.exe} lib/{sins.lib,libsins.dll.a,sins.def,cmake/sins/sinsConfig.cmake} licences/mingw-w64.txt
     check_pe "$folder/bin/sins.dll" "$2" kernel32.dll msvcrt.dll ntdll.dll
-    check_pe "$folder/bin/sins.exe" "$2" advapi32.dll kernel32.dll msvcrt.dll ntdll.dll
+    check_pe "$folder/bin/sins.exe" "$2" advapi32.dll kernel32.dll msvcrt.dll ntdll.dll ws2_32.dll
     for file in "$folder"/bin/*; do
         "$2-w64-mingw32-objdump" -p "$file" | grep '^Time/Date.*1970' >/dev/null || fail "$file: has the time of its build"
     done
