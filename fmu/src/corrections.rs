@@ -29,8 +29,9 @@ const OF_SENSORS: [Number; 12] = [
     ("accelerometer_scale_factor[3]", "", 1e-4, "scale factor error of the accelerometer, sensor axis z"),
 ];
 
-/// Number of compensations.
+/// Number of compensations, and of inputs that are reals.
 pub const COMPENSATIONS: usize = OF_SENSORS.len();
+pub const REALS: usize = OF_SOLUTION + COMPENSATIONS;
 
 /// The inputs as variables: the reals behind those of the truth, and the first integer.
 pub fn inputs() -> impl Iterator<Item = Variable> {

@@ -3,15 +3,16 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use sins::correction::Correction;
 use sins::scene::Scene;
 use sins::sensors::SensorOutput;
 use sins::truth::Pushed;
+use sins::unit::Unit;
 use sins::{Error, Simulator};
 
 use crate::corrections;
 use crate::inputs;
 use crate::outputs;
+use crate::panel;
 use crate::scene;
 use crate::table::{Table, table};
 use crate::values::{Base, Value, Values};
@@ -53,12 +54,14 @@ impl Refused {
 }
 
 /// What a step flew.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Flown {
     /// Whether the step closed a gap in the truth.
     pub behind_gap: bool,
     /// Angle by which the vehicle turned in its interval [rad].
     pub turn_rad: f64,
+    /// An entry at the panel that the box refused.
+    pub refused_entry: Option<String>,
 }
 
 /// The last sample that was taken.
@@ -70,6 +73,8 @@ pub struct Taken {
     pub inputs: Vec<f64>,
     /// Number of corrections that the master had counted.
     pub corrections: i32,
+    /// Numbers of entries at the panel that it had counted.
+    pub entries: panel::Counts,
 }
 
 /// Scene and simulator made from the parameters, and the state of the flight.
@@ -77,6 +82,8 @@ pub struct Taken {
 pub struct Flight {
     pub scene: Scene,
     pub simulator: Box<Simulator>,
+    /// The box, if the scene has one.
+    pub unit: Option<Unit>,
     /// Time stamp of the first sample [s].
     pub first_s: Option<f64>,
     pub taken: Option<Taken>,
@@ -87,7 +94,8 @@ impl Flight {
     pub fn new(values: &Values, resources: Option<&PathBuf>) -> Result<Self, String> {
         let scene = scene::scene(values, resources.map(PathBuf::as_path))?;
         let [simulator] = *scene.simulator().map_err(|error| error.to_string())?;
-        Ok(Self { scene, simulator: Box::new(simulator), first_s: None, taken: None })
+        let unit = scene.unit().map_err(|error| error.to_string())?;
+        Ok(Self { scene, simulator: Box::new(simulator), unit, first_s: None, taken: None })
     }
 
     /// Replaces the sensor errors and failures by those of `scene`.
@@ -113,29 +121,40 @@ impl Flight {
         Ok(())
     }
 
-    /// The simulator after `correction` and the interval that ends at `time_s` [s] with these inputs, and whether the sample closed a
-    /// gap.
-    fn flown(
-        &self,
-        time_s: f64,
-        values: &[f64],
-        is_set: &[bool; inputs::COUNT],
-        correction: Option<Correction>,
-    ) -> Result<(Box<Simulator>, bool), String> {
-        let mut sample = inputs::sample(time_s, values, is_set)?;
-        let mut simulator = self.simulator.clone();
+    /// The simulator and the box after the corrections, the interval that ends at `time_s` [s], and what is done at the panel.
+    fn flown(&self, time_s: f64, values: &Values, is_set: &[bool; inputs::COUNT]) -> Result<Next, String> {
+        let mut sample = inputs::sample(time_s, &values.reals[..inputs::COUNT], is_set)?;
+        let first_s = self.first_s.unwrap_or(time_s);
+        let (mut simulator, mut unit) = (self.simulator.clone(), self.unit);
         let mut fly = || {
-            if let Some(correction) = &correction {
-                simulator.correct(correction)?;
+            if self.taken.as_ref().is_some_and(|taken| taken.corrections != corrections::count(values)) {
+                simulator.correct(&corrections::correction(values))?;
             }
-            self.scene.prepare(&mut *simulator, self.first_s.unwrap_or(time_s), &mut sample)?;
+            self.scene.prepare(&mut *simulator, first_s, &mut sample)?;
             let pushed = simulator.push_sample(&sample)?;
             simulator.step()?;
             Ok(pushed == Pushed::BehindGap)
         };
         let behind_gap = fly().map_err(|error: Error| error.to_string())?;
-        Ok((simulator, behind_gap))
+        let mut refused_entry = None;
+        // After the first sample there is no interval yet.
+        if let Some(unit) = &mut unit
+            && let Some(taken) = &self.taken
+        {
+            refused_entry = panel::act(values, taken.entries, unit)?;
+            let updated = self.scene.update_unit(unit, &mut simulator, first_s);
+            updated.map_err(|error| error.to_string())?;
+        }
+        Ok(Next { simulator, unit, behind_gap, refused_entry })
     }
+}
+
+/// What a step leads to.
+struct Next {
+    simulator: Box<Simulator>,
+    unit: Option<Unit>,
+    behind_gap: bool,
+    refused_entry: Option<String>,
 }
 
 /// An instance.
@@ -254,19 +273,21 @@ impl Instance {
             }
             _ => {}
         }
-        let corrections = corrections::count(&self.values);
-        let is_corrected = flight.taken.as_ref().is_some_and(|taken| taken.corrections != corrections);
-        let correction = is_corrected.then(|| corrections::correction(&self.values));
-        let (mut simulator, behind_gap) =
-            flight.flown(time_s, inputs, &self.is_set, correction).map_err(Refused::error)?;
+        let Next { mut simulator, unit, behind_gap, refused_entry } =
+            flight.flown(time_s, &self.values, &self.is_set).map_err(Refused::error)?;
         let turn_rad = flight.taken.as_ref().map_or(0.0, |before| inputs::turn_rad(&before.inputs, inputs));
-        let taken = Taken { time_s, inputs: inputs.to_vec(), corrections };
-        outputs::read(&mut simulator, behind_gap, &mut self.values)
+        let taken = Taken {
+            time_s,
+            inputs: inputs.to_vec(),
+            corrections: corrections::count(&self.values),
+            entries: panel::counts(&self.values),
+        };
+        outputs::read(&mut simulator, unit.as_ref(), behind_gap, &mut self.values)
             .map_err(|error| Refused::error(error.to_string()))?;
-        flight.simulator = simulator;
+        (flight.simulator, flight.unit) = (simulator, unit);
         flight.first_s = flight.first_s.or(Some(time_s));
         flight.taken = Some(taken);
         self.end_s = time_s + length_s;
-        Ok(Flown { behind_gap, turn_rad })
+        Ok(Flown { behind_gap, turn_rad, refused_entry })
     }
 }

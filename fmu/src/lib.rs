@@ -7,10 +7,10 @@
 //!  instance        phases, values, the simulator                `instance`, saved by `saved`
 //!    |        \
 //!    v         v
-//!  scene       sample             parameters, inputs            `parameters`, `inputs`, `corrections`
+//!  scene       sample             parameters, inputs            `parameters`, `inputs`, `corrections`, `panel`
 //!    |          |
 //!    v          v
-//!  sins::Simulator  ->  outputs                                 `outputs`
+//!  sins::Simulator  ->  outputs                                 `outputs`, `panel`
 //! ```
 //!
 //! The variables of inputs, parameters and outputs are in one table (`table`), which is made from the keys of a scene. The
@@ -32,6 +32,7 @@ mod instance;
 pub mod interface;
 mod logger;
 mod outputs;
+mod panel;
 mod parameters;
 mod saved;
 mod scene;

@@ -2,11 +2,12 @@
 
 use sins::correction::Compensation;
 use sins::state::Navigation;
+use sins::unit::Unit;
 use sins::{Error, ErrorSource, Simulator};
 
-use crate::corrections;
 use crate::values::{Value, Values};
 use crate::variable::{Role, Variable};
+use crate::{corrections, panel};
 
 /// A number: name, unit, usual size, meaning.
 pub type Number = (&'static str, &'static str, f64, &'static str);
@@ -57,7 +58,8 @@ const IMU: [Number; 13] = [
     ("imu.mean_force_m_s2[3]", "m/s2", 10.0, "measured specific force, mean of the interval, sensor axis z"),
 ];
 
-const COUNT: usize = SOLUTION.len() + 2 * ERRORS.len() + IMU.len() + 9 + corrections::COMPENSATIONS;
+const COUNT: usize =
+    SOLUTION.len() + 2 * ERRORS.len() + IMU.len() + 9 + corrections::COMPENSATIONS + panel::COUNT;
 
 const FLAGS: [(&str, &str); 11] = [
     ("flags.available", "there is a solution: a sample was taken"),
@@ -86,18 +88,25 @@ pub fn variables() -> impl Iterator<Item = Variable> {
     let numbers =
         numbers.chain(errors("model_errors", "by the error equations", 12)).chain(IMU.iter().map(own));
     let numbers = numbers.chain(errors("sigma", "standard deviation by the covariance", 9));
-    let numbers = numbers.chain(corrections::compensations());
+    let numbers = numbers.chain(corrections::compensations()).chain(panel::numbers());
     let numbers = numbers.map(|(name, unit, nominal, doc)| {
         let variable = Variable::new(name, Role::Output, Value::Real(0.0), doc).in_unit(unit, 1.0);
         Variable { nominal, ..variable }
     });
-    let flags =
-        FLAGS.iter().map(|&(name, doc)| Variable::new(name, Role::Output, Value::Boolean(false), doc));
-    numbers.chain(flags)
+    let flags = FLAGS
+        .iter()
+        .chain(&panel::FLAGS)
+        .map(|&(name, doc)| Variable::new(name, Role::Output, Value::Boolean(false), doc));
+    numbers.chain(flags).chain([panel::state()])
 }
 
-/// Writes the outputs to their places, the last reals and booleans of the table. An error changes nothing.
-pub fn read(simulator: &mut Simulator, behind_gap: bool, into: &mut Values) -> Result<(), Error> {
+/// Writes the outputs to their places, the last reals, booleans and integer of the table. An error changes nothing.
+pub fn read(
+    simulator: &mut Simulator,
+    unit: Option<&Unit>,
+    behind_gap: bool,
+    into: &mut Values,
+) -> Result<(), Error> {
     let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else {
         return Ok(());
     };
@@ -112,11 +121,12 @@ pub fn read(simulator: &mut Simulator, behind_gap: bool, into: &mut Values) -> R
         false => None,
     };
     let imu = simulator.imu().unwrap_or_default();
+    let report = panel::report(unit, simulator)?;
 
     let from = into.reals.len() - COUNT;
     let numbers = &mut into.reals[from..];
-    let from = into.booleans.len() - FLAGS.len();
-    let flags = &mut into.booleans[from..];
+    let from = into.booleans.len() - FLAGS.len() - panel::FLAGS.len();
+    let (flags, of_box) = into.booleans[from..].split_at_mut(FLAGS.len());
     let mut places = numbers.iter_mut();
     let mut put = |values: &[f64]| {
         values.iter().for_each(|value| places.next().into_iter().for_each(|to| *to = *value))
@@ -145,7 +155,10 @@ pub fn read(simulator: &mut Simulator, behind_gap: bool, into: &mut Values) -> R
     [gyro_bias, gyro_scale_factor, accel_bias, accel_scale_factor]
         .iter()
         .for_each(|three| put(three.as_slice()));
+    put(&report.numbers);
 
+    of_box.copy_from_slice(&report.flags);
+    into.integers.last_mut().into_iter().for_each(|state| *state = report.state);
     flags.copy_from_slice(&[
         true,
         behind_gap,

@@ -6,8 +6,8 @@ use crate::values::Value;
 use crate::variable::{Role, Variable};
 
 /// Sections that are parameters, and sections whose parameters may change in flight.
-pub const SECTIONS: [&str; 7] =
-    ["options", "gyro", "accelerometer", "altimeter", "start", "mounting", "gravity"];
+pub const SECTIONS: [&str; 8] =
+    ["options", "gyro", "accelerometer", "altimeter", "start", "mounting", "gravity", "unit"];
 const TUNABLE: [&str; 3] = ["gyro", "accelerometer", "altimeter"];
 
 /// The section of failures, and the number of failures that are parameters.

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use sins::unit::Unit;
+
 use crate::inputs;
 use crate::instance::{Flight, Instance, Phase, Taken};
 use crate::table::table;
@@ -10,6 +12,8 @@ use crate::variable::Role;
 
 /// Mark at the beginning of a state.
 const MARK: &[u8; 8] = b"SINSFMU1";
+
+const DAMAGED: &str = "no state of this unit, or a damaged one";
 
 const PHASES: [Phase; 4] = [Phase::Instantiated, Phase::Initializing, Phase::Stepping, Phase::Terminated];
 
@@ -35,10 +39,17 @@ pub fn save(instance: &Instance) -> Result<Vec<u8>, String> {
     to.push(1);
     to.push(u8::from(flight.taken.is_some()));
     to.extend(flight.first_s.unwrap_or(0.0).to_le_bytes());
-    if let Some(Taken { time_s, inputs, corrections }) = &flight.taken {
+    if let Some(Taken { time_s, inputs, corrections, entries }) = &flight.taken {
         to.extend(time_s.to_le_bytes());
         inputs.iter().for_each(|value| to.extend(value.to_le_bytes()));
         to.extend(corrections.to_le_bytes());
+        entries.iter().for_each(|count| to.extend(count.to_le_bytes()));
+    }
+    if let Some(unit) = &flight.unit {
+        let mut snapshot = [0; Unit::SNAPSHOT_MAX_SIZE];
+        let size = unit.save_snapshot(&mut snapshot).map_err(|error| error.to_string())?;
+        to.extend((size as u64).to_le_bytes());
+        to.extend(&snapshot[..size]);
     }
     let from = to.len();
     to.resize(from + flight.simulator.snapshot_size(), 0);
@@ -48,7 +59,7 @@ pub fn save(instance: &Instance) -> Result<Vec<u8>, String> {
 
 /// The instance of a state. Its scene is made anew if its parameters differ from the parameters of `now`.
 pub fn load(state: &[u8], now: &Instance) -> Result<Instance, String> {
-    read(state, now.resources.clone(), now).ok_or("no state of this unit, or a damaged one")?
+    read(state, now.resources.clone(), now).ok_or(DAMAGED)?
 }
 
 /// Reads an instance; `None` if `state` ends too early or is no state.
@@ -71,10 +82,7 @@ fn read(state: &[u8], resources: Option<PathBuf>, now: &Instance) -> Option<Resu
         *value = from.flag()?;
     }
     for text in strings {
-        let length = usize::try_from(u64::from_le_bytes(from.bytes()?)).ok()?;
-        let (bytes, rest) = from.rest.split_at_checked(length)?;
-        from.rest = rest;
-        *text = String::from_utf8(bytes.to_vec()).ok()?;
+        *text = String::from_utf8(from.part()?.to_vec()).ok()?;
     }
     if !from.flag()? {
         let is_flying = instance.phase == Phase::Stepping;
@@ -87,10 +95,11 @@ fn read(state: &[u8], resources: Option<PathBuf>, now: &Instance) -> Option<Resu
             time_s: from.number()?,
             inputs: (0..inputs::COUNT).map(|_| from.number()).collect::<Option<Vec<f64>>>()?,
             corrections: i32::from_le_bytes(from.bytes()?),
+            entries: [i32::from_le_bytes(from.bytes()?), i32::from_le_bytes(from.bytes()?)],
         }),
         false => None,
     };
-    Some(with_flight(instance, has_taken.then_some(first_s), taken, from.rest, now))
+    Some(with_flight(instance, has_taken.then_some(first_s), taken, from, now))
 }
 
 /// The instance with its simulator, from a snapshot.
@@ -98,14 +107,18 @@ fn with_flight(
     mut instance: Instance,
     first_s: Option<f64>,
     taken: Option<Taken>,
-    snapshot: &[u8],
+    mut from: Reader<'_>,
     now: &Instance,
 ) -> Result<Instance, String> {
     let mut flight = match &now.flight {
         Some(flight) if have_same_parameters(&instance.values, &now.values) => flight.clone(),
         _ => Flight::new(&instance.values, instance.resources.as_ref())?,
     };
-    flight.simulator.load_snapshot(snapshot).map_err(|error| error.to_string())?;
+    if let Some(unit) = &mut flight.unit {
+        let snapshot = from.part().ok_or(DAMAGED)?;
+        unit.load_snapshot(snapshot).map_err(|error| error.to_string())?;
+    }
+    flight.simulator.load_snapshot(from.rest).map_err(|error| error.to_string())?;
     (flight.first_s, flight.taken) = (first_s, taken);
     instance.flight = Some(flight);
     Ok(instance)
@@ -130,6 +143,14 @@ impl Reader<'_> {
         let (bytes, rest) = self.rest.split_first_chunk::<N>()?;
         self.rest = rest;
         Some(*bytes)
+    }
+
+    /// A part behind its length.
+    fn part(&mut self) -> Option<&[u8]> {
+        let length = usize::try_from(u64::from_le_bytes(self.bytes()?)).ok()?;
+        let (part, rest) = self.rest.split_at_checked(length)?;
+        self.rest = rest;
+        Some(part)
     }
 
     fn byte(&mut self) -> Option<u8> {

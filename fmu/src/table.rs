@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 use crate::values::{Base, Values};
 use crate::variable::{Role, Variable};
-use crate::{corrections, description, inputs, outputs, parameters};
+use crate::{corrections, description, inputs, outputs, panel, parameters};
 
 /// All variables, in the order of the model description, with the place of each in its row.
 #[derive(Debug)]
@@ -37,7 +37,7 @@ impl Table {
 
     fn new() -> Self {
         let mut start = Values::default();
-        let inputs = inputs::variables().chain(corrections::inputs());
+        let inputs = inputs::variables().chain(corrections::inputs()).chain(panel::inputs());
         let all = inputs.chain(parameters::variables()).chain(outputs::variables());
         let variables: Vec<(Variable, usize)> = all
             .map(|variable| {

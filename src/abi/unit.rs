@@ -76,6 +76,7 @@ choices!(sins_unit_alignment: AlignmentKind {
 
 /// A buffer of this size holds every snapshot of a unit that this release saves.
 pub const SINS_UNIT_SNAPSHOT_MAX_SIZE: usize = 1024;
+const _: () = assert!(SINS_UNIT_SNAPSHOT_MAX_SIZE == Unit::SNAPSHOT_MAX_SIZE);
 
 /// Runs `body` on the unit of a handle, as the inside of an exported function.
 pub(super) fn with_unit(

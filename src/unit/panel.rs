@@ -84,6 +84,9 @@ codes!(State {
 
 #[cfg(feature = "scenes")]
 impl State {
+    /// The words of all states, in the order of their codes.
+    pub const ALL_WORDS: [&'static str; Self::WORDS.len()] = crate::scene::first_words(Self::WORDS);
+
     /// The state in words, as a program shows it.
     pub fn words(self) -> &'static str {
         Self::WORDS[self as usize].0

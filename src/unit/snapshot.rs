@@ -17,6 +17,9 @@ stored!(Unit {
 });
 
 impl Unit {
+    /// A buffer of this size holds every snapshot of a unit.
+    pub const SNAPSHOT_MAX_SIZE: usize = 1024;
+
     /// Writes a snapshot into `buffer` and returns its length. The call does not allocate.
     pub fn save_snapshot(&self, buffer: &mut [u8]) -> Result<usize, Error> {
         let capacity = buffer.len();

@@ -2,6 +2,7 @@
 
 mod corrections;
 mod misuse;
+mod panel;
 mod random_calls;
 mod support;
 mod uri;

@@ -55,7 +55,7 @@ impl Random {
 struct Master {
     random: Random,
     unit: Unit,
-    described: Vec<Described>,
+    described: &'static [Described],
     outputs: Vec<u32>,
     images: Vec<Vec<u8>>,
     time_s: f64,

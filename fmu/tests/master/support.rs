@@ -2,6 +2,7 @@
 
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::ptr;
+use std::sync::OnceLock;
 
 use sins_fmu::get_set::*;
 use sins_fmu::interface::*;
@@ -123,7 +124,12 @@ pub struct Described {
 }
 
 /// All variables in the order of the description.
-pub fn variables() -> Vec<Described> {
+pub fn variables() -> &'static [Described] {
+    static ALL: OnceLock<Vec<Described>> = OnceLock::new();
+    ALL.get_or_init(described)
+}
+
+fn described() -> Vec<Described> {
     let xml = model_description();
     let attribute = |text: &str, name: &str| {
         let rest = text.split_once(&format!(" {name}=\""))?.1;

@@ -66,7 +66,7 @@ const fn si(text: &'static str) -> Unit {
 }
 
 /// The words of a table.
-const fn first_words<T: Copy, const N: usize>(table: [(&'static str, T); N]) -> [&'static str; N] {
+pub(crate) const fn first_words<T: Copy, const N: usize>(table: [(&'static str, T); N]) -> [&'static str; N] {
     let mut words = [""; N];
     let mut index = 0;
     while index < N {
