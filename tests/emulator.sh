@@ -189,6 +189,7 @@ check() {
     [ "$(identify -format %k "$folder/flown/again.png")" -gt 10 ] || fail "again.png shows nothing"
     drive driver keys -- /language en /scene rest
     drive driver studies -- /language en /scene patrol
+    drive driver stick -- /language en /scene rest
     drive driver sentence -- /language zh
     [ "$(grep -c '须' "$folder/said")" -eq 2 ] || fail "a sentence is not in Chinese: of a text, of a struct"
 

@@ -1,5 +1,6 @@
-/* The main window: four pages, the scene as its document, and the commands of the menu. */
+/* The main window: five pages, the scene as its document, and the commands of the menu. */
 #pragma once
+#include "cockpit_page.h"
 #include "display_page.h"
 #include "general_page.h"
 #include "study_dialog.h"
@@ -100,7 +101,7 @@ public:
                 open_builtin(narrow(builtins_[builtin]));
             else if (recent < recent_.size() && may_discard())
                 open(fs::path(recent_[recent]));
-            else if (page < 4)
+            else if (page < PAGES)
                 show_page((int)page);
         }
         display_->update();
@@ -118,8 +119,9 @@ protected:
         pages_[1] = std::make_unique<GeneralPage>(*this);
         pages_[2] = std::make_unique<Page>(*this); /* start of the INS: panel (c) of the paper's figure 2 */
         pages_[3].reset(display_ = new DisplayPage(*this));
+        pages_[4] = std::make_unique<CockpitPage>(*this);
         Texts names = parts("tabs");
-        for (int k = 0; k < 4; k++) {
+        for (int k = 0; k < PAGES; k++) {
             TCITEMW tab = {.mask = TCIF_TEXT, .pszText = names[k].data()};
             SendMessageW(item(IDC_TABS), TCM_INSERTITEMW, k, (LPARAM)&tab);
             pages_[k]->create(window_, IDD_TRAJECTORY + k);
@@ -204,7 +206,7 @@ private:
     void show_page(int index) {
         page_ = index;
         TabCtrl_SetCurSel(item(IDC_TABS), index);
-        for (int k = 0; k < 4; k++)
+        for (int k = 0; k < PAGES; k++)
             ShowWindow(pages_[k]->window(), k == index ? SW_SHOW : SW_HIDE);
         SetWindowPos(pages_[index]->window(), HWND_TOP, 0, 0, 0, 0, SWP_NOMOVE | SWP_NOSIZE);
         RedrawWindow(window_, NULL, NULL, RDW_INVALIDATE | RDW_ALLCHILDREN | RDW_UPDATENOW);
@@ -305,8 +307,9 @@ private:
 
     Options options_;
     const Texts builtins_ = builtins();
-    std::unique_ptr<Page> pages_[4];
-    DisplayPage *display_ = NULL; /* the last page */
+    static constexpr int PAGES = 5;
+    std::unique_ptr<Page> pages_[PAGES];
+    DisplayPage *display_ = NULL; /* the page before the last */
     RECT place_ = {};             /* place and page of the window when it is created again */
     int page_ = 0;
     bool changes_language_ = false;

@@ -6,10 +6,11 @@
 #define IDD_GENERAL 102
 #define IDD_START 103
 #define IDD_DISPLAY 104
-#define IDD_MANOEUVRE 105
+#define IDD_COCKPIT 105
 #define IDD_FAILURE 106
 #define IDD_STUDY 107
 #define IDD_MAIN 108
+#define IDD_MANOEUVRE 109
 #define IDR_MENU 120
 #define IDR_TEXTS 121
 #define IDR_KEYS 122
@@ -67,6 +68,24 @@
 #define IDC_FAILURE_SIZE 1503
 #define IDC_CLEAR 1509
 
+/* The cockpit. */
+#define IDC_COCKPIT 1700
+#define IDC_ERRORS 1701
+#define IDC_TAKE_OFF 1702
+#define IDC_LEAVE 1703
+#define IDC_SPEEDUP 1704
+#define IDC_CHANNEL 1705
+#define IDC_UNIT_STATE 1706
+#define IDC_LATITUDE 1707
+#define IDC_LONGITUDE 1708
+#define IDC_HEADING_ENTERED 1709
+#define IDC_MODE 1710 /* to 1713; from here on: the panel */
+#define IDC_POWER 1714
+#define IDC_TEST 1715
+#define IDC_ENTER_TRUE 1716
+#define IDC_ENTER_POSITION 1717
+#define IDC_ENTER_HEADING 1718
+
 /* The studies. */
 #define IDC_FROM 1600
 #define IDC_TO 1601
@@ -102,7 +121,7 @@
 #define ID_FAILURE 2019
 #define ID_RECOMMEND 2020
 #define ID_BUDGET 2021
-#define ID_PAGE 2030    /* to 2033 */
+#define ID_PAGE 2030    /* to 2034 */
 #define ID_RECENT 2100  /* to 2107 */
 #define ID_BUILTIN 2200 /* and those that follow */
 

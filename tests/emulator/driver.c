@@ -11,6 +11,7 @@
  *     driver edit          composes manoeuvres, takes a preset, types a value in SI and for one axis, pauses, stops and resets a
  *                          flight, saves the scene
  *     driver keys          goes through the presets by the arrow key, applies one, and uses Ctrl+Z, F5, F1 and Ctrl+N
+ *     driver stick         taxies, takes off and banks in the cockpit by keys, works at the panel of the INS, and types nonsense there
  *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line; asks
  *                          for a study beyond a limit of its struct, and prints the dialog's line
  */
@@ -132,6 +133,10 @@ static void pages(void)
     look("3");
     command(ID_PAGE + 3);
     look("4");
+    command(ID_PAGE + 4);
+    ask(page_of(IDC_COCKPIT), WM_COMMAND, IDC_TAKE_OFF, 0);
+    look("5");
+    command(ID_PAGE + 3);
     choose(display, IDC_QUANTITY, 7);
     look("track");
     choose(display, IDC_QUANTITY, 1);
@@ -382,6 +387,100 @@ static void keys(void)
     printf("presets by the arrow key and a button; Ctrl+Z, F5, F1 and Ctrl+N\n");
 }
 
+/* What the cockpit says: the state of the INS, and in the next line time [s], speed [kt], height [m]. */
+static void read_cockpit(HWND cockpit, wchar_t *state, double *numbers)
+{
+    wchar_t text[512] = L"", *line;
+    ask(GetDlgItem(cockpit, IDC_UNIT_STATE), WM_GETTEXT, 512, (LPARAM)text);
+    line = wcschr(text, L'\n');
+    if (line == NULL || swscanf(line, L"%lf s, %lf kt, %lf m", &numbers[0], &numbers[1], &numbers[2]) != 3) {
+        print(text);
+        fail("the cockpit says something else");
+    }
+    *line = 0;
+    wcscpy(state, text);
+}
+
+/* Holds a key in the cockpit until one of its numbers is beyond a limit. */
+static void hold(HWND cockpit, BYTE key, int which, double limit)
+{
+    HWND screen = GetDlgItem(cockpit, IDC_COCKPIT);
+    wchar_t state[512];
+    double numbers[3] = {0.0, 0.0, 0.0};
+    int k;
+    for (k = 0; k < 600 && numbers[which] < limit; k++) {
+        ask(screen, WM_KEYDOWN, key, 0);
+        Sleep(100);
+        read_cockpit(cockpit, state, numbers);
+    }
+    ask(screen, WM_KEYUP, key, 0);
+    if (numbers[which] < limit) {
+        fail("a held key of the cockpit does nothing");
+    }
+}
+
+static void expect_unit(HWND cockpit, const wchar_t *expected)
+{
+    wchar_t state[512] = L"";
+    double numbers[3];
+    int k;
+    for (k = 0; k < 600 && wcsstr(state, expected) == NULL; k++) {
+        Sleep(50);
+        read_cockpit(cockpit, state, numbers);
+    }
+    if (k == 600) {
+        print(state);
+        fail("the unit does something else");
+    }
+}
+
+static void stick(void)
+{
+    HWND cockpit = page_of(IDC_COCKPIT);
+    wchar_t text[512] = L"";
+    double numbers[3];
+    command(ID_PAGE + 4);
+    ask(cockpit, WM_COMMAND, IDC_TAKE_OFF, 0);
+    expect_unit(cockpit, L"Navigation");
+    /* The parked aircraft aligns. */
+    choose(cockpit, IDC_SPEEDUP, 2); /* 60 times */
+    ask(cockpit, WM_COMMAND, IDC_MODE, 0); /* OFF */
+    expect_unit(cockpit, L"Off");
+    ask(cockpit, WM_COMMAND, IDC_MODE + 1, 0); /* ALIGN */
+    expect_unit(cockpit, L"Coarse alignment");
+    ask(cockpit, WM_COMMAND, IDC_ENTER_TRUE, 0);
+    expect_unit(cockpit, L"Ready");
+    ask(cockpit, WM_COMMAND, IDC_MODE + 2, 0); /* NAV */
+    expect_unit(cockpit, L"Navigation");
+    choose(cockpit, IDC_SPEEDUP, 1); /* 10 times */
+    hold(cockpit, VK_PRIOR, 1, 150.0);
+    hold(cockpit, VK_DOWN, 2, 200.0);
+    SetForegroundWindow(main_window);
+    ask(GetDlgItem(cockpit, IDC_COCKPIT), WM_LBUTTONDOWN, 0, 0); /* has the focus from now on */
+    press(VK_LEFT, 0);
+    press(VK_UP, 0);
+    press(VK_RIGHT, 0);
+    expect_title(L"New scene - "); /* the arrow keys belong to the stick alone */
+    if (!IsWindowVisible(cockpit)) {
+        fail("an arrow key leaves the cockpit");
+    }
+    ask(GetDlgItem(cockpit, IDC_LATITUDE), WM_SETTEXT, 0, (LPARAM)L"north");
+    ask(cockpit, WM_COMMAND, IDC_ENTER_POSITION, 0);
+    ask(FindWindowExW(main_window, NULL, STATUSCLASSNAMEW, NULL), WM_GETTEXT, 512, (LPARAM)text);
+    if (wcsstr(text, L"Latitude = north: expected a number") == NULL) {
+        print(text);
+        fail("a latitude in words is taken");
+    }
+    ask(cockpit, WM_COMMAND, IDC_MODE + 3, 0); /* ATT */
+    expect_unit(cockpit, L"Erection");
+    ask(cockpit, WM_COMMAND, IDC_MODE, 0); /* OFF */
+    expect_unit(cockpit, L"Off");
+    read_cockpit(cockpit, text, numbers);
+    ask(cockpit, WM_COMMAND, IDC_LEAVE, 0);
+    close_window();
+    printf("flown by keys: %.0f kt, %.0f m; the panel: aligned, ATT, OFF\n", numbers[1], numbers[2]);
+}
+
 int main(int count, char **arguments)
 {
     const char *what = wait_for_window(count, arguments);
@@ -399,6 +498,8 @@ int main(int count, char **arguments)
         edit();
     } else if (strcmp(what, "keys") == 0) {
         keys();
+    } else if (strcmp(what, "stick") == 0) {
+        stick();
     } else if (strcmp(what, "sentence") == 0) {
         sentence();
     } else {

@@ -73,6 +73,12 @@ fn a_filter_of_the_host_closes_the_loop() {
     assert!(least > 1.0 - scatter && most < 1.0 + scatter, "{least} {most}");
 }
 
+/// The aircraft of the front end's cockpit, which needs no Windows: ideal sensors return to its truth.
+#[test]
+fn the_aircraft_of_the_cockpit_flies_and_lands() {
+    print!("{}", prints_alike("aircraft", &["tests/emulator/aircraft.cpp"], &["c++17", "c++20"], &[]));
+}
+
 #[test]
 fn the_example_of_the_readme_prints_what_it_says() {
     let readme = std::fs::read_to_string(project_file("README.md")).unwrap();
