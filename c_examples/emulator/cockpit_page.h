@@ -147,7 +147,8 @@ private:
         const Curves curves = cockpit_ ? cockpit_->curves : Curves();
         std::vector<::Panel> panels;
         for (int k = 0; k < 3; k++)
-            panels.push_back({parts(view.axes)[k], view.quantity, curves.cells[TIME], {{L"", RGB(0, 70, 160), false, curves.cells[view.channel + k]}}});
+            panels.push_back({parts(view.axes)[k], view.quantity, curves.cells[TIME],
+                              {{L"", RGB(0, 70, 160), false, curves.cells[view.channel + k]}}});
         plot_.show(panels, DURATION, false);
         instruments();
         InvalidateRect(screen_, NULL, FALSE);
@@ -167,7 +168,8 @@ private:
         bool is_flashing = lit(SINS_UNIT_ALIGN_FLASHES) && GetTickCount64() % 1000 < 500;
         instruments_.panel.lamps = {L"ALIGN", L"NAV RDY", L"FAULT", L"ON BATT"};
         instruments_.panel.inks = {AMBER, GREEN, RED, AMBER};
-        instruments_.panel.is_lit = {lit(SINS_UNIT_ALIGN_LIT) && !is_flashing, lit(SINS_UNIT_NAV_READY), lit(SINS_UNIT_FAULT), lit(SINS_UNIT_ON_BATTERY)};
+        instruments_.panel.is_lit = {lit(SINS_UNIT_ALIGN_LIT) && !is_flashing, lit(SINS_UNIT_NAV_READY), lit(SINS_UNIT_FAULT),
+                                     lit(SINS_UNIT_ON_BATTERY)};
         auto angle = [](double rad, const wchar_t *letters, int width) {
             WCHAR text[32];
             double minutes = std::fabs(rad) / SINS_DEG * 60;
@@ -175,9 +177,10 @@ private:
             return std::wstring(text);
         };
         const double *v = shown.velocity_enu_m_s, speed = std::hypot(v[0], v[1]), track = std::atan2(v[0], v[1]) / SINS_DEG;
-        WCHAR motion[64] = L"TK ---  GS ---";
+        WCHAR motion[64] = L"GS ---  TK ---";
         if (valid(SINS_UNIT_VALID_VELOCITY))
-            swprintf(motion, 64, speed < 50 * SINS_KNOT ? L"TK ---  GS %.0f" : L"GS %.0f  TK %03.0f\u00b0", speed / SINS_KNOT, track < 0 ? track + 360 : track);
+            swprintf(motion, 64, speed < 50 * SINS_KNOT ? L"GS %.0f  TK ---" : L"GS %.0f  TK %03.0f\u00b0", speed / SINS_KNOT,
+                     track < 0 ? track + 360 : track);
         std::wstring place = L"--- ---";
         if (valid(SINS_UNIT_VALID_POSITION))
             place = angle(shown.latitude_rad, L"NS", 2) + L" " + angle(shown.longitude_rad, L"EW", 3);
@@ -191,8 +194,8 @@ private:
                 state += L"; " + reasons[k];
         WCHAR flown[160] = L"";
         if (cockpit_)
-            swprintf(flown, 160, L"%.0f s, %.0f kt, %.0f m, %.0f %%; %.1f m", cockpit_->time_s(), cockpit_->speed_m_s() / SINS_KNOT, truth.height_m,
-                     100 * cockpit_->stick.throttle, std::hypot(cockpit_->errors.position_enu_m[0], cockpit_->errors.position_enu_m[1]));
+            swprintf(flown, 160, L"%.0f s, %.0f kt, %.0f m, %.0f %%; %.1f m", cockpit_->time_s(), cockpit_->speed_m_s() / SINS_KNOT,
+                     truth.height_m, 100 * cockpit_->stick.throttle, std::hypot(cockpit_->errors.position_enu_m[0], cockpit_->errors.position_enu_m[1]));
         set(IDC_UNIT_STATE, cockpit_ ? state + L"\n" + flown : text("not_flown_by_hand"));
     }
 

@@ -95,7 +95,8 @@ private:
         DeleteObject(round);
         SetDCPenColor(dc, AMBER);
         for (int side : {-1, 1}) {
-            POINT wing[] = {{middle + side * radius * 6 / 10, center}, {middle + side * radius / 4, center}, {middle + side * radius / 4, center + radius / 12}};
+            const LONG inner = middle + side * radius / 4;
+            POINT wing[] = {{middle + side * radius * 6 / 10, center}, {inner, center}, {inner, center + radius / 12}};
             Polyline(dc, wing, 3);
         }
         POINT nose[] = {{middle - 3, center}, {middle + 4, center}};
