@@ -19,13 +19,22 @@ given() {
     local work=$PWD/target/windows/program
     mkdir -p "$work"
     [ "$1" = x86_64 ] || fetch_screen32 # without fonts wine prints warnings
-    printf '#!/bin/sh\nexec "%s" "%s" "$@"\n' "$wine" "$(realpath "$2")" >"$work/sins"
+    # Once in some 2000 starts wine itself dies of a signal, which no program of Windows can; then it starts again.
+    cat >"$work/sins" <<SH
+#!/bin/sh
+"$wine" "$(realpath "$2")" "\$@"
+status=\$?
+[ \$status -lt 128 ] || { echo >>"$work/died"; exec "$wine" "$(realpath "$2")" "\$@"; }
+exit \$status
+SH
+    : >"$work/died"
     chmod +x "$work/sins"
     export LC_ALL=C.UTF-8 # for the command line in wine
     "$WINESERVER" -p60 >/dev/null 2>&1 || true # one server for all programs; fails if a server already runs
     "$work/sins" --version
     SINS_PROGRAM=$work/sins cargo test --workspace --test program -- $tests --include-ignored \
         --skip a_closed_pipe --skip nodes_and_links --skip pipes_and_standard_input --skip a_log_that_is_redirected
+    echo "wine died $(wc -l <"$work/died") times"
 }
 
 built() {

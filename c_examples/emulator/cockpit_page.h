@@ -195,7 +195,8 @@ private:
         WCHAR flown[160] = L"";
         if (cockpit_)
             swprintf(flown, 160, L"%.0f s, %.0f kt, %.0f m, %.0f %%; %.1f m", cockpit_->time_s(), cockpit_->speed_m_s() / SINS_KNOT,
-                     truth.height_m, 100 * cockpit_->stick.throttle, std::hypot(cockpit_->errors.position_enu_m[0], cockpit_->errors.position_enu_m[1]));
+                     truth.height_m, 100 * cockpit_->stick.throttle,
+                     std::hypot(cockpit_->errors.position_enu_m[0], cockpit_->errors.position_enu_m[1]));
         set(IDC_UNIT_STATE, cockpit_ ? state + L"\n" + flown : text("not_flown_by_hand"));
     }
 
