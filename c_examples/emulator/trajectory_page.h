@@ -19,7 +19,7 @@ public:
         }
         choose(IDC_SOURCE, std::find(SOURCES, std::end(SOURCES), source) - SOURCES);
         if (!builtin.empty())
-            SendMessageW(item(IDC_BUILTIN), CB_SELECTSTRING, -1, (LPARAM)builtin.c_str());
+            choose(IDC_BUILTIN, std::find(builtins_.begin(), builtins_.end(), builtin) - builtins_.begin());
         enable_fields("flight.", is_path);
         enable_fields("flight.title", true);
         enable_fields("flight.file", is_log);
@@ -35,7 +35,10 @@ public:
 protected:
     void on_init() override {
         fill(item(IDC_SOURCE), parts("sources"));
-        fill(item(IDC_BUILTIN), document_.builtins());
+        Texts names;
+        for (const std::wstring &name : builtins_)
+            names.push_back(label("builtin." + narrow(name), narrow(name)));
+        fill(item(IDC_BUILTIN), names);
         track_.attach(item(IDC_TRACK));
         profile_.attach(item(IDC_PROFILE));
     }
@@ -48,7 +51,7 @@ protected:
         else if (id == IDC_BROWSE)
             set_source(SINS_SCENE_FLIGHT_LOG);
         else if (id == IDC_TAKE)
-            document_.open_builtin(narrow(get(IDC_BUILTIN)));
+            document_.open_builtin(builtin());
         else if (id >= IDC_ADD && id <= IDC_DOWN)
             edit(id);
         else if (id == IDC_ITEMS && code == (int)NM_DBLCLK)
@@ -58,6 +61,8 @@ protected:
 private:
     /* Sources of a flight, in the order of the text "sources": built-in flights first, like in the paper. */
     static constexpr int SOURCES[] = {SINS_SCENE_FLIGHT_BUILTIN, SINS_SCENE_FLIGHT_MANOEUVRES, SINS_SCENE_FLIGHT_LOG};
+
+    std::string builtin() const { return narrow(builtins_[chosen(IDC_BUILTIN)]); } /* the selected scene */
 
     /* Draws the ground track and the height of the flight from at most 3000 samples. */
     void preview() {
@@ -84,7 +89,7 @@ private:
     void set_source(int source) {
         if (source == SINS_SCENE_FLIGHT_BUILTIN) {
             /* The paper's simulations are scenes that use the flight of another scene. */
-            std::string name = narrow(get(IDC_BUILTIN));
+            std::string name = builtin();
             std::string other = sins::Scene::builtin(name).text(SINS_SCENE_TEXT_BUILTIN);
             document_.edited(told(scene_.set({{"flight.builtin", other.empty() ? name : other}})));
         } else if (source == SINS_SCENE_FLIGHT_MANOEUVRES) {
@@ -134,6 +139,7 @@ private:
         }
     }
 
+    const Texts builtins_ = Document::builtins(); /* names of scenes; the list shows them in the user's language */
     Plot track_, profile_;
     std::string previewed_; /* the scene that the preview shows */
 };
