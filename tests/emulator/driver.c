@@ -12,8 +12,8 @@
  *                          flight, saves the scene
  *     driver keys          goes through the presets by the arrow key, applies one, and uses Ctrl+Z, F5, F1 and Ctrl+N
  *     driver stick         taxies, takes off and banks in the cockpit by keys, works at the panel of the INS, and types nonsense there
- *     driver sentence      chooses a word in the list of effects, types a number beyond its limit, and prints the status line; asks
- *                          for a study beyond a limit of its struct, and prints the dialog's line
+ *     driver sentence      reads the name of a built-in flight, chooses a word in the list of effects, types a number beyond its
+ *                          limit, and prints the status line; asks for a study beyond a limit of its struct, and prints the dialog's line
  */
 #include "window.h"
 
@@ -247,6 +247,11 @@ static void sentence(void)
     HWND study;
     int k;
     HWND general = page_of(IDC_SECTION);
+    ask(GetDlgItem(page_of(IDC_SOURCE), IDC_BUILTIN), CB_GETLBTEXT, 0, (LPARAM)text);
+    if (text[0] < 0x80) {
+        print(text);
+        fail("a built-in flight has no name in Chinese");
+    }
     command(ID_PAGE + 1);
     choose(general, IDC_SECTION, 8); /* output */
     ask(GetDlgItem(general, IDC_EFFECTS), WM_KEYDOWN, VK_END, 0);
