@@ -38,6 +38,22 @@ pub enum WordStatus {
     FailureWarning,
 }
 
+impl WordStatus {
+    const ALL: [Self; 4] = [Self::Normal, Self::NoComputedData, Self::FunctionalTest, Self::FailureWarning];
+}
+
+/// The status bits of a normal decimal number below zero.
+const NEGATIVE: u32 = 3;
+
+/// The status bits of each status, in the order of `WordStatus`.
+fn codes(format: &Format) -> [u32; 4] {
+    match format {
+        Format::Binary { .. } => [3, 1, 2, 0],
+        Format::Decimal(_) => [0, 1, 2, 1],
+        Format::Bits => [0, 1, 2, 3],
+    }
+}
+
 const STATUS: u32 = 29;
 const PARITY: u32 = 31;
 /// Bits for data, with those of the source.
@@ -79,24 +95,7 @@ pub fn encode(number: u8, format: &Format, source: u32, steps: f64, status: Word
         Format::Decimal(digits) => digits.iter().any(|(lowest, ..)| *lowest < 10),
         Format::Bits => false,
     };
-    let code = match (format, status) {
-        (Format::Decimal(_), WordStatus::Normal) => {
-            if is_negative {
-                3
-            } else {
-                0
-            }
-        }
-        (Format::Decimal(_), WordStatus::FunctionalTest)
-        | (Format::Binary { .. }, WordStatus::FunctionalTest) => 2,
-        (Format::Decimal(_), _) | (Format::Binary { .. }, WordStatus::NoComputedData) => 1,
-        (Format::Binary { .. }, WordStatus::Normal) => 3,
-        (Format::Binary { .. }, WordStatus::FailureWarning) => 0,
-        (Format::Bits, WordStatus::Normal) => 0,
-        (Format::Bits, WordStatus::NoComputedData) => 1,
-        (Format::Bits, WordStatus::FunctionalTest) => 2,
-        (Format::Bits, WordStatus::FailureWarning) => 3,
-    };
+    let code = if is_negative { NEGATIVE } else { codes(format)[status as usize] };
     let source = if needs_source_bits { 0 } else { (source & 3) << 8 };
     let word = u32::from(number) | source | data | code << STATUS;
     let is_even = word.count_ones().is_multiple_of(2);
@@ -109,12 +108,9 @@ pub fn decode(format: &Format, word: u32) -> Option<(f64, WordStatus)> {
         return None;
     }
     let code = word >> STATUS & 3;
-    let status = match (format, code) {
-        (Format::Binary { .. }, 3) | (Format::Decimal(_), 0 | 3) | (Format::Bits, 0) => WordStatus::Normal,
-        (_, 1) => WordStatus::NoComputedData,
-        (_, 2) => WordStatus::FunctionalTest,
-        _ => WordStatus::FailureWarning,
-    };
+    let place = codes(format).iter().position(|own| *own == code);
+    // Only the negative decimal number is not among the codes.
+    let status = place.map_or(WordStatus::Normal, |place| WordStatus::ALL[place]);
     let steps = match *format {
         Format::Binary { lowest, bits, is_signed, .. } => {
             let count = i64::from(word >> lowest) & ((1 << bits) - 1);
@@ -126,7 +122,7 @@ pub fn decode(format: &Format, word: u32) -> Option<(f64, WordStatus)> {
                 u64::from(word >> lowest & ((1 << bits) - 1)) * weight
             };
             let count = digits.iter().map(digit).sum::<u64>() as f64;
-            if code == 3 { -count } else { count }
+            if code == NEGATIVE { -count } else { count }
         }
         Format::Bits => f64::from((word & DATA) >> 10),
     };
