@@ -179,10 +179,11 @@ impl Unit {
     /// stays as it was, and tries again with the next interval.
     #[inline(never)]
     fn work(&mut self, dt: f64, simulator: &mut Simulator) -> Result<(), Error> {
-        let mut next = *self;
-        next.keep(dt, simulator)?;
-        next.go_on(dt, simulator)?;
-        *self = next;
-        Ok(())
+        let before = *self;
+        let done = self.keep(dt, simulator).and_then(|()| self.go_on(dt, simulator));
+        if done.is_err() {
+            *self = before;
+        }
+        done
     }
 }
