@@ -2,10 +2,10 @@
 
 use core::ffi::c_void;
 
-use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{put, put_if_wanted};
+use super::failure::{SINS_OK, sins_status};
+use super::memory::put;
 use super::simulator::{sins_sim, with_simulator};
-use super::text::{bytes_of, put_bytes};
+use super::text::{bytes_of, put_saved};
 
 /// A buffer of this size holds every snapshot of a simulator that this release saves. For a library newer than this header
 /// ask sins_snapshot_size(); for an ensemble ask sins_ensemble_snapshot_size().
@@ -51,16 +51,9 @@ pub unsafe extern "C-unwind" fn sins_snapshot_save(
     written: *mut usize,
 ) -> sins_status {
     with_simulator(sim, |simulator| {
-        if buffer.is_null() {
-            return Err(Failure::null("buffer"));
-        }
-        let mut bytes = [0; SINS_SNAPSHOT_MAX_SIZE];
-        let length = simulator.save_snapshot(&mut bytes)?;
+        let save = |bytes: &mut [u8]| simulator.save_snapshot(bytes);
         // SAFETY: the host's promise.
-        unsafe { put_bytes(&bytes[..length], buffer.cast(), capacity)? };
-        // SAFETY: the host's promise.
-        unsafe { put_if_wanted(written, length) };
-        Ok(SINS_OK)
+        unsafe { put_saved::<SINS_SNAPSHOT_MAX_SIZE>(save, buffer.cast(), capacity, written) }
     })
 }
 

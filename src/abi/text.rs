@@ -5,20 +5,34 @@ use core::ffi::CStr;
 use core::ffi::c_char;
 
 use super::failure::{Failure, SINS_OK, sins_status};
+use super::memory::put_if_wanted;
+use crate::error::Error;
 #[cfg(feature = "scenes")]
-use crate::error::{Error, Rule};
+use crate::error::Rule;
 
-/// Copies bytes to a place of the host.
+/// Gives the host the bytes that `save` writes, at most N, and their number.
 ///
 /// # Safety
-/// `buffer` has `capacity` writable bytes.
-pub(super) unsafe fn put_bytes(bytes: &[u8], buffer: *mut u8, capacity: usize) -> Result<(), Failure> {
-    if bytes.len() > capacity {
-        return Err(Failure::buffer("capacity", capacity, bytes.len()));
+/// `buffer` is null or has `capacity` writable bytes; `written` is null or writable.
+pub(super) unsafe fn put_saved<const N: usize>(
+    save: impl FnOnce(&mut [u8]) -> Result<usize, Error>,
+    buffer: *mut u8,
+    capacity: usize,
+    written: *mut usize,
+) -> Result<sins_status, Failure> {
+    if buffer.is_null() {
+        return Err(Failure::null("buffer"));
+    }
+    let mut bytes = [0; N];
+    let length = save(&mut bytes)?;
+    if length > capacity {
+        return Err(Failure::buffer("capacity", capacity, length));
     }
     // SAFETY: not more than there is room for; a local and the host's bytes do not overlap.
-    unsafe { core::ptr::copy_nonoverlapping(bytes.as_ptr(), buffer, bytes.len()) };
-    Ok(())
+    unsafe { core::ptr::copy_nonoverlapping(bytes.as_ptr(), buffer, length) };
+    // SAFETY: as this function.
+    unsafe { put_if_wanted(written, length) };
+    Ok(SINS_OK)
 }
 
 /// Bytes of the host that the library writes.

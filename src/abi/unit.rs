@@ -7,10 +7,10 @@ use super::boundary::tables::UNITS;
 use super::boundary::{enter, enter_without_simulator};
 use super::choice::{Choice, choices};
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, put_if_wanted, read};
+use super::memory::{Output, read};
 use super::parameters::{Parameters, params};
 use super::simulator::{sins_sim, work_with};
-use super::text::{bytes_of, put_bytes};
+use super::text::{bytes_of, put_saved};
 use crate::surroundings::copy;
 use crate::unit::{AlignmentKind, Mode, Power, Stored, Unit, UnitParameters};
 
@@ -311,16 +311,9 @@ pub unsafe extern "C-unwind" fn sins_unit_snapshot_save(
     written: *mut usize,
 ) -> sins_status {
     with_unit(unit, |unit| {
-        if buffer.is_null() {
-            return Err(Failure::null("buffer"));
-        }
-        let mut bytes = [0; SINS_UNIT_SNAPSHOT_MAX_SIZE];
-        let length = unit.save_snapshot(&mut bytes)?;
+        let save = |bytes: &mut [u8]| unit.save_snapshot(bytes);
         // SAFETY: the host's promise.
-        unsafe { put_bytes(&bytes[..length], buffer.cast(), capacity)? };
-        // SAFETY: the host's promise.
-        unsafe { put_if_wanted(written, length) };
-        Ok(SINS_OK)
+        unsafe { put_saved::<SINS_UNIT_SNAPSHOT_MAX_SIZE>(save, buffer.cast(), capacity, written) }
     })
 }
 
