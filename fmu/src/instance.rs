@@ -60,8 +60,8 @@ pub struct Flown {
     pub behind_gap: bool,
     /// Angle by which the vehicle turned in its interval [rad].
     pub turn_rad: f64,
-    /// An entry at the panel that the box refused.
-    pub refused_entry: Option<String>,
+    /// Entries at the panel that the box refused.
+    pub refused_entries: Vec<String>,
 }
 
 /// The last sample that was taken.
@@ -136,16 +136,16 @@ impl Flight {
             Ok(pushed == Pushed::BehindGap)
         };
         let behind_gap = fly().map_err(|error: Error| error.to_string())?;
-        let mut refused_entry = None;
+        let mut refused_entries = Vec::new();
         // After the first sample there is no interval yet.
         if let Some(unit) = &mut unit
             && let Some(taken) = &self.taken
         {
-            refused_entry = panel::act(values, taken.entries, unit)?;
+            refused_entries = panel::act(values, taken.entries, unit)?;
             let updated = self.scene.update_unit(unit, &mut simulator, first_s);
             updated.map_err(|error| error.to_string())?;
         }
-        Ok(Next { simulator, unit, behind_gap, refused_entry })
+        Ok(Next { simulator, unit, behind_gap, refused_entries })
     }
 }
 
@@ -154,7 +154,7 @@ struct Next {
     simulator: Box<Simulator>,
     unit: Option<Unit>,
     behind_gap: bool,
-    refused_entry: Option<String>,
+    refused_entries: Vec<String>,
 }
 
 /// An instance.
@@ -273,7 +273,7 @@ impl Instance {
             }
             _ => {}
         }
-        let Next { mut simulator, unit, behind_gap, refused_entry } =
+        let Next { mut simulator, unit, behind_gap, refused_entries } =
             flight.flown(time_s, &self.values, &self.is_set).map_err(Refused::error)?;
         let turn_rad = flight.taken.as_ref().map_or(0.0, |before| inputs::turn_rad(&before.inputs, inputs));
         let taken = Taken {
@@ -288,6 +288,6 @@ impl Instance {
         flight.first_s = flight.first_s.or(Some(time_s));
         flight.taken = Some(taken);
         self.end_s = time_s + length_s;
-        Ok(Flown { behind_gap, turn_rad, refused_entry })
+        Ok(Flown { behind_gap, turn_rad, refused_entries })
     }
 }

@@ -62,15 +62,12 @@ pub fn counts(values: &Values) -> Counts {
     [POSITIONS, HEADINGS].map(|place| values.integers[place])
 }
 
-/// Does at the panel what the inputs say. An entry that the box refuses is no fault of the simulation: its sentence is returned.
-pub fn act(
-    values: &Values,
-    [positions, headings]: Counts,
-    unit: &mut Unit,
-) -> Result<Option<String>, String> {
+/// Does at the panel what the inputs say. An entry that the box refuses is no fault of the simulation: a sentence for each is returned.
+pub fn act(values: &Values, [positions, headings]: Counts, unit: &mut Unit) -> Result<Vec<String>, String> {
     let word = |name: &str, place: usize, count: usize| {
         let number = values.integers[place];
-        let index = usize::try_from(number - 1).ok().filter(|index| *index < count);
+        let index = number.checked_sub(1).and_then(|index| usize::try_from(index).ok());
+        let index = index.filter(|index| *index < count);
         index.ok_or_else(|| format!("{name} = {number}: must be from 1 to {count}"))
     };
     let modes = [None, Some(Mode::Off), Some(Mode::Align), Some(Mode::Navigate), Some(Mode::Attitude)];
@@ -86,10 +83,10 @@ pub fn act(
     }
     let [latitude_rad, longitude_rad, heading_rad] =
         std::array::from_fn(|k| values.reals[inputs::COUNT + corrections::REALS + k]);
-    let mut refused = None;
+    let mut refused = Vec::new();
     let mut enter = |name: &str, entered: Result<(), Error>| {
         if let Err(error) = entered {
-            refused = Some(format!("{name}: nothing is entered: {error}"));
+            refused.push(format!("{name}: nothing is entered: {error}"));
         }
     };
     let now = counts(values);

@@ -25,13 +25,13 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
     unsafe {
         on(component, "fmi2DoStep", |component| {
             let time_s = current_communication_point;
-            let Flown { behind_gap, turn_rad, refused_entry } =
+            let Flown { behind_gap, turn_rad, refused_entries } =
                 component.instance.step(time_s, communication_step_size)?;
             if behind_gap {
                 let text = format!("the sample at {time_s} s closes a gap in the truth");
                 component.logger.say(Category::Warning, fmi2OK, &text);
             }
-            if let Some(text) = refused_entry {
+            for text in refused_entries {
                 component.logger.say(Category::Warning, fmi2OK, &text);
             }
             if turn_rad > LARGE_TURN_RAD && !component.has_said_turn {

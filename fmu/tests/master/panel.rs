@@ -218,11 +218,16 @@ fn refused_entries_are_said() {
         let messages = unit.messages();
         assert!(messages.len() == 1 && messages[0].2.contains(words), "{messages:?}");
     }
+    set(&unit, "panel.position_count", 2);
+    set(&unit, "panel.heading_count", 2);
+    assert_eq!(step(&unit, 6), fmi2OK);
+    let messages = unit.messages();
+    assert!(messages.len() == 2, "each refused entry is said: {messages:?}");
     let before = unit.state();
-    for wrong in [0, 6] {
+    for wrong in [0, 6, c_int::MIN, c_int::MAX] {
         let status = set(&unit, "panel.mode", wrong);
-        let refused = if status == fmi2OK { step(&unit, 6) } else { status };
-        assert!([fmi2Error, fmi2Discard].contains(&refused));
+        let refused = if status == fmi2OK { step(&unit, 7) } else { status };
+        assert!([fmi2Error, fmi2Discard].contains(&refused), "{wrong}");
         assert!(unit.messages()[0].2.contains("panel.mode"), "{wrong}");
     }
     set(&unit, "panel.mode", 1);
@@ -232,6 +237,6 @@ fn refused_entries_are_said() {
     // The test is shown as long as it is pressed.
     let on = 1;
     unsafe { fmi2SetBoolean(unit.component, &reference("panel.test"), 1, &on) };
-    assert_eq!(step(&unit, 6), fmi2OK);
+    assert_eq!(step(&unit, 7), fmi2OK);
     assert!(flag(&unit, "status.in_test"));
 }
