@@ -1,7 +1,7 @@
 //! The box of the INS: its panel as inputs, what it reports and shows as outputs. It exists if `unit.start` of the scene says so.
 
 use sins::unit::{Mode, Power, State, Status, Unit, UnitNavigation};
-use sins::{Error, Simulator};
+use sins::{Error, ErrorKind, Simulator};
 
 use crate::outputs::Number;
 use crate::values::{Value, Values};
@@ -62,7 +62,8 @@ pub fn counts(values: &Values) -> Counts {
     [POSITIONS, HEADINGS].map(|place| values.integers[place])
 }
 
-/// Does at the panel what the inputs say. An entry that the box refuses is no fault of the simulation: a sentence for each is returned.
+/// Does at the panel what the inputs say. An entry at the wrong moment is no fault of the simulation: a sentence for each is returned. A
+/// number out of its range is an error.
 pub fn act(values: &Values, [positions, headings]: Counts, unit: &mut Unit) -> Result<Vec<String>, String> {
     let word = |name: &str, place: usize, count: usize| {
         let number = values.integers[place];
@@ -84,17 +85,19 @@ pub fn act(values: &Values, [positions, headings]: Counts, unit: &mut Unit) -> R
     let [latitude_rad, longitude_rad, heading_rad] =
         std::array::from_fn(|k| values.reals[inputs::COUNT + corrections::REALS + k]);
     let mut refused = Vec::new();
-    let mut enter = |name: &str, entered: Result<(), Error>| {
-        if let Err(error) = entered {
+    let mut enter = |name: &str, entered: Result<(), Error>| match entered {
+        Err(error) if error.kind == ErrorKind::BadState => {
             refused.push(format!("{name}: nothing is entered: {error}"));
+            Ok(())
         }
+        other => other.map_err(|error| format!("panel.{error}")),
     };
     let now = counts(values);
     if now[0] != positions {
-        enter("panel.position_count", unit.enter_position(latitude_rad, longitude_rad));
+        enter("panel.position_count", unit.enter_position(latitude_rad, longitude_rad))?;
     }
     if now[1] != headings {
-        enter("panel.heading_count", unit.enter_heading(heading_rad));
+        enter("panel.heading_count", unit.enter_heading(heading_rad))?;
     }
     Ok(refused)
 }

@@ -231,6 +231,20 @@ fn refused_entries_are_said() {
         assert!(unit.messages()[0].2.contains("panel.mode"), "{wrong}");
     }
     set(&unit, "panel.mode", 1);
+    // A number out of its range is an error in any state, and names the input.
+    for (count, name, wrong) in [
+        ("panel.position_count", "panel.latitude_rad", 1.6),
+        ("panel.position_count", "panel.longitude_rad", f64::NAN),
+        ("panel.heading_count", "panel.heading_rad", 6.3),
+    ] {
+        set(&unit, count, 3);
+        unit.set_reals(&[reference(name)], &[wrong]);
+        assert_eq!(step(&unit, 7), fmi2Error, "{name}");
+        let messages = unit.messages();
+        assert!(messages[0].2.contains(&format!("{name} = {wrong}: must be")), "{messages:?}");
+        unit.set_reals(&[reference(name)], &[0.0]);
+        set(&unit, count, 2);
+    }
     assert_eq!(unit.reals(&shown_references()), vec![0.0; 15]);
     unit.set_reals(&inputs(), &AT_REST);
     assert_eq!(unit.state(), before);
