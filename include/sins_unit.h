@@ -123,6 +123,16 @@ typedef struct sins_unit_params {
     double fault_s;
     /** Time that the battery lasts [s], 1e-3 to 1e6; 0: none. If 0, it lasts for ever. */
     double battery_s;
+    /**
+     * Least length of an alignment of kind SINS_UNIT_ALIGNMENT_IN_FLIGHT [s], 1e-3 to 1e6; 0: 180. Military
+     * manuals state some minutes with turns; the default is this library's.
+     */
+    double in_flight_alignment_s;
+    /**
+     * Standard deviation of the heading at which an alignment in flight may end [rad], 1e-9 to 1; 0: the default.
+     * The default is 0.1 degree, and this library's.
+     */
+    double in_flight_heading_rad;
 } sins_unit_params;
 
 /** A buffer of this size holds every snapshot of a unit that this release saves. */
@@ -153,7 +163,7 @@ typedef enum sins_unit_power {
     SINS_UNIT_POWER_NONE = 2
 } sins_unit_power;
 
-/** Kinds of alignment at rest. */
+/** Kinds of alignment. */
 typedef enum sins_unit_alignment {
     /** Levelling and gyrocompassing on the measured increments. */
     SINS_UNIT_ALIGNMENT_GYROCOMPASS = 0,
@@ -165,7 +175,9 @@ typedef enum sins_unit_alignment {
      */
     SINS_UNIT_ALIGNMENT_FAST = 2,
     /** The same at once, without a test after power-up. */
-    SINS_UNIT_ALIGNMENT_INSTANT = 3
+    SINS_UNIT_ALIGNMENT_INSTANT = 3,
+    /** In flight, on positions and velocities of another sensor: see sins_unit_push_fix(). */
+    SINS_UNIT_ALIGNMENT_IN_FLIGHT = 4
 } sins_unit_alignment;
 
 /**
@@ -242,7 +254,7 @@ SINS_API sins_status SINS_CALL sins_unit_select(sins_unit *unit, int32_t mode);
 SINS_API sins_status SINS_CALL sins_unit_set_power(sins_unit *unit, int32_t power);
 
 /**
- * Sets how the unit aligns at rest, of enum sins_unit_alignment.
+ * Sets how the unit aligns, of enum sins_unit_alignment.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such kind.
  */
@@ -305,6 +317,31 @@ SINS_API sins_status SINS_CALL sins_unit_set_stored(sins_unit *unit, double lati
  * The errors of sins_correct(): the simulator rejects a correction. The unit has noted the interval and tries again with the next.
  */
 SINS_API sins_status SINS_CALL sins_unit_update(sins_unit *unit, sins_sim *sim);
+
+/**
+ * Takes a fix of another sensor, such as a receiver of satellite navigation, for an alignment of kind SINS_UNIT_ALIGNMENT_IN_FLIGHT:
+ * latitude, -pi/2 to pi/2 [rad], longitude, -2 pi to 2 pi [rad], height above the ellipsoid, -1e5 to 1e6 [m], and velocity against the
+ * Earth, east-north-up, -1e4 to 1e4 [m/s]. They are those of the reference point of the samples, at the time of the last
+ * sins_unit_update() with the same sim. In every other state, and for other kinds, the call changes nothing, so a host may push each fix,
+ * for instance one a second. No allocation, no system call.
+ *
+ * Fixes at least coarse_alignment_s apart bound windows. In each the integral a of the measured specific force, in inertial axes that the
+ * gyros keep, belongs to the integral b by the fixes: the change of the inertial velocity less the integral of the gravitation. The
+ * rotation C for which the sum of |b - C a|^2 is least is the attitude. The heading has the variance s^2 u.(tr(S) I - S)^-1 u, where
+ * s^2 is what is left of the sum, divided by 3 (windows - 1), S the sum of b b^T and u the vertical: turns and changes of speed make it
+ * small, and biases of the sensors are not in it.
+ *
+ * The alignment ends with the first fix after in_flight_alignment_s at which this standard deviation is at most in_flight_heading_rad.
+ * Then position and velocity become those of the fix, and the call corrects the solution of the simulator, as sins_correct() does. Until
+ * then, after this time, the status has SINS_UNIT_REASON_TURNS_NEEDED. A unit of this kind whose selector is turned to SINS_UNIT_ALIGN in
+ * flight aligns again.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_HANDLE: sim is not a simulator.
+ * The errors of sins_correct(): the simulator rejects the correction; the unit has not taken the fix.
+ */
+SINS_API sins_status SINS_CALL sins_unit_push_fix(sins_unit *unit, sins_sim *sim, double latitude_rad,
+    double longitude_rad, double height_m, double velocity_east_m_s, double velocity_north_m_s,
+    double velocity_up_m_s);
 
 /**
  * Saves the whole unit; its simulator has a snapshot of its own. written (may be NULL) gets the size. The same state gives the same
@@ -370,7 +407,7 @@ typedef enum sins_unit_annunciators {
 
 /** Reasons why a unit is not ready, or has failed. */
 typedef enum sins_unit_reasons {
-    /** No position was entered. */
+    /** No position was entered; in flight: no fix came. */
     SINS_UNIT_REASON_NO_POSITION = 1,
     /** The entered position is too far from the stored one. Enter it again, or another one. */
     SINS_UNIT_REASON_POSITION_DISAGREES = 2,
@@ -383,7 +420,9 @@ typedef enum sins_unit_reasons {
     /** A gyro or an accelerometer had no signal for fault_s. */
     SINS_UNIT_REASON_NO_SIGNAL = 32,
     /** The battery is empty. */
-    SINS_UNIT_REASON_BATTERY_EMPTY = 64
+    SINS_UNIT_REASON_BATTERY_EMPTY = 64,
+    /** In flight: the heading is not accurate enough yet. Turns or changes of speed show it. */
+    SINS_UNIT_REASON_TURNS_NEEDED = 128
 } sins_unit_reasons;
 
 /** Outputs of a unit that are valid. */
@@ -607,7 +646,7 @@ SINS_API sins_status SINS_CALL sins_bus_decode(uint32_t word, uint32_t flags, si
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_unit_sizeof {
-    SINS_SIZEOF_UNIT_PARAMS = 168,
+    SINS_SIZEOF_UNIT_PARAMS = 184,
     SINS_SIZEOF_UNIT_STATUS = 80,
     SINS_SIZEOF_UNIT_NAVIGATION = 136,
     SINS_SIZEOF_BUS_INPUTS = 48,

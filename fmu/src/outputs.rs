@@ -93,10 +93,8 @@ pub fn variables() -> impl Iterator<Item = Variable> {
         let variable = Variable::new(name, Role::Output, Value::Real(0.0), doc).in_unit(unit, 1.0);
         Variable { nominal, ..variable }
     });
-    let flags = FLAGS
-        .iter()
-        .chain(&panel::FLAGS)
-        .map(|&(name, doc)| Variable::new(name, Role::Output, Value::Boolean(false), doc));
+    let flags = FLAGS.iter().map(|&(name, doc)| (name.to_owned(), doc.to_owned())).chain(panel::flags());
+    let flags = flags.map(|(name, doc)| Variable::new(name, Role::Output, Value::Boolean(false), doc));
     numbers.chain(flags).chain([panel::state()])
 }
 
@@ -125,7 +123,7 @@ pub fn read(
 
     let from = into.reals.len() - COUNT;
     let numbers = &mut into.reals[from..];
-    let from = into.booleans.len() - FLAGS.len() - panel::FLAGS.len();
+    let from = into.booleans.len() - FLAGS.len() - panel::FLAGS;
     let (flags, of_box) = into.booleans[from..].split_at_mut(FLAGS.len());
     let mut places = numbers.iter_mut();
     let mut put = |values: &[f64]| {

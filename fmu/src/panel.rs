@@ -1,6 +1,6 @@
 //! The box of the INS: its panel as inputs, what it reports and shows as outputs. It exists if `unit.start` of the scene says so.
 
-use sins::unit::{Mode, Power, State, Status, Unit, UnitNavigation};
+use sins::unit::{Mode, Power, Reasons, State, Status, Unit, UnitNavigation, Validity};
 use sins::{Error, ErrorKind, Simulator};
 
 use crate::outputs::Number;
@@ -124,27 +124,31 @@ const NUMBERS: [Number; 17] = [
     ("shown.force_m_s2[3]", "m/s2", 10.0, "shown specific force, body axis z"),
 ];
 
-/// Annunciators, reasons and validity.
-pub const FLAGS: [(&str, &str); 18] = [
-    ("status.align", "annunciator ALIGN"),
-    ("status.align_flashes", "ALIGN flashes: the crew has to do something"),
-    ("status.navigation_ready", "annunciator NAV RDY"),
-    ("status.fault", "annunciator FAULT"),
-    ("status.on_battery", "annunciator ON BATT"),
-    ("status.in_test", "a test is on"),
-    ("status.no_position", "reason: no position was entered"),
-    ("status.position_disagrees", "reason: the entered position is far from the stored one"),
-    ("status.latitude_disagrees", "reason: the gyros find another latitude"),
-    ("status.motion", "reason: motion stopped the alignment"),
-    ("status.latitude_too_high", "reason: the latitude is too high for an alignment"),
-    ("status.no_signal", "reason: a gyro or an accelerometer has no signal"),
-    ("status.battery_empty", "reason: the battery is empty"),
-    ("status.valid_rates", "shown rates and forces are valid"),
-    ("status.valid_attitude", "shown roll and pitch are valid"),
-    ("status.valid_heading", "the shown heading is valid"),
-    ("status.valid_position", "shown latitude and longitude are valid"),
-    ("status.valid_velocity", "shown velocity and height are valid"),
+/// Annunciators.
+const LAMPS: [(&str, &str); 6] = [
+    ("align", "annunciator ALIGN"),
+    ("align_flashes", "ALIGN flashes: the crew has to do something"),
+    ("navigation_ready", "annunciator NAV RDY"),
+    ("fault", "annunciator FAULT"),
+    ("on_battery", "annunciator ON BATT"),
+    ("in_test", "a test is on"),
 ];
+
+/// Number of flags.
+pub const FLAGS: usize = LAMPS.len() + Reasons::FLAGS.len() + Validity::FLAGS.len();
+
+/// Annunciators, reasons and validity: name and meaning.
+pub fn flags() -> impl Iterator<Item = (String, String)> {
+    let lamps = LAMPS.iter().map(|(name, meaning)| (format!("status.{name}"), (*meaning).to_owned()));
+    let of = |prefix: &'static str, kind: &'static str| {
+        move |(name, meaning): &(&str, &str)| {
+            (format!("status.{prefix}{name}"), format!("{kind}:{}", meaning.trim_end_matches('.')))
+        }
+    };
+    lamps
+        .chain(Reasons::FLAGS.iter().map(of("", "reason")))
+        .chain(Validity::FLAGS.iter().map(of("valid_", "valid")))
+}
 
 /// Number of reals that are outputs.
 pub const COUNT: usize = NUMBERS.len();
@@ -166,7 +170,7 @@ pub fn state() -> Variable {
 pub struct Report {
     pub state: i32,
     pub numbers: [f64; COUNT],
-    pub flags: [bool; FLAGS.len()],
+    pub flags: [bool; FLAGS],
 }
 
 /// The report of a box, or of none.
@@ -187,29 +191,18 @@ pub fn report(unit: Option<&Unit>, simulator: &Simulator) -> Result<Report, Erro
         .into_iter()
         .flatten(),
     );
-    let (reasons, valid) = (&status.reasons, &status.validity);
+    let lamps = [
+        status.align,
+        status.align_flashes,
+        status.navigation_ready,
+        status.fault,
+        status.on_battery,
+        status.in_test,
+    ];
+    let mut flags = lamps.into_iter().chain(status.reasons.all()).chain(status.validity.all());
     Ok(Report {
         state: status.state as i32 + 1,
         numbers: std::array::from_fn(|_| numbers.next().unwrap_or_default()),
-        flags: [
-            status.align,
-            status.align_flashes,
-            status.navigation_ready,
-            status.fault,
-            status.on_battery,
-            status.in_test,
-            reasons.no_position,
-            reasons.position_disagrees,
-            reasons.latitude_disagrees,
-            reasons.motion,
-            reasons.latitude_too_high,
-            reasons.no_signal,
-            reasons.battery_empty,
-            valid.rates,
-            valid.attitude,
-            valid.heading,
-            valid.position,
-            valid.velocity,
-        ],
+        flags: std::array::from_fn(|_| flags.next().unwrap_or_default()),
     })
 }

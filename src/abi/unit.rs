@@ -2,6 +2,8 @@
 
 use core::ffi::c_void;
 
+use nalgebra::Vector3;
+
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::UNITS;
 use super::boundary::{enter, enter_without_simulator};
@@ -11,12 +13,13 @@ use super::memory::{Output, read};
 use super::parameters::{Parameters, params};
 use super::simulator::{sins_sim, work_with};
 use super::text::{bytes_of, put_saved};
+use crate::earth::Geodetic;
 use crate::surroundings::copy;
 use crate::unit::{AlignmentKind, Mode, Power, Stored, Unit, UnitParameters};
 
 include!(concat!(env!("OUT_DIR"), "/unit_params.rs"));
 
-params!(sins_unit_params, "unit", 168, UnitParameters, copy);
+params!(sins_unit_params, "unit", 184, UnitParameters, copy);
 
 /// A unit. A handle is a checked key, like that of a sins_sim, and is never confused with one. sins_last_error(NULL, ...) on the same
 /// thread gives the failures of its functions.
@@ -56,7 +59,7 @@ choices!(sins_unit_power: Power {
     Aircraft = SINS_UNIT_POWER_AIRCRAFT, Battery = SINS_UNIT_POWER_BATTERY, None = SINS_UNIT_POWER_NONE,
 });
 
-/// Kinds of alignment at rest.
+/// Kinds of alignment.
 pub type sins_unit_alignment = i32;
 
 /// Levelling and gyrocompassing on the measured increments.
@@ -68,10 +71,12 @@ pub const SINS_UNIT_ALIGNMENT_STORED_HEADING: sins_unit_alignment = 1;
 pub const SINS_UNIT_ALIGNMENT_FAST: sins_unit_alignment = 2;
 /// The same at once, without a test after power-up.
 pub const SINS_UNIT_ALIGNMENT_INSTANT: sins_unit_alignment = 3;
+/// In flight, on positions and velocities of another sensor: see sins_unit_push_fix().
+pub const SINS_UNIT_ALIGNMENT_IN_FLIGHT: sins_unit_alignment = 4;
 
 choices!(sins_unit_alignment: AlignmentKind {
     Gyrocompass = SINS_UNIT_ALIGNMENT_GYROCOMPASS, StoredHeading = SINS_UNIT_ALIGNMENT_STORED_HEADING,
-    Fast = SINS_UNIT_ALIGNMENT_FAST, Instant = SINS_UNIT_ALIGNMENT_INSTANT,
+    Fast = SINS_UNIT_ALIGNMENT_FAST, Instant = SINS_UNIT_ALIGNMENT_INSTANT, InFlight = SINS_UNIT_ALIGNMENT_IN_FLIGHT,
 });
 
 /// A buffer of this size holds every snapshot of a unit that this release saves.
@@ -197,7 +202,7 @@ pub unsafe extern "C-unwind" fn sins_unit_set_power(unit: *mut sins_unit, power:
     })
 }
 
-/// Sets how the unit aligns at rest, of enum sins_unit_alignment.
+/// Sets how the unit aligns, of enum sins_unit_alignment.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such kind.
 #[unsafe(no_mangle)]
@@ -295,6 +300,44 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
 pub unsafe extern "C-unwind" fn sins_unit_update(unit: *mut sins_unit, sim: *mut sins_sim) -> sins_status {
     with_unit(unit, |unit| {
         work_with(sim, "sim", |simulator| unit.update(simulator))??;
+        Ok(SINS_OK)
+    })
+}
+
+/// Takes a fix of another sensor, such as a receiver of satellite navigation, for an alignment of kind SINS_UNIT_ALIGNMENT_IN_FLIGHT:
+/// latitude, -pi/2 to pi/2 [rad], longitude, -2 pi to 2 pi [rad], height above the ellipsoid, -1e5 to 1e6 [m], and velocity against the
+/// Earth, east-north-up, -1e4 to 1e4 [m/s]. They are those of the reference point of the samples, at the time of the last
+/// sins_unit_update() with the same sim. In every other state, and for other kinds, the call changes nothing, so a host may push each fix,
+/// for instance one a second. No allocation, no system call.
+///
+/// Fixes at least coarse_alignment_s apart bound windows. In each the integral a of the measured specific force, in inertial axes that the
+/// gyros keep, belongs to the integral b by the fixes: the change of the inertial velocity less the integral of the gravitation. The
+/// rotation C for which the sum of |b - C a|^2 is least is the attitude. The heading has the variance s^2 u.(tr(S) I - S)^-1 u, where
+/// s^2 is what is left of the sum, divided by 3 (windows - 1), S the sum of b b^T and u the vertical: turns and changes of speed make it
+/// small, and biases of the sensors are not in it.
+///
+/// The alignment ends with the first fix after in_flight_alignment_s at which this standard deviation is at most in_flight_heading_rad.
+/// Then position and velocity become those of the fix, and the call corrects the solution of the simulator, as sins_correct() does. Until
+/// then, after this time, the status has SINS_UNIT_REASON_TURNS_NEEDED. A unit of this kind whose selector is turned to SINS_UNIT_ALIGN in
+/// flight aligns again.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_HANDLE: sim is not a simulator.
+/// The errors of sins_correct(): the simulator rejects the correction; the unit has not taken the fix.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_unit_push_fix(
+    unit: *mut sins_unit,
+    sim: *mut sins_sim,
+    latitude_rad: f64,
+    longitude_rad: f64,
+    height_m: f64,
+    velocity_east_m_s: f64,
+    velocity_north_m_s: f64,
+    velocity_up_m_s: f64,
+) -> sins_status {
+    with_unit(unit, |unit| {
+        let place = Geodetic { latitude_rad, longitude_rad, height_m };
+        let v_n = Vector3::new(velocity_east_m_s, velocity_north_m_s, velocity_up_m_s);
+        work_with(sim, "sim", |simulator| unit.push_fix(simulator, place, v_n))??;
         Ok(SINS_OK)
     })
 }

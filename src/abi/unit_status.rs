@@ -67,7 +67,7 @@ pub const SINS_UNIT_HAS_STORED: sins_unit_annunciators = 128;
 /// Reasons why a unit is not ready, or has failed.
 pub type sins_unit_reasons = u32;
 
-/// No position was entered.
+/// No position was entered; in flight: no fix came.
 pub const SINS_UNIT_REASON_NO_POSITION: sins_unit_reasons = 1;
 /// The entered position is too far from the stored one. Enter it again, or another one.
 pub const SINS_UNIT_REASON_POSITION_DISAGREES: sins_unit_reasons = 2;
@@ -81,6 +81,8 @@ pub const SINS_UNIT_REASON_LATITUDE_TOO_HIGH: sins_unit_reasons = 16;
 pub const SINS_UNIT_REASON_NO_SIGNAL: sins_unit_reasons = 32;
 /// The battery is empty.
 pub const SINS_UNIT_REASON_BATTERY_EMPTY: sins_unit_reasons = 64;
+/// In flight: the heading is not accurate enough yet. Turns or changes of speed show it.
+pub const SINS_UNIT_REASON_TURNS_NEEDED: sins_unit_reasons = 128;
 
 /// Outputs of a unit that are valid.
 pub type sins_unit_validity = u32;
@@ -164,24 +166,6 @@ pub struct sins_unit_navigation {
 
 interface_struct!(sins_unit_navigation, "navigation", 136);
 
-fn reasons(of: &Reasons) -> u32 {
-    flag(of.no_position, SINS_UNIT_REASON_NO_POSITION)
-        | flag(of.position_disagrees, SINS_UNIT_REASON_POSITION_DISAGREES)
-        | flag(of.latitude_disagrees, SINS_UNIT_REASON_LATITUDE_DISAGREES)
-        | flag(of.motion, SINS_UNIT_REASON_MOTION)
-        | flag(of.latitude_too_high, SINS_UNIT_REASON_LATITUDE_TOO_HIGH)
-        | flag(of.no_signal, SINS_UNIT_REASON_NO_SIGNAL)
-        | flag(of.battery_empty, SINS_UNIT_REASON_BATTERY_EMPTY)
-}
-
-fn validity(of: &Validity) -> u32 {
-    flag(of.rates, SINS_UNIT_VALID_RATES)
-        | flag(of.attitude, SINS_UNIT_VALID_ATTITUDE)
-        | flag(of.heading, SINS_UNIT_VALID_HEADING)
-        | flag(of.position, SINS_UNIT_VALID_POSITION)
-        | flag(of.velocity, SINS_UNIT_VALID_VELOCITY)
-}
-
 impl From<&Status> for sins_unit_status {
     fn from(status: &Status) -> Self {
         let stored = status.stored.unwrap_or_default();
@@ -198,8 +182,8 @@ impl From<&Status> for sins_unit_status {
                 | flag(status.in_test, SINS_UNIT_IN_TEST)
                 | flag(status.found_latitude_rad.is_some(), SINS_UNIT_HAS_FOUND_LATITUDE)
                 | flag(status.stored.is_some(), SINS_UNIT_HAS_STORED),
-            reasons: reasons(&status.reasons),
-            validity: validity(&status.validity),
+            reasons: status.reasons.bits(),
+            validity: status.validity.bits(),
             minutes_to_go: (status.to_go_s / 60.0).ceil() as i32,
             to_go_s: status.to_go_s,
             in_navigation_s: status.in_navigation_s,
@@ -215,7 +199,7 @@ impl From<&UnitNavigation> for sins_unit_navigation {
     fn from(shown: &UnitNavigation) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
-            validity: validity(&shown.validity),
+            validity: shown.validity.bits(),
             time_s: shown.time_s,
             latitude_rad: shown.place.latitude_rad,
             longitude_rad: shown.place.longitude_rad,
@@ -235,7 +219,7 @@ impl sins_unit_status {
     pub(super) fn to_status(self) -> Result<Status, Failure> {
         check_reserved("status.reserved", self.reserved)?;
         check_flags("status.annunciators", self.annunciators, 2 * SINS_UNIT_HAS_STORED - 1)?;
-        check_flags("status.reasons", self.reasons, 2 * SINS_UNIT_REASON_BATTERY_EMPTY - 1)?;
+        check_flags("status.reasons", self.reasons, 2 * SINS_UNIT_REASON_TURNS_NEEDED - 1)?;
         check_flags("status.validity", self.validity, 2 * SINS_UNIT_VALID_VELOCITY - 1)?;
         check_range("status.minutes_to_go", self.minutes_to_go.into(), 0.0, 1e6)?;
         check_range("status.to_go_s", self.to_go_s, 0.0, 1e7)?;
@@ -248,23 +232,15 @@ impl sins_unit_status {
         ] {
             check_range(field, angle, -10.0, 10.0)?;
         }
-        let (lit, why) = (|bit| self.annunciators & bit != 0, |bit| self.reasons & bit != 0);
+        let lit = |bit| self.annunciators & bit != 0;
         Ok(Status {
             state: State::of("status.state", self.state)?,
             selector: Mode::of("status.mode", self.mode)?,
             fault: lit(SINS_UNIT_FAULT),
             on_battery: lit(SINS_UNIT_ON_BATTERY),
             in_test: lit(SINS_UNIT_IN_TEST),
-            reasons: Reasons {
-                no_position: why(SINS_UNIT_REASON_NO_POSITION),
-                position_disagrees: why(SINS_UNIT_REASON_POSITION_DISAGREES),
-                latitude_disagrees: why(SINS_UNIT_REASON_LATITUDE_DISAGREES),
-                motion: why(SINS_UNIT_REASON_MOTION),
-                latitude_too_high: why(SINS_UNIT_REASON_LATITUDE_TOO_HIGH),
-                no_signal: why(SINS_UNIT_REASON_NO_SIGNAL),
-                battery_empty: why(SINS_UNIT_REASON_BATTERY_EMPTY),
-            },
-            validity: to_validity(self.validity),
+            reasons: Reasons::of_bits(self.reasons),
+            validity: Validity::of_bits(self.validity),
             to_go_s: self.to_go_s,
             in_navigation_s: self.in_navigation_s,
             ..Status::default()
@@ -278,17 +254,6 @@ fn check_flags(field: &'static str, flags: u32, most: u32) -> Result<(), Failure
         return Err(Error::invalid(field, flags, Rule::BetweenIntegers(0, most.into())).into());
     }
     Ok(())
-}
-
-fn to_validity(validity: u32) -> Validity {
-    let is = |bit| validity & bit != 0;
-    Validity {
-        rates: is(SINS_UNIT_VALID_RATES),
-        attitude: is(SINS_UNIT_VALID_ATTITUDE),
-        heading: is(SINS_UNIT_VALID_HEADING),
-        position: is(SINS_UNIT_VALID_POSITION),
-        velocity: is(SINS_UNIT_VALID_VELOCITY),
-    }
 }
 
 impl sins_unit_navigation {
@@ -311,7 +276,7 @@ impl sins_unit_navigation {
         let Self { latitude_rad, longitude_rad, height_m, roll_rad, pitch_rad, heading_rad, .. } = self;
         Ok(UnitNavigation {
             time_s: self.time_s,
-            validity: to_validity(self.validity),
+            validity: Validity::of_bits(self.validity),
             place: Geodetic { latitude_rad, longitude_rad, height_m },
             v_n: self.velocity_enu_m_s.into(),
             euler: Euler { roll: roll_rad, pitch: pitch_rad, heading: heading_rad },

@@ -100,7 +100,8 @@ impl Scene {
         Ok(Some(unit))
     }
 
-    /// Does what is planned at the panel in the last interval of `simulator`, and updates the unit: to be called after each step.
+    /// Does what is planned at the panel in the last interval of `simulator`, updates the unit, and gives it fixes: to be called after each
+    /// step.
     /// `start_s` is the time stamp of the flight's first sample. An error of an action has its index.
     pub fn update_unit(&self, unit: &mut Unit, simulator: &mut Simulator, start_s: f64) -> Result<(), Error> {
         let Some(imu) = simulator.imu() else { return unit.update(simulator) };
@@ -116,6 +117,7 @@ impl Scene {
                 _ => error,
             })?;
         }
-        unit.update(simulator)
+        unit.update(simulator)?;
+        self.push_fixes(unit, simulator, start_s)
     }
 }

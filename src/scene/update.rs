@@ -3,12 +3,15 @@
 use nalgebra::Vector3;
 
 use super::Scene;
-use super::schedule::{FliesScene, MAX_ITEMS, TIMES_S};
+use super::schedule::{FliesScene, MAX_ITEMS, ROUNDING, TIMES_S};
+use crate::Simulator;
 use crate::correction::Correction;
+use crate::earth::Geodetic;
 use crate::error::{Error, check_range, check_ranges};
 use crate::errors::NavigationErrors;
 use crate::mechanization::VerticalMode;
 use crate::sensors::StreamKey;
+use crate::unit::Unit;
 
 /// What an update corrects. The numbers are part of the bit-for-bit guarantee: never reuse one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -75,15 +78,47 @@ impl PlannedUpdate {
             Updated::Velocity => (&errors.velocity_n, &mut correction.errors.velocity_n),
             _ => (&errors.position_n, &mut correction.errors.position_n),
         };
-        let of_fix = self.sigma_n.component_mul(&key.fix(self.updated as u64, at_s));
+        let of_fix = self.error_of_fix(at_s, key);
         let has_height = self.updated != Updated::HorizontalPosition && vertical != VerticalMode::FollowTruth;
         for axis in 0..if has_height { 3 } else { 2 } {
             removed[axis] = of_solution[axis] - of_fix[axis];
         }
     }
+
+    fn error_of_fix(&self, at_s: f64, key: StreamKey) -> Vector3<f64> {
+        self.sigma_n.component_mul(&key.fix(self.updated as u64, at_s))
+    }
 }
 
 impl Scene {
+    /// Gives `unit` the fixes that are due at the end of the last interval of `simulator`: those of the velocity, each with the
+    /// position of an update at the same time, else with the true one.
+    pub(super) fn push_fixes(
+        &self,
+        unit: &mut Unit,
+        simulator: &mut Simulator,
+        start_s: f64,
+    ) -> Result<(), Error> {
+        let Some(interval_s) = simulator.last_interval_s() else { return Ok(()) };
+        let [before_s, time_s] =
+            interval_s.map(|at_s| at_s - start_s + ROUNDING * (interval_s[1] - interval_s[0]));
+        let key = self.options.key;
+        let error = |is_meant: fn(&Updated) -> bool| {
+            let mut meant = self.updates.iter().filter(|planned| is_meant(&planned.updated));
+            meant.find_map(|planned| Some(planned.error_of_fix(planned.due_s(before_s, time_s)?, key)))
+        };
+        let (Some(of_velocity), Some(truth)) = (error(|of| *of == Updated::Velocity), simulator.truth()?)
+        else {
+            return Ok(());
+        };
+        let of_position = error(|of| *of != Updated::Velocity).unwrap_or_default();
+        let (earth, place) = (simulator.options().earth(), truth.navigation.place);
+        let (east, north, _) = earth.east_north_up(&place);
+        let r_e = earth.to_earth_fixed(&place) + east * of_position.x + north * of_position.y;
+        let place = Geodetic { height_m: place.height_m + of_position.z, ..earth.to_geodetic(&r_e) };
+        unit.push_fix(simulator, place, truth.navigation.v_n + of_velocity)
+    }
+
     /// Plans another update, which has been validated.
     pub fn add_update(&mut self, planned: PlannedUpdate) -> Result<(), Error> {
         check_range("updates of the scene", (self.updates.len() + 1) as f64, 0.0, MAX_ITEMS as f64)?;

@@ -34,10 +34,11 @@ impl Unit {
         let earth = simulator.options().earth();
         if self.is_made_up() {
             remove_errors(simulator, &simulator.initial_errors().draw(simulator.options().key))?;
-            if let Some(position) = self.entered {
+            if self.entered.is_some() {
                 let Some(present) = simulator.navigation()? else { return Ok(()) };
-                let q_nb = present.navigation.q_nb;
-                self.settle(&earth, Some(position), present.navigation.v_n, q_nb, simulator)?;
+                let Navigation { v_n, q_nb, .. } = present.navigation;
+                let place = self.entered_place(&present.navigation, simulator);
+                self.settle(&earth, place, v_n, q_nb, simulator)?;
             }
             self.become_ready();
             return Ok(());
@@ -65,12 +66,14 @@ impl Unit {
             }
             north.q_in.conjugate() * q_is * q_bs.conjugate()
         };
-        self.settle(&earth, self.entered, Vector3::zeros(), q_nb, simulator)?;
+        let Some(present) = simulator.navigation()? else { return Ok(()) };
+        let place = self.entered_place(&present.navigation, simulator);
+        self.settle(&earth, place, Vector3::zeros(), q_nb, simulator)?;
         self.become_ready();
         Ok(())
     }
 
-    fn become_ready(&mut self) {
+    pub(super) fn become_ready(&mut self) {
         if self.state != State::Ready {
             self.enter(State::Ready);
         }
@@ -126,28 +129,34 @@ impl Unit {
         let up_i = up_i / up_i.norm_squared().sqrt();
         let q_in = shortest_rotation(&rotate(&q_in, &Vector3::z()), &up_i) * q_in;
         let q_nb = q_in.conjugate() * q_is * q_bs.conjugate();
-        self.settle(&earth, self.entered, Vector3::zeros(), q_nb, simulator)?;
+        let place = self.entered_place(&solution.navigation, simulator);
+        self.settle(&earth, place, Vector3::zeros(), q_nb, simulator)?;
         self.become_ready();
         Ok(())
     }
 
-    /// Makes a state the solution of the simulator; the height becomes the true one. Without a `position` it stays.
-    fn settle(
-        &self,
-        earth: &Earth,
-        position: Option<(f64, f64)>,
-        v_n: Vector3<f64>,
-        q_nb: Quaternion<f64>,
-        simulator: &mut Simulator,
-    ) -> Result<(), Error> {
-        let Some(present) = simulator.navigation()? else { return Ok(()) };
-        let mut place = present.navigation.place;
-        if let Some((latitude_rad, longitude_rad)) = position {
+    /// The entered place, with the true height. Without an entered position it is that of `present`.
+    fn entered_place(&self, present: &Navigation, simulator: &Simulator) -> Geodetic {
+        let mut place = present.place;
+        if let Some((latitude_rad, longitude_rad)) = self.entered {
             place = Geodetic { latitude_rad, longitude_rad, ..place };
         }
         if let Ok(Some(truth)) = simulator.truth() {
             place.height_m = truth.navigation.place.height_m;
         }
+        place
+    }
+
+    /// Makes a state the solution of the simulator.
+    pub(super) fn settle(
+        &self,
+        earth: &Earth,
+        place: Geodetic,
+        v_n: Vector3<f64>,
+        q_nb: Quaternion<f64>,
+        simulator: &mut Simulator,
+    ) -> Result<(), Error> {
+        let Some(present) = simulator.navigation()? else { return Ok(()) };
         let q_nb = q_nb / q_nb.norm_squared().sqrt();
         let wanted = Navigation::new(place, v_n, q_nb, simulator.options().axes);
         correct(simulator, &navigation_minus_truth(earth, &present.navigation, &wanted))

@@ -12,6 +12,7 @@
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
+use super::in_flight::InFlight;
 use crate::math::{atan2, rotation_quaternion, rotation_vector, sin_cos};
 use crate::snapshot::{SIGNALS, stored};
 
@@ -83,9 +84,10 @@ pub(super) struct Alignment {
     window: Window,
     pub first: Option<Fix>,
     pub last: Option<Fix>,
+    pub in_flight: InFlight,
 }
 
-stored!(Alignment { elapsed_s: SIGNALS, window, first, last });
+stored!(Alignment { elapsed_s: SIGNALS, window, first, last, in_flight });
 
 /// What an alignment has found.
 #[derive(Debug, Clone, Copy, PartialEq)]

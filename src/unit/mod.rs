@@ -14,6 +14,7 @@
 mod aligned;
 mod alignment;
 mod enter;
+mod in_flight;
 mod inertial;
 mod output;
 mod panel;

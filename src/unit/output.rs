@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::{Mode, Power, Reasons, State, Status, Unit, Validity};
+use super::{AlignmentKind, Mode, Power, Reasons, State, Status, Unit, Validity};
 use crate::earth::Geodetic;
 use crate::error::Error;
 use crate::math::{Euler, rotate};
@@ -35,13 +35,18 @@ impl Unit {
         let aligns = self.aligns();
         let whole_s = self.length_s(&parameters);
         let elapsed_s = self.alignment.elapsed_s;
-        let lacks_position = aligns && self.entered.is_none() && !self.realigned && !self.is_made_up();
+        let has_position = match self.kind {
+            AlignmentKind::InFlight => self.alignment.in_flight.has_fix(),
+            _ => self.entered.is_some() || self.is_made_up(),
+        };
+        let lacks_position = aligns && !has_position && !self.realigned;
         let reasons = Reasons { no_position: lacks_position, ..self.reasons };
         let waits = lacks_position && elapsed_s >= whole_s
             || reasons.position_disagrees
             || reasons.latitude_disagrees
             || reasons.latitude_too_high
-            || reasons.motion;
+            || reasons.motion
+            || reasons.turns_needed;
         let to_go_s = match self.state {
             State::Test => {
                 parameters.power_up_test_s - self.state_s
@@ -83,9 +88,12 @@ impl Unit {
         }
     }
 
-    /// In an alignment the heading is shown from its half on.
+    /// In an alignment at rest the heading is shown from its half on, in flight when it is accurate enough.
     fn shows_heading(&self) -> bool {
         let parameters = self.limits;
+        if self.aligns_in_flight() {
+            return self.alignment.in_flight.has_heading(&parameters);
+        }
         self.alignment.last.is_some()
             && self.latitude_rad().is_some()
             && self.alignment.elapsed_s >= 0.5 * self.length_s(&parameters)
@@ -134,10 +142,11 @@ impl Unit {
         }
         let earth_rate = simulator.options().earth().rate_rad_s;
         let north = self.latitude_rad().and_then(|latitude| self.alignment.north(latitude, earth_rate));
-        let q_in = match (north, self.alignment.newest()) {
-            (Some(north), _) => north.q_in,
-            (None, Some(fix)) => super::alignment::shortest_rotation(&Vector3::z(), &fix.up_i),
-            (None, None) => Quaternion::identity(),
+        let q_in = match (self.alignment.in_flight.q_in(), north, self.alignment.newest()) {
+            (Some(q_in), ..) => q_in,
+            (_, Some(north), _) => north.q_in,
+            (_, None, Some(fix)) => super::alignment::shortest_rotation(&Vector3::z(), &fix.up_i),
+            (_, None, None) => Quaternion::identity(),
         };
         q_in.conjugate() * self.inertial.q_is * self.q_bs.conjugate()
     }

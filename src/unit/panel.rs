@@ -32,7 +32,7 @@ pub enum Power {
 
 codes!(Power { Aircraft = 0 "aircraft_power", Battery = 1 "battery", None = 2 "no_power" });
 
-/// How an alignment at rest is made.
+/// How an alignment is made: at rest, or in flight.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum AlignmentKind {
     /// Levelling and gyrocompassing on the measured increments.
@@ -44,9 +44,13 @@ pub enum AlignmentKind {
     Fast,
     /// The same at once.
     Instant,
+    /// In flight, on the fixes of another sensor.
+    InFlight,
 }
 
-codes!(AlignmentKind { Gyrocompass = 0 "gyrocompass", StoredHeading = 1 "stored_heading", Fast = 2 "fast", Instant = 3 "instant" });
+codes!(AlignmentKind {
+    Gyrocompass = 0 "gyrocompass", StoredHeading = 1 "stored_heading", Fast = 2 "fast", Instant = 3 "instant", InFlight = 4 "in_flight",
+});
 
 /// What a unit is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -98,49 +102,86 @@ impl State {
     }
 }
 
-/// Why a unit is not ready, or has failed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Reasons {
-    /// No position has been entered.
-    pub no_position: bool,
-    /// The entered position is far from the stored one: enter it again, or another one.
-    pub position_disagrees: bool,
-    /// The gyros find another latitude than the entered one.
-    pub latitude_disagrees: bool,
-    /// The unit moves: the alignment starts again at rest.
-    pub motion: bool,
-    /// The latitude is too high for an alignment.
-    pub latitude_too_high: bool,
-    /// A gyro or an accelerometer has no signal.
-    pub no_signal: bool,
-    /// The battery is empty.
-    pub battery_empty: bool,
+/// Makes a struct of flags: each with its name, its meaning and its bit, the bits from 1 on in the order given.
+macro_rules! flags {
+    ($(#[$of_type:meta])* $type:ident { $(#[doc = $meaning:literal] $flag:ident,)* }) => {
+        $(#[$of_type])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+        pub struct $type {
+            $(#[doc = $meaning] pub $flag: bool,)*
+        }
+
+        crate::snapshot::stored!($type { $($flag),* });
+
+        impl $type {
+            /// Name and meaning of each flag, in the order of the bits.
+            pub const FLAGS: [(&'static str, &'static str); [$($meaning),*].len()] =
+                [$((stringify!($flag), $meaning)),*];
+
+            /// The flags, in the order of the bits.
+            pub fn all(&self) -> [bool; Self::FLAGS.len()] {
+                [$(self.$flag),*]
+            }
+
+            /// The flags as bits.
+            pub fn bits(&self) -> u32 {
+                self.all().iter().enumerate().map(|(bit, is_set)| u32::from(*is_set) << bit).sum()
+            }
+
+            /// The flags of `bits`; those that it does not know are left out.
+            pub fn of_bits(bits: u32) -> Self {
+                let mut flags = (0..).map(|bit| bits >> bit & 1 != 0);
+                let mut next = || flags.next().unwrap_or_default();
+                Self { $($flag: next()),* }
+            }
+
+            /// The names of the flags that are set, as a program shows them: "no-position motion".
+            #[cfg(feature = "scenes")]
+            pub fn words(&self) -> String {
+                let set = Self::FLAGS.iter().zip(self.all()).filter(|(_, is_set)| *is_set);
+                set.map(|((name, _), _)| name.replace('_', "-")).collect::<Vec<_>>().join(" ")
+            }
+        }
+    };
 }
 
-crate::snapshot::stored!(Reasons {
-    no_position,
-    position_disagrees,
-    latitude_disagrees,
-    motion,
-    latitude_too_high,
-    no_signal,
-    battery_empty
-});
+flags!(
+    /// Why a unit is not ready, or has failed.
+    Reasons {
+        /// No position was entered; in flight: no fix came.
+        no_position,
+        /// The entered position is far from the stored one: enter it again, or another one.
+        position_disagrees,
+        /// The gyros find another latitude than the entered one.
+        latitude_disagrees,
+        /// The unit moves: the alignment starts again at rest.
+        motion,
+        /// The latitude is too high for an alignment.
+        latitude_too_high,
+        /// A gyro or an accelerometer has no signal.
+        no_signal,
+        /// The battery is empty.
+        battery_empty,
+        /// In flight: the heading is not accurate enough yet; turns or changes of speed show it.
+        turns_needed,
+    }
+);
 
-/// Which outputs of a unit are valid.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Validity {
-    /// Angular rates and accelerations.
-    pub rates: bool,
-    /// Roll and pitch.
-    pub attitude: bool,
-    /// Heading.
-    pub heading: bool,
-    /// Latitude and longitude.
-    pub position: bool,
-    /// Velocity and height.
-    pub velocity: bool,
-}
+flags!(
+    /// Which outputs of a unit are valid.
+    Validity {
+        /// Angular rates and specific forces.
+        rates,
+        /// Roll and pitch.
+        attitude,
+        /// Heading.
+        heading,
+        /// Latitude and longitude.
+        position,
+        /// Velocity and height.
+        velocity,
+    }
+);
 
 /// What the unit stores when it is switched off, and compares at the next start.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -113,7 +113,7 @@ impl Unit {
         self.motion = Default::default();
         self.inertial = Default::default();
         (self.heading_entered, self.realigned) = (false, false);
-        self.reasons.motion = false;
+        (self.reasons.motion, self.reasons.turns_needed) = (false, false);
         self.in_navigation_s = 0.0;
         self.enter(state);
     }
@@ -127,7 +127,7 @@ impl Unit {
         (self.entered, self.refused) = (None, None);
         self.begin(if is_parked { State::Realignment } else { State::CoarseAlignment }, simulator);
         self.realigned = is_parked;
-        self.reasons.motion = !is_parked;
+        self.reasons.motion = !is_parked && self.kind != AlignmentKind::InFlight;
         Ok(())
     }
 
@@ -190,6 +190,11 @@ impl Unit {
         parameters: &UnitParameters,
         simulator: &mut Simulator,
     ) -> Result<(), Error> {
+        if self.aligns_in_flight() {
+            self.alignment.elapsed_s += dt;
+            self.alignment.in_flight.feel(velocity_i, dt);
+            return Ok(());
+        }
         let is_made_up = self.is_made_up();
         if is_made_up && self.state == State::Ready {
             return Ok(());
@@ -238,6 +243,7 @@ impl Unit {
         match self.kind {
             AlignmentKind::Instant => 0.0,
             AlignmentKind::Fast => parameters.fast_alignment_s,
+            AlignmentKind::InFlight => parameters.in_flight_alignment_s,
             AlignmentKind::StoredHeading if self.stored.is_some() => parameters.stored_heading_alignment_s,
             // Without a latitude the unit waits as long as at the largest one.
             _ => parameters.alignment_at_s(self.latitude_rad().unwrap_or(parameters.max_latitude_rad)),

@@ -30,7 +30,7 @@ const fn time(
 
 /// Times and limits of a unit, in the order of the struct of the interface.
 #[rustfmt::skip]
-pub const UNIT: [Row; 20] = [
+pub const UNIT: [Row; 22] = [
     time(("power_up_test_s", "length of the test after power-up"), "unit.power_up_test_s", 5.0, "The default is this library's."),
     time(("coarse_alignment_s", "length of the coarse alignment, after which the attitude is valid"), "unit.coarse_alignment_s", 30.0,
         "The default is that of the open A320 simulator flybywiresim/aircraft."),
@@ -75,4 +75,9 @@ pub const UNIT: [Row; 20] = [
         "The default is this library's."),
     number(("battery_s", "time that the battery lasts"), ("unit.battery_s", "s"), OffOr(1e-3, 1e6), ("battery_s", "s", 1.0),
         "If 0, it lasts for ever."),
+    time(("in_flight_alignment_s", "least length of an alignment of kind SINS_UNIT_ALIGNMENT_IN_FLIGHT"), "unit.in_flight_alignment_s", 180.0,
+        "Military manuals state some minutes with turns; the default is this library's."),
+    number(("in_flight_heading_rad", "standard deviation of the heading at which an alignment in flight may end"),
+        ("unit.in_flight_heading_rad", "rad"), OrDefault(0.1 * DEG, 1e-9, 1.0), ("in_flight_heading_deg", "deg", DEG),
+        "The default is 0.1 degree, and this library's."),
 ];

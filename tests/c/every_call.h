@@ -167,6 +167,7 @@ static inline void every_unit_call(sins_unit *unit, sins_sim *sim, every_call_an
     EVERY_CALL(sins_unit_enter_heading(unit, 0.0));
     EVERY_CALL(sins_unit_set_stored(unit, 0.0, 0.0, 0.0));
     EVERY_CALL(sins_unit_update(unit, sim));
+    EVERY_CALL(sins_unit_push_fix(unit, sim, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
     EVERY_CALL(sins_unit_snapshot_save(unit, bytes, sizeof bytes, &size));
     EVERY_CALL(sins_unit_snapshot_load(unit, bytes, size));
     EVERY_CALL(sins_unit_get_status(unit, unit_status));

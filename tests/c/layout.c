@@ -456,7 +456,7 @@ AT(sins_budget, left_out_velocity_m_s, 104);
 AT(sins_budget, left_out_attitude_rad, 112);
 AT(sins_budget, ns_per_step, 120);
 
-SIZE(sins_unit_params, SINS_SIZEOF_UNIT_PARAMS, 168);
+SIZE(sins_unit_params, SINS_SIZEOF_UNIT_PARAMS, 184);
 AT(sins_unit_params, struct_size, 0);
 AT(sins_unit_params, reserved, 4);
 AT(sins_unit_params, power_up_test_s, 8);
@@ -479,6 +479,8 @@ AT(sins_unit_params, erection_s, 136);
 AT(sins_unit_params, erection_time_s, 144);
 AT(sins_unit_params, fault_s, 152);
 AT(sins_unit_params, battery_s, 160);
+AT(sins_unit_params, in_flight_alignment_s, 168);
+AT(sins_unit_params, in_flight_heading_rad, 176);
 
 SIZE(sins_unit_status, SINS_SIZEOF_UNIT_STATUS, 80);
 AT(sins_unit_status, struct_size, 0);

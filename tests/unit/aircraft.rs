@@ -1,6 +1,7 @@
 //! An aircraft with a simulator and a unit: it stands, sways, taxis and flies.
 
 use nalgebra::Vector3;
+use rand_distr::{Distribution, StandardNormal};
 use sins::earth::{Earth, Geodetic};
 use sins::math::Euler;
 use sins::sensors::{StreamKey, TriadParameters};
@@ -23,9 +24,28 @@ pub enum Motion {
     Turn(f64),
 }
 
+/// Another sensor of the aircraft: one fix a second, with white errors.
+#[derive(Clone)]
+pub struct Receiver {
+    pub draws: rand_xoshiro::Xoshiro256PlusPlus,
+    pub sigma_m: f64,
+    pub sigma_m_s: f64,
+}
+
+impl Receiver {
+    pub fn new(seed: u64, sigma_m: f64, sigma_m_s: f64) -> Self {
+        Self { draws: rand::SeedableRng::seed_from_u64(seed), sigma_m, sigma_m_s }
+    }
+
+    fn errors(&mut self, sigma: f64) -> Vector3<f64> {
+        Vector3::from_fn(|_, _| sigma * Distribution::<f64>::sample(&StandardNormal, &mut self.draws))
+    }
+}
+
 #[derive(Clone)]
 pub struct Aircraft {
     pub simulator: Simulator,
+    pub receiver: Option<Receiver>,
     pub unit: Unit,
     pub rate_hz: f64,
     samples: u64,
@@ -33,6 +53,8 @@ pub struct Aircraft {
     speed: f64,
     heading: f64,
     bank: f64,
+    /// How fast it can roll [rad/s].
+    pub roll_rate: f64,
 }
 
 /// The gyros and accelerometers of the paper: 0.01 °/h, 0.005 °/√h, 50 µg, 10 µg/√Hz.
@@ -62,7 +84,19 @@ impl Aircraft {
         simulator.set_accel(&sensors.1).unwrap();
         let place = Geodetic { latitude_rad: latitude_deg * DEG, longitude_rad: 0.3, height_m: 100.0 };
         let unit = Unit::new(&UnitParameters::default(), Mode::Off).unwrap();
-        Self { simulator, unit, rate_hz, samples: 0, place, speed: 0.0, heading: 0.7, bank: 0.0 }
+        let receiver = None;
+        Self {
+            simulator,
+            receiver,
+            unit,
+            rate_hz,
+            samples: 0,
+            place,
+            speed: 0.0,
+            heading: 0.7,
+            bank: 0.0,
+            roll_rate: f64::INFINITY,
+        }
     }
 
     pub fn ideal(latitude_deg: f64) -> Self {
@@ -121,6 +155,11 @@ impl Aircraft {
         self.unit.navigation(&self.simulator).unwrap()
     }
 
+    fn roll_to(&mut self, bank: f64, dt: f64) {
+        let most = self.roll_rate * dt;
+        self.bank += (bank - self.bank).clamp(-most, most);
+    }
+
     fn step(&mut self, motion: Motion) {
         let dt = 1.0 / self.rate_hz;
         let time_s = self.samples as f64 * dt;
@@ -147,11 +186,11 @@ impl Aircraft {
             Motion::Drive { acceleration, to } => {
                 let change = (to - self.speed).clamp(-acceleration * dt, acceleration * dt);
                 self.speed += change;
-                self.bank = 0.0;
+                self.roll_to(0.0, dt);
             }
             Motion::Turn(rate) => {
                 self.heading += rate * dt;
-                self.bank = (rate * self.speed / G).atan();
+                self.roll_to((rate * self.speed / G).atan(), dt);
             }
         }
         if motion == Motion::Rest {
@@ -174,6 +213,13 @@ impl Aircraft {
         self.simulator.push_sample(&sample).unwrap();
         if self.simulator.step().unwrap() == sins::Step::Done {
             self.unit.update(&mut self.simulator).unwrap();
+            let is_due = (self.samples - 1).is_multiple_of(self.rate_hz.round() as u64);
+            if let (Some(receiver), true) = (&mut self.receiver, is_due) {
+                let metres = receiver.errors(receiver.sigma_m);
+                let place = Geodetic { height_m: place.height_m + metres.z, ..east_north(&place, metres) };
+                let v_n = direction * self.speed + sway + receiver.errors(receiver.sigma_m_s);
+                self.unit.push_fix(&mut self.simulator, place, v_n).unwrap();
+            }
         }
     }
 }

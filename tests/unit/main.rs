@@ -8,6 +8,7 @@ mod alignment;
 mod attitude;
 mod bus;
 mod faults;
+mod in_flight;
 mod realignment;
 mod saved;
 mod states;

@@ -1,9 +1,9 @@
 //! Snapshots of a unit.
 
-use sins::unit::{Mode, Unit, UnitParameters};
+use sins::unit::{AlignmentKind, Mode, State, Unit, UnitParameters};
 use sins::{ErrorKind, snapshot};
 
-use crate::aircraft::{Aircraft, Motion, papers_sensors};
+use crate::aircraft::{Aircraft, Motion, Receiver, papers_sensors};
 use crate::support::bits;
 
 fn saved(unit: &Unit) -> Vec<u8> {
@@ -52,6 +52,31 @@ fn a_day_goes_on_to_the_same_bits_from_any_moment() {
     println!("longest snapshot: {longest} bytes");
 }
 
+/// The same in an alignment in flight.
+#[test]
+fn an_alignment_in_flight_goes_on_to_the_same_bits_from_any_moment() {
+    let mut aircraft = Aircraft::new(10.0, 2, 5.0, &papers_sensors());
+    aircraft.receiver = Some(Receiver::new(9, 3.0, 0.02));
+    aircraft.unit.set_alignment(AlignmentKind::InFlight);
+    aircraft.unit.select(Mode::Navigate);
+    let (straight, turn) = (Motion::Drive { acceleration: 1.0, to: 80.0 }, Motion::Turn(0.03));
+    let mut longest = 0;
+    for motion in [straight, turn, straight, straight, turn, straight, straight, straight] {
+        aircraft.go(motion, 14.2);
+        let unit = saved(&aircraft.unit);
+        longest = longest.max(unit.len());
+        let mut other = aircraft.clone();
+        other.unit = Unit::new(&UnitParameters::default(), Mode::Off).unwrap();
+        other.unit.load_snapshot(&unit).unwrap();
+        for each in [&mut aircraft, &mut other] {
+            each.go(motion, 14.6);
+        }
+        assert!(other.unit == aircraft.unit && bits(&other.simulator) == bits(&aircraft.simulator));
+    }
+    assert_eq!(aircraft.unit.status().state, State::Navigation);
+    println!("longest snapshot: {longest} bytes");
+}
+
 /// Windows of an alignment, and of the erection of ATT, that are shorter than an interval of samples.
 #[test]
 fn an_alignment_in_windows_of_less_than_an_interval_is_saved_at_every_sample() {
@@ -82,6 +107,11 @@ fn an_alignment_in_windows_of_less_than_an_interval_is_saved_at_every_sample() {
 fn damaged_bytes_are_refused_and_change_nothing() {
     let mut aircraft = Aircraft::ideal(10.0);
     aircraft.unit.select(Mode::Align);
+    aircraft.receiver = Some(Receiver::new(1, 1.0, 0.1));
+    aircraft.unit.set_alignment(AlignmentKind::InFlight);
+    aircraft.go(Motion::Drive { acceleration: 1.0, to: 80.0 }, 100.0);
+    assert!(aircraft.unit.status().validity.attitude);
+    aircraft.unit.set_alignment(AlignmentKind::Gyrocompass);
     aircraft.stand(100.0);
     let good = saved(&aircraft.unit);
     let before = aircraft.unit;

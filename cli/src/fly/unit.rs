@@ -64,23 +64,7 @@ impl UnitInFlight {
             return Ok(None);
         }
         self.written = Some(status.state);
-        let (valid, reasons) = (&status.validity, &status.reasons);
-        let valid = words(&[
-            (valid.rates, "rates"),
-            (valid.attitude, "attitude"),
-            (valid.heading, "heading"),
-            (valid.position, "position"),
-            (valid.velocity, "velocity"),
-        ]);
-        let reasons = words(&[
-            (reasons.no_position, "no-position"),
-            (reasons.position_disagrees, "position-disagrees"),
-            (reasons.latitude_disagrees, "latitude-disagrees"),
-            (reasons.motion, "motion"),
-            (reasons.latitude_too_high, "latitude-too-high"),
-            (reasons.no_signal, "no-signal"),
-            (reasons.battery_empty, "battery-empty"),
-        ]);
+        let (valid, reasons) = (status.validity.words(), status.reasons.words());
         let state = status.state.words();
         let time = records::line([time_s]);
         write_line(file, &format!("{time},{state},{:.1},{valid},{reasons}", status.to_go_s))?;
@@ -91,11 +75,6 @@ impl UnitInFlight {
         self.file.map_or(Ok(()), OutputFile::commit)?;
         self.bus.map_or(Ok(()), Bus::commit)
     }
-}
-
-/// The words that hold, with spaces between them.
-fn words(all: &[(bool, &str)]) -> String {
-    all.iter().filter(|(holds, _)| *holds).map(|(_, word)| *word).collect::<Vec<_>>().join(" ")
 }
 
 fn write_line(file: &mut OutputFile, line: &str) -> Result<(), Failure> {

@@ -49,6 +49,53 @@ fn the_states_are_a_file_and_stand_in_the_summary_and_on_the_page() {
     assert!(errors.contains("panel[1]: a position can be entered during an alignment"), "{errors}");
 }
 
+/// In flight the unit aligns on the updates of the velocity; without them it never does.
+#[test]
+fn an_alignment_in_flight_needs_updates_of_the_velocity() {
+    const FLIGHT: &str = "
+[flight]
+latitude_deg = 47
+height_m = 5000
+speed_m_s = 150
+rate_hz = 50
+[[manoeuvre]]
+kind = \"turn\"
+heading_change_deg = 90
+bank_deg = 30
+[[manoeuvre]]
+kind = \"straight\"
+duration_s = 300
+[gyro]
+preset = \"navigation\"
+[accelerometer]
+preset = \"navigation\"
+[unit]
+start = \"off\"
+alignment = \"in_flight\"
+[[panel]]
+kind = \"nav\"
+at_s = 1
+";
+    const UPDATES: &str = "
+[[update]]
+kind = \"velocity\"
+at_s = 2
+every_s = 1
+sigma_m_s = [0.1, 0.1, 0.1]
+";
+    let folder = folder("unit_in_flight");
+    for (name, text, last) in
+        [("with", [FLIGHT, UPDATES].concat(), "navigation"), ("without", FLIGHT.into(), "coarse alignment")]
+    {
+        std::fs::write(folder.join(name).with_extension("toml"), text).unwrap();
+        done(&folder, &["fly", &format!("{name}.toml"), "-q"]);
+        let rows = read(folder.join(format!("sins_out/{name}_unit.csv")));
+        let row = rows.lines().last().unwrap();
+        assert_eq!(row.split(',').nth(1), Some(last), "{row}");
+        assert_eq!(row.contains("no-position"), name == "without");
+    }
+}
+
 /// Time, label, value and status of the words of a flight.
 fn words(text: &str) -> Vec<(f64, String, String)> {
     let row = |line: &str| {

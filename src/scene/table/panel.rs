@@ -35,7 +35,7 @@ pub const ACTIONS: [(&str, Action); 11] = {
 pub const START: &[Key] = &[
     choice!(U, "start", "mode selector at the start; nav: aligned already; none: the scene has no unit",
         "unit.start" => scene.unit.start, STARTS),
-    choice!(U, "alignment", "kind of alignment at rest; fast and instant: only a simulation has them",
+    choice!(U, "alignment", "kind of alignment; fast and instant: only a simulation has them; in_flight: on the updates of the velocity",
         "unit.alignment" => scene.unit.alignment, AlignmentKind::WORDS),
 ];
 

@@ -74,13 +74,14 @@ impl Host {
             let numbers = [0.0, 0.7, -1.6, 7.0, 1e300, f64::NAN];
             let (one, two, three) =
                 (self.input.pick(&numbers), self.input.pick(&numbers), self.input.pick(&numbers));
-            match self.input.byte() % 10 {
+            match self.input.byte() % 14 {
                 0..3 => call!(sins_unit_select(unit, choice)),
                 3 => call!(sins_unit_set_power(unit, choice)),
                 4 => call!(sins_unit_set_alignment(unit, choice)),
                 5 => call!(sins_unit_press_test(unit)),
                 6 => call!(sins_unit_enter_heading(unit, one)),
                 7 => call!(sins_unit_set_stored(unit, one, two, three)),
+                8..12 => call!(sins_unit_push_fix(unit, sim, one, two, three, two, three, one)),
                 _ => call!(sins_unit_enter_position(unit, one, two)),
             };
             motion = motion.next(&mut self.input);
