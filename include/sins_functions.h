@@ -82,7 +82,7 @@
     X(sins_status, sins_unit_enter_heading, (sins_unit *unit, double heading_rad)) \
     X(sins_status, sins_unit_set_stored, (sins_unit *unit, double latitude_rad, double longitude_rad, double heading_rad)) \
     X(sins_status, sins_unit_update, (sins_unit *unit, sins_sim *sim)) \
-    X(sins_status, sins_unit_push_fix, (sins_unit *unit, sins_sim *sim, double latitude_rad, double longitude_rad, double height_m, double velocity_east_m_s, double velocity_north_m_s, double velocity_up_m_s)) \
+    X(sins_status, sins_unit_push_fix, (sins_unit *unit, sins_sim *sim, const sins_unit_fix *fix)) \
     X(sins_status, sins_unit_snapshot_save, (sins_unit *unit, void *buffer, size_t capacity, size_t *written)) \
     X(sins_status, sins_unit_snapshot_load, (sins_unit *unit, const void *snapshot, size_t size)) \
     X(sins_status, sins_unit_get_status, (sins_unit *unit, sins_unit_status *status)) \

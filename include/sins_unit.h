@@ -186,6 +186,22 @@ typedef enum sins_unit_alignment {
  */
 typedef struct sins_unit sins_unit;
 
+/** A fix of another sensor, such as a receiver of satellite navigation: position and velocity of the reference point of the samples. */
+typedef struct sins_unit_fix {
+    /** sizeof(sins_unit_fix) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** Geodetic latitude, -pi/2 to pi/2 [rad]. */
+    double latitude_rad;
+    /** Longitude, east positive, -2 pi to 2 pi [rad]. */
+    double longitude_rad;
+    /** Height above the ellipsoid, -1e5 to 1e6 [m]. */
+    double height_m;
+    /** Velocity against the Earth, east-north-up, each -1e4 to 1e4 [m/s]. */
+    double velocity_enu_m_s[3];
+} sins_unit_fix;
+
 /**
  * Creates a unit. If params is NULL, all are 0, the defaults. mode is SINS_UNIT_OFF; or SINS_UNIT_NAV for a unit that navigates
  * already, with the start of its simulator.
@@ -319,17 +335,15 @@ SINS_API sins_status SINS_CALL sins_unit_set_stored(sins_unit *unit, double lati
 SINS_API sins_status SINS_CALL sins_unit_update(sins_unit *unit, sins_sim *sim);
 
 /**
- * Takes a fix of another sensor, such as a receiver of satellite navigation, for an alignment of kind SINS_UNIT_ALIGNMENT_IN_FLIGHT:
- * latitude, -pi/2 to pi/2 [rad], longitude, -2 pi to 2 pi [rad], height above the ellipsoid, -1e5 to 1e6 [m], and velocity against the
- * Earth, east-north-up, -1e4 to 1e4 [m/s]. They are those of the reference point of the samples, at the time of the last
- * sins_unit_update() with the same sim. In every other state, and for other kinds, the call changes nothing, so a host may push each fix,
- * for instance one a second. No allocation, no system call.
+ * Takes a fix at the time of the last sins_unit_update() with the same sim, for an alignment of kind SINS_UNIT_ALIGNMENT_IN_FLIGHT.
+ * In every other state, and for other kinds, the call changes nothing, so a host may push each fix, for instance one a second.
+ * No allocation, no system call.
  *
- * Fixes at least coarse_alignment_s apart bound windows. In each the integral a of the measured specific force, in inertial axes that the
- * gyros keep, belongs to the integral b by the fixes: the change of the inertial velocity less the integral of the gravitation. The
- * rotation C for which the sum of |b - C a|^2 is least is the attitude. The heading has the variance s^2 u.(tr(S) I - S)^-1 u, where
- * s^2 is what is left of the sum, divided by 3 (windows - 1), S the sum of b b^T and u the vertical: turns and changes of speed make it
- * small, and biases of the sensors are not in it.
+ * The first fix begins a window. A window ends with the first fix at least coarse_alignment_s behind its begin, and the next one begins.
+ * In each window the integral a of the measured specific force, in inertial axes that the gyros keep, belongs to the integral b by the
+ * fixes: the change of the inertial velocity less the integral of the gravitation. The rotation C for which the sum of |b - C a|^2 over
+ * the windows is least is the attitude. The heading has the variance s^2 u.(tr(S) I - S)^-1 u: s^2 is the sum that C leaves, divided by
+ * 3 (windows - 1), S the sum of b b^T, and u the vertical. Turns and changes of speed make it small. Biases of the sensors are not in it.
  *
  * The alignment ends with the first fix after in_flight_alignment_s at which this standard deviation is at most in_flight_heading_rad.
  * Then position and velocity become those of the fix, and the call corrects the solution of the simulator, as sins_correct() does. Until
@@ -339,9 +353,7 @@ SINS_API sins_status SINS_CALL sins_unit_update(sins_unit *unit, sins_sim *sim);
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_HANDLE: sim is not a simulator.
  * The errors of sins_correct(): the simulator rejects the correction; the unit has not taken the fix.
  */
-SINS_API sins_status SINS_CALL sins_unit_push_fix(sins_unit *unit, sins_sim *sim, double latitude_rad,
-    double longitude_rad, double height_m, double velocity_east_m_s, double velocity_north_m_s,
-    double velocity_up_m_s);
+SINS_API sins_status SINS_CALL sins_unit_push_fix(sins_unit *unit, sins_sim *sim, const sins_unit_fix *fix);
 
 /**
  * Saves the whole unit; its simulator has a snapshot of its own. written (may be NULL) gets the size. The same state gives the same
@@ -647,6 +659,7 @@ SINS_API sins_status SINS_CALL sins_bus_decode(uint32_t word, uint32_t flags, si
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_unit_sizeof {
     SINS_SIZEOF_UNIT_PARAMS = 184,
+    SINS_SIZEOF_UNIT_FIX = 56,
     SINS_SIZEOF_UNIT_STATUS = 80,
     SINS_SIZEOF_UNIT_NAVIGATION = 136,
     SINS_SIZEOF_BUS_INPUTS = 48,

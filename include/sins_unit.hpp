@@ -62,6 +62,9 @@ public:
     /* After each step of its simulator. */
     void update(Simulator &simulator) { done(sins_unit_update(handle_, simulator.handle())); }
 
+    /* After an update: a fix of another sensor, for an alignment in flight. */
+    void push_fix(Simulator &simulator, const sins_unit_fix &fix) { done(sins_unit_push_fix(handle_, simulator.handle(), &fix)); }
+
     sins_unit_status status() const { return detail::filled<sins_unit_status>(nullptr, sins_unit_get_status, handle_); }
     sins_unit_navigation navigation(const Simulator &simulator) const {
         return detail::filled<sins_unit_navigation>(nullptr, sins_unit_get_navigation, handle_, simulator.handle());

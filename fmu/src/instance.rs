@@ -73,7 +73,7 @@ pub struct Taken {
     pub inputs: Vec<f64>,
     /// Number of corrections that the master had counted.
     pub corrections: i32,
-    /// Numbers of entries at the panel that it had counted.
+    /// Numbers of entries at the panel and of fixes that it had counted.
     pub entries: panel::Counts,
 }
 
@@ -135,7 +135,7 @@ impl Flight {
             simulator.step()?;
             Ok(pushed == Pushed::BehindGap)
         };
-        let behind_gap = fly().map_err(|error: Error| error.to_string())?;
+        let behind_gap = fly().map_err(sentence)?;
         let mut refused_entries = Vec::new();
         // After the first sample there is no interval yet.
         if let Some(unit) = &mut unit
@@ -143,10 +143,16 @@ impl Flight {
         {
             refused_entries = panel::act(values, taken.entries, unit)?;
             let updated = self.scene.update_unit(unit, &mut simulator, first_s);
-            updated.map_err(|error| error.to_string())?;
+            let updated = updated.and_then(|()| panel::push_fix(values, taken.entries, unit, &mut simulator));
+            updated.map_err(sentence)?;
         }
         Ok(Next { simulator, unit, behind_gap, refused_entries })
     }
+}
+
+/// The sentence of an error. Its indices are those of FMI, from 1.
+fn sentence(error: Error) -> String {
+    Error { index: error.index.map(|index| index + 1), ..error }.to_string()
 }
 
 /// What a step leads to.

@@ -1,5 +1,6 @@
 //! The box of the INS: its panel as inputs, what it reports and shows as outputs. It exists if `unit.start` of the scene says so.
 
+use sins::earth::Geodetic;
 use sins::unit::{Mode, Power, Reasons, State, Status, Unit, UnitNavigation, Validity};
 use sins::{Error, ErrorKind, Simulator};
 
@@ -10,10 +11,16 @@ use crate::{corrections, inputs};
 
 /// The numbers that are entered, behind the reals of the corrections.
 #[rustfmt::skip]
-const ENTRIES: [Number; 3] = [
+const ENTRIES: [Number; 9] = [
     ("panel.latitude_rad", "rad", 1.0, "latitude that is entered"),
     ("panel.longitude_rad", "rad", 1.0, "longitude that is entered"),
     ("panel.heading_rad", "rad", 1.0, "heading that is entered in ATT"),
+    ("fix.latitude_rad", "rad", 1.0, "latitude of a fix for an alignment in flight"),
+    ("fix.longitude_rad", "rad", 1.0, "its longitude"),
+    ("fix.height_m", "m", 1000.0, "its height above the ellipsoid"),
+    ("fix.velocity_enu_m_s[1]", "m/s", 100.0, "its velocity east"),
+    ("fix.velocity_enu_m_s[2]", "m/s", 100.0, "its velocity north"),
+    ("fix.velocity_enu_m_s[3]", "m/s", 100.0, "its velocity up"),
 ];
 
 /// Selector and power; the first word leaves them as the scene has them.
@@ -25,12 +32,13 @@ const MODE: usize = 1;
 const POWER: usize = 2;
 const POSITIONS: usize = 3;
 const HEADINGS: usize = 4;
+const FIXES: usize = 5;
 
 /// Place of the test in the row of booleans.
 const TEST: usize = 0;
 
-/// Numbers of entries that the master has counted.
-pub type Counts = [i32; 2];
+/// Numbers of entries and of fixes that the master has counted.
+pub type Counts = [i32; 3];
 
 /// The inputs as variables.
 pub fn inputs() -> impl Iterator<Item = Variable> {
@@ -43,7 +51,7 @@ pub fn inputs() -> impl Iterator<Item = Variable> {
         Variable { words: Some(words), ..Variable::new(name, Role::Input, Value::Integer(1), doc) }
     };
     let count = |name: &str, what: &str| {
-        let doc = format!("number of entries; a step at which it has changed enters the {what}");
+        let doc = format!("number of entries; a step at which it has changed takes the {what}");
         Variable::new(name, Role::Input, Value::Integer(0), doc)
     };
     let test =
@@ -53,18 +61,41 @@ pub fn inputs() -> impl Iterator<Item = Variable> {
         words("panel.power", &POWERS, "supply of power"),
         count("panel.position_count", "position"),
         count("panel.heading_count", "heading"),
+        count("fix.count", "fix"),
         test,
     ])
 }
 
-/// The numbers of entries that the master has counted.
+/// The numbers of entries and of fixes that the master has counted.
 pub fn counts(values: &Values) -> Counts {
-    [POSITIONS, HEADINGS].map(|place| values.integers[place])
+    [POSITIONS, HEADINGS, FIXES].map(|place| values.integers[place])
+}
+
+fn entries(values: &Values) -> [f64; ENTRIES.len()] {
+    std::array::from_fn(|k| values.reals[inputs::COUNT + corrections::REALS + k])
+}
+
+/// Gives the unit, after its update, the fix of the inputs if it is a new one.
+pub fn push_fix(
+    values: &Values,
+    [_, _, fixes]: Counts,
+    unit: &mut Unit,
+    simulator: &mut Simulator,
+) -> Result<(), Error> {
+    if counts(values)[2] == fixes {
+        return Ok(());
+    }
+    let [_, _, _, latitude_rad, longitude_rad, height_m, east, north, up] = entries(values);
+    unit.push_fix(simulator, Geodetic { latitude_rad, longitude_rad, height_m }, [east, north, up].into())
 }
 
 /// Does at the panel what the inputs say. An entry at the wrong moment is no fault of the simulation: a sentence for each is returned. A
 /// number out of its range is an error.
-pub fn act(values: &Values, [positions, headings]: Counts, unit: &mut Unit) -> Result<Vec<String>, String> {
+pub fn act(
+    values: &Values,
+    [positions, headings, _]: Counts,
+    unit: &mut Unit,
+) -> Result<Vec<String>, String> {
     let word = |name: &str, place: usize, count: usize| {
         let number = values.integers[place];
         let index = number.checked_sub(1).and_then(|index| usize::try_from(index).ok());
@@ -82,8 +113,7 @@ pub fn act(values: &Values, [positions, headings]: Counts, unit: &mut Unit) -> R
     if values.booleans[TEST] {
         unit.press_test();
     }
-    let [latitude_rad, longitude_rad, heading_rad] =
-        std::array::from_fn(|k| values.reals[inputs::COUNT + corrections::REALS + k]);
+    let [latitude_rad, longitude_rad, heading_rad, ..] = entries(values);
     let mut refused = Vec::new();
     let mut enter = |name: &str, entered: Result<(), Error>| match entered {
         Err(error) if error.kind == ErrorKind::BadState => {

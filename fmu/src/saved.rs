@@ -76,7 +76,7 @@ fn read(state: &[u8], resources: Option<PathBuf>, now: &Instance) -> Option<Resu
         *value = from.number()?;
     }
     for value in integers {
-        *value = i32::from_le_bytes(from.bytes()?);
+        *value = from.integer()?;
     }
     for value in booleans {
         *value = from.flag()?;
@@ -94,8 +94,8 @@ fn read(state: &[u8], resources: Option<PathBuf>, now: &Instance) -> Option<Resu
         true => Some(Taken {
             time_s: from.number()?,
             inputs: (0..inputs::COUNT).map(|_| from.number()).collect::<Option<Vec<f64>>>()?,
-            corrections: i32::from_le_bytes(from.bytes()?),
-            entries: [i32::from_le_bytes(from.bytes()?), i32::from_le_bytes(from.bytes()?)],
+            corrections: from.integer()?,
+            entries: [from.integer()?, from.integer()?, from.integer()?],
         }),
         false => None,
     };
@@ -167,5 +167,9 @@ impl Reader<'_> {
 
     fn number(&mut self) -> Option<f64> {
         self.bytes().map(f64::from_le_bytes)
+    }
+
+    fn integer(&mut self) -> Option<i32> {
+        self.bytes().map(i32::from_le_bytes)
     }
 }

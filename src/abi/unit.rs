@@ -2,14 +2,12 @@
 
 use core::ffi::c_void;
 
-use nalgebra::Vector3;
-
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::UNITS;
 use super::boundary::{enter, enter_without_simulator};
-use super::choice::{Choice, choices};
+use super::choice::{Choice, check_reserved, choices};
 use super::failure::{Failure, SINS_OK, sins_status};
-use super::memory::{Output, read};
+use super::memory::{Output, interface_struct, read};
 use super::parameters::{Parameters, params};
 use super::simulator::{sins_sim, work_with};
 use super::text::{bytes_of, put_saved};
@@ -304,17 +302,35 @@ pub unsafe extern "C-unwind" fn sins_unit_update(unit: *mut sins_unit, sim: *mut
     })
 }
 
-/// Takes a fix of another sensor, such as a receiver of satellite navigation, for an alignment of kind SINS_UNIT_ALIGNMENT_IN_FLIGHT:
-/// latitude, -pi/2 to pi/2 [rad], longitude, -2 pi to 2 pi [rad], height above the ellipsoid, -1e5 to 1e6 [m], and velocity against the
-/// Earth, east-north-up, -1e4 to 1e4 [m/s]. They are those of the reference point of the samples, at the time of the last
-/// sins_unit_update() with the same sim. In every other state, and for other kinds, the call changes nothing, so a host may push each fix,
-/// for instance one a second. No allocation, no system call.
+/// A fix of another sensor, such as a receiver of satellite navigation: position and velocity of the reference point of the samples.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default)]
+pub struct sins_unit_fix {
+    /// sizeof(sins_unit_fix)
+    pub struct_size: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// Geodetic latitude, -pi/2 to pi/2 [rad].
+    pub latitude_rad: f64,
+    /// Longitude, east positive, -2 pi to 2 pi [rad].
+    pub longitude_rad: f64,
+    /// Height above the ellipsoid, -1e5 to 1e6 [m].
+    pub height_m: f64,
+    /// Velocity against the Earth, east-north-up, each -1e4 to 1e4 [m/s].
+    pub velocity_enu_m_s: [f64; 3],
+}
+
+interface_struct!(sins_unit_fix, "fix", 56);
+
+/// Takes a fix at the time of the last sins_unit_update() with the same sim, for an alignment of kind SINS_UNIT_ALIGNMENT_IN_FLIGHT.
+/// In every other state, and for other kinds, the call changes nothing, so a host may push each fix, for instance one a second.
+/// No allocation, no system call.
 ///
-/// Fixes at least coarse_alignment_s apart bound windows. In each the integral a of the measured specific force, in inertial axes that the
-/// gyros keep, belongs to the integral b by the fixes: the change of the inertial velocity less the integral of the gravitation. The
-/// rotation C for which the sum of |b - C a|^2 is least is the attitude. The heading has the variance s^2 u.(tr(S) I - S)^-1 u, where
-/// s^2 is what is left of the sum, divided by 3 (windows - 1), S the sum of b b^T and u the vertical: turns and changes of speed make it
-/// small, and biases of the sensors are not in it.
+/// The first fix begins a window. A window ends with the first fix at least coarse_alignment_s behind its begin, and the next one begins.
+/// In each window the integral a of the measured specific force, in inertial axes that the gyros keep, belongs to the integral b by the
+/// fixes: the change of the inertial velocity less the integral of the gravitation. The rotation C for which the sum of |b - C a|^2 over
+/// the windows is least is the attitude. The heading has the variance s^2 u.(tr(S) I - S)^-1 u: s^2 is the sum that C leaves, divided by
+/// 3 (windows - 1), S the sum of b b^T, and u the vertical. Turns and changes of speed make it small. Biases of the sensors are not in it.
 ///
 /// The alignment ends with the first fix after in_flight_alignment_s at which this standard deviation is at most in_flight_heading_rad.
 /// Then position and velocity become those of the fix, and the call corrects the solution of the simulator, as sins_correct() does. Until
@@ -327,17 +343,15 @@ pub unsafe extern "C-unwind" fn sins_unit_update(unit: *mut sins_unit, sim: *mut
 pub unsafe extern "C-unwind" fn sins_unit_push_fix(
     unit: *mut sins_unit,
     sim: *mut sins_sim,
-    latitude_rad: f64,
-    longitude_rad: f64,
-    height_m: f64,
-    velocity_east_m_s: f64,
-    velocity_north_m_s: f64,
-    velocity_up_m_s: f64,
+    fix: *const sins_unit_fix,
 ) -> sins_status {
     with_unit(unit, |unit| {
+        // SAFETY: the host's promise.
+        let fix = unsafe { read(fix, "fix")? };
+        check_reserved("fix.reserved", fix.reserved)?;
+        let sins_unit_fix { latitude_rad, longitude_rad, height_m, velocity_enu_m_s, .. } = fix;
         let place = Geodetic { latitude_rad, longitude_rad, height_m };
-        let v_n = Vector3::new(velocity_east_m_s, velocity_north_m_s, velocity_up_m_s);
-        work_with(sim, "sim", |simulator| unit.push_fix(simulator, place, v_n))??;
+        work_with(sim, "sim", |simulator| unit.push_fix(simulator, place, velocity_enu_m_s.into()))??;
         Ok(SINS_OK)
     })
 }

@@ -199,10 +199,10 @@ impl Unit {
         v_n: Vector3<f64>,
     ) -> Result<(), Error> {
         let quarter = core::f64::consts::FRAC_PI_2;
-        check_range("latitude_rad", place.latitude_rad, -quarter, quarter)?;
-        check_range("longitude_rad", place.longitude_rad, -4.0 * quarter, 4.0 * quarter)?;
-        check_range("height_m", place.height_m, -1e5, 1e6)?;
-        check_ranges("velocity_enu_m_s", v_n.as_slice(), -1e4, 1e4)?;
+        check_range("fix.latitude_rad", place.latitude_rad, -quarter, quarter)?;
+        check_range("fix.longitude_rad", place.longitude_rad, -4.0 * quarter, 4.0 * quarter)?;
+        check_range("fix.height_m", place.height_m, -1e5, 1e6)?;
+        check_ranges("fix.velocity_enu_m_s", v_n.as_slice(), -1e4, 1e4)?;
         if !self.aligns_in_flight() {
             return Ok(());
         }

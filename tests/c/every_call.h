@@ -147,12 +147,15 @@ static inline void every_flight_call(sins_flight *flight, every_call_answer *ans
 static inline void every_unit_call(sins_unit *unit, sins_sim *sim, every_call_answer *answer, void *context)
 {
     sins_unit_params unit_params[2];
+    sins_unit_fix unit_fix[2];
     sins_unit_status unit_status[2];
     sins_unit_navigation unit_navigation[2];
     unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
     size_t size = 0;
     SINS_INIT(unit_params[0]);
     SINS_INIT(unit_params[1]);
+    SINS_INIT(unit_fix[0]);
+    SINS_INIT(unit_fix[1]);
     SINS_INIT(unit_status[0]);
     SINS_INIT(unit_status[1]);
     SINS_INIT(unit_navigation[0]);
@@ -167,7 +170,7 @@ static inline void every_unit_call(sins_unit *unit, sins_sim *sim, every_call_an
     EVERY_CALL(sins_unit_enter_heading(unit, 0.0));
     EVERY_CALL(sins_unit_set_stored(unit, 0.0, 0.0, 0.0));
     EVERY_CALL(sins_unit_update(unit, sim));
-    EVERY_CALL(sins_unit_push_fix(unit, sim, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
+    EVERY_CALL(sins_unit_push_fix(unit, sim, unit_fix));
     EVERY_CALL(sins_unit_snapshot_save(unit, bytes, sizeof bytes, &size));
     EVERY_CALL(sins_unit_snapshot_load(unit, bytes, size));
     EVERY_CALL(sins_unit_get_status(unit, unit_status));
@@ -441,6 +444,7 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     EVERY_CALL(sins_unit_create(unit_params, 0, NULL));
     EVERY_CALL(sins_unit_set_params(unit, NULL));
     EVERY_CALL(sins_unit_get_params(unit, NULL));
+    EVERY_CALL(sins_unit_push_fix(unit, sim, NULL));
     EVERY_CALL(sins_unit_snapshot_save(unit, NULL, sizeof bytes, &size));
     EVERY_CALL(sins_unit_snapshot_load(unit, NULL, size));
     EVERY_CALL(sins_unit_get_status(unit, NULL));

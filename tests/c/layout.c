@@ -482,6 +482,14 @@ AT(sins_unit_params, battery_s, 160);
 AT(sins_unit_params, in_flight_alignment_s, 168);
 AT(sins_unit_params, in_flight_heading_rad, 176);
 
+SIZE(sins_unit_fix, SINS_SIZEOF_UNIT_FIX, 56);
+AT(sins_unit_fix, struct_size, 0);
+AT(sins_unit_fix, reserved, 4);
+AT(sins_unit_fix, latitude_rad, 8);
+AT(sins_unit_fix, longitude_rad, 16);
+AT(sins_unit_fix, height_m, 24);
+AT(sins_unit_fix, velocity_enu_m_s, 32);
+
 SIZE(sins_unit_status, SINS_SIZEOF_UNIT_STATUS, 80);
 AT(sins_unit_status, struct_size, 0);
 AT(sins_unit_status, reserved, 4);

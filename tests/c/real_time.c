@@ -288,6 +288,7 @@ static void fly_unit_frames(sins_sim *sim, sins_unit *unit)
     sins_unit_params params = {.struct_size = sizeof params};
     sins_unit_status status = {.struct_size = sizeof status};
     sins_unit_navigation navigation = {.struct_size = sizeof navigation};
+    sins_unit_fix fix = {.struct_size = sizeof fix};
     sins_bus_word words[64] = {{.struct_size = sizeof words[0]}};
     sins_bus_label label = {.struct_size = sizeof label};
     sins_status answer;
@@ -303,9 +304,14 @@ static void fly_unit_frames(sins_sim *sim, sins_unit *unit)
     for (k = 0; k < SCENE_COUNT; k++) {
         FRAME_CHECK(sins_push_sample(sim, &samples[k]) == SINS_OK);
         FRAME_CHECK(sins_unit_select(unit, k / 100 % 4) == SINS_OK);
-        FRAME_CHECK(sins_unit_set_alignment(unit, k / 400) == SINS_OK);
+        FRAME_CHECK(sins_unit_set_alignment(unit, k / 256) == SINS_OK);
         if (sins_step(sim) == SINS_OK) {
             FRAME_CHECK(sins_unit_update(unit, sim) == SINS_OK);
+            fix.latitude_rad = samples[k].latitude_rad;
+            fix.longitude_rad = samples[k].longitude_rad;
+            fix.height_m = samples[k].height_m;
+            memcpy(fix.velocity_enu_m_s, samples[k].velocity_enu_m_s, sizeof fix.velocity_enu_m_s);
+            FRAME_CHECK(sins_unit_push_fix(unit, sim, &fix) == SINS_OK);
         }
         answer = sins_unit_enter_position(unit, samples[k].latitude_rad, samples[k].longitude_rad);
         FRAME_CHECK(answer == SINS_OK || answer == SINS_ERROR_BAD_STATE);

@@ -2,13 +2,14 @@
  * pattern; the lowest byte that has changed after the call gives the depth. */
 
 #define _GNU_SOURCE
+#include <math.h>
 #include <pthread.h>
 #include <string.h>
 
 #include "scene.h"
 #include "small_stack.h"
 
-enum { DEEPEST = 48 * 1024, FUNCTIONS = 128, PAINT = 0x5a, SAMPLES = 8 };
+enum { DEEPEST = 48 * 1024, FUNCTIONS = 160, PAINT = 0x5a, SAMPLES = 8 };
 
 static struct {
     char name[40];
@@ -226,6 +227,40 @@ static void fly_ensemble(const sins_options *options)
     CHECK(sins_destroy(sim) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
 }
 
+/* A right turn by 1 rad/s at 100 m/s, with a fix at every sample: the last fixes find the attitude and correct the solution. */
+static void align_in_flight(sins_unit *unit)
+{
+    sins_unit_params params = {.struct_size = sizeof params, .power_up_test_s = 1e-3, .coarse_alignment_s = 0.1,
+                               .in_flight_alignment_s = 1.0, .in_flight_heading_rad = 1.0};
+    sins_unit_status status = {.struct_size = sizeof status};
+    sins_unit_fix fix = {.struct_size = sizeof fix};
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_sim *sim = NULL;
+    int k;
+    CHECK(sins_create(NULL, &sim) == SINS_OK && sins_unit_set_params(unit, &params) == SINS_OK);
+    CHECK(sins_unit_set_power(unit, SINS_UNIT_POWER_NONE) == SINS_OK);
+    for (k = 0; k < 300; k++) {
+        double heading = 0.01 * k;
+        sample.time_s = 0.01 * k;
+        sample.heading_rad = heading;
+        fix.velocity_enu_m_s[0] = sample.velocity_enu_m_s[0] = 100.0 * sin(heading);
+        fix.velocity_enu_m_s[1] = sample.velocity_enu_m_s[1] = 100.0 * cos(heading);
+        fix.longitude_rad = sample.longitude_rad = 100.0 * (1.0 - cos(heading)) / 6378137.0;
+        fix.latitude_rad = sample.latitude_rad = 100.0 * sin(heading) / 6335439.0;
+        CHECK(sins_push_sample(sim, &sample) == SINS_OK && (sins_step(sim) == SINS_OK) == (k > 0));
+        if (k > 0) {
+            CHECK(sins_unit_update(unit, sim) == SINS_OK);
+            MEASURE(sins_unit_push_fix(unit, sim, &fix));
+        }
+        if (k == 1) {
+            CHECK(sins_unit_set_power(unit, SINS_UNIT_POWER_AIRCRAFT) == SINS_OK && sins_unit_select(unit, SINS_UNIT_NAV) == SINS_OK);
+            CHECK(sins_unit_set_alignment(unit, SINS_UNIT_ALIGNMENT_IN_FLIGHT) == SINS_OK);
+        }
+    }
+    CHECK(sins_unit_get_status(unit, &status) == SINS_OK && status.state == SINS_UNIT_STATE_NAVIGATION);
+    CHECK(sins_destroy(sim) == SINS_OK);
+}
+
 static void fly_unit(const sins_options *options)
 {
     sins_unit_params params = {.struct_size = sizeof params, .power_up_test_s = 0.01, .alignment_s = 0.1};
@@ -257,8 +292,9 @@ static void fly_unit(const sins_options *options)
             MEASURE(sins_unit_get_status(unit, &status));
             MEASURE(sins_unit_get_navigation(unit, sim, &navigation));
         }
-        CHECK(sins_unit_set_alignment(unit, k % 4) == SINS_OK && sins_unit_select(unit, k / 2 % 4) == SINS_OK);
+        CHECK(sins_unit_set_alignment(unit, k % 5) == SINS_OK && sins_unit_select(unit, k / 2 % 4) == SINS_OK);
     }
+    align_in_flight(unit);
     TRY(sins_bus_words(&status, &navigation, NULL, 0.0, 1.0, &word, 1, &size));
     MEASURE(sins_bus_get_label(0, &label));
     TRY(sins_bus_decode(0, 0, &label));

@@ -387,11 +387,12 @@ static sins_status first_word(sins_bus_word *word)
     return answer == SINS_ERROR_BUFFER_TOO_SMALL ? SINS_OK : answer;
 }
 
-static void struct_sizes_of_units(const sins_sim *sim)
+static void struct_sizes_of_units(sins_sim *sim)
 {
     sins_unit *unit = scene_unit();
     INPUT_SIZES(sins_unit_params, create_unit(pointer));
     INPUT_SIZES(sins_unit_params, sins_unit_set_params(unit, pointer));
+    INPUT_SIZES(sins_unit_fix, sins_unit_push_fix(unit, sim, pointer));
     OUTPUT_SIZES(sins_unit_params, sins_unit_get_params(unit, pointer));
     OUTPUT_SIZES(sins_unit_status, sins_unit_get_status(unit, pointer));
     OUTPUT_SIZES(sins_unit_navigation, sins_unit_get_navigation(unit, sim, pointer));

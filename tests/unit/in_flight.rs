@@ -159,14 +159,14 @@ fn fixes_are_checked_and_only_taken_when_needed() {
     aircraft.go(CRUISE, 10.0);
     let (before, place) = (aircraft.unit, aircraft.place());
     for (v_n, field) in
-        [(Vector3::new(0.0, f64::NAN, 0.0), "velocity_enu_m_s"), (each(1.1e4), "velocity_enu_m_s")]
+        [(Vector3::new(0.0, f64::NAN, 0.0), "fix.velocity_enu_m_s"), (each(1.1e4), "fix.velocity_enu_m_s")]
     {
         let error = aircraft.unit.push_fix(&mut aircraft.simulator, place, v_n).unwrap_err();
         assert!(error.field == field && aircraft.unit == before, "{error}");
     }
     let too_high = sins::earth::Geodetic { height_m: 2e6, ..place };
     let error = aircraft.unit.push_fix(&mut aircraft.simulator, too_high, each(0.0)).unwrap_err();
-    assert_eq!(error.field, "height_m");
+    assert_eq!(error.field, "fix.height_m");
     aircraft.unit.set_alignment(AlignmentKind::Gyrocompass);
     let before = aircraft.unit;
     aircraft.unit.push_fix(&mut aircraft.simulator, place, each(0.0)).unwrap();

@@ -74,15 +74,19 @@ impl Library {
     }
 
     fn step(&mut self, step: u32) {
-        let [latitude_rad, longitude_rad, height_m, roll, pitch, heading, ..] = AT_REST;
+        self.fly(f64::from(step) * STEP_S, &AT_REST);
+    }
+
+    fn fly(&mut self, time_s: f64, inputs: &[f64; 9]) {
+        let [latitude_rad, longitude_rad, height_m, roll, pitch, heading, v_n @ ..] = *inputs;
         let place = Geodetic { latitude_rad, longitude_rad, height_m };
-        let time_s = f64::from(step) * STEP_S;
-        let mut sample = FlightSample::at_rest(time_s, place, Euler { roll, pitch, heading });
+        let at_rest = FlightSample::at_rest(time_s, place, Euler { roll, pitch, heading });
+        let mut sample = FlightSample { v_n: Some(v_n.into()), ..at_rest };
         let [simulator] = &mut *self.simulator;
         self.scene.prepare(simulator, 0.0, &mut sample).unwrap();
         simulator.push_sample(&sample).unwrap();
         simulator.step().unwrap();
-        if step > 0 {
+        if time_s > 0.0 {
             self.scene.update_unit(&mut self.unit, simulator, 0.0).unwrap();
         }
     }
@@ -181,6 +185,43 @@ fn an_alignment_by_the_panel_is_that_of_the_library() {
     assert_eq!(states, course);
 }
 
+/// A wide turn at 100 m/s from a point of the equator, with a fix at every eighth step: the outputs are those of the library in each
+/// step, and the box navigates in the end.
+#[test]
+fn an_alignment_in_flight_takes_the_fixes_of_the_inputs() {
+    let text = format!(
+        "{SCENE}[unit]\nstart = \"off\"\nalignment = \"in_flight\"\ncoarse_alignment_s = 10\nin_flight_alignment_s = 60\n"
+    );
+    let (unit, mut library) = (flying(&text), Library::new(&text));
+    let fix = ["latitude_rad", "longitude_rad", "height_m"].map(|name| reference(&format!("fix.{name}")));
+    let of_velocity = [1, 2, 3].map(|k| reference(&format!("fix.velocity_enu_m_s[{k}]")));
+    set(&unit, "panel.mode", NAV);
+    library.unit.select(Mode::Navigate);
+    for k in 0..800 {
+        let heading = 0.1 * f64::from(k) * STEP_S;
+        let (sin, cos) = heading.sin_cos();
+        let (latitude_rad, longitude_rad) = (1000.0 * sin / 6_335_439.0, 1000.0 * (1.0 - cos) / 6_378_137.0);
+        let (place, v_n) = ([latitude_rad, longitude_rad, 0.0], [100.0 * sin, 100.0 * cos, 0.0]);
+        let values =
+            [latitude_rad, longitude_rad, 0.0, (10.0f64 / 9.78).atan(), 0.0, heading, v_n[0], v_n[1], 0.0];
+        unit.set_reals(&inputs(), &values);
+        let has_fix = k % 8 == 0 && k > 0;
+        if has_fix {
+            unit.set_reals(&fix, &place);
+            unit.set_reals(&of_velocity, &v_n);
+            set(&unit, "fix.count", k);
+        }
+        assert_eq!(unsafe { fmi2DoStep(unit.component, f64::from(k) * STEP_S, STEP_S, 1) }, fmi2OK);
+        library.fly(f64::from(k) * STEP_S, &values);
+        if has_fix {
+            let place = Geodetic { latitude_rad, longitude_rad, height_m: 0.0 };
+            library.unit.push_fix(&mut library.simulator[0], place, v_n.into()).unwrap();
+        }
+        assert_eq!(unit.reals(&shown_references()), library.shown(), "step {k}");
+    }
+    assert_eq!(library.unit.status().state, State::Navigation);
+}
+
 /// A scene without a unit has no box: the panel does nothing, and the outputs of the navigation are the same.
 #[test]
 fn without_a_box_the_panel_does_nothing() {
@@ -220,6 +261,7 @@ fn refused_entries_are_said() {
     }
     set(&unit, "panel.position_count", 2);
     set(&unit, "panel.heading_count", 2);
+    set(&unit, "fix.count", 2); // no alignment in flight: nothing is to be said
     assert_eq!(step(&unit, 6), fmi2OK);
     let messages = unit.messages();
     assert!(messages.len() == 2, "each refused entry is said: {messages:?}");
@@ -236,6 +278,8 @@ fn refused_entries_are_said() {
         ("panel.position_count", "panel.latitude_rad", 1.6),
         ("panel.position_count", "panel.longitude_rad", f64::NAN),
         ("panel.heading_count", "panel.heading_rad", 6.3),
+        ("fix.count", "fix.latitude_rad", 1.6),
+        ("fix.count", "fix.velocity_enu_m_s[2]", f64::NAN),
     ] {
         set(&unit, count, 3);
         unit.set_reals(&[reference(name)], &[wrong]);

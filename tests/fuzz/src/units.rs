@@ -81,7 +81,16 @@ impl Host {
                 5 => call!(sins_unit_press_test(unit)),
                 6 => call!(sins_unit_enter_heading(unit, one)),
                 7 => call!(sins_unit_set_stored(unit, one, two, three)),
-                8..12 => call!(sins_unit_push_fix(unit, sim, one, two, three, two, three, one)),
+                8..12 => {
+                    let fix = sins_unit_fix {
+                        latitude_rad: one,
+                        longitude_rad: two,
+                        height_m: three,
+                        velocity_enu_m_s: [two, three, one],
+                        ..init()
+                    };
+                    call!(sins_unit_push_fix(unit, sim, &fix))
+                }
                 _ => call!(sins_unit_enter_position(unit, one, two)),
             };
             motion = motion.next(&mut self.input);
