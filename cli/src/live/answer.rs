@@ -17,9 +17,11 @@ pub enum Send {
     Nmea,
     /// ARINC 429 words that are due, a line for each, with the columns of `sins fly --bus`
     Bus,
+    /// The same words as 32 bits each, the highest byte first; the label is in the last byte
+    Words,
 }
 
-/// Largest datagram of lines [bytes]: one packet of any network.
+/// Largest datagram of words [bytes]: one packet of any network.
 const LARGEST: usize = 1200;
 
 /// Longest time whose words are sent [s].
@@ -60,32 +62,30 @@ impl Answers {
                 }
                 vec![nmea::sentences(navigation).into_bytes()]
             }
-            Send::Bus => {
+            Send::Bus | Send::Words => {
                 let to_s = navigation.time_s;
+                let interval = (from_s.max(to_s - LONGEST_S), to_s);
                 let mut due = Vec::new();
-                words(
-                    &shown.status,
-                    navigation,
-                    &self.inputs,
-                    (from_s.max(to_s - LONGEST_S), to_s),
-                    |word| due.extend(bus_line(&word)),
-                )?;
+                words(&shown.status, navigation, &self.inputs, interval, |word| {
+                    if self.send == Send::Words {
+                        due.push(word.word.to_be_bytes().to_vec());
+                    } else {
+                        due.extend(bus_line(&word).map(|line| format!("{line}\n").into_bytes()));
+                    }
+                })?;
                 datagrams(&due)
             }
         })
     }
 }
 
-/// Lines in datagrams that are not too large.
-fn datagrams(lines: &[String]) -> Vec<Vec<u8>> {
+/// Words in datagrams that are not too large.
+fn datagrams(words: &[Vec<u8>]) -> Vec<Vec<u8>> {
     let mut datagrams: Vec<Vec<u8>> = Vec::new();
-    for line in lines {
+    for word in words {
         match datagrams.last_mut() {
-            Some(datagram) if datagram.len() + line.len() < LARGEST => {
-                datagram.extend_from_slice(line.as_bytes());
-                datagram.push(b'\n');
-            }
-            _ => datagrams.push(format!("{line}\n").into_bytes()),
+            Some(datagram) if datagram.len() + word.len() <= LARGEST => datagram.extend(word),
+            _ => datagrams.push(word.clone()),
         }
     }
     datagrams
@@ -96,12 +96,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lines_fill_datagrams() {
-        let lines: Vec<String> = (0..100).map(|k| format!("{k:0>50}")).collect();
-        let datagrams = datagrams(&lines);
+    fn words_fill_datagrams() {
+        let words: Vec<Vec<u8>> = (0..100).map(|k| format!("{k:0>50}\n").into_bytes()).collect();
+        let datagrams = datagrams(&words);
         assert!(datagrams.len() == 5 && datagrams.iter().all(|datagram| datagram.len() <= LARGEST));
-        let text = String::from_utf8(datagrams.concat()).unwrap();
-        assert_eq!(text, lines.join("\n") + "\n");
+        assert_eq!(datagrams.concat(), words.concat());
         assert!(super::datagrams(&[]).is_empty());
     }
 }

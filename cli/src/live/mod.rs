@@ -95,7 +95,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     if let Some(rate_hz) = order.rate_hz {
         given.scene.options.intake.period_s = Some(1.0 / rate_hz);
     }
-    if order.to.is_some() && order.send == Send::Bus && given.scene.unit()?.is_none() {
+    if order.to.is_some() && matches!(order.send, Send::Bus | Send::Words) && given.scene.unit()?.is_none() {
         let what = "--send bus: the scene has no unit, which sends the words; --set unit.start=nav adds one";
         return Err(Failure::new(what));
     }

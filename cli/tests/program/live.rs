@@ -460,6 +460,11 @@ fn answers_are_what_the_ins_believes() {
     let [time_s, latitude] = [0, 3].map(|field| fields[field].parse::<f64>().unwrap());
     assert!((time_s - 10.0).abs() < 1e-6 && fields[5] == "normal", "{fields:?}");
     assert!((latitude - place.latitude_rad / DEG).abs() < 180.0 / f64::from(1 << 20), "{fields:?}");
+
+    let of_lines = text.lines().map(|line| line.split(',').nth(2).unwrap().to_owned());
+    let raw = last_of("words", &["--set", "unit.start=nav"]).concat();
+    let raw = raw.chunks(4).map(|word| format!("{:08x}", u32::from_be_bytes(word.try_into().unwrap())));
+    assert!(raw.eq(of_lines));
 }
 
 /// A unit aligns on live packets at rest; its states are a file, and the replay has the same.
