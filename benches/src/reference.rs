@@ -53,7 +53,7 @@ fn vectors(columns: &Columns, names: [&str; 3]) -> Result<Vec<Vector3<f64>>, Box
     Ok(x.iter().zip(y).zip(z).map(|((&x, &y), &z)| Vector3::new(x, y, z)).collect())
 }
 
-/// The columns of a file written by `tests/data/pack.py`, which describes the format.
+/// The columns of a file written by `tests/data/reference.py`, which describes the format.
 fn columns(name: &str) -> Result<Columns, Box<dyn Error>> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data").join(name);
     let bytes = std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))?;

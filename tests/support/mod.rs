@@ -82,7 +82,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// A file written by `tests/data/pack.py`, which describes the format.
+    /// A file written by `tests/data/reference.py`, which describes the format.
     pub fn packed(name: &str) -> Self {
         let bytes = std::fs::read(project_file("tests/data").join(name)).unwrap();
         let mut input = bytes.strip_prefix(b"SINSPACK").unwrap();
