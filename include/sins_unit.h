@@ -66,8 +66,8 @@ typedef struct sins_unit_params {
      */
     double quick_off_s;
     /**
-     * Largest latitude at which the unit aligns [rad], 0.01 to 1.56; 0: the default. The default is 82 degrees,
-     * that of flybywiresim/aircraft.
+     * Largest latitude at which the unit aligns at rest [rad], 0.01 to 1.56; 0: the default. The default is 82
+     * degrees, that of flybywiresim/aircraft.
      */
     double max_latitude_rad;
     /**
@@ -341,14 +341,20 @@ SINS_API sins_status SINS_CALL sins_unit_update(sins_unit *unit, sins_sim *sim);
  *
  * The first fix begins a window. A window ends with the first fix at least coarse_alignment_s behind its begin, and the next one begins.
  * In each window the integral a of the measured specific force, in inertial axes that the gyros keep, belongs to the integral b by the
- * fixes: the change of the inertial velocity less the integral of the gravitation. The rotation C for which the sum of |b - C a|^2 over
- * the windows is least is the attitude. The heading has the variance s^2 u.(tr(S) I - S)^-1 u: s^2 is the sum that C leaves, divided by
- * 3 (windows - 1), S the sum of b b^T, and u the vertical. Turns and changes of speed make it small. Biases of the sensors are not in it.
+ * fixes: the change of the inertial velocity less the integral of the gravitation. The believed lever arm is taken into account. The
+ * rotation R for which the sum of |b - R a|^2 over the windows is least is the attitude. With two windows the unit shows roll and pitch.
  *
- * The alignment ends with the first fix after in_flight_alignment_s at which this standard deviation is at most in_flight_heading_rad.
- * Then position and velocity become those of the fix, and the call corrects the solution of the simulator, as sins_correct() does. Until
- * then, after this time, the status has SINS_UNIT_REASON_TURNS_NEEDED. A unit of this kind whose selector is turned to SINS_UNIT_ALIGN in
- * flight aligns again.
+ * The standard deviation of the heading follows from what R leaves of that sum, from the motion, and from the gyros: their largest bias
+ * and one standard deviation of what is drawn, as they are set. Turns and changes of speed make it small. In straight flight it is at
+ * least the drift of the gyros divided by the horizontal Earth rate. A window counts less the older it is: its weight falls by e in the
+ * time in which the drift reaches in_flight_heading_rad.
+ *
+ * The alignment ends with the first window behind in_flight_alignment_s at whose end this standard deviation is at most
+ * in_flight_heading_rad. Then attitude, position, height and velocity become those that the window and its last fix show, and the call
+ * corrects the solution of the simulator, as sins_correct() does. Until then, after this time, the status has
+ * SINS_UNIT_REASON_TURNS_NEEDED. A unit that waits at SINS_UNIT_ALIGN aligns on. A unit of this kind whose selector is turned from
+ * SINS_UNIT_NAV to SINS_UNIT_ALIGN in flight aligns again. The unit does not judge fixes: a wrong one that bounds a window stays in the
+ * sum, so that the alignment ends late or never, until it is begun anew.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_HANDLE: sim is not a simulator.
  * The errors of sins_correct(): the simulator rejects the correction; the unit has not taken the fix.
@@ -379,9 +385,12 @@ typedef enum sins_unit_state {
     SINS_UNIT_STATE_TEST = 1,
     /** Alignment without an attitude yet; also while the unit moves and cannot align. */
     SINS_UNIT_STATE_COARSE_ALIGNMENT = 2,
-    /** Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored. */
+    /**
+     * Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored. In flight it begins when the
+     * first windows show an attitude, and the heading is valid when it is as accurate as in_flight_heading_rad.
+     */
     SINS_UNIT_STATE_FINE_ALIGNMENT = 3,
-    /** Aligned: it waits for SINS_UNIT_NAV, and continues to align. */
+    /** Aligned: it waits for SINS_UNIT_NAV, and continues to align. Its velocity is valid if it was aligned in flight. */
     SINS_UNIT_STATE_READY = 4,
     /** Navigation. */
     SINS_UNIT_STATE_NAVIGATION = 5,
@@ -419,7 +428,7 @@ typedef enum sins_unit_annunciators {
 
 /** Reasons why a unit is not ready, or has failed. */
 typedef enum sins_unit_reasons {
-    /** No position was entered; in flight: no fix came. */
+    /** No position was entered; in flight: no fix came for a minute. */
     SINS_UNIT_REASON_NO_POSITION = 1,
     /** The entered position is too far from the stored one. Enter it again, or another one. */
     SINS_UNIT_REASON_POSITION_DISAGREES = 2,
@@ -433,7 +442,7 @@ typedef enum sins_unit_reasons {
     SINS_UNIT_REASON_NO_SIGNAL = 32,
     /** The battery is empty. */
     SINS_UNIT_REASON_BATTERY_EMPTY = 64,
-    /** In flight: the heading is not accurate enough yet. Turns or changes of speed show it. */
+    /** In flight: in_flight_alignment_s is over, and the heading is not accurate enough yet. Turns or changes of speed show it. */
     SINS_UNIT_REASON_TURNS_NEEDED = 128
 } sins_unit_reasons;
 
@@ -469,7 +478,7 @@ typedef struct sins_unit_status {
     uint32_t validity;
     /** Whole minutes to the end of the alignment, rounded up; 0: none is in progress. */
     int32_t minutes_to_go;
-    /** Time to the end of the alignment, the realignment or the erection [s]; 0: none is in progress. */
+    /** Time to the end of the alignment, the realignment or the erection [s]; 0: none is in progress, or it waits, see the reasons. */
     double to_go_s;
     /** Time in navigation since the last alignment [s]. */
     double in_navigation_s;

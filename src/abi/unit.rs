@@ -328,14 +328,20 @@ interface_struct!(sins_unit_fix, "fix", 56);
 ///
 /// The first fix begins a window. A window ends with the first fix at least coarse_alignment_s behind its begin, and the next one begins.
 /// In each window the integral a of the measured specific force, in inertial axes that the gyros keep, belongs to the integral b by the
-/// fixes: the change of the inertial velocity less the integral of the gravitation. The rotation C for which the sum of |b - C a|^2 over
-/// the windows is least is the attitude. The heading has the variance s^2 u.(tr(S) I - S)^-1 u: s^2 is the sum that C leaves, divided by
-/// 3 (windows - 1), S the sum of b b^T, and u the vertical. Turns and changes of speed make it small. Biases of the sensors are not in it.
+/// fixes: the change of the inertial velocity less the integral of the gravitation. The believed lever arm is taken into account. The
+/// rotation R for which the sum of |b - R a|^2 over the windows is least is the attitude. With two windows the unit shows roll and pitch.
 ///
-/// The alignment ends with the first fix after in_flight_alignment_s at which this standard deviation is at most in_flight_heading_rad.
-/// Then position and velocity become those of the fix, and the call corrects the solution of the simulator, as sins_correct() does. Until
-/// then, after this time, the status has SINS_UNIT_REASON_TURNS_NEEDED. A unit of this kind whose selector is turned to SINS_UNIT_ALIGN in
-/// flight aligns again.
+/// The standard deviation of the heading follows from what R leaves of that sum, from the motion, and from the gyros: their largest bias
+/// and one standard deviation of what is drawn, as they are set. Turns and changes of speed make it small. In straight flight it is at
+/// least the drift of the gyros divided by the horizontal Earth rate. A window counts less the older it is: its weight falls by e in the
+/// time in which the drift reaches in_flight_heading_rad.
+///
+/// The alignment ends with the first window behind in_flight_alignment_s at whose end this standard deviation is at most
+/// in_flight_heading_rad. Then attitude, position, height and velocity become those that the window and its last fix show, and the call
+/// corrects the solution of the simulator, as sins_correct() does. Until then, after this time, the status has
+/// SINS_UNIT_REASON_TURNS_NEEDED. A unit that waits at SINS_UNIT_ALIGN aligns on. A unit of this kind whose selector is turned from
+/// SINS_UNIT_NAV to SINS_UNIT_ALIGN in flight aligns again. The unit does not judge fixes: a wrong one that bounds a window stays in the
+/// sum, so that the alignment ends late or never, until it is begun anew.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_HANDLE: sim is not a simulator.
 /// The errors of sins_correct(): the simulator rejects the correction; the unit has not taken the fix.

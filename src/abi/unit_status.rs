@@ -20,9 +20,10 @@ pub const SINS_UNIT_STATE_OFF: sins_unit_state = 0;
 pub const SINS_UNIT_STATE_TEST: sins_unit_state = 1;
 /// Alignment without an attitude yet; also while the unit moves and cannot align.
 pub const SINS_UNIT_STATE_COARSE_ALIGNMENT: sins_unit_state = 2;
-/// Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored.
+/// Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored. In flight it begins when the
+/// first windows show an attitude, and the heading is valid when it is as accurate as in_flight_heading_rad.
 pub const SINS_UNIT_STATE_FINE_ALIGNMENT: sins_unit_state = 3;
-/// Aligned: it waits for SINS_UNIT_NAV, and continues to align.
+/// Aligned: it waits for SINS_UNIT_NAV, and continues to align. Its velocity is valid if it was aligned in flight.
 pub const SINS_UNIT_STATE_READY: sins_unit_state = 4;
 /// Navigation.
 pub const SINS_UNIT_STATE_NAVIGATION: sins_unit_state = 5;
@@ -67,7 +68,7 @@ pub const SINS_UNIT_HAS_STORED: sins_unit_annunciators = 128;
 /// Reasons why a unit is not ready, or has failed.
 pub type sins_unit_reasons = u32;
 
-/// No position was entered; in flight: no fix came.
+/// No position was entered; in flight: no fix came for a minute.
 pub const SINS_UNIT_REASON_NO_POSITION: sins_unit_reasons = 1;
 /// The entered position is too far from the stored one. Enter it again, or another one.
 pub const SINS_UNIT_REASON_POSITION_DISAGREES: sins_unit_reasons = 2;
@@ -81,7 +82,7 @@ pub const SINS_UNIT_REASON_LATITUDE_TOO_HIGH: sins_unit_reasons = 16;
 pub const SINS_UNIT_REASON_NO_SIGNAL: sins_unit_reasons = 32;
 /// The battery is empty.
 pub const SINS_UNIT_REASON_BATTERY_EMPTY: sins_unit_reasons = 64;
-/// In flight: the heading is not accurate enough yet. Turns or changes of speed show it.
+/// In flight: in_flight_alignment_s is over, and the heading is not accurate enough yet. Turns or changes of speed show it.
 pub const SINS_UNIT_REASON_TURNS_NEEDED: sins_unit_reasons = 128;
 
 /// Outputs of a unit that are valid.
@@ -118,7 +119,7 @@ pub struct sins_unit_status {
     pub validity: u32,
     /// Whole minutes to the end of the alignment, rounded up; 0: none is in progress.
     pub minutes_to_go: i32,
-    /// Time to the end of the alignment, the realignment or the erection [s]; 0: none is in progress.
+    /// Time to the end of the alignment, the realignment or the erection [s]; 0: none is in progress, or it waits, see the reasons.
     pub to_go_s: f64,
     /// Time in navigation since the last alignment [s].
     pub in_navigation_s: f64,

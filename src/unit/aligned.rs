@@ -98,7 +98,7 @@ impl Unit {
         let (of_cos, of_sin) = if parameters.latitude_tolerance_rad != 0.0 {
             (parameters.latitude_tolerance_rad * sin.abs() + COSINE_TOLERANCE, SINE_TOLERANCE)
         } else {
-            let by_gyros = gyro_rate_error(gyro, self.alignment.elapsed_s) / earth_rate;
+            let by_gyros = gyro_rate_error(gyro, self.alignment.elapsed_s, SIGMAS) / earth_rate;
             (by_gyros + COSINE_TOLERANCE, by_gyros + SINE_TOLERANCE)
         };
         let passes =
@@ -207,12 +207,12 @@ fn about_up(angle: f64) -> Quaternion<f64> {
     rotation_quaternion(&(Vector3::z() * angle))
 }
 
-/// Bound of the error of a mean gyro rate over `t` \[s\]: what is set, and some standard deviations of what is drawn \[rad/s\].
-fn gyro_rate_error(gyro: &TriadParameters, t: f64) -> f64 {
+/// Bound of the error of a mean gyro rate over `t` \[s\]: what is set, and `sigmas` standard deviations of what is drawn \[rad/s\].
+pub(super) fn gyro_rate_error(gyro: &TriadParameters, t: f64, sigmas: f64) -> f64 {
     let largest = |axes: &Vector3<f64>| axes.amax();
     let walk = largest(&gyro.random_walk);
     let sigma = largest(&gyro.bias_sigma);
     let markov = largest(&gyro.markov_sigma);
     let variance = walk * walk / t + sigma * sigma + markov * markov;
-    largest(&gyro.bias) + SIGMAS * variance.sqrt()
+    largest(&gyro.bias) + sigmas * variance.sqrt()
 }

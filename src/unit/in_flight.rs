@@ -4,68 +4,86 @@
 //! accelerometers, in those that the gyros keep, and b from the fixes, in those that the Earth-fixed axes were at the first fix,
 //! ```text
 //! b = Δ(v + Ω × r) - ∫γ dt          position r, velocity v against the Earth, Earth rate Ω, gravitation γ
+//! a = ∫C f dt - Δ C (ω × l)         attitude C of the block, its rate ω, lever arm l from the reference point to the block
 //! ```
-//! The rotation C between both makes Σ|b - C a|² over all windows as small as possible: it is the orthogonal factor of M = Σ b aᵀ.
-//! Turns and changes of speed show the heading; without them the Earth's rotation alone shows it, slowly. What C leaves of the sum gives
-//! the variance s² of a component of b, and with S = Σ b bᵀ and the vertical u the variance of the heading, s² uᵀ (tr S · I - S)⁻¹ u.
+//! The rotation R between both makes Σ|b - R a|² over all windows as small as possible: it is the orthogonal factor of M = Σ b aᵀ.
+//! Turns and changes of speed show the heading; without them the Earth's rotation alone shows it, slowly. With Wₖ = |bₖ|² I - bₖ bₖᵀ of
+//! the window around the time tₖ and A = Σ Wₖ, the heading about the vertical u at the time t has the variance
+//! ```text
+//! s² uᵀ A⁻¹ u + d² |(A⁻¹ Σ tₖ Wₖ - t I)ᵀ u|²
+//! ```
+//! s² is that of a component of b, from what R leaves of the sum; d is the drift of the gyros, which turns the axes that they keep. A window
+//! counts less the older it is: its weight falls by e in the time in which the drift reaches the limit of the heading.
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
+use super::aligned::gyro_rate_error;
 use super::{AlignmentKind, State, Unit, UnitParameters};
 use crate::earth::{Earth, Geodetic, navigation_axes};
 use crate::error::{Error, check_range, check_ranges};
-use crate::math::{rotate, rotation_quaternion};
+use crate::math::{exp, rotate, rotate_inverse, rotation_quaternion};
 use crate::simulator::Simulator;
 use crate::snapshot::{CLOCK_S, SIGNALS, stored};
 
 /// Iterations of the orthogonal factor, for matrices whose singular values differ by up to 1e12.
 const ITERATIONS: usize = 60;
 
-/// A fix in inertial axes.
+/// Longest time behind a fix for which the unit flies on with its velocity; then it lacks a position \[s\].
+pub(super) const WITHOUT_FIX_S: f64 = 60.0;
+
+/// A fix.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct Point {
+struct Fix {
     /// Since the first fix \[s\].
     time_s: f64,
-    /// Velocity \[m/s\] and gravitation \[m/s²\].
+    /// Position \[m\] and velocity \[m/s\], Earth-fixed axes.
+    r_e: Vector3<f64>,
+    v_e: Vector3<f64>,
+    /// Velocity \[m/s\] and gravitation \[m/s²\], in inertial axes: the Earth-fixed ones at the first fix.
     velocity_i: Vector3<f64>,
     gravitation_i: Vector3<f64>,
+    /// Velocity of the block against the reference point, in the axes that the gyros keep \[m/s\].
+    arm_i: Vector3<f64>,
 }
 
-stored!(Point { time_s: CLOCK_S, velocity_i: SIGNALS, gravitation_i: SIGNALS });
+stored!(Fix { time_s: CLOCK_S, r_e: SIGNALS, v_e: SIGNALS, velocity_i: SIGNALS, gravitation_i: SIGNALS, arm_i: SIGNALS } then |fix, from| {
+    let height = fix.r_e.norm_squared().sqrt();
+    from.require(height > 6e6, height, "is below the ground")
+});
 
 /// What the windows so far have shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Found {
     /// Rotates the axes that the gyros keep to those of the first fix.
     q_ei: Quaternion<f64>,
-    /// Rotates east-north-up at the last fix to the axes that the gyros keep.
-    q_in: Quaternion<f64>,
     heading_sigma_rad: f64,
 }
 
-stored!(Found { q_ei: 2.0, q_in: 2.0, heading_sigma_rad: SIGNALS } then |found, from| {
-    let sizes = found.q_ei.norm_squared().min(found.q_in.norm_squared());
-    from.require(sizes > 0.9, sizes, "is not of size 1")
+stored!(Found { q_ei: 2.0, heading_sigma_rad: SIGNALS } then |found, from| {
+    let size = found.q_ei.norm_squared();
+    from.require(size > 0.9, size, "is not of size 1")
 });
 
 impl Default for Found {
     fn default() -> Self {
-        Self { q_ei: Quaternion::identity(), q_in: Quaternion::identity(), heading_sigma_rad: 0.0 }
+        Self { q_ei: Quaternion::identity(), heading_sigma_rad: 0.0 }
     }
 }
 
 /// An alignment in flight: the present window, and sums over the complete ones.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct InFlight {
-    last: Option<Point>,
+    last: Option<Fix>,
     /// Since the first fix, and of it the present window \[s\].
     elapsed_s: f64,
     window_s: f64,
     /// a and b of the present window \[m/s\].
     felt_i: Vector3<f64>,
     expected_i: Vector3<f64>,
-    /// Columns of Σ b aᵀ, and Σ(|a|² + |b|²).
+    /// Columns of Σ b aᵀ, of A and of Σ t W; Σ(|a|² + |b|²).
     product: [Vector3<f64>; 3],
+    shown: [Vector3<f64>; 3],
+    moment: [Vector3<f64>; 3],
     squares: f64,
     windows: f64,
     found: Option<Found>,
@@ -78,19 +96,30 @@ stored!(InFlight {
     felt_i: SIGNALS,
     expected_i: SIGNALS,
     product: SIGNALS,
+    shown: SIGNALS,
+    moment: SIGNALS,
     squares: SIGNALS,
     windows: SIGNALS,
     found
 });
 
 impl InFlight {
-    pub fn has_fix(&self) -> bool {
-        self.last.is_some()
+    /// Time since the last fix \[s\].
+    fn since_fix_s(&self) -> Option<f64> {
+        self.last.map(|last| self.elapsed_s - last.time_s)
     }
 
-    /// Rotates east-north-up at the last fix to the axes that the gyros keep.
-    pub fn q_in(&self) -> Option<Quaternion<f64>> {
-        self.found.map(|found| found.q_in)
+    pub fn has_fix(&self) -> bool {
+        self.since_fix_s().is_some_and(|since_s| since_s <= WITHOUT_FIX_S)
+    }
+
+    /// Rotates east-north-up, where the unit should be by now, to the axes that the gyros keep.
+    pub fn q_in(&self, earth: &Earth) -> Option<Quaternion<f64>> {
+        let (found, last) = (self.found?, self.last?);
+        let since_s = self.since_fix_s()?.min(WITHOUT_FIX_S);
+        let place = earth.to_geodetic(&(last.r_e + last.v_e * since_s));
+        let turned = rotation_quaternion(&(Vector3::z() * (earth.rate_rad_s * self.elapsed_s)));
+        Some(found.q_ei.conjugate() * turned * navigation_axes(place.latitude_rad, place.longitude_rad))
     }
 
     /// Whether the heading is as accurate as `parameters` ask.
@@ -107,57 +136,72 @@ impl InFlight {
         }
     }
 
-    /// Takes a fix at the end of the last interval. A window ends with the first fix after `shortest_s` \[s\].
-    fn take(&mut self, earth: &Earth, place: &Geodetic, v_n: &Vector3<f64>, shortest_s: f64) {
+    /// Takes a fix at the end of the last interval, at which the arm moves the block by `arm_i` \[m/s\] and the gyros drift by up to
+    /// `drift` \[rad/s\]. Returns whether it ends a window: it does if the window is long enough.
+    fn take(
+        &mut self,
+        earth: &Earth,
+        (place, v_n): (&Geodetic, &Vector3<f64>),
+        arm_i: Vector3<f64>,
+        drift: f64,
+        parameters: &UnitParameters,
+    ) -> bool {
         let rate = Vector3::z() * earth.rate_rad_s;
         let r_e = earth.to_earth_fixed(place);
         let q_en = navigation_axes(place.latitude_rad, place.longitude_rad);
         let turned = rotation_quaternion(&(rate * self.elapsed_s));
+        let v_e = rotate(&q_en, v_n);
         let gravitation_e = earth.gravity(&r_e) + rate.cross(&rate.cross(&r_e));
-        let point = Point {
+        let fix = Fix {
             time_s: self.elapsed_s,
-            velocity_i: rotate(&turned, &(rotate(&q_en, v_n) + rate.cross(&r_e))),
+            r_e,
+            v_e,
+            velocity_i: rotate(&turned, &(v_e + rate.cross(&r_e))),
             gravitation_i: rotate(&turned, &gravitation_e),
+            arm_i,
         };
-        let q_en = turned * q_en;
-        if let Some(last) = self.last.replace(point) {
-            let mean = 0.5 * (point.gravitation_i + last.gravitation_i);
-            self.expected_i += point.velocity_i - last.velocity_i - mean * (point.time_s - last.time_s);
+        if let Some(last) = self.last.replace(fix) {
+            let mean = 0.5 * (fix.gravitation_i + last.gravitation_i);
+            self.expected_i += fix.velocity_i - last.velocity_i - mean * (fix.time_s - last.time_s);
+            self.felt_i -= fix.arm_i - last.arm_i;
         }
-        if self.window_s > 0.0 && self.window_s >= shortest_s {
-            self.close(&rotate(&q_en, &Vector3::z()));
+        let is_complete = self.window_s > 0.0 && self.window_s >= parameters.coarse_alignment_s;
+        if is_complete {
+            let kept = exp(-self.window_s * drift / parameters.in_flight_heading_rad);
+            self.close(&rotate(&(turned * q_en), &Vector3::z()), kept, drift);
         }
-        if let Some(found) = &mut self.found {
-            found.q_in = found.q_ei.conjugate() * q_en;
-        }
+        is_complete
     }
 
-    /// Ends the present window, with `up` in the axes of the first fix.
-    fn close(&mut self, up: &Vector3<f64>) {
+    /// Ends the present window, with `up` in the axes of the first fix. Earlier windows count `kept` times as much as before.
+    fn close(&mut self, up: &Vector3<f64>, kept: f64, drift: f64) {
         let (felt, expected) = (self.felt_i, self.expected_i);
-        for (column, of_felt) in self.product.iter_mut().zip(felt.iter()) {
-            *column += expected * *of_felt;
-        }
-        self.squares += felt.norm_squared() + expected.norm_squared();
-        self.windows += 1.0;
+        let shown = Matrix3::identity() * expected.norm_squared() - expected * expected.transpose();
+        let middle_s = self.elapsed_s - 0.5 * self.window_s;
+        let add = |sum: &mut [Vector3<f64>; 3], matrix: Matrix3<f64>| {
+            sum.iter_mut().zip(matrix.column_iter()).for_each(|(sum, column)| *sum = *sum * kept + column);
+        };
+        add(&mut self.product, expected * felt.transpose());
+        add(&mut self.shown, shown);
+        add(&mut self.moment, shown * middle_s);
+        self.squares = self.squares * kept + felt.norm_squared() + expected.norm_squared();
+        self.windows = self.windows * kept + 1.0;
         (self.felt_i, self.expected_i, self.window_s) = (Vector3::zeros(), Vector3::zeros(), 0.0);
-        self.found = self.solve(up);
+        self.found = self.solve(up, drift);
     }
 
-    fn solve(&self, up: &Vector3<f64>) -> Option<Found> {
+    fn solve(&self, up: &Vector3<f64>, drift: f64) -> Option<Found> {
         let product = Matrix3::from_columns(&self.product);
         let rotation = orthogonal_factor(&product)?;
-        let seen = product * rotation.transpose();
-        let left = (self.squares - 2.0 * seen.trace()).max(0.0);
+        let left = (self.squares - 2.0 * (product * rotation.transpose()).trace()).max(0.0);
         let variance = left / (3.0 * self.windows - 3.0);
-        let symmetric = 0.5 * (seen + seen.transpose());
-        let shown = (Matrix3::identity() * seen.trace() - symmetric).try_inverse()?;
-        let heading_variance = variance * up.dot(&(shown * up));
-        let rotation = Rotation3::from_matrix_unchecked(rotation);
-        let q_ei = *UnitQuaternion::from_rotation_matrix(&rotation);
+        let inverse = Matrix3::from_columns(&self.shown).try_inverse()?;
+        let lever = Matrix3::from_columns(&self.moment) * (inverse * up) - up * self.elapsed_s;
+        let heading_variance = variance * up.dot(&(inverse * up)) + drift * drift * lever.norm_squared();
+        let q_ei = *UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(rotation));
         let is_good = self.windows > 1.0 && heading_variance >= 0.0 && q_ei.norm_squared() > 0.9;
         let heading_sigma_rad = heading_variance.sqrt();
-        (is_good && heading_sigma_rad < 1.0).then_some(Found { q_ei, heading_sigma_rad, ..Found::default() })
+        (is_good && heading_sigma_rad < 1e9).then_some(Found { q_ei, heading_sigma_rad })
     }
 }
 
@@ -222,20 +266,36 @@ impl Unit {
     ) -> Result<(), Error> {
         let parameters = self.limits;
         let earth = simulator.options().earth();
+        let arm_s = rotate_inverse(&self.q_bs, &simulator.mounting().believed_placement(self.axes).arm_b);
+        let rate_s = self.measured.angle / self.interval_s;
+        let arm_i = rotate(&self.inertial.q_is, &rate_s.cross(&arm_s));
+        let drift = gyro_rate_error(simulator.gyro(), self.alignment.elapsed_s, 1.0);
         let in_flight = &mut self.alignment.in_flight;
-        in_flight.take(&earth, &place, &v_n, parameters.coarse_alignment_s);
-        let Some(q_in) = in_flight.q_in() else { return Ok(()) };
+        if !in_flight.take(&earth, (&place, &v_n), arm_i, drift, &parameters) {
+            return Ok(());
+        }
+        let Some(q_in) = in_flight.q_in(&earth) else { return Ok(()) };
         if self.state == State::CoarseAlignment {
             self.enter(State::FineAlignment);
         }
-        let is_over = self.alignment.elapsed_s >= parameters.in_flight_alignment_s - 0.5 * self.interval_s;
-        self.reasons.turns_needed = is_over && !self.alignment.in_flight.has_heading(&parameters);
-        if !is_over || self.reasons.turns_needed {
-            return Ok(());
+        if self.is_over_in_flight() && self.alignment.in_flight.has_heading(&parameters) {
+            let q_nb = q_in.conjugate() * self.inertial.q_is * self.q_bs.conjugate();
+            self.settle(&earth, place, v_n, q_nb, simulator)?;
+            self.become_ready();
         }
-        let q_nb = q_in.conjugate() * self.inertial.q_is * self.q_bs.conjugate();
-        self.settle(&earth, place, v_n, q_nb, simulator)?;
-        self.become_ready();
         Ok(())
+    }
+
+    /// Whether an alignment in flight has its least length.
+    fn is_over_in_flight(&self) -> bool {
+        self.alignment.elapsed_s >= self.limits.in_flight_alignment_s - 0.5 * self.interval_s
+    }
+
+    /// Whether an alignment in flight goes on because its heading is not accurate enough.
+    pub(super) fn needs_turns(&self) -> bool {
+        self.aligns_in_flight()
+            && self.state != State::Ready
+            && self.is_over_in_flight()
+            && !self.alignment.in_flight.has_heading(&self.limits)
     }
 }

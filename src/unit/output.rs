@@ -40,7 +40,8 @@ impl Unit {
             _ => self.entered.is_some() || self.is_made_up(),
         };
         let lacks_position = aligns && !has_position && !self.realigned;
-        let reasons = Reasons { no_position: lacks_position, ..self.reasons };
+        let reasons =
+            Reasons { no_position: lacks_position, turns_needed: self.needs_turns(), ..self.reasons };
         let waits = lacks_position && elapsed_s >= whole_s
             || reasons.position_disagrees
             || reasons.latitude_disagrees
@@ -82,7 +83,9 @@ impl Unit {
             State::Off | State::Test | State::Fault | State::PowerDown => Validity::default(),
             State::CoarseAlignment | State::Erection => rates,
             State::FineAlignment => Validity { heading: self.shows_heading(), ..attitude },
-            State::Ready | State::Realignment => Validity { heading: true, position: true, ..attitude },
+            State::Ready | State::Realignment => {
+                Validity { heading: true, position: true, velocity: self.aligns_in_flight(), ..attitude }
+            }
             State::Navigation => Validity { heading: true, position: true, velocity: true, ..attitude },
             State::Attitude => Validity { heading: self.heading_entered, ..attitude },
         }
@@ -140,9 +143,9 @@ impl Unit {
         if self.state == State::Attitude {
             return self.attitude();
         }
-        let earth_rate = simulator.options().earth().rate_rad_s;
-        let north = self.latitude_rad().and_then(|latitude| self.alignment.north(latitude, earth_rate));
-        let q_in = match (self.alignment.in_flight.q_in(), north, self.alignment.newest()) {
+        let earth = simulator.options().earth();
+        let north = self.latitude_rad().and_then(|latitude| self.alignment.north(latitude, earth.rate_rad_s));
+        let q_in = match (self.alignment.in_flight.q_in(&earth), north, self.alignment.newest()) {
             (Some(q_in), ..) => q_in,
             (_, Some(north), _) => north.q_in,
             (_, None, Some(fix)) => super::alignment::shortest_rotation(&Vector3::z(), &fix.up_i),

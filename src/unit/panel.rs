@@ -148,7 +148,7 @@ macro_rules! flags {
 flags!(
     /// Why a unit is not ready, or has failed.
     Reasons {
-        /// No position was entered; in flight: no fix came.
+        /// No position was entered; in flight: no fix came for a minute.
         no_position,
         /// The entered position is far from the stored one: enter it again, or another one.
         position_disagrees,

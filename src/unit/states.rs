@@ -113,7 +113,7 @@ impl Unit {
         self.motion = Default::default();
         self.inertial = Default::default();
         (self.heading_entered, self.realigned) = (false, false);
-        (self.reasons.motion, self.reasons.turns_needed) = (false, false);
+        self.reasons.motion = false;
         self.in_navigation_s = 0.0;
         self.enter(state);
     }
@@ -191,6 +191,7 @@ impl Unit {
         simulator: &mut Simulator,
     ) -> Result<(), Error> {
         if self.aligns_in_flight() {
+            self.reasons.motion = false;
             self.alignment.elapsed_s += dt;
             self.alignment.in_flight.feel(velocity_i, dt);
             return Ok(());

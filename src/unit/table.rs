@@ -47,7 +47,7 @@ pub const UNIT: [Row; 22] = [
     number(("quick_off_s", "longest time at OFF after which a unit that navigated realigns instead of a whole alignment"),
         ("unit.quick_off_s", "s"), OffOr(1e-3, 1e6), ("quick_off_s", "s", 1.0),
         "It is for selectors without ALIGN. It acts only within power_down_s."),
-    number(("max_latitude_rad", "largest latitude at which the unit aligns"), ("unit.max_latitude_rad", "rad"),
+    number(("max_latitude_rad", "largest latitude at which the unit aligns at rest"), ("unit.max_latitude_rad", "rad"),
         OrDefault(82.0 * DEG, 0.01, 1.56), ("max_latitude_deg", "deg", DEG), "The default is 82 degrees, that of flybywiresim/aircraft."),
     number(("position_tolerance_rad", "largest difference of latitude, and of longitude, between the entered and the stored position"),
         ("unit.position_tolerance_rad", "rad"), OrDefault(DEG, 1e-9, 4.0), ("position_tolerance_deg", "deg", DEG),

@@ -1,6 +1,7 @@
 //! Alignment in flight, on the fixes of another sensor.
 
 use nalgebra::Vector3;
+use sins::mounting::MountingParameters;
 use sins::sensors::TriadParameters;
 use sins::unit::{AlignmentKind, Mode, State, Status, UnitParameters};
 
@@ -12,11 +13,15 @@ const CRUISE: Motion = Motion::Drive { acceleration: 2.0, to: 200.0 };
 /// In flight at 200 m/s, with the unit switched on behind the take-off.
 fn in_flight(latitude_deg: f64, run: u64, sensors: &(TriadParameters, TriadParameters)) -> Aircraft {
     let mut aircraft = Aircraft::new(latitude_deg, run, 20.0, sensors);
+    switch_on(&mut aircraft);
+    aircraft
+}
+
+fn switch_on(aircraft: &mut Aircraft) {
     aircraft.roll_rate = 20.0 * DEG;
     aircraft.go(CRUISE, 120.0);
     aircraft.unit.set_alignment(AlignmentKind::InFlight);
     aircraft.unit.select(Mode::Align);
-    aircraft
 }
 
 /// Two turns by 90 degrees, to one side and to the other.
@@ -47,8 +52,10 @@ fn with_ideal_sensors_and_fixes_nothing_is_left() {
         let errors = aircraft.errors();
         let sizes = [errors.position_n, errors.velocity_n, errors.misalignment_n].map(|of| of.norm());
         println!("{latitude_deg}: {sizes:?}");
-        // At 89 degrees the way of constant heading is bent, and the velocities of the samples are not quite those of the positions.
-        assert!(sizes[0] < 0.02 && sizes[1] < 1e-3 && sizes[2] < 1e-5, "{latitude_deg}: {sizes:?}");
+        // The last window ended up to 30 s ago. At 89 degrees the way of constant heading is bent, and the velocities of the samples are
+        // not quite those of the positions.
+        let position_m = if latitude_deg == 89.0 { 0.2 } else { 0.01 };
+        assert!(sizes[0] < position_m && sizes[1] < 1e-3 && sizes[2] < 1e-5, "{latitude_deg}: {sizes:?}");
     }
 }
 
@@ -131,6 +138,77 @@ fn without_turns_it_waits_for_them() {
     aircraft.go(Motion::Turn(3.0 * DEG), 30.0);
     let status = aircraft.go(CRUISE, 60.0);
     assert!(status.state == State::Ready && status.reasons == Default::default(), "{status:?}");
+}
+
+/// A block away from the reference point: its own motion in the turns is not taken for a turned heading. What is left is the change of
+/// the rate within half an interval, times the arm, against the change of velocity in a turn: 0.35 rad/s² · 25 ms · 10 m of 280 m/s.
+#[test]
+fn a_lever_arm_does_not_turn_the_heading() {
+    let mut aircraft = Aircraft::new(40.0, 0, 20.0, &Default::default());
+    let lever_arm_m = Vector3::new(3.0, 10.0, -2.0);
+    aircraft.simulator.set_mounting(&MountingParameters { lever_arm_m, ..Default::default() }).unwrap();
+    switch_on(&mut aircraft);
+    aircraft.receiver = Some(Receiver::new(1, 0.0, 0.0));
+    assert_eq!(turns(&mut aircraft).state, State::Ready);
+    aircraft.unit.select(Mode::Navigate);
+    aircraft.go(CRUISE, 1.0);
+    let errors = aircraft.errors();
+    println!("{:.2e} rad, {:.2e} m/s", errors.misalignment_n.norm(), errors.velocity_n.norm());
+    assert!(errors.misalignment_n.norm() < 3e-4 && errors.velocity_n.norm() < 1e-2);
+}
+
+/// A receiver that falls silent is reported after a minute. The attitude goes on by the gyros, with the Earth and the way.
+#[test]
+fn without_further_fixes_the_attitude_goes_on_and_the_unit_says_what_it_lacks() {
+    let mut aircraft = in_flight(40.0, 0, &Default::default());
+    aircraft.receiver = Some(Receiver::new(1, 0.0, 0.0));
+    for (motion, seconds) in &COURSE[..4] {
+        aircraft.go(*motion, *seconds);
+    }
+    aircraft.go(CRUISE, 2.0);
+    aircraft.receiver = None;
+    let status = aircraft.go(CRUISE, 58.0);
+    assert!(status.state == State::FineAlignment && !status.reasons.no_position && status.validity.heading);
+    let shown = aircraft.navigation().euler;
+    let heading = (shown.heading - aircraft.heading()).rem_euclid(std::f64::consts::TAU);
+    println!("after 58 s: roll {:.1e}, pitch {:.1e}, heading {heading:.1e} rad", shown.roll, shown.pitch);
+    assert!(shown.roll.abs().max(shown.pitch.abs()).max(heading) < 1e-5);
+    let status = aircraft.go(CRUISE, 4.0);
+    assert!(status.reasons.no_position && status.align_flashes, "{status:?}");
+}
+
+/// Fixes that show no motion, and gyros that are too poor for straight flight: the unit says that it needs turns.
+#[test]
+fn it_says_that_it_needs_turns_whatever_the_fixes_are() {
+    let mut aircraft = in_flight(40.0, 0, &Default::default());
+    aircraft.receiver = None;
+    let place = aircraft.place();
+    for second in 0..250 {
+        aircraft.go(CRUISE, 1.0);
+        aircraft.unit.push_fix(&mut aircraft.simulator, place, each(0.0)).unwrap();
+        // The test after power-up takes 5 s, and the least length is 180 s.
+        let needs_turns = aircraft.unit.status().reasons.turns_needed;
+        assert!((184..187).contains(&second) || needs_turns == (second > 185), "{second}");
+    }
+    let poor = TriadParameters { bias: each(DEG_PER_HOUR), ..Default::default() };
+    let mut aircraft = in_flight(40.0, 0, &(poor, Default::default()));
+    aircraft.receiver = Some(Receiver::new(1, 0.0, 0.01));
+    let status = aircraft.go(CRUISE, 1800.0);
+    assert!(status.reasons.turns_needed && status.state == State::FineAlignment, "{status:?}");
+    turns(&mut aircraft);
+    assert_eq!(aircraft.unit.status().state, State::Ready);
+    assert!(aircraft.errors().misalignment_n.z.abs() < 0.1 * DEG);
+}
+
+/// An alignment at rest that motion has stopped is forgotten by one in flight.
+#[test]
+fn motion_is_no_reason_in_flight() {
+    let mut aircraft = in_flight(40.0, 0, &Default::default());
+    aircraft.unit.set_alignment(AlignmentKind::Gyrocompass);
+    aircraft.go(CRUISE, 40.0);
+    assert!(aircraft.go(Motion::Turn(3.0 * DEG), 40.0).reasons.motion);
+    aircraft.unit.set_alignment(AlignmentKind::InFlight);
+    assert!(!aircraft.go(CRUISE, 1.0).reasons.motion);
 }
 
 /// A unit that navigates may be aligned anew in flight; for another kind of alignment the navigation would be lost.
