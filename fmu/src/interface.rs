@@ -135,7 +135,7 @@ pub unsafe extern "C-unwind" fn fmi2Instantiate(
     resource_location: *const c_char,
     functions: *const fmi2CallbackFunctions,
     _visible: c_int,
-    logging_on: c_int,
+    _logging_on: c_int,
 ) -> *mut Component {
     // SAFETY: the pointers are as the standard requires.
     let Some(functions) = (unsafe { functions.as_ref() }) else { return ptr::null_mut() };
@@ -145,7 +145,7 @@ pub unsafe extern "C-unwind" fn fmi2Instantiate(
         false => unsafe { CStr::from_ptr(instance_name) }.to_owned(),
     };
     // SAFETY: the master's logger accepts the master's environment.
-    let logger = unsafe { Logger::new(functions.logger, functions.componentEnvironment, name, true) };
+    let logger = unsafe { Logger::new(functions.logger, functions.componentEnvironment, name) };
     let made = sins::abi::shielded(|| {
         if kind != CO_SIMULATION {
             return Err(Refused::error("this unit is for co-simulation only"));
@@ -166,10 +166,7 @@ pub unsafe extern "C-unwind" fn fmi2Instantiate(
     });
     let refused = match made {
         Some(Ok(instance)) => {
-            let mut component = Component { instance, logger, texts: Vec::new(), has_said_turn: false };
-            if logging_on == 0 {
-                let _ = component.logger.switch(&[Category::Warning.name()], false);
-            }
+            let component = Component { instance, logger, texts: Vec::new(), has_said_turn: false };
             return Box::into_raw(Box::new(component));
         }
         Some(Err(refused)) => refused.text,

@@ -33,7 +33,7 @@ impl Category {
 pub type LoggerFunction =
     unsafe extern "C" fn(*mut c_void, *const c_char, c_int, *const c_char, *const c_char, ...);
 
-/// Sends messages to the master.
+/// Sends messages to the master. No message is for debugging: all are sent until the master switches them off.
 pub struct Logger {
     function: Option<LoggerFunction>,
     environment: *mut c_void,
@@ -44,13 +44,8 @@ pub struct Logger {
 impl Logger {
     /// # Safety
     /// `function` accepts `environment` during the life of this logger.
-    pub unsafe fn new(
-        function: Option<LoggerFunction>,
-        environment: *mut c_void,
-        name: CString,
-        is_on: bool,
-    ) -> Self {
-        Self { function, environment, name, is_on: [is_on; Category::ALL.len()] }
+    pub unsafe fn new(function: Option<LoggerFunction>, environment: *mut c_void, name: CString) -> Self {
+        Self { function, environment, name, is_on: [true; Category::ALL.len()] }
     }
 
     /// Switches categories on or off; all categories if `names` is empty. `Err` if a name is unknown.

@@ -5,7 +5,7 @@
 use std::ffi::{c_char, c_int};
 
 use crate::instance::{Flown, Refused};
-use crate::interface::{Component, fmi2OK, fmi2Status, on};
+use crate::interface::{Component, fmi2OK, fmi2Status, fmi2Warning, on};
 use crate::logger::Category;
 
 /// Kinds of `fmi2Get...Status`.
@@ -29,18 +29,18 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
                 component.instance.step(time_s, communication_step_size)?;
             if behind_gap {
                 let text = format!("the sample at {time_s} s closes a gap in the truth");
-                component.logger.say(Category::Warning, fmi2OK, &text);
+                component.logger.say(Category::Warning, fmi2Warning, &text);
             }
             for text in refused_entries {
-                component.logger.say(Category::Warning, fmi2OK, &text);
+                component.logger.say(Category::Warning, fmi2Warning, &text);
             }
             if turn_rad > LARGE_TURN_RAD && !component.has_said_turn {
                 component.has_said_turn = true;
                 let text = format!(
                     "the truth turned by {turn_rad:.2} rad in the step that ends at {time_s} s: above {LARGE_TURN_RAD} rad the \
-                     sampled truth does not define the motion; set a smaller step size"
+                     sampled truth does not define the motion; set a smaller step size (output_interval in FMPy)"
                 );
-                component.logger.say(Category::Warning, fmi2OK, &text);
+                component.logger.say(Category::Warning, fmi2Warning, &text);
             }
             Ok(fmi2OK)
         })

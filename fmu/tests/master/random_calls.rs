@@ -68,7 +68,7 @@ impl Master {
         let described = variables();
         let is_output = |variable: &&Described| variable.causality == "output" && variable.element == "Real";
         let outputs = described.iter().filter(is_output).map(|variable| variable.reference).collect();
-        let unit = if seed.is_multiple_of(2) { Unit::new(None, true) } else { Unit::flying(|_| ()) };
+        let unit = if seed.is_multiple_of(2) { Unit::new(None) } else { Unit::flying(|_| ()) };
         let random = Random(seed);
         Self { random, unit, described, outputs, images: Vec::new(), time_s: 0.0, calls: 0, refused: 0 }
     }

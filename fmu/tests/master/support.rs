@@ -42,8 +42,8 @@ impl Drop for Unit {
 }
 
 impl Unit {
-    /// A new instance, with a URI of the resources.
-    pub fn new(uri: Option<&str>, logging_on: bool) -> Self {
+    /// A new instance, with a URI of the resources. Without debug logging, which changes nothing: no message is for debugging.
+    pub fn new(uri: Option<&str>) -> Self {
         let messages: *mut Messages = Box::into_raw(Box::default());
         // SAFETY: on all processors that the unit is built for, a function of variable arguments is called like one without them.
         let logger = unsafe { std::mem::transmute::<*const (), LoggerFunction>(log as *const ()) };
@@ -57,16 +57,14 @@ impl Unit {
         let guid = CString::new(guid()).unwrap();
         let uri = uri.map(|uri| CString::new(uri).unwrap());
         let uri = uri.as_ref().map_or(ptr::null(), |uri| uri.as_ptr());
-        let component = unsafe {
-            fmi2Instantiate(c"unit".as_ptr(), 1, guid.as_ptr(), uri, &functions, 0, logging_on.into())
-        };
+        let component = unsafe { fmi2Instantiate(c"unit".as_ptr(), 1, guid.as_ptr(), uri, &functions, 0, 0) };
         assert!(!component.is_null());
         Self { component, messages }
     }
 
     /// An instance in flight; `set` is called before the initialization.
     pub fn flying(set: impl FnOnce(&Self)) -> Self {
-        let unit = Self::new(None, true);
+        let unit = Self::new(None);
         set(&unit);
         assert_eq!(unsafe { fmi2EnterInitializationMode(unit.component) }, fmi2OK);
         assert_eq!(unsafe { fmi2ExitInitializationMode(unit.component) }, fmi2OK, "{:?}", unit.messages());
