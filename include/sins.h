@@ -2449,9 +2449,10 @@ typedef struct sins_cost {
  * reference point. The output `options` gets the options of configured, ready for sins_create(). Only scheme, subsamples and
  * updates_per_sample are replaced by the recommended values. The values of these three in configured do not matter.
  *
- * The piece must contain the hardest motion of the flight: its largest rates, specific forces and vibration. A calmer piece,
- * such as the time on the ramp, gives an answer that is false for the flight. The plainest piece is the whole flight. cost
- * returns the largest rate, specific force and vibration of the samples: if the flight has larger ones, the piece was too calm.
+ * The piece must contain the hardest motion of the flight: its largest rates, specific forces and vibration, and its coning: two
+ * axes that oscillate together, however gently, for a long time. A calmer piece, such as the time on the ramp, gives an answer
+ * that is false for the flight. The plainest piece is the whole flight. cost returns the largest rate, specific force and
+ * vibration of the samples: if the flight has larger ones, the piece was too calm.
  *
  * Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
  * reference: a solution of SINS_SCHEME_POLYNOMIAL in Earth-fixed axes with 16 updates of 5 subsamples. The uncertainty of

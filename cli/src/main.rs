@@ -33,10 +33,11 @@ mod table;
 mod terminal;
 mod units;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::Parser;
 use clap::error::ErrorKind;
+use clap::{CommandFactory, FromArgMatches, Parser};
 
 use failure::{EXIT_CODES, Failure};
 
@@ -74,8 +75,14 @@ enum Command {
     Completions(completions::Order),
 }
 
+/// Reads the command line. A negative number is a value, whose limits the program then states, and no option.
+fn read_from(arguments: impl IntoIterator<Item = OsString>) -> Result<CommandLine, clap::Error> {
+    let command = CommandLine::command().mut_subcommands(|command| command.allow_negative_numbers(true));
+    CommandLine::from_arg_matches(&command.try_get_matches_from(arguments)?)
+}
+
 fn main() -> ExitCode {
-    let command = match CommandLine::try_parse() {
+    let command = match read_from(std::env::args_os()) {
         Ok(line) => line.command,
         Err(error) => return answer(&error),
     };
@@ -123,8 +130,6 @@ fn answer(error: &clap::Error) -> ExitCode {
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory;
-
     use super::*;
 
     #[test]
@@ -134,8 +139,9 @@ mod tests {
 
     #[test]
     fn what_was_meant_is_reported() {
-        let words =
-            |arguments: &[&str]| CommandLine::try_parse_from(arguments).unwrap_err().render().to_string();
+        let words = |arguments: &[&str]| {
+            read_from(arguments.iter().map(OsString::from)).unwrap_err().render().to_string()
+        };
         assert!(words(&["sins", "reprot"]).contains("'report'"));
         assert!(words(&["sins", "fly", "patrol", "--quite"]).contains("'--quiet'"));
         assert!(words(&["sins", "--version"]).contains(env!("CARGO_PKG_VERSION")));

@@ -1,10 +1,13 @@
 //! `sins recommend`: the cheapest options that meet a required accuracy on a scene.
 
+use nalgebra::Vector3;
+use sins::math::{attitude_from_euler, relative_rotation, rotate_inverse, rotation_vector};
 use sins::recommend::{
     MAX_SAMPLES, Motion, Piece as Figures, Recommendation, Requirement, Setup, SolutionError, recommend_by,
     step_time_ns,
 };
 use sins::truth::FlightSample;
+use sins::units::STANDARD_GRAVITY;
 
 use crate::curve::scheme_name;
 use crate::failure::{Failure, Kind};
@@ -81,7 +84,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         }
         false => String::new(),
     };
-    let judged = judged(&given, order, &pieces, &answer.motion)?;
+    let judged = judged(&given, order, &pieces)?;
     print(&(text(&given, &answer, &judged) + &timed))?;
     if answer.met {
         return Ok(());
@@ -146,16 +149,30 @@ fn pieces(order: &Order, given: &Given) -> Result<Vec<Piece>, Failure> {
     begins.into_iter().map(|first| Piece::new(given, first, length.min(given.count - first))).collect()
 }
 
-/// The largest rate, specific force and vibration of up to [`SEARCHED`] pairs of intervals, and the index of the pair.
-fn hardest(given: &Given, first: usize, count: usize) -> Result<[(f64, usize); 3], Failure> {
+/// What makes a part of the scene hard.
+const HARD: [&str; 4] = ["rate", "specific force", "vibration", "coning"];
+
+/// The largest of each of [`HARD`] at up to [`SEARCHED`] pairs of intervals from sample `first` on, and the index of the pair.
+///
+/// Coning, and sculling in units of g, is a mean over the length of a piece: of the product of the turns of a pair, and of the turn with
+/// the change of velocity. Its error grows with the time, however slow and gentle the motion is at each moment.
+fn hardest(given: &Given, first: usize, count: usize) -> Result<[(f64, usize); 4], Failure> {
     let options = given.scene.simulator_options();
-    let mut worst = [(0.0, first); 3];
+    let length = (PIECE_S / given.period_s).round().max(1.0) as usize;
+    let mut worst = [(0.0, first); 4];
+    let (mut part, mut products) = (0, [Vector3::zeros(); 2]);
     for index in (first..first + count - 2).step_by(count.div_ceil(SEARCHED)) {
         let samples = [given.sample(index)?, given.sample(index + 1)?, given.sample(index + 2)?];
         let pair = Figures::new(&options, &samples).map_err(|refusal| {
             given.failure_at(index + refusal.sample.unwrap_or_default(), &refusal.error)
         })?;
-        for (worst, value) in worst.iter_mut().zip(pair.motion.values()) {
+        if index / length != part {
+            (part, products) = (index / length, [Vector3::zeros(); 2]);
+        }
+        products.iter_mut().zip(turn_products(&samples)).for_each(|(sum, product)| *sum += product);
+        let [rate, force, vibration] = pair.motion.values();
+        let coning = products[0].norm() + products[1].norm();
+        for (worst, value) in worst.iter_mut().zip([rate, force, vibration, coning]) {
             if value > worst.0 {
                 *worst = (value, index);
             }
@@ -164,8 +181,21 @@ fn hardest(given: &Given, first: usize, count: usize) -> Result<[(f64, usize); 3
     Ok(worst)
 }
 
+/// Products of the turn from the first sample to the second with that from the second to the third, and with the change of velocity.
+fn turn_products(samples: &[FlightSample; 3]) -> [Vector3<f64>; 2] {
+    let [before, now, next] = [0, 1, 2].map(|k| attitude_from_euler(&samples[k].euler));
+    let turn = |from, to| rotation_vector(&relative_rotation(from, to));
+    let (first, second) = (turn(&before, &now), turn(&now, &next));
+    let change = match [0, 1, 2].map(|k| samples[k].v_n) {
+        [Some(before), Some(now), Some(next)] => [now - before, next - now].map(|v| v / STANDARD_GRAVITY),
+        _ => [Vector3::zeros(); 2],
+    };
+    let of_body = |v| rotate_inverse(&now, &v);
+    [first.cross(&second), first.cross(&of_body(change[1])) - second.cross(&of_body(change[0]))]
+}
+
 /// What the algorithms were judged by, and whether another part of the scene is harder than a piece that was chosen.
-fn judged(given: &Given, order: &Order, pieces: &[Piece], motion: &Motion) -> Result<String, Failure> {
+fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> Result<String, Failure> {
     let whole_s = given.duration_s;
     if pieces.iter().any(|piece| piece.samples.len() == given.count) {
         return Ok(format!("judged by the whole scene of {whole_s:.6} s"));
@@ -173,10 +203,11 @@ fn judged(given: &Given, order: &Order, pieces: &[Piece], motion: &Motion) -> Re
     let (first, piece_s) = (&pieces[0], (pieces[0].samples.len() - 1) as f64 * given.period_s);
     if order.piece.is_some() || order.from > 0.0 && pieces.len() == 1 {
         let own = first.first..first.first + first.samples.len();
-        let harder = ["rate", "specific force", "vibration"]
+        let of_piece = hardest(given, first.first, first.samples.len())?;
+        let harder = HARD
             .into_iter()
-            .zip(hardest(given, 0, given.count)?.into_iter().zip(motion.values()))
-            .filter(|(_, ((value, at), of_piece))| value > of_piece && !own.contains(at))
+            .zip(hardest(given, 0, given.count)?.into_iter().zip(of_piece))
+            .filter(|(_, ((value, at), (of_piece, _)))| value > of_piece && !own.contains(at))
             .map(|(name, ((_, at), _))| format!("a larger {name} at {:.6} s", at as f64 * given.period_s))
             .collect::<Vec<_>>();
         let verdict = match harder.is_empty() {
@@ -188,7 +219,7 @@ fn judged(given: &Given, order: &Order, pieces: &[Piece], motion: &Motion) -> Re
     }
     let begins: Vec<_> = pieces.iter().map(|piece| format!("{:.6} s", piece.start_s(given))).collect();
     Ok(format!(
-        "judged by {} of {piece_s:.6} s, at {}, of {whole_s:.6} s: the largest rate, force and vibration",
+        "judged by {} of {piece_s:.6} s, at {}, of {whole_s:.6} s: the largest rate, force, vibration and coning",
         if pieces.len() == 1 { "1 piece".to_owned() } else { format!("{} pieces", pieces.len()) },
         begins.join(", ")
     ))

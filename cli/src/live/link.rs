@@ -23,9 +23,10 @@ pub struct Source {
 impl Source {
     /// Listens at `place`: udp:PORT, on this machine alone; udp:HOST:PORT, on that address of this machine.
     pub fn open(place: &str) -> Result<Self, Failure> {
-        let given = stripped("--from", place, "udp:PORT or udp:HOST:PORT")?;
+        const EXPECTED: &str = "udp:PORT or udp:HOST:PORT";
+        let given = stripped("--from", place, EXPECTED)?;
         let alone = given.parse::<u16>().map(|port| SocketAddr::from((Ipv4Addr::LOCALHOST, port)));
-        let address = alone.or_else(|_| resolved("--from", place, given))?;
+        let address = alone.or_else(|_| resolved("--from", place, given, EXPECTED))?;
         let failed = |error| Failure::new(format!("--from {place}: cannot listen there: {error}"));
         let socket = UdpSocket::bind(address).map_err(failed)?;
         socket.set_read_timeout(Some(WAIT)).map_err(failed)?;
@@ -78,8 +79,9 @@ pub struct Target {
 
 impl Target {
     pub fn open(place: &str) -> Result<Self, Failure> {
-        let given = stripped("--to", place, "udp:HOST:PORT")?;
-        let address = resolved("--to", place, given)?;
+        const EXPECTED: &str = "udp:HOST:PORT";
+        let given = stripped("--to", place, EXPECTED)?;
+        let address = resolved("--to", place, given, EXPECTED)?;
         let any = match address.ip() {
             IpAddr::V4(_) => IpAddr::from(Ipv4Addr::UNSPECIFIED),
             IpAddr::V6(_) => IpAddr::from(Ipv6Addr::UNSPECIFIED),
@@ -101,8 +103,10 @@ fn stripped<'a>(option: &str, place: &'a str, expected: &str) -> Result<&'a str,
         .ok_or_else(|| Failure::new(format!("{option} {place}: expected {expected}, for example udp:5500")))
 }
 
-fn resolved(option: &str, place: &str, given: &str) -> Result<SocketAddr, Failure> {
-    let failed = |why: &str| Failure::new(format!("{option} {place}: expected udp:HOST:PORT: {why}"));
+fn resolved(option: &str, place: &str, given: &str, expected: &str) -> Result<SocketAddr, Failure> {
+    let failed = |why: &str| {
+        Failure::new(format!("{option} {place}: expected {expected}, with a port from 0 to 65535: {why}"))
+    };
     let mut found = given.to_socket_addrs().map_err(|error| failed(&error.to_string()))?;
     found.next().ok_or_else(|| failed("no such host"))
 }

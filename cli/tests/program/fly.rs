@@ -153,6 +153,8 @@ fn what_was_meant_is_reported() {
         (&["fly", "patrol", "--name", "a/b"], "without a folder"),
         (&["fly", "aerobatics", "--set", "flight.hours=9"], "flight.hours = 9: must be at most"),
         (&["recommend", "patrol"], "--position"),
+        (&["recommend", "patrol", "--position", "-1"], "--position"),
+        (&["ensemble", "patrol", "--runs", "-1"], "--runs"),
     ] {
         let errors = rejected(&folder, arguments);
         assert!(errors.contains(words), "{arguments:?}: {errors}");
@@ -293,6 +295,32 @@ fn recommended_options_hold_over_the_whole_scene() {
     }
 }
 
+/// Slow coning for half an hour is harder than a short violent roll: the answer by parts of a long scene holds when it is flown.
+#[test]
+fn coning_in_a_long_scene_is_not_overlooked() {
+    let folder = folder("coned");
+    let sinusoid = |channel: &str, phase_deg: f64| {
+        format!(
+            "[[manoeuvre.sinusoid]]\nchannel = \"{channel}\"\namplitude_deg = 1\nfrequency_hz = 2\nphase_deg = {phase_deg}\n"
+        )
+    };
+    let long = "[flight]\nspeed_m_s = 150\nrate_hz = 100\n[[manoeuvre]]\nkind = \"roll\"\nturns = 2\nduration_s = 4\n\
+                [[manoeuvre]]\nkind = \"turn\"\nheading_change_deg = 90\nbank_deg = 60\n\
+                [[manoeuvre]]\nkind = \"straight\"\nduration_s = 1800\n\
+                [[manoeuvre]]\nkind = \"sinusoids\"\nduration_s = 1800\nramp_s = 5\n";
+    let text = [long.to_owned(), sinusoid("roll", 0.0), sinusoid("pitch", 90.0)].concat();
+    std::fs::write(folder.join("coned.toml"), text).unwrap();
+    let said = done(&folder, &["recommend", "coned.toml", "--position", "0.1"]);
+    assert!(said.contains("judged by 2 pieces"), "the manoeuvres, and the coning: {said}");
+    let (scheme, subsamples) = recommended(&said);
+    let options = [format!("options.scheme={scheme}"), format!("options.subsamples={subsamples}")];
+    done(&folder, &["fly", "coned.toml", "--set", &options[0], "--set", &options[1], "-q"]);
+    let error_m: f64 =
+        figure(&read(folder.join("sins_out/coned_summary.csv")), "max_position_m").parse().unwrap();
+    println!("{scheme} {subsamples}: {error_m} m");
+    assert!(error_m < 0.1, "{error_m}");
+}
+
 /// The hardest parts of a scene that is too long to be flown as a whole.
 #[test]
 fn a_long_scene_is_judged_by_its_hardest_parts() {
@@ -306,7 +334,10 @@ fn a_long_scene_is_judged_by_its_hardest_parts() {
     let begins: Vec<f64> =
         line.split(" s").filter_map(|words| words.rsplit([' ', ',']).next()?.parse().ok()).collect();
     // 60 s, where each piece begins, and the whole of 4008 s.
-    assert!(line.contains("largest rate, force and vibration") && begins.len() >= 3, "{line} {begins:?}");
+    assert!(
+        line.contains("largest rate, force, vibration and coning") && begins.len() >= 3,
+        "{line} {begins:?}"
+    );
     let pieces = &begins[1..begins.len() - 1];
     assert!(pieces.iter().any(|from_s| (from_s..&(from_s + 60.0)).contains(&&3004.0)), "{line}");
     // Two turns in 8 s are 90 deg/s on average.
