@@ -89,7 +89,10 @@ live() {
             printf "by packets: %d records, %s s, %.2g m\n", rows, time_s, sqrt(square)
             exit !(rows > 50 && time_s == 60 && square < 1.2e-3 ^ 2)
         }' "$folder/flown/live/flight.csv" || fail "ideal sensors do not return to the truth of packets"
-    drive live again "$(path "$folder/sins.dll")" -- /language en /scene rest
+    drive live again "$(path "$folder/sins.dll")" -- /language en /scene rest /export "$(path "$folder/flown/live")"
+    # The records are those of the flight that begins where the aircraft was moved to.
+    awk -F, 'NR == 2 { from_s = $1 } END { exit !(NR == 3 && from_s == 1002.1 && $1 == 1003.1) }' "$folder/flown/live/flight.csv" ||
+        { cut -d, -f1 "$folder/flown/live/flight.csv"; fail "the records of a flight that was moved"; }
 }
 
 # watch NAME DRIVER COMMAND -- OPTION...: makes a picture of each page that the driver shows.

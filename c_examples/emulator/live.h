@@ -44,8 +44,6 @@ public:
         within_range(sample);
         const double *v = sample.velocity_enu_m_s;
         const bool stands = same(sample, *last_), pauses = stands && std::hypot(v[0], v[1], v[2]) >= LEAST_SPEED_M_S;
-        if (period_s_ > 0 && pauses)
-            return Passed::STANDS;
         if (period_s_ > 0) {
             const double count = periods(*last_, sample);
             if (!(count >= -max_gap_s_ / period_s_))

@@ -296,6 +296,7 @@ static void again(void)
     answer(IDOK);
     expect_progress(L"Waits for packets: 1 s"); /* two seconds without a packet */
     command(ID_STOP);
+    Sleep(1000);     /* the records are written */
     command(ID_FLY); /* at the same port */
     expect_progress(L"Waits for packets: 0 s, 0 packets");
     for (tick = 0; tick <= 50; tick++) {
