@@ -19,7 +19,7 @@ public:
         }
         choose(IDC_SOURCE, kind);
         load_live(all_is_new);
-        if (!builtin.empty())
+        if (!builtin.empty() && (all_is_new || wide(flight_of(this->builtin())) != builtin)) /* two scenes may have one flight */
             choose(IDC_BUILTIN, std::find(builtins_.begin(), builtins_.end(), builtin) - builtins_.begin());
         enable_fields("flight.", is_path);
         enable_fields("flight.title", true);
@@ -42,11 +42,8 @@ protected:
         for (const std::wstring &name : builtins_)
             names.push_back(label("builtin." + narrow(name), narrow(name)));
         fill(item(IDC_BUILTIN), names);
-        for (int id : {IDC_PORT, IDC_RATE}) {
-            const LiveField field = live_field(id);
-            tip(item(id), field.name + L"\n" + text("range", {shown(field.least, 6), shown(field.most, 6)}));
-            SendMessageW(item(id), EM_SETCUEBANNER, FALSE, (LPARAM)shown(field.otherwise, 6).c_str());
-        }
+        for (int id : {IDC_PORT, IDC_RATE})
+            SendMessageW(item(id), EM_SETCUEBANNER, FALSE, (LPARAM)shown(live_field(id).otherwise, 6).c_str());
         track_.attach(item(IDC_TRACK));
         profile_.attach(item(IDC_PROFILE));
     }
@@ -108,16 +105,24 @@ private:
         for (int id : {IDC_PORT, IDC_RATE}) {
             if (marked_.count(item(id)) != 0 && !all_is_new)
                 continue;
-            double value = id == IDC_PORT ? document_.live_source.port : document_.live_source.rate_hz;
+            const LiveField field = live_field(id);
             mark(item(id), false);
-            set(id, value == live_field(id).otherwise ? L"" : shown(value, 15));
+            tip(item(id), field.name + L"\n" + text("range", {shown(field.least, 6), shown(field.most, 6)}));
+            set(id, live_text(id));
         }
+    }
+
+    std::wstring live_text(int id) const {
+        double value = id == IDC_PORT ? document_.live_source.port : document_.live_source.rate_hz;
+        return value == live_field(id).otherwise ? L"" : shown(value, 15);
     }
 
     /* Takes port or rate from its field. */
     void set_live(int id) {
         const LiveField field = live_field(id);
         double value = field.otherwise;
+        if (get(id) == live_text(id) && marked_.count(item(id)) == 0)
+            return;
         bool is_valid = get(id).empty() || number_of(narrow(get(id)), value);
         is_valid = is_valid && value >= field.least && value <= field.most && (id != IDC_PORT || value == std::round(value));
         mark(item(id), !is_valid);
@@ -126,7 +131,16 @@ private:
         else if (is_valid)
             document_.live_source.rate_hz = value;
         const char *limits = id == IDC_PORT ? "whole_limits" : "limits";
-        document_.edited(is_valid ? L"" : text(limits, {field.name, get(id), shown(field.least, 6), shown(field.most, 6)}));
+        const std::wstring fault = text(limits, {field.name, get(id), shown(field.least, 6), shown(field.most, 6)});
+        document_.edited(is_valid ? L"" : fault);
+        if (!is_valid)
+            tip(item(id), fault);
+    }
+
+    /* The built-in scene whose flight a built-in scene uses: the paper's simulations fly a patrol. */
+    static std::string flight_of(const std::string &builtin) {
+        std::string other = sins::Scene::builtin(builtin).text(SINS_SCENE_TEXT_BUILTIN);
+        return other.empty() ? builtin : other;
     }
 
     std::string builtin() const { return narrow(builtins_[chosen(IDC_BUILTIN)]); } /* the selected scene */
@@ -163,10 +177,7 @@ private:
             document_.live_source.has_time = source == LIVE_LINES;
             document_.edited(L"");
         } else if (source == BUILTIN) {
-            /* The paper's simulations are scenes that use the flight of another scene. */
-            std::string name = builtin();
-            std::string other = sins::Scene::builtin(name).text(SINS_SCENE_TEXT_BUILTIN);
-            document_.edited(told(scene_.set({{"flight.builtin", other.empty() ? name : other}})));
+            document_.edited(told(scene_.set({{"flight.builtin", flight_of(builtin())}})));
         } else if (source == MANOEUVRES) {
             make_manoeuvres(scene_);
             document_.edited(L"");
