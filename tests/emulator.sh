@@ -95,6 +95,33 @@ live() {
         { cut -d, -f1 "$folder/flown/live/flight.csv"; fail "the records of a flight that was moved"; }
 }
 
+# views: what pages show. Errors of ideal sensors are rounding, and their curves are flat, because each axis has a least range. Error
+# data 1 is shown with the error model alone: its colour, its row among the values, its box.
+views() {
+    local model quantity axis height file orange has_data1
+    "$sins" scene write simulation2 --set flight.hours=0.1 >"$folder/flown/start.toml"
+    drive views start -- /language en /scene "$(path "$folder/flown/start.toml")"
+    for model in off rk4; do
+        has_data1=$([ $model = off ] && echo 0 || echo 1)
+        mkdir -p "$folder/$model"
+        "$sins" scene write simulation1 --set flight.hours=0.1 --set options.error_model=$model >"$folder/flown/$model.toml"
+        drive views errors "$(path "$folder/$model")" -- /language en /scene "$(path "$folder/flown/$model.toml")"
+        for quantity in 0 1 2; do
+            file=$folder/$model/errors$quantity.png
+            for axis in 0 1 2; do
+                height=$(convert "$file" -crop "925x190+62+$((223 * axis + 19))" +repage -fill black +opaque '#0046A0' \
+                    -fill white -opaque '#0046A0' -trim -format %h info:)
+                [ "$height" -le 4 ] || fail "$file: rounding fills panel $axis with $height pixels"
+            done
+            orange=$(convert "$file" -fill black +opaque '#FF963C' -format '%[fx:mean > 0]' info:)
+            [ "$orange" -eq "$has_data1" ] || fail "$file: error data 1 with error model $model"
+        done
+        grep -q "^values $((12 + has_data1)), error data 1 $has_data1" "$folder/said" || fail "values with error model $model"
+    done
+    drive views print -- /language en /scene "$(path "$folder/flown/off.toml")"
+    drive views cockpit -- /language en /scene rest
+}
+
 # watch NAME DRIVER COMMAND -- OPTION...: makes a picture of each page that the driver shows.
 watch() {
     local line program watched
@@ -131,7 +158,7 @@ check() {
     else
         c_examples/emulator/build.sh "$1" "$folder"
     fi
-    for driver in driver controls; do
+    for driver in driver controls views; do
         "$1-w64-mingw32-gcc" -std=c99 -Wall -Wextra -Wno-unused-function -Werror -O1 -o "$folder/$driver.exe" \
             "tests/emulator/$driver.c" -luser32 -static
     done
@@ -212,6 +239,7 @@ check() {
     drive driver studies -- /language en /scene patrol
     drive driver stick -- /language en /scene rest
     live
+    views
     drive driver sentence -- /language zh
     [ "$(grep -c '须' "$folder/said")" -eq 2 ] || fail "a sentence is not in Chinese: of a text, of a struct"
 
