@@ -49,7 +49,7 @@ public:
             if (!(count >= -max_gap_s_ / period_s_))
                 return jumped(sample, count < 0 ? "the position went back" : "a way that the velocity does not explain");
             if (count < 0)
-                throw WrongPacket(Why::LATE, std::to_string((long)-count) + " periods");
+                throw WrongPacket(Why::LATE, std::to_string((long)count) + " periods");
             if (count == 0)
                 return Passed::STANDS;
             sample.time_s = period_s_ * (std::round(last_->time_s / period_s_) + count);
