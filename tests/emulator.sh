@@ -12,6 +12,7 @@ cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . tests/support/wine.sh
 . tests/support/built.sh
+. tests/support/pe.sh
 
 whole=${1:-64 32}
 font=/usr/share/fonts/truetype/wqy/wqy-microhei.ttc
@@ -78,6 +79,49 @@ fonts() {
     done
 }
 
+# live: flies on packets. Ideal sensors end within 1.2 mm: exact samples with these losses leave 0.61 mm (tests/emulator/live.cpp), and
+# a velocity of 170 m/s as a float is off by at most 9.3e-6 m/s, which is 0.56 mm in the minute.
+live() {
+    drive live fly "$(path "$folder/sins.dll")" -- /language en /scene rest /export "$(path "$folder/flown/live")"
+    awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^navigation_error_position/) own[k] }
+        NR > 1 { rows++; square = 0; for (k in own) square += $k * $k; time_s = $1 }
+        END {
+            printf "by packets: %d records, %s s, %.2g m\n", rows, time_s, sqrt(square)
+            exit !(rows > 50 && time_s == 60 && square < 1.2e-3 ^ 2)
+        }' "$folder/flown/live/flight.csv" || fail "ideal sensors do not return to the truth of packets"
+    drive live again "$(path "$folder/sins.dll")" -- /language en /scene rest /export "$(path "$folder/flown/live")"
+    # The records are those of the flight that begins where the aircraft was moved to.
+    awk -F, 'NR == 2 { from_s = $1 } END { exit !(NR == 3 && from_s == 1002.1 && $1 == 1003.1) }' "$folder/flown/live/flight.csv" ||
+        { cut -d, -f1 "$folder/flown/live/flight.csv"; fail "the records of a flight that was moved"; }
+}
+
+# views: what pages show. Errors of ideal sensors are rounding, and their curves are flat, because each axis has a least range. Error
+# data 1 is shown with the error model alone: its colour, its row among the values, its box.
+views() {
+    local model quantity axis height file orange has_data1
+    "$sins" scene write simulation2 --set flight.hours=0.1 >"$folder/flown/start.toml"
+    drive views start -- /language en /scene "$(path "$folder/flown/start.toml")"
+    for model in off rk4; do
+        has_data1=$([ $model = off ] && echo 0 || echo 1)
+        mkdir -p "$folder/$model"
+        "$sins" scene write simulation1 --set flight.hours=0.1 --set options.error_model=$model >"$folder/flown/$model.toml"
+        drive views errors "$(path "$folder/$model")" -- /language en /scene "$(path "$folder/flown/$model.toml")"
+        for quantity in 0 1 2; do
+            file=$folder/$model/errors$quantity.png
+            for axis in 0 1 2; do
+                height=$(convert "$file" -crop "925x190+62+$((223 * axis + 19))" +repage -fill black +opaque '#0046A0' \
+                    -fill white -opaque '#0046A0' -trim -format %h info:)
+                [ "$height" -le 4 ] || fail "$file: rounding fills panel $axis with $height pixels"
+            done
+            orange=$(convert "$file" -fill black +opaque '#FF963C' -format '%[fx:mean > 0]' info:)
+            [ "$orange" -eq "$has_data1" ] || fail "$file: error data 1 with error model $model"
+        done
+        grep -q "^values $((12 + has_data1)), error data 1 $has_data1" "$folder/said" || fail "values with error model $model"
+    done
+    drive views print -- /language en /scene "$(path "$folder/flown/off.toml")"
+    drive views cockpit -- /language en /scene rest
+}
+
 # watch NAME DRIVER COMMAND -- OPTION...: makes a picture of each page that the driver shows.
 watch() {
     local line program watched
@@ -114,10 +158,14 @@ check() {
     else
         c_examples/emulator/build.sh "$1" "$folder"
     fi
-    for driver in driver controls; do
+    for driver in driver controls views; do
         "$1-w64-mingw32-gcc" -std=c99 -Wall -Wextra -Wno-unused-function -Werror -O1 -o "$folder/$driver.exe" \
             "tests/emulator/$driver.c" -luser32 -static
     done
+    "$1-w64-mingw32-gcc" -std=c99 -D__USE_MINGW_ANSI_STDIO=1 -Wall -Wextra -Wno-unused-function -Werror -O1 -Iinclude \
+        -o "$folder/live.exe" tests/emulator/live.c -luser32 -lws2_32 -static
+    check_pe "$folder/SINS_Emulator.exe" "$1" advapi32.dll comctl32.dll comdlg32.dll gdi32.dll gdiplus.dll kernel32.dll \
+        msvcrt.dll shell32.dll user32.dll winmm.dll ws2_32.dll
     fonts
 
     refuses "no DLL" "sins.dll: no such file"
@@ -190,6 +238,8 @@ check() {
     drive driver keys -- /language en /scene rest
     drive driver studies -- /language en /scene patrol
     drive driver stick -- /language en /scene rest
+    live
+    views
     drive driver sentence -- /language zh
     [ "$(grep -c '须' "$folder/said")" -eq 2 ] || fail "a sentence is not in Chinese: of a text, of a struct"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earth.h"
 #include "sins.h"
 
 /* What the pilot does: roll to the right and pitch up from -1 to 1, throttle from 0 to 1. */
@@ -87,17 +88,17 @@ private:
         velocity_enu_m_s[2] = speed_ * std::sin(now_.pitch_rad);
     }
 
-    /* Moves by the mean of the velocities at both ends, on the ellipsoid of WGS 84. */
+    /* Moves by the mean of the velocities at both ends. */
     void travel(const double *before, double dt) {
-        const double A = 6378137, E2 = 6.6943799901413e-3;
         double way[3];
         for (int k = 0; k < 3; k++)
             way[k] = (before[k] + now_.velocity_enu_m_s[k]) / 2 * dt;
-        const double sin = std::sin(now_.latitude_rad), w2 = 1 - E2 * sin * sin, height = now_.height_m + way[2] / 2;
-        const double middle = now_.latitude_rad + way[1] / 2 / (A * (1 - E2) / (w2 * std::sqrt(w2)) + height);
-        const double sin_m = std::sin(middle), w2_m = 1 - E2 * sin_m * sin_m, cos_m = std::max(std::cos(middle), 1e-3);
-        now_.latitude_rad += way[1] / (A * (1 - E2) / (w2_m * std::sqrt(w2_m)) + height);
-        now_.longitude_rad = std::remainder(now_.longitude_rad + way[0] / ((A / std::sqrt(w2_m) + height) * cos_m), 360 * SINS_DEG);
+        const double height = now_.height_m + way[2] / 2;
+        const double middle = now_.latitude_rad + way[1] / 2 / (Radii(now_.latitude_rad).meridian_m + height);
+        const Radii radii(middle);
+        now_.latitude_rad += way[1] / (radii.meridian_m + height);
+        now_.longitude_rad += way[0] / ((radii.normal_m + height) * std::max(std::cos(middle), 1e-3));
+        now_.longitude_rad = std::remainder(now_.longitude_rad, 360 * SINS_DEG);
         now_.height_m += way[2];
     }
 

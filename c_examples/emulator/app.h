@@ -59,6 +59,9 @@ public:
             say_line(text("nothing_flown"));
             return;
         }
+        const bool is_once = flight != NULL && flight->is_live() && (id == ID_PAUSE || id == ID_SNAPSHOT || id == ID_GO_BACK);
+        if (is_once || (is_live && (id == ID_RECOMMEND || id == ID_BUDGET)))
+            throw Refusal(text("not_live"));
         switch (id) {
         case ID_NEW: open_builtin(""); break;
         case ID_OPEN:
@@ -238,8 +241,9 @@ private:
     /* Takes a typed value although the field still has the focus. */
     void leave_field() {
         HWND focus = GetFocus();
-        WPARAM left = MAKEWPARAM(GetDlgCtrlID(focus), EN_KILLFOCUS);
-        if (IsChild(window_, focus) && is_of_class(focus, L"Edit")) /* a button would take it for a click */
+        bool is_list = is_of_class(focus, L"ComboBox");
+        WPARAM left = MAKEWPARAM(GetDlgCtrlID(focus), is_list ? CBN_KILLFOCUS : EN_KILLFOCUS);
+        if (IsChild(window_, focus) && (is_list || is_of_class(focus, L"Edit"))) /* a button would take it for a click */
             SendMessageW(GetParent(focus), WM_COMMAND, left, (LPARAM)focus);
     }
 
@@ -256,8 +260,11 @@ private:
             flight->pause(false);
             return;
         }
+        const Scene own = flown();
+        if (Faults faults = own.faults(); !faults.empty())
+            throw Refusal(told(faults));
         flight.reset();
-        flight = std::make_unique<Flight>(scene, folder(), display_->pace());
+        flight = std::make_unique<Flight>(own, folder(), display_->pace(), is_live ? &live_source : NULL);
         say_line(L"");
         show_page(3);
     }

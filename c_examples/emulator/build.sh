@@ -19,4 +19,4 @@ version=$(sed -n 's/^version = "\(.*\)"/\1/p' ../../Cargo.toml | head -1)
 printf '#define VERSION_TEXT "%s"\n#define VERSION_NUMBERS %s, 0\n' "$version" "$(echo "${version%%-*}" | sed 's/\./, /g')" >"$parts/version.h"
 "$arch-w64-mingw32-windres" -c 65001 -I "$parts" -i emulator.rc -o "$parts/resources.o"
 "$arch-w64-mingw32-g++-posix" $flags -I. -municode -mwindows -static -s -Wl,--no-insert-timestamp -o "$out/SINS_Emulator.exe" main.cpp "$parts/resources.o" \
-    -lcomctl32 -lcomdlg32 -lgdi32 -lgdiplus -lshell32 -ladvapi32 -luuid -lole32 -lwinmm
+    -lcomctl32 -lcomdlg32 -lgdi32 -lgdiplus -lshell32 -ladvapi32 -luuid -lole32 -lwinmm -lws2_32

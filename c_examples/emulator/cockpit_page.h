@@ -36,8 +36,7 @@ protected:
         else if (id >= IDC_MODE && id <= IDC_ENTER_HEADING && cockpit_)
             at_panel(id);
         show();
-        if (code == BN_CLICKED || id == IDC_POWER || id == IDC_SPEEDUP) /* the arrow keys belong to the stick again */
-            SetFocus(screen_);
+        SetFocus(screen_); /* the arrow keys belong to the stick again */
     }
 
     bool on_message(UINT message, WPARAM, LPARAM) override {

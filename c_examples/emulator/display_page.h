@@ -6,7 +6,10 @@ class DisplayPage : public Page {
 public:
     using Page::Page;
 
-    void refresh(bool) override { update(); }
+    void refresh(bool) override {
+        enable(IDC_PACE, !document_.is_live);
+        update();
+    }
     double pace() const { return PACES[chosen(IDC_PACE)]; }
     const Plot &plot() const { return plot_; }
 
@@ -17,7 +20,7 @@ public:
         if (flight != NULL) {
             Flight::Status status = flight->status();
             has_model = (status.record.model_errors.flags & SINS_ERRORS_NOT_COMPUTED) == 0;
-            is_old = flight->settings() != scene_.write();
+            is_old = flight->settings() != document_.flown().write();
             draw(flight->curves(), has_model, is_old);
             show_values(status, has_model, is_old);
         } else {
@@ -128,11 +131,33 @@ private:
         rows(IDC_VALUES, values);
         Unit unit = plot_.time_unit(status.duration_s);
         std::wstring time = shown(status.time_s / unit.si, 6) + L" / " + shown(status.duration_s / unit.si, 6) + L" " + unit.name;
-        set(IDC_PROGRESS, parts("states")[status.state] + (is_old ? text("old") : L"") + L"\n" + time);
+        if (status.traffic)
+            show_traffic(status, is_old);
+        else
+            set(IDC_PROGRESS, parts("states")[status.state] + (is_old ? text("old") : L"") + L"\n" + time);
         if (status.state == Flight::FAILED)
             document_.say_line(status.sentence);
         enable(ID_GO_BACK, status.snapshot_s >= 0);
     }
 
+    /* What the packets of a live flight are; in the status line, the first packet of each reason to refuse one. */
+    void show_traffic(const Flight::Status &status, bool is_old) {
+        const Traffic &traffic = *status.traffic;
+        const int under_way = traffic.is_silent ? 0 : traffic.standing < 10 ? 1 : 2;
+        std::wstring state = status.state == Flight::FLYING ? parts("live_states")[under_way] : parts("states")[status.state], refused;
+        Texts reasons = parts("refused");
+        for (size_t k = 0; k < reasons.size(); k++)
+            if (traffic.refused[k] > 0)
+                refused += (refused.empty() ? L"" : L", ") + std::to_wstring(traffic.refused[k]) + L" " + reasons[k];
+        Unit unit = Diagram::unit_for(DURATION, {0, status.time_s});
+        std::wstring time = shown(status.time_s / unit.si, 6) + L" " + unit.name;
+        set(IDC_PROGRESS, state + (is_old ? text("old") : L"") + L": " + text("live_flown", {time, std::to_wstring(traffic.flown)}) +
+                              (refused.empty() ? L"" : L"\n" + text("live_refused", {refused})));
+        if (traffic.newest != said_ && traffic.newest != Why::COUNT)
+            document_.say_line(text("live_first", {text(narrow(parts("refusals")[(size_t)traffic.newest]), {wide(traffic.what)})}));
+        said_ = traffic.newest;
+    }
+
     Plot plot_;
+    Why said_ = Why::COUNT; /* the reason in the status line */
 };

@@ -62,6 +62,7 @@ public:
 
     /* The path of a log is relative to the scene's folder if the log is in or below this folder. */
     void fly_log(const fs::path &log) {
+        is_live = false;
         fs::path seen = log.lexically_relative(folder());
         bool is_below = !seen.empty() && *seen.begin() != L"..";
         edited(told(scene.set({{"flight.file", in_quotes(narrow(is_below ? seen : log))}})));
@@ -109,7 +110,20 @@ public:
         flight->write(increments, true);
     }
 
+    /* The scene that is flown, or faults(). Packets replace its flight, and those without a time have a stated period. */
+    Scene flown() const {
+        Scene flown(scene);
+        Changes changes = {{"flight.file", in_quotes("live")}, {"flight.hours", ""}};
+        if (is_live && !live_source.has_time)
+            changes["options.sample_period_s"] = shortest(1 / live_source.rate_hz);
+        if (is_live)
+            flown.set(changes);
+        return flown;
+    }
+
     Scene scene{sins::Scene::builtin("simulation2")};
+    bool is_live = false; /* whether packets are flown instead of the flight of the scene */
+    LiveSource live_source;
     fs::path path;
     std::unique_ptr<Flight> flight;
 
@@ -139,6 +153,7 @@ protected:
 private:
     void replace(sins::Scene &&other, const fs::path &file) {
         scene = std::move(other);
+        is_live = false;
         earlier_.clear();
         flight.reset();
         remember(file);

@@ -5,8 +5,10 @@
 #include <thread>
 
 #include "curves.h"
-#include "lines.h"
+#include "increments.h"
 #include "samples.h"
+
+#include "live.h" /* after the loaded library */
 
 class Flight {
 public:
@@ -17,16 +19,25 @@ public:
         sins_record record;
         sins_accuracy accuracy;
         std::wstring sentence; /* the reason of a failure */
+        std::optional<Traffic> traffic; /* of a live flight */
     };
 
-    /* Begins with the first sample. pace: speed as a multiple of real time; 0: as fast as possible. */
-    Flight(const Scene &scene, const fs::path &folder, double pace)
-        : scene_(scene), samples_(scene, folder), sim_(scene.create_simulator()),
+    /* Begins with the first sample. pace: speed as a multiple of real time; 0: as fast as possible. live: NULL, or the packets that
+     * are flown instead of the flight of the scene. */
+    Flight(const Scene &scene, const fs::path &folder, double pace, const LiveSource *live)
+        : scene_(scene), samples_(live == NULL ? Samples(scene, folder) : Samples()), sim_(scene.create_simulator()),
           has_covariance_(sim_.options().covariance != 0), records_(sins::Simulator::record_head(has_covariance_)) {
-        points_every_ = (size_t)max((double)samples_.all.count / LEAST_POINTS, 1.0);
+        points_every_ = live != NULL ? 1 : (size_t)max((double)samples_.all.count / LEAST_POINTS, 1.0);
         if (!increments_name().empty())
             increments_.emplace(narrow(text("increments")));
+        start_.records = records_.size();
+        start_.increments = increments_ ? increments_->size() : 0;
         set_pace(pace);
+        if (live != NULL) {
+            live_.emplace(*live, sim_.options());
+            if (!live_->is_open())
+                throw refusal("cannot_listen", std::to_wstring(live->port));
+        }
         worker_ = std::thread(&Flight::fly, this);
     }
 
@@ -57,6 +68,10 @@ public:
         if (worker_.joinable()) {
             ends_ = true;
             worker_.join();
+            if (live_ && is_under_way() && now_.next > 0 && (now_.next - 1) % samples_.all.record_every != 0)
+                keep_row(record());
+            if (live_)
+                live_->close(); /* another flight may listen */
             state_ = is_under_way() ? STOPPED : state_;
         }
     }
@@ -68,7 +83,10 @@ public:
         bool has_record = sim_.get_record(record);
         sim_.get_accuracy(accuracy);
         double time_s = has_record ? record.time_s - samples_.all.start_s : 0;
-        return {state_, time_s, samples_.all.duration_s, saved_s_, record, accuracy, sentence_};
+        Status status = {state_, time_s, live_ ? time_s : samples_.all.duration_s, saved_s_, record, accuracy, sentence_, {}};
+        if (live_)
+            status.traffic = live_->traffic();
+        return status;
     }
 
     bool is_under_way() const {
@@ -95,6 +113,8 @@ public:
         scene_.set_items("failure", scene.items("failure")); /* other settings are those of the start */
     }
 
+    bool is_live() const { return live_.has_value(); }
+
     std::string settings() const {
         auto held = hold();
         return scene_.write();
@@ -114,10 +134,7 @@ public:
         if (saved_s_ < 0)
             throw Refusal(text("no_snapshot"));
         sim_.snapshot_load(snapshot_);
-        now_ = saved_;
-        records_.cut(now_.records);
-        if (increments_)
-            increments_->cut(now_.increments);
+        return_to(saved_);
         state_ = state_ == FLYING ? FLYING : PAUSED;
         set_pace(pace_);
     }
@@ -150,27 +167,46 @@ private:
             std::unique_lock<std::recursive_mutex> held(mutex_);
             double elapsed_s = (double)(GetTickCount64() - paced_at_ms_) / 1000;
             double due_s = pace_ > 0 ? paced_from_s_ + pace_ * elapsed_s : INFINITY;
-            auto waits = [&] { return state_ != FLYING || next_s() > due_s; };
-            for (int k = 0; k < STEPS && !waits(); k++)
+            int k = 0;
+            for (; k < STEPS && state_ == FLYING && is_due(due_s); k++)
                 step();
-            bool is_early = waits();
             held.unlock();
-            if (is_early)
+            if (k < STEPS)
                 Sleep(1);
         }
+    }
+
+    /* Whether the next sample is due, or its packet has come. */
+    bool is_due(double due_s) {
+        if (!live_)
+            return next_s() <= due_s;
+        passed_ = live_->next(sample_);
+        return passed_.has_value();
+    }
+
+    void return_to(const Moment &moment) {
+        now_ = moment;
+        records_.cut(now_.records);
+        if (increments_)
+            increments_->cut(now_.increments);
     }
 
     /* Flies to the next sample. */
     void step() {
         try {
-            sins_flight_sample sample = samples_.get(now_.next);
+            if (passed_ == Passed::BEGINS) { /* the first packet, or the aircraft was moved */
+                sim_.reset();
+                return_to(start_);
+                samples_.all.start_s = sample_.time_s;
+            }
+            sins_flight_sample sample = live_ ? sample_ : samples_.get(now_.next);
             scene_.prepare(sim_, samples_.all.start_s, sample);
             sim_.push_sample(sample);
             sim_.step();
             keep(now_.next++);
             state_ = now_.next == samples_.all.count ? FINISHED : FLYING;
         } catch (const std::exception &error) {
-            sentence_ = samples_.place(now_.next) + told(error);
+            sentence_ = (live_ ? shown(sample_.time_s, 10) + L" s: " : samples_.place(now_.next)) + told(error);
             state_ = FAILED;
         }
     }
@@ -179,16 +215,25 @@ private:
         sins_imu imu = sins::make<sins_imu>();
         if (index > 0 && sim_.get_imu(imu))
             keep_interval(imu);
+        if (live_ && index == 1) { /* without a wish of the scene, a record each second, as `sins live` */
+            double every_s = scene_.setup().every_s > 0 ? scene_.setup().every_s : 1;
+            samples_.all.record_every = (uint64_t)max(std::round(every_s / imu.interval_s), 1.0);
+        }
         bool is_row = index % samples_.all.record_every == 0 || index + 1 == samples_.all.count;
         if (is_row || index % points_every_ == 0) {
-            sins_record record = sins::make<sins_record>();
-            sim_.get_record(record);
-            keep_point(record);
+            const sins_record now = record();
+            keep_point(now);
             if (index > 0) /* rates begin with the first interval */
-                now_.curves.end_point(record.time_s - samples_.all.start_s);
+                now_.curves.end_point(now.time_s - samples_.all.start_s);
             if (is_row)
-                keep_row(record);
+                keep_row(now);
         }
+    }
+
+    sins_record record() const {
+        sins_record record = sins::make<sins_record>();
+        sim_.get_record(record);
+        return record;
     }
 
     /* Stores the output of the sensors over an interval. */
@@ -201,27 +246,7 @@ private:
         now_.curves.put(RATE, imu.measured_rate_rad_s);
         now_.curves.put(FORCE, imu.measured_force_m_s2);
         if (increments_)
-            keep_increments(imu.time_s);
-    }
-
-    /* Adds a row for each part of the interval that ends at end_s, as `sins fly` does. */
-    void keep_increments(double end_s) {
-        std::vector<sins_imu_increment> updates(1, sins::make<sins_imu_increment>());
-        size_t left = 0;
-        for (; sim_.get_imu_update((int32_t)updates.size() - 1, updates.back()); updates.push_back(updates.back()))
-            left += updates.back().count;
-        updates.pop_back();
-        for (const sins_imu_increment &update : updates) {
-            for (int part = 0; part < update.count; part++) {
-                double time_s = end_s - (double)--left * (update.interval_s / update.count);
-                std::string line = shortest(time_s) + "," + shortest(update.interval_s) + "," +
-                                   std::to_string(part + 1) + "," + std::to_string(update.count);
-                for (const double *values : {update.angle_rad, update.velocity_m_s})
-                    for (int axis = 0; axis < 3; axis++)
-                        line += "," + shortest(values[3 * part + axis]);
-                increments_->add(line);
-            }
-        }
+            add_increments(*increments_, sim_, imu.time_s);
     }
 
     void keep_point(const sins_record &record) {
@@ -255,11 +280,14 @@ private:
     sins::Simulator sim_;
     bool has_covariance_;
     size_t points_every_; /* interval of points [samples] */
-    Moment now_, saved_;
+    Moment start_, now_, saved_;
     double saved_s_ = -1;
     std::vector<unsigned char> snapshot_;
     Lines records_;
     std::optional<Lines> increments_;
+    std::optional<Live> live_;
+    std::optional<Passed> passed_; /* the last packet that is flown, and its sample */
+    sins_flight_sample sample_ = sins::make<sins_flight_sample>();
     State state_ = FLYING;
     std::wstring sentence_;
     double pace_ = 0, paced_from_s_ = 0;

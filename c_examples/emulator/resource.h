@@ -29,6 +29,8 @@
 #define IDC_BUILTIN 1002
 #define IDC_TAKE 1003
 #define IDC_BROWSE 1005
+#define IDC_PORT 1006
+#define IDC_RATE 1007
 #define IDC_ITEMS 1020
 #define IDC_ADD 1021
 #define IDC_EDIT 1022

@@ -22,6 +22,12 @@ public:
         }
     }
 
+    /* The samples of a live flight, which are not known before they come. */
+    Samples() : all(sins::make<sins_scene_samples>()), rate_hz_(0) {
+        all.count = SIZE_MAX;
+        all.record_every = 1;
+    }
+
     sins_flight_sample get(size_t index) const {
         return log_ ? log_->sample(index) : flight_->sample_at((double)index / rate_hz_);
     }

@@ -1,5 +1,7 @@
 /* Texts: UTF-16 of Windows and UTF-8 of the library, the language of the user, numbers, files. */
 #pragma once
+#include <winsock2.h> /* before windows.h */
+
 #include <windows.h>
 
 #include <algorithm>

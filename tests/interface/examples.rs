@@ -79,6 +79,12 @@ fn the_aircraft_of_the_cockpit_flies_and_lands() {
     print!("{}", prints_alike("aircraft", &["tests/emulator/aircraft.cpp"], &["c++17", "c++20"], &[]));
 }
 
+/// The packets of the front end's live flight, which need no Windows.
+#[test]
+fn the_packets_of_the_front_end_are_flown_or_named() {
+    print!("{}", prints_alike("live", &["tests/emulator/live.cpp"], &["c++17", "c++20"], &[]));
+}
+
 #[test]
 fn the_example_of_the_readme_prints_what_it_says() {
     let readme = std::fs::read_to_string(project_file("README.md")).unwrap();
