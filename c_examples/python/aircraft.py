@@ -36,7 +36,7 @@ EQUATOR_M, E2 = 6378137.0, 6.69437999014e-3  # WGS 84
 
 
 def read_netcdf(path):
-    """The variables of a netCDF file as a function of their name; values that are missing become not a number."""
+    """The names of the variables of a netCDF file, and a function that reads one; missing values become not a number."""
     try:
         from netCDF4 import Dataset
         data = Dataset(path)
@@ -65,6 +65,7 @@ def number(text):
 
 
 def read_csv(path):
+    """As read_netcdf."""
     with open(path, newline="", encoding="utf-8-sig") as file:
         rows = list(csv.DictReader(file, skipinitialspace=True))
 
