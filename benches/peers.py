@@ -11,11 +11,20 @@ Each code gets the increments of perfect sensors at 200 Hz (as mean rates where 
 a closed form on the ellipsoid, where the normal gravity of all codes is the same. The increments are Gauss quadratures of the exact rate
 and specific force; no code computes them. A code that cannot be imported is left out. gnss-ins-sim is in no registry: --source names
 its folder.
+
+A code of another language takes the same increments from a file, which `--increments FOLDER` writes for each motion, and its end comes
+back in a file, which `--end NAME=FOLDER` reads:
+
+    swings.txt, coning.txt    start: one line: latitude, longitude [rad], height [m], velocity north, east, down [m/s], roll, pitch,
+                              heading [rad]; then a line a sample: time [s], three angle increments [rad], three velocity increments
+                              [m/s], forward, right, down: without its first line the file is an IMU file of KF-GINS
+    swings.end, coning.end    one line: those nine values at the end, and the time a sample [us]
 """
 
 import argparse
 import importlib.metadata
 import math
+import pathlib
 import sys
 import time
 
@@ -211,16 +220,42 @@ def version_of(name, folder):
         return f"(source {folder})"
 
 
+def state(motion, t):
+    """The line of a file: place, velocity and attitude."""
+    latitude, longitude, *_ = motion.place(t)
+    return [latitude, longitude, 0.0, *motion.velocity(t), *(float(angle) for angle, _ in motion.euler(t))]
+
+
+def write(folder, short, motion, count):
+    times = np.arange(1, count + 1) / RATE_HZ
+    with open(folder / f"{short}.txt", "w") as file:
+        print(*map(repr, map(float, state(motion, 0.0))), file=file)
+        np.savetxt(file, np.column_stack([times, *motion.increments(count)]), fmt="%.17g")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--source", action="append", default=[], metavar="NAME=FOLDER", help="a folder with the source of a code")
+    parser.add_argument("--increments", type=pathlib.Path, metavar="FOLDER", help="write the increments there, and do nothing else")
+    parser.add_argument("--end", action="append", default=[], metavar="NAME=FOLDER", help="a folder with the ends of another code")
     parser.add_argument("--hours", type=float, default=1.0)
     arguments = parser.parse_args()
     folders = dict(source.split("=", 1) for source in arguments.source)
+    ends = dict(end.split("=", 1) for end in arguments.end)
     sys.path += folders.values()
     count = round(arguments.hours * 3600 * RATE_HZ) // 4 * 4
+    motions = (("swings", "swings", Motion(False)), ("coning", "swings, coning of 0.2° at 8 Hz", Motion(True)))
+    if arguments.increments:
+        arguments.increments.mkdir(parents=True, exist_ok=True)
+        for short, _, motion in motions:
+            write(arguments.increments, short, motion, count)
+        return
     print("| motion | code | position error [m] | velocity [m/s] | attitude [arcsec] | time a sample [us] |\n|---|---|---|---|---|---|")
-    for name, motion in (("swings", Motion(False)), ("swings, coning of 0.2° at 8 Hz", Motion(True))):
+    for short, name, motion in motions:
+        def row(code, errors, microseconds):
+            figures = " | ".join(f"{figure:.1e}" for figure in errors)
+            print(f"| {name} | {code} | {figures} | {microseconds:.1f} |", flush=True)
+
         increments = motion.increments(count)
         for code, run in CODES.items():
             try:
@@ -232,8 +267,12 @@ def main():
                 print(f"{code}: {error}", file=sys.stderr)
                 continue
             seconds = time.perf_counter() - began
-            figures = " | ".join(f"{figure:.1e}" for figure in motion.errors(count / RATE_HZ, *end))
-            print(f"| {name} | {code} {version_of(code, folders.get(code))} | {figures} | {1e6 * seconds / count:.1f} |", flush=True)
+            version = version_of(code, folders.get(code))
+            row(f"{code} {version}", motion.errors(count / RATE_HZ, *end), 1e6 * seconds / count)
+        for code, folder in ends.items():
+            latitude, longitude, _, *velocity, roll, pitch, heading, microseconds = np.loadtxt(f"{folder}/{short}.end")
+            errors = motion.errors(count / RATE_HZ, latitude, longitude, np.array(velocity), from_euler(roll, pitch, heading))
+            row(code, errors, microseconds)
 
 
 if __name__ == "__main__":
