@@ -32,8 +32,8 @@ use super::geographic::Geographic;
 use super::limits::WELL_WITHIN_M;
 use super::scratch::{AxesRows, Bodies, Scratch};
 use super::{
-    AidOfEach, Frame, FrameState, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalAid,
-    VerticalCorrection, VerticalRows,
+    AidOfEach, Frame, FrameState, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalCorrection,
+    VerticalRows,
 };
 use crate::earth::{Earth, GravityModel};
 use crate::math::AxisTurn;
@@ -225,16 +225,18 @@ impl NavigatorBlock {
                 self.aid_one_by_one((earth, scheme), aid, t);
             }
             AidOfEach::Some { .. } => self.aid_one_by_one((earth, scheme), aid, t),
-            AidOfEach::Same(VerticalAid::None) => self.vertical.skip(),
-            AidOfEach::Same(VerticalAid::Truth { height_m, velocity_up_m_s }) => {
+            AidOfEach::None => self.vertical.skip(),
+            AidOfEach::Truth { height_m, velocity_up_m_s } => {
                 self.shift_vertical(earth, |_, _, height, velocity_up| {
                     VerticalCorrection::to_truth(height_m - height, velocity_up_m_s - velocity_up, t)
                 });
             }
-            AidOfEach::Same(VerticalAid::Barometer { height_m }) => {
-                self.follow(earth, t, |_| height_m);
+            AidOfEach::Barometer { heights_m } => {
+                let beginning = self.vertical.begin(t);
+                self.shift_vertical(earth, |vertical, lane, height, _| {
+                    vertical.answer(lane, height - heights_m[lane], &beginning)
+                });
             }
-            AidOfEach::Barometer { heights_m } => self.follow(earth, t, |lane| heights_m[lane]),
         }
         let is_earth_fixed = self.frame == Frame::EarthFixed;
         for lane in 0..RUNS {
@@ -246,15 +248,6 @@ impl NavigatorBlock {
     #[inline(never)]
     fn aid_one_by_one(&mut self, kind: (&Earth, Scheme), aid: &AidOfEach<'_>, t: f64) {
         self.each(kind, |lane, navigator| navigator.aid_vertical(&aid.at(lane), t));
-    }
-
-    /// Corrects the vertical channels by barometric heights.
-    #[inline(always)]
-    fn follow(&mut self, earth: &Earth, t: f64, height_m: impl Fn(usize) -> f64) {
-        let beginning = self.vertical.begin(t);
-        self.shift_vertical(earth, |vertical, lane, height, _| {
-            vertical.answer(lane, height - height_m(lane), &beginning)
-        });
     }
 
     #[inline(always)]

@@ -8,7 +8,7 @@ use super::geographic::GeographicForm;
 use super::sensor_errors::ErrorSums;
 use super::{ErrorModel, Form, SensorErrors, is_within};
 use crate::earth::Earth;
-use crate::mechanization::{AidOfEach, Frame, VerticalAid, VerticalCorrection, VerticalRows};
+use crate::mechanization::{AidOfEach, Frame, VerticalCorrection, VerticalRows};
 use crate::mounting::Block;
 use crate::signal::{
     Increment, IncrementRows, IntervalMotion, MotionNode, RUNS, Row, TurnToEarth, increment_of,
@@ -191,18 +191,20 @@ impl ModelBlock {
         match *aid {
             _ if !self.vertical.are_alike() => self.correct_one_by_one(interval, aid),
             AidOfEach::Some { .. } => self.correct_one_by_one(interval, aid),
-            AidOfEach::Same(VerticalAid::None) => self.vertical.skip(),
-            AidOfEach::Same(VerticalAid::Truth { .. }) => {
+            AidOfEach::None => self.vertical.skip(),
+            AidOfEach::Truth { .. } => {
                 self.shift_vertical(earth, &truth, |_, _, form| {
                     let velocity_up = form.velocity_up_error(earth, &truth);
                     VerticalCorrection::to_truth(-form.height_error(&truth), -velocity_up, t)
                 });
             }
-            AidOfEach::Same(VerticalAid::Barometer { height_m }) => {
-                self.follow(earth, &truth, t, |_| height_m);
-            }
             AidOfEach::Barometer { heights_m } => {
-                self.follow(earth, &truth, t, |lane| heights_m[lane]);
+                let beginning = self.vertical.begin(t);
+                let true_height_m = truth.height_m();
+                self.shift_vertical(earth, &truth, |vertical, lane, form| {
+                    let altimeter_error = heights_m[lane] - true_height_m;
+                    vertical.answer(lane, form.height_error(&truth) - altimeter_error, &beginning)
+                });
             }
         }
     }
@@ -213,17 +215,6 @@ impl ModelBlock {
         let &ModelInterval { earth, next, motion, .. } = interval;
         self.each(earth, |lane, model| {
             model.correct_vertical(motion.interval_s, next, &aid.at(lane), None);
-        });
-    }
-
-    /// Corrects the vertical channels with barometric heights.
-    #[inline(always)]
-    fn follow(&mut self, earth: &Earth, truth: &TruthPoint, t: f64, height_m: impl Fn(usize) -> f64) {
-        let beginning = self.vertical.begin(t);
-        let true_height_m = truth.height_m();
-        self.shift_vertical(earth, truth, |vertical, lane, form| {
-            let altimeter_error = height_m(lane) - true_height_m;
-            vertical.answer(lane, form.height_error(truth) - altimeter_error, &beginning)
         });
     }
 

@@ -76,7 +76,7 @@ impl Chain {
     ) -> Result<(), Error> {
         let next = recent.next;
         let t = next.interval_s;
-        let before = (self.generator.settled(), self.mechanization.kept());
+        let before = (self.generator.settled(), self.mechanization.solution());
         let last = core::mem::replace(&mut self.parts, parts.clone());
         self.views = Views::default();
 

@@ -20,6 +20,9 @@ impl Block {
         core::mem::swap(&mut self.models, &mut workspace.models);
         (workspace.sums, workspace.reports) = (self.measured, self.reports);
         workspace.is_unaided = [interval.aid == VerticalAid::None; RUNS];
+        if let VerticalAid::Barometer { height_m } = interval.aid {
+            workspace.heights_m = [height_m; RUNS];
+        }
         if self.disturbed.is_empty() {
             self.begin_failures(interval, workspace);
             self.sense_heights(interval, workspace);
@@ -72,7 +75,6 @@ impl Block {
     #[inline]
     fn sense_heights(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
         if let (VerticalAid::Barometer { height_m }, true) = (interval.aid, interval.has_altimeters) {
-            workspace.heights_m = [height_m; RUNS];
             for lane in (0..self.count).filter(|lane| self.diverged[*lane].is_none()) {
                 let indicated_m = self.altimeters[lane].sense(height_m, interval.t);
                 workspace.put_height(lane, height_m, indicated_m);
@@ -219,14 +221,15 @@ impl Work for Navigating<'_> {
         let Self { block, interval, workspace } = self;
         let Workspace { navigators: before, models: models_before, measured, scratch, .. } = workspace;
         let Workspace { heights_m, is_unaided, is_good, disturbed, .. } = workspace;
-        let &Interval { earth, options, t, count, aid, has_altimeters, .. } = interval;
+        let &Interval { earth, options, t, count, aid, .. } = interval;
         let Block { navigators, models, measured: sums, compensated, .. } = block;
         let ([navigators], [before]) = (&mut **navigators, &**before) else { return };
         let (measured, sums) = (&measured[..count], &*sums);
-        let aid = match has_altimeters {
-            false => AidOfEach::Same(aid),
-            true if is_unaided.contains(&true) => AidOfEach::Some { heights_m, is_none: is_unaided },
-            true => AidOfEach::Barometer { heights_m },
+        let aid = match aid {
+            VerticalAid::None => AidOfEach::None,
+            VerticalAid::Truth { height_m, velocity_up_m_s } => AidOfEach::Truth { height_m, velocity_up_m_s },
+            _ if is_unaided.contains(&true) => AidOfEach::Some { heights_m, is_none: is_unaided },
+            VerticalAid::Barometer { .. } => AidOfEach::Barometer { heights_m },
         };
         let kind = (earth, options.scheme);
         let compensated = &*compensated;
