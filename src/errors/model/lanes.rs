@@ -11,7 +11,8 @@ use crate::earth::Earth;
 use crate::mechanization::{AidOfEach, Frame, VerticalCorrection, VerticalRows};
 use crate::mounting::Block;
 use crate::signal::{
-    Increment, IncrementRows, IntervalMotion, MotionNode, RUNS, Row, TurnToEarth, increment_of,
+    Increment, IncrementRows, IntervalMotion, MotionNode, RUNS, Row, TurnToEarth, increment_of, put_vectors,
+    vectors_of,
 };
 use crate::truth::TruthPoint;
 
@@ -92,16 +93,12 @@ impl ModelBlock {
 
     #[inline(always)]
     fn state(&self, lane: usize) -> [Vector3<f64>; 3] {
-        [0, 3, 6].map(|first: usize| Vector3::from_fn(|i, _| self.state[first + i][lane]))
+        vectors_of(&self.state, lane)
     }
 
     #[inline(always)]
-    fn put_state(&mut self, lane: usize, [phi, dv, dr]: [&mut Vector3<f64>; 3]) {
-        for i in 0..3 {
-            self.state[i][lane] = phi[i];
-            self.state[3 + i][lane] = dv[i];
-            self.state[6 + i][lane] = dr[i];
-        }
+    fn put_state(&mut self, lane: usize, state: [&mut Vector3<f64>; 3]) {
+        put_vectors(&mut self.state, lane, state.map(|vector| &*vector));
     }
 
     #[inline(always)]
@@ -240,22 +237,14 @@ struct SumRows([Row; 12]);
 impl SumRows {
     #[inline(always)]
     fn at(&self, lane: usize) -> ErrorSums {
-        let vector = |first: usize| Vector3::from_fn(|i, _| self.0[first + i][lane]);
-        ErrorSums {
-            sum: Increment { angle: vector(0), velocity: vector(3) },
-            moment: Increment { angle: vector(6), velocity: vector(9) },
-        }
+        let [angle, velocity, angle_moment, velocity_moment] = vectors_of(&self.0, lane);
+        let moment = Increment { angle: angle_moment, velocity: velocity_moment };
+        ErrorSums { sum: Increment { angle, velocity }, moment }
     }
 
     #[inline(always)]
     fn put(&mut self, lane: usize, sums: &ErrorSums) {
         let ErrorSums { sum, moment } = sums;
-        for (first, vector) in
-            [(0, &sum.angle), (3, &sum.velocity), (6, &moment.angle), (9, &moment.velocity)]
-        {
-            for i in 0..3 {
-                self.0[first + i][lane] = vector[i];
-            }
-        }
+        put_vectors(&mut self.0, lane, [&sum.angle, &sum.velocity, &moment.angle, &moment.velocity]);
     }
 }

@@ -76,7 +76,7 @@ impl Chain {
     ) -> Result<(), Error> {
         let next = recent.next;
         let t = next.interval_s;
-        let before = (self.generator.settled(), self.mechanization.solution());
+        let (settled, solution) = (self.generator.settled(), self.mechanization.solution());
         let last = core::mem::replace(&mut self.parts, parts.clone());
         self.views = Views::default();
 
@@ -119,7 +119,6 @@ impl Chain {
             self.check()
         };
         if let Err(error) = result {
-            let (settled, solution) = before;
             self.generator.go_back(settled, recent);
             self.mechanization.go_back(&solution);
             self.parts = last;
