@@ -1,6 +1,6 @@
 //! Many navigators side by side.
 //!
-//! A block stores each number of up to [`RUNS`] navigators in a row. A loop over the row applies the formula of the single
+//! A batch stores each number of up to [`RUNS`] navigators in a row. A loop over the row applies the formula of the single
 //! navigator to each element; the formula is inlined, and its rare branches are decided before the loop ([`super::branches`]). The compiler
 //! vectorizes such a loop with the widest instructions that the surrounding function may use ([`crate::instruction_set`]). The bits
 //! are those of the single navigator, because the compiler may not fuse or reorder operations in either.
@@ -12,7 +12,7 @@
 //! types of intrinsics were not tried: an intrinsic passes its values through memory wherever a function of nalgebra is not
 //! inlined.
 //!
-//! The single chain stays beside the ensembles. In a trial it was a block of one, with the number of runs as a constant: the same bits,
+//! The single chain stays beside the ensembles. In a trial it was a batch of one, with the number of runs as a constant: the same bits,
 //! but 5 % more instructions (11 % with sensors of navigation grade), and 1.06 to 1.08 of the time of simulation 2. It would save 200 to
 //! 300 lines.
 //!
@@ -41,14 +41,14 @@ use crate::signal::{Increment, IncrementRows, RUNS, increment_of};
 /// Navigators of one frame that get the same intervals.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
-pub(crate) struct NavigatorBlock {
+pub(crate) struct NavigatorBatch {
     frame: Frame,
     axes: AxesRows,
     vertical: VerticalRows,
 }
 
-impl NavigatorBlock {
-    /// A block of navigators without states.
+impl NavigatorBatch {
+    /// A batch of navigators without states.
     pub fn new(frame: Frame) -> Self {
         Self { frame, axes: [[0.0; RUNS]; 25], vertical: VerticalRows::new() }
     }
@@ -100,7 +100,7 @@ impl NavigatorBlock {
     }
 
     /// Navigates the navigators `before`, with `shift_e` [m/s] more, over an interval of length `t` [s], in updates of `subsamples`
-    /// subsamples. Overwrites this block.
+    /// subsamples. Overwrites this batch.
     #[inline(always)]
     pub fn navigate(
         &mut self,

@@ -18,7 +18,7 @@ mod vertical_rows;
 
 pub use body::{BodyMotion, MAX_SUBSAMPLES};
 pub(crate) use earth_fixed::displaced_vertical;
-pub(crate) use lanes::NavigatorBlock;
+pub(crate) use lanes::NavigatorBatch;
 pub(crate) use limits::check_state;
 use limits::{WELL_WITHIN_M, diverged, is_good, quick_height};
 use norm::MAX_NORM_ERROR;

@@ -1,4 +1,4 @@
-//! The body parts of an update of many runs, between the loops over a block.
+//! The body parts of an update of many runs, between the loops over a batch.
 
 use nalgebra::{Vector3, Vector4};
 
@@ -6,7 +6,7 @@ use super::{BodyMotion, MAX_SUBSAMPLES, Scheme};
 use crate::math::{Compensated, RotationSeries, quarter_square};
 use crate::signal::{Increment, IncrementRows, RUNS, Row, increment_of, put_vectors, vectors_of};
 
-/// The numbers of the navigators of a block: those of [`Sums`], then one or two of the frame's own.
+/// The numbers of the navigators of a batch: those of [`Sums`], then one or two of the frame's own.
 pub(super) type AxesRows = [Row; 25];
 
 /// What the navigators of both frames sum up, and the acceleration of their last update.
@@ -44,7 +44,7 @@ impl Sums {
     }
 }
 
-/// Memory for values between the loops over a block.
+/// Memory for values between the loops over a batch.
 #[derive(Debug)]
 pub(crate) struct Scratch {
     pub(super) bodies: Bodies,

@@ -88,7 +88,7 @@ pub(crate) struct Beginning {
     is_first: bool,
 }
 
-/// Aid of the vertical channels of a block.
+/// Aid of the vertical channels of a batch.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum AidOfEach<'a> {
     /// No aid: the channels are free.

@@ -4,14 +4,14 @@ use nalgebra::Vector3;
 
 use super::Increment;
 
-/// Number of runs of a block: two vectors of the widest instruction set. The data of a block for a step fit into the first-level
+/// Number of runs of a batch: two vectors of the widest instruction set. The data of a batch for a step fit into the first-level
 /// cache.
 pub(crate) const RUNS: usize = 16;
 
-/// One number of each run of a block.
+/// One number of each run of a batch.
 pub(crate) type Row = [f64; RUNS];
 
-/// An increment of the runs of a block: three components of angle, three of velocity.
+/// An increment of the runs of a batch: three components of angle, three of velocity.
 pub(crate) type IncrementRows = [Row; 6];
 
 /// Stores vectors in a lane, each in three of the rows.

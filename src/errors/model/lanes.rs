@@ -19,7 +19,7 @@ use crate::truth::TruthPoint;
 /// Models of one frame that advance over the same intervals.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
-pub(crate) struct ModelBlock {
+pub(crate) struct ModelBatch {
     frame: Frame,
     /// Errors of attitude, velocity and position, in the terms of the form.
     state: [Row; 9],
@@ -62,8 +62,8 @@ impl ModelInterval<'_> {
     }
 }
 
-impl ModelBlock {
-    /// Block of models that are not set yet.
+impl ModelBatch {
+    /// A batch of models that are not set yet.
     pub fn new(frame: Frame) -> Self {
         Self { frame, state: [[0.0; RUNS]; 9], vertical: VerticalRows::new() }
     }
@@ -107,7 +107,7 @@ impl ModelBlock {
         EarthFixedForm { psi, dv, dr }
     }
 
-    /// Overwrites this block with the models `before`, advanced over an interval with these increments as by
+    /// Overwrites this batch with the models `before`, advanced over an interval with these increments as by
     /// [`ErrorModel::advance`].
     #[inline(always)]
     pub fn advance(
@@ -154,7 +154,7 @@ impl ModelBlock {
         }
     }
 
-    /// Overwrites this block with the models `before`, advanced one by one with the sensor errors and the mounting of each run.
+    /// Overwrites this batch with the models `before`, advanced one by one with the sensor errors and the mounting of each run.
     #[cold]
     #[inline(never)]
     pub fn advance_one_by_one(

@@ -25,7 +25,7 @@ use crate::truth::TruthPoint;
 use earth_fixed::EarthFixedForm;
 use geographic::GeographicForm;
 use geometry::LocalGeometry;
-pub(crate) use lanes::{ModelBlock, ModelInterval};
+pub(crate) use lanes::{ModelBatch, ModelInterval};
 pub use sensor_errors::SensorErrors;
 
 /// Misalignment [rad] and displacement [m] above which the terms that the linear model drops are no longer small:

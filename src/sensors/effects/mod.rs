@@ -19,7 +19,7 @@ use crate::signal::Increment;
 use crate::snapshot::stored;
 use effect::{Added, DrawnOfInput, Effect, OfInput, OnInput, OnOutput};
 pub(super) use effect::{Conditions, Input};
-pub(super) use outputs::{BlockOutputs, Outputs};
+pub(super) use outputs::{BatchOutputs, Outputs};
 use plan::{Plan, Stage};
 use rows::effects;
 pub(crate) use sense::SharedInput;

@@ -133,7 +133,7 @@ macro_rules! effects {
             }
 
             #[inline(always)]
-            fn add_drawn_each(&self, states: &mut States<'_>, inputs: &[Input], outputs: &mut BlockOutputs<'_>) {
+            fn add_drawn_each(&self, states: &mut States<'_>, inputs: &[Input], outputs: &mut BatchOutputs<'_>) {
                 for step in self.plan.of(Stage::DrawnOfInput) {
                     match self.plan.effect(step) {
                         $(Name::$Type => $Type::apply_each(states, inputs, outputs),)*
@@ -181,9 +181,9 @@ macro_rules! effects {
                 }
             }
 
-            /// [`Self::add`] for the runs of a block.
+            /// [`Self::add`] for the runs of a batch.
             #[inline(always)]
-            pub fn add_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
+            pub fn add_each(&self, states: &mut States<'_>, outputs: &mut BatchOutputs<'_>) {
                 for step in self.plan.of(Stage::Added) {
                     match self.plan.effect(step) {
                         $(Name::$Type => self.$field.apply_each(states, outputs),)*
@@ -212,9 +212,9 @@ macro_rules! effects {
                 }
             }
 
-            /// [`Self::finish`] for the runs of a block.
+            /// [`Self::finish`] for the runs of a batch.
             #[inline(always)]
-            pub fn finish_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
+            pub fn finish_each(&self, states: &mut States<'_>, outputs: &mut BatchOutputs<'_>) {
                 for step in self.plan.of(Stage::OnOutput) {
                     match self.plan.effect(step) {
                         $(Name::$Type => self.$field.apply_each(states, outputs),)*

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::memory::room;
 use crate::signal::{RUNS, Row};
 
-/// One stream for each run of a block. The words of the generators are in rows.
+/// One stream for each run of a batch. The words of the generators are in rows.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub(in crate::sensors) struct StreamRows([[u64; RUNS]; 4]);
@@ -22,7 +22,7 @@ impl StreamRows {
     }
 }
 
-/// Constants, numbers and streams of the runs of a block, in the order of the effects that keep them.
+/// Constants, numbers and streams of the runs of a batch, in the order of the effects that keep them.
 #[derive(Debug, Clone)]
 pub(crate) struct StateRows {
     /// Numbers drawn at turn-on, which no interval changes.
