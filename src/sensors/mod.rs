@@ -48,7 +48,7 @@ mod validation;
 mod xoshiro;
 
 pub use crate::parameter::{Field, Parameter, Range as ParameterRange, Row, Shape as ParameterShape};
-pub use crate::surroundings::AltimeterParameters;
+pub use crate::surroundings::{AltimeterParameters, GravityDisturbanceParameters, GravityField};
 pub use alignment::{Aligned, Sensed, level, level_and_gyrocompass};
 pub use altimeter::Altimeter;
 pub use draw::StandardNormal;
@@ -56,7 +56,7 @@ pub(crate) use effects::{FLICKER_PROCESSES, SharedInput, StateRows};
 pub(crate) use failing::FailingTriad;
 pub use failure::{Axis, Failure, SensorOutput};
 pub(crate) use failure_fields::{FAILURE_KIND_COUNT, FailureFields};
-pub use gravity_disturbance::{GravityDisturbance, GravityDisturbanceParameters, GravityField};
+pub use gravity_disturbance::GravityDisturbance;
 pub use initial::{Alignment, InitialErrorParameters};
 pub use parameters::{Sensor, TriadParameters};
 pub use preset::{Grade, paper_simulation2};
