@@ -14,11 +14,9 @@ use core::ops::Range;
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
 use super::disturbance::Disturbance;
-use super::interval::LastInterval;
-use super::mounted::block_at_start;
+use super::imu::LastInterval;
 use super::signals::Signals;
-use super::start::{Start, with_errors};
-use super::views::Views;
+use super::start::{Start, block_at_start, with_errors};
 use super::{Imperfections, ImuInterval, Options};
 use crate::correction::Compensation;
 use crate::covariance::Propagation;
@@ -30,6 +28,7 @@ use crate::mounting::Block;
 use crate::signal::{Increment, SignalGenerator};
 use crate::state::{EarthFixedState, StateErrors};
 use crate::truth::{Recent, TruthPoint, TruthSummary};
+use view::Views;
 
 /// The chain in flight.
 #[derive(Debug, Clone)]

@@ -7,8 +7,8 @@ use crate::mechanization::{VerticalAid, VerticalMode};
 use crate::mounting::Block;
 use crate::signal::{Increment, IntervalMotion};
 use crate::simulator::aid::{aid_vertical, vertical_aid};
-use crate::simulator::interval::LastInterval;
-use crate::simulator::views::Views;
+use crate::simulator::chain::view::Views;
+use crate::simulator::imu::LastInterval;
 use crate::simulator::{Imperfections, ImuInterval};
 use crate::truth::{Recent, TruthPoint};
 

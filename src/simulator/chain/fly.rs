@@ -7,12 +7,12 @@ use crate::covariance::Flown;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::mechanization::{VerticalAid, VerticalMode, check_state};
-use crate::signal::{Increment, IntervalMotion};
+use crate::signal::{Increment, IntervalMotion, MAX_INCREMENTS};
 use crate::simulator::aid::vertical_aid;
+use crate::simulator::chain::view::Views;
 use crate::simulator::imperfections::IntervalConditions;
-use crate::simulator::interval::LastInterval;
+use crate::simulator::imu::LastInterval;
 use crate::simulator::signals::Signals;
-use crate::simulator::views::Views;
 use crate::simulator::{Imperfections, ImuFlags, Options};
 use crate::truth::Recent;
 
@@ -195,6 +195,24 @@ impl Chain {
         }
         if is_disturbed {
             imperfections.gravity.undo();
+        }
+    }
+}
+
+impl Options {
+    /// Number of mechanization updates over the interval that `recent` ends. In a gap, an interval much longer than the intervals before
+    /// it because samples were lost or the host stopped for a moment, the updates are as long as before the gap,
+    /// if there is enough memory for their increments. An update that is too long loses a part of a manoeuvre for good.
+    ///
+    /// Evidence: 1 s lost in a weave of 4 g at 100 Hz. The error 500 s later is 15 km with one update, and 5 cm with these updates.
+    #[inline]
+    pub(in crate::simulator) fn updates_over(&self, recent: &Recent<'_>) -> usize {
+        match recent.gap_ratio() {
+            None => self.updates_per_sample,
+            Some(ratio) => {
+                let most = MAX_INCREMENTS / (self.updates_per_sample * self.subsamples);
+                self.updates_per_sample * ratio.min(most as f64).round() as usize
+            }
         }
     }
 }

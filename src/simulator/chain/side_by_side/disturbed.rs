@@ -12,7 +12,7 @@ use crate::signal::{Increment, MAX_INCREMENTS, RUNS};
 use crate::simulator::chain::Chain;
 use crate::simulator::disturbance::Disturbance;
 use crate::simulator::imperfections::IntervalConditions;
-use crate::simulator::interval::LastInterval;
+use crate::simulator::imu::LastInterval;
 use crate::simulator::{Imperfections, ImuFlags};
 
 /// A run's sensors and its gravity.
