@@ -21,7 +21,7 @@ use effect::{Added, DrawnOfInput, Effect, OfInput, OnInput, OnOutput};
 pub(super) use effect::{Conditions, Input};
 pub(super) use outputs::{BatchOutputs, Outputs};
 use plan::{Plan, Stage};
-use rows::effects;
+use rows::{effects, for_active};
 pub(crate) use sense::SharedInput;
 use states::Aside;
 pub(crate) use states::StateRows;
