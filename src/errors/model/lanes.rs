@@ -37,7 +37,7 @@ pub(crate) struct ModelInterval<'a> {
     /// Truth at the start, in the middle and at the end, and the gradient of gravity in the middle [1/s²].
     nodes: [MotionNode; 3],
     gradient: Matrix3<f64>,
-    turn: TurnToEarth<'a>,
+    turn: TurnToEarth,
 }
 
 impl<'a> ModelInterval<'a> {
@@ -121,12 +121,10 @@ impl ModelBatch {
             return self
                 .advance_one_by_one(before, interval, aid, |lane| (interval.errors(measured, lane), None));
         }
+        // By value: otherwise the compiler cannot assume that the rows do not overlap it.
         let &ModelInterval { earth, motion, ideal, nodes, gradient, turn, .. } = interval;
         let coefficients =
             Coefficients { t: motion.interval_s, w: earth.rate_rad_s, gradient, nodes: &nodes };
-        // By value: otherwise the compiler cannot assume that the rows do not overlap them.
-        let ends = turn.ends();
-        let turn = turn.with(&ends);
         let mut sums = SumRows([[0.0; RUNS]; 12]);
         let part = 1.0 / ideal.len() as f64;
         for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
