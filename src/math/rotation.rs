@@ -103,6 +103,12 @@ pub fn rotated_z(q: &Quaternion<f64>) -> Vector3<f64> {
     Vector3::new(2.0 * (x * z + w * y), 2.0 * (y * z - w * x), (w * w + z * z) - (x * x + y * y))
 }
 
+/// (0, 0, `w`) × `v`
+#[inline]
+pub fn axis_cross(w: f64, v: &Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(-w * v.y, w * v.x, 0.0)
+}
+
 /// Matrix of the unit quaternion `q`: cheaper than [`rotate`] for three vectors or more.
 #[inline]
 pub fn rotation_matrix(q: &Quaternion<f64>) -> Matrix3<f64> {

@@ -9,11 +9,9 @@
 //! ω is relative to inertial space, γ is gravitation. The INS navigates the block and outputs the reference point.
 
 mod block;
-mod lever_arm;
 mod placement;
 
 pub use block::{Belief, Block, MountingErrors};
-pub(crate) use lever_arm::{centripetal, lever_arm_velocity};
 pub use placement::Placement;
 
 use nalgebra::Vector3;
@@ -21,6 +19,29 @@ use nalgebra::Vector3;
 use crate::math::Euler;
 use crate::state::BodyAxes;
 pub use crate::surroundings::MountingParameters;
+
+/// Integral over `dt` [s] of the acceleration ω'×r + ω×(ω×r) at the place `arm` = r [m], as a velocity [m/s] in body axes, while ω
+/// changes by `change` = d about its mean `mean` = m [rad/s]:
+/// ```text
+/// ∫ω'×r dt     = d×r
+/// ∫ω×(ω×r) dt  = (m×(m×r) + d×(d×r)/12) dt
+/// ```
+/// This is exact for a rate that changes linearly; the next term is (ω'' dt²)²/720 of the arm.
+#[inline]
+pub(crate) fn lever_arm_velocity(
+    change: &Vector3<f64>,
+    mean: &Vector3<f64>,
+    dt: f64,
+    arm: &Vector3<f64>,
+) -> Vector3<f64> {
+    change.cross(arm) + (centripetal(mean, arm) + centripetal(change, arm) * (1.0 / 12.0)) * dt
+}
+
+/// ω×(ω×r)
+#[inline]
+pub(crate) fn centripetal(rate: &Vector3<f64>, arm: &Vector3<f64>) -> Vector3<f64> {
+    rate.cross(&rate.cross(arm))
+}
 
 impl MountingParameters {
     /// The same mounting, about which the INS believes the truth.
