@@ -65,30 +65,3 @@ impl MountingParameters {
         self.lever_arm_error_m == Vector3::zeros() && self.boresight_error == Euler::default()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::truth::FlightSample;
-
-    /// They have the range of the attitude of a flight sample: any number of turns, up to the limit where an angle loses its
-    /// digits.
-    #[test]
-    fn boresight_angles_have_the_range_of_a_samples_attitude() {
-        let turned = |heading| MountingParameters {
-            boresight: Euler { heading, ..Euler::default() },
-            ..MountingParameters::default()
-        };
-        let limit = FlightSample::MAX_ANGLE_RAD;
-        for heading in [limit, -limit] {
-            assert_eq!(turned(heading).validate(), Ok(()));
-            let mut sample = FlightSample { euler: turned(heading).boresight, ..FlightSample::default() };
-            assert_eq!(sample.validate(), Ok(()));
-            sample.euler.heading *= 1.0 + f64::EPSILON;
-            assert!(sample.validate().is_err());
-            let refused = turned(heading * (1.0 + f64::EPSILON)).validate().unwrap_err();
-            assert!(refused.to_string().starts_with("mounting.boresight_rad[2] = "), "{refused}");
-            assert!(refused.to_string().ends_with(": must be from -10000 to 10000"), "{refused}");
-        }
-    }
-}
