@@ -7,14 +7,14 @@ use super::factor::{ROWS, triangularize};
 use super::figures::NavigationCovariance;
 use super::line::Advance;
 use super::read::covariance_of;
-use super::root::{Root, zeros};
+use super::root::Root;
 use super::sources::{AXES, COUNT, Input, LINES, Parameters, Source};
 use super::stretch::{Flown, Stretch};
 use crate::earth::{Earth, Vertical};
 use crate::error::Error;
 use crate::errors::column::{At, Column, moved};
 use crate::mechanization::{VerticalLoop, VerticalMode};
-use crate::memory::room;
+use crate::memory::{filled, room};
 use crate::mounting::Block;
 use crate::state::StateErrors;
 use crate::truth::TruthPoint;
@@ -64,7 +64,7 @@ impl Propagation {
                 walks_before: [0.0; AXES],
                 stretch: Stretch::EMPTY,
                 ahead: Root::new()?,
-                work: zeros(WORK)?,
+                work: filled(WORK, Column::zeros())?,
             });
         }
         Ok(memory.into_boxed_slice())

@@ -129,7 +129,7 @@ impl Ensemble {
     /// Lets an output of every run fail from the next interval on; `None` clears it.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error> {
         failure.map_or(Ok(()), |failure| failure.validate(output))?;
-        self.each(|part| part.set_failure(output, failure));
+        self.each(|part| part.runs.set_failure(output, failure));
         Ok(())
     }
 

@@ -20,8 +20,7 @@ pub use body::{BodyMotion, MAX_SUBSAMPLES};
 pub(crate) use earth_fixed::displaced_vertical;
 pub(crate) use lanes::NavigatorBatch;
 pub(crate) use limits::check_state;
-use limits::{WELL_WITHIN_M, diverged, is_good, quick_height};
-use norm::MAX_NORM_ERROR;
+use limits::{WELL_WITHIN_M, check, quick_height};
 pub(crate) use scratch::Scratch;
 pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode, VerticalState};
 pub(crate) use vertical_rows::{AidOfEach, VerticalRows};
@@ -144,7 +143,7 @@ impl Mechanization {
         self.solution = *solution;
     }
 
-    /// Checks that the solution is within its limits. The comparisons fail for NaN too, and a NaN in a sum stays there.
+    /// Checks that the solution is within its limits. A NaN in a sum stays there.
     #[inline(always)]
     pub fn check(&self) -> Result<(), Error> {
         match &self.solution.axes {
@@ -165,11 +164,7 @@ impl Mechanization {
                 (axes.observe_vertical().0, axes.speed2(), axes.q())
             }
         };
-        let norm_error = q.norm_squared() - 1.0;
-        if is_good(height, speed2) && norm_error.abs() <= MAX_NORM_ERROR {
-            return Ok(());
-        }
-        diverged(height, speed2, norm_error)
+        check(height, speed2, q.norm_squared() - 1.0)
     }
 
     /// One update of length `t` [s] on 1 to [`MAX_SUBSAMPLES`] increments of equal length.

@@ -1,6 +1,7 @@
 //! How a sensor can fail, as an instructor sets it.
 
 use crate::error::{Error, Rule, check_range};
+use crate::signal::Increment;
 use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 
 /// Axis of a triad, sensor axes.
@@ -36,6 +37,15 @@ impl SensorOutput {
         Self::Accelerometer(Axis::Z),
         Self::Altimeter,
     ];
+
+    /// The output in an increment; of the altimeter none.
+    pub(crate) fn of(self, increment: &Increment) -> Option<f64> {
+        match self {
+            Self::Gyro(axis) => Some(increment.angle[axis as usize]),
+            Self::Accelerometer(axis) => Some(increment.velocity[axis as usize]),
+            Self::Altimeter => None,
+        }
+    }
 }
 
 /// A failure of one output. It lasts from the interval after it is set until it is cleared or replaced by another one.

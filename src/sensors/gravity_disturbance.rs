@@ -72,11 +72,6 @@ impl GravityDisturbance {
         self.is_on = parameters.fields().iter().any(|field| field.mean != 0.0 || field.sigma != 0.0);
     }
 
-    /// Parameters of the disturbance.
-    pub fn parameters(&self) -> &GravityDisturbanceParameters {
-        &self.parameters
-    }
-
     /// Whether true gravity differs from normal gravity.
     #[inline]
     pub fn is_on(&self) -> bool {

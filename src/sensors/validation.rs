@@ -2,9 +2,9 @@
 
 use super::parameters::{Sensor, TriadParameters};
 use super::table::PARAMETERS;
-use crate::checks::check_value;
+use crate::checks::check_numbers;
 use crate::error::{Error, Rule};
-use crate::parameter::{Field, Parameter, Shape};
+use crate::parameter::Parameter;
 
 impl TriadParameters {
     /// Checks every field.
@@ -12,33 +12,9 @@ impl TriadParameters {
         let numbers = self.numbers();
         for (parameter, own) in PARAMETERS.iter().zip(numbers) {
             match parameter.of(sensor) {
-                Some(field) => self.check(sensor, parameter, &field, own)?,
+                Some(field) => check_numbers(&field, parameter.shape, own, |name| self.named(name, sensor))?,
                 None => check_foreign(parameter, own)?,
             }
-        }
-        Ok(())
-    }
-
-    /// Checks the numbers of a parameter.
-    fn check(
-        &self,
-        sensor: Sensor,
-        parameter: &Parameter,
-        field: &Field,
-        numbers: &[f64],
-    ) -> Result<(), Error> {
-        for index in 0..numbers.len() {
-            let value = numbers[parameter.shape.place(index)];
-            let checked = match parameter.shape {
-                Shape::OffDiagonal(rule) if index % 4 == 0 && value != 0.0 => {
-                    Err(Error::invalid(field.path, value, Rule::Sentence(rule)))
-                }
-                _ => check_value(field, value, |name| {
-                    let (sigma, numbers) = self.named(name, sensor);
-                    (sigma, numbers[index])
-                }),
-            };
-            checked.map_err(|error| if numbers.len() == 1 { error } else { error.at(index) })?;
         }
         Ok(())
     }

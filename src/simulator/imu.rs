@@ -51,8 +51,8 @@ pub(super) enum LastInterval {
         interval_s: f64,
         /// The INS navigated on the ideal increments.
         on_ideal: bool,
-        /// The INS compensated the measured increments.
-        is_compensated: bool,
+        /// Sum of the measured increments, if the INS compensated them.
+        measured: Option<Increment>,
         flags: ImuFlags,
         vertical_unaided: bool,
     },

@@ -6,7 +6,7 @@ pub use table::{ALTIMETER, GRAVITY, MOUNTING};
 
 use nalgebra::Vector3;
 
-use crate::checks::check_value;
+use crate::checks::check_numbers;
 use crate::error::Error;
 use crate::math::Euler;
 use crate::parameter::Row;
@@ -68,14 +68,12 @@ pub(crate) fn copy<const N: usize>(from: [f64; N], to: [&mut f64; N]) {
 
 /// Checks the numbers of all rows of a table.
 pub(crate) fn check(rows: &[Row], numbers: &[f64]) -> Result<(), Error> {
+    let numbers_of = |(row, start): (&Row, usize)| &numbers[start..start + row.shape.count()];
     for (row, start) in places(rows.iter()) {
-        for index in 0..row.shape.count() {
-            let checked = check_value(&row.field, numbers[start + index], |sigma| {
-                let of = places(rows.iter()).find(|(row, _)| row.field.path == sigma);
-                (sigma, of.map_or(0.0, |(_, place)| numbers[place + index]))
-            });
-            checked.map_err(|error| if row.shape.count() == 1 { error } else { error.at(index) })?;
-        }
+        check_numbers(&row.field, row.shape, numbers_of((row, start)), |sigma| {
+            let of = places(rows.iter()).find(|(row, _)| row.field.path == sigma);
+            (sigma, of.map_or(&[], numbers_of))
+        })?;
     }
     Ok(())
 }

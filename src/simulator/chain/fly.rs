@@ -7,7 +7,7 @@ use crate::covariance::Flown;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::mechanization::{VerticalAid, VerticalMode, check_state};
-use crate::signal::{Increment, IntervalMotion, MAX_INCREMENTS};
+use crate::signal::{IntervalMotion, MAX_INCREMENTS};
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::chain::view::Views;
 use crate::simulator::imperfections::IntervalConditions;
@@ -102,8 +102,9 @@ impl Chain {
 
         // Mechanization.
         let mut measured = None;
-        if self.compensation.is_some() {
-            measured = self.compensate(&parts, on_ideal, t);
+        if let Some(compensation) = &self.compensation {
+            let dt = t / parts.len() as f64;
+            measured = Some(self.signals.compensate(&parts, on_ideal, compensation, dt));
             on_ideal = false;
             increments = &self.signals.measured[parts.clone()];
         }
@@ -125,15 +126,11 @@ impl Chain {
             Self::undo_imperfections(&self.options, self.disturbance.is_some(), imperfections);
             return Err(error);
         }
-        let is_compensated = measured.is_some();
-        if let Some(measured) = measured {
-            self.measured = measured;
-        }
         self.last = LastInterval::Flown {
             time_s: next.time_s,
             interval_s: t,
             on_ideal,
-            is_compensated,
+            measured,
             flags,
             vertical_unaided: aid == VerticalAid::None,
         };
@@ -159,15 +156,6 @@ impl Chain {
             self.accuracy.add(next.time_s, &errors, next.is_near_pole());
         }
         Ok(())
-    }
-
-    /// Compensates the increments of an interval of length `t` [s]. Returns their sum before.
-    #[cold]
-    #[inline(never)]
-    fn compensate(&mut self, parts: &Range<usize>, on_ideal: bool, t: f64) -> Option<Increment> {
-        let compensation = self.compensation.as_ref()?;
-        let dt = t / parts.len() as f64;
-        Some(self.signals.compensate(parts, on_ideal, compensation, dt))
     }
 
     /// Adds the truth of an interval to the closure, and counts the interval.

@@ -28,7 +28,6 @@ impl Stored for Chain {
             mechanization,
             error_model,
             compensation,
-            measured: _,
             is_corrected,
             accuracy,
             intervals,

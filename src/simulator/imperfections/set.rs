@@ -62,15 +62,10 @@ impl Imperfections {
 
     /// Sets or clears the failure of an output. `last` has the mean signals of the last interval, if there was one.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>, last: Option<&Increment>) {
+        let last = last.and_then(|mean| output.of(mean));
         match output {
-            SensorOutput::Gyro(axis) => {
-                let last = last.map(|mean| mean.angle[axis as usize]);
-                self.gyro.set_failure(axis, failure, last, &self.set.gyro);
-            }
-            SensorOutput::Accelerometer(axis) => {
-                let last = last.map(|mean| mean.velocity[axis as usize]);
-                self.accel.set_failure(axis, failure, last, &self.set.accel);
-            }
+            SensorOutput::Gyro(axis) => self.gyro.set_failure(axis, failure, last, &self.set.gyro),
+            SensorOutput::Accelerometer(axis) => self.accel.set_failure(axis, failure, last, &self.set.accel),
             SensorOutput::Altimeter => self.altimeter.set_failure(failure),
         }
         self.update_summary();

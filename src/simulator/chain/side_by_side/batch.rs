@@ -9,7 +9,7 @@ use crate::earth::Earth;
 use crate::error::Error;
 use crate::errors::{ErrorModel, ModelBatch};
 use crate::mechanization::{Mechanization, NavigatorBatch, VerticalMode};
-use crate::memory::room;
+use crate::memory::{filled, room};
 use crate::sensors::{Altimeter, FailingTriad, Failure, SensorOutput, StateRows, Triad};
 use crate::signal::{Increment, IncrementRows, RUNS, increment_of, put_increment};
 use crate::simulator::chain::Chain;
@@ -51,11 +51,7 @@ pub(super) struct State {
 impl State {
     /// Room for `count` runs.
     pub fn new(options: &Options, imperfections: &mut Imperfections, count: usize) -> Result<Self, Error> {
-        let failures = |triad: &Triad| {
-            let mut failures = room(count)?;
-            failures.resize(count, triad.failures().clone());
-            Ok(failures.into_boxed_slice())
-        };
+        let failures = |triad: &Triad| filled(count, triad.failures().clone());
         let (mut navigators, mut models) = (room(1)?, room(1)?);
         navigators.push(NavigatorBatch::new(options.frame));
         models.extend(options.error_model.then(|| ModelBatch::new(options.frame)));
@@ -111,17 +107,13 @@ pub(super) struct Batch {
 impl Batch {
     /// Room for `count` runs.
     pub fn new(options: &Options, imperfections: &mut Imperfections, count: usize) -> Result<Self, Error> {
-        let mut altimeters = Vec::new();
-        if options.vertical == VerticalMode::Damped && !imperfections.gravity.is_on() {
-            altimeters = room(count)?;
-            altimeters.resize(count, imperfections.altimeter.clone());
-        }
+        let has_altimeters = options.vertical == VerticalMode::Damped && !imperfections.gravity.is_on();
         Ok(Self {
             count,
             state: State::new(options, imperfections, count)?,
             north_unknown: [false; RUNS],
             diverged: [None; RUNS],
-            altimeters: altimeters.into_boxed_slice(),
+            altimeters: filled(if has_altimeters { count } else { 0 }, imperfections.altimeter.clone())?,
             compensated: Vec::new(),
             disturbed: Disturbed::room(imperfections, count)?,
         })
@@ -143,8 +135,7 @@ impl Batch {
     /// Makes room for compensations.
     pub fn make_room_for_compensations(&mut self) -> Result<(), Error> {
         if self.compensated.is_empty() {
-            self.compensated = room(RUNS)?;
-            self.compensated.resize(RUNS, Compensated::default());
+            self.compensated = filled(RUNS, Compensated::default())?.into_vec();
             for (lane, compensated) in self.compensated.iter_mut().enumerate() {
                 compensated.sum = increment_of(&self.state.measured, lane);
             }
@@ -202,15 +193,10 @@ impl Batch {
                 disturbed.imperfections.set_failure(output, failure, last.as_ref());
                 continue;
             }
+            let last = last.and_then(|mean| output.of(&mean));
             match output {
-                SensorOutput::Gyro(axis) => {
-                    let last = last.map(|mean| mean.angle[axis as usize]);
-                    self.state.failures[0][lane].set(axis, failure, last);
-                }
-                SensorOutput::Accelerometer(axis) => {
-                    let last = last.map(|mean| mean.velocity[axis as usize]);
-                    self.state.failures[1][lane].set(axis, failure, last);
-                }
+                SensorOutput::Gyro(axis) => self.state.failures[0][lane].set(axis, failure, last),
+                SensorOutput::Accelerometer(axis) => self.state.failures[1][lane].set(axis, failure, last),
                 SensorOutput::Altimeter => {
                     if let Some(altimeter) = self.altimeters.get_mut(lane) {
                         altimeter.set_failure(failure);

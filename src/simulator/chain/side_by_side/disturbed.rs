@@ -7,7 +7,7 @@ use crate::correction::Compensation;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::mechanization::VerticalAid;
-use crate::memory::room;
+use crate::memory::{filled, room};
 use crate::signal::{Increment, MAX_INCREMENTS, RUNS};
 use crate::simulator::chain::Chain;
 use crate::simulator::disturbance::Disturbance;
@@ -49,11 +49,7 @@ pub(super) struct DisturbedWorkspace {
 impl DisturbedWorkspace {
     pub fn new(imperfections: &Imperfections) -> Result<Self, Error> {
         let count = if imperfections.gravity.is_on() { MAX_INCREMENTS } else { 0 };
-        let increments = || -> Result<Box<[Increment]>, Error> {
-            let mut increments = room(count)?;
-            increments.resize(count, Increment::ZERO);
-            Ok(increments.into_boxed_slice())
-        };
+        let increments = || filled(count, Increment::ZERO);
         Ok(Self { ideal: increments()?, measured: increments()?, errors: [SensorErrors::NONE; RUNS] })
     }
 }

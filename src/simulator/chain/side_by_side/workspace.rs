@@ -4,7 +4,7 @@ use super::batch::State;
 use super::disturbed::DisturbedWorkspace;
 use crate::error::Error;
 use crate::mechanization::Scratch;
-use crate::memory::room;
+use crate::memory::{filled, room};
 use crate::signal::{Increment, IncrementRows, MAX_INCREMENTS, RUNS, Row};
 use crate::simulator::{Imperfections, Options};
 
@@ -29,15 +29,12 @@ pub(super) struct Workspace {
 impl Workspace {
     /// For batches of `imperfections`. On the heap, because it is large for a stack.
     pub fn new(options: &Options, imperfections: &mut Imperfections) -> Result<Box<[Self]>, Error> {
-        let (mut memory, mut measured, mut compensated) =
-            (room(1)?, room(MAX_INCREMENTS)?, room(MAX_INCREMENTS)?);
-        compensated.resize(MAX_INCREMENTS, Increment::ZERO);
-        measured.resize(MAX_INCREMENTS, [[0.0; RUNS]; 6]);
+        let mut memory = room(1)?;
         memory.push(Self {
             before: State::new(options, imperfections, RUNS)?,
-            measured: measured.into_boxed_slice(),
+            measured: filled(MAX_INCREMENTS, [[0.0; RUNS]; 6])?,
             scratch: Scratch::NONE,
-            compensated: compensated.into_boxed_slice(),
+            compensated: filled(MAX_INCREMENTS, Increment::ZERO)?,
             heights_m: [0.0; RUNS],
             is_unaided: [false; RUNS],
             saturated: [[0; RUNS]; 2],
