@@ -1,7 +1,7 @@
 //! Checks of numbers against the ranges of their tables.
 
 use crate::error::{Error, Rule, check_range};
-use crate::parameter::{Field, Range};
+use crate::parameter::{Field, Range, Shape};
 
 /// Checks a number of `field`. `of` is the field and the number of the parameter whose correlation time or distance this is.
 pub fn check_value(
@@ -26,6 +26,29 @@ pub fn check_value(
             with_rule(check_range(field.path, value, low, high), Rule::NeededBy(low, high, of))
         }
     }
+}
+
+/// Checks the numbers of a parameter. `of` gives the field and the numbers of the named parameter, whose correlation time or distance this is.
+pub fn check_numbers<'n>(
+    field: &Field,
+    shape: Shape,
+    numbers: &[f64],
+    of: impl Fn(&'static str) -> (&'static str, &'n [f64]),
+) -> Result<(), Error> {
+    for index in 0..shape.count() {
+        let value = numbers[shape.place(index)];
+        let checked = match shape {
+            Shape::OffDiagonal(rule) if index % 4 == 0 && value != 0.0 => {
+                Err(Error::invalid(field.path, value, Rule::Sentence(rule)))
+            }
+            _ => check_value(field, value, |name| {
+                let (sigma, numbers) = of(name);
+                (sigma, numbers.get(index).copied().unwrap_or_default())
+            }),
+        };
+        checked.map_err(|error| if shape.count() == 1 { error } else { error.at(index) })?;
+    }
+    Ok(())
 }
 
 /// Checks a number that is 0, which means none, or from `low` to `high`.

@@ -9,6 +9,13 @@ pub(crate) fn room<T>(count: usize) -> Result<Vec<T>, Error> {
     Ok(vector)
 }
 
+/// `count` copies of `value`.
+pub(crate) fn filled<T: Clone>(count: usize, value: T) -> Result<Box<[T]>, Error> {
+    let mut vector = room(count)?;
+    vector.resize(count, value);
+    Ok(vector.into_boxed_slice())
+}
+
 /// Makes room for one more element, in steps that grow with the vector.
 pub(crate) fn room_for_one_more<T>(vector: &mut Vec<T>) -> Result<(), Error> {
     vector.try_reserve(1).map_err(|_| missing(vector.len() + 1))

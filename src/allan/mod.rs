@@ -121,25 +121,3 @@ impl Estimate {
         interval::of_square(&self.fit, term as usize, &self.points, confidence)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_cannot_be_estimated_is_rejected_with_its_limit() {
-        let words = |error: Option<Error>| error.map(|error| error.to_string()).unwrap_or_default();
-        assert_eq!(words(Estimator::new(44, 1.0).err()), "count = 44: must be at least 45");
-        assert_eq!(words(Estimator::new(45, 0.0).err()), "interval_s = 0: must be from 1e-9 to 1e9");
-        let estimator = Estimator::new(45, 1.0).unwrap();
-        let rejected = |increments: &[f64]| words(estimator.estimate(increments).err());
-        assert_eq!(rejected(&[1.0; 44]), "number of increments = 44: must be 45");
-        assert_eq!(rejected(&[0.1; 45]), "increments = 0.1: expected noise, found this value throughout");
-        let mut increments: Vec<f64> = (0..45).map(|k| f64::from(k * k % 11)).collect();
-        assert!(estimator.estimate(&increments).is_ok());
-        let small: Vec<f64> = increments.iter().map(|increment| 1e-40 * increment).collect();
-        assert!(rejected(&small).contains("must be from 1e-70 to 1e70"), "{}", rejected(&small));
-        increments[7] = f64::NAN;
-        assert_eq!(rejected(&increments), "increments[7] = NaN: must be a finite number");
-    }
-}

@@ -73,29 +73,3 @@ impl Term {
 pub fn total(squares: &[f64; TERMS], tau_s: f64) -> f64 {
     Term::ALL.iter().zip(squares).map(|(term, square)| square * term.shape(tau_s)).sum()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Half the variance of the second difference over τ², 3 s(0) - 4 s(τ) + s(2τ), is the shape.
-    #[test]
-    fn covariance_and_shape_are_of_the_same_noise() {
-        for term in &Term::ALL[..NOISES] {
-            for tau_s in [0.01, 1.0, 300.0] {
-                let s = |k: f64| term.covariance(k * tau_s);
-                let variance = (3.0 * s(0.0) - 4.0 * s(1.0) + s(2.0)) / (tau_s * tau_s);
-                assert!((variance / term.shape(tau_s) - 1.0).abs() < 1e-12, "{term:?} {tau_s}");
-            }
-        }
-    }
-
-    #[test]
-    fn each_term_has_its_slope() {
-        for (term, slope) in Term::ALL.iter().zip([-2, -1, 0, 1, 2]) {
-            assert!((term.shape(20.0) / term.shape(2.0) - 10f64.powi(slope)).abs() < 1e-12);
-        }
-        assert!((Term::Flicker.shape(1.0).sqrt() - 0.664).abs() < 5e-4);
-        assert_eq!(total(&[1.0, 1.0, 0.0, 3.0, 2.0], 1.0), 3.0 + 1.0 + 1.0 + 1.0);
-    }
-}

@@ -2,22 +2,20 @@
 
 use super::flight::Deviation;
 use crate::error::Error;
-use crate::memory::room;
+use crate::memory::filled;
 use crate::recommend::SolutionError;
 
 /// Sums of squares of the lengths of position, velocity and misalignment at each instant.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Contribution {
-    squares: Vec<[f64; 3]>,
+    squares: Box<[[f64; 3]]>,
     runs: u64,
 }
 
 impl Contribution {
     /// The sums without runs.
     pub fn new(instants: usize) -> Result<Self, Error> {
-        let mut squares = room(instants)?;
-        squares.resize(instants, [0.0; 3]);
-        Ok(Self { squares, runs: 0 })
+        Ok(Self { squares: filled(instants, [0.0; 3])?, runs: 0 })
     }
 
     /// Adds a run with `deviations` at the instants.

@@ -2,7 +2,7 @@
 
 use super::{Effect, Scene};
 use crate::error::Error;
-use crate::memory::room;
+use crate::memory::{filled, room};
 use crate::recommend::round_ns;
 use crate::simulator::{ErrorParameters, Options};
 
@@ -46,8 +46,7 @@ pub fn step_costs_ns<'a>(
         effect.leave_out(&mut without);
         simulators.push(without.simulator(options)?);
     }
-    let mut fastest = room(simulators.len())?;
-    fastest.resize(simulators.len(), f64::INFINITY);
+    let mut fastest = filled(simulators.len(), f64::INFINITY)?;
     let repeats = (STEPS / stretch.len().max(2)).clamp(1, REPEATS);
     let count = simulators.len();
     for round in 0..ROUNDS {

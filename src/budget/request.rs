@@ -40,27 +40,3 @@ impl BudgetRequest {
         error.share_of(&self.limits)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_bad_field_is_named() {
-        let good = BudgetRequest::default();
-        assert_eq!(good.validate(), Ok(()));
-        let limits = |position_m, velocity_m_s, attitude_rad| BudgetRequest {
-            limits: SolutionError { position_m, velocity_m_s, attitude_rad },
-            ..good
-        };
-        for (bad, field) in [
-            (BudgetRequest { runs: 7, ..good }, "request.runs"),
-            (BudgetRequest { runs: 1001, ..good }, "request.runs"),
-            (limits(-1.0, 0.0, 0.0), "request.position_m"),
-            (limits(0.0, f64::NAN, 0.0), "request.velocity_m_s"),
-            (limits(0.0, 0.0, f64::INFINITY), "request.attitude_rad"),
-        ] {
-            assert_eq!(bad.validate().unwrap_err().field, field);
-        }
-    }
-}

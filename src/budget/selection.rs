@@ -1,6 +1,6 @@
 //! The effects that can be left out.
 
-use super::BudgetRequest;
+use super::{BudgetRequest, BudgetRow};
 use crate::recommend::SolutionError;
 
 /// The effects left out so far: the sizes of deterministic contributions are added, and the squares of random ones.
@@ -28,14 +28,13 @@ impl Together {
     }
 }
 
-/// Whether each contribution (its worst, and whether it is random), sorted with the largest share of a limit first, can be
-/// left out: from the last on, those that still fit.
-pub(super) fn left_out(contributions: &[(SolutionError, bool)], request: &BudgetRequest, marks: &mut [bool]) {
+/// Marks the rows that can be left out, of rows sorted with the largest share of a limit first: from the last on, those that still fit.
+pub(super) fn mark(rows: &mut [BudgetRow], request: &BudgetRequest) {
     let mut together = Together::default();
-    for ((worst, is_random), mark) in contributions.iter().zip(marks).rev() {
-        let more = together.with(worst, *is_random);
-        *mark = request.has_limits() && request.share(&more.size()) <= 1.0;
-        if *mark {
+    for row in rows.iter_mut().rev() {
+        let more = together.with(&row.worst, row.effect.is_random);
+        row.can_be_left_out = request.has_limits() && request.share(&more.size()) <= 1.0;
+        if row.can_be_left_out {
             together = more;
         }
     }
@@ -44,15 +43,22 @@ pub(super) fn left_out(contributions: &[(SolutionError, bool)], request: &Budget
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::budget::EFFECTS;
 
     fn marks(contributions: &[(f64, f64, bool)], limits: (f64, f64)) -> Vec<bool> {
         let error = |position_m, velocity_m_s| SolutionError { position_m, velocity_m_s, attitude_rad: 9e9 };
         let limits = SolutionError { attitude_rad: 0.0, ..error(limits.0, limits.1) };
         let request = BudgetRequest { limits, ..Default::default() };
-        let sorted: Vec<_> = contributions.iter().map(|&(p, v, random)| (error(p, v), random)).collect();
-        let mut marks = vec![true; sorted.len()];
-        left_out(&sorted, &request, &mut marks);
-        marks
+        let row = |&(p, v, is_random): &(f64, f64, bool)| BudgetRow {
+            effect: EFFECTS.iter().find(|effect| effect.is_random == is_random).unwrap(),
+            worst: error(p, v),
+            end: error(p, v),
+            share: 0.0,
+            can_be_left_out: true,
+        };
+        let mut rows: Vec<_> = contributions.iter().map(row).collect();
+        mark(&mut rows, &request);
+        rows.iter().map(|row| row.can_be_left_out).collect()
     }
 
     #[test]

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::contribution::Contribution;
 use super::flight::{Deviation, Look, Track, difference, fly};
-use super::selection::left_out;
+use super::selection::mark;
 use super::{BudgetRequest, Effect, Interval, Scene};
 use crate::error::Error;
 use crate::memory::room;
@@ -120,7 +120,7 @@ pub fn error_budget(
     }
 
     let mut rows = rows(&contributions, request)?;
-    mark(&mut rows, request)?;
+    mark(&mut rows, request);
     let left_out = verify(&mut flights, parameters, request, &all, &mut rows)?;
     let mut alone = Contribution::new(instants)?;
     alone.add(own.iter().copied());
@@ -177,18 +177,6 @@ fn rows(contributions: &Contributions, request: &BudgetRequest) -> Result<Vec<Bu
         by_size.then(a.effect.field.cmp(b.effect.field))
     });
     Ok(rows)
-}
-
-fn mark(rows: &mut [BudgetRow], request: &BudgetRequest) -> Result<(), Error> {
-    let mut contributions = room(rows.len())?;
-    contributions.extend(rows.iter().map(|row| (row.worst, row.effect.is_random)));
-    let mut marks = room(rows.len())?;
-    marks.resize(rows.len(), false);
-    left_out(&contributions, request, &mut marks);
-    for (row, mark) in rows.iter_mut().zip(marks) {
-        row.can_be_left_out = mark;
-    }
-    Ok(())
 }
 
 /// Flies without the marked rows, and removes the mark of the largest until the change of `all` is within the limits.

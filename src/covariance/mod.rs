@@ -32,5 +32,6 @@ mod stretch;
 
 pub(crate) use alignment::Alignment;
 pub use figures::{ErrorEllipse, Matrix9, NavigationCovariance};
-pub(crate) use propagation::{Flown, Propagation, StartErrors};
+pub(crate) use propagation::{Propagation, StartErrors};
 pub(crate) use sources::Parameters;
+pub(crate) use stretch::Flown;

@@ -6,19 +6,16 @@ use super::alignment::Alignment;
 use super::factor::{ROWS, triangularize};
 use super::figures::NavigationCovariance;
 use super::line::Advance;
-use super::passage::Passage;
 use super::read::covariance_of;
-use super::root::{Root, zeros};
-use super::sources::{AXES, COUNT, Input, Kind, LINES, Parameters, Source};
-use super::stretch::{Piece, Stretch};
+use super::root::Root;
+use super::sources::{AXES, COUNT, Input, LINES, Parameters, Source};
+use super::stretch::{Flown, Stretch};
 use crate::earth::{Earth, Vertical};
 use crate::error::Error;
 use crate::errors::column::{At, Column, moved};
 use crate::mechanization::{VerticalLoop, VerticalMode};
-use crate::memory::room;
+use crate::memory::{filled, room};
 use crate::mounting::Block;
-use crate::sensors::GravityDisturbance;
-use crate::signal::{Increment, IntervalMotion};
 use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
@@ -39,17 +36,6 @@ pub(crate) struct Propagation {
     /// Memory for a look ahead, and for the work.
     ahead: Root,
     work: Box<[Column]>,
-}
-
-/// An interval that was flown.
-pub(crate) struct Flown<'a> {
-    pub motion: &'a IntervalMotion<'a>,
-    pub current: &'a TruthPoint,
-    pub next: &'a TruthPoint,
-    pub ideal: &'a [Increment],
-    /// Whether the altimeter had a height.
-    pub is_aided: bool,
-    pub block: Option<&'a Block>,
 }
 
 /// The errors at the start: the drawn errors of position, velocity and misalignment, and the misalignment that an alignment derives
@@ -78,7 +64,7 @@ impl Propagation {
                 walks_before: [0.0; AXES],
                 stretch: Stretch::EMPTY,
                 ahead: Root::new()?,
-                work: zeros(WORK)?,
+                work: filled(WORK, Column::zeros())?,
             });
         }
         Ok(memory.into_boxed_slice())
@@ -151,14 +137,9 @@ impl Propagation {
         let mut own = [0.0; AXES];
         for place in 0..COUNT {
             let source = Source::at(place, parameters);
-            let mut still = 0.0;
-            let walk = match source.input {
-                Input::Axis(axis) if matches!(source.kind, Kind::Walk(_)) => &mut root.walks[axis],
-                _ => &mut still,
-            };
             let step = match t {
-                0.0 => Advance::still(source.deviation(*walk)),
-                _ => source.advance(t, 0.0, walk),
+                0.0 => Advance::still(source.deviation(&root.walks)),
+                _ => source.advance(t, 0.0, &mut root.walks),
             };
             let (of_start, of_draw) = (step.of_start.mean, step.of_draw.mean);
             let of_end = of_start * step.decay + of_draw * step.diffusion;
@@ -191,29 +172,17 @@ impl Propagation {
 
     /// Adds an interval that was flown.
     pub fn advance(&mut self, flown: &Flown<'_>, parameters: &Parameters<'_>) {
-        let piece = Piece {
-            motion: flown.motion,
-            ideal: flown.ideal,
-            is_aided: flown.is_aided,
-            outputs: parameters.outputs,
-            ground_m: GravityDisturbance::over_ground(&self.earth, flown.current, flown.next),
-            block: flown.block,
-            with_elements: parameters.have_elements(),
-        };
         if self.stretch.has_no_room_for(flown.motion.interval_s) {
             self.bring_up_to_date(flown.current, flown.block, parameters);
         }
-        if self.stretch.add(&piece) {
+        if self.stretch.add(&self.earth, flown, parameters) {
             self.bring_up_to_date(flown.next, flown.block, parameters);
         }
     }
 
     fn bring_up_to_date(&mut self, truth: &TruthPoint, block: Option<&Block>, parameters: &Parameters<'_>) {
         let at = At::new(&self.earth, truth, block);
-        let passage =
-            Passage { earth: &self.earth, vertical: self.vertical, stretch: &self.stretch, at: &at, truth };
-        passage.go(&mut self.root, &mut self.work, parameters);
-        self.root.bound();
+        self.root.advance(&self.stretch, &at, self.vertical, &mut self.work, parameters);
         self.stretch = Stretch::EMPTY;
     }
 
@@ -244,15 +213,7 @@ impl Propagation {
         let at = At::new(&self.earth, truth, block);
         self.ahead.copy_from(&self.root);
         if !self.stretch.is_empty() {
-            let passage = Passage {
-                earth: &self.earth,
-                vertical: self.vertical,
-                stretch: &self.stretch,
-                at: &at,
-                truth,
-            };
-            passage.go(&mut self.ahead, &mut self.work, parameters);
-            self.ahead.bound();
+            self.ahead.advance(&self.stretch, &at, self.vertical, &mut self.work, parameters);
         }
         covariance_of(&self.ahead, &at, truth, block, parameters)
     }

@@ -42,7 +42,7 @@ pub(super) fn covariance_of(
         let mut errors = at.errors(sensitivity);
         if let (Input::Axis(axis @ 0..3), true) = (source.input, has_rate) {
             let (share, _) = parameters.outputs[axis];
-            let gyro_e = axes_e.column(axis) * (source.deviation(root.walks[axis]) * share);
+            let gyro_e = axes_e.column(axis) * (source.deviation(&root.walks) * share);
             errors.velocity_n += at.in_local_axes(&at.velocity_by_arm(&gyro_e));
         }
         add(&errors);

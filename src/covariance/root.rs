@@ -5,7 +5,7 @@ use super::sources::{AXES, COUNT};
 use crate::error::Error;
 use crate::errors::column::Column;
 use crate::mechanization::VerticalLoop;
-use crate::memory::room;
+use crate::memory::filled;
 
 /// Largest number of the root. It is far beyond any error that linear equations describe, and its square is finite.
 pub(super) const LARGEST: f64 = 1e30;
@@ -27,8 +27,8 @@ pub(super) struct Root {
 impl Root {
     pub fn new() -> Result<Self, Error> {
         Ok(Self {
-            sensitivities: zeros(COUNT)?,
-            factor: zeros(ROWS)?,
+            sensitivities: filled(COUNT, Column::zeros())?,
+            factor: filled(ROWS, Column::zeros())?,
             walks: [0.0; AXES],
             channel: VerticalLoop::new(),
         })
@@ -56,11 +56,4 @@ impl Root {
     pub fn columns_mut(&mut self) -> impl Iterator<Item = &mut Column> {
         self.sensitivities.iter_mut().chain(&mut *self.factor)
     }
-}
-
-/// This number of columns of zeros.
-pub(super) fn zeros(count: usize) -> Result<Box<[Column]>, Error> {
-    let mut columns = room(count)?;
-    columns.resize(count, Column::zeros());
-    Ok(columns.into_boxed_slice())
 }

@@ -85,12 +85,12 @@ pub enum Kind {
     Markov(f64),
     /// Gauss-Markov of this correlation distance over ground [m].
     MarkovOverGround(f64),
-    /// Random walk of this density [u/√s] from 0 at the start of the run.
-    Walk(f64),
+    /// Random walk from 0 at the start of the run.
+    Walk,
 }
 
-/// A process: the quantity to which it adds, its evolution, and its standard deviation; for a walk the standard deviation after 1
-/// s.
+/// A process: the quantity to which it adds, its evolution, and its standard deviation, of a walk that after 1 s, which is its density
+/// [u/√s].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Source {
     pub input: Input,
@@ -115,8 +115,8 @@ impl Source {
         }
         place -= AXES;
         if place < AXES {
-            let density = triad(place).rate_random_walk[place % 3];
-            return Self { input: Input::Axis(place), kind: Kind::Walk(density), sigma: density };
+            let sigma = triad(place).rate_random_walk[place % 3];
+            return Self { input: Input::Axis(place), kind: Kind::Walk, sigma };
         }
         place -= AXES;
         if place < AXES * FLICKER {
@@ -145,31 +145,31 @@ impl Source {
         Self { input: Input::Altimeter, kind: Kind::Markov(markov_time_s), sigma: markov_sigma_m }
     }
 
-    /// Its evolution over `t` [s] and `ground_m` [m] over ground. `walk` is the variance [u²] of a walk: that at the start, then
-    /// that at the end.
-    pub fn advance(&self, t: f64, ground_m: f64, walk: &mut f64) -> Advance {
-        match self.kind {
-            Kind::Walk(density) if density != 0.0 => {
-                let (start, step) = (walk.sqrt(), density * t.sqrt());
-                *walk += step * step;
+    /// Its evolution over `t` [s] and `ground_m` [m] over ground. `walks` are the variances [u²] of the walk of each axis: those at the
+    /// start, then those at the end.
+    pub fn advance(&self, t: f64, ground_m: f64, walks: &mut [f64; AXES]) -> Advance {
+        match (self.kind, self.input) {
+            (Kind::Walk, Input::Axis(axis)) if self.sigma != 0.0 => {
+                let (start, step) = (walks[axis].sqrt(), self.sigma * t.sqrt());
+                walks[axis] += step * step;
                 Advance::walk(start, step)
             }
-            Kind::Walk(_) => {
-                *walk = 0.0;
+            (Kind::Walk, Input::Axis(axis)) => {
+                walks[axis] = 0.0;
                 Advance::still(0.0)
             }
-            Kind::Markov(time_s) if self.sigma != 0.0 => Advance::markov(t / time_s, self.sigma),
-            Kind::MarkovOverGround(distance_m) if self.sigma != 0.0 && ground_m != 0.0 => {
+            (Kind::Markov(time_s), _) if self.sigma != 0.0 => Advance::markov(t / time_s, self.sigma),
+            (Kind::MarkovOverGround(distance_m), _) if self.sigma != 0.0 && ground_m != 0.0 => {
                 Advance::markov(ground_m / distance_m, self.sigma)
             }
             _ => Advance::still(self.sigma),
         }
     }
 
-    /// Present standard deviation; `walk` is the variance of a walk [u²].
-    pub fn deviation(&self, walk: f64) -> f64 {
-        match self.kind {
-            Kind::Walk(_) => walk.sqrt(),
+    /// Present standard deviation; `walks` are the variances of the walks [u²].
+    pub fn deviation(&self, walks: &[f64; AXES]) -> f64 {
+        match (self.kind, self.input) {
+            (Kind::Walk, Input::Axis(axis)) => walks[axis].sqrt(),
             _ => self.sigma,
         }
     }

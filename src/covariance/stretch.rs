@@ -2,11 +2,14 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::sources::{AXES, ELEMENTS};
+use super::sources::{AXES, ELEMENTS, Parameters};
+use crate::earth::Earth;
 use crate::math::VectorPair;
 use crate::mounting::Block;
+use crate::sensors::GravityDisturbance;
 use crate::signal::{Increment, IntervalMotion, MotionNode};
 use crate::snapshot::{COUNT, SIGNALS, stored};
+use crate::truth::TruthPoint;
 
 /// Longest stretch [s], if the intervals are shorter, and largest rotation within a stretch [rad]. With a rotation of 0.3 rad,
 /// (0.3)⁴/720 = 1e-5 of the integrated noise is lost.
@@ -74,17 +77,15 @@ stored!(Stretch {
     from.require(stretch.is_empty() || is_counted, stretch.length_s, "has no intervals")
 });
 
-/// One interval of the truth.
-pub struct Piece<'a> {
+/// An interval that was flown.
+pub(crate) struct Flown<'a> {
     pub motion: &'a IntervalMotion<'a>,
+    pub current: &'a TruthPoint,
+    pub next: &'a TruthPoint,
     pub ideal: &'a [Increment],
+    /// Whether the altimeter had a height.
     pub is_aided: bool,
-    /// As in `Parameters`.
-    pub outputs: [(f64, f64); AXES],
-    pub ground_m: f64,
     pub block: Option<&'a Block>,
-    /// Whether scale factors or misalignments are random.
-    pub with_elements: bool,
 }
 
 impl Stretch {
@@ -120,11 +121,11 @@ impl Stretch {
     }
 
     /// Adds an interval. Returns whether the stretch is long enough.
-    pub fn add(&mut self, piece: &Piece<'_>) -> bool {
-        let motion = piece.motion;
+    pub fn add(&mut self, earth: &Earth, flown: &Flown<'_>, parameters: &Parameters<'_>) -> bool {
+        let &Flown { motion, current, next, ideal, is_aided, block } = flown;
         let t = motion.interval_s;
-        let nodes = piece.block.map_or_else(|| motion.nodes(), |block| block.nodes(motion));
-        let [c0, c1, c2] = axes_at_nodes(motion, piece.block);
+        let nodes = block.map_or_else(|| motion.nodes(), |block| block.nodes(motion));
+        let [c0, c1, c2] = axes_at_nodes(motion, block);
         if self.is_empty() {
             self.start_e = nodes[0].r_e;
         }
@@ -138,9 +139,9 @@ impl Stretch {
         let axes = (c0 + c1 * 4.0 + c2) * sixth;
         self.axes += axes;
         self.axes_moment += axes * self.length_s + (c1 * 2.0 + c2) * (sixth * t);
-        let Increment { angle, velocity } = Increment::sum(piece.ideal);
+        let Increment { angle, velocity } = Increment::sum(ideal);
         self.angle += angle;
-        if piece.with_elements {
+        if parameters.have_elements() {
             let mean = axes / t;
             let middle_s = self.length_s + 0.5 * t;
             let signals = [angle.x, angle.y, angle.z, velocity.x, velocity.y, velocity.z];
@@ -152,7 +153,7 @@ impl Stretch {
                 *moment += input * middle_s;
             }
         }
-        for (axis, (share, density)) in piece.outputs.into_iter().enumerate() {
+        for (axis, (share, density)) in parameters.outputs.into_iter().enumerate() {
             let signal = if axis < 3 { angle[axis] } else { velocity[axis - 3] };
             self.shares[axis] += share * t;
             // Drop-outs lose the signal of an interval with the probability 1 - share.
@@ -161,10 +162,10 @@ impl Stretch {
         let turn = angle.norm_squared().sqrt();
         self.turn_rad += turn;
         self.length_s += t;
-        self.ground_m += piece.ground_m;
+        self.ground_m += GravityDisturbance::over_ground(earth, current, next);
         self.intervals += 1;
-        self.aided += u64::from(piece.is_aided);
-        self.increments += piece.ideal.len() as u64;
+        self.aided += u64::from(is_aided);
+        self.increments += ideal.len() as u64;
         // Its length with another interval like this one.
         self.has_no_room_for(t) || self.turn_rad + turn > LARGEST_TURN
     }

@@ -31,9 +31,8 @@ const TOGETHER: usize = 32;
 pub struct Ensemble {
     first_run: u64,
     options: Options,
-    /// Parts of [`PART_RUNS`] runs; the last one may have fewer.
-    first: Part,
-    others: Vec<Part>,
+    /// Parts of [`PART_RUNS`] runs, at least one; the last one may have fewer.
+    parts: Vec<Part>,
 }
 
 impl Ensemble {
@@ -58,15 +57,12 @@ impl Ensemble {
             return Err(Error::invalid("first_run", first_run, Rule::BetweenIntegers(0, last_first)));
         }
         let options = *template.options();
-        let part = |first: usize| {
+        let mut parts = room(runs.div_ceil(PART_RUNS))?;
+        for first in (0..runs).step_by(PART_RUNS) {
             let count = PART_RUNS.min(runs - first);
-            Part::new(template, &options, first_run + first as u64, count, set)
-        };
-        let mut others = room((runs - 1) / PART_RUNS)?;
-        for first in (0..runs).step_by(PART_RUNS).skip(1) {
-            others.push(part(first)?);
+            parts.push(Part::new(template, &options, first_run + first as u64, count, set)?);
         }
-        Ok(Self { first_run, options, first: part(0)?, others })
+        Ok(Self { first_run, options, parts })
     }
 
     /// Number of the first run.
@@ -76,19 +72,13 @@ impl Ensemble {
 
     /// Number of runs.
     pub fn runs(&self) -> usize {
-        self.parts().map(|part| part.runs.runs()).sum()
-    }
-
-    fn parts(&self) -> impl Iterator<Item = &Part> {
-        core::iter::once(&self.first).chain(&self.others)
+        self.parts.iter().map(|part| part.runs.runs()).sum()
     }
 
     /// Does the same with all parts. Their truth is the same, so the answer is the same.
     fn each<T>(&mut self, mut act: impl FnMut(&mut Part) -> T) -> T {
-        let answer = act(&mut self.first);
-        for part in &mut self.others {
-            act(part);
-        }
+        let answer = act(&mut self.parts[0]);
+        self.parts[1..].iter_mut().for_each(|part| _ = act(part));
         answer
     }
 
@@ -139,7 +129,7 @@ impl Ensemble {
     /// Lets an output of every run fail from the next interval on; `None` clears it.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) -> Result<(), Error> {
         failure.map_or(Ok(()), |failure| failure.validate(output))?;
-        self.each(|part| part.set_failure(output, failure));
+        self.each(|part| part.runs.set_failure(output, failure));
         Ok(())
     }
 
@@ -147,7 +137,7 @@ impl Ensemble {
     pub fn correct(&mut self, run: u64, correction: &Correction) -> Result<(), Error> {
         let place = self.place_of(run)?;
         correction.validate()?;
-        self.part_of(place).correct(place % PART_RUNS, correction)
+        self.parts[place / PART_RUNS].correct(place % PART_RUNS, correction)
     }
 
     /// Removes from each run that has not diverged what `correction` gives for the key of its random numbers and for its errors. A run
@@ -165,28 +155,20 @@ impl Ensemble {
             let Ok(Some((_, errors))) = self.errors(run, ErrorSource::Navigation) else { continue };
             let key = StreamKey { run, ..self.options.key };
             if self.correct(run, &correction(key, &errors)).is_err() {
-                self.part_of(place).diverge(place % PART_RUNS);
+                self.parts[place / PART_RUNS].diverge(place % PART_RUNS);
             }
         }
         Ok(())
     }
 
-    /// The part that has the run at `place`.
-    fn part_of(&mut self, place: usize) -> &mut Part {
-        match place / PART_RUNS {
-            0 => &mut self.first,
-            number => &mut self.others[number - 1],
-        }
-    }
-
     /// Size of a run [bytes].
     #[doc(hidden)]
     pub fn bytes_of_run(&self) -> usize {
-        self.first.runs.bytes_of_run()
+        self.parts[0].runs.bytes_of_run()
     }
 
     /// Number of intervals flown since the start or the last reposition.
     pub fn intervals(&self) -> u64 {
-        self.first.intervals
+        self.parts[0].intervals
     }
 }

@@ -3,7 +3,6 @@
 use crate::correction::Correction;
 use crate::error::Error;
 use crate::instruction_set::InstructionSet;
-use crate::sensors::{Failure, SensorOutput};
 use crate::simulator::{Options, SideBySide, Simulator, Step, nothing_to_correct};
 use crate::truth::{FlightSample, Intake, Pushed};
 
@@ -78,9 +77,5 @@ impl Part {
         self.intake.clear();
         self.intervals = 0;
         self.runs.reset();
-    }
-
-    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) {
-        self.runs.set_failure(output, failure);
     }
 }

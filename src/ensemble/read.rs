@@ -12,7 +12,7 @@ use crate::statistics::Statistics;
 impl Ensemble {
     /// The truth, which all runs share; `None` before the first sample.
     pub fn truth(&self) -> Option<Solution> {
-        let Part { intake, runs, .. } = &self.first;
+        let Part { intake, runs, .. } = &self.parts[0];
         let flown = intake.current().and_then(|point| runs.truth(point));
         if flown.is_some() {
             return flown;
@@ -96,17 +96,17 @@ impl Ensemble {
 
     /// The failure of an output, which all runs share; `None`: no failure.
     pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
-        self.first.runs.failure(output)
+        self.parts[0].runs.failure(output)
     }
 
     /// Time stamps of the start and the end of the interval that was flown last, as [`Simulator::last_interval_s`](crate::Simulator).
     pub fn last_interval_s(&self) -> Option<[f64; 2]> {
-        self.first.intake.last_interval_s()
+        self.parts[0].intake.last_interval_s()
     }
 
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
     pub fn last_sample_time_s(&self) -> Option<f64> {
-        self.first.intake.newest().map(|point| point.stamp_s())
+        self.parts[0].intake.newest().map(|point| point.stamp_s())
     }
 
     /// Time [s] and errors of the run at `place`, and whether the truth is near a pole.
@@ -127,11 +127,7 @@ impl Ensemble {
 
     /// The part that has the run at `place`, and its place there.
     pub(super) fn at(&self, place: usize) -> (&Part, usize) {
-        let part = match place / PART_RUNS {
-            0 => &self.first,
-            number => &self.others[number - 1],
-        };
-        (part, place % PART_RUNS)
+        (&self.parts[place / PART_RUNS], place % PART_RUNS)
     }
 
     /// The place of a run, unless the run has diverged.

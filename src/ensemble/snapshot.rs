@@ -2,7 +2,7 @@
 
 use super::Ensemble;
 use super::part::{PART_RUNS, Part};
-use crate::error::{Error, Rule};
+use crate::error::Error;
 use crate::instruction_set::InstructionSet;
 use crate::memory::room;
 use crate::simulator::{Options, SideBySide, Simulator};
@@ -32,7 +32,8 @@ impl Ensemble {
 
     /// Writes as much of the snapshot as fits into `buffer`. Returns the length of the whole snapshot.
     fn write_snapshot(&self, buffer: &mut [u8]) -> usize {
-        let Self { first_run, options, first: Part { intake, intervals, .. }, .. } = self;
+        let Self { first_run, options, parts } = self;
+        let Part { intake, intervals, .. } = &parts[0];
         let mut to = Writer::new(buffer, SnapshotOf::Ensemble);
         options.save(&mut to);
         intake.save(&mut to);
@@ -85,10 +86,7 @@ impl Ensemble {
                 part.runs.put_simulator(place % PART_RUNS, simulator, has_diverged)?;
             }
         }
-        if parts.is_empty() {
-            return Err(from.refused(0.0, Rule::Sentence("is not a valid number of runs")));
-        }
-        Ok(Self { first_run, options, first: parts.remove(0), others: parts })
+        Ok(Self { first_run, options, parts })
     }
 }
 

@@ -149,25 +149,14 @@ impl AccuracyFigures {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// One nautical mile an hour [m/s].
-    const NMI_PER_HOUR: f64 = 1852.0 / 3600.0;
+    use crate::units::NMI_PER_HOUR;
 
     /// An error that grows by 1 nmi/h: every figure has its closed form.
     #[test]
     fn a_steady_drift_gives_its_own_rate() {
         let mut accuracy = Accuracy::new(100.0);
-        let mut errors = NavigationErrors {
-            position_n: Vector3::zeros(),
-            latitude_rad: 0.0,
-            longitude_rad: 0.0,
-            velocity_n: Vector3::new(0.3 * NMI_PER_HOUR, 0.4 * NMI_PER_HOUR, 0.0),
-            misalignment_n: Vector3::zeros(),
-            roll_rad: 0.0,
-            pitch_rad: 0.0,
-            heading_rad: 0.0,
-            outside_validity: false,
-        };
+        let velocity_n = Vector3::new(0.3 * NMI_PER_HOUR, 0.4 * NMI_PER_HOUR, 0.0);
+        let mut errors = NavigationErrors { velocity_n, ..Default::default() };
         for second in 1..=3600 {
             let t = f64::from(second);
             errors.position_n = Vector3::new(0.6, 0.8, 9.0) * NMI_PER_HOUR * t;
@@ -188,14 +177,8 @@ mod tests {
     fn sums_at_their_limit_stay_there_and_give_finite_figures() {
         let mut errors = NavigationErrors {
             position_n: Vector3::repeat(1e9),
-            latitude_rad: 0.0,
-            longitude_rad: 0.0,
             velocity_n: Vector3::repeat(1e25),
-            misalignment_n: Vector3::zeros(),
-            roll_rad: 0.0,
-            pitch_rad: 0.0,
-            heading_rad: 0.0,
-            outside_validity: false,
+            ..Default::default()
         };
         let mut accuracy =
             Accuracy { line: [2.0, 1e20, 0.5e40, SUMS, SUMS], windowed: 2, ..Accuracy::new(0.0) };

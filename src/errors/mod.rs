@@ -10,7 +10,7 @@ pub use accuracy::{Accuracy, AccuracyFigures};
 pub use carried::CarriedErrors;
 pub use difference::navigation_minus_truth;
 pub use model::{ErrorModel, SensorErrors};
-pub(crate) use model::{ModelBlock, ModelInterval, VALID_DISPLACEMENT_M, VALID_MISALIGNMENT_RAD, column};
+pub(crate) use model::{ModelBatch, ModelInterval, VALID_DISPLACEMENT_M, VALID_MISALIGNMENT_RAD, column};
 
 use nalgebra::Vector3;
 

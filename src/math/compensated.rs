@@ -66,30 +66,3 @@ impl<const N: usize> Compensated<N> {
         (self.value - other) + self.carry
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use nalgebra::Vector1;
-
-    #[test]
-    fn two_sum_and_two_product_lose_nothing() {
-        let (s, e) = two_sum(1.0, 1e-20);
-        assert_eq!((s, e), (1.0, 1e-20));
-        // (1 + 2^-30)(1 - 2^-30) = 1 - 2^-60; a double keeps only the 1.
-        let h = 2f64.powi(-30);
-        let (p, e) = two_product(1.0 + h, 1.0 - h);
-        assert_eq!((p, e), (1.0, -h * h));
-    }
-
-    #[test]
-    fn a_million_small_increments_arrive() {
-        let mut sum = Compensated::new(Vector1::new(6.4e6));
-        let increment = 1e-11; // a fiftieth of half an ulp of the sum: a plain sum would never move
-        for _ in 0..1_000_000 {
-            sum.add(&Vector1::new(increment));
-        }
-        let moved = sum.minus(&Vector1::new(6.4e6))[0];
-        assert!((moved - 1e-5).abs() < 1e-19 + 4.0 * f64::EPSILON * 1e-5 * 1e3, "{moved:e}");
-    }
-}

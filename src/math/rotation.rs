@@ -103,6 +103,12 @@ pub fn rotated_z(q: &Quaternion<f64>) -> Vector3<f64> {
     Vector3::new(2.0 * (x * z + w * y), 2.0 * (y * z - w * x), (w * w + z * z) - (x * x + y * y))
 }
 
+/// (0, 0, `w`) × `v`
+#[inline]
+pub fn axis_cross(w: f64, v: &Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(-w * v.y, w * v.x, 0.0)
+}
+
 /// Matrix of the unit quaternion `q`: cheaper than [`rotate`] for three vectors or more.
 #[inline]
 pub fn rotation_matrix(q: &Quaternion<f64>) -> Matrix3<f64> {
@@ -252,69 +258,4 @@ pub fn inverse_right_jacobian(phi: &Vector3<f64>, omega: &Vector3<f64>) -> Vecto
     };
     let cross = phi.cross(omega);
     omega + 0.5 * cross + coefficient * phi.cross(&cross)
-}
-
-#[cfg(test)]
-mod tests {
-    use core::f64::consts::PI;
-
-    use super::*;
-    use crate::math::{Euler, attitude_from_euler};
-
-    #[test]
-    fn rotation_vector_and_quaternion_are_inverse_from_nothing_to_half_a_turn() {
-        let axis = Vector3::new(0.36, -0.48, 0.8);
-        for angle in [0.0, 1e-300, 1e-16, 1e-9, 1e-3, 0.12, 0.499_999, 0.500_001, 1.0, 3.0, PI - 1e-3] {
-            let phi = axis * angle;
-            let back = rotation_vector(&rotation_quaternion(&phi));
-            // cos(n/2) near π/2 and sin near 0 have an absolute error of 1e-16, which the arc tangent spreads evenly.
-            assert!((back - phi).norm() <= 8.0 * f64::EPSILON * angle, "{angle}: {}", (back - phi).norm());
-        }
-    }
-
-    #[test]
-    fn relative_rotation_is_exact_at_rest_and_right_elsewhere() {
-        let q = attitude_from_euler(&Euler { roll: 0.3, pitch: -0.6, heading: 5.0 });
-        assert_eq!(relative_rotation(&q, &q), Quaternion::identity());
-        assert_eq!(relative_rotation(&q, &-q), Quaternion::identity());
-        for angle in [1e-12, 1e-3, 2.0] {
-            let phi = Vector3::new(0.36, -0.48, 0.8) * angle;
-            let found = rotation_vector(&relative_rotation(&q, &(q * rotation_quaternion(&phi))));
-            assert!((found - phi).norm() < 8.0 * f64::EPSILON, "{angle}");
-        }
-    }
-
-    #[test]
-    fn series_and_closed_form_meet() {
-        for edge in [0.003_6, 0.25] {
-            let below = RotationSeries::new(edge - 1e-16);
-            let above = RotationSeries::new(edge);
-            // In the closed form of `cubic`, cancellation enlarges the rounding error by n / n³.
-            assert!((below.square - above.square).abs() < 4.0 * f64::EPSILON);
-            assert!((below.cubic - above.cubic).abs() < 4.0 * f64::EPSILON / edge);
-        }
-        let omega = Vector3::new(0.3, -1.0, 0.5);
-        let axis = Vector3::new(0.6, 0.0, 0.8);
-        let low = inverse_right_jacobian(&(axis * (0.2 - 1e-15)), &omega);
-        let high = inverse_right_jacobian(&(axis * 0.2), &omega);
-        assert!((low - high).norm() < 1e-14);
-    }
-
-    #[test]
-    fn jacobian_and_its_inverse_cancel() {
-        let phi = Vector3::new(0.4, -0.7, 1.1);
-        let rate = Vector3::new(-0.2, 0.9, 0.5);
-        let omega = right_jacobian(&phi, &rate);
-        assert!((inverse_right_jacobian(&phi, &omega) - rate).norm() < 16.0 * f64::EPSILON);
-    }
-
-    #[test]
-    fn a_turn_about_the_axis_is_the_rotation_of_that_vector() {
-        let q = attitude_from_euler(&Euler { roll: 0.3, pitch: -0.6, heading: 5.0 });
-        for angle in [0.0, 7.3e-7, 6.3e-3, 6.4e-3, 2.0, -3.0] {
-            let expected = rotation_increment(&Vector3::new(0.0, 0.0, angle)) * q;
-            let scale = 1e-300 + angle.abs();
-            assert!((AxisTurn::new(angle).increment(&q) - expected).norm() < 4.0 * f64::EPSILON * scale);
-        }
-    }
 }

@@ -20,28 +20,3 @@ pub fn end_derivative_weights<const N: usize>(offsets: &[f64; N]) -> [f64; N] {
         numerator / denominator
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn even_spacing_gives_the_textbook_backward_formula() {
-        let w = end_derivative_weights(&[-1.0, -2.0, -3.0]);
-        for (w, expected) in w.iter().zip([-3.0, 1.5, -1.0 / 3.0]) {
-            assert!((w - expected).abs() < 8.0 * f64::EPSILON, "{w} {expected}");
-        }
-    }
-
-    #[test]
-    fn exact_for_polynomials_up_to_the_number_of_points() {
-        let offsets = [-0.031, -0.0205, 0.0098];
-        let w = end_derivative_weights(&offsets);
-        for power in 1..4 {
-            let derivative: f64 = offsets.iter().zip(w).map(|(x, w)| w * x.powi(power)).sum();
-            let expected = if power == 1 { 1.0 } else { 0.0 };
-            let scale: f64 = offsets.iter().zip(w).map(|(x, w)| (w * x.powi(power)).abs()).sum();
-            assert!((derivative - expected).abs() < 8.0 * f64::EPSILON * (1.0 + scale));
-        }
-    }
-}

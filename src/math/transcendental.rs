@@ -101,26 +101,3 @@ pub fn wrap_angle(angle: f64) -> f64 {
 fn many_turns(angle: f64) -> f64 {
     libm::remainder(angle, TAU)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_angle_is_wrapped_by_its_exact_remainder() {
-        let check = |angle: f64| {
-            let expected = if angle.abs() <= PI { angle } else { libm::remainder(angle, TAU) };
-            assert_eq!(wrap_angle(angle).to_bits(), expected.to_bits(), "{angle:e}");
-        };
-        for k in -2_000_000..2_000_000 {
-            check(f64::from(k) * 7.3e-6);
-        }
-        for turns in 0..40_u64 {
-            for ulps in -3..=3_i64 {
-                let angle = f64::from_bits((0.25 * turns as f64 * TAU).to_bits().saturating_add_signed(ulps));
-                check(angle);
-                check(-angle);
-            }
-        }
-    }
-}

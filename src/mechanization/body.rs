@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::Scheme;
-use super::branches::{Any, Branches};
+use super::branches::series;
 use crate::math::quarter_square;
 use crate::signal::Increment;
 
@@ -121,15 +121,15 @@ impl BodyMotion {
     /// 7e-7 m, of order 4 instead of 3.
     #[inline(always)] // 50 to 70 instructions less in each step
     pub fn exact(increments: &[Increment]) -> Self {
-        Self::exact_by(increments, Any).0
+        Self::exact_by::<false>(increments).0
     }
 
     /// The body part, and the squared angles [rad²] whose coefficients the body part and an update by it need.
     #[inline(always)]
-    pub(super) fn exact_by(increments: &[Increment], branches: impl Branches) -> (Self, [f64; 2]) {
+    pub(super) fn exact_by<const BRANCHLESS: bool>(increments: &[Increment]) -> (Self, [f64; 2]) {
         let ConingAndSculling { sum, rotation, sculling } = ConingAndSculling::of(increments);
         let angle2 = sum.angle.norm_squared();
-        let series = branches.series(angle2);
+        let series = series::<BRANCHLESS>(angle2);
         let cross = sum.angle.cross(&sum.velocity);
         let moment = first_moment(increments);
         let s1 = sum.velocity

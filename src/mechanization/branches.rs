@@ -1,8 +1,8 @@
-//! The rare branches of an update. The single navigator tests the condition at each branch; a loop over many navigators has tested
-//! it before.
+//! The rare branches of an update, in two forms with the same formula.
 //!
-//! Both use the same formula. With [`Usual`] the formula has no branch and no call, so the compiler can compute the runs of a loop
-//! side by side.
+//! `BRANCHLESS` false, for the single navigator: the condition is tested at each branch. `BRANCHLESS` true, for a loop over many
+//! navigators: no branch and no call, so that the compiler can compute the runs of the loop side by side. The loop has tested before that
+//! rotations are [short](RotationSeries::is_short) and that the gravity field is normal.
 
 use nalgebra::Vector3;
 
@@ -10,61 +10,29 @@ use super::norm::{correct_norm, lacks_much, renormalize};
 use crate::earth::Earth;
 use crate::math::{Compensated, RotationSeries};
 
-/// What an update does at the rare branches.
-pub(super) trait Branches: Copy {
-    /// The coefficients for the squared angle `n2` [rad²].
-    fn series(self, n2: f64) -> RotationSeries;
-    /// Gravity at `r_e` [m].
-    fn gravity(self, earth: &Earth, r_e: &Vector3<f64>) -> Vector3<f64>;
-    /// Brings the norm of `q` to 1. Returns true if this is left to the caller.
-    fn renormalize(self, q: &mut Compensated<4>) -> bool;
+/// The coefficients for the squared angle `n2` [rad²].
+#[inline(always)]
+pub(super) fn series<const BRANCHLESS: bool>(n2: f64) -> RotationSeries {
+    if BRANCHLESS { RotationSeries::short(n2) } else { RotationSeries::new(n2) }
 }
 
-/// Tests the condition at each branch.
-#[derive(Clone, Copy)]
-pub(super) struct Any;
+/// Gravity at `r_e` [m].
+#[inline(always)]
+pub(super) fn gravity<const BRANCHLESS: bool>(earth: &Earth, r_e: &Vector3<f64>) -> Vector3<f64> {
+    if BRANCHLESS { earth.normal_gravity(r_e) } else { earth.gravity(r_e) }
+}
 
-/// The usual case: short rotations, the normal gravity field, a norm close to 1. The caller guarantees the first two. A norm that
-/// is farther from 1 is left unchanged, and reported.
-#[derive(Clone, Copy)]
-pub(super) struct Usual;
-
-impl Branches for Any {
-    #[inline(always)]
-    fn series(self, n2: f64) -> RotationSeries {
-        RotationSeries::new(n2)
-    }
-
-    #[inline(always)]
-    fn gravity(self, earth: &Earth, r_e: &Vector3<f64>) -> Vector3<f64> {
-        earth.gravity(r_e)
-    }
-
-    #[inline(always)]
-    fn renormalize(self, q: &mut Compensated<4>) -> bool {
+/// Brings the norm of `q` to 1. If it is branchless, a norm far from 1 is left unchanged; then it returns true.
+#[inline(always)]
+pub(super) fn renormalized<const BRANCHLESS: bool>(q: &mut Compensated<4>) -> bool {
+    if !BRANCHLESS {
         renormalize(q);
-        false
+        return false;
     }
-}
-
-impl Branches for Usual {
-    #[inline(always)]
-    fn series(self, n2: f64) -> RotationSeries {
-        RotationSeries::short(n2)
-    }
-
-    #[inline(always)]
-    fn gravity(self, earth: &Earth, r_e: &Vector3<f64>) -> Vector3<f64> {
-        earth.normal_gravity(r_e)
-    }
-
-    #[inline(always)]
-    fn renormalize(self, q: &mut Compensated<4>) -> bool {
-        let lack = 1.0 - q.value.norm_squared();
-        let mut corrected = *q;
-        correct_norm(&mut corrected, lack);
-        let is_left = lacks_much(lack);
-        *q = if is_left { *q } else { corrected };
-        is_left
-    }
+    let lack = 1.0 - q.value.norm_squared();
+    let mut corrected = *q;
+    correct_norm(&mut corrected, lack);
+    let is_left = lacks_much(lack);
+    *q = if is_left { *q } else { corrected };
+    is_left
 }

@@ -1,11 +1,12 @@
 //! The navigation-frame part in Earth-fixed axes: regular everywhere, and the navigation axes turn at the constant
 //! Earth rate W alone.
 
-use nalgebra::{Quaternion, Vector3, Vector4};
+use nalgebra::{Quaternion, Vector3};
 
-use super::branches::{Any, Branches};
+use super::branches::{gravity, renormalized, series};
 use super::limits::MAX_SPEED_M_S;
 use super::norm::{MAX_NORM_ERROR, renormalize};
+use super::scratch::{AxesRows, Sums};
 use super::{BodyMotion, StateDifference, VerticalCorrection};
 use crate::earth::{Earth, VerticalTrack};
 use crate::math::{
@@ -60,7 +61,7 @@ impl EarthFixed {
     /// g is gravity at the mean position r̄ of the update, Δg its change since the update before. The Coriolis integral
     /// is exact: ∫ v dt is Δr.
     pub fn update(&mut self, earth: &Earth, body: &BodyMotion, t: f64) {
-        self.update_by(earth, body, t, &Self::earth_turn(earth, t), Any);
+        self.update_by::<false>(earth, body, t, &Self::earth_turn(earth, t));
     }
 
     /// The rotation by which the axes turn back in an update of length `t` [s].
@@ -71,13 +72,12 @@ impl EarthFixed {
 
     /// One update with `turn` of [`Self::earth_turn`]. Returns true if the norm of the attitude is left to the caller.
     #[inline(always)]
-    pub(super) fn update_by(
+    pub(super) fn update_by<const BRANCHLESS: bool>(
         &mut self,
         earth: &Earth,
         body: &BodyMotion,
         t: f64,
         turn: &AxisTurn,
-        branches: impl Branches,
     ) -> bool {
         let w = earth.rate_rad_s;
         let (q, v) = (self.q(), self.v_e.value);
@@ -88,18 +88,18 @@ impl EarthFixed {
             s1 - axis_cross(w * t, &(s1 - s2)) + earth_cross_twice(w * t, &s1) * (1.0 / 6.0);
         let acceleration_t = s1 + (self.gravity_e - axis_cross(2.0 * w, &v)) * t;
         let to_mean_position = (v * 0.5 + acceleration_t * (1.0 / 6.0)) * t;
-        let gravity_e = branches.gravity(earth, &(self.r_e.value + to_mean_position));
+        let gravity_e = gravity::<BRANCHLESS>(earth, &(self.r_e.value + to_mean_position));
         let gravity_change = gravity_e - self.gravity_e;
 
         let dr = (v + s2 - axis_cross(w * t, &s3) + (gravity_e * 0.5 - gravity_change * (1.0 / 12.0)) * t
             - axis_cross(2.0 * w, &to_mean_position))
             * t;
         let dv = dv_gravity_free + gravity_e * t - axis_cross(2.0 * w, &dr);
-        let turned = q * rotation_increment_by(&body.rotation, |n2| branches.series(n2));
+        let turned = q * rotation_increment_by(&body.rotation, series::<BRANCHLESS>);
         let dq = turned + turn.increment(&(q + turned));
         self.sum_up(&dr, &dv, &dq);
         self.gravity_e = gravity_e;
-        branches.renormalize(&mut self.q_eb)
+        renormalized::<BRANCHLESS>(&mut self.q_eb)
     }
 
     /// One update of the paper's approximations: Φ - Cᵀ W T as the rotation vector, factor I - ½ T W×, Coriolis and
@@ -130,41 +130,20 @@ impl EarthFixed {
         renormalize(&mut self.q_eb);
     }
 
-    /// Number of numbers that make a state.
-    pub(super) const NUMBERS: usize = 25;
-
-    /// Made of the numbers that `number` gives.
+    /// The state at `lane` of `rows`.
     #[inline(always)]
-    pub(super) fn from_numbers(number: impl Fn(usize) -> f64) -> Self {
-        let vector = |first: usize| Vector3::from_fn(|i, _| number(first + i));
-        let quaternion = |first: usize| Vector4::from_fn(|i, _| number(first + i));
-        Self {
-            r_e: Compensated { value: vector(0), carry: vector(3) },
-            v_e: Compensated { value: vector(6), carry: vector(9) },
-            q_eb: Compensated { value: quaternion(12), carry: quaternion(16) },
-            gravity_e: vector(20),
-            track: VerticalTrack::from_numbers([number(23), number(24)]),
-        }
+    pub(super) fn of_rows(rows: &AxesRows, lane: usize) -> Self {
+        let Sums { place, velocity, attitude, acceleration } = Sums::of_rows(rows, lane);
+        let track = VerticalTrack::from_numbers([rows[23][lane], rows[24][lane]]);
+        Self { r_e: place, v_e: velocity, q_eb: attitude, gravity_e: acceleration, track }
     }
 
-    /// Gives its numbers to `put`.
+    /// Stores the state at `lane` of `rows`.
     #[inline(always)]
-    pub(super) fn put_numbers(&self, mut put: impl FnMut(usize, f64)) {
-        let Self { r_e, v_e, q_eb, gravity_e, track } = self;
-        for i in 0..3 {
-            put(i, r_e.value[i]);
-            put(3 + i, r_e.carry[i]);
-            put(6 + i, v_e.value[i]);
-            put(9 + i, v_e.carry[i]);
-            put(20 + i, gravity_e[i]);
-        }
-        for i in 0..4 {
-            put(12 + i, q_eb.value[i]);
-            put(16 + i, q_eb.carry[i]);
-        }
-        let [centre_z, centre_p] = track.numbers();
-        put(23, centre_z);
-        put(24, centre_p);
+    pub(super) fn put_into(&self, rows: &mut AxesRows, lane: usize) {
+        let Self { r_e: place, v_e: velocity, q_eb: attitude, gravity_e: acceleration, track } = *self;
+        Sums { place, velocity, attitude, acceleration }.put_into(rows, lane);
+        [rows[23][lane], rows[24][lane]] = track.numbers();
     }
 
     #[inline(always)]

@@ -2,9 +2,10 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use nalgebra::{Quaternion, Vector3, Vector4};
+use nalgebra::{Quaternion, Vector3};
 
 use super::norm::renormalize;
+use super::scratch::{AxesRows, Sums};
 use super::{BodyMotion, Mechanization, VerticalCorrection};
 use crate::earth::{Earth, Geodetic, navigation_axes};
 use crate::error::{Error, ErrorKind, Rule};
@@ -231,34 +232,17 @@ impl Geographic {
         self.v_n.value.norm_squared()
     }
 
-    /// Makes a state of the numbers that `number` gives. They are fewer than those of a solution in Earth-fixed axes.
-    pub(super) fn from_numbers(number: impl Fn(usize) -> f64) -> Self {
-        let vector = |first: usize| Vector3::from_fn(|i, _| number(first + i));
-        let quaternion = |first: usize| Vector4::from_fn(|i, _| number(first + i));
-        Self {
-            place: Compensated { value: vector(0), carry: vector(3) },
-            v_n: Compensated { value: vector(6), carry: vector(9) },
-            q_nb: Compensated { value: quaternion(12), carry: quaternion(16) },
-            a_n: vector(20),
-            turn2: number(23),
-        }
+    /// The state at `lane` of `rows`.
+    pub(super) fn of_rows(rows: &AxesRows, lane: usize) -> Self {
+        let Sums { place, velocity, attitude, acceleration } = Sums::of_rows(rows, lane);
+        Self { place, v_n: velocity, q_nb: attitude, a_n: acceleration, turn2: rows[23][lane] }
     }
 
-    /// Gives its numbers to `put`.
-    pub(super) fn put_numbers(&self, mut put: impl FnMut(usize, f64)) {
-        let Self { place, v_n, q_nb, a_n, turn2 } = self;
-        for i in 0..3 {
-            put(i, place.value[i]);
-            put(3 + i, place.carry[i]);
-            put(6 + i, v_n.value[i]);
-            put(9 + i, v_n.carry[i]);
-            put(20 + i, a_n[i]);
-        }
-        for i in 0..4 {
-            put(12 + i, q_nb.value[i]);
-            put(16 + i, q_nb.carry[i]);
-        }
-        put(23, *turn2);
+    /// Stores the state at `lane` of `rows`.
+    pub(super) fn put_into(&self, rows: &mut AxesRows, lane: usize) {
+        let Self { place, v_n: velocity, q_nb: attitude, a_n: acceleration, turn2 } = *self;
+        Sums { place, velocity, attitude, acceleration }.put_into(rows, lane);
+        rows[23][lane] = turn2;
     }
 
     /// Height above the ellipsoid [m] and velocity up [m/s].

@@ -1,7 +1,7 @@
 //! Many navigators side by side.
 //!
-//! A block stores each number of up to [`RUNS`] navigators in a row. A loop over the row applies the formula of the single
-//! navigator to each element; the formula is inlined, and its rare branches are decided before the loop ([`Usual`]). The compiler
+//! A batch stores each number of up to [`RUNS`] navigators in a row. A loop over the row applies the formula of the single
+//! navigator to each element; the formula is inlined, and its rare branches are decided before the loop ([`super::branches`]). The compiler
 //! vectorizes such a loop with the widest instructions that the surrounding function may use ([`crate::instruction_set`]). The bits
 //! are those of the single navigator, because the compiler may not fuse or reorder operations in either.
 //!
@@ -12,7 +12,7 @@
 //! types of intrinsics were not tried: an intrinsic passes its values through memory wherever a function of nalgebra is not
 //! inlined.
 //!
-//! The single chain stays beside the ensembles. In a trial it was a block of one, with the number of runs as a constant: the same bits,
+//! The single chain stays beside the ensembles. In a trial it was a batch of one, with the number of runs as a constant: the same bits,
 //! but 5 % more instructions (11 % with sensors of navigation grade), and 1.06 to 1.08 of the time of simulation 2. It would save 200 to
 //! 300 lines.
 //!
@@ -26,14 +26,13 @@ use core::slice::ChunksExact;
 
 use nalgebra::Vector3;
 
-use super::branches::{Any, Usual};
 use super::earth_fixed::EarthFixed;
 use super::geographic::Geographic;
 use super::limits::WELL_WITHIN_M;
 use super::scratch::{AxesRows, Bodies, Scratch};
 use super::{
-    AidOfEach, Frame, FrameState, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalAid,
-    VerticalCorrection, VerticalRows,
+    AidOfEach, Frame, FrameState, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalCorrection,
+    VerticalRows,
 };
 use crate::earth::{Earth, GravityModel};
 use crate::math::AxisTurn;
@@ -42,23 +41,23 @@ use crate::signal::{Increment, IncrementRows, RUNS, increment_of};
 /// Navigators of one frame that get the same intervals.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
-pub(crate) struct NavigatorBlock {
+pub(crate) struct NavigatorBatch {
     frame: Frame,
     axes: AxesRows,
     vertical: VerticalRows,
 }
 
-impl NavigatorBlock {
-    /// A block of navigators without states.
+impl NavigatorBatch {
+    /// A batch of navigators without states.
     pub fn new(frame: Frame) -> Self {
-        Self { frame, axes: [[0.0; RUNS]; EarthFixed::NUMBERS], vertical: VerticalRows::new() }
+        Self { frame, axes: [[0.0; RUNS]; 25], vertical: VerticalRows::new() }
     }
 
     /// Stores `navigator` at `lane`.
     pub fn put(&mut self, lane: usize, navigator: &Mechanization) {
         match &navigator.solution.axes {
-            FrameState::EarthFixed(axes) => self.put_axes(lane, axes),
-            FrameState::Geographic(axes) => axes.put_numbers(|i, number| self.axes[i][lane] = number),
+            FrameState::EarthFixed(axes) => axes.put_into(&mut self.axes, lane),
+            FrameState::Geographic(axes) => axes.put_into(&mut self.axes, lane),
         }
         self.vertical.put(lane, &navigator.solution.vertical);
     }
@@ -67,7 +66,7 @@ impl NavigatorBlock {
     pub fn get(&self, lane: usize, earth: &Earth, scheme: Scheme) -> Mechanization {
         let axes = match self.frame {
             Frame::EarthFixed => FrameState::EarthFixed(self.axes(lane)),
-            Frame::Geographic => FrameState::Geographic(Geographic::from_numbers(|i| self.axes[i][lane])),
+            Frame::Geographic => FrameState::Geographic(Geographic::of_rows(&self.axes, lane)),
         };
         Mechanization {
             earth: *earth,
@@ -97,16 +96,11 @@ impl NavigatorBlock {
 
     #[inline(always)]
     fn axes(&self, lane: usize) -> EarthFixed {
-        axes_at(&self.axes, lane)
-    }
-
-    #[inline(always)]
-    fn put_axes(&mut self, lane: usize, axes: &EarthFixed) {
-        put_axes_at(&mut self.axes, lane, axes);
+        EarthFixed::of_rows(&self.axes, lane)
     }
 
     /// Navigates the navigators `before`, with `shift_e` [m/s] more, over an interval of length `t` [s], in updates of `subsamples`
-    /// subsamples. Overwrites this block.
+    /// subsamples. Overwrites this batch.
     #[inline(always)]
     pub fn navigate(
         &mut self,
@@ -132,21 +126,21 @@ impl NavigatorBlock {
             return self.navigate_one_by_one((earth, scheme), updates, update_s);
         }
         let Scratch { bodies, start } = scratch;
-        let is_always_usual = scheme != Scheme::Paper && earth.gravity_model == GravityModel::Normal;
+        let can_be_branchless = scheme != Scheme::Paper && earth.gravity_model == GravityModel::Normal;
         let turn = EarthFixed::earth_turn(earth, update_s);
         for update in updates {
-            let is_usual = match (scheme, subsamples) {
-                (Scheme::Exact, 1) => bodies.of_usual::<1>(update),
-                (Scheme::Exact, 2) => bodies.of_usual::<2>(update),
-                (Scheme::Exact, 3) => bodies.of_usual::<3>(update),
+            let are_short = match (scheme, subsamples) {
+                (Scheme::Exact, 1) => bodies.branchless::<1>(update),
+                (Scheme::Exact, 2) => bodies.branchless::<2>(update),
+                (Scheme::Exact, 3) => bodies.branchless::<3>(update),
                 _ => false,
             };
-            if !is_usual {
+            if !are_short {
                 bodies.one_by_one(scheme, update);
             }
             let is_first = !is_begun;
             is_begun = true;
-            if !is_always_usual || !(is_usual || bodies.are_usual()) {
+            if !can_be_branchless || !(are_short || bodies.are_short()) {
                 if is_first {
                     self.axes = before.axes;
                 }
@@ -155,10 +149,10 @@ impl NavigatorBlock {
             }
             // Two calls: with one call on selected rows the compiler could not know that the rows do not overlap.
             let is_any_left = if is_first {
-                update_usual(&before.axes, &mut self.axes, bodies, earth, update_s, &turn)
+                update_branchless(&before.axes, &mut self.axes, bodies, earth, update_s, &turn)
             } else {
                 *start = self.axes;
-                update_usual(start, &mut self.axes, bodies, earth, update_s, &turn)
+                update_branchless(start, &mut self.axes, bodies, earth, update_s, &turn)
             };
             if is_any_left {
                 self.renormalize(bodies);
@@ -190,7 +184,7 @@ impl NavigatorBlock {
         for lane in (0..RUNS).filter(|&lane| bodies.is_left[lane] != 0) {
             let mut axes = self.axes(lane);
             axes.renormalize();
-            self.put_axes(lane, &axes);
+            axes.put_into(&mut self.axes, lane);
         }
     }
 
@@ -203,10 +197,10 @@ impl NavigatorBlock {
             match scheme {
                 Scheme::Paper => axes.update_paper(earth, &body, t),
                 _ => {
-                    axes.update_by(earth, &body, t, &turn, Any);
+                    axes.update_by::<false>(earth, &body, t, &turn);
                 }
             }
-            self.put_axes(lane, &axes);
+            axes.put_into(&mut self.axes, lane);
         }
     }
 
@@ -225,16 +219,18 @@ impl NavigatorBlock {
                 self.aid_one_by_one((earth, scheme), aid, t);
             }
             AidOfEach::Some { .. } => self.aid_one_by_one((earth, scheme), aid, t),
-            AidOfEach::Same(VerticalAid::None) => self.vertical.skip(),
-            AidOfEach::Same(VerticalAid::Truth { height_m, velocity_up_m_s }) => {
+            AidOfEach::None => self.vertical.skip(),
+            AidOfEach::Truth { height_m, velocity_up_m_s } => {
                 self.shift_vertical(earth, |_, _, height, velocity_up| {
                     VerticalCorrection::to_truth(height_m - height, velocity_up_m_s - velocity_up, t)
                 });
             }
-            AidOfEach::Same(VerticalAid::Barometer { height_m }) => {
-                self.follow(earth, t, |_| height_m);
+            AidOfEach::Barometer { heights_m } => {
+                let beginning = self.vertical.begin(t);
+                self.shift_vertical(earth, |vertical, lane, height, _| {
+                    vertical.answer(lane, height - heights_m[lane], &beginning)
+                });
             }
-            AidOfEach::Barometer { heights_m } => self.follow(earth, t, |lane| heights_m[lane]),
         }
         let is_earth_fixed = self.frame == Frame::EarthFixed;
         for lane in 0..RUNS {
@@ -248,15 +244,6 @@ impl NavigatorBlock {
         self.each(kind, |lane, navigator| navigator.aid_vertical(&aid.at(lane), t));
     }
 
-    /// Corrects the vertical channels by barometric heights.
-    #[inline(always)]
-    fn follow(&mut self, earth: &Earth, t: f64, height_m: impl Fn(usize) -> f64) {
-        let beginning = self.vertical.begin(t);
-        self.shift_vertical(earth, |vertical, lane, height, _| {
-            vertical.answer(lane, height - height_m(lane), &beginning)
-        });
-    }
-
     #[inline(always)]
     fn shift_vertical(
         &mut self,
@@ -268,7 +255,7 @@ impl NavigatorBlock {
             let (up, height, velocity_up) = axes.observe_vertical(earth);
             let correction = correct(&mut self.vertical, lane, height, velocity_up);
             axes.shift_vertical(earth, &up, &correction);
-            self.put_axes(lane, &axes);
+            axes.put_into(&mut self.axes, lane);
         }
     }
 }
@@ -276,7 +263,7 @@ impl NavigatorBlock {
 /// Updates each navigator from `start` into `end`. Returns whether an attitude is left to be renormalized. It is a function of its own
 /// because its references tell the compiler that the rows do not overlap.
 #[inline(always)]
-fn update_usual(
+fn update_branchless(
     start: &AxesRows,
     end: &mut AxesRows,
     bodies: &mut Bodies,
@@ -286,22 +273,11 @@ fn update_usual(
 ) -> bool {
     let mut any_left = 0;
     for lane in 0..RUNS {
-        let mut axes = axes_at(start, lane);
-        let is_left = u64::from(axes.update_by(earth, &bodies.body(lane), t, turn, Usual));
-        put_axes_at(end, lane, &axes);
+        let mut axes = EarthFixed::of_rows(start, lane);
+        let is_left = u64::from(axes.update_by::<true>(earth, &bodies.body(lane), t, turn));
+        axes.put_into(end, lane);
         bodies.is_left[lane] = is_left;
         any_left |= is_left;
     }
     any_left != 0
-}
-
-#[inline(always)]
-fn put_axes_at(rows: &mut AxesRows, lane: usize, axes: &EarthFixed) {
-    axes.put_numbers(|i, number| rows[i][lane] = number);
-}
-
-/// The solution of the run at `lane`.
-#[inline(always)]
-fn axes_at(rows: &AxesRows, lane: usize) -> EarthFixed {
-    EarthFixed::from_numbers(|i| rows[i][lane])
 }

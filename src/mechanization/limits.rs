@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::norm::MAX_NORM_ERROR;
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::state::EarthFixedState;
@@ -16,8 +17,7 @@ pub(super) const WELL_WITHIN_M: (f64, f64) = (6.0e6, 26.0e6);
 
 /// Checks the height and the speed of `state` as [`Mechanization::check`] does.
 pub(crate) fn check_state(earth: &Earth, state: &EarthFixedState) -> Result<(), Error> {
-    let (height, speed2) = (quick_height(earth, &state.r_e), state.v_e.norm_squared());
-    if is_good(height, speed2) { Ok(()) } else { diverged(height, speed2, 0.0) }
+    check(quick_height(earth, &state.r_e), state.v_e.norm_squared(), 0.0)
 }
 
 /// (r² - a²) / 2a if it decides; else the height [m]. It is more than the height outside the ellipsoid, and differs from it by less
@@ -30,21 +30,21 @@ pub(super) fn quick_height(earth: &Earth, r_e: &Vector3<f64>) -> f64 {
     if height > low + 50e3 && height < high { height } else { earth.vertical(r_e).height_m }
 }
 
-#[inline]
-pub(super) fn is_good(height: f64, speed2: f64) -> bool {
+/// Checks the height [m], the squared speed [m²/s²] and the squared norm of the attitude's quaternion, less 1. The comparisons fail for NaN
+/// too.
+pub(super) fn check(height: f64, speed2: f64, norm_error: f64) -> Result<(), Error> {
     let (low, high) = HEIGHTS_M;
-    height > low && height < high && speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S
-}
-
-#[cold]
-pub(super) fn diverged(height: f64, speed2: f64, norm_error: f64) -> Result<(), Error> {
-    let (low, high) = HEIGHTS_M;
-    let (field, value, rule) = if !(height > low && height < high) {
-        ("navigated height_m", height, Rule::Between(low, high))
-    } else if speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S {
-        ("navigated attitude: squared norm of the quaternion", 1.0 + norm_error, Rule::Sentence("must be 1"))
-    } else {
-        ("navigated speed_m_s", speed2.sqrt(), Rule::Below(MAX_SPEED_M_S))
+    let is_near = height > low && height < high;
+    let is_slow = speed2 < MAX_SPEED_M_S * MAX_SPEED_M_S;
+    let (field, value, rule) = match (is_near, is_slow) {
+        (true, true) if norm_error.abs() <= MAX_NORM_ERROR => return Ok(()),
+        (true, true) => (
+            "navigated attitude: squared norm of the quaternion",
+            1.0 + norm_error,
+            Rule::Sentence("must be 1"),
+        ),
+        (true, false) => ("navigated speed_m_s", speed2.sqrt(), Rule::Below(MAX_SPEED_M_S)),
+        (false, _) => ("navigated height_m", height, Rule::Between(low, high)),
     };
     Err(Error::of(ErrorKind::Diverged, field, value, rule))
 }

@@ -18,12 +18,10 @@ mod vertical_rows;
 
 pub use body::{BodyMotion, MAX_SUBSAMPLES};
 pub(crate) use earth_fixed::displaced_vertical;
-pub(crate) use lanes::NavigatorBlock;
+pub(crate) use lanes::NavigatorBatch;
 pub(crate) use limits::check_state;
-use limits::{WELL_WITHIN_M, diverged, is_good, quick_height};
-use norm::MAX_NORM_ERROR;
+use limits::{WELL_WITHIN_M, check, quick_height};
 pub(crate) use scratch::Scratch;
-use vertical::KeptLoop;
 pub use vertical::{VerticalAid, VerticalCorrection, VerticalLoop, VerticalMode, VerticalState};
 pub(crate) use vertical_rows::{AidOfEach, VerticalRows};
 
@@ -99,16 +97,9 @@ pub struct Mechanization {
 
 /// The part of the state that changes from one update to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Solution {
+pub(crate) struct Solution {
     axes: FrameState,
     vertical: VerticalLoop,
-}
-
-/// A solution that [`Mechanization::go_back`] restores, without the values that follow from the others.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct KeptSolution {
-    axes: FrameState,
-    vertical: KeptLoop,
 }
 
 stored!(Mechanization { solution } rebuilt { earth, scheme } then |navigator, _| navigator.check());
@@ -141,19 +132,18 @@ impl Mechanization {
         Self { solution: Solution { axes, ..self.solution }, ..*self }
     }
 
-    /// The values that [`Self::go_back`] needs.
+    /// The part that [`Self::go_back`] needs.
     #[inline]
-    pub(crate) fn kept(&self) -> KeptSolution {
-        KeptSolution { axes: self.solution.axes, vertical: self.solution.vertical.kept() }
+    pub(crate) fn solution(&self) -> Solution {
+        self.solution
     }
 
-    /// Restores the solution that was kept.
-    pub(crate) fn go_back(&mut self, kept: &KeptSolution) {
-        self.solution.axes = kept.axes;
-        self.solution.vertical.go_back(&kept.vertical);
+    /// Restores a former solution.
+    pub(crate) fn go_back(&mut self, solution: &Solution) {
+        self.solution = *solution;
     }
 
-    /// Checks that the solution is within its limits. The comparisons fail for NaN too, and a NaN in a sum stays there.
+    /// Checks that the solution is within its limits. A NaN in a sum stays there.
     #[inline(always)]
     pub fn check(&self) -> Result<(), Error> {
         match &self.solution.axes {
@@ -174,11 +164,7 @@ impl Mechanization {
                 (axes.observe_vertical().0, axes.speed2(), axes.q())
             }
         };
-        let norm_error = q.norm_squared() - 1.0;
-        if is_good(height, speed2) && norm_error.abs() <= MAX_NORM_ERROR {
-            return Ok(());
-        }
-        diverged(height, speed2, norm_error)
+        check(height, speed2, q.norm_squared() - 1.0)
     }
 
     /// One update of length `t` [s] on 1 to [`MAX_SUBSAMPLES`] increments of equal length.

@@ -1,17 +1,50 @@
-//! The body parts of an update of many runs, between the loops over a block.
+//! The body parts of an update of many runs, between the loops over a batch.
 
-use nalgebra::Vector3;
+use nalgebra::{Vector3, Vector4};
 
-use super::branches::Usual;
-use super::earth_fixed::EarthFixed;
 use super::{BodyMotion, MAX_SUBSAMPLES, Scheme};
-use crate::math::RotationSeries;
-use crate::signal::{Increment, IncrementRows, RUNS, Row, increment_of};
+use crate::math::{Compensated, RotationSeries, quarter_square};
+use crate::signal::{Increment, IncrementRows, RUNS, Row, increment_of, put_vectors, vectors_of};
 
-/// The numbers of the navigators of a block.
-pub(super) type AxesRows = [Row; EarthFixed::NUMBERS];
+/// The numbers of the navigators of a batch: those of [`Sums`], then one or two of the frame's own.
+pub(super) type AxesRows = [Row; 25];
 
-/// Memory for values between the loops over a block.
+/// What the navigators of both frames sum up, and the acceleration of their last update.
+pub(super) struct Sums {
+    pub place: Compensated<3>,
+    pub velocity: Compensated<3>,
+    pub attitude: Compensated<4>,
+    pub acceleration: Vector3<f64>,
+}
+
+impl Sums {
+    /// The numbers at `lane`.
+    #[inline(always)]
+    pub fn of_rows(rows: &AxesRows, lane: usize) -> Self {
+        let [place, place_carry, velocity, velocity_carry, acceleration] = vectors_of(rows, lane);
+        let [attitude, attitude_carry] =
+            [15, 19].map(|first: usize| Vector4::from_fn(|i, _| rows[first + i][lane]));
+        Self {
+            place: Compensated { value: place, carry: place_carry },
+            velocity: Compensated { value: velocity, carry: velocity_carry },
+            attitude: Compensated { value: attitude, carry: attitude_carry },
+            acceleration,
+        }
+    }
+
+    /// Stores the numbers at `lane`.
+    #[inline(always)]
+    pub fn put_into(&self, rows: &mut AxesRows, lane: usize) {
+        let Self { place, velocity, attitude, acceleration } = self;
+        put_vectors(rows, lane, [&place.value, &place.carry, &velocity.value, &velocity.carry, acceleration]);
+        for i in 0..4 {
+            rows[15 + i][lane] = attitude.value[i];
+            rows[19 + i][lane] = attitude.carry[i];
+        }
+    }
+}
+
+/// Memory for values between the loops over a batch.
 #[derive(Debug)]
 pub(crate) struct Scratch {
     pub(super) bodies: Bodies,
@@ -20,10 +53,8 @@ pub(crate) struct Scratch {
 }
 
 impl Scratch {
-    pub const NONE: Self = Self {
-        bodies: Bodies { body: [[0.0; RUNS]; 12], is_left: [0; RUNS] },
-        start: [[0.0; RUNS]; EarthFixed::NUMBERS],
-    };
+    pub const NONE: Self =
+        Self { bodies: Bodies { body: [[0.0; RUNS]; 12], is_left: [0; RUNS] }, start: [[0.0; RUNS]; 25] };
 }
 
 /// The body parts, and the runs whose attitude is left to be renormalized.
@@ -37,34 +68,29 @@ pub(super) struct Bodies {
 impl Bodies {
     #[inline(always)]
     fn put_body(&mut self, lane: usize, body: &BodyMotion) {
-        let BodyMotion { rotation, s1, s2, s3 } = body;
-        for i in 0..3 {
-            self.body[i][lane] = rotation[i];
-            self.body[3 + i][lane] = s1[i];
-            self.body[6 + i][lane] = s2[i];
-            self.body[9 + i][lane] = s3[i];
-        }
+        put_vectors(&mut self.body, lane, [&body.rotation, &body.s1, &body.s2, &body.s3]);
     }
 
     #[inline(always)]
     pub(super) fn body(&self, lane: usize) -> BodyMotion {
-        let vector = |first: usize| Vector3::from_fn(|i, _| self.body[first + i][lane]);
-        BodyMotion { rotation: vector(0), s1: vector(3), s2: vector(6), s3: vector(9) }
+        let [rotation, s1, s2, s3] = vectors_of(&self.body, lane);
+        BodyMotion { rotation, s1, s2, s3 }
     }
 
-    /// Body parts of an update of `K` subsamples. Returns whether all are usual; otherwise they must not be used.
+    /// Body parts of an update of `K` subsamples, without branches. Returns whether all rotations are short; otherwise the body parts must
+    /// not be used.
     #[inline(always)]
-    pub(super) fn of_usual<const K: usize>(&mut self, update: &[IncrementRows]) -> bool {
+    pub(super) fn branchless<const K: usize>(&mut self, update: &[IncrementRows]) -> bool {
         let Some(update) = update.first_chunk::<K>() else { return false };
-        let mut unusual = 0;
+        let mut is_any_long = 0;
         for lane in 0..RUNS {
             let increments: [Increment; K] = core::array::from_fn(|k| increment_of(&update[k], lane));
-            let (body, [angle2, quarter2]) = BodyMotion::exact_by(&increments, Usual);
+            let (body, [angle2, quarter2]) = BodyMotion::exact_by::<true>(&increments);
             self.put_body(lane, &body);
-            let is_usual = RotationSeries::is_short(angle2) & RotationSeries::is_short(quarter2);
-            unusual |= u64::from(!is_usual);
+            let are_short = RotationSeries::is_short(angle2) & RotationSeries::is_short(quarter2);
+            is_any_long |= u64::from(!are_short);
         }
-        unusual == 0
+        is_any_long == 0
     }
 
     /// Body parts of any scheme.
@@ -80,8 +106,8 @@ impl Bodies {
         }
     }
 
-    /// Whether an update by each of the body parts is usual.
-    pub(super) fn are_usual(&self) -> bool {
-        (0..RUNS).all(|lane| RotationSeries::is_short(crate::math::quarter_square(&self.body(lane).rotation)))
+    /// Whether the rotation of each body part is short.
+    pub(super) fn are_short(&self) -> bool {
+        (0..RUNS).all(|lane| RotationSeries::is_short(quarter_square(&self.body(lane).rotation)))
     }
 }

@@ -92,27 +92,25 @@ pub struct VerticalLoop {
     pub(super) bias_m_s2: f64,
     /// e at the last sample, as corrected [m].
     pub(super) residual_m: f64,
-    /// Length of the interval [s] of the gains; 0: there was no residual before, and there are no gains.
-    pub(super) t: f64,
-    /// Rows for the corrections of height [m] and velocity [m/s] and for the change of d [m/s²], of e0, e1 and d.
-    gains: [[f64; 3]; 3],
+    pub(super) gains: Gains,
 }
 
-stored!(VerticalLoop { bias_m_s2: 1e30, residual_m: 1e30, t: INTERVALS_S.1 } rebuilt { gains } then |channel, from| {
-    from.require(channel.t == 0.0 || channel.t >= INTERVALS_S.0, channel.t, "is no interval")?;
-    if channel.t > 0.0 {
-        channel.set_interval(channel.t);
-    }
+stored!(VerticalLoop { bias_m_s2: 1e30, residual_m: 1e30, gains });
+
+/// Gains of the loop for an interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Gains {
+    /// Length of the interval [s]; 0: there was no residual before, and there are no gains.
+    pub t: f64,
+    /// Rows for the corrections of height [m] and velocity [m/s] and for the change of d [m/s²], of e0, e1 and d.
+    rows: [[f64; 3]; 3],
+}
+
+stored!(Gains { t: INTERVALS_S.1 } rebuilt { rows } then |gains, from| {
+    from.require(gains.t == 0.0 || gains.t >= INTERVALS_S.0, gains.t, "is no interval")?;
+    *gains = Gains::new(gains.t);
     Ok(())
 });
-
-/// A loop without its gains, which follow from the length of the interval.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct KeptLoop {
-    bias_m_s2: f64,
-    residual_m: f64,
-    t: f64,
-}
 
 /// Corrections of the vertical channel over one interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -145,50 +143,24 @@ impl VerticalLoop {
 
     /// A loop that has found no error yet.
     pub fn new() -> Self {
-        Self { bias_m_s2: 0.0, residual_m: 0.0, t: 0.0, gains: [[0.0; 3]; 3] }
-    }
-
-    /// A loop with the gains for an interval of length `t` [s], or with none.
-    pub(super) fn of_interval(t: f64) -> Self {
-        let mut channel = Self::new();
-        if t > 0.0 {
-            channel.set_interval(t);
-        }
-        channel
+        Self { bias_m_s2: 0.0, residual_m: 0.0, gains: Gains::NONE }
     }
 
     /// Corrections for a residual `residual_m` = height - barometric height at the end of an interval `t` [s].
     #[inline]
     pub fn correct(&mut self, residual_m: f64, t: f64) -> VerticalCorrection {
-        if self.begin(t) {
+        if self.gains.begin(t) {
             self.residual_m = residual_m;
         }
         self.answer(residual_m)
     }
 
-    /// Takes the length `t` [s] of the interval that ends. Returns whether there was no residual before.
-    #[inline(always)]
-    pub(super) fn begin(&mut self, t: f64) -> bool {
-        // Intervals of one rate differ in the last digits of their time stamps.
-        let is_other = (t - self.t).abs() > 1e-7 * t;
-        let is_first = is_other && self.t == 0.0;
-        if is_other {
-            self.set_interval(t);
-        }
-        is_first
-    }
-
-    /// This loop with another state: the same interval and gains.
-    #[inline(always)]
-    pub(super) fn with(&self, bias_m_s2: f64, residual_m: f64) -> Self {
-        Self { bias_m_s2, residual_m, ..*self }
-    }
-
-    /// The corrections, after [`Self::begin`] for the interval.
+    /// The corrections, after [`Gains::begin`] for the interval.
     #[inline(always)]
     pub(super) fn answer(&mut self, residual_m: f64) -> VerticalCorrection {
         let [height_m, velocity_up_m_s, bias_m_s2] = self
             .gains
+            .rows
             .map(|[start, end, bias]| start * self.residual_m + end * residual_m + bias * self.bias_m_s2);
         self.bias_m_s2 += bias_m_s2;
         self.residual_m = residual_m + height_m;
@@ -198,7 +170,7 @@ impl VerticalLoop {
     /// No barometric height at the end of an interval: the next residual has none before it.
     #[inline]
     pub fn skip(&mut self) {
-        self.t = 0.0;
+        self.gains.t = 0.0;
     }
 
     /// Its estimate [m/s²] and its last residual [m].
@@ -207,30 +179,35 @@ impl VerticalLoop {
     }
 
     /// The same loop in other states.
+    #[inline(always)]
     pub(crate) fn with_states(&self, [bias_m_s2, residual_m]: [f64; 2]) -> Self {
         Self { bias_m_s2, residual_m, ..*self }
     }
+}
 
-    /// The values that [`Self::go_back`] needs.
-    #[inline]
-    pub(super) fn kept(&self) -> KeptLoop {
-        let Self { bias_m_s2, residual_m, t, gains: _ } = *self;
-        KeptLoop { bias_m_s2, residual_m, t }
-    }
+impl Gains {
+    pub const NONE: Self = Self { t: 0.0, rows: [[0.0; 3]; 3] };
 
-    /// Restores the loop that was kept.
-    pub(super) fn go_back(&mut self, kept: &KeptLoop) {
-        let KeptLoop { bias_m_s2, residual_m, t } = *kept;
-        if t > 0.0 {
-            self.set_interval(t);
+    /// Takes the length `t` [s] of the interval that ends. Returns whether there was no residual before.
+    #[inline(always)]
+    pub fn begin(&mut self, t: f64) -> bool {
+        // Intervals of one rate differ in the last digits of their time stamps.
+        let is_other = (t - self.t).abs() > 1e-7 * t;
+        let is_first = is_other && self.t == 0.0;
+        if is_other {
+            *self = Self::new(t);
         }
-        (self.bias_m_s2, self.residual_m, self.t) = (bias_m_s2, residual_m, t);
+        is_first
     }
 
+    /// Gains for an interval of length `t` [s]; 0: none.
     #[cold]
-    fn set_interval(&mut self, t: f64) {
-        let lambda = 1.0 / Self::TIME_CONSTANT_S;
-        let (x, kappa) = (t * lambda, Self::GRAVITY_GRADIENT);
+    pub fn new(t: f64) -> Self {
+        if t == 0.0 {
+            return Self::NONE;
+        }
+        let lambda = 1.0 / VerticalLoop::TIME_CONSTANT_S;
+        let (x, kappa) = (t * lambda, VerticalLoop::GRAVITY_GRADIENT);
         // 1 is subtracted, so that the differences of short intervals keep their digits.
         let decay_less_1 = exp_m1(-x);
         let decay = 1.0 + decay_less_1;
@@ -251,11 +228,11 @@ impl VerticalLoop {
             (decay * lambda * (x * x - 3.0 * x) - kappa * sinh, decayed(x - x * x) - cosh_less_1, sinh),
             (decay * lambda * lambda * (x - half_x2), decay * lambda * half_x2, 0.0),
         ];
-        self.t = t;
-        self.gains = rows.map(|(of_e, of_rate, by_bias)| {
+        let rows = rows.map(|(of_e, of_rate, by_bias)| {
             let end = of_rate / sinh;
             [of_e - end * (1.0 + cosh_less_1), end, -by_bias - end * cosh_less_1 / kappa]
         });
+        Self { t, rows }
     }
 }
 

@@ -9,11 +9,9 @@
 //! ω is relative to inertial space, γ is gravitation. The INS navigates the block and outputs the reference point.
 
 mod block;
-mod lever_arm;
 mod placement;
 
 pub use block::{Belief, Block, MountingErrors};
-pub(crate) use lever_arm::{centripetal, lever_arm_velocity};
 pub use placement::Placement;
 
 use nalgebra::Vector3;
@@ -21,6 +19,29 @@ use nalgebra::Vector3;
 use crate::math::Euler;
 use crate::state::BodyAxes;
 pub use crate::surroundings::MountingParameters;
+
+/// Integral over `dt` [s] of the acceleration ω'×r + ω×(ω×r) at the place `arm` = r [m], as a velocity [m/s] in body axes, while ω
+/// changes by `change` = d about its mean `mean` = m [rad/s]:
+/// ```text
+/// ∫ω'×r dt     = d×r
+/// ∫ω×(ω×r) dt  = (m×(m×r) + d×(d×r)/12) dt
+/// ```
+/// This is exact for a rate that changes linearly; the next term is (ω'' dt²)²/720 of the arm.
+#[inline]
+pub(crate) fn lever_arm_velocity(
+    change: &Vector3<f64>,
+    mean: &Vector3<f64>,
+    dt: f64,
+    arm: &Vector3<f64>,
+) -> Vector3<f64> {
+    change.cross(arm) + (centripetal(mean, arm) + centripetal(change, arm) * (1.0 / 12.0)) * dt
+}
+
+/// ω×(ω×r)
+#[inline]
+pub(crate) fn centripetal(rate: &Vector3<f64>, arm: &Vector3<f64>) -> Vector3<f64> {
+    rate.cross(&rate.cross(arm))
+}
 
 impl MountingParameters {
     /// The same mounting, about which the INS believes the truth.
@@ -42,32 +63,5 @@ impl MountingParameters {
     /// Whether the INS believes the truth.
     pub fn is_believed(&self) -> bool {
         self.lever_arm_error_m == Vector3::zeros() && self.boresight_error == Euler::default()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::truth::FlightSample;
-
-    /// They have the range of the attitude of a flight sample: any number of turns, up to the limit where an angle loses its
-    /// digits.
-    #[test]
-    fn boresight_angles_have_the_range_of_a_samples_attitude() {
-        let turned = |heading| MountingParameters {
-            boresight: Euler { heading, ..Euler::default() },
-            ..MountingParameters::default()
-        };
-        let limit = FlightSample::MAX_ANGLE_RAD;
-        for heading in [limit, -limit] {
-            assert_eq!(turned(heading).validate(), Ok(()));
-            let mut sample = FlightSample { euler: turned(heading).boresight, ..FlightSample::default() };
-            assert_eq!(sample.validate(), Ok(()));
-            sample.euler.heading *= 1.0 + f64::EPSILON;
-            assert!(sample.validate().is_err());
-            let refused = turned(heading * (1.0 + f64::EPSILON)).validate().unwrap_err();
-            assert!(refused.to_string().starts_with("mounting.boresight_rad[2] = "), "{refused}");
-            assert!(refused.to_string().ends_with(": must be from -10000 to 10000"), "{refused}");
-        }
     }
 }

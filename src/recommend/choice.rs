@@ -28,21 +28,27 @@ pub struct Recommendation {
 
 /// A piece of the flight by which the algorithms are judged.
 struct Judge<'a> {
+    /// Which piece.
+    index: usize,
     samples: &'a [FlightSample],
     reference: Reference,
     growth: Growth,
 }
 
-impl<'a> Judge<'a> {
-    fn new(setup: &Setup, samples: &'a [FlightSample], growth: Growth) -> Result<Self, Refusal> {
-        let mut instants = room(samples.len())?;
-        instants.extend(1..samples.len());
-        Ok(Self { samples, reference: Reference::new(setup, samples, &instants)?, growth })
+impl Judge<'_> {
+    /// The error over the duration of an algorithm with the error `error` in the piece.
+    fn grown(&self, error: &SolutionError) -> SolutionError {
+        self.growth.of(&error.plus(&self.reference.uncertainty))
     }
 
-    /// The error over the duration of an algorithm with the error `error` in the piece.
-    fn predict(&self, error: &SolutionError) -> SolutionError {
-        self.growth.of(&error.plus(&self.reference.uncertainty))
+    /// The error over the duration of the algorithm of `setup`, which flies the piece until `give_up` finds this error bad enough.
+    fn predict(
+        &self,
+        setup: &Setup,
+        give_up: impl Fn(&SolutionError) -> bool,
+    ) -> Result<SolutionError, Refusal> {
+        let error = self.reference.error_of(setup, self.samples, |error| give_up(&self.grown(error)));
+        error.map(|error| self.grown(&error)).map_err(in_piece(self.index))
     }
 }
 
@@ -77,13 +83,14 @@ pub fn recommend_by(
         motion.include(&piece.motion);
         figures.push(piece);
     }
-    let mut judges = room(pieces.len())?;
-    for (index, (samples, piece)) in pieces.iter().zip(&figures).enumerate() {
+    let (mut judges, mut uncertainty) = (room(pieces.len())?, SolutionError::default());
+    for (index, (&samples, piece)) in pieces.iter().zip(&figures).enumerate() {
+        let reference = Reference::everywhere(setup, samples).map_err(in_piece(index))?;
         let growth = Growth::new(piece, duration_s, setup.options.vertical);
-        judges.push(Judge::new(setup, samples, growth).map_err(in_piece(index))?);
+        let judge = Judge { index, samples, reference, growth };
+        uncertainty = uncertainty.max(&judge.grown(&SolutionError::default()));
+        judges.push(judge);
     }
-    let none = SolutionError::default();
-    let uncertainty = judges.iter().fold(none, |worst, judge| worst.max(&judge.predict(&none)));
 
     let mut best: Option<Recommendation> = None;
     let mut refused = Refusal::from(Error::bad_state("no algorithm flies this piece"));
@@ -91,22 +98,30 @@ pub fn recommend_by(
     for rung in ladder(setup.options.frame) {
         tried += 1;
         let bound = best.map_or(f64::INFINITY, |best| best.share);
-        let predicted = match predict(&judges, &setup.with(&rung), requirement, bound) {
-            Ok(Some(predicted)) => predicted,
-            Ok(None) => continue,
+        match predict(&judges, &setup.with(&rung), requirement, bound) {
+            Ok(None) => {}
+            Ok(Some(predicted)) => {
+                let share = requirement.share(&predicted);
+                let met = share <= 1.0;
+                best = Some(Recommendation {
+                    rung,
+                    met,
+                    share,
+                    duration_s,
+                    predicted,
+                    uncertainty,
+                    motion,
+                    tried,
+                });
+                if met {
+                    break;
+                }
+            }
             // A coarse algorithm may diverge, or turn too far in an update near a pole, where a finer one does not.
             Err(refusal) if matches!(refusal.error.kind, ErrorKind::Diverged | ErrorKind::Singular) => {
                 refused = refusal;
-                continue;
             }
             Err(refusal) => return Err(refusal),
-        };
-        let share = requirement.share(&predicted);
-        let met = share <= 1.0;
-        best =
-            Some(Recommendation { rung, met, share, duration_s, predicted, uncertainty, motion, tried: 0 });
-        if met {
-            break;
         }
     }
     best.map(|best| Recommendation { tried, ..best }).ok_or(refused)
@@ -122,10 +137,8 @@ fn predict(
 ) -> Result<Option<SolutionError>, Refusal> {
     let reaches_bound = |predicted: &SolutionError| requirement.share(predicted) >= bound;
     let mut worst = SolutionError::default();
-    for (index, judge) in judges.iter().enumerate() {
-        let give_up = |error: &SolutionError| reaches_bound(&judge.predict(error));
-        let error = judge.reference.error_of(setup, judge.samples, give_up).map_err(in_piece(index))?;
-        worst = worst.max(&judge.predict(&error));
+    for judge in judges {
+        worst = worst.max(&judge.predict(setup, reaches_bound)?);
         if reaches_bound(&worst) {
             return Ok(None);
         }

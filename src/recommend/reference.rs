@@ -163,6 +163,13 @@ impl Reference {
         Ok(Self { track, uncertainty: change.plus(&Self::ROUNDING) })
     }
 
+    /// [`Self::new`] at the end of each interval of `samples`.
+    pub(super) fn everywhere(setup: &Setup, samples: &[FlightSample]) -> Result<Self, Refusal> {
+        let mut instants = room(samples.len())?;
+        instants.extend(1..samples.len());
+        Self::new(setup, samples, &instants)
+    }
+
     /// The worst difference of the solution of `setup` on the physical signals, where this one was looked at at each of
     /// `samples`; the worst until then if `give_up` answers that it is bad enough.
     pub(super) fn error_of(

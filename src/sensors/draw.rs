@@ -12,7 +12,7 @@ use crate::signal::{RUNS, Row};
 /// with the widths and bits of [`rand_distr::StandardNormal`].
 ///
 /// Departure: it is not that distribution itself, which uses the logarithm and the exponential of the platform as soon as any crate of
-/// the build asks `num-traits` for its `std`. Ensembles need the same numbers for the runs of a block.
+/// the build asks `num-traits` for its `std`. Ensembles need the same numbers for the runs of a batch.
 #[derive(Debug, Clone, Copy)]
 pub struct StandardNormal;
 
@@ -59,7 +59,7 @@ fn of_word(word: u64) -> (f64, bool) {
     (x, x.abs() < X[layer + 1])
 }
 
-/// The next normal number of each generator of a block. The states of the generators are in four rows.
+/// The next normal number of each generator of a batch. The states of the generators are in four rows.
 #[inline(always)]
 pub(super) fn normal_each(states: &mut [[u64; RUNS]; 4]) -> Row {
     let (mut numbers, mut words, mut is_at_edge, mut any_edge) = ([0.0; RUNS], [0; RUNS], [0; RUNS], 0);

@@ -1,6 +1,7 @@
 //! How a sensor can fail, as an instructor sets it.
 
 use crate::error::{Error, Rule, check_range};
+use crate::signal::Increment;
 use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 
 /// Axis of a triad, sensor axes.
@@ -36,6 +37,15 @@ impl SensorOutput {
         Self::Accelerometer(Axis::Z),
         Self::Altimeter,
     ];
+
+    /// The output in an increment; of the altimeter none.
+    pub(crate) fn of(self, increment: &Increment) -> Option<f64> {
+        match self {
+            Self::Gyro(axis) => Some(increment.angle[axis as usize]),
+            Self::Accelerometer(axis) => Some(increment.velocity[axis as usize]),
+            Self::Altimeter => None,
+        }
+    }
 }
 
 /// A failure of one output. It lasts from the interval after it is set until it is cleared or replaced by another one.
@@ -147,5 +157,55 @@ impl Failure {
     /// Whether it is added before the output electronics.
     pub(super) fn is_added(&self) -> bool {
         matches!(self, Self::BiasStep { .. } | Self::Spikes { .. } | Self::Noise { .. })
+    }
+}
+
+/// Number of failure kinds, including kind 0, which is no failure.
+pub(crate) const FAILURE_KIND_COUNT: usize = 7;
+
+/// A failure of any kind, or none. It has the quantities of all kinds; those that its kind does not use are 0.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct FailureFields {
+    /// Kind, counted from 0: no failure, stuck, dead, bias step, spikes, noise, drop-outs.
+    pub kind: usize,
+    pub size: f64,
+    pub density: f64,
+    pub interval_s: f64,
+    pub duration_s: f64,
+    pub probability: f64,
+}
+
+impl FailureFields {
+    /// The failure; `None` for kind 0. Quantities that the kind does not use are ignored. Drop-outs with an interval are periodic.
+    pub fn to_failure(self) -> Option<Failure> {
+        let Self { kind, size, density, interval_s, duration_s, probability } = self;
+        match kind {
+            0 => None,
+            1 => Some(Failure::Stuck),
+            2 => Some(Failure::Dead),
+            3 => Some(Failure::BiasStep { size }),
+            4 => Some(Failure::Spikes { size, interval_s, duration_s }),
+            5 => Some(Failure::Noise { density }),
+            _ if interval_s != 0.0 => Some(Failure::PeriodicDropOuts { interval_s }),
+            _ => Some(Failure::RandomDropOuts { probability }),
+        }
+    }
+}
+
+impl From<Option<Failure>> for FailureFields {
+    fn from(failure: Option<Failure>) -> Self {
+        let none = Self::default();
+        let Some(failure) = failure else { return none };
+        match failure {
+            Failure::Stuck => Self { kind: 1, ..none },
+            Failure::Dead => Self { kind: 2, ..none },
+            Failure::BiasStep { size } => Self { kind: 3, size, ..none },
+            Failure::Spikes { size, interval_s, duration_s } => {
+                Self { kind: 4, size, interval_s, duration_s, ..none }
+            }
+            Failure::Noise { density } => Self { kind: 5, density, ..none },
+            Failure::PeriodicDropOuts { interval_s } => Self { kind: 6, interval_s, ..none },
+            Failure::RandomDropOuts { probability } => Self { kind: 6, probability, ..none },
+        }
     }
 }

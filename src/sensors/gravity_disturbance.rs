@@ -7,41 +7,9 @@ use super::kept::Kept;
 use super::stream::{MAX_NORMAL, Purpose, Source, Stream, StreamKey};
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer, stored};
+use crate::snapshot::{Numbers, Reader, Stored, Writer, stored};
+use crate::surroundings::GravityDisturbanceParameters;
 use crate::truth::TruthPoint;
-
-/// One component of the disturbance: a constant part, and a random one with the correlation σ² exp(-d/D) over the distance d.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct GravityField {
-    /// Constant part [u].
-    pub mean: f64,
-    /// Standard deviation of the random part [u].
-    pub sigma: f64,
-    /// D, correlation distance of the random part [m].
-    pub distance_m: f64,
-}
-
-stored!(GravityField { mean: ANY, sigma: ANY, distance_m: ANY });
-
-/// True gravity less normal gravity. All zero is the normal field.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct GravityDisturbanceParameters {
-    /// ξ, the deflection of the vertical in the meridian: astronomic less geodetic latitude [rad].
-    pub deflection_north: GravityField,
-    /// η, the deflection of the vertical in the prime vertical: astronomic less geodetic longitude, times the cosine of latitude
-    /// [rad].
-    pub deflection_east: GravityField,
-    /// Δg, excess of gravity along the vertical [m/s²].
-    pub anomaly: GravityField,
-}
-
-stored!(GravityDisturbanceParameters { deflection_north, deflection_east, anomaly });
-
-impl GravityDisturbanceParameters {
-    pub(crate) fn fields(&self) -> [&GravityField; 3] {
-        [&self.deflection_north, &self.deflection_east, &self.anomaly]
-    }
-}
 
 /// The disturbance along the track of a flight: first-order Gauss-Markov fields, stationary at the start and discretised
 /// exactly over the distance flown over ground.
@@ -102,11 +70,6 @@ impl GravityDisturbance {
     pub fn set(&mut self, parameters: &GravityDisturbanceParameters) {
         self.parameters = *parameters;
         self.is_on = parameters.fields().iter().any(|field| field.mean != 0.0 || field.sigma != 0.0);
-    }
-
-    /// Parameters of the disturbance.
-    pub fn parameters(&self) -> &GravityDisturbanceParameters {
-        &self.parameters
     }
 
     /// Whether true gravity differs from normal gravity.

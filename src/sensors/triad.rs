@@ -4,7 +4,7 @@ use core::slice::{from_mut, from_ref};
 
 use nalgebra::Vector3;
 
-use super::effects::{BlockOutputs, Conditions, Count, Effects, From, Into, Outputs, SharedInput, StateRows};
+use super::effects::{BatchOutputs, Conditions, Count, Effects, From, Into, Outputs, SharedInput, StateRows};
 use super::failing::FailingTriad;
 use super::failure::{Axis, Failure, SensorOutput};
 use super::kept::Kept;
@@ -255,11 +255,11 @@ impl Triad {
         self.effects.share(ideal, dt, self.sensor, shared);
     }
 
-    /// Computes the outputs of the runs of a block in the interval that was [shared](Self::share): the triad's part of
+    /// Computes the outputs of the runs of a batch in the interval that was [shared](Self::share): the triad's part of
     /// `increments`. Each run has its own failures; copies of the last run have no failures. Runs beyond the range are
     /// marked in `saturated`. `before` gets the state of `rows` before the interval.
     #[inline(always)]
-    pub(crate) fn sense_block(
+    pub(crate) fn sense_batch(
         &self,
         shared: &SharedInput,
         dt: f64,
@@ -269,7 +269,7 @@ impl Triad {
         saturated: &mut [u64; RUNS],
     ) {
         let mut states = rows.states(before);
-        let mut outputs = BlockOutputs { sensor: self.sensor, dt, increments, saturated };
+        let mut outputs = BatchOutputs { sensor: self.sensor, dt, increments, saturated };
         self.effects.act_on_signal_each(shared, &mut states, &mut outputs);
         self.effects.add_each(&mut states, &mut outputs);
         let count = failures.len();

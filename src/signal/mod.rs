@@ -15,7 +15,7 @@ mod rows;
 pub(crate) use derivatives::DERIVATIVES;
 pub use generator::SignalGenerator;
 pub use motion::{IntervalMotion, MotionNode, TurnToEarth, Turning};
-pub(crate) use rows::{IncrementRows, RUNS, Row, increment_of, put_increment};
+pub(crate) use rows::{IncrementRows, RUNS, Row, increment_of, put_increment, put_vectors, vectors_of};
 
 use nalgebra::Vector3;
 

@@ -207,7 +207,7 @@ impl<'a> IntervalMotion<'a> {
 
     /// The rotation that [`Self::to_earth_axes`] applies.
     #[inline(always)]
-    pub fn turn_to_earth(&self) -> TurnToEarth<'a> {
+    pub fn turn_to_earth(&self) -> TurnToEarth {
         let [c1, c2, c3] = &self.rotation;
         let phi = 0.5 * c1 + 0.25 * c2 + 0.125 * c3;
         let n2 = phi.norm_squared();
@@ -216,8 +216,8 @@ impl<'a> IntervalMotion<'a> {
             phi: VectorPair::both(&phi),
             linear: 1.0 - n2 * series.cubic,
             square: series.square,
-            start: &self.start.to_earth,
-            end: &self.end.to_earth,
+            start: self.start.to_earth,
+            end: self.end.to_earth,
             earth_angle: 0.5 * self.earth_rate * self.interval_s,
         }
     }
@@ -225,28 +225,18 @@ impl<'a> IntervalMotion<'a> {
 
 /// Turns vectors from sensor axes at the start, in the middle and at the end of an interval to Earth-fixed axes.
 #[derive(Debug, Clone, Copy)]
-pub struct TurnToEarth<'a> {
+pub struct TurnToEarth {
     /// Rotation vector from the start to the middle [rad], and its coefficients.
     phi: VectorPair,
     linear: f64,
     square: f64,
-    start: &'a Matrix3<f64>,
-    end: &'a Matrix3<f64>,
+    start: Matrix3<f64>,
+    end: Matrix3<f64>,
     /// Rotation of the Earth in half the interval [rad].
     earth_angle: f64,
 }
 
-impl TurnToEarth<'_> {
-    /// The matrices at both ends, for [`Self::with`].
-    pub fn ends(&self) -> [Matrix3<f64>; 2] {
-        [*self.start, *self.end]
-    }
-
-    /// This rotation with other matrices.
-    pub fn with<'b>(&self, [start, end]: &'b [Matrix3<f64>; 2]) -> TurnToEarth<'b> {
-        TurnToEarth { start, end, ..*self }
-    }
-
+impl TurnToEarth {
     /// Two vectors at each instant.
     #[inline(always)]
     pub fn of(&self, [start, middle, end]: &[VectorPair; 3]) -> [VectorPair; 3] {
@@ -254,7 +244,7 @@ impl TurnToEarth<'_> {
         let turned = *middle
             + cross.times(Pair::both(self.linear))
             + self.phi.cross(&cross).times(Pair::both(self.square));
-        let middle = VectorPair::of_matrix(self.start, &turned);
+        let middle = VectorPair::of_matrix(&self.start, &turned);
         // At most 2e-3 rad, so the second order is enough.
         let angle = Pair::both(self.earth_angle);
         let half_square = angle * angle * 0.5;
@@ -263,7 +253,7 @@ impl TurnToEarth<'_> {
             y: middle.y - middle.x * angle - middle.y * half_square,
             z: middle.z,
         };
-        [VectorPair::of_matrix(self.start, start), middle, VectorPair::of_matrix(self.end, end)]
+        [VectorPair::of_matrix(&self.start, start), middle, VectorPair::of_matrix(&self.end, end)]
     }
 }
 

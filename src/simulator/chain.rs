@@ -14,11 +14,9 @@ use core::ops::Range;
 use super::closed_loop::{ClosedLoop, TrimFigures};
 use super::closure::{Closure, ClosureFigures};
 use super::disturbance::Disturbance;
-use super::interval::LastInterval;
-use super::mounted::block_at_start;
+use super::imu::LastInterval;
 use super::signals::Signals;
-use super::start::{Start, with_errors};
-use super::views::Views;
+use super::start::{Start, block_at_start, with_errors};
 use super::{Imperfections, ImuInterval, Options};
 use crate::correction::Compensation;
 use crate::covariance::Propagation;
@@ -30,6 +28,7 @@ use crate::mounting::Block;
 use crate::signal::{Increment, SignalGenerator};
 use crate::state::{EarthFixedState, StateErrors};
 use crate::truth::{Recent, TruthPoint, TruthSummary};
+use view::Views;
 
 /// The chain in flight.
 #[derive(Debug, Clone)]
@@ -58,8 +57,6 @@ pub(super) struct Chain {
     pub(super) error_model: Option<ErrorModel>,
     /// Compensation of the sensors, if there is one.
     pub(super) compensation: Option<Compensation>,
-    /// Sum of the measured increments of the last interval, if they were compensated.
-    measured: Increment,
     /// Whether there is a covariance, and the host has corrected the solution.
     pub(super) is_corrected: bool,
     accuracy: Accuracy,
@@ -143,7 +140,6 @@ impl Chain {
             mechanization,
             error_model,
             compensation: None,
-            measured: Increment::ZERO,
             is_corrected: false,
             accuracy: Accuracy::new(first.time_s),
             intervals: 0,
@@ -171,23 +167,16 @@ impl Chain {
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {
-        let (time_s, interval_s, on_ideal, is_compensated, flags) = match self.last {
-            LastInterval::None => return None,
-            LastInterval::Loaded { imu, .. } => return Some(imu),
-            LastInterval::Flown { time_s, interval_s, on_ideal, is_compensated, flags, .. } => {
-                (time_s, interval_s, on_ideal, is_compensated, flags)
+        match self.last {
+            LastInterval::None => None,
+            LastInterval::Loaded { imu, .. } => Some(imu),
+            LastInterval::Flown { time_s, interval_s, on_ideal, measured, flags, .. } => {
+                let (ideal, navigated) = self.signals.of(&self.parts, on_ideal);
+                let (ideal, compensated) = (Increment::sum(ideal), Increment::sum(navigated));
+                let measured = measured.unwrap_or(compensated);
+                Some(ImuInterval { time_s, interval_s, ideal, measured, compensated, flags })
             }
-        };
-        let (ideal, navigated) = self.signals.of(&self.parts, on_ideal);
-        let compensated = Increment::sum(navigated);
-        Some(ImuInterval {
-            time_s,
-            interval_s,
-            ideal: Increment::sum(ideal),
-            measured: if is_compensated { self.measured } else { compensated },
-            compensated,
-            flags,
-        })
+        }
     }
 
     /// Increments on which the INS navigated in update `update` of the last interval, and the length of the update [s].

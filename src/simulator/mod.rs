@@ -5,29 +5,22 @@ mod chain;
 mod closed_loop;
 mod closure;
 mod disturbance;
-mod gap;
-mod heap;
 mod imperfections;
 mod imu;
-mod interval;
 mod moment;
-mod mounted;
 mod navigator;
 mod options;
 mod parameters;
 mod read;
-mod readback;
 mod settings;
 mod signals;
 mod snapshot;
 mod solution;
 mod start;
-mod views;
 
 pub(crate) use chain::side_by_side::SideBySide;
 pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
-pub(crate) use heap::heap_simulator;
 pub use imu::{ImuFlags, ImuInterval};
 pub(crate) use moment::{Moment, View};
 pub use options::{MAX_UPDATES, Options};
@@ -40,6 +33,8 @@ use crate::covariance::Propagation;
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::NavigationErrors;
+use crate::instruction_set::InstructionSet;
+use crate::memory::{only, room};
 use crate::sensors::StreamKey;
 use crate::signal::Increment;
 use crate::state::Navigation;
@@ -47,6 +42,7 @@ use crate::truth::{FlightSample, Intake, Pushed, TruthSummary};
 use chain::Chain;
 use imperfections::Imperfections;
 use navigator::Navigator;
+use read::READ_WIDTH;
 use signals::Signals;
 
 /// One of the two error outputs.
@@ -335,6 +331,18 @@ impl Simulator {
             _ => Ok(()),
         }
     }
+}
+
+/// A simulator on the heap, because two simulators and a step need more stack than a call may take.
+#[inline(never)]
+pub(crate) fn heap_simulator(options: &Options) -> Result<Box<[Simulator; 1]>, Error> {
+    // The instruction set of the processor is queried now, not by the first read.
+    InstructionSet::up_to(READ_WIDTH);
+    let mut memory = room(1)?;
+    let (intake, signals) = (Simulator::intake(options)?, Signals::new()?);
+    let covariance = Propagation::new(options.covariance, options.earth(), options.vertical)?;
+    memory.push(Simulator::with(options, intake, signals, covariance));
+    only(memory)
 }
 
 /// The error for a correction without a solution.

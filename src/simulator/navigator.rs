@@ -69,7 +69,7 @@ impl Navigator {
             return Err(Error::invalid("imu.angle_rad", largest.sqrt(), rule));
         }
 
-        let before = self.mechanization.kept();
+        let before = self.mechanization.solution();
         let dt = interval_s / increments.len() as f64;
         let mut measured = [Increment::ZERO; MAX_SUBSAMPLES];
         let measured = &mut measured[..increments.len()];

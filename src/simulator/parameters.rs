@@ -6,6 +6,7 @@ use crate::mounting::MountingParameters;
 use crate::sensors::{
     AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, Sensor, TriadParameters,
 };
+use crate::surroundings::{self, places};
 
 /// Settings of the sensors, of the start, of the mounting and of gravity. The default is ideal.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -55,5 +56,62 @@ impl ErrorParameters {
         let mut memory = heap_simulator(options)?;
         self.set_to(&mut memory[0])?;
         Ok(memory)
+    }
+
+    /// Errors of the gyros or of the accelerometers.
+    pub(crate) fn triad(&self, sensor: Sensor) -> &TriadParameters {
+        match sensor {
+            Sensor::Gyro => &self.gyro,
+            Sensor::Accelerometer => &self.accel,
+        }
+    }
+
+    /// [`Self::triad`], for changes.
+    pub(crate) fn triad_mut(&mut self, sensor: Sensor) -> &mut TriadParameters {
+        match sensor {
+            Sensor::Gyro => &mut self.gyro,
+            Sensor::Accelerometer => &mut self.accel,
+        }
+    }
+
+    /// These parameters without errors. Kind and length of the alignment, the reference temperature and the true mounting are not
+    /// effects, and stay.
+    pub(crate) fn ideal(&self) -> Self {
+        let mut ideal = Self::default();
+        ideal.initial.alignment = self.initial.alignment;
+        ideal.initial.alignment_s = self.initial.alignment_s;
+        ideal.mounting = self.mounting.believed();
+        ideal.gyro.reference_temperature_c = self.gyro.reference_temperature_c;
+        ideal.accel.reference_temperature_c = self.accel.reference_temperature_c;
+        ideal
+    }
+
+    /// The numbers of the row with the field `path` of the interface; of another field none.
+    pub(crate) fn numbers_of(&mut self, path: &str) -> impl Iterator<Item = &mut f64> {
+        let Self { altimeter, mounting, gravity, .. } = self;
+        let found = places(surroundings::rows()).find(|(row, _)| row.field.path == path);
+        let (start, count) = found.map_or((0, 0), |(row, start)| (start, row.shape.count()));
+        let numbers = altimeter.numbers_mut().into_iter().chain(mounting.numbers_mut());
+        numbers.chain(gravity.numbers_mut()).skip(start).take(count)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_number_beyond_its_range_is_rejected_with_field_and_element() {
+        for (row, value) in
+            surroundings::rows().flat_map(|row| [-1e300, 1e300, f64::NAN].map(|value| (row, value)))
+        {
+            for index in 0..row.shape.count() {
+                let mut errors = ErrorParameters::default();
+                *errors.numbers_of(row.field.path).nth(index).unwrap() = value;
+                let error = errors.validate().unwrap_err();
+                let element = (row.shape.count() > 1).then_some(index);
+                assert_eq!((error.field, error.index), (row.field.path, element), "{value}");
+            }
+        }
     }
 }

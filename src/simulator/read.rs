@@ -1,6 +1,5 @@
 //! Reads of a simulator: the truth, the navigation, its signals and errors.
 
-use super::chain::Chain;
 use super::{ClosureFigures, ErrorSource, ImuInterval, Mode, Moment, Simulator, Solution, TrimFigures, View};
 use crate::correction::Compensation;
 use crate::covariance::{NavigationCovariance, Propagation};
@@ -41,7 +40,7 @@ impl Simulator {
     /// The navigated solution; `None` before the first sample.
     pub fn navigation(&self) -> Result<Option<Solution>, Error> {
         match self.navigated_alone() {
-            None => self.see(|moment| moment.navigation()),
+            None => self.read(|moment| moment.navigation()),
             alone => Ok(alone),
         }
     }
@@ -103,20 +102,13 @@ impl Simulator {
         source: ErrorSource,
     ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
         self.refuse_without(source)?;
-        Ok(self.see(|moment| moment.errors_and_pole(source))?.flatten())
+        Ok(self.read(|moment| moment.errors_and_pole(source))?.flatten())
     }
 
     /// Checks that there are errors of `source`.
     pub(crate) fn refuse_without(&self, source: ErrorSource) -> Result<(), Error> {
         self.refuse_while_navigating()?;
         self.options.check_source(source)
-    }
-
-    /// Calls `view` with the current moment; `None` before the first sample.
-    #[inline(always)]
-    fn see<T>(&self, view: impl FnOnce(Moment<'_>) -> T) -> Result<Option<T>, Error> {
-        self.refuse_while_navigating()?;
-        self.read(|chain, point| view(Moment { chain, point }))
     }
 
     /// Fills a struct of the host with what `V` reads of this moment; false before the first sample.
@@ -176,21 +168,20 @@ impl Simulator {
 
     /// Accuracy and closure so far; `None` before the first sample.
     pub fn accuracy(&self) -> Result<Option<(f64, AccuracyFigures, ClosureFigures)>, Error> {
-        self.refuse_while_navigating()?;
-        self.read(|chain, truth| (truth.time_s, chain.accuracy(truth), chain.closure(truth)))
+        self.read(|Moment { chain, point }| (point.time_s, chain.accuracy(point), chain.closure(point)))
     }
 
     /// The trim of the closed loop so far, 0 without one; `None` before the first sample.
     pub fn trim(&self) -> Result<Option<TrimFigures>, Error> {
-        self.refuse_while_navigating()?;
-        self.read(|chain, _| chain.trim())
+        self.read(|moment| moment.chain.trim())
     }
 
-    /// Reads the chain as it is, or as it will start from the first sample that waits, with the truth of that moment.
+    /// Reads the chain as it is, or as it will start from the first sample that waits; `None` before the first sample.
     #[inline(always)]
-    fn read<T>(&self, view: impl FnOnce(&Chain, &TruthPoint) -> T) -> Result<Option<T>, Error> {
+    fn read<T>(&self, view: impl FnOnce(Moment<'_>) -> T) -> Result<Option<T>, Error> {
+        self.refuse_while_navigating()?;
         match (&self.mode, self.intake.current(), self.intake.front()) {
-            (Mode::Flying(chain), Some(current), _) => Ok(Some(view(chain, current))),
+            (Mode::Flying(chain), Some(point), _) => Ok(Some(view(Moment { chain, point }))),
             (_, _, Some(first)) => self.read_start(view, first).map(Some),
             _ => Ok(None),
         }
@@ -200,13 +191,9 @@ impl Simulator {
     /// `Result`, which is a copy.
     #[cold]
     #[inline(never)]
-    fn read_start<T>(
-        &self,
-        view: impl FnOnce(&Chain, &TruthPoint) -> T,
-        first: &TruthPoint,
-    ) -> Result<T, Error> {
+    fn read_start<T>(&self, view: impl FnOnce(Moment<'_>) -> T, point: &TruthPoint) -> Result<T, Error> {
         match &self.chain_from_first_sample() {
-            Ok(chain) => Ok(view(chain, first)),
+            Ok(chain) => Ok(view(Moment { chain, point })),
             Err(error) => Err(*error),
         }
     }

@@ -1,4 +1,5 @@
-//! Settings of the sensors by a host, before the first sample or in flight.
+//! Settings of the sensors by a host, before the first sample or in flight. They are read back before a flight, in flight, and from a
+//! loaded snapshot.
 
 use super::{Mode, Simulator};
 use crate::error::Error;
@@ -8,6 +9,7 @@ use crate::sensors::{
     TriadParameters,
 };
 use crate::signal::Increment;
+use crate::truth::TruthPoint;
 
 pub(super) const INCREMENTS_HAVE_NO_TEMPERATURE: &str =
     "temperature coefficients need samples with a temperature; increments have none";
@@ -17,7 +19,7 @@ impl Simulator {
     pub fn set_gyro(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
         parameters.validate(Sensor::Gyro)?;
         self.check_temperatures_for(parameters)?;
-        self.imperfections.set_gyro(parameters);
+        self.imperfections.change(|set| set.gyro = *parameters);
         Ok(())
     }
 
@@ -25,14 +27,14 @@ impl Simulator {
     pub fn set_accel(&mut self, parameters: &TriadParameters) -> Result<(), Error> {
         parameters.validate(Sensor::Accelerometer)?;
         self.check_temperatures_for(parameters)?;
-        self.imperfections.set_accel(parameters);
+        self.imperfections.change(|set| set.accel = *parameters);
         Ok(())
     }
 
     /// Sets the errors of the barometric height, from the next interval on.
     pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) -> Result<(), Error> {
         parameters.validate()?;
-        self.imperfections.set_altimeter(parameters);
+        self.imperfections.change(|set| set.altimeter = *parameters);
         Ok(())
     }
 
@@ -56,7 +58,7 @@ impl Simulator {
         self.refuse_after_start(
             "initial errors can be set before the first step, after a reset or after a reposition",
         )?;
-        self.imperfections.set_initial_errors(parameters);
+        self.imperfections.change(|set| set.initial = *parameters);
         Ok(())
     }
 
@@ -67,7 +69,7 @@ impl Simulator {
         self.refuse_after_start(
             "the mounting can be set before the first step, after a reset or after a reposition",
         )?;
-        self.imperfections.set_mounting(parameters);
+        self.imperfections.change(|set| set.mounting = *parameters);
         Ok(())
     }
 
@@ -81,8 +83,54 @@ impl Simulator {
         self.refuse_after_start(
             "the gravity disturbance can be set before the first step, after a reset or after a reposition",
         )?;
-        self.imperfections.set_gravity_disturbance(parameters);
+        self.imperfections.change(|set| set.gravity = *parameters);
         Ok(())
+    }
+
+    /// Errors of the gyros, as they were set.
+    pub fn gyro(&self) -> &TriadParameters {
+        &self.imperfections.set().gyro
+    }
+
+    /// Errors of the accelerometers, as they were set.
+    pub fn accel(&self) -> &TriadParameters {
+        &self.imperfections.set().accel
+    }
+
+    /// Errors of the altimeter, as they were set.
+    pub fn altimeter(&self) -> &AltimeterParameters {
+        &self.imperfections.set().altimeter
+    }
+
+    /// Errors with which the navigation starts, as they were set.
+    pub fn initial_errors(&self) -> &InitialErrorParameters {
+        &self.imperfections.set().initial
+    }
+
+    /// Where the sensor block sits, as it was set.
+    pub fn mounting(&self) -> &MountingParameters {
+        &self.imperfections.set().mounting
+    }
+
+    /// True less normal gravity, as it was set.
+    pub fn gravity_disturbance(&self) -> &GravityDisturbanceParameters {
+        &self.imperfections.set().gravity
+    }
+
+    /// The failure of an output; `None`: it has no failure.
+    pub fn failure(&self, output: SensorOutput) -> Option<Failure> {
+        self.imperfections.failure(output)
+    }
+
+    /// Time stamps of the start and the end of the interval that was flown last [s]; `None`: none since the start or the last jump of the
+    /// truth.
+    pub fn last_interval_s(&self) -> Option<[f64; 2]> {
+        self.intake.last_interval_s()
+    }
+
+    /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
+    pub fn last_sample_time_s(&self) -> Option<f64> {
+        self.intake.newest().map(TruthPoint::stamp_s)
     }
 
     fn refuse_after_start(&self, why: &'static str) -> Result<(), Error> {

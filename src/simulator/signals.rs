@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::correction::Compensation;
 use crate::error::Error;
-use crate::memory::room;
+use crate::memory::filled;
 use crate::signal::{Increment, MAX_INCREMENTS};
 
 /// Ideal increments and, unless the INS navigated on these, the increments on which it navigated: measured ones, after the
@@ -19,11 +19,7 @@ pub(super) struct Signals {
 impl Signals {
     /// Room for both. This is their only allocation.
     pub fn new() -> Result<Self, Error> {
-        let increments = || -> Result<Box<[Increment]>, Error> {
-            let mut increments = room(2 * MAX_INCREMENTS)?;
-            increments.resize(2 * MAX_INCREMENTS, Increment::ZERO);
-            Ok(increments.into_boxed_slice())
-        };
+        let increments = || filled(2 * MAX_INCREMENTS, Increment::ZERO);
         Ok(Self { ideal: increments()?, measured: increments()? })
     }
 

@@ -3,9 +3,8 @@
 use nalgebra::{Quaternion, Vector3};
 
 use super::chain::Chain;
-use super::heap::heap_simulator;
 use super::navigator::Navigator;
-use super::{Imperfections, Mode, Options, Simulator};
+use super::{Imperfections, Mode, Options, Simulator, heap_simulator};
 use crate::earth::Geodetic;
 use crate::error::{Error, Rule};
 use crate::snapshot::{Reader, SnapshotOf, Stored, Writer, fitting};
@@ -81,7 +80,7 @@ impl Simulator {
         match mode {
             Mode::Waiting => {
                 save_flight(options, imperfections, intake, None, to);
-                summary.iter().for_each(|summary| summary.save(to));
+                summary.as_slice().save(to);
                 covariance.iter().for_each(|covariance| covariance.save_waiting(to));
             }
             Mode::Flying(chain) => save_flight(options, imperfections, intake, Some(chain), to),
@@ -108,7 +107,10 @@ impl Simulator {
         let samples = if mode == NAVIGATING { flown + self.intake.waiting() } else { flown };
         match mode {
             FLYING => {
-                let current = Chain::flown_to(&behind, from)?;
+                let Some(current) = behind[0] else {
+                    from.enter("snapshot: samples that were flown");
+                    return Err(from.refused(0.0, Rule::Sentence("must be at least 1 in flight")));
+                };
                 // The chain is made in its final place, because chains take much stack.
                 self.mode =
                     Mode::Flying(Chain::to_load(&self.options, self.earth, current, &self.imperfections));
@@ -133,9 +135,7 @@ impl Simulator {
                 self.mode = Mode::Navigating(navigator);
             }
             _ => {
-                if let Some(summary) = &mut self.summary {
-                    summary.load(from)?;
-                }
+                self.summary.as_mut_slice().load(from)?;
                 self.covariance.iter_mut().try_for_each(|covariance| covariance.load_waiting(from))?;
             }
         }
@@ -150,7 +150,6 @@ impl Simulator {
 mod tests {
     use super::*;
     use crate::error::ErrorKind;
-    use crate::sensors::TriadParameters;
     use crate::truth::FlightSample;
 
     /// States that the simulator refuses to enter.
@@ -172,9 +171,7 @@ mod tests {
             assert!(simulator.load_snapshot(&buffer[..length]).is_ok());
 
             let warm = Vector3::repeat(1e-6);
-            simulator
-                .imperfections
-                .set_gyro(&TriadParameters { bias_temperature: warm, ..Default::default() });
+            simulator.imperfections.change(|set| set.gyro.bias_temperature = warm);
             let length = simulator.save_snapshot(&mut buffer).unwrap();
             let refused = simulator.load_snapshot(&buffer[..length]).unwrap_err();
             assert!(refused.kind == ErrorKind::Snapshot && refused.to_string().contains("temperature"));

@@ -6,11 +6,14 @@ use super::{Imperfections, Options, singular};
 use crate::covariance::Alignment;
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::math::{rotate, rotate_inverse, rotation_matrix, rotation_quaternion, rotation_vector, sin_cos};
+use crate::math::{
+    relative_rotation, rotate, rotate_inverse, rotation_matrix, rotation_quaternion, rotation_vector, sin_cos,
+};
 use crate::mechanization::VerticalMode;
+use crate::mounting::{Block, MountingParameters};
 use crate::sensors::{self, Aligned, Sensed, Triad, level, level_and_gyrocompass};
 use crate::state::{EarthFixedState, Navigation, StateErrors};
-use crate::truth::TruthPoint;
+use crate::truth::{Recent, TruthPoint};
 
 /// Smallest cosine of latitude for gyrocompassing, which needs a horizontal Earth rate (0.6° from a pole).
 const MIN_GYROCOMPASS_COS: f64 = 0.01;
@@ -187,4 +190,30 @@ pub(super) fn with_errors(
     place.height_m = truth.place.height_m + start.position_n.z;
     let q_nb = rotation_quaternion(&-start.misalignment_n) * truth.q_nb;
     Navigation::new(place, truth.v_n + start.velocity_n, q_nb, options.axes)
+}
+
+/// The block at `first`. Its rate is the host's. Without one it is the mean of the first interval, if the interval is known, as in
+/// the generator. Otherwise it is the Earth's rate.
+pub(super) fn block_at_start(
+    parameters: &MountingParameters,
+    options: &Options,
+    earth: &Earth,
+    first: &TruthPoint,
+    interval: Option<&Recent<'_>>,
+) -> Block {
+    Block::new(parameters, options.axes, earth.rate_rad_s, rate_at_start(earth, first, interval))
+}
+
+/// Angular rate of the vehicle at `first` relative to inertial space, body axes [rad/s].
+pub(super) fn rate_at_start(
+    earth: &Earth,
+    first: &TruthPoint,
+    interval: Option<&Recent<'_>>,
+) -> Vector3<f64> {
+    let against_earth = interval.map_or(Vector3::zeros(), |recent| {
+        let turn = relative_rotation(&first.state.q_eb, &recent.next.state.q_eb);
+        rotation_vector(&turn) / recent.next.interval_s
+    });
+    let earth_rate_b = rotate_inverse(&first.state.q_eb, &Vector3::new(0.0, 0.0, earth.rate_rad_s));
+    first.omega_ib_b().unwrap_or(against_earth + earth_rate_b)
 }

@@ -110,7 +110,8 @@ impl Stored for bool {
     }
 }
 
-impl<T: Stored, const N: usize> Stored for [T; N] {
+/// Parts whose number is known: of an array, or one or none that the options call for.
+impl<T: Stored> Stored for [T] {
     #[inline]
     fn save(&self, to: &mut Writer<'_>) {
         self.iter().for_each(|part| part.save(to));
@@ -118,6 +119,17 @@ impl<T: Stored, const N: usize> Stored for [T; N] {
 
     fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
         self.iter_mut().try_for_each(|part| part.load(from))
+    }
+}
+
+impl<T: Stored, const N: usize> Stored for [T; N] {
+    #[inline]
+    fn save(&self, to: &mut Writer<'_>) {
+        self.as_slice().save(to);
+    }
+
+    fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
+        self.as_mut_slice().load(from)
     }
 }
 

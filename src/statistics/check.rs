@@ -1,7 +1,6 @@
 //! Checks of statistics that come from elsewhere.
 
-use super::wide::at;
-use super::{LAYOUT, PRODUCTS, STATE_BITS, STATES, Statistics, check_runs};
+use super::{LAYOUT, STATE_BITS, STATES, Statistics, check_runs, place_of};
 use crate::error::{Error, Rule, Value};
 
 impl Statistics {
@@ -59,7 +58,7 @@ impl Statistics {
             })
         };
         for state in 0..STATES {
-            let (sum, squares) = (at(&self.sums, state), at(&self.products, product_of(state, state)));
+            let (sum, squares) = (self.sum(state), self.product(state, state));
             let in_range = (-(good << STATE_BITS)..=good << STATE_BITS).contains(&sum)
                 && (0..=good << (2 * STATE_BITS)).contains(&squares);
             if !in_range || self.scatter(state, state) < 0.0 {
@@ -68,12 +67,10 @@ impl Statistics {
         }
         for row in 0..STATES {
             for column in row + 1..STATES {
-                let product = product_of(row, column);
-                let [x2, y2] = [row, column].map(|state| at(&self.products, product_of(state, state)));
+                let [x2, y2] = [row, column].map(|state| self.product(state, state) as u128);
                 // (x - y)² and (x + y)² are squares.
-                let limit = (x2 as u128 + y2 as u128) / 2;
-                if at(&self.products, product).unsigned_abs() > limit {
-                    return damaged("statistics.products", product);
+                if self.product(row, column).unsigned_abs() > (x2 + y2) / 2 {
+                    return damaged("statistics.products", place_of(row, column));
                 }
             }
         }
@@ -82,14 +79,6 @@ impl Statistics {
 }
 
 const TOO_MANY: &str = "is damaged: more than runs, which are";
-
-/// The place of the product of two states, `row` not behind `column`.
-pub(super) fn product_of(row: usize, column: usize) -> usize {
-    debug_assert!(row <= column && column < STATES);
-    let place = row * (2 * STATES - row + 1) / 2 + (column - row);
-    debug_assert!(place < PRODUCTS);
-    place
-}
 
 fn require(good: bool, field: &'static str, value: impl Into<Value>, rule: Rule) -> Result<(), Error> {
     if good { Ok(()) } else { Err(Error::invalid(field, value, rule)) }

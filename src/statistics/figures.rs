@@ -2,8 +2,6 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::check::product_of;
-use super::wide::at;
 use super::{FRACTION_BITS, STATES, Statistics, resolution};
 use crate::error::Error;
 
@@ -40,18 +38,15 @@ impl Statistics {
     /// [`crate::ErrorKind::InvalidArgument`]: they are damaged or of another release.
     pub fn figures(&self) -> Result<Figures, Error> {
         self.check()?;
-        let good = self.good();
-        let n = good as f64;
+        let n = self.good() as f64;
         let unit = FRACTION_BITS.map(resolution);
         let over = |sum: f64, count: f64| if count > 0.0 { sum / count } else { 0.0 };
-        let mean_square = |state: usize| {
-            over(at(&self.products, product_of(state, state)) as f64, n) * unit[state] * unit[state]
-        };
-        let mean = SVector::from_fn(|state, _| over(at(&self.sums, state) as f64, n) * unit[state]);
+        let mean = SVector::from_fn(|state, _| over(self.sum(state) as f64, n) * unit[state]);
         let covariance = SMatrix::from_fn(|row, column| {
-            let (row, column) = (row.min(column), row.max(column));
             over(self.scatter(row, column), n - 1.0) * unit[row] * unit[column]
         });
+        let mean_square =
+            |state: usize| over(self.product(state, state) as f64, n) * unit[state] * unit[state];
         Ok(Figures {
             runs: self.runs,
             diverged: self.diverged,
@@ -67,24 +62,25 @@ impl Statistics {
         })
     }
 
-    /// Σ (x - mean of x)(y - mean of y) of two states, `row` not behind `column` [resolutions].
-    ///
-    /// With the integers mx next below the mean and rx = Σx - n mx, 0 <= rx < n, it is Σ(x - mx)(y - my) - rx ry/n. The first sum is
-    /// an integer of less than 127 bits, the steps to it may wrap; so nothing is lost where means are large and scatter small.
-    pub(super) fn scatter(&self, row: usize, column: usize) -> f64 {
+    /// Σ (x - mean of x)(y - mean of y) of two states [resolutions squared]:
+    /// ```text
+    /// Σxy - Σx Σy/n = Σxy - n mx my - mx ry - my rx - rx ry/n,   Σx = n mx + rx,   Σy = n my + ry,   0 <= rx, ry < n
+    /// ```
+    /// with integers mx and my. All terms but the last make Σ(x - mx)(y - my), an integer of less than 127 bits; the steps to it may
+    /// wrap. The last one is less than n. So nothing is lost where means are large and the scatter is small.
+    pub(super) fn scatter(&self, x: usize, y: usize) -> f64 {
         let n = i128::from(self.good());
         if n == 0 {
             return 0.0;
         }
-        let [(mx, rx), (my, ry)] = [row, column].map(|state| {
-            let sum = at(&self.sums, state);
-            (sum.div_euclid(n), sum.rem_euclid(n))
-        });
-        let about_integers = at(&self.products, product_of(row, column))
+        let divided = |sum: i128| (sum.div_euclid(n), sum.rem_euclid(n));
+        let ((mx, rx), (my, ry)) = (divided(self.sum(x)), divided(self.sum(y)));
+        let about_integers = self
+            .product(x, y)
             .wrapping_sub(n.wrapping_mul(mx).wrapping_mul(my))
             .wrapping_sub(mx.wrapping_mul(ry))
             .wrapping_sub(my.wrapping_mul(rx));
-        let (whole, rest) = ((rx * ry) / n, (rx * ry) % n);
+        let (whole, rest) = (rx * ry / n, rx * ry % n);
         about_integers.wrapping_sub(whole) as f64 - rest as f64 / n as f64
     }
 }

@@ -6,7 +6,6 @@ mod figures;
 mod layout;
 mod meets;
 mod radial;
-mod wide;
 
 pub use figures::Figures;
 pub use layout::sins_statistics as Statistics;
@@ -17,7 +16,6 @@ use crate::error::{Error, ErrorKind, Rule};
 use crate::errors::NavigationErrors;
 use crate::math::nearest_integer;
 use radial::bucket_of;
-use wide::{add, at};
 
 /// Largest number of runs in statistics: with more runs the sums could overflow.
 pub const MAX_RUNS: u32 = u32::MAX;
@@ -64,6 +62,16 @@ impl Statistics {
         histogram: [0; radial::BUCKETS],
         reserved: 0,
     };
+
+    /// Σ x of a state [resolutions].
+    fn sum(&self, state: usize) -> i128 {
+        wide(&self.sums, state)
+    }
+
+    /// Σ x y of two states [resolutions squared].
+    fn product(&self, row: usize, column: usize) -> i128 {
+        wide(&self.products, place_of(row, column))
+    }
 
     /// Runs within the sums.
     pub fn good(&self) -> u64 {
@@ -130,10 +138,10 @@ impl Statistics {
         self.outside_validity += from.outside_validity;
         self.largest_radial = self.largest_radial.max(from.largest_radial);
         for state in 0..STATES {
-            add(&mut self.sums, state, at(&from.sums, state));
+            add(&mut self.sums, state, from.sum(state));
         }
         for product in 0..PRODUCTS {
-            add(&mut self.products, product, at(&from.products, product));
+            add(&mut self.products, product, wide(&from.products, product));
         }
         for (count, more) in self.histogram.iter_mut().zip(&from.histogram) {
             *count += more;
@@ -166,4 +174,42 @@ fn quantized(errors: &NavigationErrors) -> Option<([i64; STATES], u64)> {
     let square = |x: i64| u128::from(x.unsigned_abs()).pow(2);
     let radial = (square(states[0]) + square(states[1])).isqrt() as u64;
     (radial < 1 << STATE_BITS).then_some((states, radial))
+}
+
+/// The place of the product of two states among [`PRODUCTS`]: the upper triangle of their matrix, row by row.
+fn place_of(row: usize, column: usize) -> usize {
+    let (row, column) = (row.min(column), row.max(column));
+    row * (2 * STATES - row + 1) / 2 + (column - row)
+}
+
+/// Number `index` of `words`, integers of 128 bits in two words, the low one first.
+#[inline]
+fn wide(words: &[u64], index: usize) -> i128 {
+    (u128::from(words[2 * index]) | u128::from(words[2 * index + 1]) << 64) as i128
+}
+
+/// Adds to number `index` of `words`.
+#[inline]
+fn add(words: &mut [u64], index: usize, number: i128) {
+    let sum = wide(words, index) + number;
+    words[2 * index] = sum as u64;
+    words[2 * index + 1] = (sum >> 64) as u64;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_add_up_and_leave_their_neighbours() {
+        let mut words = [0; 6];
+        let mut sum = 0;
+        for number in [1, -3, 1 << 64, (1 << 126) - 12345, -(1 << 126), -(1 << 64)] {
+            add(&mut words, 1, number);
+            sum += number;
+            assert_eq!([0, 1, 2].map(|index| wide(&words, index)), [0, sum, 0]);
+        }
+        add(&mut words, 0, -2);
+        assert_eq!(words[..2], [u64::MAX - 1, u64::MAX]);
+    }
 }

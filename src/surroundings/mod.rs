@@ -6,35 +6,55 @@ pub use table::{ALTIMETER, GRAVITY, MOUNTING};
 
 use nalgebra::Vector3;
 
-use crate::checks::check_value;
+use crate::checks::check_numbers;
 use crate::error::Error;
 use crate::math::Euler;
 use crate::parameter::Row;
-use crate::sensors::GravityDisturbanceParameters;
-use crate::simulator::ErrorParameters;
 use crate::snapshot::{ANY, stored};
 
 // The structs with their checks and numbers, which build.rs writes from the tables.
 include!(concat!(env!("OUT_DIR"), "/surroundings.rs"));
+
+/// One component of the disturbance: a constant part, and a random one with the correlation σ² exp(-d/D) over the distance d.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct GravityField {
+    /// Constant part [u].
+    pub mean: f64,
+    /// Standard deviation of the random part [u].
+    pub sigma: f64,
+    /// D, correlation distance of the random part [m].
+    pub distance_m: f64,
+}
+
+stored!(GravityField { mean: ANY, sigma: ANY, distance_m: ANY });
+
+/// True gravity less normal gravity. All zero is the normal field.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct GravityDisturbanceParameters {
+    /// ξ, the deflection of the vertical in the meridian: astronomic less geodetic latitude [rad].
+    pub deflection_north: GravityField,
+    /// η, the deflection of the vertical in the prime vertical: astronomic less geodetic longitude, times the cosine of latitude
+    /// [rad].
+    pub deflection_east: GravityField,
+    /// Δg, excess of gravity along the vertical [m/s²].
+    pub anomaly: GravityField,
+}
+
+stored!(GravityDisturbanceParameters { deflection_north, deflection_east, anomaly });
+
+impl GravityDisturbanceParameters {
+    pub(crate) fn fields(&self) -> [&GravityField; 3] {
+        [&self.deflection_north, &self.deflection_east, &self.anomaly]
+    }
+}
 
 /// Every row.
 pub(crate) fn rows() -> impl Iterator<Item = &'static Row> {
     [ALTIMETER.as_slice(), &MOUNTING, &GRAVITY].into_iter().flatten()
 }
 
-impl ErrorParameters {
-    /// The numbers of the row with the field `path` of the interface; of another field none.
-    pub(crate) fn numbers_of(&mut self, path: &str) -> impl Iterator<Item = &mut f64> {
-        let Self { altimeter, mounting, gravity, .. } = self;
-        let found = places(rows()).find(|(row, _)| row.field.path == path);
-        let (start, count) = found.map_or((0, 0), |(row, start)| (start, row.shape.count()));
-        let numbers = altimeter.numbers_mut().into_iter().chain(mounting.numbers_mut());
-        numbers.chain(gravity.numbers_mut()).skip(start).take(count)
-    }
-}
-
 /// The rows, each with the place of its first number.
-fn places<'r>(rows: impl Iterator<Item = &'r Row>) -> impl Iterator<Item = (&'r Row, usize)> {
+pub(crate) fn places<'r>(rows: impl Iterator<Item = &'r Row>) -> impl Iterator<Item = (&'r Row, usize)> {
     rows.scan(0, |end, row| {
         *end += row.shape.count();
         Some((row, *end - row.shape.count()))
@@ -48,32 +68,12 @@ pub(crate) fn copy<const N: usize>(from: [f64; N], to: [&mut f64; N]) {
 
 /// Checks the numbers of all rows of a table.
 pub(crate) fn check(rows: &[Row], numbers: &[f64]) -> Result<(), Error> {
+    let numbers_of = |(row, start): (&Row, usize)| &numbers[start..start + row.shape.count()];
     for (row, start) in places(rows.iter()) {
-        for index in 0..row.shape.count() {
-            let checked = check_value(&row.field, numbers[start + index], |sigma| {
-                let of = places(rows.iter()).find(|(row, _)| row.field.path == sigma);
-                (sigma, of.map_or(0.0, |(_, place)| numbers[place + index]))
-            });
-            checked.map_err(|error| if row.shape.count() == 1 { error } else { error.at(index) })?;
-        }
+        check_numbers(&row.field, row.shape, numbers_of((row, start)), |sigma| {
+            let of = places(rows.iter()).find(|(row, _)| row.field.path == sigma);
+            (sigma, of.map_or(&[], numbers_of))
+        })?;
     }
     Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_number_beyond_its_range_is_rejected_with_field_and_element() {
-        for (row, value) in rows().flat_map(|row| [-1e300, 1e300, f64::NAN].map(|value| (row, value))) {
-            for index in 0..row.shape.count() {
-                let mut errors = ErrorParameters::default();
-                *errors.numbers_of(row.field.path).nth(index).unwrap() = value;
-                let error = errors.validate().unwrap_err();
-                let element = (row.shape.count() > 1).then_some(index);
-                assert_eq!((error.field, error.index), (row.field.path, element), "{value}");
-            }
-        }
-    }
 }

@@ -2,7 +2,7 @@
 
 use super::TruthPoint;
 use crate::error::Error;
-use crate::memory::room;
+use crate::memory::filled;
 
 /// Samples that may wait for a step.
 pub const QUEUE_CAPACITY: usize = 16;
@@ -43,9 +43,7 @@ impl Recent<'_> {
 
 impl Ring {
     pub fn new() -> Result<Self, Error> {
-        let mut points = room(RING)?;
-        points.resize(RING, None);
-        match points.into_boxed_slice().try_into() {
+        match filled(RING, None)?.try_into() {
             Ok(points) => Ok(Self { points, pushed: 0, taken: 0 }),
             Err(_) => Err(Error::bad_state("internal: the ring has another size")),
         }

@@ -40,78 +40,69 @@ impl Steps<'_> {
     /// As `check`, but without the check of the turn, which the previous interval would predict.
     #[inline(always)]
     pub fn check_without_foresight(&self, point: &TruthPoint, limits: &IntakeLimits) -> Result<(), Error> {
-        let last = self.last;
-        let limit = limits.max_acceleration_m_s2;
-        let (unexplained, allowed) = match point.sample.v_n {
-            Some(_) => self.contradiction(point, limit),
-            None => self.leap(point, limit)?,
+        self.check_displacement(point, limits.max_acceleration_m_s2)?;
+        self.check_acceleration(point, limits.max_acceleration_m_s2)?;
+        self.check_turn(point)
+    }
+
+    /// Rejects a displacement that velocities explain only with an acceleration above `limit` [m/s²].
+    #[inline(always)]
+    fn check_displacement(&self, point: &TruthPoint, limit: f64) -> Result<(), Error> {
+        let (last, t) = (self.last, point.interval_s);
+        let displacement = point.state.r_e - last.state.r_e;
+        let (explained, longest_s) = if point.has_velocity() {
+            // By the mean of the velocities at both ends.
+            let is_unknown = !last.has_velocity() && self.before[0].is_none();
+            let v_start = if is_unknown { point.state.v_e } else { last.state.v_e };
+            (0.5 * (point.state.v_e + v_start) * t, t)
+        } else {
+            check_speed(&displacement, t)?;
+            // By the mean velocity over up to two previous intervals. The velocity at the point itself would explain eleven twelfths
+            // of any jump, because it follows from it.
+            let Some(far) = self.before[1].or(self.before[0]) else { return Ok(()) };
+            let span = last.time_s - far.time_s;
+            ((last.state.r_e - far.state.r_e) * (t / span), t + span)
         };
-        if unexplained.norm_squared() > allowed * allowed {
+        let unexplained2 = (displacement - explained).norm_squared();
+        let allowed = POSITION_SLACK_M + 0.5 * limit * t * longest_s;
+        if unexplained2 > allowed * allowed {
             return jump(
                 "sample position: displacement that the velocity does not explain [m]",
-                unexplained.norm_squared().sqrt(),
+                unexplained2.sqrt(),
                 Rule::AtMost(
                     "must be at most 10 m plus the effect of max_acceleration_m_s2 in this interval:",
                     allowed,
                 ),
             );
         }
+        Ok(())
+    }
+
+    /// Rejects a mean acceleration above `limit` [m/s²]. A velocity from coarse positions has a noise of metres per second: then only the
+    /// displacement is checked.
+    #[inline(always)]
+    fn check_acceleration(&self, point: &TruthPoint, limit: f64) -> Result<(), Error> {
+        let (last, t) = (self.last, point.interval_s);
         let change2 = (point.state.v_e - last.state.v_e).norm_squared();
-        // A velocity from coarse positions has a noise of metres per second. Then only the displacement is checked.
-        let measured = point.sample.v_n.is_some() && last.sample.v_n.is_some();
-        let interval = point.interval_s;
-        if measured && change2 > (limit * interval) * (limit * interval) {
+        let are_measured = point.has_velocity() && last.has_velocity();
+        if are_measured && change2 > (limit * t) * (limit * t) {
             return jump(
                 "sample.velocity_enu_m_s: acceleration since the previous sample [m/s2]",
-                change2.sqrt() / interval,
+                change2.sqrt() / t,
                 Rule::AtMost("must be at most max_acceleration_m_s2 =", limit),
             );
         }
-        self.check_turn(point)
-    }
-
-    /// Displacement [m] that the velocities at both ends do not explain, and its limit.
-    fn contradiction(&self, point: &TruthPoint, limit: f64) -> (Vector3<f64>, f64) {
-        let (last, interval) = (self.last, point.interval_s);
-        let is_unknown = last.sample.v_n.is_none() && self.before[0].is_none();
-        let v_start = if is_unknown { point.state.v_e } else { last.state.v_e };
-        let mean = 0.5 * (point.state.v_e + v_start);
-        let unexplained = point.state.r_e - last.state.r_e - mean * interval;
-        (unexplained, POSITION_SLACK_M + 0.5 * limit * interval * interval)
-    }
-
-    /// For samples without velocities: displacement that the mean velocity over up to two previous intervals does not
-    /// explain. The velocity at the point itself would explain eleven twelfths of any jump, because it follows from it.
-    fn leap(&self, point: &TruthPoint, limit: f64) -> Result<(Vector3<f64>, f64), Error> {
-        let (last, interval) = (self.last, point.interval_s);
-        let displacement = point.state.r_e - last.state.r_e;
-        let speed2 = displacement.norm_squared() / (interval * interval);
-        if speed2 > MAX_SPEED_M_S * MAX_SPEED_M_S {
-            return jump(
-                "sample position: speed since the previous sample [m/s]",
-                speed2.sqrt(),
-                Rule::AtMost("must be at most", MAX_SPEED_M_S),
-            );
-        }
-        let Some(far) = self.before[1].or(self.before[0]) else {
-            return Ok((Vector3::zeros(), POSITION_SLACK_M));
-        };
-        let span = last.time_s - far.time_s;
-        let unexplained = displacement - (last.state.r_e - far.state.r_e) * (interval / span);
-        Ok((unexplained, POSITION_SLACK_M + 0.5 * limit * interval * (interval + span)))
+        Ok(())
     }
 
     /// Rejects turns of 170° and more, because their sense is unknown.
     #[inline(always)]
     fn check_turn(&self, point: &TruthPoint) -> Result<(), Error> {
-        let last = self.last;
-        let (from, to) = (&last.state.q_eb, &point.state.q_eb);
-        let cosine = from.dot(to).abs();
+        let cosine = half_turn_cosine(self.last, point);
         if cosine < HALF_TURN_COSINE {
-            let angle = 2.0 * atan2((1.0 - cosine * cosine).max(0.0).sqrt(), cosine);
             return jump(
                 "sample attitude: rotation since the previous sample [rad]",
-                angle,
+                2.0 * atan2((1.0 - cosine * cosine).max(0.0).sqrt(), cosine),
                 Rule::Sentence(
                     "must be below 170 degrees; beyond it the direction of the rotation is unknown",
                 ),
@@ -124,28 +115,24 @@ impl Steps<'_> {
     /// 50 Hz steps from 160° to 200° an interval, which looks like -160°.
     #[inline(always)]
     fn check_foreseen_turn(&self, point: &TruthPoint) -> Result<(), Error> {
-        let last = self.last;
-        let (from, to) = (&last.state.q_eb, &point.state.q_eb);
-        let cosine = from.dot(to).abs();
-        let before = self.before[0];
-        if before.is_some_and(|_| point.interval_s > FORESEEN_INTERVALS * last.interval_s) {
+        let (last, before, t) = (self.last, self.before[0], point.interval_s);
+        if before.is_some() && t > FORESEEN_INTERVALS * last.interval_s {
             return Ok(());
         }
-        let foreseen = match (last.sample.omega_ib_b, point.sample.omega_ib_b, before) {
+        let foreseen = match (last.omega_ib_b(), point.omega_ib_b(), before) {
             // This includes the turn of the Earth, 1e-4 rad.
-            (Some(start), Some(end), _) => (start + end) * (0.5 * point.interval_s),
+            (Some(start), Some(end), _) => (start + end) * (0.5 * t),
             (.., Some(before)) => {
-                let q_before = &before.state.q_eb;
-                if cosine > SLOW_COSINE && q_before.dot(from).abs() > SLOW_COSINE {
+                let are_slow = half_turn_cosine(last, point) > SLOW_COSINE
+                    && half_turn_cosine(before, last) > SLOW_COSINE;
+                if are_slow {
                     return Ok(());
                 }
-                let turn_before = rotation_vector(&relative_rotation(q_before, from));
-                turn_before * (point.interval_s / last.interval_s)
+                turn(before, last) * (t / last.interval_s)
             }
             _ => return Ok(()),
         };
-        let turn = rotation_vector(&relative_rotation(from, to));
-        let change = (turn - foreseen).norm_squared().sqrt();
+        let change = (turn(last, point) - foreseen).norm_squared().sqrt();
         if change > core::f64::consts::PI {
             return jump(
                 "sample attitude: rotation since the previous sample less the predicted rotation [rad]",
@@ -158,6 +145,32 @@ impl Steps<'_> {
         }
         Ok(())
     }
+}
+
+/// Rejects a `displacement` [m] in `t` [s] that is too fast for a sample without a velocity.
+#[inline(always)]
+fn check_speed(displacement: &Vector3<f64>, t: f64) -> Result<(), Error> {
+    let speed2 = displacement.norm_squared() / (t * t);
+    if speed2 > MAX_SPEED_M_S * MAX_SPEED_M_S {
+        return jump(
+            "sample position: speed since the previous sample [m/s]",
+            speed2.sqrt(),
+            Rule::AtMost("must be at most", MAX_SPEED_M_S),
+        );
+    }
+    Ok(())
+}
+
+/// |q0·q1| of the attitudes of two points: the cosine of half the turn between them.
+#[inline(always)]
+fn half_turn_cosine(from: &TruthPoint, to: &TruthPoint) -> f64 {
+    from.state.q_eb.dot(&to.state.q_eb).abs()
+}
+
+/// Rotation vector from the attitude of a point to that of another [rad].
+#[inline(always)]
+fn turn(from: &TruthPoint, to: &TruthPoint) -> Vector3<f64> {
+    rotation_vector(&relative_rotation(&from.state.q_eb, &to.state.q_eb))
 }
 
 fn jump<T>(field: &'static str, value: f64, rule: Rule) -> Result<T, Error> {

@@ -5,8 +5,10 @@ mod support;
 
 mod alignment;
 mod alignment_time;
+mod altimeter;
 mod every_parameter;
 mod failures;
+mod grades;
 mod gravity_disturbance;
 mod in_flight;
 mod independence;

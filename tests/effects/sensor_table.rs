@@ -1,7 +1,8 @@
 //! The table of sensor parameters against its own texts: the factor of each data-sheet unit agrees with the unit's text, and the
 //! unit has the dimension of the SI unit.
 
-use sins::sensors::{PARAMETERS, ParameterRange, Sensor};
+use nalgebra::Matrix3;
+use sins::sensors::{PARAMETERS, ParameterRange, Sensor, TriadParameters};
 
 /// Size in SI units, and twice the exponents of rad, m, s, K: square roots have half exponents.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -116,4 +117,43 @@ fn names_are_whole() {
             }
         }
     }
+}
+
+fn sentence(set: impl FnOnce(&mut TriadParameters), sensor: Sensor) -> String {
+    let mut parameters = TriadParameters::default();
+    set(&mut parameters);
+    parameters.validate(sensor).unwrap_err().to_string()
+}
+
+#[test]
+fn a_term_of_the_other_kind_of_sensor_is_refused() {
+    let mut arm = TriadParameters::default();
+    arm.lever_arm_m[(1, 2)] = -0.5;
+    assert!(arm.validate(Sensor::Accelerometer).is_ok());
+    assert_eq!(
+        arm.validate(Sensor::Gyro).unwrap_err().to_string(),
+        "lever_arm_m[5] = -0.5: must be 0: it is a parameter of the other kind of sensor"
+    );
+    let unbalance = TriadParameters { g_sensitivity: Matrix3::identity(), ..Default::default() };
+    assert!(unbalance.validate(Sensor::Gyro).is_ok() && unbalance.validate(Sensor::Accelerometer).is_err());
+}
+
+#[test]
+fn the_sentence_says_that_0_is_none_and_which_sigma_needs_a_time() {
+    assert_eq!(
+        sentence(|p| p.range.y = -1.0, Sensor::Accelerometer),
+        "accel.range_m_s2[1] = -1: must be 0 for none, or from 1e-9 to 1000000"
+    );
+    assert_eq!(
+        sentence(|p| p.markov_sigma.z = 1e-3, Sensor::Gyro),
+        "gyro.markov_time_s[2] = 0: must be from 1e-9 to 1e15 where gyro.markov_sigma_rad_s is not 0"
+    );
+    assert_eq!(
+        sentence(|p| p.markov_time_s.x = -3.0, Sensor::Gyro),
+        "gyro.markov_time_s[0] = -3: must be from 0 to 1e15"
+    );
+    assert_eq!(
+        sentence(|p| p.misalignment_sigma[(1, 1)] = 1e-3, Sensor::Accelerometer),
+        "accel.misalignment_sigma_rad[4] = 0.001: must be 0 on the diagonal; use scale_factor_sigma"
+    );
 }

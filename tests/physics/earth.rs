@@ -1,7 +1,9 @@
-//! Conversions between geodetic and Earth-fixed coordinates, to a nanometre from -10 km to 100 km, poles included.
+//! Conversions between geodetic and Earth-fixed coordinates, to a nanometre from -10 km to 100 km, poles included; radii of curvature;
+//! normal gravity and its gradient.
 
 use std::f64::consts::FRAC_PI_2;
 
+use nalgebra::Vector3;
 use sins::earth::{Earth, Ellipsoid, Geodetic, GravityModel};
 
 /// Latitude [rad], longitude [rad], height [m]; x, y, z [m] of WGS-84 in 40-digit arithmetic, rounded to doubles.
@@ -86,7 +88,7 @@ fn geodetic_to_earth_fixed_is_exact_to_a_nanometre() {
     let earth = Earth::default();
     for [latitude_rad, longitude_rad, height_m, x, y, z] in EXACT {
         let r_e = earth.to_earth_fixed(&Geodetic { latitude_rad, longitude_rad, height_m });
-        let error = (r_e - nalgebra::Vector3::new(x, y, z)).norm();
+        let error = (r_e - Vector3::new(x, y, z)).norm();
         assert!(error < 1.3e-9, "{latitude_rad} {longitude_rad} {height_m}: {error:e}");
     }
 }
@@ -96,7 +98,7 @@ fn geodetic_to_earth_fixed_is_exact_to_a_nanometre() {
 fn earth_fixed_to_geodetic_is_exact_to_a_nanometre() {
     let earth = Earth::default();
     for [latitude_rad, longitude_rad, height_m, x, y, z] in EXACT {
-        let place = earth.to_geodetic(&nalgebra::Vector3::new(x, y, z));
+        let place = earth.to_geodetic(&Vector3::new(x, y, z));
         let r = 6.5e6;
         let from_axis = x.hypot(y);
         assert!((place.height_m - height_m).abs() < 1.3e-9, "{latitude_rad}: {}", place.height_m);
@@ -140,5 +142,84 @@ fn the_followed_vertical_is_the_vertical() {
         let (followed, fresh) = (earth.follow(&mut track, &at(k)), earth.vertical(&at(k)));
         assert!((followed.up_e - fresh.up_e).norm() < 4.0 * f64::EPSILON, "{k}");
         assert!((followed.height_m - fresh.height_m).abs() < 4e-9, "{k}");
+    }
+}
+
+#[test]
+fn radii_of_wgs84_at_equator_and_pole() {
+    let earth = Earth::default();
+    let equator = earth.radii(0.0);
+    let pole = earth.radii(1.0);
+    // a (1 - e²) and a²/b, from the defining constants with 20 digits.
+    assert!((equator.meridian_m - 6_335_439.327_292_819).abs() < 2e-9);
+    assert_eq!(equator.transverse_m, 6_378_137.0);
+    assert!((pole.meridian_m - 6_399_593.625_758_493).abs() < 4e-9);
+    assert!((pole.transverse_m - pole.meridian_m).abs() < 2e-9);
+}
+
+fn at(earth: &Earth, latitude_deg: f64, height_m: f64) -> Vector3<f64> {
+    earth.to_earth_fixed(&Geodetic { latitude_rad: latitude_deg.to_radians(), longitude_rad: 0.4, height_m })
+}
+
+#[test]
+fn gravity_on_the_ellipsoid_is_the_published_one() {
+    // NIMA TR8350.2 table 3.4, Moritz 2000, Chinese standard of CGCS2000.
+    let mut worst: f64 = 0.0;
+    for (ellipsoid, equator, pole) in [
+        (Ellipsoid::Wgs84, 9.780_325_335_9, 9.832_184_937_8),
+        (Ellipsoid::Grs80, 9.780_326_771_5, 9.832_186_368_5),
+        (Ellipsoid::Cgcs2000, 9.780_325_336_1, 9.832_184_937_9),
+    ] {
+        let earth = Earth::new(ellipsoid, GravityModel::Normal);
+        for (latitude, published) in [(0.0, equator), (90.0, pole)] {
+            worst = worst.max((earth.gravity(&at(&earth, latitude, 0.0)).norm() - published).abs());
+        }
+    }
+    println!("normal gravity on the ellipsoid: {worst:.1e} m/s² from the published values");
+    assert!(worst < 2e-10);
+}
+
+#[test]
+fn the_ellipsoid_is_a_level_surface_and_both_models_agree_on_it() {
+    let normal = Earth::new(Ellipsoid::Wgs84, GravityModel::Normal);
+    let somigliana = Earth::new(Ellipsoid::Wgs84, GravityModel::Somigliana);
+    for latitude in [-90.0, -45.0, -1e-9, 0.0, 30.0, 60.0, 89.999_999, 90.0] {
+        let r_e = at(&normal, latitude, 0.0);
+        let difference = (normal.gravity(&r_e) - somigliana.gravity(&r_e)).norm();
+        println!("closed form less Somigliana's formula at {latitude}°: {difference:.1e} m/s²");
+        assert!(difference < 1e-14 * 9.8 * 4.0);
+    }
+}
+
+#[test]
+fn north_component_at_height_is_the_one_that_most_tools_miss() {
+    // 8 and 16.6 micro-g at 10 and 20 km, 45° (curvature of the plumb line).
+    let earth = Earth::default();
+    for (height, micro_g) in [(10_000.0, 8.0), (20_000.0, 16.6)] {
+        let r_e = at(&earth, 45.0, height);
+        let (_, north, _) = earth.east_north_up(&earth.to_geodetic(&r_e));
+        let component = earth.gravity(&r_e).dot(&north) / 9.806_65e-6;
+        assert!((component + micro_g).abs() < 0.4, "{component}");
+    }
+}
+
+/// Compares the gradient with central differences of the field. Errors: the truncated harmonics (1e-6) and, in the
+/// differences, d²/r² of the third derivative and the rounding 1e-15/d.
+#[test]
+fn gradient_is_the_derivative_of_gravity() {
+    for model in [GravityModel::Normal, GravityModel::Somigliana] {
+        let earth = Earth::new(Ellipsoid::Wgs84, model);
+        for (latitude, height) in [(0.0, 0.0), (39.9, 10_000.0), (-62.0, -300.0), (90.0, 5e4)] {
+            let r_e = at(&earth, latitude, height);
+            let gradient = earth.gravity_gradient(&r_e);
+            let d = 2_000.0;
+            for axis in 0..3 {
+                let mut step = Vector3::zeros();
+                step[axis] = d;
+                let difference = (earth.gravity(&(r_e + step)) - earth.gravity(&(r_e - step))) / (2.0 * d);
+                let error = (gradient.column(axis) - difference).norm();
+                assert!(error < 1.5e-12 * 2.0, "{model:?} {latitude} {axis}: {error:e}");
+            }
+        }
     }
 }

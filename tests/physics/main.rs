@@ -9,6 +9,7 @@ mod embedded_flights;
 mod error_equations;
 mod invariants;
 mod logged_flights;
+mod mathematics;
 mod reference_signals;
 mod savage;
 mod simulation1;

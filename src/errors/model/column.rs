@@ -64,8 +64,8 @@ pub(crate) fn moved(
 
 /// The truth at which columns are read and corrected.
 pub(crate) struct At<'a> {
-    earth: &'a Earth,
-    truth: &'a TruthPoint,
+    pub earth: &'a Earth,
+    pub truth: &'a TruthPoint,
     local: LocalGeometry,
     /// Sensor block, and its mounting errors with only the arm kept: all errors of the mounting itself are zero.
     block: Option<(&'a Block, MountingErrors)>,

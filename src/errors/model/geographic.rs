@@ -111,12 +111,12 @@ impl GeographicForm {
     }
 
     /// Error of the height [m].
-    pub fn height_error(&self) -> f64 {
+    pub fn height_error(&self, _: &TruthPoint) -> f64 {
         self.d_place.z
     }
 
     /// Error of the velocity up [m/s].
-    pub fn velocity_up_error(&self) -> f64 {
+    pub fn velocity_up_error(&self, _: &Earth, _: &TruthPoint) -> f64 {
         self.dv.z
     }
 
@@ -134,7 +134,8 @@ impl GeographicForm {
         self.dv -= omega.cross(&Vector3::new(0.0, 0.0, correction.displacement_m));
     }
 
-    pub fn errors(&self, local: &LocalGeometry) -> StateErrors {
+    /// Errors in local terms.
+    pub fn errors(&self, local: &LocalGeometry, _: &Vector3<f64>) -> StateErrors {
         let position_n =
             Vector3::new(self.d_place.y * local.n * local.cos, self.d_place.x * local.m, self.d_place.z);
         StateErrors { position_n, velocity_n: self.dv, misalignment_n: self.phi }

@@ -8,17 +8,18 @@ use super::geographic::GeographicForm;
 use super::sensor_errors::ErrorSums;
 use super::{ErrorModel, Form, SensorErrors, is_within};
 use crate::earth::Earth;
-use crate::mechanization::{AidOfEach, Frame, VerticalAid, VerticalCorrection, VerticalRows};
+use crate::mechanization::{AidOfEach, Frame, VerticalCorrection, VerticalRows};
 use crate::mounting::Block;
 use crate::signal::{
-    Increment, IncrementRows, IntervalMotion, MotionNode, RUNS, Row, TurnToEarth, increment_of,
+    Increment, IncrementRows, IntervalMotion, MotionNode, RUNS, Row, TurnToEarth, increment_of, put_vectors,
+    vectors_of,
 };
 use crate::truth::TruthPoint;
 
 /// Models of one frame that advance over the same intervals.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
-pub(crate) struct ModelBlock {
+pub(crate) struct ModelBatch {
     frame: Frame,
     /// Errors of attitude, velocity and position, in the terms of the form.
     state: [Row; 9],
@@ -36,7 +37,7 @@ pub(crate) struct ModelInterval<'a> {
     /// Truth at the start, in the middle and at the end, and the gradient of gravity in the middle [1/s²].
     nodes: [MotionNode; 3],
     gradient: Matrix3<f64>,
-    turn: TurnToEarth<'a>,
+    turn: TurnToEarth,
 }
 
 impl<'a> ModelInterval<'a> {
@@ -61,8 +62,8 @@ impl ModelInterval<'_> {
     }
 }
 
-impl ModelBlock {
-    /// Block of models that are not set yet.
+impl ModelBatch {
+    /// A batch of models that are not set yet.
     pub fn new(frame: Frame) -> Self {
         Self { frame, state: [[0.0; RUNS]; 9], vertical: VerticalRows::new() }
     }
@@ -92,16 +93,12 @@ impl ModelBlock {
 
     #[inline(always)]
     fn state(&self, lane: usize) -> [Vector3<f64>; 3] {
-        [0, 3, 6].map(|first: usize| Vector3::from_fn(|i, _| self.state[first + i][lane]))
+        vectors_of(&self.state, lane)
     }
 
     #[inline(always)]
-    fn put_state(&mut self, lane: usize, [phi, dv, dr]: [&mut Vector3<f64>; 3]) {
-        for i in 0..3 {
-            self.state[i][lane] = phi[i];
-            self.state[3 + i][lane] = dv[i];
-            self.state[6 + i][lane] = dr[i];
-        }
+    fn put_state(&mut self, lane: usize, state: [&mut Vector3<f64>; 3]) {
+        put_vectors(&mut self.state, lane, state.map(|vector| &*vector));
     }
 
     #[inline(always)]
@@ -110,7 +107,7 @@ impl ModelBlock {
         EarthFixedForm { psi, dv, dr }
     }
 
-    /// Overwrites this block with the models `before`, advanced over an interval with these increments as by
+    /// Overwrites this batch with the models `before`, advanced over an interval with these increments as by
     /// [`ErrorModel::advance`].
     #[inline(always)]
     pub fn advance(
@@ -124,12 +121,10 @@ impl ModelBlock {
             return self
                 .advance_one_by_one(before, interval, aid, |lane| (interval.errors(measured, lane), None));
         }
+        // By value: otherwise the compiler cannot assume that the rows do not overlap it.
         let &ModelInterval { earth, motion, ideal, nodes, gradient, turn, .. } = interval;
         let coefficients =
             Coefficients { t: motion.interval_s, w: earth.rate_rad_s, gradient, nodes: &nodes };
-        // By value: otherwise the compiler cannot assume that the rows do not overlap them.
-        let ends = turn.ends();
-        let turn = turn.with(&ends);
         let mut sums = SumRows([[0.0; RUNS]; 12]);
         let part = 1.0 / ideal.len() as f64;
         for (i, (ideal, measured)) in ideal.iter().zip(measured).enumerate() {
@@ -157,7 +152,7 @@ impl ModelBlock {
         }
     }
 
-    /// Overwrites this block with the models `before`, advanced one by one with the sensor errors and the mounting of each run.
+    /// Overwrites this batch with the models `before`, advanced one by one with the sensor errors and the mounting of each run.
     #[cold]
     #[inline(never)]
     pub fn advance_one_by_one(
@@ -191,18 +186,20 @@ impl ModelBlock {
         match *aid {
             _ if !self.vertical.are_alike() => self.correct_one_by_one(interval, aid),
             AidOfEach::Some { .. } => self.correct_one_by_one(interval, aid),
-            AidOfEach::Same(VerticalAid::None) => self.vertical.skip(),
-            AidOfEach::Same(VerticalAid::Truth { .. }) => {
+            AidOfEach::None => self.vertical.skip(),
+            AidOfEach::Truth { .. } => {
                 self.shift_vertical(earth, &truth, |_, _, form| {
                     let velocity_up = form.velocity_up_error(earth, &truth);
                     VerticalCorrection::to_truth(-form.height_error(&truth), -velocity_up, t)
                 });
             }
-            AidOfEach::Same(VerticalAid::Barometer { height_m }) => {
-                self.follow(earth, &truth, t, |_| height_m);
-            }
             AidOfEach::Barometer { heights_m } => {
-                self.follow(earth, &truth, t, |lane| heights_m[lane]);
+                let beginning = self.vertical.begin(t);
+                let true_height_m = truth.height_m();
+                self.shift_vertical(earth, &truth, |vertical, lane, form| {
+                    let altimeter_error = heights_m[lane] - true_height_m;
+                    vertical.answer(lane, form.height_error(&truth) - altimeter_error, &beginning)
+                });
             }
         }
     }
@@ -213,17 +210,6 @@ impl ModelBlock {
         let &ModelInterval { earth, next, motion, .. } = interval;
         self.each(earth, |lane, model| {
             model.correct_vertical(motion.interval_s, next, &aid.at(lane), None);
-        });
-    }
-
-    /// Corrects the vertical channels with barometric heights.
-    #[inline(always)]
-    fn follow(&mut self, earth: &Earth, truth: &TruthPoint, t: f64, height_m: impl Fn(usize) -> f64) {
-        let beginning = self.vertical.begin(t);
-        let true_height_m = truth.height_m();
-        self.shift_vertical(earth, truth, |vertical, lane, form| {
-            let altimeter_error = height_m(lane) - true_height_m;
-            vertical.answer(lane, form.height_error(truth) - altimeter_error, &beginning)
         });
     }
 
@@ -249,22 +235,14 @@ struct SumRows([Row; 12]);
 impl SumRows {
     #[inline(always)]
     fn at(&self, lane: usize) -> ErrorSums {
-        let vector = |first: usize| Vector3::from_fn(|i, _| self.0[first + i][lane]);
-        ErrorSums {
-            sum: Increment { angle: vector(0), velocity: vector(3) },
-            moment: Increment { angle: vector(6), velocity: vector(9) },
-        }
+        let [angle, velocity, angle_moment, velocity_moment] = vectors_of(&self.0, lane);
+        let moment = Increment { angle: angle_moment, velocity: velocity_moment };
+        ErrorSums { sum: Increment { angle, velocity }, moment }
     }
 
     #[inline(always)]
     fn put(&mut self, lane: usize, sums: &ErrorSums) {
         let ErrorSums { sum, moment } = sums;
-        for (first, vector) in
-            [(0, &sum.angle), (3, &sum.velocity), (6, &moment.angle), (9, &moment.velocity)]
-        {
-            for i in 0..3 {
-                self.0[first + i][lane] = vector[i];
-            }
-        }
+        put_vectors(&mut self.0, lane, [&sum.angle, &sum.velocity, &moment.angle, &moment.velocity]);
     }
 }

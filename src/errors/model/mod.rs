@@ -25,7 +25,7 @@ use crate::truth::TruthPoint;
 use earth_fixed::EarthFixedForm;
 use geographic::GeographicForm;
 use geometry::LocalGeometry;
-pub(crate) use lanes::{ModelBlock, ModelInterval};
+pub(crate) use lanes::{ModelBatch, ModelInterval};
 pub use sensor_errors::SensorErrors;
 
 /// Misalignment [rad] and displacement [m] above which the terms that the linear model drops are no longer small:
@@ -53,13 +53,20 @@ enum Form {
 
 variants!(Form { EarthFixed, Geographic });
 
+/// The same of either form.
+macro_rules! of_form {
+    ($form:expr, $part:ident => $value:expr) => {
+        match $form {
+            Form::EarthFixed($part) => $value,
+            Form::Geographic($part) => $value,
+        }
+    };
+}
+
 /// Errors of attitude, velocity and position, in the terms of the form.
 #[inline(always)]
 fn states_of(form: &mut Form) -> [&mut Vector3<f64>; 3] {
-    match form {
-        Form::EarthFixed(form) => form.state(),
-        Form::Geographic(form) => form.state(),
-    }
+    of_form!(form, form => form.state())
 }
 
 /// The linear error model.
@@ -185,43 +192,32 @@ impl ErrorModel {
                 self.vertical.correct(self.height_error(truth, block) - altimeter_error, t)
             }
         };
-        match &mut self.form {
-            Form::EarthFixed(form) => form.shift_vertical(&self.earth, truth, &correction),
-            Form::Geographic(form) => form.shift_vertical(&self.earth, truth, &correction),
-        }
+        of_form!(&mut self.form, form => form.shift_vertical(&self.earth, truth, &correction));
     }
 
     #[inline(always)]
     fn advance_forms(&mut self, motion: &IntervalMotion<'_>, nodes: &[MotionNode; 3], errors: &SensorErrors) {
         let errors_e = motion.to_earth_axes(&errors.nodes());
-        match &mut self.form {
-            Form::EarthFixed(form) => form.advance(&self.earth, motion.interval_s, nodes, &errors_e),
-            Form::Geographic(form) => form.advance(&self.earth, motion.interval_s, nodes, &errors_e),
-        }
+        of_form!(&mut self.form, form => form.advance(&self.earth, motion.interval_s, nodes, &errors_e));
     }
 
     fn height_error(&self, truth: &TruthPoint, block: Option<&Block>) -> f64 {
-        match (&self.form, block) {
-            (_, Some(block)) => self.of_reference_point(truth, block).position_n.z,
-            (Form::EarthFixed(form), None) => form.height_error(truth),
-            (Form::Geographic(form), None) => form.height_error(),
+        match block {
+            Some(block) => self.of_reference_point(truth, block).position_n.z,
+            None => of_form!(&self.form, form => form.height_error(truth)),
         }
     }
 
     fn velocity_up_error(&self, truth: &TruthPoint, block: Option<&Block>) -> f64 {
-        match (&self.form, block) {
-            (_, Some(block)) => self.of_reference_point(truth, block).velocity_n.z,
-            (Form::EarthFixed(form), None) => form.velocity_up_error(&self.earth, truth),
-            (Form::Geographic(form), None) => form.velocity_up_error(),
+        match block {
+            Some(block) => self.of_reference_point(truth, block).velocity_n.z,
+            None => of_form!(&self.form, form => form.velocity_up_error(&self.earth, truth)),
         }
     }
 
     /// Errors in local terms, at the true velocity `v_e` [m/s].
     fn in_local_terms(&self, local: &LocalGeometry, v_e: &Vector3<f64>) -> StateErrors {
-        match &self.form {
-            Form::EarthFixed(form) => form.errors(local, v_e),
-            Form::Geographic(form) => form.errors(local),
-        }
+        of_form!(&self.form, form => form.errors(local, v_e))
     }
 
     /// Errors of the reference point in local terms. Computes its own geometry, so that the caller's geometry stays in registers.

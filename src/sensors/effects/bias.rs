@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::effect::{Added, Effect};
-use super::outputs::{BlockOutputs, Outputs};
+use super::outputs::{BatchOutputs, Outputs};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
 use super::super::stream::{Purpose, Stream, StreamKey};
@@ -46,7 +46,7 @@ impl Added for Bias {
     }
 
     #[inline(always)]
-    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
+    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BatchOutputs<'_>) {
         let (value, dt) = (states.constants::<3>(), outputs.dt);
         for output in outputs.iter_mut() {
             for axis in 0..3 {

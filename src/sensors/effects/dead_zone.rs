@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::effect::{Effect, OnOutput};
-use super::outputs::{BlockOutputs, Outputs};
+use super::outputs::{BatchOutputs, Outputs};
 use super::states::States;
 use crate::signal::RUNS;
 use super::super::parameters::{Sensor, TriadParameters};
@@ -38,7 +38,7 @@ impl OnOutput for DeadZone {
     }
 
     #[inline(always)]
-    fn apply_each(&self, _: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
+    fn apply_each(&self, _: &mut States<'_>, outputs: &mut BatchOutputs<'_>) {
         let dt = outputs.dt;
         outputs.each_run(RUNS, |_, output, _| self.act(dt, output));
     }

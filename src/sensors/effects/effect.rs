@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
-use super::outputs::{BlockOutputs, Outputs};
+use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
 use crate::signal::Turning;
 use crate::snapshot::Stored;
@@ -50,7 +50,7 @@ pub(in crate::sensors) trait Effect: Stored + Clone {
     /// Follows a jump of the signal: filters settle at once at the next signal. Noise continues.
     fn reposition(&mut self) {}
 
-    /// Visits the state that differs from run to run, in the order in which the rows of a block are taken.
+    /// Visits the state that differs from run to run, in the order in which the rows of a batch are taken.
     fn visit(&mut self, _visitor: &mut impl Visitor) {}
 }
 
@@ -79,8 +79,8 @@ pub(in crate::sensors) trait OfInput: Effect {
 
 /// An [`OfInput`] that differs from run to run. The others are computed once for all runs.
 pub(in crate::sensors) trait DrawnOfInput: OfInput {
-    /// Adds [`OfInput::error`] of the inputs of the increments, for the runs of a block.
-    fn apply_each(states: &mut States<'_>, inputs: &[Input], outputs: &mut BlockOutputs<'_>);
+    /// Adds [`OfInput::error`] of the inputs of the increments, for the runs of a batch.
+    fn apply_each(states: &mut States<'_>, inputs: &[Input], outputs: &mut BatchOutputs<'_>);
 }
 
 /// An error that does not depend on the input.
@@ -88,8 +88,8 @@ pub(in crate::sensors) trait Added: Effect {
     /// Adds the integral over each increment of an interval, which [`Effect::undo`] can undo.
     fn apply(&mut self, dt: f64, outputs: Outputs<'_>);
 
-    /// [`Self::apply`] for the runs of a block.
-    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>);
+    /// [`Self::apply`] for the runs of a batch.
+    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BatchOutputs<'_>);
 
     /// The present error [u] that an average does not remove.
     fn value(&self) -> Vector3<f64>;
@@ -100,8 +100,8 @@ pub(in crate::sensors) trait OnOutput: Effect {
     /// Acts on each increment of an interval, which [`Effect::undo`] can undo.
     fn apply(&mut self, dt: f64, outputs: Outputs<'_>);
 
-    /// [`Self::apply`] for the runs of a block.
-    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>);
+    /// [`Self::apply`] for the runs of a batch.
+    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BatchOutputs<'_>);
 
     /// Acts on a constant signal [u].
     fn limit(&self, signal: &mut Vector3<f64>);

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::gauss_markov::MarkovStep;
 use super::super::kept::Kept;
 use super::effect::{Added, Effect};
-use super::outputs::{BlockOutputs, Outputs};
+use super::outputs::{BatchOutputs, Outputs};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
 use super::super::stream::{MAX_NORMAL, Purpose, Stream, StreamKey};
@@ -110,7 +110,7 @@ impl Added for Flicker {
     }
 
     #[inline(always)]
-    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
+    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BatchOutputs<'_>) {
         let streams = states.streams::<3>();
         for axis in 0..3 {
             let x = states.numbers::<{ TIMES_S.len() }>();

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::super::kept::Kept;
 use super::effect::{Added, Effect};
-use super::outputs::{BlockOutputs, Outputs};
+use super::outputs::{BatchOutputs, Outputs};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
 use super::super::stream::{MAX_NORMAL, Purpose, Stream, StreamKey};
@@ -142,7 +142,7 @@ impl Added for GaussMarkov {
     }
 
     #[inline(always)]
-    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
+    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BatchOutputs<'_>) {
         let (x, streams) = (states.numbers::<3>(), states.streams::<3>());
         for axis in 0..3 {
             let (sigma, step) = (self.sigma[axis], self.steps[axis]);

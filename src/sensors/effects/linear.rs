@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::effect::{DrawnOfInput, Effect, Input, OfInput};
-use super::outputs::BlockOutputs;
+use super::outputs::BatchOutputs;
 use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
 use super::super::stream::{Purpose, Stream, StreamKey};
@@ -53,7 +53,7 @@ impl OfInput for Linear {
 
 impl DrawnOfInput for Linear {
     #[inline(always)]
-    fn apply_each(states: &mut States<'_>, inputs: &[Input], outputs: &mut BlockOutputs<'_>) {
+    fn apply_each(states: &mut States<'_>, inputs: &[Input], outputs: &mut BatchOutputs<'_>) {
         let matrices = states.constants::<9>();
         for (input, output) in inputs.iter().zip(outputs.iter_mut()) {
             for lane in 0..RUNS {

@@ -28,9 +28,9 @@ impl<'a> Outputs<'a> {
     }
 }
 
-/// The triad's part of each increment of the runs of a block.
+/// The triad's part of each increment of the runs of a batch.
 #[derive(Debug)]
-pub(in crate::sensors) struct BlockOutputs<'a> {
+pub(in crate::sensors) struct BatchOutputs<'a> {
     pub sensor: Sensor,
     /// Length of an increment [s].
     pub dt: f64,
@@ -39,7 +39,7 @@ pub(in crate::sensors) struct BlockOutputs<'a> {
     pub saturated: &'a mut [u64; RUNS],
 }
 
-impl BlockOutputs<'_> {
+impl BatchOutputs<'_> {
     /// The outputs, one after the other: rows of the three axes.
     #[inline(always)]
     pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut [Row; 3]> {
@@ -48,7 +48,7 @@ impl BlockOutputs<'_> {
     }
 
     /// Lets `act` change the outputs of the runs 0 to `count`, one run after the other. `act` gets the number of the run in the
-    /// block, the output, and the mark of a run beyond the range.
+    /// batch, the output, and the mark of a run beyond the range.
     #[inline(always)]
     pub fn each_run(&mut self, count: usize, mut act: impl FnMut(usize, &mut Vector3<f64>, &mut u64)) {
         let first = 3 * self.sensor as usize;

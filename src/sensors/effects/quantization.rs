@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::super::kept::Kept;
 use super::effect::{Effect, OnOutput};
-use super::outputs::{BlockOutputs, Outputs};
+use super::outputs::{BatchOutputs, Outputs};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
 use super::states::{States, Visitor};
@@ -55,7 +55,7 @@ impl OnOutput for Quantization {
     }
 
     #[inline(always)]
-    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
+    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BatchOutputs<'_>) {
         let residuals = states.numbers::<3>();
         for output in outputs.iter_mut() {
             for axis in 0..3 {

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::super::kept::Kept;
 use super::effect::{Added, Effect};
-use super::outputs::{BlockOutputs, Outputs};
+use super::outputs::{BatchOutputs, Outputs};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
 use super::states::{States, Visitor};
@@ -51,7 +51,7 @@ impl Added for Ramp {
     }
 
     #[inline(always)]
-    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
+    fn apply_each(&self, states: &mut States<'_>, outputs: &mut BatchOutputs<'_>) {
         let (values, dt) = (states.numbers::<3>(), outputs.dt);
         for output in outputs.iter_mut() {
             for lane in 0..RUNS {

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::effect::{Effect, OnOutput};
-use super::outputs::{BlockOutputs, Outputs};
+use super::outputs::{BatchOutputs, Outputs};
 use super::states::States;
 use crate::signal::RUNS;
 use super::super::parameters::{Sensor, TriadParameters};
@@ -39,7 +39,7 @@ impl OnOutput for Range {
     }
 
     #[inline(always)]
-    fn apply_each(&self, _: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
+    fn apply_each(&self, _: &mut States<'_>, outputs: &mut BatchOutputs<'_>) {
         let dt = outputs.dt;
         outputs.each_run(RUNS, |_, output, saturated| *saturated |= u64::from(self.act(dt, output)));
     }

@@ -89,22 +89,12 @@ macro_rules! effects {
             /// Turns `input`, the triad's part of `ideal`, into the input of its sensors.
             #[inline(always)]
             fn sense_input(&mut self, ideal: &Increment, dt: f64, input: &mut Vector3<f64>) {
-                for step in self.plan.of(Stage::OnInput) {
-                    match self.plan.effect(step) {
-                        $(Name::$Type => self.$field.apply(&ideal.angle, dt, input),)*
-                        _ => Plan::never(),
-                    }
-                }
+                for_active!(self, OnInput, $($Type => self.$field.apply(&ideal.angle, dt, input),)*);
             }
 
             #[inline(always)]
             fn keep_input(&mut self) {
-                for step in self.plan.of(Stage::OnInput) {
-                    match self.plan.effect(step) {
-                        $(Name::$Type => self.$field.keep(),)*
-                        _ => Plan::never(),
-                    }
-                }
+                for_active!(self, OnInput, $($Type => self.$field.keep(),)*);
             }
 
             /// Change of the input [u] at the constant angular rate `rate` [rad/s].
@@ -133,13 +123,8 @@ macro_rules! effects {
             }
 
             #[inline(always)]
-            fn add_drawn_each(&self, states: &mut States<'_>, inputs: &[Input], outputs: &mut BlockOutputs<'_>) {
-                for step in self.plan.of(Stage::DrawnOfInput) {
-                    match self.plan.effect(step) {
-                        $(Name::$Type => $Type::apply_each(states, inputs, outputs),)*
-                        _ => Plan::never(),
-                    }
-                }
+            fn add_drawn_each(&self, states: &mut States<'_>, inputs: &[Input], outputs: &mut BatchOutputs<'_>) {
+                for_active!(self, DrawnOfInput, $($Type => $Type::apply_each(states, inputs, outputs),)*);
             }
         }
     };
@@ -172,24 +157,13 @@ macro_rules! effects {
             /// Adds the errors of an interval that do not depend on the input.
             #[inline]
             pub fn add(&mut self, dt: f64, sensor: Sensor, measured: &mut [Increment]) {
-                for step in self.plan.of(Stage::Added) {
-                    let outputs = Outputs::new(sensor, measured);
-                    match self.plan.effect(step) {
-                        $(Name::$Type => self.$field.apply(dt, outputs),)*
-                        _ => Plan::never(),
-                    }
-                }
+                for_active!(self, Added, $($Type => self.$field.apply(dt, Outputs::new(sensor, measured)),)*);
             }
 
-            /// [`Self::add`] for the runs of a block.
+            /// [`Self::add`] for the runs of a batch.
             #[inline(always)]
-            pub fn add_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
-                for step in self.plan.of(Stage::Added) {
-                    match self.plan.effect(step) {
-                        $(Name::$Type => self.$field.apply_each(states, outputs),)*
-                        _ => Plan::never(),
-                    }
-                }
+            pub fn add_each(&self, states: &mut States<'_>, outputs: &mut BatchOutputs<'_>) {
+                for_active!(self, Added, $($Type => self.$field.apply_each(states, outputs),)*);
             }
 
             fn steady_added(&self) -> Vector3<f64> {
@@ -203,24 +177,13 @@ macro_rules! effects {
             /// Applies the effects that act on the output.
             #[inline]
             pub fn finish(&mut self, dt: f64, sensor: Sensor, measured: &mut [Increment]) {
-                for step in self.plan.of(Stage::OnOutput) {
-                    let outputs = Outputs::new(sensor, measured);
-                    match self.plan.effect(step) {
-                        $(Name::$Type => self.$field.apply(dt, outputs),)*
-                        _ => Plan::never(),
-                    }
-                }
+                for_active!(self, OnOutput, $($Type => self.$field.apply(dt, Outputs::new(sensor, measured)),)*);
             }
 
-            /// [`Self::finish`] for the runs of a block.
+            /// [`Self::finish`] for the runs of a batch.
             #[inline(always)]
-            pub fn finish_each(&self, states: &mut States<'_>, outputs: &mut BlockOutputs<'_>) {
-                for step in self.plan.of(Stage::OnOutput) {
-                    match self.plan.effect(step) {
-                        $(Name::$Type => self.$field.apply_each(states, outputs),)*
-                        _ => Plan::never(),
-                    }
-                }
+            pub fn finish_each(&self, states: &mut States<'_>, outputs: &mut BatchOutputs<'_>) {
+                for_active!(self, OnOutput, $($Type => self.$field.apply_each(states, outputs),)*);
             }
 
             fn limit(&self, signal: &mut Vector3<f64>) {
@@ -230,3 +193,16 @@ macro_rules! effects {
     };
 }
 pub(super) use effects;
+
+/// Does what its type says for each active effect of a stage, in order.
+macro_rules! for_active {
+    ($self:ident, $stage:ident, $($Type:ident => $act:expr,)*) => {
+        for step in $self.plan.of(Stage::$stage) {
+            match $self.plan.effect(step) {
+                $(Name::$Type => $act,)*
+                _ => Plan::never(),
+            }
+        }
+    };
+}
+pub(super) use for_active;

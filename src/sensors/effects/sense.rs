@@ -1,10 +1,10 @@
-//! How the effects act on the increments of an interval, of one run or of the runs of a block, and on constant signals.
+//! How the effects act on the increments of an interval, of one run or of the runs of a batch, and on constant signals.
 
 use core::slice::from_mut;
 
 use nalgebra::Vector3;
 
-use super::{Aside, BlockOutputs, Effects, Input, Outputs, SHARED_ERRORS, Stage, States};
+use super::{Aside, BatchOutputs, Effects, Input, Outputs, SHARED_ERRORS, Stage, States};
 use crate::error::Error;
 use crate::memory::room;
 use crate::sensors::Sensor;
@@ -79,13 +79,13 @@ impl Effects {
         }
     }
 
-    /// [`Self::act_on_signal`] for the runs of a block in the interval that was [shared](Self::share).
+    /// [`Self::act_on_signal`] for the runs of a batch in the interval that was [shared](Self::share).
     #[inline(always)]
     pub fn act_on_signal_each(
         &self,
         shared: &SharedInput,
         states: &mut States<'_>,
-        outputs: &mut BlockOutputs<'_>,
+        outputs: &mut BatchOutputs<'_>,
     ) {
         for (output, input) in outputs.iter_mut().zip(&shared.inputs) {
             *output = [0, 1, 2].map(|axis: usize| [input.signal[axis]; RUNS]);

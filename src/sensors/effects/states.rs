@@ -6,10 +6,10 @@ use super::super::draw::normal_each;
 use super::super::stream::Stream;
 use super::Name;
 use crate::error::Error;
-use crate::memory::room;
+use crate::memory::filled;
 use crate::signal::{RUNS, Row};
 
-/// One stream for each run of a block. The words of the generators are in rows.
+/// One stream for each run of a batch. The words of the generators are in rows.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub(in crate::sensors) struct StreamRows([[u64; RUNS]; 4]);
@@ -22,7 +22,7 @@ impl StreamRows {
     }
 }
 
-/// Constants, numbers and streams of the runs of a block, in the order of the effects that keep them.
+/// Constants, numbers and streams of the runs of a batch, in the order of the effects that keep them.
 #[derive(Debug, Clone)]
 pub(crate) struct StateRows {
     /// Numbers drawn at turn-on, which no interval changes.
@@ -71,17 +71,10 @@ impl Visitor for Count {
 impl Count {
     /// Rows for all that was counted.
     pub fn rows(&self) -> Result<StateRows, Error> {
-        let rows = |count| -> Result<Box<[Row]>, Error> {
-            let mut rows = room(count)?;
-            rows.resize(count, [0.0; RUNS]);
-            Ok(rows.into_boxed_slice())
-        };
-        let mut streams = room(self.streams)?;
-        streams.resize(self.streams, StreamRows([[0; RUNS]; 4]));
         Ok(StateRows {
-            constants: rows(self.constants)?,
-            numbers: rows(self.numbers)?,
-            streams: streams.into_boxed_slice(),
+            constants: filled(self.constants, [0.0; RUNS])?,
+            numbers: filled(self.numbers, [0.0; RUNS])?,
+            streams: filled(self.streams, StreamRows([[0; RUNS]; 4]))?,
         })
     }
 }

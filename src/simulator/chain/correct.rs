@@ -5,7 +5,7 @@ use crate::correction::{Compensation, Correction};
 use crate::error::Error;
 use crate::mechanization::Mechanization;
 use crate::mounting::Block;
-use crate::simulator::views::Views;
+use crate::simulator::chain::view::Views;
 use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 

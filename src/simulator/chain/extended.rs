@@ -3,12 +3,13 @@
 use nalgebra::Vector3;
 
 use super::Chain;
-use crate::mechanization::{Mechanization, VerticalAid};
+use crate::mechanization::{VerticalAid, VerticalMode};
 use crate::mounting::Block;
 use crate::signal::{Increment, IntervalMotion};
-use crate::simulator::Imperfections;
 use crate::simulator::aid::{aid_vertical, vertical_aid};
-use crate::simulator::closed_loop::ClosedLoop;
+use crate::simulator::chain::view::Views;
+use crate::simulator::imu::LastInterval;
+use crate::simulator::{Imperfections, ImuInterval};
 use crate::truth::{Recent, TruthPoint};
 
 impl Chain {
@@ -84,19 +85,22 @@ impl Chain {
         self.close_loop(next);
     }
 
-    /// Updates the part of the closed loop that all runs share, at the end of an interval. The navigators of the runs are
-    /// elsewhere. Returns whether this part is within its limits; if not, it is as it was before.
+    /// Flies what all runs share: [`Self::mount_and_trim`], and the closed loop at the end of the interval. The navigators of the runs
+    /// are elsewhere. Returns by how much they must be shifted, and whether this part is within its limits; if not, it is as it was before.
     #[inline(never)]
-    pub(super) fn close_shared_loop(
+    pub(super) fn fly_shared(
         &mut self,
-        next: &TruthPoint,
-        ideal: &[Increment],
-        before: Option<(ClosedLoop, Mechanization)>,
-    ) -> bool {
-        let (Some(closed_loop), Some((loop_before, navigator_before))) = (&mut self.closed_loop, before)
-        else {
-            return true;
+        motion: &IntervalMotion<'_>,
+        recent: &Recent<'_>,
+        navigators_err: bool,
+        ideal: &mut [Increment],
+    ) -> (Option<Vector3<f64>>, bool) {
+        let before = self.closed_loop.clone().map(|closed_loop| (closed_loop, self.mechanization));
+        let shift_e = self.mount_and_trim(motion, recent, navigators_err, ideal);
+        let (Some(closed_loop), Some(before)) = (&mut self.closed_loop, before) else {
+            return (shift_e, true);
         };
+        let next = recent.next;
         let has_shadow = closed_loop.shadow_mut().is_some();
         if !has_shadow {
             // Nothing makes the INS err: this navigator equals the navigator of each run.
@@ -109,9 +113,28 @@ impl Chain {
         let is_good = self.closed_loop.as_ref().is_none_or(|closed_loop| closed_loop.check().is_ok())
             && (has_shadow || self.mechanization.check().is_ok());
         if !is_good {
-            (self.closed_loop, self.mechanization) = (Some(loop_before), navigator_before);
+            (self.closed_loop, self.mechanization) = (Some(before.0), before.1);
         }
-        is_good
+        (shift_e, is_good)
+    }
+
+    /// Concludes an interval that all runs have flown.
+    pub(super) fn conclude_shared(
+        &mut self,
+        motion: &IntervalMotion<'_>,
+        recent: &Recent<'_>,
+        ideal: &[Increment],
+    ) {
+        let imu = ImuInterval {
+            time_s: recent.next.time_s,
+            interval_s: recent.next.interval_s,
+            ideal: Increment::sum(ideal),
+            ..ImuInterval::default()
+        };
+        let vertical_unaided = self.options.vertical == VerticalMode::Free;
+        self.views = Views::default();
+        self.last = LastInterval::Loaded { imu, vertical_unaided };
+        self.conclude(motion, recent);
     }
 
     fn close_loop(&mut self, next: &TruthPoint) {

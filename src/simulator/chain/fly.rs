@@ -7,12 +7,12 @@ use crate::covariance::Flown;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::mechanization::{VerticalAid, VerticalMode, check_state};
-use crate::signal::{Increment, IntervalMotion};
+use crate::signal::{IntervalMotion, MAX_INCREMENTS};
 use crate::simulator::aid::vertical_aid;
+use crate::simulator::chain::view::Views;
 use crate::simulator::imperfections::IntervalConditions;
-use crate::simulator::interval::LastInterval;
+use crate::simulator::imu::LastInterval;
 use crate::simulator::signals::Signals;
-use crate::simulator::views::Views;
 use crate::simulator::{Imperfections, ImuFlags, Options};
 use crate::truth::Recent;
 
@@ -76,7 +76,7 @@ impl Chain {
     ) -> Result<(), Error> {
         let next = recent.next;
         let t = next.interval_s;
-        let before = (self.generator.settled(), self.mechanization.kept());
+        let (settled, solution) = (self.generator.settled(), self.mechanization.solution());
         let last = core::mem::replace(&mut self.parts, parts.clone());
         self.views = Views::default();
 
@@ -102,8 +102,9 @@ impl Chain {
 
         // Mechanization.
         let mut measured = None;
-        if self.compensation.is_some() {
-            measured = self.compensate(&parts, on_ideal, t);
+        if let Some(compensation) = &self.compensation {
+            let dt = t / parts.len() as f64;
+            measured = Some(self.signals.compensate(&parts, on_ideal, compensation, dt));
             on_ideal = false;
             increments = &self.signals.measured[parts.clone()];
         }
@@ -119,22 +120,17 @@ impl Chain {
             self.check()
         };
         if let Err(error) = result {
-            let (settled, solution) = before;
             self.generator.go_back(settled, recent);
             self.mechanization.go_back(&solution);
             self.parts = last;
             Self::undo_imperfections(&self.options, self.disturbance.is_some(), imperfections);
             return Err(error);
         }
-        let is_compensated = measured.is_some();
-        if let Some(measured) = measured {
-            self.measured = measured;
-        }
         self.last = LastInterval::Flown {
             time_s: next.time_s,
             interval_s: t,
             on_ideal,
-            is_compensated,
+            measured,
             flags,
             vertical_unaided: aid == VerticalAid::None,
         };
@@ -162,15 +158,6 @@ impl Chain {
         Ok(())
     }
 
-    /// Compensates the increments of an interval of length `t` [s]. Returns their sum before.
-    #[cold]
-    #[inline(never)]
-    fn compensate(&mut self, parts: &Range<usize>, on_ideal: bool, t: f64) -> Option<Increment> {
-        let compensation = self.compensation.as_ref()?;
-        let dt = t / parts.len() as f64;
-        Some(self.signals.compensate(parts, on_ideal, compensation, dt))
-    }
-
     /// Adds the truth of an interval to the closure, and counts the interval.
     #[inline]
     pub(super) fn conclude(&mut self, motion: &IntervalMotion<'_>, recent: &Recent<'_>) {
@@ -196,6 +183,24 @@ impl Chain {
         }
         if is_disturbed {
             imperfections.gravity.undo();
+        }
+    }
+}
+
+impl Options {
+    /// Number of mechanization updates over the interval that `recent` ends. In a gap, an interval much longer than the intervals before
+    /// it because samples were lost or the host stopped for a moment, the updates are as long as before the gap,
+    /// if there is enough memory for their increments. An update that is too long loses a part of a manoeuvre for good.
+    ///
+    /// Evidence: 1 s lost in a weave of 4 g at 100 Hz. The error 500 s later is 15 km with one update, and 5 cm with these updates.
+    #[inline]
+    pub(in crate::simulator) fn updates_over(&self, recent: &Recent<'_>) -> usize {
+        match recent.gap_ratio() {
+            None => self.updates_per_sample,
+            Some(ratio) => {
+                let most = MAX_INCREMENTS / (self.updates_per_sample * self.subsamples);
+                self.updates_per_sample * ratio.min(most as f64).round() as usize
+            }
         }
     }
 }

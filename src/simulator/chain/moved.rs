@@ -7,9 +7,9 @@ use crate::mechanization::Mechanization;
 use crate::mounting::Block;
 use crate::signal::SignalGenerator;
 use crate::simulator::Imperfections;
+use crate::simulator::chain::view::Views;
 use crate::simulator::disturbance::Disturbance;
-use crate::simulator::mounted::rate_at_start;
-use crate::simulator::views::Views;
+use crate::simulator::start::rate_at_start;
 use crate::state::{EarthFixedState, Navigation};
 use crate::truth::TruthPoint;
 

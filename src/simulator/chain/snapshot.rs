@@ -4,17 +4,17 @@ use nalgebra::Vector3;
 
 use super::{Chain, Extension};
 use crate::earth::Earth;
-use crate::error::{Error, Rule};
+use crate::error::Error;
 use crate::mechanization::Mechanization;
 use crate::simulator::disturbance::Disturbance;
-use crate::simulator::interval::LastInterval;
-use crate::simulator::mounted::block_at_start;
-use crate::simulator::start::Start;
+use crate::simulator::imu::LastInterval;
+use crate::simulator::start::{Start, block_at_start};
 use crate::simulator::{Imperfections, ImuInterval, Options};
 use crate::snapshot::{COUNT, Numbers, Reader, Stored, Writer};
 use crate::truth::TruthPoint;
 
-/// The values are read into a chain that was made at the current point. Only the sums of the increments are stored.
+/// The values are read into a chain that was made at the current point: the parts that it has are those of the snapshot. Only the sums of
+/// the increments are stored.
 impl Stored for Chain {
     fn save(&self, to: &mut Writer<'_>) {
         let Self {
@@ -28,7 +28,6 @@ impl Stored for Chain {
             mechanization,
             error_model,
             compensation,
-            measured: _,
             is_corrected,
             accuracy,
             intervals,
@@ -41,75 +40,49 @@ impl Stored for Chain {
             is_plain: _,
             views: _,
         } = self;
-        summary.iter().for_each(|summary| summary.save(to));
-        covariance.iter().for_each(|covariance| covariance.save(to));
+        summary.as_slice().save(to);
+        covariance.save(to);
         generator.save(to);
         self.imu().save(to);
         self.last.vertical_unaided().unwrap_or_default().save(to);
-        to.flag(*north_unknown);
-        block.iter().for_each(|block| block.save(to));
-        disturbance.iter().for_each(|disturbance| disturbance.save(to));
+        north_unknown.save(to);
+        block.as_slice().save(to);
+        disturbance.as_slice().save(to);
         mechanization.save(to);
-        if let Some(model) = error_model {
-            model.save(to);
-        }
+        error_model.as_slice().save(to);
         compensation.save(to);
-        to.flag(*is_corrected);
+        is_corrected.save(to);
         accuracy.save(to);
         intervals.save(to);
         closure.save(to);
-        if let Some(closed_loop) = closed_loop {
-            closed_loop.save(to);
-        }
+        closed_loop.as_slice().save(to);
     }
 
     fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
-        if let Some(summary) = &mut self.summary {
-            summary.load(from)?;
-        }
-        self.covariance.iter_mut().try_for_each(|covariance| covariance.load(from))?;
+        self.summary.as_mut_slice().load(from)?;
+        self.covariance.load(from)?;
         self.generator.load(from)?;
         let mut imu: Option<ImuInterval> = None;
         imu.load(from)?;
         let vertical_unaided = from.flag()?;
         self.last = imu.map_or(LastInterval::None, |imu| LastInterval::Loaded { imu, vertical_unaided });
         self.north_unknown = from.flag()?;
-        if let Some(block) = &mut self.block {
-            block.load(from)?;
-        }
-        if let Some(disturbance) = &mut self.disturbance {
-            disturbance.load(from)?;
-        }
+        self.block.as_mut_slice().load(from)?;
+        self.disturbance.as_mut_slice().load(from)?;
         self.mechanization.load(from)?;
-        if let Some(model) = &mut self.error_model {
-            model.load(from)?;
-        }
+        self.error_model.as_mut_slice().load(from)?;
         self.compensation.load(from)?;
         self.is_corrected = from.flag()?;
         self.accuracy.load(from)?;
         from.enter("snapshot: intervals");
         Numbers::load(&mut self.intervals, from, COUNT)?;
         self.closure.load(from)?;
-        if let Some(closed_loop) = &mut self.closed_loop {
-            closed_loop.load(from)?;
-        }
+        self.closed_loop.as_mut_slice().load(from)?;
         self.check()
     }
 }
 
 impl Chain {
-    /// The point that the chain of a snapshot has reached: the first of the points `behind`, newest first.
-    pub fn flown_to<'a>(
-        behind: &[Option<&'a TruthPoint>; 3],
-        from: &mut Reader<'_>,
-    ) -> Result<&'a TruthPoint, Error> {
-        if let [Some(current), ..] = *behind {
-            return Ok(current);
-        }
-        from.enter("snapshot: samples that were flown");
-        Err(from.refused(0.0, Rule::Sentence("must be at least 1 in flight")))
-    }
-
     /// A chain at the point `current`, into which the chain of a snapshot can be read.
     pub fn to_load(
         options: &Options,

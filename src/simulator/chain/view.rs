@@ -9,6 +9,14 @@ use crate::simulator::{Moment, View};
 use crate::state::Navigation;
 use crate::truth::TruthPoint;
 
+/// Views of the current instant. Each view is computed when it is read for the first time. The chain drops both views as it moves on. Errors are computed at each
+/// read, because they are little more than the difference of the views.
+#[derive(Debug, Clone, Default)]
+pub(in crate::simulator) struct Views {
+    pub truth: OnceCell<Navigation>,
+    pub navigation: OnceCell<Navigation>,
+}
+
 impl Chain {
     /// The truth, which is at `point`.
     #[inline(always)]

@@ -3,10 +3,7 @@
 use super::Imperfections;
 use crate::covariance::Parameters;
 use crate::mounting::MountingParameters;
-use crate::sensors::{
-    AltimeterParameters, FailingTriad, Failure, GravityDisturbanceParameters, InitialErrorParameters,
-    SensorOutput, TriadParameters,
-};
+use crate::sensors::{FailingTriad, Failure, SensorOutput};
 use crate::signal::Increment;
 use crate::simulator::{ErrorParameters, Options};
 
@@ -14,7 +11,7 @@ impl Imperfections {
     /// The same parameters, with all processes and streams back at their start and without failures.
     pub fn restarted(&self, options: &Options) -> Self {
         let mut fresh = Self::new(options);
-        fresh.set_as(self);
+        fresh.change(|set| *set = self.set);
         fresh
     }
 
@@ -23,22 +20,12 @@ impl Imperfections {
     #[inline(never)]
     pub fn become_run(&mut self, other: &Self, options: &Options) {
         *self = Self::new(options);
-        self.set_as(other);
+        self.change(|set| *set = other.set);
         for output in SensorOutput::ALL {
             if let Some(failure) = other.failure(output) {
                 self.set_failure(output, Some(failure), None);
             }
         }
-    }
-
-    /// Takes the host's settings of `other`, except for failures.
-    fn set_as(&mut self, other: &Self) {
-        self.set = other.set;
-        self.gravity.set(&self.set.gravity);
-        self.gyro.set(&self.set.gyro);
-        self.accel.set(&self.set.accel);
-        self.altimeter.set(&self.set.altimeter);
-        self.update_summary();
     }
 
     /// Whether `other` has the same settings of the host, failures included.
@@ -52,38 +39,19 @@ impl Imperfections {
         &self.set
     }
 
-    pub fn set_gyro(&mut self, parameters: &TriadParameters) {
-        self.set.gyro = *parameters;
-        self.gyro.set(parameters);
-        self.update_summary();
-    }
-
-    pub fn set_accel(&mut self, parameters: &TriadParameters) {
-        self.set.accel = *parameters;
-        self.accel.set(parameters);
-        self.update_summary();
-    }
-
-    pub fn set_altimeter(&mut self, parameters: &AltimeterParameters) {
-        self.set.altimeter = *parameters;
-        self.altimeter.set(parameters);
-        self.update_summary();
-    }
-
-    pub fn set_initial_errors(&mut self, parameters: &InitialErrorParameters) {
-        self.set.initial = *parameters;
-    }
-
-    pub fn set_mounting(&mut self, parameters: &MountingParameters) {
-        let none = MountingParameters::default();
-        // A lever arm of -0 means no mounting, and a snapshot stores no mounting then.
-        self.set.mounting = if *parameters == none { none } else { *parameters };
-        self.update_summary();
-    }
-
-    pub fn set_gravity_disturbance(&mut self, parameters: &GravityDisturbanceParameters) {
-        self.set.gravity = *parameters;
-        self.gravity.set(parameters);
+    /// Changes settings of the host. Processes that were active continue from their states.
+    #[inline(never)]
+    pub fn change(&mut self, change: impl FnOnce(&mut ErrorParameters)) {
+        let set = &mut self.set;
+        change(set);
+        if set.mounting == MountingParameters::default() {
+            // A lever arm of -0 means no mounting, and a snapshot stores no mounting then.
+            set.mounting = MountingParameters::default();
+        }
+        self.gravity.set(&set.gravity);
+        self.gyro.set(&set.gyro);
+        self.accel.set(&set.accel);
+        self.altimeter.set(&set.altimeter);
         self.update_summary();
     }
 
@@ -94,15 +62,10 @@ impl Imperfections {
 
     /// Sets or clears the failure of an output. `last` has the mean signals of the last interval, if there was one.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>, last: Option<&Increment>) {
+        let last = last.and_then(|mean| output.of(mean));
         match output {
-            SensorOutput::Gyro(axis) => {
-                let last = last.map(|mean| mean.angle[axis as usize]);
-                self.gyro.set_failure(axis, failure, last, &self.set.gyro);
-            }
-            SensorOutput::Accelerometer(axis) => {
-                let last = last.map(|mean| mean.velocity[axis as usize]);
-                self.accel.set_failure(axis, failure, last, &self.set.accel);
-            }
+            SensorOutput::Gyro(axis) => self.gyro.set_failure(axis, failure, last, &self.set.gyro),
+            SensorOutput::Accelerometer(axis) => self.accel.set_failure(axis, failure, last, &self.set.accel),
             SensorOutput::Altimeter => self.altimeter.set_failure(failure),
         }
         self.update_summary();

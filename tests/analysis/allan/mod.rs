@@ -5,3 +5,4 @@
 mod closure;
 mod estimator;
 mod noises;
+mod terms;

@@ -2,6 +2,7 @@
 //! with one random draw, and over starts, reads and slews.
 
 mod at_rest;
+mod ellipse;
 mod first_seconds;
 mod single_runs;
 mod starts_and_reads;

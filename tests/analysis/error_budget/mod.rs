@@ -4,7 +4,7 @@ mod interface;
 mod mounting_and_gravity;
 
 use nalgebra::{Complex, Vector3};
-use sins::budget::{BudgetRequest, BudgetRow, ErrorParameters, Scene, error_budget};
+use sins::budget::{BudgetRequest, BudgetRow, ErrorParameters, Interval, Scene, error_budget};
 use sins::errors::NavigationErrors;
 use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::mechanization::VerticalMode;
@@ -359,4 +359,34 @@ fn a_bad_sample_is_named() {
     let bad = ErrorParameters { gyro: triad(|gyro| gyro.scale_factor.y = 2.0), ..Default::default() };
     let refusal = refused(5, &bad);
     assert_eq!((refusal.error.field, refusal.sample), ("gyro.scale_factor", None));
+}
+
+#[test]
+fn a_bad_field_of_the_request_is_named() {
+    let good = BudgetRequest::default();
+    assert_eq!(good.validate(), Ok(()));
+    let limits = |position_m, velocity_m_s, attitude_rad| BudgetRequest {
+        limits: SolutionError { position_m, velocity_m_s, attitude_rad },
+        ..good
+    };
+    for (bad, field) in [
+        (BudgetRequest { runs: 7, ..good }, "request.runs"),
+        (BudgetRequest { runs: 1001, ..good }, "request.runs"),
+        (limits(-1.0, 0.0, 0.0), "request.position_m"),
+        (limits(0.0, f64::NAN, 0.0), "request.velocity_m_s"),
+        (limits(0.0, 0.0, f64::INFINITY), "request.attitude_rad"),
+    ] {
+        assert_eq!(bad.validate().unwrap_err().field, field);
+    }
+}
+
+/// Tables of the chi-square distribution.
+#[test]
+fn factors_are_those_of_the_tables() {
+    for (runs, low, high) in [(8, 17.535, 2.180), (16, 28.845, 6.908), (100, 129.561, 74.222)] {
+        let factor = |quantile: f64| (runs as f64 / quantile).sqrt();
+        let interval = Interval::of(runs);
+        assert!((interval.low / factor(low) - 1.0).abs() < 7e-3, "{runs}: {interval:?}");
+        assert!((interval.high / factor(high) - 1.0).abs() < 7e-3, "{runs}: {interval:?}");
+    }
 }

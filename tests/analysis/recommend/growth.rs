@@ -177,3 +177,50 @@ fn errors_are_the_pieces_own_at_first_and_only_grow() {
         }
     }
 }
+
+/// Responses of Schuler's pendulum (r' = v + u, v' = -ω² r + nabla + g a, a' = eps) to each steady rate alone, the worst
+/// until `t`: position, velocity, attitude.
+fn steady(source: usize, t: f64) -> SolutionError {
+    let (omega, g) = (1.0 / 806.0, 9.8);
+    let mut worst = SolutionError::default();
+    for step in 0..=1000 {
+        let t = t * f64::from(step) / 1000.0;
+        let (sin, cos) = (omega * t).sin_cos();
+        let (s, c) = (sin / omega, (1.0 - cos) / (omega * omega));
+        let (position, velocity, attitude) = match source {
+            0 => (s, -omega * omega * c, 0.0),
+            1 => (c, s, 0.0),
+            _ => (g * (t - s) / (omega * omega), g * c, t),
+        };
+        worst.position_m = worst.position_m.max(position.abs());
+        worst.velocity_m_s = worst.velocity_m_s.max(velocity.abs());
+        worst.attitude_rad = worst.attitude_rad.max(attitude);
+    }
+    worst
+}
+
+/// Never less than what follows, and less than twice as much: what is counted twice is a part.
+#[test]
+fn steady_rates_are_predicted_from_below_twice() {
+    for source in 0..3 {
+        for duration_s in [60.0, 120.0, 300.0] {
+            let piece = Piece { duration_s, ..Piece::default() };
+            let measured = steady(source, duration_s);
+            for pieces in [1.0, 2.0, 5.0, 12.0, 30.0, 100.0] {
+                let growth = Growth::new(&piece, pieces * duration_s, VerticalMode::FollowTruth);
+                let (predicted, actual) = (growth.of(&measured), steady(source, pieces * duration_s));
+                for (predicted, actual) in [
+                    (predicted.position_m, actual.position_m),
+                    (predicted.velocity_m_s, actual.velocity_m_s),
+                    (predicted.attitude_rad, actual.attitude_rad),
+                ] {
+                    let bounds = (1.0 - 1e-9) * actual..=2.0 * actual;
+                    assert!(
+                        bounds.contains(&predicted),
+                        "{source} {duration_s} {pieces}: {predicted} {actual}"
+                    );
+                }
+            }
+        }
+    }
+}

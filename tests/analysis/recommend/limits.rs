@@ -3,7 +3,7 @@
 use sins::abi::SINS_REQUIREMENT_NOT_MET;
 use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::recommend::{Requirement, Rung, ladder, recommend};
+use sins::recommend::{Requirement, Rung, SolutionError, ladder, recommend};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, Options, Simulator};
 
@@ -149,4 +149,29 @@ fn a_bad_piece_is_refused_with_its_sample() {
     // Two samples are a piece.
     let easy = Requirement { position_m: 1.0, ..Default::default() };
     assert!(recommend(&options.into(), &samples[..2], &easy).unwrap().met);
+}
+
+#[test]
+fn the_largest_share_counts_and_what_does_not_matter_does_not() {
+    let error = SolutionError { position_m: 1.0, velocity_m_s: 0.1, attitude_rad: 1e9 };
+    let requirement = Requirement { position_m: 8.0, velocity_m_s: 0.4, ..Default::default() };
+    assert_eq!(requirement.share(&error), 0.5);
+    assert_eq!(Requirement { margin: 4.0, ..requirement }.share(&error), 1.0);
+}
+
+#[test]
+fn a_bad_field_is_named_and_one_limit_is_needed() {
+    let good = Requirement { velocity_m_s: 1.0, ..Default::default() };
+    assert_eq!(good.validate(), Ok(()));
+    for (bad, field) in [
+        (Requirement { duration_s: -1.0, ..good }, "requirement.duration_s"),
+        (Requirement { duration_s: 1.1e6, ..good }, "requirement.duration_s"),
+        (Requirement { position_m: f64::NAN, ..good }, "requirement.position_m"),
+        (Requirement { velocity_m_s: -0.1, ..good }, "requirement.velocity_m_s"),
+        (Requirement { attitude_rad: f64::INFINITY, ..good }, "requirement.attitude_rad"),
+        (Requirement { margin: 0.9, ..good }, "requirement.margin"),
+        (Requirement::default(), "requirement.position_m"),
+    ] {
+        assert_eq!(bad.validate().unwrap_err().field, field, "{bad:?}");
+    }
 }

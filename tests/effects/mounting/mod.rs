@@ -1,6 +1,7 @@
 //! A sensor block off the reference point.
 
 mod errors;
+mod placement;
 mod truth;
 
 use nalgebra::Vector3;

@@ -2,24 +2,23 @@
 
 use nalgebra::Vector3;
 
-use super::interval::Interval;
+use super::shared::Shared;
 use crate::correction::Compensation;
 use crate::error::Error;
 use crate::errors::SensorErrors;
 use crate::mechanization::VerticalAid;
-use crate::memory::room;
-use crate::sensors::{Failure, SensorOutput};
+use crate::memory::{filled, room};
 use crate::signal::{Increment, MAX_INCREMENTS, RUNS};
 use crate::simulator::chain::Chain;
 use crate::simulator::disturbance::Disturbance;
 use crate::simulator::imperfections::IntervalConditions;
-use crate::simulator::interval::LastInterval;
+use crate::simulator::imu::LastInterval;
 use crate::simulator::{Imperfections, ImuFlags};
 
 /// A run's sensors and its gravity.
 #[derive(Debug, Clone)]
 pub(super) struct Disturbed {
-    imperfections: Imperfections,
+    pub imperfections: Imperfections,
     flown: Flown,
     before: Flown,
 }
@@ -43,18 +42,14 @@ impl Flown {
 pub(super) struct DisturbedWorkspace {
     pub ideal: Box<[Increment]>,
     pub measured: Box<[Increment]>,
-    /// Sensor errors of each run of a block, including the gravity that an INS takes for a sensor error.
+    /// Sensor errors of each run of a batch, including the gravity that an INS takes for a sensor error.
     pub errors: [SensorErrors; RUNS],
 }
 
 impl DisturbedWorkspace {
     pub fn new(imperfections: &Imperfections) -> Result<Self, Error> {
         let count = if imperfections.gravity.is_on() { MAX_INCREMENTS } else { 0 };
-        let increments = || -> Result<Box<[Increment]>, Error> {
-            let mut increments = room(count)?;
-            increments.resize(count, Increment::ZERO);
-            Ok(increments.into_boxed_slice())
-        };
+        let increments = || filled(count, Increment::ZERO);
         Ok(Self { ideal: increments()?, measured: increments()?, errors: [SensorErrors::NONE; RUNS] })
     }
 }
@@ -74,22 +69,6 @@ impl Disturbed {
     #[inline(never)]
     fn of(imperfections: &Imperfections) -> Self {
         Self { imperfections: imperfections.clone(), flown: Flown::NONE, before: Flown::NONE }
-    }
-
-    pub fn put(&mut self, imperfections: &Imperfections) {
-        self.imperfections.copy_from(imperfections);
-    }
-
-    pub fn take(&self, imperfections: &mut Imperfections) {
-        imperfections.copy_from(&self.imperfections);
-    }
-
-    pub fn reposition(&mut self, height_m: f64) {
-        self.imperfections.reposition(height_m);
-    }
-
-    pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>, last: Option<&Increment>) {
-        self.imperfections.set_failure(output, failure, last);
     }
 
     /// The run has flown as `chain` so far.
@@ -112,17 +91,18 @@ impl Disturbed {
     /// indicated height, if there is one [m].
     pub fn sense<'a>(
         &mut self,
-        interval: &Interval<'_>,
+        shared: &Shared<'_>,
         workspace: &'a mut DisturbedWorkspace,
         lane: usize,
         compensation: Option<&Compensation>,
     ) -> (Increment, &'a [Increment], ImuFlags, Option<f64>) {
-        let &Interval { earth, recent, motion, mounting, t, count, aid, .. } = interval;
+        let &Shared { earth, recent, motion, mounting, t, dt, aid, .. } = shared;
         let Self { imperfections, flown, before } = self;
         *before = *flown;
         let DisturbedWorkspace { ideal, measured, errors } = workspace;
+        let count = shared.ideal.len();
         let (ideal, measured) = (&mut ideal[..count], &mut measured[..count]);
-        ideal.copy_from_slice(interval.ideal);
+        ideal.copy_from_slice(shared.ideal);
         flown.disturbance.fly(earth, recent, motion, mounting, &mut imperfections.gravity, ideal);
         flown.velocity = Increment::sum(ideal).velocity;
         let flags = if imperfections.triads_are_ideal() {
@@ -130,10 +110,10 @@ impl Disturbed {
             ImuFlags::default()
         } else {
             imperfections.begin_interval(t, || IntervalConditions::of(recent, motion, mounting));
-            imperfections.sense(ideal, interval.dt, measured)
+            imperfections.sense(ideal, dt, measured)
         };
         let sum = match compensation {
-            Some(compensation) => compensation.apply(measured, interval.dt),
+            Some(compensation) => compensation.apply(measured, dt),
             None => Increment::sum(measured),
         };
         errors[lane] = SensorErrors::between(ideal, measured, t).plus(flown.disturbance.apparent_errors());
@@ -145,8 +125,8 @@ impl Disturbed {
     }
 
     /// Undoes the interval.
-    pub fn undo(&mut self, interval: &Interval<'_>) {
-        Chain::undo_imperfections(interval.options, true, &mut self.imperfections);
+    pub fn undo(&mut self, shared: &Shared<'_>) {
+        Chain::undo_imperfections(shared.options, true, &mut self.imperfections);
         self.flown = self.before;
     }
 }

@@ -1,40 +1,44 @@
-//! A block of runs over an interval.
+//! A batch of runs over an interval.
 
-use super::block::{Block, Report};
-use super::interval::Interval;
+use super::batch::{Batch, Report, State};
+use super::shared::Shared;
 use super::workspace::Workspace;
 use crate::errors::SensorErrors;
 use crate::instruction_set::{InstructionSet, Work};
 use crate::mechanization::{AidOfEach, VerticalAid, check_state};
-use crate::mounting;
+use crate::mounting::Block;
 use crate::sensors::FailingTriad;
 use crate::signal::{Increment, RUNS, increment_of, put_increment};
 use crate::simulator::ImuFlags;
 use crate::simulator::aid::aid_vertical;
 
-impl Block {
+impl Batch {
     /// Flies an interval.
-    pub fn fly(&mut self, set: InstructionSet, interval: &Interval<'_>, workspace: &mut Workspace) {
+    pub fn fly(&mut self, set: InstructionSet, shared: &Shared<'_>, workspace: &mut Workspace) {
         // The state before the interval goes into the workspace. A run that diverges is set back to it.
-        core::mem::swap(&mut self.navigators, &mut workspace.navigators);
-        core::mem::swap(&mut self.models, &mut workspace.models);
-        (workspace.sums, workspace.reports) = (self.measured, self.reports);
-        workspace.is_unaided = [interval.aid == VerticalAid::None; RUNS];
+        let (state, before) = (&mut self.state, &mut workspace.before);
+        core::mem::swap(&mut state.navigators, &mut before.navigators);
+        core::mem::swap(&mut state.models, &mut before.models);
+        (before.measured, before.reports) = (state.measured, state.reports);
+        workspace.is_unaided = [shared.aid == VerticalAid::None; RUNS];
+        if let VerticalAid::Barometer { height_m } = shared.aid {
+            workspace.heights_m = [height_m; RUNS];
+        }
         if self.disturbed.is_empty() {
-            self.begin_failures(interval, workspace);
-            self.sense_heights(interval, workspace);
-            set.run(Sensing { block: self, interval, workspace });
+            self.begin_failures(shared, workspace);
+            self.sense_heights(shared, workspace);
+            set.run(Sensing { batch: self, shared, workspace });
             if !self.compensated.is_empty() {
-                self.compensate(interval, workspace);
+                self.compensate(shared, workspace);
             }
         } else {
-            self.sense_disturbed(interval, workspace);
+            self.sense_disturbed(shared, workspace);
         }
-        set.run(Navigating { block: self, interval, workspace });
+        set.run(Navigating { batch: self, shared, workspace });
         for lane in 0..self.count {
-            let is_good = interval.is_shared_good && workspace.is_good[lane] != 0;
+            let is_good = shared.is_good && workspace.is_good[lane] != 0;
             if self.diverged[lane].is_some() || !is_good {
-                self.look_closely(lane, interval, workspace);
+                self.look_closely(lane, shared, workspace);
             }
         }
     }
@@ -42,15 +46,15 @@ impl Block {
     /// Compensates the measured increments of each run.
     #[cold]
     #[inline(never)]
-    fn compensate(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
-        let rows = &mut workspace.measured[..interval.count];
-        let increments = &mut workspace.compensated[..interval.count];
+    fn compensate(&mut self, shared: &Shared<'_>, workspace: &mut Workspace) {
+        let rows = &mut workspace.measured[..shared.ideal.len()];
+        let increments = &mut workspace.compensated[..shared.ideal.len()];
         for (lane, of_run) in self.compensated.iter_mut().enumerate() {
             for (increment, rows) in increments.iter_mut().zip(&*rows) {
                 *increment = increment_of(rows, lane);
             }
             if let Some(compensation) = &of_run.compensation {
-                compensation.apply(increments, interval.dt);
+                compensation.apply(increments, shared.dt);
                 for (rows, increment) in rows.iter_mut().zip(&*increments) {
                     put_increment(rows, lane, increment);
                 }
@@ -61,20 +65,22 @@ impl Block {
 
     /// Begins the interval for the failures, if there are any.
     #[inline]
-    fn begin_failures(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
-        for (triad, _) in interval.have_failed.iter().enumerate().filter(|(_, has_failed)| **has_failed) {
-            workspace.failures[triad][..self.count].clone_from_slice(&self.failures[triad]);
-            self.failures[triad].iter_mut().for_each(|failures| failures.begin_interval(interval.t));
+    fn begin_failures(&mut self, shared: &Shared<'_>, workspace: &mut Workspace) {
+        let failures = self.state.failures.iter_mut().zip(&mut workspace.before.failures);
+        for ((failures, before), _) in
+            failures.zip(shared.have_failed()).filter(|(_, has_failed)| *has_failed)
+        {
+            before[..self.count].clone_from_slice(failures);
+            failures.iter_mut().for_each(|failures| failures.begin_interval(shared.t));
         }
     }
 
     /// Reads the altimeters, if each run has its own.
     #[inline]
-    fn sense_heights(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
-        if let (VerticalAid::Barometer { height_m }, true) = (interval.aid, interval.has_altimeters) {
-            workspace.heights_m = [height_m; RUNS];
+    fn sense_heights(&mut self, shared: &Shared<'_>, workspace: &mut Workspace) {
+        if let (VerticalAid::Barometer { height_m }, true) = (shared.aid, shared.has_altimeters) {
             for lane in (0..self.count).filter(|lane| self.diverged[*lane].is_none()) {
-                let indicated_m = self.altimeters[lane].sense(height_m, interval.t);
+                let indicated_m = self.altimeters[lane].sense(height_m, shared.t);
                 workspace.put_height(lane, height_m, indicated_m);
             }
         }
@@ -83,78 +89,67 @@ impl Block {
     /// Reads the sensors and the altimeter of each run, if gravity is not normal.
     #[cold]
     #[inline(never)]
-    fn sense_disturbed(&mut self, interval: &Interval<'_>, workspace: &mut Workspace) {
+    fn sense_disturbed(&mut self, shared: &Shared<'_>, workspace: &mut Workspace) {
         for lane in 0..self.count {
             if self.diverged[lane].is_some() {
                 continue;
             }
             let compensation = self.compensation(lane);
             let (sum, navigated, flags, indicated_m) =
-                self.disturbed[lane].sense(interval, &mut workspace.disturbed, lane, compensation.as_ref());
-            put_increment(&mut self.measured, lane, &sum);
+                self.disturbed[lane].sense(shared, &mut workspace.disturbed, lane, compensation.as_ref());
+            put_increment(&mut self.state.measured, lane, &sum);
             if let Some(of_run) = self.compensated.get_mut(lane) {
                 of_run.sum_before = core::mem::replace(&mut of_run.sum, Increment::sum(navigated));
             }
             for (rows, increment) in workspace.measured.iter_mut().zip(navigated) {
                 put_increment(rows, lane, increment);
             }
-            if let VerticalAid::Barometer { height_m } = interval.aid {
+            if let VerticalAid::Barometer { height_m } = shared.aid {
                 workspace.put_height(lane, height_m, indicated_m);
             }
-            self.reports[lane] = Report { flags, is_unaided: workspace.is_unaided[lane] };
+            self.state.reports[lane] = Report { flags, is_unaided: workspace.is_unaided[lane] };
         }
     }
 
     /// Checks the run at `lane`. If it is not good, it goes back to its last good solution and stays there.
     #[cold]
     #[inline(never)]
-    fn look_closely(&mut self, lane: usize, interval: &Interval<'_>, workspace: &Workspace) {
+    fn look_closely(&mut self, lane: usize, shared: &Shared<'_>, workspace: &Workspace) {
         if self.diverged[lane].is_none() {
-            if self.is_good(lane, interval) {
+            if self.is_good(lane, shared) {
                 return;
             }
-            self.diverged[lane] = Some(interval.last_good);
+            self.diverged[lane] = Some(shared.last_good);
             if let Some(disturbed) = self.disturbed.get_mut(lane) {
-                disturbed.undo(interval);
-            } else if interval.has_altimeters {
+                disturbed.undo(shared);
+            } else if shared.has_altimeters {
                 self.altimeters[lane].undo();
             }
         }
-        for (navigators, before) in self.navigators.iter_mut().zip(&workspace.navigators) {
-            navigators.go_back(lane, before);
-        }
-        for (models, before) in self.models.iter_mut().zip(&workspace.models) {
-            models.go_back(lane, before);
-        }
-        self.measured.iter_mut().zip(&workspace.sums).for_each(|(row, before)| row[lane] = before[lane]);
-        self.reports[lane] = workspace.reports[lane];
+        self.state.go_back(lane, &workspace.before);
         if let Some(of_run) = self.compensated.get_mut(lane) {
             of_run.sum = of_run.sum_before;
         }
         if self.disturbed.is_empty() {
-            self.gyro.go_back(lane, &workspace.gyro);
-            self.accel.go_back(lane, &workspace.accel);
-            for (triad, _) in interval.have_failed.iter().enumerate().filter(|(_, has_failed)| **has_failed) {
-                self.failures[triad][lane].clone_from(&workspace.failures[triad][lane]);
-            }
+            self.state.sensors_go_back(lane, &workspace.before, shared.have_failed());
         }
     }
 
     /// Whether all solutions of a run are within their limits.
-    fn is_good(&self, lane: usize, interval: &Interval<'_>) -> bool {
-        let navigator = self.navigator(lane, interval.earth, interval.options);
-        let mounting = interval.mounting_of(&self.navigated(lane));
-        let is_reference_point_good = |mounting: mounting::Block| {
-            check_state(interval.earth, &mounting.belief().reference_point(&navigator.state())).is_ok()
+    fn is_good(&self, lane: usize, shared: &Shared<'_>) -> bool {
+        let navigator = self.navigator(lane, shared.earth, shared.options);
+        let mounting = shared.mounting_of(&self.navigated(lane));
+        let is_reference_point_good = |mounting: Block| {
+            check_state(shared.earth, &mounting.belief().reference_point(&navigator.state())).is_ok()
         };
-        interval.is_shared_good && navigator.check().is_ok() && mounting.is_none_or(is_reference_point_good)
+        shared.is_good && navigator.check().is_ok() && mounting.is_none_or(is_reference_point_good)
     }
 }
 
-/// The sensors of a block in an interval.
+/// The sensors of a batch in an interval.
 struct Sensing<'a> {
-    block: &'a mut Block,
-    interval: &'a Interval<'a>,
+    batch: &'a mut Batch,
+    shared: &'a Shared<'a>,
     workspace: &'a mut Workspace,
 }
 
@@ -165,20 +160,18 @@ impl Work for Sensing<'_> {
 
     #[inline(always)]
     fn run(self) {
-        let Self { block, interval, workspace } = self;
-        let Block { gyro, accel, measured: sums, reports, failures, .. } = block;
+        let Self { batch, shared, workspace } = self;
+        let State { gyro, accel, measured: sums, reports, failures, .. } = &mut batch.state;
         let [gyro_failures, accel_failures] = failures;
-        let Workspace {
-            gyro: gyro_before, accel: accel_before, measured, saturated: marks, is_unaided, ..
-        } = workspace;
-        let (gyro, accel) = ((gyro, gyro_before), (accel, accel_before));
-        let &Interval { imperfections, shared, dt, count, have_failed: [gyro_failed, accel_failed], .. } =
-            interval;
-        let measured = &mut measured[..count];
+        let Workspace { before, measured, saturated: marks, is_unaided, .. } = workspace;
+        let (gyro, accel) = ((gyro, &mut before.gyro), (accel, &mut before.accel));
+        let &Shared { imperfections, inputs, dt, ideal, .. } = shared;
+        let [gyro_failed, accel_failed] = shared.have_failed();
+        let measured = &mut measured[..ideal.len()];
 
         *marks = [[0; RUNS]; 2];
-        imperfections.gyro.sense_block(&shared[0], dt, gyro, gyro_failures, measured, &mut marks[0]);
-        imperfections.accel.sense_block(&shared[1], dt, accel, accel_failures, measured, &mut marks[1]);
+        imperfections.gyro.sense_batch(&inputs[0], dt, gyro, gyro_failures, measured, &mut marks[0]);
+        imperfections.accel.sense_batch(&inputs[1], dt, accel, accel_failures, measured, &mut marks[1]);
         for (lane, report) in reports.iter_mut().enumerate() {
             let is_silent =
                 |failures: &[FailingTriad]| failures.get(lane).is_some_and(FailingTriad::are_silent);
@@ -204,10 +197,10 @@ impl Work for Sensing<'_> {
     }
 }
 
-/// The navigators and error models of a block in an interval.
+/// The navigators and error models of a batch in an interval.
 struct Navigating<'a> {
-    block: &'a mut Block,
-    interval: &'a Interval<'a>,
+    batch: &'a mut Batch,
+    shared: &'a Shared<'a>,
     workspace: &'a mut Workspace,
 }
 
@@ -216,33 +209,35 @@ impl Work for Navigating<'_> {
 
     #[inline(always)]
     fn run(self) {
-        let Self { block, interval, workspace } = self;
-        let Workspace { navigators: before, models: models_before, measured, scratch, .. } = workspace;
-        let Workspace { heights_m, is_unaided, is_good, disturbed, .. } = workspace;
-        let &Interval { earth, options, t, count, aid, has_altimeters, .. } = interval;
-        let Block { navigators, models, measured: sums, compensated, .. } = block;
-        let ([navigators], [before]) = (&mut **navigators, &**before) else { return };
-        let (measured, sums) = (&measured[..count], &*sums);
-        let aid = match has_altimeters {
-            false => AidOfEach::Same(aid),
-            true if is_unaided.contains(&true) => AidOfEach::Some { heights_m, is_none: is_unaided },
-            true => AidOfEach::Barometer { heights_m },
+        let Self { batch, shared, workspace } = self;
+        let Workspace { before, measured, scratch, heights_m, is_unaided, is_good, disturbed, .. } =
+            workspace;
+        let &Shared { earth, options, t, ideal, aid, .. } = shared;
+        let State { navigators, models, measured: sums, .. } = &mut batch.state;
+        let ([navigators], [navigators_before]) = (&mut **navigators, &*before.navigators) else { return };
+        let (measured, sums, compensated) = (&measured[..ideal.len()], &*sums, &*batch.compensated);
+        let aid = match aid {
+            VerticalAid::None => AidOfEach::None,
+            VerticalAid::Truth { height_m, velocity_up_m_s } => {
+                AidOfEach::Truth { height_m, velocity_up_m_s }
+            }
+            _ if is_unaided.contains(&true) => AidOfEach::Some { heights_m, is_none: is_unaided },
+            VerticalAid::Barometer { .. } => AidOfEach::Barometer { heights_m },
         };
         let kind = (earth, options.scheme);
-        let compensated = &*compensated;
         let mounting_of = |lane: usize| {
             let sum = compensated.get(lane).map_or_else(|| increment_of(sums, lane), |of_run| of_run.sum);
-            interval.mounting_of(&sum)
+            shared.mounting_of(&sum)
         };
         navigators.navigate(
-            (before, interval.shift_e.as_ref()),
+            (navigators_before, shared.shift_e.as_ref()),
             kind,
             options.subsamples,
             measured,
             t,
             scratch,
         );
-        if interval.mounting.is_none() {
+        if shared.mounting.is_none() {
             navigators.aid_vertical(kind, &aid, t, is_good);
         } else {
             navigators.each(kind, |lane, navigator| {
@@ -251,20 +246,16 @@ impl Work for Navigating<'_> {
             });
             *is_good = [0; RUNS];
         }
-        for ((models, before), interval_of_models) in
-            models.iter_mut().zip(models_before).zip(&interval.model)
-        {
-            if !block.disturbed.is_empty() {
+        for ((models, before), interval) in models.iter_mut().zip(&before.models).zip(&shared.model) {
+            if !batch.disturbed.is_empty() {
                 let errors: &[SensorErrors; RUNS] = &disturbed.errors;
-                models.advance_one_by_one(before, interval_of_models, &aid, |lane| {
-                    (errors[lane], mounting_of(lane))
-                });
-            } else if interval.mounting.is_some() {
-                models.advance_one_by_one(before, interval_of_models, &aid, |lane| {
-                    (interval_of_models.errors(measured, lane), mounting_of(lane))
+                models.advance_one_by_one(before, interval, &aid, |lane| (errors[lane], mounting_of(lane)));
+            } else if shared.mounting.is_some() {
+                models.advance_one_by_one(before, interval, &aid, |lane| {
+                    (interval.errors(measured, lane), mounting_of(lane))
                 });
             } else {
-                models.advance(before, interval_of_models, measured, &aid);
+                models.advance(before, interval, measured, &aid);
             }
         }
     }

@@ -1,10 +1,13 @@
-//! The runs of an ensemble side by side. What the runs share is computed once an interval. What differs is computed in blocks of
-//! [`RUNS`](crate::signal::RUNS).
+//! The runs of an ensemble side by side, in batches of [`RUNS`](crate::signal::RUNS).
+//!
+//! A step has four parts. The generator gives the ideal signals, which are the same for all runs, and a chain without navigators flies
+//! their mounting and their closed loop. The part of sensors, altimeter and error models that is the same in all runs is computed.
+//! Each batch flies with what the runs share. The chain concludes the interval.
 
-mod block;
+mod batch;
 mod disturbed;
 mod fly;
-mod interval;
+mod shared;
 mod start;
 mod workspace;
 
@@ -14,21 +17,18 @@ use super::Chain;
 use crate::correction::{Compensation, Correction};
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::errors::{ModelInterval, NavigationErrors};
+use crate::errors::NavigationErrors;
 use crate::instruction_set::InstructionSet;
-use crate::mechanization::VerticalMode;
 use crate::sensors::{Failure, SensorOutput, SharedInput};
-use crate::signal::{Increment, RUNS};
-use crate::simulator::aid::vertical_aid;
-use crate::simulator::imperfections::IntervalConditions;
-use crate::simulator::interval::LastInterval;
+use crate::signal::{RUNS, increment_of};
+use crate::simulator::chain::view::Views;
+use crate::simulator::imu::LastInterval;
 use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
-use crate::simulator::views::Views;
 use crate::simulator::{ErrorSource, Imperfections, ImuInterval, Options, Solution, nothing_to_correct};
 use crate::truth::{FlightSample, Intake, Recent, TruthPoint};
-use block::Block;
-use interval::{Interval, LastGood};
+use batch::{Batch, Report};
+use shared::{LastGood, Shared};
 use workspace::Workspace;
 
 /// Runs over one truth, and what they share.
@@ -45,10 +45,10 @@ pub(crate) struct SideBySide {
     /// Scratch: the sensors of one run, which are assembled when they are read.
     of_one: RefCell<Box<[Imperfections]>>,
     signals: Signals,
-    shared: [SharedInput; 2],
+    inputs: [SharedInput; 2],
     /// One element: in flight the chain without the navigators. It is on the heap, because it is large for a stack.
     chain: Box<[Option<Chain>]>,
-    blocks: Vec<Block>,
+    batches: Vec<Batch>,
     workspace: Box<[Workspace]>,
 }
 
@@ -60,86 +60,30 @@ impl SideBySide {
             self.start(recent)?;
         }
         let Self {
-            set,
-            options,
-            earth,
-            imperfections,
-            heights_are_shared,
-            signals,
-            shared,
-            chain,
-            blocks,
-            workspace,
-            ..
+            set, imperfections, heights_are_shared, signals, inputs, chain, batches, workspace, ..
         } = self;
         let ([Some(chain)], [workspace], [imperfections]) =
             (&mut **chain, &mut **workspace, &mut **imperfections)
         else {
             return Ok(());
         };
-        let (next, t) = (recent.next, recent.next.interval_s);
         let motion = chain.generator.advance(recent);
-        let ideal = &mut signals.ideal[..options.subsamples * options.updates_over(recent)];
+        let ideal = &mut signals.ideal[..chain.options.subsamples * chain.options.updates_over(recent)];
         motion.integrate(ideal);
-        let before = chain.closed_loop.clone().map(|closed_loop| (closed_loop, chain.mechanization));
-        let shift_e = chain.mount_and_trim(&motion, recent, !imperfections.are_none(), ideal);
-        let is_shared_good = chain.close_shared_loop(next, ideal, before);
-        let dt = t / ideal.len() as f64;
-        let is_disturbed = imperfections.gravity.is_on();
-        if !is_disturbed {
-            imperfections.begin_interval(t, || IntervalConditions::of(recent, &motion, chain.block.as_ref()));
-            imperfections.gyro.share(ideal, dt, &mut shared[0]);
-            imperfections.accel.share(ideal, dt, &mut shared[1]);
-        }
+        let flown = chain.fly_shared(&motion, recent, !imperfections.are_none(), ideal);
 
-        let has_altimeters =
-            options.vertical == VerticalMode::Damped && (is_disturbed || !imperfections.altimeter.is_ideal());
-        *heights_are_shared = !has_altimeters;
-        let aid = vertical_aid(options.vertical, next, |height_m| {
-            if has_altimeters { Some(height_m) } else { imperfections.altimeter.sense(height_m, t) }
-        });
-        let last_good = LastGood::of(chain, recent.current);
-        let model = options.error_model.then(|| ModelInterval::new(earth, &motion, next, ideal));
-        let count = ideal.len();
-        let interval = Interval {
-            earth,
-            options,
-            imperfections,
-            shared,
-            have_failed: [imperfections.gyro.has_failed(), imperfections.accel.has_failed()],
-            last_good,
-            t,
-            dt,
-            count,
-            aid,
-            has_altimeters,
-            model,
-            recent,
-            motion: &motion,
-            ideal,
-            mounting: chain.block.as_ref(),
-            shift_e,
-            is_shared_good,
-        };
-        blocks.iter_mut().for_each(|block| block.fly(*set, &interval, workspace));
+        let shared = Shared::new(chain, (imperfections, inputs), (recent, &motion, ideal), flown);
+        *heights_are_shared = !shared.has_altimeters;
 
-        chain.views = Views::default();
-        chain.last = LastInterval::Loaded {
-            imu: ImuInterval {
-                time_s: next.time_s,
-                interval_s: t,
-                ideal: Increment::sum(ideal),
-                ..ImuInterval::default()
-            },
-            vertical_unaided: options.vertical == VerticalMode::Free,
-        };
-        chain.conclude(&motion, recent);
+        batches.iter_mut().for_each(|batch| batch.fly(*set, &shared, workspace));
+
+        chain.conclude_shared(&motion, recent, ideal);
         Ok(())
     }
 
     /// Time of the last good solution of a run that has diverged [s].
     pub fn diverged_s(&self, place: usize) -> Option<f64> {
-        self.blocks[place / RUNS].diverged_s(place % RUNS)
+        self.batches[place / RUNS].diverged[place % RUNS].map(|last_good| last_good.time_s)
     }
 
     /// Rejects a sample without the temperature that a sensor effect needs.
@@ -149,13 +93,13 @@ impl SideBySide {
 
     /// Lets an output of every run fail from the next interval on; `None` clears it.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) {
-        let Self { imperfections, heights_are_shared, chain, blocks, .. } = self;
+        let Self { imperfections, heights_are_shared, chain, batches, .. } = self;
         let interval_s = chain[0].as_ref().and_then(|chain| chain.imu()).map(|imu| imu.interval_s);
-        for block in blocks {
+        for batch in batches {
             if *heights_are_shared {
-                block.follow(&imperfections[0].altimeter);
+                batch.follow(&imperfections[0].altimeter);
             }
-            block.set_failure(output, failure, interval_s);
+            batch.set_failure(output, failure, interval_s);
         }
         *heights_are_shared = false;
         imperfections[0].set_failure(output, failure, None);
@@ -168,12 +112,12 @@ impl SideBySide {
 
     /// Number of runs.
     pub fn runs(&self) -> usize {
-        self.blocks.iter().map(Block::count).sum()
+        self.batches.iter().map(|batch| batch.count).sum()
     }
 
     /// Memory of a run [bytes].
     pub fn bytes_of_run(&self) -> usize {
-        self.blocks.first().map_or(0, Block::bytes_of_run)
+        self.batches.first().map_or(0, Batch::bytes_of_run)
     }
 
     /// The navigated solution of a run; `intake` has the samples of the truth.
@@ -217,22 +161,22 @@ impl SideBySide {
     /// The chain of a run in flight, without its increments.
     fn chain_of(&self, place: usize) -> Option<Chain> {
         let shared = self.chain[0].as_ref()?;
-        let (block, lane) = (&self.blocks[place / RUNS], place % RUNS);
+        let (batch, lane) = (&self.batches[place / RUNS], place % RUNS);
         let mut chain = shared.clone();
-        chain.mechanization = block.navigator(lane, &self.earth, &self.options);
-        chain.error_model = block.error_model(lane, &self.earth);
-        chain.north_unknown = block.north_unknown(lane);
-        chain.compensation = block.compensation(lane);
+        chain.mechanization = batch.navigator(lane, &self.earth, &self.options);
+        chain.error_model = batch.error_model(lane, &self.earth);
+        chain.north_unknown = batch.north_unknown[lane];
+        chain.compensation = batch.compensation(lane);
         if let LastInterval::Loaded { imu, vertical_unaided } = &mut chain.last {
-            (imu.measured, imu.flags) = block.measured(lane);
-            imu.compensated = block.navigated(lane);
-            *vertical_unaided = block.is_unaided(lane);
-            imu.time_s = block.diverged_s(lane).unwrap_or(imu.time_s);
+            imu.measured = increment_of(&batch.state.measured, lane);
+            imu.compensated = batch.navigated(lane);
+            Report { flags: imu.flags, is_unaided: *vertical_unaided } = batch.state.reports[lane];
+            imu.time_s = self.diverged_s(place).unwrap_or(imu.time_s);
             if let Some(mounting) = &mut chain.block {
                 mounting.observe(&imu.ideal, &imu.compensated, imu.interval_s);
             }
         }
-        if let Some(disturbed) = block.disturbed(lane) {
+        if let Some(disturbed) = batch.disturbed.get(lane) {
             disturbed.give(&mut chain);
         }
         chain.views = Views { truth: shared.views.truth.clone(), ..Views::default() };
@@ -252,7 +196,7 @@ impl SideBySide {
         for place in 0..self.runs() {
             if let (Some(mut chain), None) = (self.chain_of(place), self.diverged_s(place)) {
                 chain.take_first_velocity(point, &self.imperfections[0]);
-                self.blocks[place / RUNS].put_solution(place % RUNS, &chain);
+                self.batches[place / RUNS].put_solution(place % RUNS, &chain);
                 shared = Some((chain.closed_loop, chain.mechanization));
             }
         }
@@ -275,12 +219,12 @@ impl SideBySide {
     ) -> Result<(), Error> {
         let Some(mut chain) = self.chain_of(place) else { return Err(nothing_to_correct()) };
         chain.correct(point, correction)?;
-        let (block, lane) = (&mut self.blocks[place / RUNS], place % RUNS);
+        let (batch, lane) = (&mut self.batches[place / RUNS], place % RUNS);
         if chain.compensation.is_some() {
-            block.make_room_for_compensations()?;
+            batch.make_room_for_compensations()?;
         }
-        block.put_solution(lane, &chain);
-        block.put_compensation(lane, chain.compensation);
+        batch.put_solution(lane, &chain);
+        batch.put_compensation(lane, chain.compensation);
         if let (Some(shared), true) = (&mut self.chain[0], *correction != Correction::default()) {
             let navigator = shared.mechanization;
             shared.part_from_shadow(&navigator);
@@ -292,18 +236,18 @@ impl SideBySide {
     #[cold]
     pub fn diverge(&mut self, place: usize, point: &TruthPoint) {
         if let Some(chain) = &self.chain[0] {
-            self.blocks[place / RUNS].put_diverged(place % RUNS, LastGood::of(chain, point));
+            self.batches[place / RUNS].diverged[place % RUNS] = Some(LastGood::of(chain, point));
         }
     }
 
     /// Compensation of a run.
     pub fn compensation(&self, place: usize) -> Compensation {
-        self.blocks[place / RUNS].compensation(place % RUNS).unwrap_or_default()
+        self.batches[place / RUNS].compensation(place % RUNS).unwrap_or_default()
     }
 
     /// Follows a jump of the truth: the runs are before their first step again.
     pub fn reposition(&mut self) {
         self.chain[0] = None;
-        self.blocks.iter_mut().for_each(Block::revive);
+        self.batches.iter_mut().for_each(Batch::revive);
     }
 }

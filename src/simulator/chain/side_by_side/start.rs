@@ -2,8 +2,8 @@
 
 use core::cell::RefCell;
 
-use super::block::Block;
-use super::interval::LastGood;
+use super::batch::Batch;
+use super::shared::LastGood;
 use super::workspace::Workspace;
 use super::{Chain, SideBySide};
 use crate::correction::Compensation;
@@ -12,10 +12,10 @@ use crate::instruction_set::InstructionSet;
 use crate::memory::room;
 use crate::sensors::SharedInput;
 use crate::signal::RUNS;
+use crate::simulator::chain::view::Views;
 use crate::simulator::signals::Signals;
 use crate::simulator::snapshot::save_flight;
 use crate::simulator::start::is_of_truth;
-use crate::simulator::views::Views;
 use crate::simulator::{Imperfections, Mode, Options, Simulator};
 use crate::snapshot::Writer;
 use crate::truth::{Intake, Recent, TruthPoint};
@@ -34,9 +34,9 @@ impl SideBySide {
         let mut chain = room(1)?;
         chain.push(None);
         let workspace = Workspace::new(&options, &mut imperfections[0])?;
-        let mut blocks = room(runs.div_ceil(RUNS))?;
+        let mut batches = room(runs.div_ceil(RUNS))?;
         for first in (0..runs).step_by(RUNS) {
-            blocks.push(Block::new(&options, &mut imperfections[0], RUNS.min(runs - first))?);
+            batches.push(Batch::new(&options, &mut imperfections[0], RUNS.min(runs - first))?);
         }
         let mut runs = Self {
             set,
@@ -47,9 +47,9 @@ impl SideBySide {
             heights_are_shared: false,
             of_one: RefCell::new(Imperfections::on_heap(&options)?),
             signals: Signals::new()?,
-            shared: [SharedInput::new()?, SharedInput::new()?],
+            inputs: [SharedInput::new()?, SharedInput::new()?],
             chain: chain.into_boxed_slice(),
-            blocks,
+            batches,
             workspace,
         };
         runs.restart_sensors();
@@ -62,7 +62,7 @@ impl SideBySide {
             let options = self.options_of(place);
             let imperfections = &mut self.of_one.get_mut()[0];
             imperfections.become_run(&self.imperfections[0], &options);
-            self.blocks[place / RUNS].put_imperfections(place % RUNS, imperfections);
+            self.batches[place / RUNS].put_imperfections(place % RUNS, imperfections);
         }
     }
 
@@ -85,7 +85,7 @@ impl SideBySide {
         let imperfections = &mut self.of_one.borrow_mut()[0];
         imperfections.become_run(&self.imperfections[0], &self.options_of(place));
         imperfections.follow_as(&self.imperfections[0]);
-        self.blocks[place / RUNS].take_imperfections(place % RUNS, imperfections);
+        self.batches[place / RUNS].take_imperfections(place % RUNS, imperfections);
         if self.heights_are_shared {
             imperfections.altimeter.follow_as(&self.imperfections[0].altimeter);
         }
@@ -117,16 +117,17 @@ impl SideBySide {
             }
             let has_started = chain.is_ok();
             let chain = chain.unwrap_or_else(|_| self.chain_of_truth(first.current));
-            let block = &mut self.blocks[place / RUNS];
+            let batch = &mut self.batches[place / RUNS];
             if has_started && self.imperfections[0].set().initial.alignment_s != 0.0 {
                 // The sensors of the run, whose processes the alignment has moved on.
-                block.put_imperfections(place % RUNS, &mut self.of_one.get_mut()[0]);
+                batch.put_imperfections(place % RUNS, &mut self.of_one.get_mut()[0]);
             }
-            block.start(place % RUNS, height_m, &chain);
+            batch.start(place % RUNS, height_m, &chain);
             if has_started {
                 shared = shared.or(Some(chain));
             } else {
-                block.put_diverged(place % RUNS, LastGood { time_s: first.current.time_s, interval_s: 0.0 });
+                let time_s = first.current.time_s;
+                batch.diverged[place % RUNS] = Some(LastGood { time_s, interval_s: 0.0 });
             }
         }
         // If no run could start, the truth continues alone.
@@ -161,13 +162,13 @@ impl SideBySide {
         simulator: &mut Simulator,
         has_diverged: bool,
     ) -> Result<(), Error> {
-        let (block, lane) = (&mut self.blocks[place / RUNS], place % RUNS);
+        let (batch, lane) = (&mut self.batches[place / RUNS], place % RUNS);
         if simulator.compensation() != Compensation::default() {
-            block.make_room_for_compensations()?;
+            batch.make_room_for_compensations()?;
         }
-        block.put_imperfections(lane, &mut simulator.imperfections);
+        batch.put_imperfections(lane, &mut simulator.imperfections);
         if let Mode::Flying(chain) = &simulator.mode {
-            block.put_run(lane, chain);
+            batch.put_run(lane, chain);
             if self.chain[0].is_none() || !has_diverged {
                 let signals = Signals::default();
                 self.chain[0] = Some(Chain { signals, views: Views::default(), ..chain.clone() });
@@ -179,7 +180,7 @@ impl SideBySide {
                 (None, Some(first)) => (first.time_s, 0.0),
                 (None, None) => (0.0, 0.0),
             };
-            block.put_diverged(lane, LastGood { time_s, interval_s });
+            batch.diverged[lane] = Some(LastGood { time_s, interval_s });
         }
         // A run that has diverged is used too, because its snapshot holds what all runs share.
         self.imperfections[0].follow_as(&simulator.imperfections);

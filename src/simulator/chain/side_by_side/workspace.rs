@@ -1,18 +1,18 @@
-//! What blocks of runs need for an interval.
+//! What batches of runs need for an interval.
 
-use super::block::{Report, failures, models, navigators};
+use super::batch::State;
 use super::disturbed::DisturbedWorkspace;
 use crate::error::Error;
-use crate::errors::ModelBlock;
-use crate::mechanization::{NavigatorBlock, Scratch};
-use crate::memory::room;
-use crate::sensors::{FailingTriad, StateRows};
+use crate::mechanization::Scratch;
+use crate::memory::{filled, room};
 use crate::signal::{Increment, IncrementRows, MAX_INCREMENTS, RUNS, Row};
 use crate::simulator::{Imperfections, Options};
 
-/// Memory that a step needs in addition to a block, and the state of the block before the step.
+/// Memory that a step needs in addition to a batch.
 #[derive(Debug)]
 pub(super) struct Workspace {
+    /// The state of the batch before the step.
+    pub before: State,
     /// Measured increments, with room for the longest interval. They have their own allocation: otherwise the compiler
     /// cannot assume that they do not overlap the other fields.
     pub measured: Box<[IncrementRows]>,
@@ -23,39 +23,22 @@ pub(super) struct Workspace {
     pub is_unaided: [bool; RUNS],
     pub saturated: [[u64; RUNS]; 2],
     pub is_good: [u64; RUNS],
-    pub gyro: StateRows,
-    pub accel: StateRows,
-    pub navigators: Box<[NavigatorBlock]>,
-    pub models: Box<[ModelBlock]>,
-    pub failures: [Box<[FailingTriad]>; 2],
-    pub reports: [Report; RUNS],
-    pub sums: IncrementRows,
     pub disturbed: DisturbedWorkspace,
 }
 
 impl Workspace {
-    /// For blocks of `imperfections`. On the heap, because it is large for a stack.
+    /// For batches of `imperfections`. On the heap, because it is large for a stack.
     pub fn new(options: &Options, imperfections: &mut Imperfections) -> Result<Box<[Self]>, Error> {
-        let (gyro, accel) = (imperfections.gyro.rows()?, imperfections.accel.rows()?);
-        let (mut memory, mut measured, mut compensated) =
-            (room(1)?, room(MAX_INCREMENTS)?, room(MAX_INCREMENTS)?);
-        compensated.resize(MAX_INCREMENTS, Increment::ZERO);
-        measured.resize(MAX_INCREMENTS, [[0.0; RUNS]; 6]);
+        let mut memory = room(1)?;
         memory.push(Self {
-            measured: measured.into_boxed_slice(),
+            before: State::new(options, imperfections, RUNS)?,
+            measured: filled(MAX_INCREMENTS, [[0.0; RUNS]; 6])?,
             scratch: Scratch::NONE,
-            compensated: compensated.into_boxed_slice(),
+            compensated: filled(MAX_INCREMENTS, Increment::ZERO)?,
             heights_m: [0.0; RUNS],
             is_unaided: [false; RUNS],
             saturated: [[0; RUNS]; 2],
             is_good: [0; RUNS],
-            gyro,
-            accel,
-            navigators: navigators(options)?,
-            models: models(options)?,
-            failures: failures(imperfections, RUNS)?,
-            reports: [Report::default(); RUNS],
-            sums: [[0.0; RUNS]; 6],
             disturbed: DisturbedWorkspace::new(imperfections)?,
         });
         Ok(memory.into_boxed_slice())

@@ -3,13 +3,13 @@
 use core::ops::Range;
 
 use super::disturbed::Disturbed;
-use super::interval::LastGood;
+use super::shared::LastGood;
 use crate::correction::Compensation;
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::errors::{ErrorModel, ModelBlock};
-use crate::mechanization::{Mechanization, NavigatorBlock, VerticalMode};
-use crate::memory::room;
+use crate::errors::{ErrorModel, ModelBatch};
+use crate::mechanization::{Mechanization, NavigatorBatch, VerticalMode};
+use crate::memory::{filled, room};
 use crate::sensors::{Altimeter, FailingTriad, Failure, SensorOutput, StateRows, Triad};
 use crate::signal::{Increment, IncrementRows, RUNS, increment_of, put_increment};
 use crate::simulator::chain::Chain;
@@ -32,106 +32,112 @@ pub(super) struct Compensated {
     pub sum_before: Increment,
 }
 
-/// Up to [`RUNS`] runs. All lanes are computed, so that each loop has the same length. Lanes beyond the last run are copies of it.
+/// What an interval changes in each run, and what it reports.
 #[derive(Debug)]
-pub(super) struct Block {
-    pub(super) count: usize,
-    pub(super) gyro: StateRows,
-    pub(super) accel: StateRows,
+pub(super) struct State {
+    pub gyro: StateRows,
+    pub accel: StateRows,
     /// One element. Navigators and models are on the heap, so that they can be swapped with their copies from before an interval.
-    pub(super) navigators: Box<[NavigatorBlock]>,
+    pub navigators: Box<[NavigatorBatch]>,
     /// Error models: no element or one.
-    pub(super) models: Box<[ModelBlock]>,
-    /// Sum of the measured increments of the last interval.
-    pub(super) measured: IncrementRows,
-    pub(super) reports: [Report; RUNS],
-    pub(super) north_unknown: [bool; RUNS],
-    /// Last good solutions of runs that have diverged.
-    pub(super) diverged: [Option<LastGood>; RUNS],
+    pub models: Box<[ModelBatch]>,
     /// Failures of gyros and accelerometers.
-    pub(super) failures: [Box<[FailingTriad]>; 2],
-    /// Altimeters, if they damp the vertical channel. They are up to date only if they have errors.
-    pub(super) altimeters: Box<[Altimeter]>,
-    /// Compensation of the sensors of each lane; empty until a run has one.
-    pub(super) compensated: Vec<Compensated>,
-    /// If gravity is not normal: all sensors of each run, in place of the sensors above.
-    pub(super) disturbed: Box<[Disturbed]>,
+    pub failures: [Box<[FailingTriad]>; 2],
+    /// Sum of the measured increments of the last interval.
+    pub measured: IncrementRows,
+    pub reports: [Report; RUNS],
 }
 
-/// Room for the failures of `count` runs.
-pub(super) fn failures(
-    imperfections: &Imperfections,
-    count: usize,
-) -> Result<[Box<[FailingTriad]>; 2], Error> {
-    let of = |triad: &Triad| {
-        let mut failures = room(count)?;
-        failures.resize(count, triad.failures().clone());
-        Ok(failures.into_boxed_slice())
-    };
-    Ok([of(&imperfections.gyro)?, of(&imperfections.accel)?])
-}
-
-/// Room for the navigators of a block.
-pub(super) fn navigators(options: &Options) -> Result<Box<[NavigatorBlock]>, Error> {
-    let mut navigators = room(1)?;
-    navigators.push(NavigatorBlock::new(options.frame));
-    Ok(navigators.into_boxed_slice())
-}
-
-/// Room for the error models of a block, if they are on.
-pub(super) fn models(options: &Options) -> Result<Box<[ModelBlock]>, Error> {
-    let mut models = room(1)?;
-    models.extend(options.error_model.then(|| ModelBlock::new(options.frame)));
-    Ok(models.into_boxed_slice())
-}
-
-impl Block {
+impl State {
     /// Room for `count` runs.
     pub fn new(options: &Options, imperfections: &mut Imperfections, count: usize) -> Result<Self, Error> {
-        let mut altimeters = Vec::new();
-        if options.vertical == VerticalMode::Damped && !imperfections.gravity.is_on() {
-            altimeters = room(count)?;
-            altimeters.resize(count, imperfections.altimeter.clone());
-        }
+        let failures = |triad: &Triad| filled(count, triad.failures().clone());
+        let (mut navigators, mut models) = (room(1)?, room(1)?);
+        navigators.push(NavigatorBatch::new(options.frame));
+        models.extend(options.error_model.then(|| ModelBatch::new(options.frame)));
         Ok(Self {
-            count,
             gyro: imperfections.gyro.rows()?,
             accel: imperfections.accel.rows()?,
-            navigators: navigators(options)?,
-            models: models(options)?,
+            navigators: navigators.into_boxed_slice(),
+            models: models.into_boxed_slice(),
+            failures: [failures(&imperfections.gyro)?, failures(&imperfections.accel)?],
             measured: [[0.0; RUNS]; 6],
             reports: [Report::default(); RUNS],
+        })
+    }
+
+    /// Sets the navigator, the error model and the reports of the run at `lane` back to `before`.
+    pub fn go_back(&mut self, lane: usize, before: &Self) {
+        for (navigators, before) in self.navigators.iter_mut().zip(&before.navigators) {
+            navigators.go_back(lane, before);
+        }
+        for (models, before) in self.models.iter_mut().zip(&before.models) {
+            models.go_back(lane, before);
+        }
+        self.measured.iter_mut().zip(&before.measured).for_each(|(row, before)| row[lane] = before[lane]);
+        self.reports[lane] = before.reports[lane];
+    }
+
+    /// Sets the sensors of the run at `lane` back to `before`. Only the triads of `have_failed` have failures that changed.
+    pub fn sensors_go_back(&mut self, lane: usize, before: &Self, have_failed: [bool; 2]) {
+        self.gyro.go_back(lane, &before.gyro);
+        self.accel.go_back(lane, &before.accel);
+        for triad in [0, 1].into_iter().filter(|&triad| have_failed[triad]) {
+            self.failures[triad][lane].clone_from(&before.failures[triad][lane]);
+        }
+    }
+}
+
+/// Up to [`RUNS`] runs. All lanes are computed, so that each loop has the same length. Lanes beyond the last run are copies of it.
+#[derive(Debug)]
+pub(super) struct Batch {
+    pub count: usize,
+    pub state: State,
+    pub north_unknown: [bool; RUNS],
+    /// Last good solutions of runs that have diverged.
+    pub diverged: [Option<LastGood>; RUNS],
+    /// Altimeters, if they damp the vertical channel. They are up to date only if they have errors.
+    pub altimeters: Box<[Altimeter]>,
+    /// Compensation of the sensors of each lane; empty until a run has one.
+    pub compensated: Vec<Compensated>,
+    /// If gravity is not normal: all sensors of each run, in place of the sensors above.
+    pub disturbed: Box<[Disturbed]>,
+}
+
+impl Batch {
+    /// Room for `count` runs.
+    pub fn new(options: &Options, imperfections: &mut Imperfections, count: usize) -> Result<Self, Error> {
+        let has_altimeters = options.vertical == VerticalMode::Damped && !imperfections.gravity.is_on();
+        Ok(Self {
+            count,
+            state: State::new(options, imperfections, count)?,
             north_unknown: [false; RUNS],
             diverged: [None; RUNS],
-            failures: failures(imperfections, count)?,
-            altimeters: altimeters.into_boxed_slice(),
+            altimeters: filled(if has_altimeters { count } else { 0 }, imperfections.altimeter.clone())?,
             compensated: Vec::new(),
             disturbed: Disturbed::room(imperfections, count)?,
         })
     }
 
-    pub fn count(&self) -> usize {
-        self.count
-    }
-
+    /// Memory of a run [bytes].
     pub fn bytes_of_run(&self) -> usize {
+        let State { gyro, accel, navigators, models, .. } = &self.state;
         size_of::<Self>() / RUNS
-            + self.gyro.bytes_of_run()
-            + self.accel.bytes_of_run()
+            + gyro.bytes_of_run()
+            + accel.bytes_of_run()
             + size_of_val(&*self.altimeters) / self.count
             + 2 * size_of::<FailingTriad>()
             + size_of_val(&*self.disturbed) / self.count
             + size_of_val(&*self.compensated) / RUNS
-            + (size_of_val(&*self.navigators) + size_of_val(&*self.models)) / RUNS
+            + (size_of_val(&**navigators) + size_of_val(&**models)) / RUNS
     }
 
     /// Makes room for compensations.
     pub fn make_room_for_compensations(&mut self) -> Result<(), Error> {
         if self.compensated.is_empty() {
-            self.compensated = room(RUNS)?;
-            self.compensated.resize(RUNS, Compensated::default());
+            self.compensated = filled(RUNS, Compensated::default())?.into_vec();
             for (lane, compensated) in self.compensated.iter_mut().enumerate() {
-                compensated.sum = increment_of(&self.measured, lane);
+                compensated.sum = increment_of(&self.state.measured, lane);
             }
         }
         Ok(())
@@ -154,23 +160,23 @@ impl Block {
     pub fn navigated(&self, lane: usize) -> Increment {
         match self.compensated.get(lane) {
             Some(Compensated { sum, .. }) => *sum,
-            None => increment_of(&self.measured, lane),
+            None => increment_of(&self.state.measured, lane),
         }
     }
 
-    /// Copies the sensors of a run into the block.
+    /// Copies the sensors of a run into the batch.
     pub fn put_imperfections(&mut self, lane: usize, imperfections: &mut Imperfections) {
         for lane in self.copies_of(lane) {
-            imperfections.gyro.put_into(&mut self.gyro, lane);
-            imperfections.accel.put_into(&mut self.accel, lane);
+            imperfections.gyro.put_into(&mut self.state.gyro, lane);
+            imperfections.accel.put_into(&mut self.state.accel, lane);
         }
-        self.failures[0][lane].clone_from(imperfections.gyro.failures());
-        self.failures[1][lane].clone_from(imperfections.accel.failures());
+        self.state.failures[0][lane].clone_from(imperfections.gyro.failures());
+        self.state.failures[1][lane].clone_from(imperfections.accel.failures());
         if let Some(altimeter) = self.altimeters.get_mut(lane) {
             altimeter.clone_from(&imperfections.altimeter);
         }
         if let Some(disturbed) = self.disturbed.get_mut(lane) {
-            disturbed.put(imperfections);
+            disturbed.imperfections.copy_from(imperfections);
         }
     }
 
@@ -181,21 +187,16 @@ impl Block {
                 Some(LastGood { interval_s, .. }) => Some(interval_s).filter(|interval_s| *interval_s > 0.0),
                 None => interval_s,
             };
-            let sum = increment_of(&self.measured, lane);
+            let sum = increment_of(&self.state.measured, lane);
             let last = interval_s.map(|t| Increment { angle: sum.angle / t, velocity: sum.velocity / t });
             if let Some(disturbed) = self.disturbed.get_mut(lane) {
-                disturbed.set_failure(output, failure, last.as_ref());
+                disturbed.imperfections.set_failure(output, failure, last.as_ref());
                 continue;
             }
+            let last = last.and_then(|mean| output.of(&mean));
             match output {
-                SensorOutput::Gyro(axis) => {
-                    let last = last.map(|mean| mean.angle[axis as usize]);
-                    self.failures[0][lane].set(axis, failure, last);
-                }
-                SensorOutput::Accelerometer(axis) => {
-                    let last = last.map(|mean| mean.velocity[axis as usize]);
-                    self.failures[1][lane].set(axis, failure, last);
-                }
+                SensorOutput::Gyro(axis) => self.state.failures[0][lane].set(axis, failure, last),
+                SensorOutput::Accelerometer(axis) => self.state.failures[1][lane].set(axis, failure, last),
                 SensorOutput::Altimeter => {
                     if let Some(altimeter) = self.altimeters.get_mut(lane) {
                         altimeter.set_failure(failure);
@@ -213,11 +214,12 @@ impl Block {
     /// Copies the sensors of a run into `imperfections`, which have the same parameters and key.
     pub fn take_imperfections(&self, lane: usize, imperfections: &mut Imperfections) {
         if let Some(disturbed) = self.disturbed.get(lane) {
-            return disturbed.take(imperfections);
+            return imperfections.copy_from(&disturbed.imperfections);
         }
-        imperfections.gyro.take_from(&self.gyro, lane);
-        imperfections.accel.take_from(&self.accel, lane);
-        imperfections.take_failures(&self.failures[0][lane], &self.failures[1][lane]);
+        let State { gyro, accel, failures, .. } = &self.state;
+        imperfections.gyro.take_from(gyro, lane);
+        imperfections.accel.take_from(accel, lane);
+        imperfections.take_failures(&failures[0][lane], &failures[1][lane]);
         if let Some(altimeter) = self.altimeters.get(lane) {
             imperfections.altimeter.clone_from(altimeter);
         }
@@ -229,14 +231,9 @@ impl Block {
             altimeter.reposition(height_m);
         }
         if let Some(disturbed) = self.disturbed.get_mut(lane) {
-            disturbed.reposition(height_m);
+            disturbed.imperfections.reposition(height_m);
         }
         self.put_run(lane, chain);
-    }
-
-    /// Time of the last good solution of a run that has diverged [s].
-    pub fn diverged_s(&self, lane: usize) -> Option<f64> {
-        self.diverged[lane].map(|last_good| last_good.time_s)
     }
 
     /// Marks all runs as good again, without compensations.
@@ -246,19 +243,19 @@ impl Block {
     }
 
     pub fn navigator(&self, lane: usize, earth: &Earth, options: &Options) -> Mechanization {
-        self.navigators[0].get(lane, earth, options.scheme)
+        self.state.navigators[0].get(lane, earth, options.scheme)
     }
 
     /// Error model of a run, if it is on.
     pub fn error_model(&self, lane: usize, earth: &Earth) -> Option<ErrorModel> {
-        self.models.first().map(|models| models.get(lane, earth))
+        self.state.models.first().map(|models| models.get(lane, earth))
     }
 
     /// Copies the navigator and the error model of `chain` into a run.
     pub fn put_solution(&mut self, lane: usize, chain: &Chain) {
         for lane in self.copies_of(lane) {
-            self.navigators[0].put(lane, &chain.mechanization);
-            for (models, model) in self.models.iter_mut().zip(&chain.error_model) {
+            self.state.navigators[0].put(lane, &chain.mechanization);
+            for (models, model) in self.state.models.iter_mut().zip(&chain.error_model) {
                 models.put(lane, model);
             }
         }
@@ -278,36 +275,12 @@ impl Block {
         self.north_unknown[lane] = chain.north_unknown;
         self.put_compensation(lane, chain.compensation);
         if let Some(ImuInterval { measured, compensated, flags, .. }) = chain.imu() {
-            put_increment(&mut self.measured, lane, &measured);
+            put_increment(&mut self.state.measured, lane, &measured);
             if let Some(of_run) = self.compensated.get_mut(lane) {
                 of_run.sum = compensated;
             }
             let is_unaided = chain.last.vertical_unaided().unwrap_or_default();
-            self.reports[lane] = Report { flags, is_unaided };
+            self.state.reports[lane] = Report { flags, is_unaided };
         }
-    }
-
-    /// Marks a run as diverged.
-    pub fn put_diverged(&mut self, lane: usize, last_good: LastGood) {
-        self.diverged[lane] = Some(last_good);
-    }
-
-    pub fn north_unknown(&self, lane: usize) -> bool {
-        self.north_unknown[lane]
-    }
-
-    /// Sum of the measured increments of the last interval, and the flags of the sensors.
-    pub fn measured(&self, lane: usize) -> (Increment, ImuFlags) {
-        (increment_of(&self.measured, lane), self.reports[lane].flags)
-    }
-
-    /// Whether nothing aided the vertical channel in the last interval.
-    pub fn is_unaided(&self, lane: usize) -> bool {
-        self.reports[lane].is_unaided
-    }
-
-    /// Sensors and gravity of a run, if gravity is not normal.
-    pub fn disturbed(&self, lane: usize) -> Option<&Disturbed> {
-        self.disturbed.get(lane)
     }
 }

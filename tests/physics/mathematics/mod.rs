@@ -1,0 +1,6 @@
+//! The mathematics of every block: rotations, transcendental functions, compensated sums, stencils, quadrature and quantiles, against
+//! closed forms, published tables and the library `libm`.
+
+mod functions;
+mod rotations;
+mod sums;
