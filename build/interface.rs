@@ -30,15 +30,15 @@ pub struct Outputs {
     pub size_checks: String,
 }
 
-/// Everything, of the sources in `abi` and of those in `generated`, by their names.
+/// Everything, of the sources in `abi`; those in `generated` stand where one of these includes them by its name.
 pub fn generate(abi: &Path, generated: &[(String, String)], work: &Path) -> Outputs {
     let templates = HEADERS.map(|(name, text)| Template::new(name, text));
-    let read = |name: &str| match generated.iter().find(|(of, _)| *of == name) {
-        Some((_, text)) => text.clone(),
-        None => {
-            let path = abi.join(format!("{name}.rs"));
-            fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-        }
+    let read = |name: &str| {
+        let path = abi.join(format!("{name}.rs"));
+        let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        generated.iter().fold(text, |text, (name, own)| {
+            text.replace(&format!("include!(concat!(env!(\"OUT_DIR\"), \"/{name}.rs\"));"), own)
+        })
     };
     let names = templates.iter().flat_map(Template::sources);
     let sources: Vec<Source> = names.map(|name| Source { name: name.to_owned(), text: read(name) }).collect();

@@ -109,9 +109,10 @@ pub fn definition(doc: &str, field: &Field, sigma: Option<&str>, note: &str) -> 
     let (low, high) = field.range.ends();
     // In one line: with its upper end alone a line would begin as an item of a list.
     let range = format!("{}\u{a0}to\u{a0}{}", number(low), number(high));
+    let (doc, off) = doc.split_once("; 0: ").unwrap_or((doc, "none"));
     let range = match field.range {
         Range::Within(..) => range,
-        Range::OffOr(..) => format!("{range}; 0: none"),
+        Range::OffOr(..) => format!("{range}; 0: {off}"),
         Range::OrDefault(default, ..) if default != 0.0 && number(default).len() < 8 => {
             format!("{range}; 0: {}", number(default))
         }
@@ -135,8 +136,10 @@ pub fn unit(field: &Field) -> &str {
 
 /// Few digits: 0.5, 10000, 1e6.
 fn number(value: f64) -> String {
-    if value.abs() == core::f64::consts::PI {
-        return if value > 0.0 { "pi" } else { "-pi" }.to_owned();
+    for (part, name) in [(core::f64::consts::PI, "pi"), (core::f64::consts::FRAC_PI_2, "pi/2")] {
+        if value.abs() == part {
+            return if value > 0.0 { name.to_owned() } else { format!("-{name}") };
+        }
     }
     if value == 0.0 || (1e-2..1e5).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }

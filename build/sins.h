@@ -150,7 +150,7 @@ extern "C" {
 
 /* Sensor errors. */
 
-@sensor_params gyro accel altimeter_params altimeter
+@sensor_params gyro accel altimeter
 
 /* Reads. */
 
@@ -166,7 +166,7 @@ extern "C" {
 
 /* Start, mounting, gravity; presets of sensors and start. */
 
-@initial mounting_params mounting gravity_params gravity preset
+@initial mounting gravity preset
 
 /* Navigation on increments, without a truth. */
 

@@ -1,8 +1,8 @@
-//! The structs that the tables of the altimeter, of the mounting, of gravity and of a unit make, as Rust sources.
+//! The structs that the tables beside that of the sensors make, as Rust sources.
 
 use crate::parameter::{Row, Shape};
 use crate::sensor_structs::{comment, definition, sentence, unit};
-use crate::surroundings::{ALTIMETER, GRAVITY, MOUNTING};
+use crate::surroundings::{ALTIMETER, GRAVITY, INITIAL, MOUNTING, START};
 use crate::unit_table::UNIT;
 
 /// A struct of the interface with that of the crate.
@@ -17,7 +17,7 @@ struct Pair {
     table: &'static str,
 }
 
-const PAIRS: [Pair; 3] = [
+const PAIRS: [Pair; 5] = [
     Pair {
         name: "sins_altimeter_params",
         doc: "\
@@ -68,6 +68,27 @@ R xi, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_
         rows: &GRAVITY,
         table: "GRAVITY",
     },
+    Pair {
+        name: "sins_initial_errors",
+        doc: "\
+Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
+(sigma) are drawn once a run and added. A reset and a reposition use the same random numbers again. With
+SINS_VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0.",
+        own: "InitialErrorParameters",
+        own_doc: "Initial errors, computed less true, east-north-up axes. Each error is the sum of a given part and a part that is \
+            drawn once a run.",
+        rows: &INITIAL,
+        table: "INITIAL",
+    },
+    Pair {
+        name: "sins_flight_start",
+        doc: "\
+Start of an embedded flight, level and straight.",
+        own: "FlightStart",
+        own_doc: "Start of a flight, level and straight.",
+        rows: &START,
+        table: "START",
+    },
 ];
 
 const OF_UNIT: Pair = Pair {
@@ -102,10 +123,16 @@ pub fn own_of_unit() -> String {
 impl Pair {
     fn interface(&self) -> String {
         let field = |row: &Row| {
+            let name = row.field.name();
+            if let Shape::Choice(_, enumeration) = row.shape {
+                let doc = format!("{}, of enum {enumeration}. {}", sentence(row.field.doc), row.note);
+                let reserved = "    /// Must be 0.\n    pub reserved2: u32,\n";
+                return comment("    ", &doc) + &format!("    pub {name}: i32,\n{reserved}");
+            }
             let kind = if row.shape.count() == 1 { "f64" } else { "[f64; 3]" };
             let sigma = row.field.range.needed_by().and_then(|sigma| sigma.split_once('.'));
             let doc = definition(row.field.doc, &row.field, sigma.map(|(_, name)| name), row.note);
-            comment("    ", &doc) + &format!("    pub {}: {kind},\n", row.field.name())
+            comment("    ", &doc) + &format!("    pub {name}: {kind},\n")
         };
         comment("", self.doc)
             + &format!("#[repr(C)]\n#[derive(Debug, Clone, Copy, Default)]\npub struct {} {{\n", self.name)
@@ -144,7 +171,7 @@ impl Pair {
     /// The numbers, in the order of the interface. `taken` is how the numbers of a row get names.
     fn numbers(&self, taken: fn(&Row, &[String]) -> String) -> String {
         let (mut lets, mut names) = (String::new(), Vec::new());
-        for row in self.rows {
+        for row in self.rows.iter().filter(|row| row.shape.count() > 0) {
             let first = names.len();
             names.extend((first..first + row.shape.count()).map(|index| format!("n{index}")));
             lets += &format!("        let {};\n", taken(row, &names[first..]));
@@ -167,12 +194,16 @@ impl Pair {
             return String::new();
         }
         let field = |row: &Row| {
-            let (kind, stored) = match row.shape {
-                Shape::Number => ("f64", ": ANY"),
-                Shape::Angles => ("Euler", ""),
-                _ => ("Vector3<f64>", ": ANY"),
+            let (low, high) = row.field.range.ends();
+            let limit = format!(": {:?}", high.max(-low).ceil());
+            let (kind, stored, unit) = match row.shape {
+                Shape::Number => ("f64", limit, unit(&row.field)),
+                Shape::Angles => ("Euler", String::new(), unit(&row.field)),
+                Shape::Choice(own, _) => (own, String::new(), ""),
+                _ => ("Vector3<f64>", limit, unit(&row.field)),
             };
-            let doc = format!("{} [{}].", sentence(row.field.doc), unit(&row.field));
+            let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
+            let doc = format!("{}{unit}.", sentence(row.field.doc));
             let line = comment("    ", &doc) + &format!("    pub {}: {kind},\n", row.place);
             (line, format!("    {}{stored},\n", row.place))
         };

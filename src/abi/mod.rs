@@ -3,7 +3,7 @@
 //! Everything behind is safe Rust.
 //!
 //! The doc comments of the public items are the documentation in the header. That of the fields of `sins_gyro_params` and
-//! `sins_accel_params` comes from `src/sensors/table.rs`, that of the altimeter, the mounting and gravity from
+//! `sins_accel_params` comes from `src/sensors/table.rs`, that of the other structs of parameters from
 //! `src/surroundings/table.rs`.
 //!
 //! # Safety
@@ -65,6 +65,7 @@ mod statistics;
 mod text;
 mod truth_summary;
 mod unit;
+mod unit_params;
 mod unit_status;
 mod version;
 
@@ -111,6 +112,7 @@ pub use solution::*;
 pub use statistics::*;
 pub use truth_summary::{sins_get_truth_summary, sins_truth_summary};
 pub use unit::*;
+pub use unit_params::sins_unit_params;
 pub use unit_status::*;
 pub use version::*;
 

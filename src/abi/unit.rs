@@ -10,16 +10,12 @@ use super::boundary::{enter, enter_without_simulator};
 use super::choice::{Choice, choices};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, read};
-use super::parameters::{Parameters, params};
+use super::parameters::Parameters;
 use super::simulator::{sins_sim, work_with};
 use super::text::{bytes_of, put_saved};
+use super::unit_params::sins_unit_params;
 use crate::earth::Geodetic;
-use crate::surroundings::copy;
 use crate::unit::{AlignmentKind, Mode, Power, Stored, Unit, UnitParameters};
-
-include!(concat!(env!("OUT_DIR"), "/unit_params.rs"));
-
-params!(sins_unit_params, "unit", 184, UnitParameters, copy);
 
 /// A unit. A handle is a checked key, like that of a sins_sim, and is never confused with one. sins_last_error(NULL, ...) on the same
 /// thread gives the failures of its functions.

@@ -25,26 +25,6 @@ enum Place {
     Parameter(Sensor, usize),
     /// The row of another table with this field of the interface.
     Row(&'static str),
-    /// Whether it is set, and a function that copies it.
-    At { is_set: fn(&ErrorParameters) -> bool, copy: fn(&ErrorParameters, &mut ErrorParameters) },
-}
-
-const DETERMINISTIC: bool = false;
-const RANDOM: bool = true;
-
-/// Name, field, kind: where it is set.
-macro_rules! effects {
-    ($($name:literal, $field:literal, $kind:ident: $($path:ident).+;)*) => {
-        &[$(Effect {
-            name: $name,
-            field: $field,
-            is_random: $kind,
-            place: Place::At {
-                is_set: |from| from.$($path).+ != ErrorParameters::default().$($path).+,
-                copy: |from, to| to.$($path).+ = from.$($path).+,
-            },
-        }),*]
-    };
 }
 
 /// The effects of a table.
@@ -62,18 +42,9 @@ const PARTS: &[&[Effect]] = &[
     of!(Table::Triad(Sensor::Gyro)),
     of!(Table::Triad(Sensor::Accelerometer)),
     of!(Table::Backwards(&surroundings::ALTIMETER)),
-    INITIAL,
+    of!(Table::Rows(&surroundings::INITIAL)),
     of!(Table::Rows(&surroundings::MOUNTING)),
 ];
-
-const INITIAL: &[Effect] = effects! {
-    "initial position", "initial.position_enu_m", DETERMINISTIC: initial.position_n;
-    "initial velocity", "initial.velocity_enu_m_s", DETERMINISTIC: initial.velocity_n;
-    "initial misalignment", "initial.misalignment_enu_rad", DETERMINISTIC: initial.misalignment_n;
-    "drawn initial position", "initial.position_sigma_enu_m", RANDOM: initial.position_sigma_n;
-    "drawn initial velocity", "initial.velocity_sigma_enu_m_s", RANDOM: initial.velocity_sigma_n;
-    "drawn initial misalignment", "initial.misalignment_sigma_enu_rad", RANDOM: initial.misalignment_sigma_n;
-};
 
 /// A table of parameters.
 #[derive(Clone, Copy)]
@@ -120,7 +91,8 @@ const fn count(table: Table) -> usize {
 
 /// The effects of a table.
 const fn effects<const N: usize>(table: Table) -> [Effect; N] {
-    let mut effects = [INITIAL[0]; N];
+    let none = Effect { name: "", field: "", is_random: false, place: Place::Row("") };
+    let mut effects = [none; N];
     let (mut row, mut count) = (0, 0);
     while row < table.len() {
         if let Some(effect) = table.effect(row) {
@@ -139,7 +111,6 @@ impl Place {
                 from.triad(sensor).numbers()[row].iter().any(|number| *number != 0.0)
             }
             Self::Row(path) => { *from }.numbers_of(path).any(|number| *number != 0.0),
-            Self::At { is_set, .. } => is_set(from),
         }
     }
 
@@ -163,7 +134,6 @@ impl Place {
                     to.numbers_of(row.field.path).zip(from).for_each(|(to, from)| *to = *from);
                 }
             }
-            Self::At { copy, .. } => copy(from, to),
         }
     }
 }
@@ -211,14 +181,11 @@ impl PartialEq for Effect {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::Vector3;
-
     use super::*;
-    use crate::sensors::{Alignment, InitialErrorParameters, TriadParameters};
+    use crate::sensors::{Alignment, TriadParameters};
 
     /// Every field: one of a table is in it; another one does not compile until it stands here, and fails until it has its line.
     fn everything() -> ErrorParameters {
-        let ones = Vector3::repeat(1.0);
         let triad = |sensor| {
             let mut triad = TriadParameters::default();
             let rows = triad.numbers_mut().into_iter().zip(PARAMETERS);
@@ -228,18 +195,9 @@ mod tests {
         let mut all = ErrorParameters {
             gyro: triad(Sensor::Gyro),
             accel: triad(Sensor::Accelerometer),
-            initial: InitialErrorParameters {
-                position_n: ones,
-                velocity_n: ones,
-                misalignment_n: ones,
-                position_sigma_n: ones,
-                velocity_sigma_n: ones,
-                misalignment_sigma_n: ones,
-                alignment: Alignment::LevelAndGyrocompass,
-                alignment_s: 1.0,
-            },
             ..ErrorParameters::default()
         };
+        all.initial.alignment = Alignment::LevelAndGyrocompass;
         for row in surroundings::rows() {
             all.numbers_of(row.field.path).for_each(|number| *number = 1.0);
         }

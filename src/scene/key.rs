@@ -5,6 +5,8 @@ use nalgebra::Vector3;
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
 use super::{Action, Scene};
 use crate::sensors::Sensor;
+use crate::surroundings::{START, of_path};
+use crate::unit::UNIT;
 
 /// The sections, each with its name, as it stands in brackets, and what its keys set, in words.
 macro_rules! sections {
@@ -147,8 +149,14 @@ impl Place {
         match self {
             Self::At(places) => places(draft),
             Self::Row(path) => {
-                let Scene { errors, unit, .. } = &mut draft.scene;
-                places(errors.numbers_of(path).chain(unit.parameters.number_of(path)))
+                let Draft { start, scene: Scene { errors, unit, .. }, .. } = draft;
+                let rest = of_path(&START, start.numbers_mut(), path);
+                places(
+                    errors
+                        .numbers_of(path)
+                        .chain(of_path(&UNIT, unit.parameters.numbers_mut(), path))
+                        .chain(rest),
+                )
             }
             Self::Parameter(sensor, row) => {
                 let triad = match sensor {

@@ -5,6 +5,7 @@ use crate::abi::failure::{Failure, SINS_OK, sins_status};
 use crate::abi::flight::{self, sins_flight_start};
 use crate::abi::manoeuvre::sins_manoeuvre;
 use crate::abi::memory::{Array, Output, interface_struct, put, put_if_wanted};
+use crate::abi::parameters::Parameters;
 use crate::scene::{FlightPath, FlightSource};
 
 /// Where the flight of a scene comes from: sins_scene_setup.flight.
@@ -113,7 +114,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_manoeuvres(
                 places.write(index, &sins_manoeuvre::from_manoeuvre(manoeuvre))?;
             }
             if let Some(start) = start {
-                start.write(&sins_flight_start::from_start(&path.start));
+                start.write(&sins_flight_start::from_parameters(&path.start));
             }
             put_if_wanted(repeat, path.repeat);
         }

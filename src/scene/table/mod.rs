@@ -22,13 +22,17 @@ pub const KEYS: &[Key] = &joined::<Key, { total(PARTS) }>(PARTS);
 
 const PARTS: &[&[Key]] = &[
     flight::FLIGHT,
+    flight::START,
+    flight::REPEAT,
     flight::MANOEUVRE,
     flight::SINUSOID,
     options::OPTIONS,
     sensors::GYRO,
     sensors::ACCELEROMETER,
     surroundings::ALTIMETER,
+    &[sensors::START],
     surroundings::START,
+    surroundings::ALIGNMENT,
     surroundings::MOUNTING,
     surroundings::GRAVITY,
     failure::FAILURE,

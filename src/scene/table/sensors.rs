@@ -76,7 +76,7 @@ const fn keys<const N: usize>(sensor: Sensor, preset: Key) -> [Key; N] {
     keys
 }
 
-/// The parameters of another table.
+/// The parameters of another table. The key of a choice has no number and is not for use.
 pub const fn of_rows<const N: usize>(section: Section, rows: &[Row; N]) -> [Key; N] {
     let mut keys = [row_key(section, &rows[0]); N];
     let mut row = 1;
@@ -99,7 +99,7 @@ const fn key(section: Section, field: &Field, doc: &'static str, of: ParameterSh
 
 const fn shape(shape: ParameterShape) -> Shape {
     match shape {
-        ParameterShape::Number => Shape::Number,
+        ParameterShape::Number | ParameterShape::Choice(..) => Shape::Number,
         ParameterShape::Axes => Shape::Axes,
         ParameterShape::Vector | ParameterShape::Angles => Shape::Vector,
         ParameterShape::OffDiagonal(_) => Shape::OffDiagonal,
