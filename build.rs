@@ -16,6 +16,8 @@ mod c_header;
 mod c_layout;
 #[path = "build/c_types.rs"]
 mod c_types;
+#[path = "build/enumerations.rs"]
+mod enumerations;
 #[path = "build/fortran.rs"]
 mod fortran;
 #[path = "build/header_units.rs"]
@@ -82,6 +84,7 @@ fn main() {
     let out = PathBuf::from(variable("OUT_DIR"));
     let mut generated_sources = surroundings_structs::interface();
     generated_sources.push(("sensor_params".to_owned(), sensor_structs::interface()));
+    generated_sources.extend(enumerations::interface(&root.join("src")));
     write(&out.join("triad_parameters.rs"), &sensor_structs::triad());
     write(&out.join("surroundings.rs"), &surroundings_structs::own());
     write(&out.join("unit.rs"), &surroundings_structs::own_of_unit());

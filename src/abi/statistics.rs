@@ -165,20 +165,7 @@ pub unsafe extern "C-unwind" fn sins_statistics_figures(
     })
 }
 
-/// Whether a requirement is met: "95 % of the flights are within 2 km".
-pub type sins_decision = i32;
-/// The interval of the fraction contains the required fraction. sins_verdict.more_runs runs more would decide.
-pub const SINS_DECISION_UNDECIDED: sins_decision = 0;
-/// Met: the whole interval is above the required fraction.
-pub const SINS_DECISION_MET: sins_decision = 1;
-/// Not met: the whole interval is below the required fraction.
-pub const SINS_DECISION_NOT_MET: sins_decision = 2;
-
-choices!(sins_decision: Decision {
-    Undecided = SINS_DECISION_UNDECIDED,
-    Met = SINS_DECISION_MET,
-    NotMet = SINS_DECISION_NOT_MET,
-});
+include!(concat!(env!("OUT_DIR"), "/sins_decision.rs"));
 
 /// Whether the runs of a sins_statistics meet a requirement. The numbers of runs are exact, so they and the decision do not depend
 /// on how the runs were split.

@@ -41,39 +41,8 @@ choices!(sins_unit_mode: Mode {
     Off = SINS_UNIT_OFF, Align = SINS_UNIT_ALIGN, Navigate = SINS_UNIT_NAV, Attitude = SINS_UNIT_ATT,
 });
 
-/// Supplies of power.
-pub type sins_unit_power = i32;
-
-/// The aircraft.
-pub const SINS_UNIT_POWER_AIRCRAFT: sins_unit_power = 0;
-/// The battery, which lasts battery_s.
-pub const SINS_UNIT_POWER_BATTERY: sins_unit_power = 1;
-/// None: the unit is off at once, and stores nothing.
-pub const SINS_UNIT_POWER_NONE: sins_unit_power = 2;
-
-choices!(sins_unit_power: Power {
-    Aircraft = SINS_UNIT_POWER_AIRCRAFT, Battery = SINS_UNIT_POWER_BATTERY, None = SINS_UNIT_POWER_NONE,
-});
-
-/// Kinds of alignment.
-pub type sins_unit_alignment = i32;
-
-/// Levelling and gyrocompassing on the measured increments.
-pub const SINS_UNIT_ALIGNMENT_GYROCOMPASS: sins_unit_alignment = 0;
-/// Levelling on the measured increments, with the stored heading; without one a gyrocompass.
-pub const SINS_UNIT_ALIGNMENT_STORED_HEADING: sins_unit_alignment = 1;
-/// Only in a simulation: after fast_alignment_s the unit has the true state, with the errors of sins_initial_errors that need no
-/// alignment, drawn for this run.
-pub const SINS_UNIT_ALIGNMENT_FAST: sins_unit_alignment = 2;
-/// The same at once, without a test after power-up.
-pub const SINS_UNIT_ALIGNMENT_INSTANT: sins_unit_alignment = 3;
-/// In flight, on positions and velocities of another sensor: see sins_unit_push_fix().
-pub const SINS_UNIT_ALIGNMENT_IN_FLIGHT: sins_unit_alignment = 4;
-
-choices!(sins_unit_alignment: AlignmentKind {
-    Gyrocompass = SINS_UNIT_ALIGNMENT_GYROCOMPASS, StoredHeading = SINS_UNIT_ALIGNMENT_STORED_HEADING,
-    Fast = SINS_UNIT_ALIGNMENT_FAST, Instant = SINS_UNIT_ALIGNMENT_INSTANT, InFlight = SINS_UNIT_ALIGNMENT_IN_FLIGHT,
-});
+include!(concat!(env!("OUT_DIR"), "/sins_unit_power.rs"));
+include!(concat!(env!("OUT_DIR"), "/sins_unit_alignment.rs"));
 
 /// A buffer of this size holds every snapshot of a unit that this release saves.
 pub const SINS_UNIT_SNAPSHOT_MAX_SIZE: usize = 1024;

@@ -5,20 +5,20 @@ use crate::error::{Error, Rule, check_range};
 /// Largest number of sinusoids in one manoeuvre.
 pub const MAX_SINUSOIDS: usize = 6;
 
-/// What a sinusoid moves.
+/// What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
-    /// Course [rad], with the bank of a coordinated turn.
+    /// The sinusoid moves the course [rad], with the bank of a coordinated turn.
     Course,
-    /// Climb angle [rad].
+    /// The sinusoid moves the climb angle [rad].
     Climb,
-    /// Speed [m/s].
+    /// The sinusoid moves the speed [m/s].
     Speed,
-    /// Roll alone [rad].
+    /// The sinusoid moves roll alone [rad].
     Roll,
-    /// Pitch alone [rad].
+    /// The sinusoid moves pitch alone [rad].
     Pitch,
-    /// Heading alone [rad].
+    /// The sinusoid moves heading alone [rad].
     Heading,
 }
 

@@ -8,16 +8,22 @@ use crate::state::StateErrors;
 
 pub use crate::surroundings::InitialErrorParameters;
 
-/// Where the misalignment at the start comes from.
+/// How the INS finds its attitude at the start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Alignment {
-    /// The given misalignment, relative to the true attitude.
+    /// The INS starts with the true attitude, turned by the given and the drawn misalignment.
     #[default]
     Given,
-    /// The given misalignment, relative to the attitude that levelling and gyrocompassing find with the sensor errors
-    /// of the start.
+    /// The library computes the attitude that levelling and gyrocompassing at rest would find with the sensor errors at the
+    /// start. It does so even if the flight starts in motion. The INS starts with this attitude, turned by the given and the
+    /// drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense the reaction to normal gravity. At
+    /// height this is not quite along the ellipsoid's normal: its horizontal part is 7.5 micro-g at 9 km and 45 degrees.
+    /// Gyrocompassing then finds the heading at which the horizontal gyro rates point north. SINS_NAVIGATION_NORTH_UNKNOWN is set
+    /// if the sensor errors hide north. Within 64 km of a pole the start returns SINS_ERROR_SINGULAR.
     LevelAndGyrocompass,
-    /// The given misalignment, relative to the attitude of the true heading that levelling finds with the sensor errors of the start.
+    /// The library computes the attitude that levelling at rest would find with the sensor errors at the start, with the true heading:
+    /// the heading of a unit whose gyros cannot find north comes from another sensor. The INS starts with this attitude, turned by the
+    /// given and the drawn misalignment, whose part about up is the heading error. Any latitude.
     Level,
 }
 

@@ -49,12 +49,12 @@ use imperfections::Imperfections;
 use navigator::Navigator;
 use signals::Signals;
 
-/// One of the two error outputs.
+/// The two sources of errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorSource {
     /// Navigation minus truth: the paper's error data 2.
     Navigation,
-    /// The error differential equations: the paper's error data 1.
+    /// The error differential equations: the paper's error data 1 (sins_options.error_model).
     Model,
 }
 
