@@ -150,7 +150,7 @@ extern "C" {
 
 /* Sensor errors. */
 
-@sensor_params gyro accel altimeter
+@sensor_params altimeter
 
 /* Reads. */
 

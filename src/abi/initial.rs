@@ -2,8 +2,7 @@
 
 use super::choice::choices;
 use super::failure::sins_status;
-use super::parameters::params;
-use super::settings::{get, set};
+use super::parameters::{get, params, set};
 use super::simulator::sins_sim;
 use crate::sensors::{Alignment, InitialErrorParameters};
 use crate::simulator::Simulator;

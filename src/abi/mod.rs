@@ -15,7 +15,6 @@
 #![allow(non_camel_case_types, reason = "the names are C's")]
 #![allow(clippy::missing_safety_doc, reason = "the rules of pointers and handles stand once, above")]
 
-mod accel;
 mod accuracy;
 mod altimeter;
 mod answer;
@@ -27,7 +26,6 @@ mod choice;
 mod correction;
 mod covariance;
 mod ensemble;
-mod ensemble_correct;
 mod ensemble_read;
 mod ensemble_snapshot;
 mod errors;
@@ -36,7 +34,6 @@ mod failure;
 mod fault;
 mod flight;
 mod gravity;
-mod gyro;
 mod imu;
 mod initial;
 mod last_error;
@@ -57,7 +54,6 @@ mod scene;
 mod sensor_failure;
 mod sensor_params;
 mod sentence;
-mod settings;
 mod simulator;
 mod snapshot;
 mod solution;
@@ -69,7 +65,6 @@ mod unit_params;
 mod unit_status;
 mod version;
 
-pub use accel::*;
 pub use accuracy::{sins_accuracy, sins_get_accuracy};
 pub use altimeter::*;
 pub use boundary::shielded;
@@ -79,7 +74,6 @@ pub use bus::*;
 pub use correction::*;
 pub use covariance::{sins_covariance, sins_get_covariance};
 pub use ensemble::*;
-pub use ensemble_correct::*;
 pub use ensemble_read::*;
 pub use ensemble_snapshot::*;
 pub use errors::*;
@@ -88,7 +82,6 @@ pub use failure::*;
 pub use fault::sins_inject_panic;
 pub use flight::*;
 pub use gravity::*;
-pub use gyro::*;
 pub use imu::*;
 pub use initial::*;
 pub use last_error::*;
@@ -105,7 +98,7 @@ pub use sample::*;
 #[cfg(feature = "scenes")]
 pub use scene::*;
 pub use sensor_failure::*;
-pub use sensor_params::{sins_accel_params, sins_gyro_params};
+pub use sensor_params::*;
 pub use simulator::*;
 pub use snapshot::*;
 pub use solution::*;

@@ -1,8 +1,7 @@
 //! `sins_mounting`.
 
 use super::failure::sins_status;
-use super::parameters::params;
-use super::settings::{get, set};
+use super::parameters::{get, params, set};
 use super::simulator::sins_sim;
 use crate::mounting::MountingParameters;
 use crate::simulator::Simulator;

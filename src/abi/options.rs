@@ -1,6 +1,6 @@
 //! `sins_options`.
 
-use super::choice::{Choice, check_reserved, choices, one_of};
+use super::choice::{Choice, check_reserved, choices, switch};
 use super::failure::Failure;
 use super::memory::interface_struct;
 use super::parameters::Parameters;
@@ -127,56 +127,33 @@ impl Parameters for sins_options {
             subsamples: options.subsamples as i32,
             updates_per_sample: options.updates_per_sample as i32,
             vertical: options.vertical.code(),
-            error_model: if options.error_model { SINS_ERROR_MODEL_RK4 } else { SINS_ERROR_MODEL_OFF },
+            error_model: options.error_model.into(),
             earth: options.ellipsoid.code(),
             gravity: options.gravity.code(),
             axes: options.axes.code(),
-            signal: match options.closed_loop_time_s {
-                None => SINS_SIGNAL_PHYSICAL,
-                Some(_) => SINS_SIGNAL_CLOSED_LOOP,
-            },
+            signal: options.closed_loop_time_s.is_some().into(),
             seed: options.key.seed,
             run: options.key.run,
             closed_loop_time_s: options.closed_loop_time_s.unwrap_or(0.0),
             sample_period_s: options.intake.period_s.unwrap_or(0.0),
             max_gap_s: options.intake.max_gap_s,
             max_acceleration_m_s2: options.intake.max_acceleration_m_s2,
-            truth_summary: if options.truth_summary { SINS_SUMMARY_ON } else { SINS_SUMMARY_OFF },
-            covariance: if options.covariance { SINS_COVARIANCE_ON } else { SINS_COVARIANCE_OFF },
+            truth_summary: options.truth_summary.into(),
+            covariance: options.covariance.into(),
         }
     }
 
     fn to_parameters(self) -> Result<Options, Failure> {
         check_reserved("options.reserved", self.reserved)?;
-        let covariance = one_of(
-            "options.covariance",
-            self.covariance,
-            &[(SINS_COVARIANCE_OFF, false), (SINS_COVARIANCE_ON, true)],
-            "sins_covariance_mode",
-        )?;
-        let truth_summary = one_of(
-            "options.truth_summary",
-            self.truth_summary,
-            &[(SINS_SUMMARY_OFF, false), (SINS_SUMMARY_ON, true)],
-            "sins_summary",
-        )?;
+        let covariance = switch("options.covariance", self.covariance, "sins_covariance_mode")?;
+        let truth_summary = switch("options.truth_summary", self.truth_summary, "sins_summary")?;
         let frame = Frame::of("options.frame", self.frame)?;
         let scheme = Scheme::of("options.scheme", self.scheme)?;
         let vertical = VerticalMode::of("options.vertical", self.vertical)?;
-        let error_model = one_of(
-            "options.error_model",
-            self.error_model,
-            &[(SINS_ERROR_MODEL_OFF, false), (SINS_ERROR_MODEL_RK4, true)],
-            "sins_error_model",
-        )?;
+        let error_model = switch("options.error_model", self.error_model, "sins_error_model")?;
         let gravity = GravityModel::of("options.gravity", self.gravity)?;
         let axes = BodyAxes::of("options.axes", self.axes)?;
-        let closed_loop = one_of(
-            "options.signal",
-            self.signal,
-            &[(SINS_SIGNAL_PHYSICAL, false), (SINS_SIGNAL_CLOSED_LOOP, true)],
-            "sins_signal",
-        )?;
+        let closed_loop = switch("options.signal", self.signal, "sins_signal")?;
         if !closed_loop && self.closed_loop_time_s != 0.0 {
             let rule = Rule::Zero(" without SINS_SIGNAL_CLOSED_LOOP");
             return Err(Error::invalid("options.closed_loop_time_s", self.closed_loop_time_s, rule).into());
