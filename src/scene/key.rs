@@ -3,7 +3,9 @@
 use nalgebra::Vector3;
 
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
-use super::{Action, Scene};
+use super::table::of_sensor;
+use super::{Action, Scene, Updated};
+use crate::flight::{Channel, MANOEUVRE_KINDS};
 use crate::sensors::Sensor;
 use crate::surroundings::{START, of_path};
 use crate::unit::UNIT;
@@ -210,30 +212,31 @@ impl Key {
         }
     }
 
+    /// Whether the section, or its item in `draft`, uses the key.
+    pub fn is_used(&self, draft: &Draft) -> bool {
+        match (self.section, self.name) {
+            (Section::Manoeuvre, "kind") => true,
+            (Section::Manoeuvre, _) => MANOEUVRE_KINDS[draft.manoeuvre.kind].1.contains(&self.field()),
+            (Section::Sinusoid, "amplitude_deg") => draft.sinusoid.channel != Channel::Speed,
+            (Section::Sinusoid, "amplitude_m_s") => draft.sinusoid.channel == Channel::Speed,
+            (Section::Failure, "axis") => draft.failure.sensor != 2,
+            (Section::Failure, _) => {
+                of_sensor(self, draft.failure.sensor).is_none() && self.is_of_kind(&draft.failure)
+            }
+            (Section::Update, "sigma_m") => draft.update.updated != Updated::Velocity,
+            (Section::Update, "sigma_m_s") => draft.update.updated == Updated::Velocity,
+            (Section::Panel, "latitude_deg" | "longitude_deg") => draft.action.action == Action::Position,
+            (Section::Panel, "heading_deg") => draft.action.action == Action::Heading,
+            _ => true,
+        }
+    }
+
     /// Whether this kind of failure uses the key.
-    pub fn is_used_by(&self, failure: &FailureDraft) -> bool {
-        let (_, uses) = FAILURE_KINDS[failure.kind];
+    pub fn is_of_kind(&self, failure: &FailureDraft) -> bool {
+        let (_, uses) = FAILURE_KINDS[failure.fields.kind];
         let field = self.field().strip_prefix("failure.");
         let is_general = ["sensor", "axis", "kind", "from_s", "until_s"].contains(&self.name);
         is_general || field.is_some_and(|field| uses.iter().any(|quantity| field.starts_with(quantity)))
-    }
-
-    /// Whether only updates of the velocity have the key; `None`: all updates have it.
-    pub fn is_of_velocity(&self) -> Option<bool> {
-        match self.name {
-            "sigma_m" => Some(false),
-            "sigma_m_s" => Some(true),
-            _ => None,
-        }
-    }
-
-    /// Whether an action at the panel uses the key.
-    pub fn is_used_by_action(&self, action: Action) -> bool {
-        match self.name {
-            "latitude_deg" | "longitude_deg" => action == Action::Position,
-            "heading_deg" => action == Action::Heading,
-            _ => true,
-        }
     }
 
     /// Whether only a flight of the scene's own manoeuvres has the value.

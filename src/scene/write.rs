@@ -1,13 +1,13 @@
 //! The writer of scenes.
 
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
+use super::draft::{Draft, FAILURE_KINDS, update_draft};
 use super::key::{Key, Section, Target};
 use super::list::meaning;
 use super::site::{Site, ValuePath};
-use super::table::{of_section, of_sensor};
+use super::table::of_section;
 use super::value::{divided, shown, written};
-use super::{FlightSource, PlannedAction, PlannedFailure, PlannedUpdate, Scene, Updated};
-use crate::flight::{Channel, MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields};
+use super::{FlightSource, PlannedAction, PlannedFailure, PlannedUpdate, Scene};
+use crate::flight::{Manoeuvre, ManoeuvreFields};
 
 impl Scene {
     /// The scene in TOML with comments: all values that are not the default. [`Scene::parse`] reads the same scene from it, to the bit.
@@ -20,7 +20,7 @@ impl Scene {
                 Section::Update => self.updates.iter().for_each(|one| writer.update(one)),
                 Section::Panel => self.panel.iter().for_each(|one| writer.action(one)),
                 Section::Sinusoid => {}
-                _ => writer.section(section, |_| true),
+                _ => writer.section(section),
             }
         }
         writer.text
@@ -105,22 +105,11 @@ impl Scene {
             Section::Flight if key.is_of_manoeuvres() => matches!(self.flight, FlightSource::Path(_)),
             Section::Flight if key.name == "temperature_change_c_h" => !draft.temperature_c.is_nan(),
             Section::Options if key.name == "closed_loop_time_s" => draft.closed_loop,
-            Section::Manoeuvre => {
-                key.name == "kind" || MANOEUVRE_KINDS[draft.manoeuvre.kind].1.contains(&key.field())
+            Section::Failure if FAILURE_KINDS[draft.failure.fields.kind].0 == "drop_outs" => {
+                let is_random = draft.failure.fields.interval_s == 0.0;
+                key.is_used(draft) && key.name != if is_random { "interval_s" } else { "probability" }
             }
-            Section::Sinusoid => {
-                let is_speed = draft.sinusoid.channel == Channel::Speed;
-                key.name != if is_speed { "amplitude_deg" } else { "amplitude_m_s" }
-            }
-            Section::Failure => {
-                let FailureDraft { sensor, interval_s, .. } = draft.failure;
-                let is_random = FAILURE_KINDS[draft.failure.kind].0 == "drop_outs" && interval_s == 0.0;
-                let other = if is_random { "interval_s" } else { "probability" };
-                own_failure_key(key, sensor) && key.is_used_by(&draft.failure) && key.name != other
-            }
-            Section::Panel => key.is_used_by_action(draft.action.action),
-            Section::Update => key.is_of_velocity() != Some(draft.update.updated != Updated::Velocity),
-            _ => true,
+            _ => key.is_used(draft),
         }
     }
 
@@ -139,20 +128,15 @@ impl Scene {
             Section::Manoeuvre => draft.manoeuvre = self.manoeuvres().get(index)?.into(),
             Section::Sinusoid => {
                 let ManoeuvreFields { sinusoids, sinusoid_count, .. } = self.manoeuvres().get(index)?.into();
-                draft.sinusoid = sinusoids[..sinusoid_count].get(inner)?.into();
+                draft.sinusoid = *sinusoids[..sinusoid_count].get(inner)?;
             }
             Section::Failure => draft.failure = self.failures.get(index)?.into(),
-            Section::Update => draft.update = self.updates.get(index)?.into(),
+            Section::Update => draft.update = update_draft(self.updates.get(index)?),
             Section::Panel => draft.action = *self.panel.get(index)?,
             _ => {}
         }
         Some(draft)
     }
-}
-
-/// Whether a failure of a sensor has a key: all but the keys of quantities in the units of other sensors; the altimeter has no axis.
-fn own_failure_key(key: &Key, sensor: usize) -> bool {
-    of_sensor(key, sensor).is_none() && !(key.name == "axis" && sensor == 2)
 }
 
 struct Writer {
@@ -169,38 +153,36 @@ impl Writer {
 
     fn manoeuvre(&mut self, manoeuvre: &Manoeuvre) {
         self.draft.manoeuvre = manoeuvre.into();
-        self.section(Section::Manoeuvre, |_| true);
+        self.section(Section::Manoeuvre);
         let ManoeuvreFields { sinusoids, sinusoid_count, .. } = self.draft.manoeuvre;
         for sinusoid in &sinusoids[..sinusoid_count] {
-            self.draft.sinusoid = sinusoid.into();
-            self.section(Section::Sinusoid, |_| true);
+            self.draft.sinusoid = *sinusoid;
+            self.section(Section::Sinusoid);
         }
     }
 
     fn failure(&mut self, planned: &PlannedFailure) {
         self.draft.failure = planned.into();
-        let sensor = self.draft.failure.sensor;
-        self.section(Section::Failure, |key| own_failure_key(key, sensor));
+        self.section(Section::Failure);
     }
 
     fn action(&mut self, planned: &PlannedAction) {
         self.draft.action = *planned;
-        let action = planned.action;
-        self.section(Section::Panel, |key| key.is_used_by_action(action));
+        self.section(Section::Panel);
     }
 
     fn update(&mut self, planned: &PlannedUpdate) {
-        self.draft.update = planned.into();
-        self.section(Section::Update, |_| true);
+        self.draft.update = update_draft(planned);
+        self.section(Section::Update);
     }
 
     /// Writes a section with its keys that are not at their default, if there are any. Items of a list are always written, with their
     /// kind.
-    fn section(&mut self, section: Section, wants: impl Fn(&Key) -> bool) {
+    fn section(&mut self, section: Section) {
         let mut lines = String::new();
         for (_, key) in of_section(section) {
             let is_always = section.is_list() && ["kind", "channel", "sensor", "axis"].contains(&key.name);
-            if !wants(key) || (!is_always && self.is_default(key)) {
+            if !key.is_used(&self.draft) || (!is_always && self.is_default(key)) {
                 continue;
             }
             let (value, in_si) = written(&mut self.draft, key);

@@ -74,8 +74,8 @@ pub const CHANNELS: [(&str, Channel); 6] = [
 pub const SINUSOID: &[Key] = &[
     choice!(S, "channel", "quantity that the sinusoid moves", "sinusoid.channel" => sinusoid.channel, CHANNELS),
     number!(S, N, "amplitude_deg", unit("deg", DEG, "rad"), "amplitude of an angle",
-        "sinusoid.amplitude_rad" => one(sinusoid.amplitude_rad)),
-    number!(S, N, "amplitude_m_s", si("m/s"), "amplitude of the speed", "sinusoid.amplitude_m_s" => one(sinusoid.amplitude_m_s)),
+        "sinusoid.amplitude_rad" => one(sinusoid.amplitude)),
+    number!(S, N, "amplitude_m_s", si("m/s"), "amplitude of the speed", "sinusoid.amplitude_m_s" => one(sinusoid.amplitude)),
     number!(S, N, "frequency_hz", si("Hz"), "frequency", "sinusoid.frequency_hz" => one(sinusoid.frequency_hz)),
     number!(S, N, "phase_deg", unit("deg", DEG, "rad"), "phase at the start of the manoeuvre",
         "sinusoid.phase_rad" => one(sinusoid.phase_rad)),

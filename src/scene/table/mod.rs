@@ -10,7 +10,6 @@ mod update;
 
 pub use failure::SENSORS;
 pub use flight::CHANNELS;
-pub use panel::ACTIONS;
 pub use update::UPDATED;
 
 use super::draft::Draft;

@@ -15,7 +15,7 @@ const STARTS: [(&str, Option<Mode>); 3] =
     [("none", None), ("off", Some(Mode::Off)), ("nav", Some(Mode::Navigate))];
 
 /// The words of what is done at the panel.
-pub const ACTIONS: [(&str, Action); 11] = {
+const ACTIONS: [(&str, Action); 11] = {
     let ([off, align, nav, att], [aircraft, battery, none]) = (Mode::WORDS, Power::WORDS);
     [
         (off.0, Action::Select(off.1)),

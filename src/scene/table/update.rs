@@ -19,7 +19,7 @@ pub const UPDATE: &[Key] = &[
     number!(U, Shape::Number, "every_s", si("s"), "time from one update to the next; default: only one",
         "update.every_s" => one(update.every_s)),
     number!(U, Shape::Axes, "sigma_m", si("m"), "standard deviation of the error of a position fix, east-north-up",
-        "update.sigma_m" => vector(update.sigma_m)),
+        "update.sigma_m" => vector(update.sigma_n)),
     number!(U, Shape::Axes, "sigma_m_s", si("m/s"), "standard deviation of the error of a velocity fix, east-north-up",
-        "update.sigma_m_s" => vector(update.sigma_m_s)),
+        "update.sigma_m_s" => vector(update.sigma_n)),
 ];
