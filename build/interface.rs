@@ -30,10 +30,13 @@ pub struct Outputs {
     pub size_checks: String,
 }
 
-/// Everything, of the sources in `abi`; those in `generated` stand where one of these includes them by its name.
+/// Everything, of the sources in `abi` and of those in `generated`, by their names. One of these may also stand where a source includes it.
 pub fn generate(abi: &Path, generated: &[(String, String)], work: &Path) -> Outputs {
     let templates = HEADERS.map(|(name, text)| Template::new(name, text));
     let read = |name: &str| {
+        if let Some((_, own)) = generated.iter().find(|(of, _)| *of == name) {
+            return own.clone();
+        }
         let path = abi.join(format!("{name}.rs"));
         let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         generated.iter().fold(text, |text, (name, own)| {

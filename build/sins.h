@@ -150,7 +150,7 @@ extern "C" {
 
 /* Sensor errors. */
 
-@sensor_params altimeter
+@sensor_params altimeter_params
 
 /* Reads. */
 
@@ -166,7 +166,7 @@ extern "C" {
 
 /* Start, mounting, gravity; presets of sensors and start. */
 
-@initial mounting gravity preset
+@sins_alignment initial_params mounting_params gravity_params preset
 
 /* Navigation on increments, without a truth. */
 

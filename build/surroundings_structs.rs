@@ -1,7 +1,7 @@
 //! The structs that the tables beside that of the sensors make, as Rust sources.
 
 use crate::parameter::{Row, Shape};
-use crate::sensor_structs::{comment, definition, sentence, unit};
+use crate::sensor_structs::{Access, comment, definition, sentence, unit};
 use crate::surroundings::{ALTIMETER, GRAVITY, INITIAL, MOUNTING, START};
 use crate::unit_table::UNIT;
 
@@ -15,6 +15,8 @@ struct Pair {
     rows: &'static [Row],
     /// Name of the table.
     table: &'static str,
+    /// `None`: no function of a simulator sets them.
+    access: Option<Access>,
 }
 
 const PAIRS: [Pair; 5] = [
@@ -26,6 +28,18 @@ Errors of the barometric altimeter, whose height damps the vertical channel. All
         own_doc: "Errors of the barometric height. All zero is an ideal altimeter.",
         rows: &ALTIMETER,
         table: "ALTIMETER",
+        access: Some(Access {
+            name: "altimeter",
+            argument: "params",
+            set: "\
+Sets the errors of the barometric altimeter, whose height damps the vertical channel (SINS_VERTICAL_DAMPED), from the next
+interval on.
+
+SINS_ERROR_INVALID_ARGUMENT: a value out of its range.",
+            get: "\
+Reads the errors of the altimeter that are set. May be called at any moment. After sins_snapshot_load() they are those of
+the snapshot.",
+        }),
     },
     Pair {
         name: "sins_mounting",
@@ -51,6 +65,20 @@ no term is missing.",
             component of the arm and for each angle. All zero is a block at the reference point, along the body axes.",
         rows: &MOUNTING,
         table: "MOUNTING",
+        access: Some(Access {
+            name: "mounting",
+            argument: "mounting",
+            set: "\
+Sets the mounting of the sensor block. Allowed before the first step, and after a reset or a reposition until the next
+step. A reset and a reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is
+that of the block.
+
+SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+SINS_ERROR_BAD_STATE: steps have been made.",
+            get: "\
+Reads the mounting of the sensor block that is set. May be called at any moment. After sins_snapshot_load() it is that of
+the snapshot.",
+        }),
     },
     Pair {
         name: "sins_gravity_params",
@@ -67,6 +95,21 @@ R xi, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_
         own_doc: "",
         rows: &GRAVITY,
         table: "GRAVITY",
+        access: Some(Access {
+            name: "gravity_disturbance",
+            argument: "params",
+            set: "\
+Sets the gravity disturbance, true gravity less normal gravity. Allowed before the first step, and after a reset or a
+reposition until the next step. A reset brings the same field back; after a reposition the field continues from its
+current values. The disturbance does not affect a navigator on increments, because the host's increments already contain
+its effect.
+
+SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+SINS_ERROR_BAD_STATE: steps have been made.",
+            get: "\
+Reads the parameters of the gravity disturbance that are set. May be called at any moment. After sins_snapshot_load() they
+are those of the snapshot.",
+        }),
     },
     Pair {
         name: "sins_initial_errors",
@@ -79,6 +122,19 @@ SINS_VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0
             drawn once a run.",
         rows: &INITIAL,
         table: "INITIAL",
+        access: Some(Access {
+            name: "initial_errors",
+            argument: "errors",
+            set: "\
+Sets the errors with which the navigation starts. Allowed before the first step, and after a reset or a reposition until
+the next step. After a reposition they apply to the start at its sample.
+
+SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+SINS_ERROR_BAD_STATE: steps have been made.",
+            get: "\
+Reads the set errors with which the navigation starts. May be called at any moment. After sins_snapshot_load() they are
+those of the snapshot.",
+        }),
     },
     Pair {
         name: "sins_flight_start",
@@ -88,6 +144,7 @@ Start of an embedded flight, level and straight.",
         own_doc: "Start of a flight, level and straight.",
         rows: &START,
         table: "START",
+        access: None,
     },
 ];
 
@@ -99,6 +156,7 @@ Times and limits of a unit. All zero, the default, is the unit that the comments
     own_doc: "Times and limits of a unit. 0 is the default of the table.",
     rows: &UNIT,
     table: "UNIT",
+    access: None,
 };
 
 /// The structs of the interface: sources by their names.
@@ -145,6 +203,7 @@ impl Pair {
                 _ => format!("[{}] = self.{}.each_mut()", names.join(", "), row.field.name()),
             })
             + "}\n"
+            + &self.access.as_ref().map(|access| access.functions(self.name)).unwrap_or_default()
     }
 
     fn own(&self) -> String {

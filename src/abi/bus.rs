@@ -216,8 +216,7 @@ pub unsafe extern "C-unwind" fn sins_bus_get_label(index: usize, label: *mut sin
         let Some(row) = LABELS.get(index) else {
             return Err(Error::invalid("index", index, Rule::Below(LABELS.len() as f64)).into());
         };
-        output.write(&label_of(row));
-        Ok(SINS_OK)
+        Ok(output.write(&label_of(row)))
     })
 }
 
@@ -243,11 +242,10 @@ pub unsafe extern "C-unwind" fn sins_bus_decode(
             let rule = Rule::Sentence("has an even parity, or a label that the table does not have");
             return Err(Error::invalid("word", word, rule).into());
         };
-        output.write(&sins_bus_label {
+        Ok(output.write(&sins_bus_label {
             value: decoded.value,
             status: decoded.status.code(),
             ..label_of(decoded.label)
-        });
-        Ok(SINS_OK)
+        }))
     })
 }

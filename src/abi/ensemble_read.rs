@@ -117,8 +117,7 @@ pub unsafe extern "C-unwind" fn sins_ensemble_get_diverged(
             return Err(Error::invalid("index", index, rule).into());
         };
         // SAFETY: the host's promise.
-        unsafe { put(run, diverged, "run")? };
-        Ok(SINS_OK)
+        unsafe { put(run, diverged, "run") }
     })
 }
 
@@ -134,8 +133,7 @@ pub unsafe extern "C-unwind" fn sins_ensemble_correct(
 ) -> sins_status {
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
-        ensemble.correct(run, &unsafe { read(correction, "correction")? }.to_correction()?)?;
-        Ok(SINS_OK)
+        Ok(ensemble.correct(run, &unsafe { read(correction, "correction")? }.to_correction()?)?)
     })
 }
 
@@ -151,7 +149,6 @@ pub unsafe extern "C-unwind" fn sins_ensemble_get_compensation(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(compensation, "compensation")? };
-        output.write(&(&ensemble.compensation(run)?).into());
-        Ok(SINS_OK)
+        Ok(output.write(&(&ensemble.compensation(run)?).into()))
     })
 }

@@ -3,7 +3,7 @@
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::FLIGHTS;
 use super::boundary::{enter, enter_without_simulator};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{Failure, sins_status};
 use super::manoeuvre::sins_manoeuvre;
 use super::memory::{Array, Output, put, read};
 use super::parameters::{Parameters, params};
@@ -101,8 +101,7 @@ pub unsafe extern "C-unwind" fn sins_flight_duration(
 ) -> sins_status {
     with_object(&FLIGHTS, flight, |flight| {
         // SAFETY: the host's promise.
-        unsafe { put(duration_s, flight.duration_s(), "duration_s")? };
-        Ok(SINS_OK)
+        unsafe { put(duration_s, flight.duration_s(), "duration_s") }
     })
 }
 
@@ -119,8 +118,7 @@ pub unsafe extern "C-unwind" fn sins_flight_sample_at(
     with_object(&FLIGHTS, flight, |flight| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(sample, "sample")? };
-        output.write(&sins_flight_sample::from(&flight.sample_at(time_s)?));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_flight_sample::from(&flight.sample_at(time_s)?)))
     })
 }
 

@@ -16,7 +16,6 @@
 #![allow(clippy::missing_safety_doc, reason = "the rules of pointers and handles stand once, above")]
 
 mod accuracy;
-mod altimeter;
 mod answer;
 mod boundary;
 mod budget;
@@ -33,13 +32,10 @@ mod failure;
 #[cfg(feature = "fault-injection")]
 mod fault;
 mod flight;
-mod gravity;
 mod imu;
-mod initial;
 mod last_error;
 mod manoeuvre;
 mod memory;
-mod mounting;
 mod navigator;
 mod options;
 mod parameters;
@@ -52,7 +48,6 @@ mod sample;
 #[cfg(feature = "scenes")]
 mod scene;
 mod sensor_failure;
-mod sensor_params;
 mod sentence;
 mod simulator;
 mod snapshot;
@@ -61,12 +56,10 @@ mod statistics;
 mod text;
 mod truth_summary;
 mod unit;
-mod unit_params;
 mod unit_status;
 mod version;
 
 pub use accuracy::{sins_accuracy, sins_get_accuracy};
-pub use altimeter::*;
 pub use boundary::shielded;
 pub use budget::*;
 pub use budget_answer::*;
@@ -81,14 +74,12 @@ pub use failure::*;
 #[cfg(feature = "fault-injection")]
 pub use fault::sins_inject_panic;
 pub use flight::*;
-pub use gravity::*;
 pub use imu::*;
-pub use initial::*;
 pub use last_error::*;
 pub use manoeuvre::*;
-pub use mounting::*;
 pub use navigator::*;
 pub use options::*;
+pub use parameters::*;
 pub use preset::*;
 pub use recommend::{sins_cost, sins_recommend, sins_requirement};
 pub use record::*;
@@ -98,14 +89,12 @@ pub use sample::*;
 #[cfg(feature = "scenes")]
 pub use scene::*;
 pub use sensor_failure::*;
-pub use sensor_params::*;
 pub use simulator::*;
 pub use snapshot::*;
 pub use solution::*;
 pub use statistics::*;
 pub use truth_summary::{sins_get_truth_summary, sins_truth_summary};
 pub use unit::*;
-pub use unit_params::sins_unit_params;
 pub use unit_status::*;
 pub use version::*;
 

@@ -2,11 +2,9 @@
 
 use super::boundary::enter_without_simulator;
 use super::choice::{Choice, choices};
-use super::failure::{SINS_OK, sins_status};
-use super::initial::sins_initial_errors;
+use super::failure::sins_status;
 use super::memory::Output;
-use super::parameters::Parameters;
-use super::sensor_params::{sins_accel_params, sins_gyro_params};
+use super::parameters::{Parameters, sins_accel_params, sins_gyro_params, sins_initial_errors};
 use crate::sensors::Grade;
 
 include!(concat!(env!("OUT_DIR"), "/sins_grade.rs"));
@@ -20,8 +18,7 @@ pub unsafe extern "C-unwind" fn sins_gyro_preset(grade: i32, params: *mut sins_g
     enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(params, "params")? };
-        output.write(&sins_gyro_params::from_parameters(&Grade::of("grade", grade)?.parameters().0));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_gyro_params::from_parameters(&Grade::of("grade", grade)?.parameters().0)))
     })
 }
 
@@ -33,8 +30,7 @@ pub unsafe extern "C-unwind" fn sins_accel_preset(grade: i32, params: *mut sins_
     enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(params, "params")? };
-        output.write(&sins_accel_params::from_parameters(&Grade::of("grade", grade)?.parameters().1));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_accel_params::from_parameters(&Grade::of("grade", grade)?.parameters().1)))
     })
 }
 
@@ -53,7 +49,6 @@ pub unsafe extern "C-unwind" fn sins_initial_preset(
     enter_without_simulator(|| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(errors, "errors")? };
-        output.write(&sins_initial_errors::from_parameters(&Grade::of("grade", grade)?.start()));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_initial_errors::from_parameters(&Grade::of("grade", grade)?.start())))
     })
 }

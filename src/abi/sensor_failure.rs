@@ -1,7 +1,7 @@
 //! `sins_failure`.
 
 use super::choice::check_reserved;
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{Failure, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use crate::error::{Error, Rule};
@@ -181,8 +181,7 @@ pub unsafe extern "C-unwind" fn sins_set_failure(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let failure = unsafe { read(failure, "failure")? };
-        simulator.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?;
-        Ok(SINS_OK)
+        Ok(simulator.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?)
     })
 }
 
@@ -200,7 +199,6 @@ pub unsafe extern "C-unwind" fn sins_get_failure(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let place = unsafe { Output::new(failure, "failure")? };
-        place.write(&sins_failure::of(simulator.failure(output(ARGUMENTS, sensor, axis)?)));
-        Ok(SINS_OK)
+        Ok(place.write(&sins_failure::of(simulator.failure(output(ARGUMENTS, sensor, axis)?))))
     })
 }

@@ -4,6 +4,7 @@ use core::ffi::c_void;
 
 use nalgebra::Vector3;
 
+use super::answer::Answer;
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::UNITS;
 use super::boundary::{enter, enter_without_simulator};
@@ -11,9 +12,9 @@ use super::choice::{Choice, choices};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, read};
 use super::parameters::Parameters;
+use super::parameters::sins_unit_params;
 use super::simulator::{sins_sim, work_with};
 use super::text::{bytes_of, put_saved};
-use super::unit_params::sins_unit_params;
 use crate::earth::Geodetic;
 use crate::unit::{AlignmentKind, Mode, Power, Stored, Unit, UnitParameters};
 
@@ -49,9 +50,9 @@ pub const SINS_UNIT_SNAPSHOT_MAX_SIZE: usize = 1024;
 const _: () = assert!(SINS_UNIT_SNAPSHOT_MAX_SIZE == Unit::SNAPSHOT_MAX_SIZE);
 
 /// Runs `body` on the unit of a handle, as the inside of an exported function.
-pub(super) fn with_unit(
+pub(super) fn with_unit<A: Answer>(
     unit: *const sins_unit,
-    body: impl FnOnce(&mut Unit) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Unit) -> Result<A, Failure>,
 ) -> sins_status {
     with_object(&UNITS, unit, body)
 }
@@ -127,8 +128,7 @@ pub unsafe extern "C-unwind" fn sins_unit_set_params(
 ) -> sins_status {
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
-        unit.set_parameters(&unsafe { read(params, "params")? }.to_parameters()?)?;
-        Ok(SINS_OK)
+        Ok(unit.set_parameters(&unsafe { read(params, "params")? }.to_parameters()?)?)
     })
 }
 
@@ -140,8 +140,7 @@ pub unsafe extern "C-unwind" fn sins_unit_get_params(
 ) -> sins_status {
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
-        unsafe { Output::new(params, "params")? }.write(&Parameters::from_parameters(unit.parameters()));
-        Ok(SINS_OK)
+        Ok(unsafe { Output::new(params, "params")? }.write(&Parameters::from_parameters(unit.parameters())))
     })
 }
 
@@ -199,10 +198,7 @@ pub unsafe extern "C-unwind" fn sins_unit_enter_position(
     latitude_rad: f64,
     longitude_rad: f64,
 ) -> sins_status {
-    with_unit(unit, |unit| {
-        unit.enter_position(latitude_rad, longitude_rad)?;
-        Ok(SINS_OK)
-    })
+    with_unit(unit, |unit| Ok(unit.enter_position(latitude_rad, longitude_rad)?))
 }
 
 /// Enters the heading of the mode ATT, -2 pi to 2 pi [rad]. The gyros carry it on. They measure the Earth's rotation too, so it drifts by
@@ -215,10 +211,7 @@ pub unsafe extern "C-unwind" fn sins_unit_enter_heading(
     unit: *mut sins_unit,
     heading_rad: f64,
 ) -> sins_status {
-    with_unit(unit, |unit| {
-        unit.enter_heading(heading_rad)?;
-        Ok(SINS_OK)
-    })
+    with_unit(unit, |unit| Ok(unit.enter_heading(heading_rad)?))
 }
 
 /// Sets what the unit stored when it was last switched off: latitude, -pi/2 to pi/2, longitude, -pi to pi, and true heading, 0 to 2 pi
@@ -232,10 +225,7 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
     longitude_rad: f64,
     heading_rad: f64,
 ) -> sins_status {
-    with_unit(unit, |unit| {
-        unit.set_stored(Some(Stored { latitude_rad, longitude_rad, heading_rad }))?;
-        Ok(SINS_OK)
-    })
+    with_unit(unit, |unit| Ok(unit.set_stored(Some(Stored { latitude_rad, longitude_rad, heading_rad }))?))
 }
 
 /// Takes the last step of the simulator: to be called after each step that was made. The unit reads the measured increments of the
@@ -263,10 +253,7 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
 /// The errors of sins_correct(): the simulator rejects a correction. The unit has noted the interval and tries again with the next.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_unit_update(unit: *mut sins_unit, sim: *mut sins_sim) -> sins_status {
-    with_unit(unit, |unit| {
-        work_with(sim, "sim", |simulator| unit.update(simulator))??;
-        Ok(SINS_OK)
-    })
+    with_unit(unit, |unit| Ok(work_with(sim, "sim", |simulator| unit.update(simulator))??))
 }
 
 /// Takes a fix of another sensor, such as a receiver of satellite navigation, for an alignment of kind SINS_UNIT_ALIGNMENT_IN_FLIGHT:
@@ -302,8 +289,7 @@ pub unsafe extern "C-unwind" fn sins_unit_push_fix(
     with_unit(unit, |unit| {
         let place = Geodetic { latitude_rad, longitude_rad, height_m };
         let v_n = Vector3::new(velocity_east_m_s, velocity_north_m_s, velocity_up_m_s);
-        work_with(sim, "sim", |simulator| unit.push_fix(simulator, place, v_n))??;
-        Ok(SINS_OK)
+        Ok(work_with(sim, "sim", |simulator| unit.push_fix(simulator, place, v_n))??)
     })
 }
 
@@ -337,7 +323,6 @@ pub unsafe extern "C-unwind" fn sins_unit_snapshot_load(
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
         let snapshot = unsafe { bytes_of(snapshot.cast(), size, "snapshot")? };
-        unit.load_snapshot(snapshot)?;
-        Ok(SINS_OK)
+        Ok(unit.load_snapshot(snapshot)?)
     })
 }

@@ -1,7 +1,7 @@
 //! `sins_unit_status`, `sins_unit_navigation`: what a unit reports and shows.
 
 use super::choice::{Choice, check_reserved, choices, flag};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{Failure, sins_status};
 use super::memory::{Output, interface_struct};
 use super::simulator::{look_at, sins_sim};
 use super::unit::{sins_unit, with_unit};
@@ -263,8 +263,7 @@ pub unsafe extern "C-unwind" fn sins_unit_get_status(
 ) -> sins_status {
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
-        unsafe { Output::new(status, "status")? }.write(&(&unit.status()).into());
-        Ok(SINS_OK)
+        Ok(unsafe { Output::new(status, "status")? }.write(&(&unit.status()).into()))
     })
 }
 
@@ -282,7 +281,6 @@ pub unsafe extern "C-unwind" fn sins_unit_get_navigation(
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(navigation, "navigation")? };
-        output.write(&(&look_at(sim, "sim", |simulator| unit.navigation(simulator))??).into());
-        Ok(SINS_OK)
+        Ok(output.write(&(&look_at(sim, "sim", |simulator| unit.navigation(simulator))??).into()))
     })
 }

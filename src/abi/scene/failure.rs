@@ -1,7 +1,7 @@
 //! The failures that a scene plans.
 
 use super::{sins_scene, with_scene};
-use crate::abi::failure::{SINS_OK, sins_status};
+use crate::abi::failure::sins_status;
 use crate::abi::memory::{Output, element, interface_struct, put};
 use crate::abi::sensor_failure::sins_failure_fields;
 use crate::abi::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
@@ -39,8 +39,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_failure_count(
 ) -> sins_status {
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
-        unsafe { put(count, scene.failures.len(), "count")? };
-        Ok(SINS_OK)
+        unsafe { put(count, scene.failures.len(), "count") }
     })
 }
 
@@ -58,8 +57,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_failure(
         let output = unsafe { Output::new(failure, "failure")? };
         let rule = "must be less than the number of failures of the scene:";
         let planned = element(&scene.failures, index, rule)?;
-        output.write(&sins_planned_failure::new(planned));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_planned_failure::new(planned)))
     })
 }
 

@@ -60,7 +60,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_setup(
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(setup, "setup")? };
-        output.write(&sins_scene_setup {
+        Ok(output.write(&sins_scene_setup {
             struct_size: size_of::<sins_scene_setup>() as u32,
             reserved: 0,
             flight: match scene.flight {
@@ -77,8 +77,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_setup(
             temperature_c: scene.temperature.map_or(0.0, |temperature| temperature.at_start_c),
             temperature_change_c_s: scene.temperature.map_or(0.0, |temperature| temperature.change_c_s),
             every_s: scene.output.every_s.unwrap_or(0.0),
-        });
-        Ok(SINS_OK)
+        }))
     })
 }
 
