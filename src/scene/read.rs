@@ -199,11 +199,8 @@ impl Reader<'_> {
     fn read_failure(&mut self, head: Span, section_table: &DeTable<'_>) {
         self.draft.failure = FailureDraft::default();
         let item = self.read_keys(Section::Failure, head.clone(), section_table);
-        for name in ["sensor", "kind"] {
-            if item.key(name).is_none() {
-                self.faults.add(&head, format!("[[failure]]: expected its {name}"));
-                return;
-            }
+        if !self.has_all(&item, &["sensor", "kind"]) {
+            return;
         }
         let failure = self.draft.failure.clone();
         match (failure.sensor == 2, item.key("axis")) {
@@ -234,14 +231,20 @@ impl Reader<'_> {
         }
     }
 
+    /// Whether the text sets all these keys of an item; notes the first that it does not set.
+    fn has_all(&mut self, item: &Item, names: &[&str]) -> bool {
+        let missing = names.iter().find(|name| item.key(name).is_none());
+        if let Some(name) = missing {
+            self.faults.add(&item.head, format!("[[{}]]: expected its {name}", item.site.section.name()));
+        }
+        missing.is_none()
+    }
+
     fn read_update(&mut self, head: Span, section_table: &DeTable<'_>) {
         self.draft.update = NO_UPDATE;
         let item = self.read_keys(Section::Update, head.clone(), section_table);
-        for name in ["kind", "at_s"] {
-            if item.key(name).is_none() {
-                self.faults.add(&head, format!("[[update]]: expected its {name}"));
-                return;
-            }
+        if !self.has_all(&item, &["kind", "at_s"]) {
+            return;
         }
         let is_of_velocity = self.draft.update.updated == Updated::Velocity;
         let (own, other) = if is_of_velocity { ("sigma_m_s", "sigma_m") } else { ("sigma_m", "sigma_m_s") };
@@ -268,9 +271,7 @@ impl Reader<'_> {
             _ => &["kind", "at_s"],
         };
         let planned = self.draft.action;
-        let has = |name: &str| item.key(name).or(item.key(&name.replace("_deg", "_rad"))).is_some();
-        if let Some(name) = needed(planned.action).iter().find(|name| !has(name)) {
-            self.faults.add(&head, format!("[[panel]]: expected its {name}"));
+        if !self.has_all(&item, needed(planned.action)) {
             return;
         }
         for (index, span) in item.keys.iter().filter(|(index, _)| !KEYS[*index].is_used(&self.draft)) {

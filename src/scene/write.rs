@@ -6,8 +6,8 @@ use super::list::meaning;
 use super::site::{Site, ValuePath};
 use super::table::of_section;
 use super::value::{divided, shown, written};
-use super::{FlightSource, PlannedAction, PlannedFailure, PlannedUpdate, Scene};
-use crate::flight::{Manoeuvre, ManoeuvreFields};
+use super::{FlightSource, Scene};
+use crate::flight::ManoeuvreFields;
 
 impl Scene {
     /// The scene in TOML with comments: all values that are not the default. [`Scene::parse`] reads the same scene from it, to the bit.
@@ -15,11 +15,10 @@ impl Scene {
         let mut writer = Writer::new(self);
         for section in Section::ALL {
             match section {
-                Section::Manoeuvre => self.manoeuvres().iter().for_each(|one| writer.manoeuvre(one)),
-                Section::Failure => self.failures.iter().for_each(|one| writer.failure(one)),
-                Section::Update => self.updates.iter().for_each(|one| writer.update(one)),
-                Section::Panel => self.panel.iter().for_each(|one| writer.action(one)),
                 Section::Sinusoid => {}
+                _ if section.is_list() => {
+                    (0..).take_while(|index| writer.item(self, section, *index).is_some()).count();
+                }
                 _ => writer.section(section),
             }
         }
@@ -68,22 +67,10 @@ impl Scene {
     /// not. It is written as in the text of a scene; a value that the scene does not have is empty. `"manoeuvre[3]"`,
     /// `"failure[0]"`, `"update[0]"` and `"panel[0]"` are all lines of an item. `None`: there is no such value.
     pub fn value(&self, path: &str) -> Option<String> {
-        let mut writer = Writer::new(self);
         match Site::read(path) {
-            Ok(Site { section: Section::Manoeuvre, item: [index, _] }) => {
-                writer.manoeuvre(self.manoeuvres().get(index)?);
-                Some(writer.text)
-            }
-            Ok(Site { section: Section::Failure, item: [index, _] }) => {
-                writer.failure(self.failures.get(index)?);
-                Some(writer.text)
-            }
-            Ok(Site { section: Section::Panel, item: [index, _] }) => {
-                writer.action(self.panel.get(index)?);
-                Some(writer.text)
-            }
-            Ok(Site { section: Section::Update, item: [index, _] }) => {
-                writer.update(self.updates.get(index)?);
+            Ok(Site { section, item: [index, _] }) if section.lists() == 1 => {
+                let mut writer = Writer::new(self);
+                writer.item(self, section, index)?;
                 Some(writer.text)
             }
             _ => {
@@ -122,8 +109,14 @@ impl Scene {
     }
 
     /// A draft with the item at `site`, if that is one of a list.
-    fn draft_of(&self, Site { section, item: [index, inner] }: Site) -> Option<Draft> {
+    fn draft_of(&self, site: Site) -> Option<Draft> {
         let mut draft = Draft::from(self);
+        self.load(&mut draft, site)?;
+        Some(draft)
+    }
+
+    /// Puts the item at a site of a list into `draft`; `None`: there is no such item.
+    fn load(&self, draft: &mut Draft, Site { section, item: [index, inner] }: Site) -> Option<()> {
         match section {
             Section::Manoeuvre => draft.manoeuvre = self.manoeuvres().get(index)?.into(),
             Section::Sinusoid => {
@@ -135,7 +128,7 @@ impl Scene {
             Section::Panel => draft.action = *self.panel.get(index)?,
             _ => {}
         }
-        Some(draft)
+        Some(())
     }
 }
 
@@ -151,29 +144,16 @@ impl Writer {
         Self { text: String::new(), draft: Draft::from(scene), default }
     }
 
-    fn manoeuvre(&mut self, manoeuvre: &Manoeuvre) {
-        self.draft.manoeuvre = manoeuvre.into();
-        self.section(Section::Manoeuvre);
+    /// Writes an item of a list, a manoeuvre with its sinusoids; `None`: there is no such item.
+    fn item(&mut self, scene: &Scene, section: Section, index: usize) -> Option<()> {
+        scene.load(&mut self.draft, Site { section, item: [index, 0] })?;
+        self.section(section);
         let ManoeuvreFields { sinusoids, sinusoid_count, .. } = self.draft.manoeuvre;
-        for sinusoid in &sinusoids[..sinusoid_count] {
+        for sinusoid in sinusoids.iter().take(sinusoid_count).filter(|_| section == Section::Manoeuvre) {
             self.draft.sinusoid = *sinusoid;
             self.section(Section::Sinusoid);
         }
-    }
-
-    fn failure(&mut self, planned: &PlannedFailure) {
-        self.draft.failure = planned.into();
-        self.section(Section::Failure);
-    }
-
-    fn action(&mut self, planned: &PlannedAction) {
-        self.draft.action = *planned;
-        self.section(Section::Panel);
-    }
-
-    fn update(&mut self, planned: &PlannedUpdate) {
-        self.draft.update = update_draft(planned);
-        self.section(Section::Update);
+        Some(())
     }
 
     /// Writes a section with its keys that are not at their default, if there are any. Items of a list are always written, with their
