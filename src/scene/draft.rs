@@ -9,7 +9,7 @@ use super::{
 use crate::Options;
 use crate::error::Error;
 use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
-use crate::sensors::{Axis, FAILURE_KIND_COUNT, FailureFields, SensorOutput};
+use crate::sensors::{FAILURE_KIND_COUNT, FailureFields, SensorOutput};
 
 /// A scene while it is read or written. A number that may be missing is NaN.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,12 +78,7 @@ impl Default for FailureDraft {
 
 impl FailureDraft {
     pub fn output(&self) -> SensorOutput {
-        let axis = [Axis::X, Axis::Y, Axis::Z][self.axis];
-        match self.sensor {
-            0 => SensorOutput::Gyro(axis),
-            1 => SensorOutput::Accelerometer(axis),
-            _ => SensorOutput::Altimeter,
-        }
+        SensorOutput::of(self.sensor, self.axis)
     }
 
     /// The planned failure, checked; `None` if it is switched off.
@@ -96,11 +91,7 @@ impl FailureDraft {
 
 impl From<&PlannedFailure> for FailureDraft {
     fn from(planned: &PlannedFailure) -> Self {
-        let (sensor, axis) = match planned.output {
-            SensorOutput::Gyro(axis) => (0, axis as usize),
-            SensorOutput::Accelerometer(axis) => (1, axis as usize),
-            SensorOutput::Altimeter => (2, 0),
-        };
+        let (sensor, axis) = planned.output.parts();
         let Failing { from_s, until_s } = planned.failing;
         let until_s = if until_s.is_infinite() { f64::NAN } else { until_s };
         Self { sensor, axis, from_s, until_s, fields: Some(planned.failure).into() }
