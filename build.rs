@@ -37,6 +37,8 @@ mod read;
 mod sensor_structs;
 #[path = "build/sizes.rs"]
 mod sizes;
+#[path = "build/statuses.rs"]
+mod statuses;
 #[path = "src/surroundings/table.rs"]
 mod surroundings;
 #[path = "build/surroundings_structs.rs"]
@@ -94,6 +96,7 @@ fn main() {
 
     let outputs = interface::generate(&root.join("src/abi"), &generated_sources, &out.join("declarations"));
     write(&out.join("sizes.rs"), &outputs.size_checks);
+    write(&out.join("status_names.rs"), &outputs.status_names);
     let renews = env::var_os("SINS_WRITE_HEADER").is_some();
     assert!(!renews || cfg!(feature = "header"), "SINS_WRITE_HEADER needs --features header");
     let generated = out.join("generated");

@@ -8,7 +8,7 @@ use std::path::Path;
 use super::c_header;
 use super::model::Interface;
 use super::template::{Source, Template};
-use super::{ada, c_calls, c_functions, c_layout, fortran, python, sizes};
+use super::{ada, c_calls, c_functions, c_layout, fortran, python, sizes, statuses};
 
 /// The headers, each of which includes those above it.
 const HEADERS: [(&str, &str); 4] = [
@@ -28,6 +28,8 @@ pub struct Outputs {
     pub bindings: Vec<Output>,
     /// For the crate: the check of the sizes.
     pub size_checks: String,
+    /// For the crate: the names of the statuses.
+    pub status_names: String,
 }
 
 /// Everything, of the sources in `abi` and of those in `generated`, by their names. One of these may also stand where a source includes it.
@@ -54,6 +56,7 @@ pub fn generate(abi: &Path, generated: &[(String, String)], work: &Path) -> Outp
             ("sins.py", python::write(&interface)),
         ],
         size_checks: sizes::check(&interface),
+        status_names: statuses::names(&interface),
     }
 }
 

@@ -18,7 +18,7 @@ use crate::truth::{FlightSample, check_height};
 /// Increments of an inertial measurement unit over an interval. The interval is divided into parts of equal length; the
 /// field count is their number.
 #[repr(C)]
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct sins_imu_increment {
     /// sizeof(sins_imu_increment)
     pub struct_size: u32,
@@ -44,12 +44,9 @@ impl sins_imu_increment {
     fn new(increments: &[Increment], interval_s: f64) -> Self {
         let mut imu = Self {
             struct_size: size_of::<Self>() as u32,
-            reserved: 0,
             interval_s,
             count: increments.len() as i32,
-            reserved2: 0,
-            angle_rad: [0.0; 15],
-            velocity_m_s: [0.0; 15],
+            ..Self::default()
         };
         for (index, (to_angle, to_velocity)) in
             imu.angle_rad.chunks_exact_mut(3).zip(imu.velocity_m_s.chunks_exact_mut(3)).enumerate()

@@ -111,9 +111,6 @@ pub struct sins_options {
 
 interface_struct!(sins_options, "options", 104);
 
-/// Time constant of the closed loop where the host gives none [s].
-const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
-
 impl Parameters for sins_options {
     type Own = Options;
 
@@ -173,7 +170,8 @@ impl Parameters for sins_options {
             ellipsoid: Ellipsoid::of("options.earth", self.earth)?,
             gravity,
             axes,
-            closed_loop_time_s: closed_loop.then(|| or(self.closed_loop_time_s, DEFAULT_CLOSED_LOOP_TIME_S)),
+            closed_loop_time_s: closed_loop
+                .then(|| or(self.closed_loop_time_s, Options::DEFAULT_CLOSED_LOOP_TIME_S)),
             key: StreamKey { seed: self.seed, run: self.run },
             intake: IntakeLimits {
                 max_gap_s: or(self.max_gap_s, defaults.intake.max_gap_s),

@@ -2,7 +2,7 @@
 
 use crate::joined::{joined, total};
 use crate::parameter::Row;
-use crate::sensors::{Field, PARAMETERS, Sensor};
+use crate::sensors::{PARAMETERS, Sensor};
 use crate::simulator::ErrorParameters;
 use crate::surroundings;
 
@@ -15,16 +15,6 @@ pub struct Effect {
     pub field: &'static str,
     /// Whether it is drawn anew each run.
     pub is_random: bool,
-    place: Place,
-}
-
-/// Where an effect is set.
-#[derive(Debug, Clone, Copy)]
-enum Place {
-    /// A row of the table of sensor parameters, with these sensors.
-    Parameter(Sensor, usize),
-    /// The row of another table with this field of the interface.
-    Row(&'static str),
 }
 
 /// The effects of a table.
@@ -65,15 +55,17 @@ impl Table {
 
     /// The effect of a row, if the row has one of its own.
     const fn effect(self, row: usize) -> Option<Effect> {
-        let row = match self {
-            Self::Triad(sensor) => {
-                let Some(field) = PARAMETERS[row].of(sensor) else { return None };
-                return Effect::new(field, PARAMETERS[row].is_random, Place::Parameter(sensor, row));
-            }
-            Self::Rows(rows) => rows[row],
-            Self::Backwards(rows) => rows[rows.len() - 1 - row],
+        let (field, is_random) = match self {
+            Self::Triad(sensor) => (PARAMETERS[row].of(sensor), PARAMETERS[row].is_random),
+            Self::Rows(rows) => (Some(rows[row].field), rows[row].is_random),
+            Self::Backwards(rows) => return Self::Rows(rows).effect(rows.len() - 1 - row),
         };
-        Effect::new(row.field, row.is_random, Place::Row(row.field.path))
+        match field {
+            Some(field) if !field.effect.is_empty() => {
+                Some(Effect { name: field.effect, field: field.path, is_random })
+            }
+            _ => None,
+        }
     }
 }
 
@@ -91,7 +83,7 @@ const fn count(table: Table) -> usize {
 
 /// The effects of a table.
 const fn effects<const N: usize>(table: Table) -> [Effect; N] {
-    let none = Effect { name: "", field: "", is_random: false, place: Place::Row("") };
+    let none = Effect { name: "", field: "", is_random: false };
     let mut effects = [none; N];
     let (mut row, mut count) = (0, 0);
     while row < table.len() {
@@ -104,57 +96,27 @@ const fn effects<const N: usize>(table: Table) -> [Effect; N] {
     effects
 }
 
-impl Place {
-    fn is_set(&self, from: &ErrorParameters) -> bool {
-        match *self {
-            Self::Parameter(sensor, row) => {
-                from.triad(sensor).numbers()[row].iter().any(|number| *number != 0.0)
-            }
-            Self::Row(path) => { *from }.numbers_of(path).any(|number| *number != 0.0),
-        }
-    }
-
-    fn copy(&self, from: &ErrorParameters, to: &mut ErrorParameters) {
-        match *self {
-            Self::Parameter(sensor, row) => {
-                let numbers =
-                    from.triad(sensor).numbers().into_iter().zip(to.triad_mut(sensor).numbers_mut());
-                for ((from, to), parameter) in numbers.zip(PARAMETERS) {
-                    if parameter.name == PARAMETERS[row].name || parameter.is_time_of(PARAMETERS[row].name) {
-                        to.copy_from_slice(from);
-                    }
-                }
-            }
-            Self::Row(path) => {
-                let belongs =
-                    |row: &&Row| row.field.path == path || row.field.range.needed_by() == Some(path);
-                for row in surroundings::rows().filter(belongs) {
-                    let mut from = *from;
-                    let from = from.numbers_of(row.field.path);
-                    to.numbers_of(row.field.path).zip(from).for_each(|(to, from)| *to = *from);
-                }
-            }
-        }
-    }
-}
-
 impl Effect {
-    const fn new(field: Field, is_random: bool, place: Place) -> Option<Self> {
-        if field.effect.is_empty() {
-            return None;
+    fn is_set(&self, from: &ErrorParameters) -> bool {
+        { *from }.numbers_of(self.field).any(|number| *number != 0.0)
+    }
+
+    /// Copies the numbers of its field, and those of its correlation time or distance.
+    fn copy(&self, from: &ErrorParameters, to: &mut ErrorParameters) {
+        for path in surroundings::with_time(self.field) {
+            { *from }.numbers_of(path).zip(to.numbers_of(path)).for_each(|(from, to)| *to = *from);
         }
-        Some(Self { name: field.effect, field: field.path, is_random, place })
     }
 
     /// Those that `parameters` set, in order.
     pub fn set_in(parameters: &ErrorParameters) -> impl Iterator<Item = &'static Self> {
-        EFFECTS.iter().filter(|effect| effect.place.is_set(parameters))
+        EFFECTS.iter().filter(|effect| effect.is_set(parameters))
     }
 
     /// `parameters` with nothing but this effect.
     pub(super) fn alone(&self, parameters: &ErrorParameters) -> ErrorParameters {
         let mut alone = parameters.ideal();
-        self.place.copy(parameters, &mut alone);
+        self.copy(parameters, &mut alone);
         alone
     }
 
@@ -163,13 +125,27 @@ impl Effect {
         let mut random = parameters.ideal();
         Self::set_in(parameters)
             .filter(|effect| effect.is_random)
-            .for_each(|effect| effect.place.copy(parameters, &mut random));
+            .for_each(|effect| effect.copy(parameters, &mut random));
         random
     }
 
     /// Takes this effect out of `parameters`.
     pub(super) fn leave_out(&self, parameters: &mut ErrorParameters) {
-        self.place.copy(&ErrorParameters::default(), parameters);
+        self.copy(&ErrorParameters::default(), parameters);
+    }
+}
+
+impl ErrorParameters {
+    /// These parameters without errors. Kind and length of the alignment, the reference temperature and the true mounting are not
+    /// effects, and stay.
+    pub(super) fn ideal(&self) -> Self {
+        let mut ideal = Self::default();
+        ideal.initial.alignment = self.initial.alignment;
+        ideal.initial.alignment_s = self.initial.alignment_s;
+        ideal.mounting = self.mounting.believed();
+        ideal.gyro.reference_temperature_c = self.gyro.reference_temperature_c;
+        ideal.accel.reference_temperature_c = self.accel.reference_temperature_c;
+        ideal
     }
 }
 
@@ -213,7 +189,7 @@ mod tests {
         for effect in EFFECTS {
             let set: Vec<&Effect> = Effect::set_in(&effect.alone(&all)).collect();
             assert_eq!(set, [effect]);
-            effect.place.copy(&all, &mut together);
+            effect.copy(&all, &mut together);
             effect.leave_out(&mut left);
         }
         assert_eq!(together, all);

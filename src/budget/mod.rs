@@ -30,7 +30,6 @@ mod costs;
 mod effect;
 mod flight;
 mod interval;
-mod parameters;
 mod request;
 mod selection;
 mod survey;

@@ -44,9 +44,6 @@ pub struct FailureDraft {
     pub fields: FailureFields,
 }
 
-/// Time constant of the closed loop if the scene does not state it [s].
-pub const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
-
 /// The kinds of failures, and the quantities that each of them uses. Drop-outs use one of the two.
 pub const FAILURE_KINDS: [(&str, &[&str]); FAILURE_KIND_COUNT] = [
     ("none", &["size", "density", "interval_s", "duration_s", "probability"]),
@@ -129,7 +126,10 @@ impl From<&Scene> for Draft {
             temperature_c: scene.temperature.map_or(f64::NAN, |temperature| temperature.at_start_c),
             temperature_change_c_s: scene.temperature.map_or(0.0, |temperature| temperature.change_c_s),
             closed_loop: scene.options.closed_loop_time_s.is_some(),
-            closed_loop_time_s: scene.options.closed_loop_time_s.unwrap_or(DEFAULT_CLOSED_LOOP_TIME_S),
+            closed_loop_time_s: scene
+                .options
+                .closed_loop_time_s
+                .unwrap_or(Options::DEFAULT_CLOSED_LOOP_TIME_S),
             sample_period_s: scene.options.intake.period_s.unwrap_or(f64::NAN),
             every_s: scene.output.every_s.unwrap_or(f64::NAN),
             manoeuvre: ManoeuvreFields::default(),

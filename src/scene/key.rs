@@ -6,7 +6,6 @@ use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
 use super::table::of_sensor;
 use super::{Action, Scene, Updated};
 use crate::flight::{Channel, MANOEUVRE_KINDS};
-use crate::sensors::Sensor;
 use crate::surroundings::{START, of_path};
 use crate::unit::UNIT;
 
@@ -139,9 +138,7 @@ pub type Places<'d> = core::iter::Flatten<core::array::IntoIter<Option<&'d mut f
 pub enum Place {
     /// At the place in the draft that this function gives.
     At(fn(&mut Draft) -> Places<'_>),
-    /// A row of the table of sensor parameters, with these sensors.
-    Parameter(Sensor, usize),
-    /// The row of another table with this field of the interface.
+    /// The row of a table with this field of the interface.
     Row(&'static str),
 }
 
@@ -153,19 +150,8 @@ impl Place {
             Self::Row(path) => {
                 let Draft { start, scene: Scene { errors, unit, .. }, .. } = draft;
                 let rest = of_path(&START, start.numbers_mut(), path);
-                places(
-                    errors
-                        .numbers_of(path)
-                        .chain(of_path(&UNIT, unit.parameters.numbers_mut(), path))
-                        .chain(rest),
-                )
-            }
-            Self::Parameter(sensor, row) => {
-                let triad = match sensor {
-                    Sensor::Gyro => &mut draft.scene.errors.gyro,
-                    Sensor::Accelerometer => &mut draft.scene.errors.accel,
-                };
-                triad.numbers_mut().into_iter().nth(row).map_or_else(|| places([]), row_by_row)
+                let of_unit = of_path(&UNIT, unit.parameters.numbers_mut(), path);
+                row_by_row(errors.numbers_of(path).chain(of_unit).chain(rest))
             }
         }
     }
@@ -271,10 +257,10 @@ pub fn vector(vector: &mut Vector3<f64>) -> Places<'_> {
     places(vector.iter_mut())
 }
 
-/// The elements row by row. (The matrix stores them column by column.)
-fn row_by_row(numbers: &mut [f64]) -> Places<'_> {
-    match numbers {
-        [a, d, g, b, e, h, c, f, i] => places([a, b, c, d, e, f, g, h, i]),
-        _ => places(numbers),
-    }
+/// The numbers, those of a matrix, which stores them column by column, row by row.
+fn row_by_row<'d>(numbers: impl Iterator<Item = &'d mut f64>) -> Places<'d> {
+    let mut numbers = numbers;
+    let [a, d, g, b, e, h, c, f, i] = [(); 9].map(|()| numbers.next());
+    let places = if i.is_some() { [a, b, c, d, e, f, g, h, i] } else { [a, d, g, b, e, h, c, f, i] };
+    places.into_iter().flatten()
 }

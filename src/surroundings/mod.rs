@@ -10,8 +10,8 @@ use crate::checks::check_value;
 use crate::earth::Ellipsoid;
 use crate::error::Error;
 use crate::math::Euler;
-use crate::parameter::Row;
-use crate::sensors::{Alignment, GravityDisturbanceParameters};
+use crate::parameter::{Field, Parameter, Row};
+use crate::sensors::{Alignment, GravityDisturbanceParameters, PARAMETERS, Sensor};
 use crate::simulator::ErrorParameters;
 use crate::snapshot::stored;
 
@@ -24,12 +24,35 @@ pub(crate) fn rows() -> impl Iterator<Item = &'static Row> {
 }
 
 impl ErrorParameters {
-    /// The numbers of the row with the field `path` of the interface; of another field none.
+    /// The numbers of the parameter with the field `path` of the interface; of another field none. Matrices are column by column.
     pub(crate) fn numbers_of(&mut self, path: &str) -> impl Iterator<Item = &mut f64> {
-        let Self { altimeter, initial, mounting, gravity, .. } = self;
+        let Self { gyro, accel, altimeter, initial, mounting, gravity } = self;
+        let row = |sensor| row_of(sensor, path).unwrap_or(PARAMETERS.len());
+        let of_gyro = gyro.numbers_mut().into_iter().skip(row(Sensor::Gyro)).take(1);
+        let of_accel = accel.numbers_mut().into_iter().skip(row(Sensor::Accelerometer)).take(1);
         let numbers = altimeter.numbers_mut().into_iter().chain(initial.numbers_mut());
-        of_path(rows(), numbers.chain(mounting.numbers_mut()).chain(gravity.numbers_mut()), path)
+        let numbers = numbers.chain(mounting.numbers_mut()).chain(gravity.numbers_mut());
+        of_gyro.chain(of_accel).flatten().chain(of_path(rows(), numbers, path))
     }
+}
+
+/// The row of the sensor parameter with the field `path` of the interface.
+fn row_of(sensor: Sensor, path: &str) -> Option<usize> {
+    PARAMETERS.iter().position(|row| row.of(sensor).is_some_and(|field| field.path == path))
+}
+
+/// The field `path` of the interface, and that of its correlation time or distance.
+pub(crate) fn with_time(path: &str) -> impl Iterator<Item = &'static str> {
+    let of_triad = move |sensor| {
+        let name = row_of(sensor, path).map(|row| PARAMETERS[row].name);
+        let belongs =
+            move |row: &&Parameter| name.is_some_and(|name| row.name == name || row.is_time_of(name));
+        PARAMETERS.iter().filter(belongs).filter_map(move |row| row.of(sensor))
+    };
+    let belongs = move |field: &Field| field.path == path || field.range.needed_by() == Some(path);
+    let fields = rows().map(|row| row.field).filter(belongs);
+    let triads = [Sensor::Gyro, Sensor::Accelerometer].into_iter().flat_map(of_triad);
+    fields.chain(triads).map(|field| field.path)
 }
 
 /// Of the numbers of all rows those of the row with the field `path` of the interface; of another field none.

@@ -68,7 +68,7 @@ const fn keys<const N: usize>(sensor: Sensor, preset: Key) -> [Key; N] {
         let parameter = &PARAMETERS[row];
         if let Some(field) = parameter.of(sensor) {
             let doc = parameter.doc_of(&field);
-            keys[place] = key(preset.section, &field, doc, parameter.shape, Place::Parameter(sensor, row));
+            keys[place] = key(preset.section, &field, doc, parameter.shape);
             place += 1;
         }
         row += 1;
@@ -88,12 +88,18 @@ pub const fn of_rows<const N: usize>(section: Section, rows: &[Row; N]) -> [Key;
 }
 
 const fn row_key(section: Section, row: &Row) -> Key {
-    key(section, &row.field, row.field.doc, row.shape, Place::Row(row.field.path))
+    key(section, &row.field, row.field.doc, row.shape)
 }
 
-const fn key(section: Section, field: &Field, doc: &'static str, of: ParameterShape, place: Place) -> Key {
+const fn key(section: Section, field: &Field, doc: &'static str, of: ParameterShape) -> Key {
     let unit = Unit { text: field.key_unit, si: field.key_si, si_text: field.unit };
-    let target = Target::Numbers { field: field.path, unit, shape: shape(of), limits_si: None, place };
+    let target = Target::Numbers {
+        field: field.path,
+        unit,
+        shape: shape(of),
+        limits_si: None,
+        place: Place::Row(field.path),
+    };
     Key { section, name: field.key, doc, target }
 }
 
