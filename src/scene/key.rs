@@ -6,6 +6,7 @@ use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
 use super::table::of_sensor;
 use super::{Action, Scene, Updated};
 use crate::flight::{Channel, MANOEUVRE_KINDS};
+use crate::parameter::Shape;
 use crate::surroundings::{START, of_path};
 use crate::unit::UNIT;
 
@@ -82,50 +83,27 @@ impl Unit {
     }
 }
 
-/// How many numbers a key takes, and how they are written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shape {
-    /// One number.
-    Number,
-    /// Three numbers.
-    Vector,
-    /// One number for all axes, or three.
-    Axes,
-    /// One number for all elements off the diagonal, or nine row by row.
-    OffDiagonal,
-    /// One number for all elements of the diagonal, or nine row by row.
-    Diagonal,
-    /// Nine numbers row by row.
-    Matrix,
-}
-
 impl Shape {
-    pub fn count(self) -> usize {
-        match self {
-            Self::Number => 1,
-            Self::Vector | Self::Axes => 3,
-            Self::OffDiagonal | Self::Diagonal | Self::Matrix => 9,
-        }
-    }
-
     /// Whether a single number sets element `index`; `None`: a single number is not enough.
     pub fn single_sets(self, index: usize) -> Option<bool> {
         match self {
             Self::Number | Self::Axes => Some(true),
-            Self::OffDiagonal => Some(!index.is_multiple_of(4)),
+            Self::OffDiagonal(_) => Some(!index.is_multiple_of(4)),
             Self::Diagonal => Some(index.is_multiple_of(4)),
-            Self::Vector | Self::Matrix => None,
+            Self::Vector | Self::Angles | Self::Matrix | Self::Choice(..) => None,
         }
     }
 
+    /// How the numbers are written.
     pub fn expected(self) -> &'static str {
         match self {
             Self::Number => "a number",
-            Self::Vector => "three numbers",
+            Self::Vector | Self::Angles => "three numbers",
             Self::Axes => "one number for all axes, or three",
-            Self::OffDiagonal => "one number for all elements off the diagonal, or nine row by row",
+            Self::OffDiagonal(_) => "one number for all elements off the diagonal, or nine row by row",
             Self::Diagonal => "one number for all elements of the diagonal, or nine row by row",
             Self::Matrix => "nine numbers row by row",
+            Self::Choice(..) => "no number",
         }
     }
 }

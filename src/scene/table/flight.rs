@@ -1,9 +1,10 @@
 //! The true motion: `[flight]`, `[[manoeuvre]]`, `[[manoeuvre.sinusoid]]`.
 
-use super::super::key::{Key, Place, Section, Shape, Target, one};
+use super::super::key::{Key, Place, Section, Target, one};
 use super::sensors::of_rows;
 use super::{PURE, choice, count, first_words, number, si, text, unit, word};
 use crate::flight::{Channel, MANOEUVRE_KINDS};
+use crate::parameter::Shape;
 use crate::surroundings;
 use crate::units::DEG;
 

@@ -1,9 +1,10 @@
 //! The simulator and what a program writes: `[options]`, `[output]`.
 
-use super::super::key::{Key, Place, Section, Shape, Target, one};
+use super::super::key::{Key, Place, Section, Target, one};
 use super::{choice, count, number, si, text};
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
+use crate::parameter::Shape;
 use crate::state::BodyAxes;
 
 const O: Section = Section::Options;

@@ -1,9 +1,10 @@
 //! The unit and its panel: `[unit]`, `[[panel]]`.
 
-use super::super::key::{Key, Place, Section, Shape, Target, one};
+use super::super::key::{Key, Place, Section, Target, one};
 use super::super::panel::Action;
 use super::sensors::of_rows;
 use super::{choice, number, si, unit};
+use crate::parameter::Shape;
 use crate::unit::{AlignmentKind, Mode, Power, UNIT};
 use crate::units::DEG;
 

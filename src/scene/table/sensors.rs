@@ -1,10 +1,10 @@
 //! The errors of gyros and accelerometers: `[gyro]`, `[accelerometer]`, from the table of sensor parameters.
 
 use super::super::draft::Draft;
-use super::super::key::{Key, Place, Section, Shape, Target, Unit};
+use super::super::key::{Key, Place, Section, Target, Unit};
 use super::first_words;
-use crate::parameter::Row;
-use crate::sensors::{Field, Grade, PARAMETERS, ParameterShape, Sensor, TriadParameters};
+use crate::parameter::{Row, Shape};
+use crate::sensors::{Field, Grade, PARAMETERS, Sensor, TriadParameters};
 
 /// The words of a preset, and the grade of each; the first is none.
 const GRADES: [(&str, Option<Grade>); 7] = [
@@ -91,25 +91,9 @@ const fn row_key(section: Section, row: &Row) -> Key {
     key(section, &row.field, row.field.doc, row.shape)
 }
 
-const fn key(section: Section, field: &Field, doc: &'static str, of: ParameterShape) -> Key {
+const fn key(section: Section, field: &Field, doc: &'static str, shape: Shape) -> Key {
     let unit = Unit { text: field.key_unit, si: field.key_si, si_text: field.unit };
-    let target = Target::Numbers {
-        field: field.path,
-        unit,
-        shape: shape(of),
-        limits_si: None,
-        place: Place::Row(field.path),
-    };
+    let target =
+        Target::Numbers { field: field.path, unit, shape, limits_si: None, place: Place::Row(field.path) };
     Key { section, name: field.key, doc, target }
-}
-
-const fn shape(shape: ParameterShape) -> Shape {
-    match shape {
-        ParameterShape::Number | ParameterShape::Choice(..) => Shape::Number,
-        ParameterShape::Axes => Shape::Axes,
-        ParameterShape::Vector | ParameterShape::Angles => Shape::Vector,
-        ParameterShape::OffDiagonal(_) => Shape::OffDiagonal,
-        ParameterShape::Diagonal => Shape::Diagonal,
-        ParameterShape::Matrix => Shape::Matrix,
-    }
 }

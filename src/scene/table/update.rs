@@ -1,8 +1,9 @@
 //! Planned updates: `[[update]]`.
 
 use super::super::Updated;
-use super::super::key::{Key, Place, Section, Shape, Target, one, vector};
+use super::super::key::{Key, Place, Section, Target, one, vector};
 use super::{choice, number, si};
+use crate::parameter::Shape;
 
 const U: Section = Section::Update;
 
