@@ -166,6 +166,10 @@ pub struct Key {
 }
 
 impl Key {
+    pub const fn new(section: Section, name: &'static str, doc: &'static str, target: Target) -> Self {
+        Self { section, name, doc, target }
+    }
+
     /// The field of the library, as its errors name it; empty if the scene alone has this value.
     pub fn field(&self) -> &'static str {
         match self.target {
