@@ -16,6 +16,8 @@ mod c_header;
 mod c_layout;
 #[path = "build/c_types.rs"]
 mod c_types;
+#[path = "build/enumerations.rs"]
+mod enumerations;
 #[path = "build/fortran.rs"]
 mod fortran;
 #[path = "build/header_units.rs"]
@@ -35,6 +37,8 @@ mod read;
 mod sensor_structs;
 #[path = "build/sizes.rs"]
 mod sizes;
+#[path = "build/statuses.rs"]
+mod statuses;
 #[path = "src/surroundings/table.rs"]
 mod surroundings;
 #[path = "build/surroundings_structs.rs"]
@@ -82,6 +86,7 @@ fn main() {
     let out = PathBuf::from(variable("OUT_DIR"));
     let mut generated_sources = surroundings_structs::interface();
     generated_sources.push(("sensor_params".to_owned(), sensor_structs::interface()));
+    generated_sources.extend(enumerations::interface(&root.join("src")));
     write(&out.join("triad_parameters.rs"), &sensor_structs::triad());
     write(&out.join("surroundings.rs"), &surroundings_structs::own());
     write(&out.join("unit.rs"), &surroundings_structs::own_of_unit());
@@ -91,6 +96,7 @@ fn main() {
 
     let outputs = interface::generate(&root.join("src/abi"), &generated_sources, &out.join("declarations"));
     write(&out.join("sizes.rs"), &outputs.size_checks);
+    write(&out.join("status_names.rs"), &outputs.status_names);
     let renews = env::var_os("SINS_WRITE_HEADER").is_some();
     assert!(!renews || cfg!(feature = "header"), "SINS_WRITE_HEADER needs --features header");
     let generated = out.join("generated");

@@ -8,7 +8,7 @@ use std::path::Path;
 use super::c_header;
 use super::model::Interface;
 use super::template::{Source, Template};
-use super::{ada, c_calls, c_functions, c_layout, fortran, python, sizes};
+use super::{ada, c_calls, c_functions, c_layout, fortran, python, sizes, statuses};
 
 /// The headers, each of which includes those above it.
 const HEADERS: [(&str, &str); 4] = [
@@ -28,17 +28,22 @@ pub struct Outputs {
     pub bindings: Vec<Output>,
     /// For the crate: the check of the sizes.
     pub size_checks: String,
+    /// For the crate: the names of the statuses.
+    pub status_names: String,
 }
 
-/// Everything, of the sources in `abi` and of those in `generated`, by their names.
+/// Everything, of the sources in `abi` and of those in `generated`, by their names. One of these may also stand where a source includes it.
 pub fn generate(abi: &Path, generated: &[(String, String)], work: &Path) -> Outputs {
     let templates = HEADERS.map(|(name, text)| Template::new(name, text));
-    let read = |name: &str| match generated.iter().find(|(of, _)| *of == name) {
-        Some((_, text)) => text.clone(),
-        None => {
-            let path = abi.join(format!("{name}.rs"));
-            fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    let read = |name: &str| {
+        if let Some((_, own)) = generated.iter().find(|(of, _)| *of == name) {
+            return own.clone();
         }
+        let path = abi.join(format!("{name}.rs"));
+        let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        generated.iter().fold(text, |text, (name, own)| {
+            text.replace(&format!("include!(concat!(env!(\"OUT_DIR\"), \"/{name}.rs\"));"), own)
+        })
     };
     let names = templates.iter().flat_map(Template::sources);
     let sources: Vec<Source> = names.map(|name| Source { name: name.to_owned(), text: read(name) }).collect();
@@ -51,6 +56,7 @@ pub fn generate(abi: &Path, generated: &[(String, String)], work: &Path) -> Outp
             ("sins.py", python::write(&interface)),
         ],
         size_checks: sizes::check(&interface),
+        status_names: statuses::names(&interface),
     }
 }
 

@@ -3,6 +3,7 @@
 
 use crate::parameter::{Field, Parameter, Range, Shape};
 use crate::table::PARAMETERS;
+use crate::text;
 
 const TRIAD_DOC: &str = "\
 Errors of a triad of sensors, axis by axis in sensor axes. All zero is an ideal triad.";
@@ -29,8 +30,60 @@ Effects act in this order, along the path of the signal: size effect, bandwidth;
 factor, misalignment, asymmetry, nonlinearity, vibration rectification) and on temperature; then biases and noise; then dead
 zone, range, quantization. sins_gyro_params describes the effects that act on the mean of a subsample.";
 
+const GYRO_ACCESS: Access = Access {
+    name: "gyro",
+    argument: "params",
+    set: r#"
+Sets the gyro errors: before the first sample or in flight, from the next interval on. The random numbers of other
+effects do not change. Random processes that were active continue.
+
+SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+SINS_ERROR_BAD_STATE: temperature coefficients while samples without a temperature wait, or while navigating on
+increments.
+
+```c
+gyro.bias_rad_s[2] = 0.02 * SINS_DEG_PER_HOUR;
+gyro.random_walk_rad_sqrt_s[0] = 0.005 * SINS_DEG_PER_SQRT_HOUR;
+gyro.scale_factor[0] = 100.0 * SINS_PPM;
+printf("%s\n", sins_status_string(sins_set_gyro(sim, &gyro)));  // SINS_OK
+```"#,
+    get: "\
+Reads the gyro errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
+snapshot.",
+};
+
+const ACCEL_ACCESS: Access = Access {
+    name: "accel",
+    argument: "params",
+    set: r#"
+Sets the accelerometer errors: before the first sample or in flight, from the next interval on. The random numbers of
+other effects do not change. Random processes that were active continue.
+
+SINS_ERROR_INVALID_ARGUMENT, SINS_ERROR_BAD_STATE: as sins_set_gyro().
+
+```c
+accel.bias_m_s2[1] = 50.0 * SINS_MICRO_G;
+printf("%s\n", sins_status_string(sins_set_accel(sim, &accel)));  // SINS_OK
+```"#,
+    get: "\
+Reads the accelerometer errors that are set. May be called at any moment. After sins_snapshot_load() they are those of the
+snapshot.",
+};
+
 /// Width of the text of a comment.
 const WIDTH: usize = 110;
+
+/// The functions that set and read parameters of a simulator.
+pub struct Access {
+    /// Their names behind sins_set_ and sins_get_; that of the function of the crate that reads.
+    pub name: &'static str,
+    /// Name of their argument.
+    pub argument: &'static str,
+    /// Documentation of the function that sets.
+    pub set: &'static str,
+    /// Documentation of the function that reads.
+    pub get: &'static str,
+}
 
 /// The field of a parameter with gyros, or with accelerometers.
 type FieldOf = fn(&Parameter) -> Option<Field>;
@@ -56,20 +109,43 @@ pub fn triad() -> String {
 
 /// `sins_gyro_params` and `sins_accel_params`.
 pub fn interface() -> String {
-    let structs: [(&str, &str, FieldOf); 2] =
-        [("sins_gyro_params", GYRO_DOC, |row| row.gyro), ("sins_accel_params", ACCEL_DOC, |row| row.accel)];
-    let text = structs.map(|(name, doc, field)| {
+    let structs: [(&str, &str, FieldOf, Access); 2] = [
+        ("sins_gyro_params", GYRO_DOC, |row| row.gyro, GYRO_ACCESS),
+        ("sins_accel_params", ACCEL_DOC, |row| row.accel, ACCEL_ACCESS),
+    ];
+    let text = structs.map(|(name, doc, field, access)| {
         let members: Vec<_> =
             PARAMETERS.iter().map(|row| Some(of_interface(row, field(row)?, field))).collect();
-        comment("", doc)
-            + &format!("#[repr(C)]\n#[derive(Debug, Clone, Copy, Default)]\npub struct {name} {{\n")
-            + &format!("    /// sizeof({name})\n    pub struct_size: u32,\n")
-            + "    /// Must be 0.\n    pub reserved: u32,\n"
-            + &fields(&members)
-            + "}\n\n"
+        structure(name, doc, &fields(&members))
             + &numbers(name, "pub(super)", &members)
+            + &access.functions(name)
     });
     text.join("\n")
+}
+
+impl Access {
+    /// The functions, with a struct of this name.
+    pub fn functions(&self, of: &str) -> String {
+        let Self { name, argument, set, get } = self;
+        let one = |verb, doc, pointer, own: &str| {
+            comment("", doc)
+                + "#[unsafe(no_mangle)]\npub unsafe extern \"C-unwind\" "
+                + &format!(
+                    "fn sins_{verb}_{name}(sim: *mut sins_sim, {argument}: *{pointer} {of}) -> sins_status {{\n"
+                )
+                + "    // SAFETY: the host's promise.\n"
+                + &format!("    unsafe {{ {verb}(sim, {argument}, \"{argument}\", Simulator::{own}) }}\n}}\n")
+        };
+        format!("\n{}\n{}", one("set", set, "const", &format!("set_{name}")), one("get", get, "mut", name))
+    }
+}
+
+/// A struct of the interface with these fields behind its size.
+pub fn structure(name: &str, doc: &str, fields: &str) -> String {
+    comment("", doc)
+        + &format!("#[repr(C)]\n#[derive(Debug, Clone, Copy, Default)]\npub struct {name} {{\n")
+        + &format!("    /// sizeof({name})\n    pub struct_size: u32,\n")
+        + &format!("    /// Must be 0.\n    pub reserved: u32,\n{fields}}}\n\n")
 }
 
 fn of_triad(row: &Parameter) -> Member {
@@ -109,9 +185,10 @@ pub fn definition(doc: &str, field: &Field, sigma: Option<&str>, note: &str) -> 
     let (low, high) = field.range.ends();
     // In one line: with its upper end alone a line would begin as an item of a list.
     let range = format!("{}\u{a0}to\u{a0}{}", number(low), number(high));
+    let (doc, off) = doc.split_once("; 0: ").unwrap_or((doc, "none"));
     let range = match field.range {
         Range::Within(..) => range,
-        Range::OffOr(..) => format!("{range}; 0: none"),
+        Range::OffOr(..) => format!("{range}; 0: {off}"),
         Range::OrDefault(default, ..) if default != 0.0 && number(default).len() < 8 => {
             format!("{range}; 0: {}", number(default))
         }
@@ -135,8 +212,10 @@ pub fn unit(field: &Field) -> &str {
 
 /// Few digits: 0.5, 10000, 1e6.
 fn number(value: f64) -> String {
-    if value.abs() == core::f64::consts::PI {
-        return if value > 0.0 { "pi" } else { "-pi" }.to_owned();
+    for (part, name) in [(core::f64::consts::PI, "pi"), (core::f64::consts::FRAC_PI_2, "pi/2")] {
+        if value.abs() == part {
+            return if value > 0.0 { name.to_owned() } else { format!("-{name}") };
+        }
     }
     if value == 0.0 || (1e-2..1e5).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }
@@ -185,21 +264,9 @@ fn numbers(name: &str, visibility: &str, members: &[Option<Member>]) -> String {
     )
 }
 
-/// A doc comment, a line as long as it may be; empty lines part paragraphs, and lines that end in the text stay.
+/// A doc comment. Lines that end in the text stay; one line alone is broken where it is too long.
 pub fn comment(indent: &str, text: &str) -> String {
-    let mut out = String::new();
-    for line in text.trim().lines() {
-        let mut column = 0;
-        out += &format!("{indent}///");
-        for word in line.split(' ').filter(|word| !word.is_empty()) {
-            if column + word.len() > WIDTH && text.lines().count() == 1 {
-                out += &format!("\n{indent}///");
-                column = 0;
-            }
-            out += &format!(" {word}");
-            column += 1 + word.len();
-        }
-        out += "\n";
-    }
-    out.replace('\u{a0}', " ")
+    let lines: Vec<String> = text.trim().lines().map(str::to_owned).collect();
+    let width = if lines.len() == 1 { indent.len() + "/// ".len() + WIDTH } else { usize::MAX };
+    text::comment(&format!("{indent}///"), &lines, width).replace('\u{a0}', " ")
 }

@@ -150,11 +150,11 @@ extern "C" {
 
 /* Sensor errors. */
 
-@sensor_params gyro accel altimeter_params altimeter
+@sensor_params altimeter_params
 
 /* Reads. */
 
-@solution errors imu accuracy truth_summary covariance record record_line
+@solution errors imu accuracy truth_summary covariance record
 
 /* Many samples in one call. */
 
@@ -166,7 +166,7 @@ extern "C" {
 
 /* Start, mounting, gravity; presets of sensors and start. */
 
-@initial mounting_params mounting gravity_params gravity preset
+@sins_alignment initial_params mounting_params gravity_params preset
 
 /* Navigation on increments, without a truth. */
 

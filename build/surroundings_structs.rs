@@ -1,8 +1,8 @@
-//! The structs that the tables of the altimeter, of the mounting, of gravity and of a unit make, as Rust sources.
+//! The structs that the tables beside that of the sensors make, as Rust sources.
 
 use crate::parameter::{Row, Shape};
-use crate::sensor_structs::{comment, definition, sentence, unit};
-use crate::surroundings::{ALTIMETER, GRAVITY, MOUNTING};
+use crate::sensor_structs::{Access, comment, definition, sentence, structure, unit};
+use crate::surroundings::{ALTIMETER, GRAVITY, INITIAL, MOUNTING, START};
 use crate::unit_table::UNIT;
 
 /// A struct of the interface with that of the crate.
@@ -15,9 +15,11 @@ struct Pair {
     rows: &'static [Row],
     /// Name of the table.
     table: &'static str,
+    /// `None`: no function of a simulator sets them.
+    access: Option<Access>,
 }
 
-const PAIRS: [Pair; 3] = [
+const PAIRS: [Pair; 5] = [
     Pair {
         name: "sins_altimeter_params",
         doc: "\
@@ -26,6 +28,18 @@ Errors of the barometric altimeter, whose height damps the vertical channel. All
         own_doc: "Errors of the barometric height. All zero is an ideal altimeter.",
         rows: &ALTIMETER,
         table: "ALTIMETER",
+        access: Some(Access {
+            name: "altimeter",
+            argument: "params",
+            set: "\
+Sets the errors of the barometric altimeter, whose height damps the vertical channel (SINS_VERTICAL_DAMPED), from the next
+interval on.
+
+SINS_ERROR_INVALID_ARGUMENT: a value out of its range.",
+            get: "\
+Reads the errors of the altimeter that are set. May be called at any moment. After sins_snapshot_load() they are those of
+the snapshot.",
+        }),
     },
     Pair {
         name: "sins_mounting",
@@ -51,6 +65,20 @@ no term is missing.",
             component of the arm and for each angle. All zero is a block at the reference point, along the body axes.",
         rows: &MOUNTING,
         table: "MOUNTING",
+        access: Some(Access {
+            name: "mounting",
+            argument: "mounting",
+            set: "\
+Sets the mounting of the sensor block. Allowed before the first step, and after a reset or a reposition until the next
+step. A reset and a reposition keep the mounting. The mounting does not affect a navigator on increments: its solution is
+that of the block.
+
+SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+SINS_ERROR_BAD_STATE: steps have been made.",
+            get: "\
+Reads the mounting of the sensor block that is set. May be called at any moment. After sins_snapshot_load() it is that of
+the snapshot.",
+        }),
     },
     Pair {
         name: "sins_gravity_params",
@@ -67,6 +95,56 @@ R xi, where R is the Earth's radius. A levelled start (SINS_ALIGNMENT_LEVEL_AND_
         own_doc: "",
         rows: &GRAVITY,
         table: "GRAVITY",
+        access: Some(Access {
+            name: "gravity_disturbance",
+            argument: "params",
+            set: "\
+Sets the gravity disturbance, true gravity less normal gravity. Allowed before the first step, and after a reset or a
+reposition until the next step. A reset brings the same field back; after a reposition the field continues from its
+current values. The disturbance does not affect a navigator on increments, because the host's increments already contain
+its effect.
+
+SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+SINS_ERROR_BAD_STATE: steps have been made.",
+            get: "\
+Reads the parameters of the gravity disturbance that are set. May be called at any moment. After sins_snapshot_load() they
+are those of the snapshot.",
+        }),
+    },
+    Pair {
+        name: "sins_initial_errors",
+        doc: "\
+Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
+(sigma) are drawn once a run and added. A reset and a reposition use the same random numbers again. With
+SINS_VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0.",
+        own: "InitialErrorParameters",
+        own_doc: "Initial errors, computed less true, east-north-up axes. Each error is the sum of a given part and a part that is \
+            drawn once a run.",
+        rows: &INITIAL,
+        table: "INITIAL",
+        access: Some(Access {
+            name: "initial_errors",
+            argument: "errors",
+            set: "\
+Sets the errors with which the navigation starts. Allowed before the first step, and after a reset or a reposition until
+the next step. After a reposition they apply to the start at its sample.
+
+SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
+SINS_ERROR_BAD_STATE: steps have been made.",
+            get: "\
+Reads the set errors with which the navigation starts. May be called at any moment. After sins_snapshot_load() they are
+those of the snapshot.",
+        }),
+    },
+    Pair {
+        name: "sins_flight_start",
+        doc: "\
+Start of an embedded flight, level and straight.",
+        own: "FlightStart",
+        own_doc: "Start of a flight, level and straight.",
+        rows: &START,
+        table: "START",
+        access: None,
     },
 ];
 
@@ -78,6 +156,7 @@ Times and limits of a unit. All zero, the default, is the unit that the comments
     own_doc: "Times and limits of a unit. 0 is the default of the table.",
     rows: &UNIT,
     table: "UNIT",
+    access: None,
 };
 
 /// The structs of the interface: sources by their names.
@@ -102,22 +181,25 @@ pub fn own_of_unit() -> String {
 impl Pair {
     fn interface(&self) -> String {
         let field = |row: &Row| {
+            let name = row.field.name();
+            if let Shape::Choice(_, enumeration) = row.shape {
+                let doc = format!("{}, of enum {enumeration}. {}", sentence(row.field.doc), row.note);
+                let reserved = "    /// Must be 0.\n    pub reserved2: u32,\n";
+                return comment("    ", &doc) + &format!("    pub {name}: i32,\n{reserved}");
+            }
             let kind = if row.shape.count() == 1 { "f64" } else { "[f64; 3]" };
             let sigma = row.field.range.needed_by().and_then(|sigma| sigma.split_once('.'));
             let doc = definition(row.field.doc, &row.field, sigma.map(|(_, name)| name), row.note);
-            comment("    ", &doc) + &format!("    pub {}: {kind},\n", row.field.name())
+            comment("    ", &doc) + &format!("    pub {name}: {kind},\n")
         };
-        comment("", self.doc)
-            + &format!("#[repr(C)]\n#[derive(Debug, Clone, Copy, Default)]\npub struct {} {{\n", self.name)
-            + &format!("    /// sizeof({})\n    pub struct_size: u32,\n", self.name)
-            + "    /// Must be 0.\n    pub reserved: u32,\n"
-            + &self.rows.iter().map(field).collect::<String>()
-            + &format!("}}\n\nimpl {} {{\n", self.name)
+        structure(self.name, self.doc, &self.rows.iter().map(field).collect::<String>())
+            + &format!("impl {} {{\n", self.name)
             + &self.numbers(|row, names| match names {
                 [one] => format!("{one} = &mut self.{}", row.field.name()),
                 _ => format!("[{}] = self.{}.each_mut()", names.join(", "), row.field.name()),
             })
             + "}\n"
+            + &self.access.as_ref().map(|access| access.functions(self.name)).unwrap_or_default()
     }
 
     fn own(&self) -> String {
@@ -144,7 +226,7 @@ impl Pair {
     /// The numbers, in the order of the interface. `taken` is how the numbers of a row get names.
     fn numbers(&self, taken: fn(&Row, &[String]) -> String) -> String {
         let (mut lets, mut names) = (String::new(), Vec::new());
-        for row in self.rows {
+        for row in self.rows.iter().filter(|row| row.shape.count() > 0) {
             let first = names.len();
             names.extend((first..first + row.shape.count()).map(|index| format!("n{index}")));
             lets += &format!("        let {};\n", taken(row, &names[first..]));
@@ -167,12 +249,16 @@ impl Pair {
             return String::new();
         }
         let field = |row: &Row| {
-            let (kind, stored) = match row.shape {
-                Shape::Number => ("f64", ": ANY"),
-                Shape::Angles => ("Euler", ""),
-                _ => ("Vector3<f64>", ": ANY"),
+            let (low, high) = row.field.range.ends();
+            let limit = format!(": {:?}", high.max(-low).ceil());
+            let (kind, stored, unit) = match row.shape {
+                Shape::Number => ("f64", limit, unit(&row.field)),
+                Shape::Angles => ("Euler", String::new(), unit(&row.field)),
+                Shape::Choice(own, _) => (own, String::new(), ""),
+                _ => ("Vector3<f64>", limit, unit(&row.field)),
             };
-            let doc = format!("{} [{}].", sentence(row.field.doc), unit(&row.field));
+            let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
+            let doc = format!("{}{unit}.", sentence(row.field.doc));
             let line = comment("    ", &doc) + &format!("    pub {}: {kind},\n", row.place);
             (line, format!("    {}{stored},\n", row.place))
         };

@@ -1731,8 +1731,7 @@ typedef enum sins_alignment {
 /**
  * Errors with which the navigation starts: computed less true, east-north-up. Random errors with the standard deviations
  * (sigma) are drawn once a run and added. A reset and a reposition use the same random numbers again. With
- * SINS_VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0. Limits: position errors 1e6 m, velocity
- * errors 1e4 m/s, their standard deviations 1e5 m and 1e3 m/s.
+ * SINS_VERTICAL_FOLLOW_TRUTH the errors of height and vertical velocity start at 0.
  */
 typedef struct sins_initial_errors {
     /** sizeof(sins_initial_errors) */
@@ -1740,36 +1739,37 @@ typedef struct sins_initial_errors {
     /** Must be 0. */
     uint32_t reserved;
     /**
-     * Position error [m]. The horizontal part is laid off at the height of the solution, and sins_errors measures it at the height of
-     * the truth: with an error of 100 m in height, 3 km read back 0.046 m larger.
+     * Position error, east-north-up [m], -1e6 to 1e6. The horizontal part is laid off at the height of the
+     * solution, and sins_errors measures it at the height of the truth: with an error of 100 m in height, 3 km read
+     * back 0.046 m larger.
      */
     double position_enu_m[3];
-    /** Velocity error [m/s]. */
+    /** Velocity error, east-north-up [m/s], -10000 to 10000. */
     double velocity_enu_m_s[3];
     /**
-     * Misalignment phi, a rotation vector [rad], each -pi to pi: computed C = exp(-[phi x]) C0. C turns vectors from sensor
-     * axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS or SINS_ALIGNMENT_LEVEL, C0 is the
-     * C that the alignment finds.
+     * Misalignment phi, a rotation vector, east-north-up [rad], -pi to pi. Computed C = exp(-[phi x]) C0. C turns
+     * vectors from sensor axes to east-north-up. C0 is the true C. With SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS or
+     * SINS_ALIGNMENT_LEVEL, C0 is the C that the alignment finds.
      */
     double misalignment_enu_rad[3];
-    /** Standard deviation of the position error [m]. */
+    /** Standard deviation of the position error [m], 0 to 1e5. */
     double position_sigma_enu_m[3];
-    /** Standard deviation of the velocity error [m/s]. */
+    /** Standard deviation of the velocity error [m/s], 0 to 1000. */
     double velocity_sigma_enu_m_s[3];
-    /** Standard deviation of the misalignment, 0 to 1 [rad]. */
+    /** Standard deviation of the misalignment [rad], 0 to 1. */
     double misalignment_sigma_enu_rad[3];
     /** Alignment at the start, of enum sins_alignment. */
     int32_t alignment;
     /** Must be 0. */
     uint32_t reserved2;
     /**
-     * Length of the alignment before the first sample, 1 to 86400 [s]; 0: without end. The vehicle rests during the
-     * alignment. Tilt is found from the mean specific force, heading from the mean rate: white noise and quantization are
-     * averaged over this time, and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. Dead
-     * zone and range act on the mean. The temperature is that of the first sample. The flight begins with the states with
-     * which the alignment ended: ramps and random walks begin at 0 when the alignment begins. An alignment without end
-     * leaves out white noise and quantization, and takes the errors at the first sample for their mean. A reposition
-     * aligns again, from the present states of the sensors. SINS_ALIGNMENT_GIVEN does not use it.
+     * Length of the alignment, at rest before the first sample [s], 1 to 86400; 0: without end. Tilt is found from
+     * the mean specific force, heading from the mean rate: white noise and quantization are averaged over this time,
+     * and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. Dead zone and range act
+     * on the mean. The temperature is that of the first sample. The flight begins with the states with which the
+     * alignment ended: ramps and random walks begin at 0 when the alignment begins. An alignment without end leaves
+     * out white noise and quantization, and takes the errors at the first sample for their mean. A reposition aligns
+     * again, from the present states of the sensors. SINS_ALIGNMENT_GIVEN does not use it.
      */
     double alignment_s;
 } sins_initial_errors;
@@ -2279,24 +2279,24 @@ typedef struct sins_flight_start {
     uint32_t struct_size;
     /** Must be 0. */
     uint32_t reserved;
-    /** Geodetic latitude, -pi/2 to pi/2 [rad]. */
+    /** Geodetic latitude of the start [rad], -pi/2 to pi/2. */
     double latitude_rad;
-    /** Longitude, east positive, -100 to 100 [rad]. */
+    /** Longitude of the start, east positive [rad], -100 to 100. */
     double longitude_rad;
-    /** Height above the ellipsoid, -2e4 to 2e6 [m]. */
+    /** Height of the start above the ellipsoid [m], -20000 to 2e6. */
     double height_m;
-    /** Speed against the Earth, 0 to 1e4 [m/s]. */
+    /** Speed at the start against the Earth [m/s], 0 to 10000. */
     double speed_m_s;
-    /** Course and heading, -100 to 100 [rad]. */
+    /** Course and heading at the start [rad], -100 to 100. */
     double heading_rad;
-    /** Roll of the body relative to the axes of the path, throughout the flight, -pi to pi [rad]. */
+    /** Roll of the body relative to the axes of the path, throughout the flight [rad], -pi to pi. */
     double roll_rad;
     /**
-     * Pitch of the body relative to the axes of the path, throughout the flight, -pi/2 to pi/2: angle of attack, or tilt
-     * at rest [rad].
+     * Pitch of the body relative to the axes of the path, throughout the flight [rad], -pi/2 to pi/2. It is the
+     * angle of attack, or the tilt at rest.
      */
     double pitch_rad;
-    /** Ellipsoid, of enum sins_earth, as in the options of the simulator that will fly it. */
+    /** Ellipsoid, of enum sins_earth. It is that of the options of the simulator that will fly it. */
     int32_t earth;
     /** Must be 0. */
     uint32_t reserved2;

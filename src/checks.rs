@@ -52,7 +52,7 @@ pub fn check_numbers<'n>(
 }
 
 /// Checks a number that is 0, which means none, or from `low` to `high`.
-pub fn check_off_or(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {
+fn check_off_or(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {
     if value == 0.0 {
         Ok(())
     } else {

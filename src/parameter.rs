@@ -23,7 +23,7 @@ pub struct Parameter {
     pub accel: Option<Field>,
 }
 
-/// A parameter of the altimeter, of the mounting or of gravity.
+/// A parameter of another table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
     /// Place in the struct of the crate: "anomaly.mean".
@@ -76,6 +76,8 @@ pub enum Shape {
     Diagonal,
     /// A matrix of nine numbers.
     Matrix,
+    /// No number: a variant of the first enumeration, that of the crate, which is a number of the second one in the interface.
+    Choice(&'static str, &'static str),
 }
 
 /// The values that a parameter may have.
@@ -109,6 +111,7 @@ impl Shape {
             Self::Number => 1,
             Self::Axes | Self::Vector | Self::Angles => 3,
             Self::OffDiagonal(_) | Self::Diagonal | Self::Matrix => 9,
+            Self::Choice(..) => 0,
         }
     }
 
@@ -185,4 +188,15 @@ pub(super) const fn row(
     note: &'static str,
 ) -> Row {
     Row { place, shape, is_random, field: Field { doc, ..field }, note }
+}
+
+/// A row without numbers.
+pub(super) const fn choice(
+    place: &'static str,
+    (own, enumeration): (&'static str, &'static str),
+    (path, doc): (&'static str, &'static str),
+    note: &'static str,
+) -> Row {
+    let field = own_field((path, ""), Range::Within(0.0, 0.0), ("", "", 1.0), "");
+    row(place, Shape::Choice(own, enumeration), false, doc, field, note)
 }

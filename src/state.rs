@@ -10,13 +10,13 @@ use crate::snapshot::codes;
 /// Distance from the Earth's axis [m] below which longitude, heading, east and north turn fast: at a pole they are undefined.
 pub const NEAR_POLE_M: f64 = 20e3;
 
-/// Orientation of the sensor axes in the vehicle.
+/// Directions of the sensor axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BodyAxes {
-    /// x right, y forward, z up, as in the paper.
+    /// Sensor axes: x right, y forward, z up (the paper's).
     #[default]
     RightForwardUp,
-    /// x forward, y right, z down: the aerospace convention.
+    /// Sensor axes: x forward, y right, z down.
     ForwardRightDown,
 }
 

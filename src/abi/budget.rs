@@ -121,12 +121,11 @@ pub unsafe extern "C-unwind" fn sins_error_budget(
         // SAFETY: the host's promise.
         let rows = unsafe { Array::new(rows, needed, "rows")? };
 
-        let sample = |index| samples.read(index).and_then(sins_flight_sample::to_sample);
         for index in 0..count {
-            sample(index).map_err(|failure| failure.of_sample(index))?;
+            samples.sample(index)?;
         }
         let changed = |_| Error::bad_state("samples: they changed during the call");
-        let scene = Scene { count, sample: &|index| sample(index).map_err(changed) };
+        let scene = Scene { count, sample: &|index| samples.sample(index).map_err(changed) };
         let answer = error_budget(&options, &scene, &parameters, &request)?;
         let effects = answer.rows.iter().map(|row| row.effect);
         let costs = match time_steps {

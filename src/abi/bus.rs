@@ -65,22 +65,7 @@ pub struct sins_bus_word {
 
 interface_struct!(sins_bus_word, "word", 24);
 
-/// Statuses of a word.
-pub type sins_bus_word_status = i32;
-
-/// The value is valid.
-pub const SINS_BUS_NORMAL: sins_bus_word_status = 0;
-/// There is no value.
-pub const SINS_BUS_NO_COMPUTED_DATA: sins_bus_word_status = 1;
-/// The equipment is in its test.
-pub const SINS_BUS_FUNCTIONAL_TEST: sins_bus_word_status = 2;
-/// The equipment has failed. A decimal word has no such status: it then says "no computed data".
-pub const SINS_BUS_FAILURE_WARNING: sins_bus_word_status = 3;
-
-choices!(sins_bus_word_status: WordStatus {
-    Normal = SINS_BUS_NORMAL, NoComputedData = SINS_BUS_NO_COMPUTED_DATA, FunctionalTest = SINS_BUS_FUNCTIONAL_TEST,
-    FailureWarning = SINS_BUS_FAILURE_WARNING,
-});
+include!(concat!(env!("OUT_DIR"), "/sins_bus_word_status.rs"));
 
 /// A label of the table, with a decoded value where a function gives one.
 #[repr(C)]
@@ -231,8 +216,7 @@ pub unsafe extern "C-unwind" fn sins_bus_get_label(index: usize, label: *mut sin
         let Some(row) = LABELS.get(index) else {
             return Err(Error::invalid("index", index, Rule::Below(LABELS.len() as f64)).into());
         };
-        output.write(&label_of(row));
-        Ok(SINS_OK)
+        Ok(output.write(&label_of(row)))
     })
 }
 
@@ -258,11 +242,10 @@ pub unsafe extern "C-unwind" fn sins_bus_decode(
             let rule = Rule::Sentence("has an even parity, or a label that the table does not have");
             return Err(Error::invalid("word", word, rule).into());
         };
-        output.write(&sins_bus_label {
+        Ok(output.write(&sins_bus_label {
             value: decoded.value,
             status: decoded.status.code(),
             ..label_of(decoded.label)
-        });
-        Ok(SINS_OK)
+        }))
     })
 }

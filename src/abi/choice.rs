@@ -51,6 +51,11 @@ pub(super) fn one_of<T: Copy>(
     }
 }
 
+/// The value of a field that holds a constant of an `enumeration` of two: 0 is off, 1 is on.
+pub(super) fn switch(field: &'static str, value: i32, enumeration: &'static str) -> Result<bool, Failure> {
+    one_of(field, value, &[(0, false), (1, true)], enumeration)
+}
+
 /// Rejects a reserved field that is not 0.
 pub(super) fn check_reserved(field: &'static str, value: u32) -> Result<(), Failure> {
     if value == 0 { Ok(()) } else { Err(Error::invalid(field, value, Rule::Zero("")).into()) }

@@ -1,5 +1,6 @@
 //! `sins_ensemble`: the life of an ensemble, and its steps.
 
+use super::answer::Answer;
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::ENSEMBLES;
 use super::boundary::{enter, enter_without_simulator};
@@ -19,9 +20,9 @@ pub struct sins_ensemble {
 }
 
 /// Runs `body` on the ensemble of a handle, as the inside of an exported function.
-pub(super) fn with_ensemble(
+pub(super) fn with_ensemble<A: Answer>(
     ensemble: *const sins_ensemble,
-    body: impl FnOnce(&mut Ensemble) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Ensemble) -> Result<A, Failure>,
 ) -> sins_status {
     with_object(&ENSEMBLES, ensemble, body)
 }
@@ -160,8 +161,7 @@ pub unsafe extern "C-unwind" fn sins_ensemble_reposition(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let sample = unsafe { read(sample, "sample")? };
-        ensemble.reposition(&sample.to_sample()?)?;
-        Ok(SINS_OK)
+        Ok(ensemble.reposition(&sample.to_sample()?)?)
     })
 }
 
@@ -188,7 +188,6 @@ pub unsafe extern "C-unwind" fn sins_ensemble_set_failure(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let failure = unsafe { read(failure, "failure")? };
-        ensemble.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?;
-        Ok(SINS_OK)
+        Ok(ensemble.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?)
     })
 }

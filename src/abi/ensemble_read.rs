@@ -1,12 +1,13 @@
-//! What is read of an ensemble.
+//! What is read of an ensemble, and corrections of its runs.
 
 use super::answer::write_or_need;
 use super::choice::Choice;
+use super::correction::{sins_compensation, sins_correction};
 use super::ensemble::{sins_ensemble, with_ensemble};
 use super::errors::sins_errors;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::imu::sins_imu;
-use super::memory::{Output, put, put_if_wanted};
+use super::memory::{Output, put, put_if_wanted, read};
 use super::solution::sins_navigation;
 use crate::error::{Error, Rule};
 use crate::simulator::ErrorSource;
@@ -116,7 +117,38 @@ pub unsafe extern "C-unwind" fn sins_ensemble_get_diverged(
             return Err(Error::invalid("index", index, rule).into());
         };
         // SAFETY: the host's promise.
-        unsafe { put(run, diverged, "run")? };
-        Ok(SINS_OK)
+        unsafe { put(run, diverged, "run") }
+    })
+}
+
+/// Removes errors of one run, as sins_correct() does. The first compensation of sensors in each group of 16 runs allocates.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such run; or as sins_correct(). SINS_ERROR_DIVERGED: the run has diverged; or as
+/// sins_correct(). SINS_ERROR_BAD_STATE, SINS_ERROR_SINGULAR: as sins_correct(). SINS_ERROR_OUT_OF_MEMORY: no memory.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_ensemble_correct(
+    ensemble: *mut sins_ensemble,
+    run: u64,
+    correction: *const sins_correction,
+) -> sins_status {
+    with_ensemble(ensemble, |ensemble| {
+        // SAFETY: the host's promise.
+        Ok(ensemble.correct(run, &unsafe { read(correction, "correction")? }.to_correction()?)?)
+    })
+}
+
+/// Reads the compensation in force of one run, as sins_get_compensation() does.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: no such run. SINS_ERROR_DIVERGED: the run has diverged.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_ensemble_get_compensation(
+    ensemble: *mut sins_ensemble,
+    run: u64,
+    compensation: *mut sins_compensation,
+) -> sins_status {
+    with_ensemble(ensemble, |ensemble| {
+        // SAFETY: the host's promise.
+        let output = unsafe { Output::new(compensation, "compensation")? };
+        Ok(output.write(&(&ensemble.compensation(run)?).into()))
     })
 }

@@ -15,8 +15,7 @@ pub unsafe extern "C-unwind" fn sins_ensemble_snapshot_size(
 ) -> sins_status {
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
-        unsafe { put(size, ensemble.snapshot_size(), "size")? };
-        Ok(SINS_OK)
+        unsafe { put(size, ensemble.snapshot_size(), "size") }
     })
 }
 
@@ -63,7 +62,6 @@ pub unsafe extern "C-unwind" fn sins_ensemble_snapshot_load(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let snapshot = unsafe { bytes_of(snapshot.cast(), size, "snapshot")? };
-        ensemble.load_snapshot(snapshot)?;
-        Ok(SINS_OK)
+        Ok(ensemble.load_snapshot(snapshot)?)
     })
 }

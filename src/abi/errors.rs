@@ -8,13 +8,7 @@ use super::simulator::{sins_sim, with_simulator};
 use crate::errors::NavigationErrors;
 use crate::simulator::{ErrorSource, Moment, View};
 
-/// The two sources of errors.
-pub type sins_errors_source = i32;
-
-/// Navigation minus truth: the paper's error data 2.
-pub const SINS_ERRORS_NAVIGATION: sins_errors_source = 0;
-/// The error differential equations: the paper's error data 1 (sins_options.error_model).
-pub const SINS_ERRORS_MODEL: sins_errors_source = 1;
+include!(concat!(env!("OUT_DIR"), "/sins_errors_source.rs"));
 
 /// Flags of a sins_errors.
 pub type sins_errors_flags = i32;
@@ -76,8 +70,6 @@ pub struct sins_errors {
 }
 
 interface_struct!(sins_errors, "errors", 144);
-
-choices!(sins_errors_source: ErrorSource { Navigation = SINS_ERRORS_NAVIGATION, Model = SINS_ERRORS_MODEL });
 
 impl sins_record_errors {
     /// Errors that nobody computes.

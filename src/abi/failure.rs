@@ -62,30 +62,7 @@ pub extern "C-unwind" fn sins_status_string(status: sins_status) -> *const c_cha
     name(status).as_ptr()
 }
 
-fn name(status: sins_status) -> &'static CStr {
-    match status {
-        SINS_OK => c"SINS_OK",
-        SINS_NEED_SAMPLE => c"SINS_NEED_SAMPLE",
-        SINS_REQUIREMENT_NOT_MET => c"SINS_REQUIREMENT_NOT_MET",
-        SINS_SCENE_HAS_FAULTS => c"SINS_SCENE_HAS_FAULTS",
-        SINS_GAP => c"SINS_GAP",
-        SINS_ERROR_NULL_POINTER => c"SINS_ERROR_NULL_POINTER",
-        SINS_ERROR_BAD_HANDLE => c"SINS_ERROR_BAD_HANDLE",
-        SINS_ERROR_STRUCT_SIZE => c"SINS_ERROR_STRUCT_SIZE",
-        SINS_ERROR_INVALID_ARGUMENT => c"SINS_ERROR_INVALID_ARGUMENT",
-        SINS_ERROR_BAD_STATE => c"SINS_ERROR_BAD_STATE",
-        SINS_ERROR_TIME_ORDER => c"SINS_ERROR_TIME_ORDER",
-        SINS_ERROR_DISCONTINUITY => c"SINS_ERROR_DISCONTINUITY",
-        SINS_ERROR_QUEUE_FULL => c"SINS_ERROR_QUEUE_FULL",
-        SINS_ERROR_DIVERGED => c"SINS_ERROR_DIVERGED",
-        SINS_ERROR_SINGULAR => c"SINS_ERROR_SINGULAR",
-        SINS_ERROR_BUFFER_TOO_SMALL => c"SINS_ERROR_BUFFER_TOO_SMALL",
-        SINS_ERROR_OUT_OF_MEMORY => c"SINS_ERROR_OUT_OF_MEMORY",
-        SINS_ERROR_SNAPSHOT => c"SINS_ERROR_SNAPSHOT",
-        SINS_ERROR_INTERNAL => c"SINS_ERROR_INTERNAL",
-        _ => c"unknown status",
-    }
-}
+include!(concat!(env!("OUT_DIR"), "/status_names.rs"));
 
 /// A status with its sentence, as plain data.
 #[derive(Debug, Clone, Copy, PartialEq)]

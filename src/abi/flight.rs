@@ -3,15 +3,15 @@
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::FLIGHTS;
 use super::boundary::{enter, enter_without_simulator};
-use super::choice::{Choice, check_reserved};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{Failure, sins_status};
 use super::manoeuvre::sins_manoeuvre;
-use super::memory::{Array, Output, interface_struct, put, read};
+use super::memory::{Array, Output, put, read};
+use super::parameters::{Parameters, params};
 use super::sample::sins_flight_sample;
-use crate::earth::Ellipsoid;
 use crate::error::check_integer;
 use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 use crate::memory::room;
+use crate::surroundings::copy;
 
 /// An embedded flight. A handle is a checked key, as that of sins_sim, and never taken for one.
 #[repr(C)]
@@ -19,70 +19,9 @@ pub struct sins_flight {
     _opaque: [u8; 0],
 }
 
-/// Start of an embedded flight, level and straight.
-#[repr(C)]
-#[derive(Debug, Clone, Copy)]
-pub struct sins_flight_start {
-    /// sizeof(sins_flight_start)
-    pub struct_size: u32,
-    /// Must be 0.
-    pub reserved: u32,
-    /// Geodetic latitude, -pi/2 to pi/2 [rad].
-    pub latitude_rad: f64,
-    /// Longitude, east positive, -100 to 100 [rad].
-    pub longitude_rad: f64,
-    /// Height above the ellipsoid, -2e4 to 2e6 [m].
-    pub height_m: f64,
-    /// Speed against the Earth, 0 to 1e4 [m/s].
-    pub speed_m_s: f64,
-    /// Course and heading, -100 to 100 [rad].
-    pub heading_rad: f64,
-    /// Roll of the body relative to the axes of the path, throughout the flight, -pi to pi [rad].
-    pub roll_rad: f64,
-    /// Pitch of the body relative to the axes of the path, throughout the flight, -pi/2 to pi/2: angle of attack, or tilt
-    /// at rest [rad].
-    pub pitch_rad: f64,
-    /// Ellipsoid, of enum sins_earth, as in the options of the simulator that will fly it.
-    pub earth: i32,
-    /// Must be 0.
-    pub reserved2: u32,
-}
+include!(concat!(env!("OUT_DIR"), "/start_params.rs"));
 
-interface_struct!(sins_flight_start, "start", 72);
-
-impl sins_flight_start {
-    #[cfg(feature = "scenes")]
-    pub(super) fn from_start(start: &FlightStart) -> Self {
-        Self {
-            struct_size: size_of::<Self>() as u32,
-            reserved: 0,
-            latitude_rad: start.latitude_rad,
-            longitude_rad: start.longitude_rad,
-            height_m: start.height_m,
-            speed_m_s: start.speed_m_s,
-            heading_rad: start.heading_rad,
-            roll_rad: start.roll_rad,
-            pitch_rad: start.pitch_rad,
-            earth: start.ellipsoid.code(),
-            reserved2: 0,
-        }
-    }
-
-    fn to_start(self) -> Result<FlightStart, Failure> {
-        check_reserved("start.reserved", self.reserved)?;
-        check_reserved("start.reserved2", self.reserved2)?;
-        Ok(FlightStart {
-            latitude_rad: self.latitude_rad,
-            longitude_rad: self.longitude_rad,
-            height_m: self.height_m,
-            speed_m_s: self.speed_m_s,
-            heading_rad: self.heading_rad,
-            roll_rad: self.roll_rad,
-            pitch_rad: self.pitch_rad,
-            ellipsoid: Ellipsoid::of("start.earth", self.earth)?,
-        })
-    }
-}
+params!(sins_flight_start, "start", 72, FlightStart, copy, earth: ellipsoid);
 
 /// Creates a flight from an array of count manoeuvres (1 to 4096). Speed, climb angle, course and bank are closed forms of time,
 /// smooth to the third derivative; the position is their integral, exact to rounding. manoeuvres[0].struct_size is the size
@@ -143,7 +82,7 @@ pub(super) unsafe fn read_flight(
     count: usize,
 ) -> Result<(FlightStart, Vec<Manoeuvre>), Failure> {
     // SAFETY: as this function.
-    let start = unsafe { read(start, "start")? }.to_start()?;
+    let start = unsafe { read(start, "start")? }.to_parameters()?;
     check_integer("count", count, 1, MAX_MANOEUVRES as i64)?;
     // SAFETY: as this function; manoeuvres are only read.
     let manoeuvres = unsafe { Array::new(manoeuvres.cast_mut(), count, "manoeuvres")? };
@@ -162,8 +101,7 @@ pub unsafe extern "C-unwind" fn sins_flight_duration(
 ) -> sins_status {
     with_object(&FLIGHTS, flight, |flight| {
         // SAFETY: the host's promise.
-        unsafe { put(duration_s, flight.duration_s(), "duration_s")? };
-        Ok(SINS_OK)
+        unsafe { put(duration_s, flight.duration_s(), "duration_s") }
     })
 }
 
@@ -180,8 +118,7 @@ pub unsafe extern "C-unwind" fn sins_flight_sample_at(
     with_object(&FLIGHTS, flight, |flight| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(sample, "sample")? };
-        output.write(&sins_flight_sample::from(&flight.sample_at(time_s)?));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_flight_sample::from(&flight.sample_at(time_s)?)))
     })
 }
 

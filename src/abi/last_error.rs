@@ -92,8 +92,7 @@ pub unsafe extern "C-unwind" fn sins_last_error_info(
 ) -> sins_status {
     read_failure(sim, |failure, _| {
         // SAFETY: the host's promise.
-        unsafe { Output::new(info, "info")? }.write(&sins_error_info::of(failure));
-        Ok(SINS_OK)
+        Ok(unsafe { Output::new(info, "info")? }.write(&sins_error_info::of(failure)))
     })
 }
 

@@ -1,6 +1,6 @@
 //! `sins_manoeuvre`, of which embedded flights are made.
 
-use super::choice::{check_reserved, one_of};
+use super::choice::{Choice, check_reserved, choices};
 use super::failure::Failure;
 use super::memory::interface_struct;
 use crate::error::{Error, Rule, Value, check_integer};
@@ -32,21 +32,7 @@ pub const SINS_MANOEUVRE_S_TURN: sins_manoeuvre_kind = 7;
 /// Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s.
 pub const SINS_MANOEUVRE_SINUSOIDS: sins_manoeuvre_kind = 8;
 
-/// What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves.
-pub type sins_channel = i32;
-
-/// The sinusoid moves the course [rad], with the bank of a coordinated turn.
-pub const SINS_CHANNEL_COURSE: sins_channel = 0;
-/// The sinusoid moves the climb angle [rad].
-pub const SINS_CHANNEL_CLIMB: sins_channel = 1;
-/// The sinusoid moves the speed [m/s].
-pub const SINS_CHANNEL_SPEED: sins_channel = 2;
-/// The sinusoid moves roll alone [rad].
-pub const SINS_CHANNEL_ROLL: sins_channel = 3;
-/// The sinusoid moves pitch alone [rad].
-pub const SINS_CHANNEL_PITCH: sins_channel = 4;
-/// The sinusoid moves heading alone [rad].
-pub const SINS_CHANNEL_HEADING: sins_channel = 5;
+include!(concat!(env!("OUT_DIR"), "/sins_channel.rs"));
 
 /// One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use must be 0.
 #[repr(C)]
@@ -95,15 +81,6 @@ const NOT_USED: Rule = Rule::Zero(": this manoeuvre does not use it");
 const _: () =
     assert!(SINS_MANOEUVRE_REST == 0 && SINS_MANOEUVRE_SINUSOIDS + 1 == MANOEUVRE_KINDS.len() as i32);
 
-const CHANNELS: [(i32, Channel); 6] = [
-    (SINS_CHANNEL_COURSE, Channel::Course),
-    (SINS_CHANNEL_CLIMB, Channel::Climb),
-    (SINS_CHANNEL_SPEED, Channel::Speed),
-    (SINS_CHANNEL_ROLL, Channel::Roll),
-    (SINS_CHANNEL_PITCH, Channel::Pitch),
-    (SINS_CHANNEL_HEADING, Channel::Heading),
-];
-
 impl sins_manoeuvre {
     /// The quantities that a kind may use, under their names.
     fn quantities(&mut self) -> [(&'static str, &mut f64); 7] {
@@ -134,9 +111,7 @@ impl sins_manoeuvre {
             heading_change_rad: fields.heading_change_rad,
             bank_rad: fields.bank_rad,
             turns: fields.turns,
-            channel: terms.map(|term| {
-                CHANNELS.iter().find(|(_, channel)| *channel == term.channel).map_or(0, |(number, _)| *number)
-            }),
+            channel: terms.map(|term| term.channel.code()),
             amplitude: terms.map(|term| term.amplitude),
             frequency_hz: terms.map(|term| term.frequency_hz),
             phase_rad: terms.map(|term| term.phase_rad),
@@ -186,7 +161,7 @@ impl sins_manoeuvre {
         }
         for (i, term) in fields.sinusoids.iter_mut().enumerate().take(fields.sinusoid_count) {
             *term = Sinusoid {
-                channel: one_of("manoeuvre.channel", self.channel[i], &CHANNELS, "sins_channel")?,
+                channel: Channel::of("manoeuvre.channel", self.channel[i])?,
                 amplitude: self.amplitude[i],
                 frequency_hz: self.frequency_hz[i],
                 phase_rad: self.phase_rad[i],

@@ -2,7 +2,7 @@
 
 use core::mem::MaybeUninit;
 
-use super::failure::Failure;
+use super::failure::{Failure, SINS_OK, sins_status};
 use crate::error::Rule;
 
 /// Largest struct size that a host may state; larger ones are garbage, not a later release.
@@ -133,8 +133,8 @@ impl<T: Struct> Output<T> {
         (!pointer.is_null()).then(|| unsafe { Self::new(pointer, name) }).transpose()
     }
 
-    /// Writes all that the host's struct has room for; its `struct_size` stays.
-    pub fn write(&self, value: &T) {
+    /// Writes all that the host's struct has room for; its `struct_size` stays. That is the end of most calls: their status.
+    pub fn write(&self, value: &T) -> sins_status {
         const HEAD: usize = size_of::<u32>();
         let length = self.size.min(size_of::<T>()) - HEAD;
         // SAFETY: `new` was promised that many writable bytes.
@@ -142,6 +142,7 @@ impl<T: Struct> Output<T> {
             let from = core::ptr::from_ref(value).cast::<u8>().add(HEAD);
             core::ptr::copy_nonoverlapping(from, self.pointer.cast::<u8>().add(HEAD), length);
         }
+        SINS_OK
     }
 
     /// A struct whose fields are to be set, but for `struct_size`: the host's, if that has room, else `own`. [`Self::finish`] is to follow.
@@ -252,17 +253,21 @@ pub(super) unsafe fn read_numbers(
     Ok(())
 }
 
-/// Writes `value` to a place of the host.
+/// Writes `value` to a place of the host, which is the end of most calls: their status.
 ///
 /// # Safety
 /// `pointer` is null or points to a writable `T`, of any alignment.
-pub(super) unsafe fn put<T: Copy>(pointer: *mut T, value: T, name: &'static str) -> Result<(), Failure> {
+pub(super) unsafe fn put<T: Copy>(
+    pointer: *mut T,
+    value: T,
+    name: &'static str,
+) -> Result<sins_status, Failure> {
     if pointer.is_null() {
         return Err(Failure::null(name));
     }
     // SAFETY: not null.
     unsafe { pointer.write_unaligned(value) };
-    Ok(())
+    Ok(SINS_OK)
 }
 
 /// Writes `value` to a place of the host, if the host gives one.

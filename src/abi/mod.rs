@@ -3,8 +3,8 @@
 //! Everything behind is safe Rust.
 //!
 //! The doc comments of the public items are the documentation in the header. That of the fields of `sins_gyro_params` and
-//! `sins_accel_params` comes from `src/sensors/table.rs`, that of the altimeter, the mounting and gravity from
-//! `src/surroundings/table.rs`.
+//! `sins_accel_params` comes from `src/sensors/table.rs`, that of the other structs of parameters from
+//! `src/surroundings/table.rs`, and that of most enumerations from the enumerations of the crate that `build/enumerations.rs` lists.
 //!
 //! # Safety
 //!
@@ -15,9 +15,7 @@
 #![allow(non_camel_case_types, reason = "the names are C's")]
 #![allow(clippy::missing_safety_doc, reason = "the rules of pointers and handles stand once, above")]
 
-mod accel;
 mod accuracy;
-mod altimeter;
 mod answer;
 mod boundary;
 mod budget;
@@ -27,7 +25,6 @@ mod choice;
 mod correction;
 mod covariance;
 mod ensemble;
-mod ensemble_correct;
 mod ensemble_read;
 mod ensemble_snapshot;
 mod errors;
@@ -35,29 +32,22 @@ mod failure;
 #[cfg(feature = "fault-injection")]
 mod fault;
 mod flight;
-mod gravity;
-mod gyro;
 mod imu;
-mod initial;
 mod last_error;
 mod manoeuvre;
 mod memory;
-mod mounting;
 mod navigator;
 mod options;
 mod parameters;
 mod preset;
 mod recommend;
 mod record;
-mod record_line;
 mod run;
 mod sample;
 #[cfg(feature = "scenes")]
 mod scene;
 mod sensor_failure;
-mod sensor_params;
 mod sentence;
-mod settings;
 mod simulator;
 mod snapshot;
 mod solution;
@@ -68,9 +58,7 @@ mod unit;
 mod unit_status;
 mod version;
 
-pub use accel::*;
 pub use accuracy::{sins_accuracy, sins_get_accuracy};
-pub use altimeter::*;
 pub use boundary::shielded;
 pub use budget::*;
 pub use budget_answer::*;
@@ -78,7 +66,6 @@ pub use bus::*;
 pub use correction::*;
 pub use covariance::{sins_covariance, sins_get_covariance};
 pub use ensemble::*;
-pub use ensemble_correct::*;
 pub use ensemble_read::*;
 pub use ensemble_snapshot::*;
 pub use errors::*;
@@ -86,25 +73,20 @@ pub use failure::*;
 #[cfg(feature = "fault-injection")]
 pub use fault::sins_inject_panic;
 pub use flight::*;
-pub use gravity::*;
-pub use gyro::*;
 pub use imu::*;
-pub use initial::*;
 pub use last_error::*;
 pub use manoeuvre::*;
-pub use mounting::*;
 pub use navigator::*;
 pub use options::*;
+pub use parameters::*;
 pub use preset::*;
 pub use recommend::{sins_cost, sins_recommend, sins_requirement};
 pub use record::*;
-pub use record_line::sins_record_line;
 pub use run::sins_run;
 pub use sample::*;
 #[cfg(feature = "scenes")]
 pub use scene::*;
 pub use sensor_failure::*;
-pub use sensor_params::{sins_accel_params, sins_gyro_params};
 pub use simulator::*;
 pub use snapshot::*;
 pub use solution::*;

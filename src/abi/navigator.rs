@@ -4,7 +4,7 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::answer::write_or_need;
 use super::choice::check_reserved;
-use super::failure::{SINS_OK, sins_status};
+use super::failure::sins_status;
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_navigation;
@@ -18,7 +18,7 @@ use crate::truth::{FlightSample, check_height};
 /// Increments of an inertial measurement unit over an interval. The interval is divided into parts of equal length; the
 /// field count is their number.
 #[repr(C)]
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct sins_imu_increment {
     /// sizeof(sins_imu_increment)
     pub struct_size: u32,
@@ -44,12 +44,9 @@ impl sins_imu_increment {
     fn new(increments: &[Increment], interval_s: f64) -> Self {
         let mut imu = Self {
             struct_size: size_of::<Self>() as u32,
-            reserved: 0,
             interval_s,
             count: increments.len() as i32,
-            reserved2: 0,
-            angle_rad: [0.0; 15],
-            velocity_m_s: [0.0; 15],
+            ..Self::default()
         };
         for (index, (to_angle, to_velocity)) in
             imu.angle_rad.chunks_exact_mut(3).zip(imu.velocity_m_s.chunks_exact_mut(3)).enumerate()
@@ -144,8 +141,7 @@ pub unsafe extern "C-unwind" fn sins_start_navigation(
         // A norm of 1 within rounding stays: a solution that was read starts to the bit.
         let unit = if (norm - 1.0).abs() <= 4.0 * f64::EPSILON { q } else { q / norm };
         let navigation = Navigation::new(place, v_n, unit, simulator.options().axes);
-        simulator.start_navigation(start.time_s, &navigation)?;
-        Ok(SINS_OK)
+        Ok(simulator.start_navigation(start.time_s, &navigation)?)
     })
 }
 
@@ -175,7 +171,6 @@ pub unsafe extern "C-unwind" fn sins_push_imu(
             angle: part(&imu.angle_rad, index),
             velocity: part(&imu.velocity_m_s, index),
         });
-        simulator.push_imu(&increments[..imu.count as usize], imu.interval_s)?;
-        Ok(SINS_OK)
+        Ok(simulator.push_imu(&increments[..imu.count as usize], imu.interval_s)?)
     })
 }

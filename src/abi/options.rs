@@ -1,6 +1,6 @@
 //! `sins_options`.
 
-use super::choice::{Choice, check_reserved, choices, one_of};
+use super::choice::{Choice, check_reserved, choices, switch};
 use super::failure::Failure;
 use super::memory::interface_struct;
 use super::parameters::Parameters;
@@ -12,37 +12,9 @@ use crate::simulator::Options;
 use crate::state::BodyAxes;
 use crate::truth::IntakeLimits;
 
-/// Axes in which the mechanization integrates.
-pub type sins_frame = i32;
-
-/// Navigation in Earth-fixed axes: regular everywhere, poles included.
-pub const SINS_FRAME_EARTH_FIXED: sins_frame = 0;
-/// Navigation in east-north-up, as in the paper. The mechanization returns SINS_ERROR_SINGULAR within 6.4 km of a pole. It
-/// also returns this error if the vehicle moves in one update by more than 1 % of its distance to the pole. For example, at
-/// 250 m/s with updates of 1 s this is within 25 km.
-pub const SINS_FRAME_GEOGRAPHIC: sins_frame = 1;
-
-/// Algorithms of the mechanization.
-pub type sins_scheme = i32;
-
-/// Coning, sculling and exact rotation compensation; Earth terms from the middle of the update.
-pub const SINS_SCHEME_EXACT: sins_scheme = 0;
-/// The paper's equations (7)-(24), misprints corrected, approximations kept.
-pub const SINS_SCHEME_PAPER: sins_scheme = 1;
-/// As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update.
-pub const SINS_SCHEME_POLYNOMIAL: sins_scheme = 2;
-
-/// What stabilizes the vertical channel.
-pub type sins_vertical = i32;
-
-/// Third-order loop on a barometric height, time constant 100 s. Its response to an error of the vertical accelerometer differs
-/// from that of a continuous loop by the fraction 3.5e-5 at a sample rate of 1 Hz, and its response to an initial velocity error by
-/// 6.5e-4. Both are of second order in the sample interval: 3.5e-7 and 6.5e-6 at 10 Hz.
-pub const SINS_VERTICAL_DAMPED: sins_vertical = 0;
-/// Height and vertical velocity set to the truth at each sample.
-pub const SINS_VERTICAL_FOLLOW_TRUTH: sins_vertical = 1;
-/// Nothing stabilizes the vertical channel: any error grows e-fold every 569 s.
-pub const SINS_VERTICAL_FREE: sins_vertical = 2;
+include!(concat!(env!("OUT_DIR"), "/sins_frame.rs"));
+include!(concat!(env!("OUT_DIR"), "/sins_scheme.rs"));
+include!(concat!(env!("OUT_DIR"), "/sins_vertical.rs"));
 
 /// Whether the error differential equations are integrated.
 pub type sins_error_model = i32;
@@ -68,33 +40,9 @@ pub const SINS_COVARIANCE_OFF: sins_covariance_mode = 0;
 /// The covariance is propagated along the truth; the other outputs have the same bits.
 pub const SINS_COVARIANCE_ON: sins_covariance_mode = 1;
 
-/// Ellipsoids.
-pub type sins_earth = i32;
-
-/// World Geodetic System 1984.
-pub const SINS_EARTH_WGS84: sins_earth = 0;
-/// China Geodetic Coordinate System 2000.
-pub const SINS_EARTH_CGCS2000: sins_earth = 1;
-/// Geodetic Reference System 1980.
-pub const SINS_EARTH_GRS80: sins_earth = 2;
-/// Krassovsky 1940; Earth rate and gravitational constant as WGS-84.
-pub const SINS_EARTH_KRASSOVSKY1940: sins_earth = 3;
-
-/// Formulas of normal gravity.
-pub type sins_gravity = i32;
-
-/// Normal gravity in closed form at any height, with its north component.
-pub const SINS_GRAVITY_NORMAL: sins_gravity = 0;
-/// Somigliana's formula with the second-order height term, along the ellipsoid normal, as in most tools.
-pub const SINS_GRAVITY_SOMIGLIANA: sins_gravity = 1;
-
-/// Directions of the sensor axes.
-pub type sins_axes = i32;
-
-/// Sensor axes: x right, y forward, z up (the paper's).
-pub const SINS_AXES_RIGHT_FORWARD_UP: sins_axes = 0;
-/// Sensor axes: x forward, y right, z down.
-pub const SINS_AXES_FORWARD_RIGHT_DOWN: sins_axes = 1;
+include!(concat!(env!("OUT_DIR"), "/sins_earth.rs"));
+include!(concat!(env!("OUT_DIR"), "/sins_gravity.rs"));
+include!(concat!(env!("OUT_DIR"), "/sins_axes.rs"));
 
 /// Ideal signals.
 pub type sins_signal = i32;
@@ -163,32 +111,6 @@ pub struct sins_options {
 
 interface_struct!(sins_options, "options", 104);
 
-choices!(sins_frame: Frame { EarthFixed = SINS_FRAME_EARTH_FIXED, Geographic = SINS_FRAME_GEOGRAPHIC });
-choices!(sins_scheme: Scheme {
-    Exact = SINS_SCHEME_EXACT,
-    Paper = SINS_SCHEME_PAPER,
-    Polynomial = SINS_SCHEME_POLYNOMIAL,
-});
-choices!(sins_vertical: VerticalMode {
-    Damped = SINS_VERTICAL_DAMPED,
-    FollowTruth = SINS_VERTICAL_FOLLOW_TRUTH,
-    Free = SINS_VERTICAL_FREE,
-});
-choices!(sins_earth: Ellipsoid {
-    Wgs84 = SINS_EARTH_WGS84,
-    Cgcs2000 = SINS_EARTH_CGCS2000,
-    Grs80 = SINS_EARTH_GRS80,
-    Krassovsky1940 = SINS_EARTH_KRASSOVSKY1940,
-});
-choices!(sins_gravity: GravityModel { Normal = SINS_GRAVITY_NORMAL, Somigliana = SINS_GRAVITY_SOMIGLIANA });
-choices!(sins_axes: BodyAxes {
-    RightForwardUp = SINS_AXES_RIGHT_FORWARD_UP,
-    ForwardRightDown = SINS_AXES_FORWARD_RIGHT_DOWN,
-});
-
-/// Time constant of the closed loop where the host gives none [s].
-const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
-
 impl Parameters for sins_options {
     type Own = Options;
 
@@ -202,56 +124,33 @@ impl Parameters for sins_options {
             subsamples: options.subsamples as i32,
             updates_per_sample: options.updates_per_sample as i32,
             vertical: options.vertical.code(),
-            error_model: if options.error_model { SINS_ERROR_MODEL_RK4 } else { SINS_ERROR_MODEL_OFF },
+            error_model: options.error_model.into(),
             earth: options.ellipsoid.code(),
             gravity: options.gravity.code(),
             axes: options.axes.code(),
-            signal: match options.closed_loop_time_s {
-                None => SINS_SIGNAL_PHYSICAL,
-                Some(_) => SINS_SIGNAL_CLOSED_LOOP,
-            },
+            signal: options.closed_loop_time_s.is_some().into(),
             seed: options.key.seed,
             run: options.key.run,
             closed_loop_time_s: options.closed_loop_time_s.unwrap_or(0.0),
             sample_period_s: options.intake.period_s.unwrap_or(0.0),
             max_gap_s: options.intake.max_gap_s,
             max_acceleration_m_s2: options.intake.max_acceleration_m_s2,
-            truth_summary: if options.truth_summary { SINS_SUMMARY_ON } else { SINS_SUMMARY_OFF },
-            covariance: if options.covariance { SINS_COVARIANCE_ON } else { SINS_COVARIANCE_OFF },
+            truth_summary: options.truth_summary.into(),
+            covariance: options.covariance.into(),
         }
     }
 
     fn to_parameters(self) -> Result<Options, Failure> {
         check_reserved("options.reserved", self.reserved)?;
-        let covariance = one_of(
-            "options.covariance",
-            self.covariance,
-            &[(SINS_COVARIANCE_OFF, false), (SINS_COVARIANCE_ON, true)],
-            "sins_covariance_mode",
-        )?;
-        let truth_summary = one_of(
-            "options.truth_summary",
-            self.truth_summary,
-            &[(SINS_SUMMARY_OFF, false), (SINS_SUMMARY_ON, true)],
-            "sins_summary",
-        )?;
+        let covariance = switch("options.covariance", self.covariance, "sins_covariance_mode")?;
+        let truth_summary = switch("options.truth_summary", self.truth_summary, "sins_summary")?;
         let frame = Frame::of("options.frame", self.frame)?;
         let scheme = Scheme::of("options.scheme", self.scheme)?;
         let vertical = VerticalMode::of("options.vertical", self.vertical)?;
-        let error_model = one_of(
-            "options.error_model",
-            self.error_model,
-            &[(SINS_ERROR_MODEL_OFF, false), (SINS_ERROR_MODEL_RK4, true)],
-            "sins_error_model",
-        )?;
+        let error_model = switch("options.error_model", self.error_model, "sins_error_model")?;
         let gravity = GravityModel::of("options.gravity", self.gravity)?;
         let axes = BodyAxes::of("options.axes", self.axes)?;
-        let closed_loop = one_of(
-            "options.signal",
-            self.signal,
-            &[(SINS_SIGNAL_PHYSICAL, false), (SINS_SIGNAL_CLOSED_LOOP, true)],
-            "sins_signal",
-        )?;
+        let closed_loop = switch("options.signal", self.signal, "sins_signal")?;
         if !closed_loop && self.closed_loop_time_s != 0.0 {
             let rule = Rule::Zero(" without SINS_SIGNAL_CLOSED_LOOP");
             return Err(Error::invalid("options.closed_loop_time_s", self.closed_loop_time_s, rule).into());
@@ -271,7 +170,8 @@ impl Parameters for sins_options {
             ellipsoid: Ellipsoid::of("options.earth", self.earth)?,
             gravity,
             axes,
-            closed_loop_time_s: closed_loop.then(|| or(self.closed_loop_time_s, DEFAULT_CLOSED_LOOP_TIME_S)),
+            closed_loop_time_s: closed_loop
+                .then(|| or(self.closed_loop_time_s, Options::DEFAULT_CLOSED_LOOP_TIME_S)),
             key: StreamKey { seed: self.seed, run: self.run },
             intake: IntakeLimits {
                 max_gap_s: or(self.max_gap_s, defaults.intake.max_gap_s),

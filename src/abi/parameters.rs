@@ -1,7 +1,20 @@
-//! Structs that hold what a simulator or a scene is set to.
+//! Structs that hold what a simulator or a scene is set to, and how a simulator takes and gives them: `sins_gyro_params` and so on.
 
-use super::failure::Failure;
-use super::memory::Struct;
+use core::slice::{from_mut, from_ref};
+
+use super::choice::choices;
+use super::failure::{Failure, sins_status};
+use super::memory::{Output, Struct, read};
+use super::simulator::{sins_sim, with_simulator};
+use crate::error::Error;
+use crate::mounting::MountingParameters;
+use crate::sensors::{
+    Alignment, AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, PARAMETERS,
+    TriadParameters,
+};
+use crate::simulator::Simulator;
+use crate::surroundings::copy;
+use crate::unit::UnitParameters;
 
 /// A struct that holds parameters.
 pub(super) trait Parameters: Struct {
@@ -16,9 +29,9 @@ pub(super) trait Parameters: Struct {
 }
 
 /// Declares a struct of a table with its name in messages and its first size, and makes parameters of it and back: `$copy` copies
-/// the numbers of one to the other.
+/// the numbers of one to the other. A choice has a field `$choice` of the interface and its place in the parameters.
 macro_rules! params {
-    ($type:ident, $name:literal, $first_size:expr, $own:ty, $copy:ident) => {
+    ($type:ident, $name:literal, $first_size:expr, $own:ty, $copy:ident $(, $choice:ident: $place:ident)?) => {
         $crate::abi::memory::interface_struct!($type, $name, $first_size);
 
         impl $crate::abi::parameters::Parameters for $type {
@@ -28,15 +41,82 @@ macro_rules! params {
                 $crate::abi::choice::check_reserved(concat!($name, ".reserved"), self.reserved)?;
                 let mut parameters = <$own>::default();
                 $copy(self.numbers(), parameters.numbers_mut());
+                $(
+                    $crate::abi::choice::check_reserved(concat!($name, ".reserved2"), self.reserved2)?;
+                    let choice = concat!($name, ".", stringify!($choice));
+                    parameters.$place = $crate::abi::choice::Choice::of(choice, self.$choice)?;
+                )?
                 Ok(parameters)
             }
 
             fn from_parameters(parameters: &$own) -> Self {
                 let mut params = Self { struct_size: size_of::<Self>() as u32, ..Self::default() };
                 $copy(parameters.numbers(), params.numbers_mut());
+                $(params.$choice = $crate::abi::choice::Choice::code(parameters.$place);)?
                 params
             }
         }
     };
 }
 pub(super) use params;
+
+/// Sets parameters of a simulator.
+///
+/// # Safety
+/// As the exported functions: `params` is null or points to a struct.
+pub(super) unsafe fn set<P: Parameters>(
+    sim: *mut sins_sim,
+    params: *const P,
+    name: &'static str,
+    set: fn(&mut Simulator, &P::Own) -> Result<(), Error>,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: as this function.
+        Ok(set(simulator, &unsafe { read(params, name)? }.to_parameters()?)?)
+    })
+}
+
+/// Reads parameters of a simulator.
+///
+/// # Safety
+/// As the exported functions: `params` is null or points to a struct that may be written.
+pub(super) unsafe fn get<P: Parameters>(
+    sim: *mut sins_sim,
+    params: *mut P,
+    name: &'static str,
+    get: fn(&Simulator) -> &P::Own,
+) -> sins_status {
+    with_simulator(sim, |simulator| {
+        // SAFETY: as this function.
+        Ok(unsafe { Output::new(params, name)? }.write(&P::from_parameters(get(simulator))))
+    })
+}
+
+const COUNT: usize = PARAMETERS.len();
+
+// The structs of the tables, with their setters and getters.
+include!(concat!(env!("OUT_DIR"), "/sensor_params.rs"));
+include!(concat!(env!("OUT_DIR"), "/altimeter_params.rs"));
+include!(concat!(env!("OUT_DIR"), "/sins_alignment.rs"));
+include!(concat!(env!("OUT_DIR"), "/initial_params.rs"));
+include!(concat!(env!("OUT_DIR"), "/mounting_params.rs"));
+include!(concat!(env!("OUT_DIR"), "/gravity_params.rs"));
+include!(concat!(env!("OUT_DIR"), "/unit_params.rs"));
+
+// The first release has all of the sensors.
+params!(sins_gyro_params, "gyro", size_of::<sins_gyro_params>(), TriadParameters, copy_triad);
+params!(sins_accel_params, "accel", size_of::<sins_accel_params>(), TriadParameters, copy_triad);
+params!(sins_altimeter_params, "altimeter", 56, AltimeterParameters, copy);
+params!(sins_initial_errors, "initial", 168, InitialErrorParameters, copy, alignment: alignment);
+params!(sins_mounting, "mounting", 104, MountingParameters, copy);
+params!(sins_gravity_params, "gravity", 80, GravityDisturbanceParameters, copy);
+params!(sins_unit_params, "unit", 184, UnitParameters, copy);
+
+/// Copies the numbers of each parameter that both sides have; matrices are row by row on one side, column by column on the other.
+fn copy_triad(from: [&[f64]; COUNT], to: [&mut [f64]; COUNT]) {
+    for ((parameter, from), to) in PARAMETERS.iter().zip(from).zip(to) {
+        if from.len() == to.len() {
+            (0..from.len()).for_each(|index| to[parameter.shape.place(index)] = from[index]);
+        }
+    }
+}

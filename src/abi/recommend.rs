@@ -186,8 +186,7 @@ pub unsafe extern "C-unwind" fn sins_recommend(
 fn read_samples(samples: &Array<sins_flight_sample>) -> Result<Vec<FlightSample>, Failure> {
     let mut list = room(samples.count())?;
     for index in 0..samples.count() {
-        let sample = samples.read(index).and_then(sins_flight_sample::to_sample);
-        list.push(sample.map_err(|failure| failure.of_sample(index))?);
+        list.push(samples.sample(index)?);
     }
     Ok(list)
 }

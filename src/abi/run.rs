@@ -94,9 +94,8 @@ fn run(
     while fly(simulator, every, records, done)? == SINS_OK {}
     let mut answer = SINS_OK;
     for index in 0..samples.count() {
-        let sample =
-            samples.read(index).and_then(sins_flight_sample::to_sample).map_err(|f| f.of_sample(index))?;
-        let pushed = push(simulator, &sample).map_err(|error| Failure::from(error).of_sample(index))?;
+        let pushed = push(simulator, &samples.sample(index)?)
+            .map_err(|error| Failure::from(error).of_sample(index))?;
         if pushed != SINS_OK {
             answer = pushed;
         }

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::choice::flag;
 use super::failure::Failure;
-use super::memory::interface_struct;
+use super::memory::{Array, interface_struct};
 use crate::earth::Geodetic;
 use crate::error::{Error, Rule};
 use crate::math::Euler;
@@ -94,6 +94,14 @@ impl sins_flight_sample {
             f_b: given(SINS_SAMPLE_SPECIFIC_FORCE, self.specific_force_m_s2),
             temperature_c: (self.flags & SINS_SAMPLE_TEMPERATURE != 0).then_some(self.temperature_c),
         })
+    }
+}
+
+impl Array<sins_flight_sample> {
+    /// Sample `index` of a host; a failure names it.
+    pub(super) fn sample(&self, index: usize) -> Result<FlightSample, Failure> {
+        let sample = self.read(index).and_then(sins_flight_sample::to_sample);
+        sample.map_err(|failure| failure.of_sample(index))
     }
 }
 

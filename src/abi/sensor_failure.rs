@@ -1,11 +1,11 @@
 //! `sins_failure`.
 
 use super::choice::check_reserved;
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{Failure, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use crate::error::{Error, Rule};
-use crate::sensors::{self, Axis, FAILURE_KIND_COUNT, FailureFields, SensorOutput};
+use crate::sensors::{self, FAILURE_KIND_COUNT, FailureFields, SensorOutput};
 
 /// Sensors that can fail.
 pub type sins_sensor = i32;
@@ -141,21 +141,15 @@ pub(super) const ARGUMENTS: [&str; 2] = ["sensor", "axis"];
 /// The output that `sensor` and `axis` select; `fields` are their names in messages.
 pub(super) fn output(fields: [&'static str; 2], sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
     let [sensor_field, axis_field] = fields;
-    let axis_of_triad = || match axis {
-        0 => Ok(Axis::X),
-        1 => Ok(Axis::Y),
-        2 => Ok(Axis::Z),
-        _ => Err(Error::invalid(axis_field, axis, Rule::Between(0.0, 2.0))),
+    let (last, rule) = match sensor {
+        SINS_SENSOR_GYRO | SINS_SENSOR_ACCEL => (2, Rule::Between(0.0, 2.0)),
+        SINS_SENSOR_ALTIMETER => (0, Rule::Zero(": the altimeter has one output")),
+        _ => return Err(Error::invalid(sensor_field, sensor, Rule::OneOf("sins_sensor", 0, 2)).into()),
     };
-    match sensor {
-        SINS_SENSOR_GYRO => Ok(SensorOutput::Gyro(axis_of_triad()?)),
-        SINS_SENSOR_ACCEL => Ok(SensorOutput::Accelerometer(axis_of_triad()?)),
-        SINS_SENSOR_ALTIMETER if axis == 0 => Ok(SensorOutput::Altimeter),
-        SINS_SENSOR_ALTIMETER => {
-            Err(Error::invalid(axis_field, axis, Rule::Zero(": the altimeter has one output")).into())
-        }
-        _ => Err(Error::invalid(sensor_field, sensor, Rule::OneOf("sins_sensor", 0, 2)).into()),
+    if !(0..=last).contains(&axis) {
+        return Err(Error::invalid(axis_field, axis, rule).into());
     }
+    Ok(SensorOutput::of_sensor(sensor as usize, axis as usize))
 }
 
 /// Sets a failure of one output, as an instructor's station does: before the first sample or in flight, from the next
@@ -181,8 +175,7 @@ pub unsafe extern "C-unwind" fn sins_set_failure(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let failure = unsafe { read(failure, "failure")? };
-        simulator.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?;
-        Ok(SINS_OK)
+        Ok(simulator.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?)
     })
 }
 
@@ -200,7 +193,6 @@ pub unsafe extern "C-unwind" fn sins_get_failure(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let place = unsafe { Output::new(failure, "failure")? };
-        place.write(&sins_failure::of(simulator.failure(output(ARGUMENTS, sensor, axis)?)));
-        Ok(SINS_OK)
+        Ok(place.write(&sins_failure::of(simulator.failure(output(ARGUMENTS, sensor, axis)?))))
     })
 }

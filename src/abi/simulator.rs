@@ -1,5 +1,6 @@
 //! `sins_sim`: the simulator's life, and its steps.
 
+use super::answer::Answer;
 use super::boundary::handle::hand_out;
 use super::boundary::tables::SIMULATORS;
 use super::boundary::{enter, enter_without_simulator};
@@ -22,20 +23,20 @@ pub struct sins_sim {
 
 /// Runs `body` on the simulator of a handle, as the inside of an exported function.
 #[inline(always)]
-pub(super) fn with_simulator(
+pub(super) fn with_simulator<A: Answer>(
     sim: *const sins_sim,
-    body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Simulator) -> Result<A, Failure>,
 ) -> sins_status {
     enter(|| on_simulator(sim, body))
 }
 
 /// [`with_simulator`] where the host's state is set aside already.
 #[inline(always)]
-pub(super) fn on_simulator(
+pub(super) fn on_simulator<A: Answer>(
     sim: *const sins_sim,
-    body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Simulator) -> Result<A, Failure>,
 ) -> sins_status {
-    SIMULATORS.with(sim.addr(), |memory| body(&mut memory[0]))
+    SIMULATORS.with(sim.addr(), |memory| body(&mut memory[0]).map(A::status))
 }
 
 /// Moves a simulator to a sample.
@@ -49,8 +50,7 @@ unsafe fn at_sample(
 ) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: as this function.
-        go(simulator, &unsafe { read(sample, "sample")? }.to_sample()?)?;
-        Ok(SINS_OK)
+        Ok(go(simulator, &unsafe { read(sample, "sample")? }.to_sample()?)?)
     })
 }
 
@@ -60,12 +60,7 @@ pub(super) fn look_at<T>(
     name: &'static str,
     view: impl FnOnce(&Simulator) -> T,
 ) -> Result<T, Failure> {
-    let mut seen = None;
-    let status = SIMULATORS.with(sim.addr(), |memory| {
-        seen = Some(view(&memory[0]));
-        Ok(SINS_OK)
-    });
-    seen.ok_or_else(|| Failure::of_handle(status, name))
+    work_with(sim, name, |simulator| view(simulator))
 }
 
 /// [`look_at`] that may change the simulator.
@@ -143,8 +138,7 @@ pub unsafe extern "C-unwind" fn sins_get_options(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(options, "options")? };
-        output.write(&sins_options::from_parameters(simulator.options()));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_options::from_parameters(simulator.options())))
     })
 }
 
@@ -245,10 +239,7 @@ pub(super) fn stepped(step: Step) -> sins_status {
 /// SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins_status {
-    with_simulator(sim, |simulator| {
-        simulator.move_time(time_s)?;
-        Ok(SINS_OK)
-    })
+    with_simulator(sim, |simulator| Ok(simulator.move_time(time_s)?))
 }
 
 /// Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous

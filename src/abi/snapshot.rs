@@ -2,7 +2,7 @@
 
 use core::ffi::c_void;
 
-use super::failure::{SINS_OK, sins_status};
+use super::failure::sins_status;
 use super::memory::put;
 use super::simulator::{sins_sim, with_simulator};
 use super::text::{bytes_of, put_saved};
@@ -19,8 +19,7 @@ pub const SINS_SNAPSHOT_MAX_SIZE: usize = 20480;
 pub unsafe extern "C-unwind" fn sins_snapshot_size(sim: *mut sins_sim, size: *mut usize) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
-        unsafe { put(size, simulator.snapshot_size(), "size")? };
-        Ok(SINS_OK)
+        unsafe { put(size, simulator.snapshot_size(), "size") }
     })
 }
 
@@ -74,7 +73,6 @@ pub unsafe extern "C-unwind" fn sins_snapshot_load(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let snapshot = unsafe { bytes_of(snapshot.cast(), size, "snapshot")? };
-        simulator.load_snapshot(snapshot)?;
-        Ok(SINS_OK)
+        Ok(simulator.load_snapshot(snapshot)?)
     })
 }

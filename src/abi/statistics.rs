@@ -3,7 +3,7 @@
 use super::boundary::enter_without_simulator;
 use super::choice::{Choice, choices};
 use super::ensemble::{sins_ensemble, with_ensemble};
-use super::failure::{SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::failure::{SINS_NEED_SAMPLE, sins_status};
 use super::memory::{Output, interface_struct, read_into};
 use crate::simulator::ErrorSource;
 use crate::statistics::{Decision, Figures, Statistics, Verdict};
@@ -115,8 +115,7 @@ pub unsafe extern "C-unwind" fn sins_ensemble_get_statistics(
         }
         let mut found = Statistics::EMPTY;
         ensemble.add_to(&mut found, source)?;
-        output.write(&found);
-        Ok(SINS_OK)
+        Ok(output.write(&found))
     })
 }
 
@@ -141,8 +140,7 @@ pub unsafe extern "C-unwind" fn sins_statistics_merge(
             read_into(other, "other", &mut more)?;
         }
         sum.merge(&more)?;
-        output.write(&sum);
-        Ok(SINS_OK)
+        Ok(output.write(&sum))
     })
 }
 
@@ -160,25 +158,11 @@ pub unsafe extern "C-unwind" fn sins_statistics_figures(
         let mut read = Statistics::EMPTY;
         // SAFETY: the host's promise.
         unsafe { read_into(statistics, "statistics", &mut read)? };
-        output.write(&sins_figures::from(&read.figures()?));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_figures::from(&read.figures()?)))
     })
 }
 
-/// Whether a requirement is met: "95 % of the flights are within 2 km".
-pub type sins_decision = i32;
-/// The interval of the fraction contains the required fraction. sins_verdict.more_runs runs more would decide.
-pub const SINS_DECISION_UNDECIDED: sins_decision = 0;
-/// Met: the whole interval is above the required fraction.
-pub const SINS_DECISION_MET: sins_decision = 1;
-/// Not met: the whole interval is below the required fraction.
-pub const SINS_DECISION_NOT_MET: sins_decision = 2;
-
-choices!(sins_decision: Decision {
-    Undecided = SINS_DECISION_UNDECIDED,
-    Met = SINS_DECISION_MET,
-    NotMet = SINS_DECISION_NOT_MET,
-});
+include!(concat!(env!("OUT_DIR"), "/sins_decision.rs"));
 
 /// Whether the runs of a sins_statistics meet a requirement. The numbers of runs are exact, so they and the decision do not depend
 /// on how the runs were split.
@@ -240,7 +224,6 @@ pub unsafe extern "C-unwind" fn sins_meets(
         let mut read = Statistics::EMPTY;
         // SAFETY: the host's promise.
         unsafe { read_into(statistics, "statistics", &mut read)? };
-        output.write(&sins_verdict::from(&read.meets(radius_m, percent)?));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_verdict::from(&read.meets(radius_m, percent)?)))
     })
 }

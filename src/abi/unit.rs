@@ -2,22 +2,19 @@
 
 use core::ffi::c_void;
 
+use super::answer::Answer;
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::UNITS;
 use super::boundary::{enter, enter_without_simulator};
 use super::choice::{Choice, check_reserved, choices};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
-use super::parameters::{Parameters, params};
+use super::parameters::Parameters;
+use super::parameters::sins_unit_params;
 use super::simulator::{sins_sim, work_with};
 use super::text::{bytes_of, put_saved};
 use crate::earth::Geodetic;
-use crate::surroundings::copy;
 use crate::unit::{AlignmentKind, Mode, Power, Stored, Unit, UnitParameters};
-
-include!(concat!(env!("OUT_DIR"), "/unit_params.rs"));
-
-params!(sins_unit_params, "unit", 184, UnitParameters, copy);
 
 /// A unit. A handle is a checked key, like that of a sins_sim, and is never confused with one. sins_last_error(NULL, ...) on the same
 /// thread gives the failures of its functions.
@@ -43,48 +40,17 @@ choices!(sins_unit_mode: Mode {
     Off = SINS_UNIT_OFF, Align = SINS_UNIT_ALIGN, Navigate = SINS_UNIT_NAV, Attitude = SINS_UNIT_ATT,
 });
 
-/// Supplies of power.
-pub type sins_unit_power = i32;
-
-/// The aircraft.
-pub const SINS_UNIT_POWER_AIRCRAFT: sins_unit_power = 0;
-/// The battery, which lasts battery_s.
-pub const SINS_UNIT_POWER_BATTERY: sins_unit_power = 1;
-/// None: the unit is off at once, and stores nothing.
-pub const SINS_UNIT_POWER_NONE: sins_unit_power = 2;
-
-choices!(sins_unit_power: Power {
-    Aircraft = SINS_UNIT_POWER_AIRCRAFT, Battery = SINS_UNIT_POWER_BATTERY, None = SINS_UNIT_POWER_NONE,
-});
-
-/// Kinds of alignment.
-pub type sins_unit_alignment = i32;
-
-/// Levelling and gyrocompassing on the measured increments.
-pub const SINS_UNIT_ALIGNMENT_GYROCOMPASS: sins_unit_alignment = 0;
-/// Levelling on the measured increments, with the stored heading; without one a gyrocompass.
-pub const SINS_UNIT_ALIGNMENT_STORED_HEADING: sins_unit_alignment = 1;
-/// Only in a simulation: after fast_alignment_s the unit has the true state, with the errors of sins_initial_errors that need no
-/// alignment, drawn for this run.
-pub const SINS_UNIT_ALIGNMENT_FAST: sins_unit_alignment = 2;
-/// The same at once, without a test after power-up.
-pub const SINS_UNIT_ALIGNMENT_INSTANT: sins_unit_alignment = 3;
-/// In flight, on positions and velocities of another sensor: see sins_unit_push_fix().
-pub const SINS_UNIT_ALIGNMENT_IN_FLIGHT: sins_unit_alignment = 4;
-
-choices!(sins_unit_alignment: AlignmentKind {
-    Gyrocompass = SINS_UNIT_ALIGNMENT_GYROCOMPASS, StoredHeading = SINS_UNIT_ALIGNMENT_STORED_HEADING,
-    Fast = SINS_UNIT_ALIGNMENT_FAST, Instant = SINS_UNIT_ALIGNMENT_INSTANT, InFlight = SINS_UNIT_ALIGNMENT_IN_FLIGHT,
-});
+include!(concat!(env!("OUT_DIR"), "/sins_unit_power.rs"));
+include!(concat!(env!("OUT_DIR"), "/sins_unit_alignment.rs"));
 
 /// A buffer of this size holds every snapshot of a unit that this release saves.
 pub const SINS_UNIT_SNAPSHOT_MAX_SIZE: usize = 1024;
 const _: () = assert!(SINS_UNIT_SNAPSHOT_MAX_SIZE == Unit::SNAPSHOT_MAX_SIZE);
 
 /// Runs `body` on the unit of a handle, as the inside of an exported function.
-pub(super) fn with_unit(
+pub(super) fn with_unit<A: Answer>(
     unit: *const sins_unit,
-    body: impl FnOnce(&mut Unit) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Unit) -> Result<A, Failure>,
 ) -> sins_status {
     with_object(&UNITS, unit, body)
 }
@@ -160,8 +126,7 @@ pub unsafe extern "C-unwind" fn sins_unit_set_params(
 ) -> sins_status {
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
-        unit.set_parameters(&unsafe { read(params, "params")? }.to_parameters()?)?;
-        Ok(SINS_OK)
+        Ok(unit.set_parameters(&unsafe { read(params, "params")? }.to_parameters()?)?)
     })
 }
 
@@ -173,8 +138,7 @@ pub unsafe extern "C-unwind" fn sins_unit_get_params(
 ) -> sins_status {
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
-        unsafe { Output::new(params, "params")? }.write(&Parameters::from_parameters(unit.parameters()));
-        Ok(SINS_OK)
+        Ok(unsafe { Output::new(params, "params")? }.write(&Parameters::from_parameters(unit.parameters())))
     })
 }
 
@@ -232,10 +196,7 @@ pub unsafe extern "C-unwind" fn sins_unit_enter_position(
     latitude_rad: f64,
     longitude_rad: f64,
 ) -> sins_status {
-    with_unit(unit, |unit| {
-        unit.enter_position(latitude_rad, longitude_rad)?;
-        Ok(SINS_OK)
-    })
+    with_unit(unit, |unit| Ok(unit.enter_position(latitude_rad, longitude_rad)?))
 }
 
 /// Enters the heading of the mode ATT, -2 pi to 2 pi [rad]. The gyros carry it on. They measure the Earth's rotation too, so it drifts by
@@ -248,10 +209,7 @@ pub unsafe extern "C-unwind" fn sins_unit_enter_heading(
     unit: *mut sins_unit,
     heading_rad: f64,
 ) -> sins_status {
-    with_unit(unit, |unit| {
-        unit.enter_heading(heading_rad)?;
-        Ok(SINS_OK)
-    })
+    with_unit(unit, |unit| Ok(unit.enter_heading(heading_rad)?))
 }
 
 /// Sets what the unit stored when it was last switched off: latitude, -pi/2 to pi/2, longitude, -pi to pi, and true heading, 0 to 2 pi
@@ -265,10 +223,7 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
     longitude_rad: f64,
     heading_rad: f64,
 ) -> sins_status {
-    with_unit(unit, |unit| {
-        unit.set_stored(Some(Stored { latitude_rad, longitude_rad, heading_rad }))?;
-        Ok(SINS_OK)
-    })
+    with_unit(unit, |unit| Ok(unit.set_stored(Some(Stored { latitude_rad, longitude_rad, heading_rad }))?))
 }
 
 /// Takes the last step of the simulator: to be called after each step that was made. The unit reads the measured increments of the
@@ -296,10 +251,7 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
 /// The errors of sins_correct(): the simulator rejects a correction. The unit has noted the interval and tries again with the next.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_unit_update(unit: *mut sins_unit, sim: *mut sins_sim) -> sins_status {
-    with_unit(unit, |unit| {
-        work_with(sim, "sim", |simulator| unit.update(simulator))??;
-        Ok(SINS_OK)
-    })
+    with_unit(unit, |unit| Ok(work_with(sim, "sim", |simulator| unit.update(simulator))??))
 }
 
 /// A fix of another sensor, such as a receiver of satellite navigation: position and velocity of the reference point of the samples.
@@ -357,8 +309,7 @@ pub unsafe extern "C-unwind" fn sins_unit_push_fix(
         check_reserved("fix.reserved", fix.reserved)?;
         let sins_unit_fix { latitude_rad, longitude_rad, height_m, velocity_enu_m_s, .. } = fix;
         let place = Geodetic { latitude_rad, longitude_rad, height_m };
-        work_with(sim, "sim", |simulator| unit.push_fix(simulator, place, velocity_enu_m_s.into()))??;
-        Ok(SINS_OK)
+        Ok(work_with(sim, "sim", |simulator| unit.push_fix(simulator, place, velocity_enu_m_s.into()))??)
     })
 }
 
@@ -392,7 +343,6 @@ pub unsafe extern "C-unwind" fn sins_unit_snapshot_load(
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
         let snapshot = unsafe { bytes_of(snapshot.cast(), size, "snapshot")? };
-        unit.load_snapshot(snapshot)?;
-        Ok(SINS_OK)
+        Ok(unit.load_snapshot(snapshot)?)
     })
 }

@@ -1,7 +1,7 @@
 //! `sins_unit_status`, `sins_unit_navigation`: what a unit reports and shows.
 
 use super::choice::{Choice, check_reserved, choices, flag};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{Failure, sins_status};
 use super::memory::{Output, interface_struct};
 use super::simulator::{look_at, sins_sim};
 use super::unit::{sins_unit, with_unit};
@@ -11,39 +11,7 @@ use crate::math::Euler;
 use crate::snapshot::CLOCK_S;
 use crate::unit::{Mode, Reasons, State, Status, UnitNavigation, Validity};
 
-/// What a unit is doing.
-pub type sins_unit_state = i32;
-
-/// Off: it shows nothing.
-pub const SINS_UNIT_STATE_OFF: sins_unit_state = 0;
-/// The test after power-up.
-pub const SINS_UNIT_STATE_TEST: sins_unit_state = 1;
-/// Alignment without an attitude yet; also while the unit moves and cannot align.
-pub const SINS_UNIT_STATE_COARSE_ALIGNMENT: sins_unit_state = 2;
-/// Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored. In flight it begins when the
-/// first windows show an attitude, and the heading is valid when it is as accurate as in_flight_heading_rad.
-pub const SINS_UNIT_STATE_FINE_ALIGNMENT: sins_unit_state = 3;
-/// Aligned: it waits for SINS_UNIT_NAV, and continues to align. Its velocity is valid if it was aligned in flight.
-pub const SINS_UNIT_STATE_READY: sins_unit_state = 4;
-/// Navigation.
-pub const SINS_UNIT_STATE_NAVIGATION: sins_unit_state = 5;
-/// Fast realignment of a parked aircraft: velocity and tilt are removed, the heading is kept. An entered position is taken.
-pub const SINS_UNIT_STATE_REALIGNMENT: sins_unit_state = 6;
-/// ATT: levelling. The aircraft should fly straight and level.
-pub const SINS_UNIT_STATE_ERECTION: sins_unit_state = 7;
-/// ATT: attitude by the gyros, which slowly follows the apparent vertical. In a long turn it follows a false one.
-pub const SINS_UNIT_STATE_ATTITUDE: sins_unit_state = 8;
-/// Failed: it shows nothing until it is switched off.
-pub const SINS_UNIT_STATE_FAULT: sins_unit_state = 9;
-/// Switched off: it has stored position and heading, if they were valid.
-pub const SINS_UNIT_STATE_POWER_DOWN: sins_unit_state = 10;
-
-choices!(sins_unit_state: State {
-    Off = SINS_UNIT_STATE_OFF, Test = SINS_UNIT_STATE_TEST, CoarseAlignment = SINS_UNIT_STATE_COARSE_ALIGNMENT,
-    FineAlignment = SINS_UNIT_STATE_FINE_ALIGNMENT, Ready = SINS_UNIT_STATE_READY, Navigation = SINS_UNIT_STATE_NAVIGATION,
-    Realignment = SINS_UNIT_STATE_REALIGNMENT, Erection = SINS_UNIT_STATE_ERECTION, Attitude = SINS_UNIT_STATE_ATTITUDE,
-    Fault = SINS_UNIT_STATE_FAULT, PowerDown = SINS_UNIT_STATE_POWER_DOWN,
-});
+include!(concat!(env!("OUT_DIR"), "/sins_unit_state.rs"));
 
 /// Flags of a sins_unit_status: annunciators, and what else is on.
 pub type sins_unit_annunciators = u32;
@@ -295,8 +263,7 @@ pub unsafe extern "C-unwind" fn sins_unit_get_status(
 ) -> sins_status {
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
-        unsafe { Output::new(status, "status")? }.write(&(&unit.status()).into());
-        Ok(SINS_OK)
+        Ok(unsafe { Output::new(status, "status")? }.write(&(&unit.status()).into()))
     })
 }
 
@@ -314,7 +281,6 @@ pub unsafe extern "C-unwind" fn sins_unit_get_navigation(
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(navigation, "navigation")? };
-        output.write(&(&look_at(sim, "sim", |simulator| unit.navigation(simulator))??).into());
-        Ok(SINS_OK)
+        Ok(output.write(&(&look_at(sim, "sim", |simulator| unit.navigation(simulator))??).into()))
     })
 }

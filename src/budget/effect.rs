@@ -2,7 +2,7 @@
 
 use crate::joined::{joined, total};
 use crate::parameter::Row;
-use crate::sensors::{Field, PARAMETERS, Sensor};
+use crate::sensors::{PARAMETERS, Sensor};
 use crate::simulator::ErrorParameters;
 use crate::surroundings;
 
@@ -15,36 +15,6 @@ pub struct Effect {
     pub field: &'static str,
     /// Whether it is drawn anew each run.
     pub is_random: bool,
-    place: Place,
-}
-
-/// Where an effect is set.
-#[derive(Debug, Clone, Copy)]
-enum Place {
-    /// A row of the table of sensor parameters, with these sensors.
-    Parameter(Sensor, usize),
-    /// The row of another table with this field of the interface.
-    Row(&'static str),
-    /// Whether it is set, and a function that copies it.
-    At { is_set: fn(&ErrorParameters) -> bool, copy: fn(&ErrorParameters, &mut ErrorParameters) },
-}
-
-const DETERMINISTIC: bool = false;
-const RANDOM: bool = true;
-
-/// Name, field, kind: where it is set.
-macro_rules! effects {
-    ($($name:literal, $field:literal, $kind:ident: $($path:ident).+;)*) => {
-        &[$(Effect {
-            name: $name,
-            field: $field,
-            is_random: $kind,
-            place: Place::At {
-                is_set: |from| from.$($path).+ != ErrorParameters::default().$($path).+,
-                copy: |from, to| to.$($path).+ = from.$($path).+,
-            },
-        }),*]
-    };
 }
 
 /// The effects of a table.
@@ -62,18 +32,9 @@ const PARTS: &[&[Effect]] = &[
     of!(Table::Triad(Sensor::Gyro)),
     of!(Table::Triad(Sensor::Accelerometer)),
     of!(Table::Backwards(&surroundings::ALTIMETER)),
-    INITIAL,
+    of!(Table::Rows(&surroundings::INITIAL)),
     of!(Table::Rows(&surroundings::MOUNTING)),
 ];
-
-const INITIAL: &[Effect] = effects! {
-    "initial position", "initial.position_enu_m", DETERMINISTIC: initial.position_n;
-    "initial velocity", "initial.velocity_enu_m_s", DETERMINISTIC: initial.velocity_n;
-    "initial misalignment", "initial.misalignment_enu_rad", DETERMINISTIC: initial.misalignment_n;
-    "drawn initial position", "initial.position_sigma_enu_m", RANDOM: initial.position_sigma_n;
-    "drawn initial velocity", "initial.velocity_sigma_enu_m_s", RANDOM: initial.velocity_sigma_n;
-    "drawn initial misalignment", "initial.misalignment_sigma_enu_rad", RANDOM: initial.misalignment_sigma_n;
-};
 
 /// A table of parameters.
 #[derive(Clone, Copy)]
@@ -94,15 +55,17 @@ impl Table {
 
     /// The effect of a row, if the row has one of its own.
     const fn effect(self, row: usize) -> Option<Effect> {
-        let row = match self {
-            Self::Triad(sensor) => {
-                let Some(field) = PARAMETERS[row].of(sensor) else { return None };
-                return Effect::new(field, PARAMETERS[row].is_random, Place::Parameter(sensor, row));
-            }
-            Self::Rows(rows) => rows[row],
-            Self::Backwards(rows) => rows[rows.len() - 1 - row],
+        let (field, is_random) = match self {
+            Self::Triad(sensor) => (PARAMETERS[row].of(sensor), PARAMETERS[row].is_random),
+            Self::Rows(rows) => (Some(rows[row].field), rows[row].is_random),
+            Self::Backwards(rows) => return Self::Rows(rows).effect(rows.len() - 1 - row),
         };
-        Effect::new(row.field, row.is_random, Place::Row(row.field.path))
+        match field {
+            Some(field) if !field.effect.is_empty() => {
+                Some(Effect { name: field.effect, field: field.path, is_random })
+            }
+            _ => None,
+        }
     }
 }
 
@@ -120,7 +83,8 @@ const fn count(table: Table) -> usize {
 
 /// The effects of a table.
 const fn effects<const N: usize>(table: Table) -> [Effect; N] {
-    let mut effects = [INITIAL[0]; N];
+    let none = Effect { name: "", field: "", is_random: false };
+    let mut effects = [none; N];
     let (mut row, mut count) = (0, 0);
     while row < table.len() {
         if let Some(effect) = table.effect(row) {
@@ -132,59 +96,27 @@ const fn effects<const N: usize>(table: Table) -> [Effect; N] {
     effects
 }
 
-impl Place {
-    fn is_set(&self, from: &ErrorParameters) -> bool {
-        match *self {
-            Self::Parameter(sensor, row) => {
-                from.triad(sensor).numbers()[row].iter().any(|number| *number != 0.0)
-            }
-            Self::Row(path) => { *from }.numbers_of(path).any(|number| *number != 0.0),
-            Self::At { is_set, .. } => is_set(from),
-        }
-    }
-
-    fn copy(&self, from: &ErrorParameters, to: &mut ErrorParameters) {
-        match *self {
-            Self::Parameter(sensor, row) => {
-                let numbers =
-                    from.triad(sensor).numbers().into_iter().zip(to.triad_mut(sensor).numbers_mut());
-                for ((from, to), parameter) in numbers.zip(PARAMETERS) {
-                    if parameter.name == PARAMETERS[row].name || parameter.is_time_of(PARAMETERS[row].name) {
-                        to.copy_from_slice(from);
-                    }
-                }
-            }
-            Self::Row(path) => {
-                let belongs =
-                    |row: &&Row| row.field.path == path || row.field.range.needed_by() == Some(path);
-                for row in surroundings::rows().filter(belongs) {
-                    let mut from = *from;
-                    let from = from.numbers_of(row.field.path);
-                    to.numbers_of(row.field.path).zip(from).for_each(|(to, from)| *to = *from);
-                }
-            }
-            Self::At { copy, .. } => copy(from, to),
-        }
-    }
-}
-
 impl Effect {
-    const fn new(field: Field, is_random: bool, place: Place) -> Option<Self> {
-        if field.effect.is_empty() {
-            return None;
+    fn is_set(&self, from: &ErrorParameters) -> bool {
+        { *from }.numbers_of(self.field).any(|number| *number != 0.0)
+    }
+
+    /// Copies the numbers of its field, and those of its correlation time or distance.
+    fn copy(&self, from: &ErrorParameters, to: &mut ErrorParameters) {
+        for path in crate::simulator::with_time(self.field) {
+            { *from }.numbers_of(path).zip(to.numbers_of(path)).for_each(|(from, to)| *to = *from);
         }
-        Some(Self { name: field.effect, field: field.path, is_random, place })
     }
 
     /// Those that `parameters` set, in order.
     pub fn set_in(parameters: &ErrorParameters) -> impl Iterator<Item = &'static Self> {
-        EFFECTS.iter().filter(|effect| effect.place.is_set(parameters))
+        EFFECTS.iter().filter(|effect| effect.is_set(parameters))
     }
 
     /// `parameters` with nothing but this effect.
     pub(super) fn alone(&self, parameters: &ErrorParameters) -> ErrorParameters {
         let mut alone = parameters.ideal();
-        self.place.copy(parameters, &mut alone);
+        self.copy(parameters, &mut alone);
         alone
     }
 
@@ -193,13 +125,13 @@ impl Effect {
         let mut random = parameters.ideal();
         Self::set_in(parameters)
             .filter(|effect| effect.is_random)
-            .for_each(|effect| effect.place.copy(parameters, &mut random));
+            .for_each(|effect| effect.copy(parameters, &mut random));
         random
     }
 
     /// Takes this effect out of `parameters`.
     pub(super) fn leave_out(&self, parameters: &mut ErrorParameters) {
-        self.place.copy(&ErrorParameters::default(), parameters);
+        self.copy(&ErrorParameters::default(), parameters);
     }
 }
 
@@ -211,14 +143,11 @@ impl PartialEq for Effect {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::Vector3;
-
     use super::*;
-    use crate::sensors::{Alignment, InitialErrorParameters, TriadParameters};
+    use crate::sensors::{Alignment, TriadParameters};
 
     /// Every field: one of a table is in it; another one does not compile until it stands here, and fails until it has its line.
     fn everything() -> ErrorParameters {
-        let ones = Vector3::repeat(1.0);
         let triad = |sensor| {
             let mut triad = TriadParameters::default();
             let rows = triad.numbers_mut().into_iter().zip(PARAMETERS);
@@ -228,18 +157,9 @@ mod tests {
         let mut all = ErrorParameters {
             gyro: triad(Sensor::Gyro),
             accel: triad(Sensor::Accelerometer),
-            initial: InitialErrorParameters {
-                position_n: ones,
-                velocity_n: ones,
-                misalignment_n: ones,
-                position_sigma_n: ones,
-                velocity_sigma_n: ones,
-                misalignment_sigma_n: ones,
-                alignment: Alignment::LevelAndGyrocompass,
-                alignment_s: 1.0,
-            },
             ..ErrorParameters::default()
         };
+        all.initial.alignment = Alignment::LevelAndGyrocompass;
         for row in surroundings::rows() {
             all.numbers_of(row.field.path).for_each(|number| *number = 1.0);
         }
@@ -255,7 +175,7 @@ mod tests {
         for effect in EFFECTS {
             let set: Vec<&Effect> = Effect::set_in(&effect.alone(&all)).collect();
             assert_eq!(set, [effect]);
-            effect.place.copy(&all, &mut together);
+            effect.copy(&all, &mut together);
             effect.leave_out(&mut left);
         }
         assert_eq!(together, all);

@@ -24,7 +24,7 @@ pub enum Format {
     Bits,
 }
 
-/// Status of a value.
+/// Statuses of a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum WordStatus {
     /// The value is valid.
@@ -34,7 +34,7 @@ pub enum WordStatus {
     NoComputedData,
     /// The equipment is in its test.
     FunctionalTest,
-    /// The equipment has failed; decimal words have no such status, and then show no computed data.
+    /// The equipment has failed. A decimal word has no such status: it then says "no computed data".
     FailureWarning,
 }
 

@@ -5,13 +5,13 @@ use nalgebra::{Matrix3, Vector3};
 use super::Earth;
 use crate::snapshot::codes;
 
-/// Model of the normal gravity field.
+/// Formulas of normal gravity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum GravityModel {
-    /// Closed form at any height, with its north component (Heiskanen and Moritz 1967, §6-2).
+    /// Normal gravity in closed form at any height, with its north component.
     #[default]
-    Normal,
-    /// Somigliana's formula on the ellipsoid with the second-order height term, along the ellipsoid normal.
+    Normal, // Heiskanen and Moritz 1967, §6-2
+    /// Somigliana's formula with the second-order height term, along the ellipsoid normal, as in most tools.
     Somigliana,
 }
 

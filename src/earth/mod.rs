@@ -13,17 +13,17 @@ pub use gravity::GravityModel;
 use crate::snapshot::codes;
 use gravity::NormalField;
 
-/// The reference ellipsoids.
+/// Ellipsoids.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Ellipsoid {
-    /// World Geodetic System 1984 (NIMA TR8350.2, 2000).
+    /// World Geodetic System 1984.
     #[default]
-    Wgs84,
+    Wgs84, // NIMA TR8350.2, 2000
     /// China Geodetic Coordinate System 2000.
     Cgcs2000,
-    /// Geodetic Reference System 1980 (Moritz, 2000).
-    Grs80,
-    /// Krassovsky 1940. It defines only a shape; Earth rate and gravitational constant are those of WGS-84.
+    /// Geodetic Reference System 1980.
+    Grs80, // Moritz, 2000
+    /// Krassovsky 1940; Earth rate and gravitational constant as WGS-84.
     Krassovsky1940,
 }
 

@@ -1,49 +1,31 @@
 //! The manoeuvres of which a flight is composed.
 
-use crate::earth::Ellipsoid;
 use crate::error::{Error, Rule, check_range};
-use crate::truth::{FlightSample, check_height};
+use crate::snapshot::codes;
 
 /// Largest number of sinusoids in one manoeuvre.
 pub const MAX_SINUSOIDS: usize = 6;
 
-/// Start of a flight, level and straight.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct FlightStart {
-    /// Latitude [rad].
-    pub latitude_rad: f64,
-    /// Longitude [rad].
-    pub longitude_rad: f64,
-    /// Height above the ellipsoid [m].
-    pub height_m: f64,
-    /// Speed against the Earth [m/s].
-    pub speed_m_s: f64,
-    /// Course and heading [rad].
-    pub heading_rad: f64,
-    /// Roll of the body against the path's axes, throughout the flight [rad].
-    pub roll_rad: f64,
-    /// Pitch of the body against the path's axes, throughout the flight: angle of attack, or the tilt at rest [rad].
-    pub pitch_rad: f64,
-    /// The ellipsoid.
-    pub ellipsoid: Ellipsoid,
-}
-
-/// What a sinusoid moves.
+/// What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
-    /// Course [rad], with the bank of a coordinated turn.
+    /// The sinusoid moves the course [rad], with the bank of a coordinated turn.
     Course,
-    /// Climb angle [rad].
+    /// The sinusoid moves the climb angle [rad].
     Climb,
-    /// Speed [m/s].
+    /// The sinusoid moves the speed [m/s].
     Speed,
-    /// Roll alone [rad].
+    /// The sinusoid moves roll alone [rad].
     Roll,
-    /// Pitch alone [rad].
+    /// The sinusoid moves pitch alone [rad].
     Pitch,
-    /// Heading alone [rad].
+    /// The sinusoid moves heading alone [rad].
     Heading,
 }
+
+codes!(Channel {
+    Course = 0 "course", Climb = 1 "climb", Speed = 2 "speed", Roll = 3 "roll", Pitch = 4 "pitch", Heading = 5 "heading",
+});
 
 /// amplitude · sin(2π frequency t + phase), with t since the start of the manoeuvre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -136,21 +118,6 @@ pub enum Manoeuvre {
         /// Number of sinusoids, 1 to 6.
         count: usize,
     },
-}
-
-impl FlightStart {
-    /// Checks every field.
-    pub fn validate(&self) -> Result<(), Error> {
-        let (quarter, pi) = (core::f64::consts::FRAC_PI_2, core::f64::consts::PI);
-        check_range("start.latitude_rad", self.latitude_rad, -quarter, quarter)?;
-        let longitude = FlightSample::MAX_LONGITUDE_RAD;
-        check_range("start.longitude_rad", self.longitude_rad, -longitude, longitude)?;
-        check_height("start.height_m", self.height_m)?;
-        check_range("start.speed_m_s", self.speed_m_s, 0.0, 10e3)?;
-        check_range("start.heading_rad", self.heading_rad, -100.0, 100.0)?;
-        check_range("start.roll_rad", self.roll_rad, -pi, pi)?;
-        check_range("start.pitch_rad", self.pitch_rad, -quarter, quarter)
-    }
 }
 
 impl Manoeuvre {

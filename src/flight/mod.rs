@@ -10,8 +10,9 @@ mod path;
 mod profile;
 mod smooth;
 
+pub use crate::surroundings::FlightStart;
 pub(crate) use fields::{DEFAULT_RAMP_S, MANOEUVRE_KINDS, ManoeuvreFields};
-pub use manoeuvre::{Channel, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
+pub use manoeuvre::{Channel, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 
 use nalgebra::Quaternion;
 

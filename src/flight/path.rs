@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, Vector3, Vector4};
 
-use super::manoeuvre::FlightStart;
+use super::FlightStart;
 use super::profile::Segment;
 use crate::earth::{Earth, navigation_axes};
 use crate::error::{Error, ErrorKind, Rule};

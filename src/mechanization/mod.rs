@@ -36,26 +36,29 @@ use crate::state::{BodyAxes, EarthFixedState, Navigation};
 use earth_fixed::EarthFixed;
 use geographic::Geographic;
 
-/// Axes in which the mechanization navigates.
+/// Axes in which the mechanization integrates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Frame {
-    /// Earth-fixed: regular everywhere. Wander azimuth axes leave a hundred times the error in a loop, though far less than any
-    /// sensor causes, and take 1.1 to 1.6 times the time (`benches/src/frames.rs`).
+    /// Navigation in Earth-fixed axes: regular everywhere, poles included.
+    // Wander azimuth axes leave a hundred times the error in a loop, though far less than any sensor causes, and take 1.1 to 1.6
+    // times the time (`benches/src/frames.rs`).
     #[default]
     EarthFixed,
-    /// East-north-up: the paper's.
+    /// Navigation in east-north-up, as in the paper. The mechanization returns SINS_ERROR_SINGULAR within 6.4 km of a pole. It
+    /// also returns this error if the vehicle moves in one update by more than 1 % of its distance to the pole. For example, at
+    /// 250 m/s with updates of 1 s this is within 25 km.
     Geographic,
 }
 
-/// Algorithm of the mechanization.
+/// Algorithms of the mechanization.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Scheme {
-    /// Coning, sculling and exact rotation compensation, Earth terms of the middle of the update.
+    /// Coning, sculling and exact rotation compensation; Earth terms from the middle of the update.
     #[default]
     Exact,
-    /// The algorithm of the paper, with its misprints corrected and its approximations kept.
+    /// The paper's equations (7)-(24), misprints corrected, approximations kept.
     Paper,
-    /// As `Exact`, with rate and force as polynomials through the subsamples.
+    /// As SINS_SCHEME_EXACT, with rate and force as polynomials through the subsamples: for large rotations within an update.
     Polynomial,
 }
 

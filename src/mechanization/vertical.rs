@@ -6,15 +6,17 @@ use crate::snapshot::{codes, stored};
 use crate::state::EarthFixedState;
 use crate::truth::INTERVALS_S;
 
-/// Aiding of the vertical channel.
+/// What stabilizes the vertical channel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum VerticalMode {
-    /// Third-order loop on a barometric height.
+    /// Third-order loop on a barometric height, time constant 100 s. Its response to an error of the vertical accelerometer differs
+    /// from that of a continuous loop by the fraction 3.5e-5 at a sample rate of 1 Hz, and its response to an initial velocity error by
+    /// 6.5e-4. Both are of second order in the sample interval: 3.5e-7 and 6.5e-6 at 10 Hz.
     #[default]
     Damped,
     /// Height and vertical velocity set to the truth at each sample.
     FollowTruth,
-    /// Free: no aid.
+    /// Nothing stabilizes the vertical channel: any error grows e-fold every 569 s.
     Free,
 }
 

@@ -9,7 +9,7 @@ use super::{
 use crate::Options;
 use crate::error::Error;
 use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
-use crate::sensors::{Axis, FAILURE_KIND_COUNT, Failure, FailureFields, SensorOutput};
+use crate::sensors::{FAILURE_KIND_COUNT, FailureFields, SensorOutput};
 
 /// A scene while it is read or written. A number that may be missing is NaN.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,20 +28,10 @@ pub struct Draft {
     pub every_s: f64,
     /// The items of lists that are being read or written.
     pub manoeuvre: ManoeuvreFields,
-    pub sinusoid: SinusoidDraft,
+    pub sinusoid: Sinusoid,
     pub failure: FailureDraft,
-    pub update: UpdateDraft,
+    pub update: PlannedUpdate,
     pub action: PlannedAction,
-}
-
-/// A sinusoid of any channel.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SinusoidDraft {
-    pub channel: Channel,
-    pub amplitude_rad: f64,
-    pub amplitude_m_s: f64,
-    pub frequency_hz: f64,
-    pub phase_rad: f64,
 }
 
 /// A failure of any kind.
@@ -49,28 +39,10 @@ pub struct SinusoidDraft {
 pub struct FailureDraft {
     pub sensor: usize,
     pub axis: usize,
-    pub kind: usize,
     pub from_s: f64,
     pub until_s: f64,
-    pub size: f64,
-    pub density: f64,
-    pub interval_s: f64,
-    pub duration_s: f64,
-    pub probability: f64,
+    pub fields: FailureFields,
 }
-
-/// An update of any kind.
-#[derive(Debug, Clone, PartialEq)]
-pub struct UpdateDraft {
-    pub updated: Updated,
-    pub at_s: f64,
-    pub every_s: f64,
-    pub sigma_m: Vector3<f64>,
-    pub sigma_m_s: Vector3<f64>,
-}
-
-/// Time constant of the closed loop if the scene does not state it [s].
-pub const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
 
 /// The kinds of failures, and the quantities that each of them uses. Drop-outs use one of the two.
 pub const FAILURE_KINDS: [(&str, &[&str]); FAILURE_KIND_COUNT] = [
@@ -83,80 +55,32 @@ pub const FAILURE_KINDS: [(&str, &[&str]); FAILURE_KIND_COUNT] = [
     ("drop_outs", &["interval_s", "probability"]),
 ];
 
-impl Default for SinusoidDraft {
-    fn default() -> Self {
-        Self {
-            channel: Channel::Course,
-            amplitude_rad: 0.0,
-            amplitude_m_s: 0.0,
-            frequency_hz: 0.0,
-            phase_rad: 0.0,
-        }
-    }
-}
+/// A sinusoid without motion.
+pub const NO_SINUSOID: Sinusoid =
+    Sinusoid { channel: Channel::Course, amplitude: 0.0, frequency_hz: 0.0, phase_rad: 0.0 };
 
-impl SinusoidDraft {
-    pub fn to_sinusoid(&self) -> Sinusoid {
-        let amplitude = if self.channel == Channel::Speed { self.amplitude_m_s } else { self.amplitude_rad };
-        Sinusoid {
-            channel: self.channel,
-            amplitude,
-            frequency_hz: self.frequency_hz,
-            phase_rad: self.phase_rad,
-        }
-    }
-}
-
-impl From<&Sinusoid> for SinusoidDraft {
-    fn from(sinusoid: &Sinusoid) -> Self {
-        let Sinusoid { channel, amplitude, frequency_hz, phase_rad } = *sinusoid;
-        let is_speed = channel == Channel::Speed;
-        Self {
-            channel,
-            amplitude_rad: if is_speed { 0.0 } else { amplitude },
-            amplitude_m_s: if is_speed { amplitude } else { 0.0 },
-            frequency_hz,
-            phase_rad,
-        }
-    }
-}
+/// An update without its times.
+pub const NO_UPDATE: PlannedUpdate = PlannedUpdate {
+    updated: Updated::Position,
+    at_s: f64::NAN,
+    every_s: f64::NAN,
+    sigma_n: Vector3::new(0.0, 0.0, 0.0),
+};
 
 impl Default for FailureDraft {
     fn default() -> Self {
-        Self {
-            sensor: 0,
-            axis: 0,
-            kind: 0,
-            from_s: 0.0,
-            until_s: f64::NAN,
-            size: 0.0,
-            density: 0.0,
-            interval_s: 0.0,
-            duration_s: 0.0,
-            probability: 0.0,
-        }
+        Self { sensor: 0, axis: 0, from_s: 0.0, until_s: f64::NAN, fields: FailureFields::default() }
     }
 }
 
 impl FailureDraft {
     pub fn output(&self) -> SensorOutput {
-        let axis = [Axis::X, Axis::Y, Axis::Z][self.axis];
-        match self.sensor {
-            0 => SensorOutput::Gyro(axis),
-            1 => SensorOutput::Accelerometer(axis),
-            _ => SensorOutput::Altimeter,
-        }
-    }
-
-    /// The failure; `None` if it is switched off.
-    pub fn to_failure(&self) -> Option<Failure> {
-        let Self { kind, size, density, interval_s, duration_s, probability, .. } = *self;
-        FailureFields { kind, size, density, interval_s, duration_s, probability }.to_failure()
+        SensorOutput::of_sensor(self.sensor, self.axis)
     }
 
     /// The planned failure, checked; `None` if it is switched off.
     pub fn to_planned(&self) -> Result<Option<PlannedFailure>, Error> {
-        let Some(failure) = self.to_failure() else { return Ok(None) };
+        let Some(failure) = self.fields.to_failure() else { return Ok(None) };
         let until_s = if self.until_s.is_nan() { f64::INFINITY } else { self.until_s };
         PlannedFailure::new(self.output(), failure, self.from_s, until_s).map(Some)
     }
@@ -164,52 +88,24 @@ impl FailureDraft {
 
 impl From<&PlannedFailure> for FailureDraft {
     fn from(planned: &PlannedFailure) -> Self {
-        let (sensor, axis) = match planned.output {
-            SensorOutput::Gyro(axis) => (0, axis as usize),
-            SensorOutput::Accelerometer(axis) => (1, axis as usize),
-            SensorOutput::Altimeter => (2, 0),
-        };
+        let (sensor, axis) = planned.output.parts();
         let Failing { from_s, until_s } = planned.failing;
         let until_s = if until_s.is_infinite() { f64::NAN } else { until_s };
-        let FailureFields { kind, size, density, interval_s, duration_s, probability } =
-            Some(planned.failure).into();
-        Self { sensor, axis, kind, from_s, until_s, size, density, interval_s, duration_s, probability }
+        Self { sensor, axis, from_s, until_s, fields: Some(planned.failure).into() }
     }
 }
 
-impl Default for UpdateDraft {
-    fn default() -> Self {
-        Self {
-            updated: Updated::Position,
-            at_s: f64::NAN,
-            every_s: f64::NAN,
-            sigma_m: Vector3::zeros(),
-            sigma_m_s: Vector3::zeros(),
-        }
-    }
+/// The planned update of a draft, checked: one without the time to the next is the only one.
+pub fn planned_update(draft: &PlannedUpdate) -> Result<PlannedUpdate, Error> {
+    let every_s = if draft.every_s.is_nan() { f64::INFINITY } else { draft.every_s };
+    let planned = PlannedUpdate { every_s, ..*draft };
+    planned.validate().map(|()| planned)
 }
 
-impl UpdateDraft {
-    /// The planned update, checked.
-    pub fn to_planned(&self) -> Result<PlannedUpdate, Error> {
-        let Self { updated, at_s, every_s, sigma_m, sigma_m_s } = *self;
-        let every_s = if every_s.is_nan() { f64::INFINITY } else { every_s };
-        let sigma_n = if updated == Updated::Velocity { sigma_m_s } else { sigma_m };
-        let planned = PlannedUpdate { updated, at_s, every_s, sigma_n };
-        planned.validate().map(|()| planned)
-    }
-}
-
-impl From<&PlannedUpdate> for UpdateDraft {
-    fn from(planned: &PlannedUpdate) -> Self {
-        let PlannedUpdate { updated, at_s, every_s, sigma_n } = *planned;
-        let every_s = if every_s.is_infinite() { f64::NAN } else { every_s };
-        let none = Self { updated, at_s, every_s, ..Self::default() };
-        match updated {
-            Updated::Velocity => Self { sigma_m_s: sigma_n, ..none },
-            _ => Self { sigma_m: sigma_n, ..none },
-        }
-    }
+/// The draft of a planned update.
+pub fn update_draft(planned: &PlannedUpdate) -> PlannedUpdate {
+    let every_s = if planned.every_s.is_infinite() { f64::NAN } else { planned.every_s };
+    PlannedUpdate { every_s, ..*planned }
 }
 
 impl From<&Scene> for Draft {
@@ -230,13 +126,16 @@ impl From<&Scene> for Draft {
             temperature_c: scene.temperature.map_or(f64::NAN, |temperature| temperature.at_start_c),
             temperature_change_c_s: scene.temperature.map_or(0.0, |temperature| temperature.change_c_s),
             closed_loop: scene.options.closed_loop_time_s.is_some(),
-            closed_loop_time_s: scene.options.closed_loop_time_s.unwrap_or(DEFAULT_CLOSED_LOOP_TIME_S),
+            closed_loop_time_s: scene
+                .options
+                .closed_loop_time_s
+                .unwrap_or(Options::DEFAULT_CLOSED_LOOP_TIME_S),
             sample_period_s: scene.options.intake.period_s.unwrap_or(f64::NAN),
             every_s: scene.output.every_s.unwrap_or(f64::NAN),
             manoeuvre: ManoeuvreFields::default(),
-            sinusoid: SinusoidDraft::default(),
+            sinusoid: NO_SINUSOID,
             failure: FailureDraft::default(),
-            update: UpdateDraft::default(),
+            update: NO_UPDATE,
             action: PlannedAction::default(),
             scene: scene.clone(),
         }

@@ -3,8 +3,12 @@
 use nalgebra::Vector3;
 
 use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
-use super::{Action, Scene};
-use crate::sensors::Sensor;
+use super::table::of_sensor;
+use super::{Action, Scene, Updated};
+use crate::flight::{Channel, MANOEUVRE_KINDS};
+use crate::parameter::Shape;
+use crate::surroundings::{START, of_path};
+use crate::unit::UNIT;
 
 /// The sections, each with its name, as it stands in brackets, and what its keys set, in words.
 macro_rules! sections {
@@ -79,50 +83,27 @@ impl Unit {
     }
 }
 
-/// How many numbers a key takes, and how they are written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shape {
-    /// One number.
-    Number,
-    /// Three numbers.
-    Vector,
-    /// One number for all axes, or three.
-    Axes,
-    /// One number for all elements off the diagonal, or nine row by row.
-    OffDiagonal,
-    /// One number for all elements of the diagonal, or nine row by row.
-    Diagonal,
-    /// Nine numbers row by row.
-    Matrix,
-}
-
 impl Shape {
-    pub fn count(self) -> usize {
-        match self {
-            Self::Number => 1,
-            Self::Vector | Self::Axes => 3,
-            Self::OffDiagonal | Self::Diagonal | Self::Matrix => 9,
-        }
-    }
-
     /// Whether a single number sets element `index`; `None`: a single number is not enough.
     pub fn single_sets(self, index: usize) -> Option<bool> {
         match self {
             Self::Number | Self::Axes => Some(true),
-            Self::OffDiagonal => Some(!index.is_multiple_of(4)),
+            Self::OffDiagonal(_) => Some(!index.is_multiple_of(4)),
             Self::Diagonal => Some(index.is_multiple_of(4)),
-            Self::Vector | Self::Matrix => None,
+            Self::Vector | Self::Angles | Self::Matrix | Self::Choice(..) => None,
         }
     }
 
+    /// How the numbers are written.
     pub fn expected(self) -> &'static str {
         match self {
             Self::Number => "a number",
-            Self::Vector => "three numbers",
+            Self::Vector | Self::Angles => "three numbers",
             Self::Axes => "one number for all axes, or three",
-            Self::OffDiagonal => "one number for all elements off the diagonal, or nine row by row",
+            Self::OffDiagonal(_) => "one number for all elements off the diagonal, or nine row by row",
             Self::Diagonal => "one number for all elements of the diagonal, or nine row by row",
             Self::Matrix => "nine numbers row by row",
+            Self::Choice(..) => "no number",
         }
     }
 }
@@ -135,9 +116,7 @@ pub type Places<'d> = core::iter::Flatten<core::array::IntoIter<Option<&'d mut f
 pub enum Place {
     /// At the place in the draft that this function gives.
     At(fn(&mut Draft) -> Places<'_>),
-    /// A row of the table of sensor parameters, with these sensors.
-    Parameter(Sensor, usize),
-    /// The row of another table with this field of the interface.
+    /// The row of a table with this field of the interface.
     Row(&'static str),
 }
 
@@ -147,15 +126,10 @@ impl Place {
         match self {
             Self::At(places) => places(draft),
             Self::Row(path) => {
-                let Scene { errors, unit, .. } = &mut draft.scene;
-                places(errors.numbers_of(path).chain(unit.parameters.number_of(path)))
-            }
-            Self::Parameter(sensor, row) => {
-                let triad = match sensor {
-                    Sensor::Gyro => &mut draft.scene.errors.gyro,
-                    Sensor::Accelerometer => &mut draft.scene.errors.accel,
-                };
-                triad.numbers_mut().into_iter().nth(row).map_or_else(|| places([]), row_by_row)
+                let Draft { start, scene: Scene { errors, unit, .. }, .. } = draft;
+                let rest = of_path(&START, start.numbers_mut(), path);
+                let of_unit = of_path(&UNIT, unit.parameters.numbers_mut(), path);
+                row_by_row(errors.numbers_of(path).chain(of_unit).chain(rest))
             }
         }
     }
@@ -192,6 +166,10 @@ pub struct Key {
 }
 
 impl Key {
+    pub const fn new(section: Section, name: &'static str, doc: &'static str, target: Target) -> Self {
+        Self { section, name, doc, target }
+    }
+
     /// The field of the library, as its errors name it; empty if the scene alone has this value.
     pub fn field(&self) -> &'static str {
         match self.target {
@@ -202,30 +180,31 @@ impl Key {
         }
     }
 
+    /// Whether the section, or its item in `draft`, uses the key.
+    pub fn is_used(&self, draft: &Draft) -> bool {
+        match (self.section, self.name) {
+            (Section::Manoeuvre, "kind") => true,
+            (Section::Manoeuvre, _) => MANOEUVRE_KINDS[draft.manoeuvre.kind].1.contains(&self.field()),
+            (Section::Sinusoid, "amplitude_deg") => draft.sinusoid.channel != Channel::Speed,
+            (Section::Sinusoid, "amplitude_m_s") => draft.sinusoid.channel == Channel::Speed,
+            (Section::Failure, "axis") => draft.failure.sensor != 2,
+            (Section::Failure, _) => {
+                of_sensor(self, draft.failure.sensor).is_none() && self.is_of_kind(&draft.failure)
+            }
+            (Section::Update, "sigma_m") => draft.update.updated != Updated::Velocity,
+            (Section::Update, "sigma_m_s") => draft.update.updated == Updated::Velocity,
+            (Section::Panel, "latitude_deg" | "longitude_deg") => draft.action.action == Action::Position,
+            (Section::Panel, "heading_deg") => draft.action.action == Action::Heading,
+            _ => true,
+        }
+    }
+
     /// Whether this kind of failure uses the key.
-    pub fn is_used_by(&self, failure: &FailureDraft) -> bool {
-        let (_, uses) = FAILURE_KINDS[failure.kind];
+    pub fn is_of_kind(&self, failure: &FailureDraft) -> bool {
+        let (_, uses) = FAILURE_KINDS[failure.fields.kind];
         let field = self.field().strip_prefix("failure.");
         let is_general = ["sensor", "axis", "kind", "from_s", "until_s"].contains(&self.name);
         is_general || field.is_some_and(|field| uses.iter().any(|quantity| field.starts_with(quantity)))
-    }
-
-    /// Whether only updates of the velocity have the key; `None`: all updates have it.
-    pub fn is_of_velocity(&self) -> Option<bool> {
-        match self.name {
-            "sigma_m" => Some(false),
-            "sigma_m_s" => Some(true),
-            _ => None,
-        }
-    }
-
-    /// Whether an action at the panel uses the key.
-    pub fn is_used_by_action(&self, action: Action) -> bool {
-        match self.name {
-            "latitude_deg" | "longitude_deg" => action == Action::Position,
-            "heading_deg" => action == Action::Heading,
-            _ => true,
-        }
     }
 
     /// Whether only a flight of the scene's own manoeuvres has the value.
@@ -260,10 +239,10 @@ pub fn vector(vector: &mut Vector3<f64>) -> Places<'_> {
     places(vector.iter_mut())
 }
 
-/// The elements row by row. (The matrix stores them column by column.)
-fn row_by_row(numbers: &mut [f64]) -> Places<'_> {
-    match numbers {
-        [a, d, g, b, e, h, c, f, i] => places([a, b, c, d, e, f, g, h, i]),
-        _ => places(numbers),
-    }
+/// The numbers, those of a matrix, which stores them column by column, row by row.
+fn row_by_row<'d>(numbers: impl Iterator<Item = &'d mut f64>) -> Places<'d> {
+    let mut numbers = numbers;
+    let [a, d, g, b, e, h, c, f, i] = [(); 9].map(|()| numbers.next());
+    let places = if i.is_some() { [a, b, c, d, e, f, g, h, i] } else { [a, d, g, b, e, h, c, f, i] };
+    places.into_iter().flatten()
 }

@@ -1,13 +1,14 @@
 //! The limits of the numbers of a key. The checks of the library state them in their errors: a check is called with a number beyond
 //! every limit, and its error is read.
 
-use super::Scene;
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft, UpdateDraft};
+use super::draft::{Draft, FAILURE_KINDS, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
 use super::key::{Key, Section, Target};
-use super::table::{CHANNELS, SENSORS, UPDATED, of_sensor};
+use super::table::{SENSORS, of_sensor};
 use super::value::{Value, put};
+use super::{PlannedUpdate, Scene, Updated};
 use crate::error::{Error, Rule};
-use crate::flight::{MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields};
+use crate::flight::{Channel, MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields, Sinusoid};
+use crate::sensors::FailureFields;
 
 /// Least and greatest allowed number of a key, in its unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,27 +114,27 @@ fn some_manoeuvre(kind: usize) -> ManoeuvreFields {
 }
 
 fn of_manoeuvre(key: &Key) -> Vec<Option<Limits>> {
-    let of_kind = |(kind, (_, uses)): (usize, &(&str, &[&str]))| {
+    let of_kind = |kind| {
         let mut draft = Draft::from(&Scene::default());
         draft.manoeuvre = some_manoeuvre(kind);
-        let is_used = uses.contains(&key.field()) && exceed(&mut draft, key);
+        let is_used = key.is_used(&draft) && exceed(&mut draft, key);
         if is_used { of_flight(key, &draft.manoeuvre.to_manoeuvre()) } else { None }
     };
-    MANOEUVRE_KINDS.iter().enumerate().map(of_kind).collect()
+    (0..MANOEUVRE_KINDS.len()).map(of_kind).collect()
 }
 
 fn of_sinusoid(key: &Key) -> Vec<Option<Limits>> {
     let of_channel = |(_, channel): &(&str, _)| {
         let mut draft = Draft::from(&Scene::default());
-        draft.sinusoid = SinusoidDraft { channel: *channel, ..SinusoidDraft::default() };
-        if !exceed(&mut draft, key) {
+        draft.sinusoid = Sinusoid { channel: *channel, ..NO_SINUSOID };
+        if !key.is_used(&draft) || !exceed(&mut draft, key) {
             return None;
         }
         let mut fields = some_manoeuvre(MANOEUVRE_KINDS.len() - 1);
-        fields.sinusoids[0] = draft.sinusoid.to_sinusoid();
+        fields.sinusoids[0] = draft.sinusoid;
         of_flight(key, &fields.to_manoeuvre())
     };
-    CHANNELS.iter().map(of_channel).collect()
+    Channel::WORDS.iter().map(of_channel).collect()
 }
 
 fn of_failure(key: &Key) -> Vec<Option<Limits>> {
@@ -143,8 +144,8 @@ fn of_failure(key: &Key) -> Vec<Option<Limits>> {
             let mut draft = Draft::from(&Scene::default());
             // Drop-outs are random without an interval.
             let interval_s = if key.name == "probability" { 0.0 } else { 1.0 };
-            draft.failure =
-                FailureDraft { sensor, kind, interval_s, duration_s: 1e-3, ..FailureDraft::default() };
+            let fields = FailureFields { kind, interval_s, duration_s: 1e-3, ..FailureFields::default() };
+            draft.failure = FailureDraft { sensor, fields, ..FailureDraft::default() };
             if exceed(&mut draft, key) {
                 all.push(stated(key, draft.failure.to_planned().map(|_| ())));
             }
@@ -156,10 +157,11 @@ fn of_failure(key: &Key) -> Vec<Option<Limits>> {
 fn of_update(key: &Key) -> Vec<Option<Limits>> {
     let of_kind = |&(_, updated): &(&str, _)| {
         let mut draft = Draft::from(&Scene::default());
-        draft.update = UpdateDraft { updated, at_s: 1.0, ..UpdateDraft::default() };
-        if exceed(&mut draft, key) { stated(key, draft.update.to_planned().map(|_| ())) } else { None }
+        draft.update = PlannedUpdate { updated, at_s: 1.0, ..NO_UPDATE };
+        let is_used = key.is_used(&draft) && exceed(&mut draft, key);
+        if is_used { stated(key, planned_update(&draft.update).map(|_| ())) } else { None }
     };
-    UPDATED.iter().map(of_kind).collect()
+    Updated::WORDS.iter().map(of_kind).collect()
 }
 
 fn of_action(key: &Key) -> Option<Limits> {

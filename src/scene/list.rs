@@ -1,13 +1,11 @@
 //! The list of keys, for those who write a scene.
 
 use super::Scene;
-use super::Updated;
-use super::draft::{Draft, FAILURE_KINDS};
+use super::draft::Draft;
 use super::key::{Key, Section, Target, Unit};
 use super::limits::{Limits, limits};
-use super::table::{ACTIONS, CHANNELS, KEYS, SENSORS, UPDATED, of_section, of_sensor};
+use super::table::{KEYS, of_section};
 use super::value::shown;
-use crate::flight::{Channel, MANOEUVRE_KINDS};
 
 /// A key as a reader sees it.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,52 +128,28 @@ fn line(key: &Key) -> KeyLine {
     }
 }
 
-/// The items that can have a key.
+/// The items that can have a key: of each key of the section that chooses among them, the words with which it is used.
 fn condition(key: &Key) -> String {
-    let one_of = |key: &str, words: Vec<&str>| format!("{key}={}", words.join("|"));
-    let uses = |table: &[(&'static str, &[&str])], uses: &dyn Fn(&str) -> bool| {
-        let kinds = table.iter().filter(|(_, fields)| fields.iter().any(|field| uses(field)));
-        kinds.map(|(kind, _)| *kind).collect::<Vec<_>>()
-    };
-    match (key.section, key.name) {
-        (Section::Manoeuvre, "kind") | (Section::Failure, "sensor" | "kind" | "from_s" | "until_s") => {
-            String::new()
+    let mut draft = Draft::from(&Scene::default());
+    let mut conditions = Vec::new();
+    for (_, by) in of_section(key.section).filter(|(_, by)| ["kind", "channel", "sensor"].contains(&by.name))
+    {
+        let Target::Choice { words, set, .. } = by.target else { continue };
+        // No failure is none of the kinds.
+        let first = usize::from(words[0] == "none");
+        let used: Vec<usize> = (first..words.len())
+            .filter(|word| {
+                set(&mut draft, *word);
+                key.is_used(&draft)
+            })
+            .collect();
+        set(&mut draft, used.first().copied().unwrap_or_default());
+        if used.len() < words.len() - first {
+            let used: Vec<&str> = used.into_iter().map(|word| words[word]).collect();
+            conditions.insert(0, format!("{}={}", by.name, used.join("|")));
         }
-        (Section::Manoeuvre, _) => one_of("kind", uses(&MANOEUVRE_KINDS, &|field| field == key.field())),
-        (Section::Sinusoid, "amplitude_deg" | "amplitude_m_s") => {
-            let is_its = |channel: &Channel| (*channel == Channel::Speed) == (key.name == "amplitude_m_s");
-            let channels = CHANNELS.iter().filter(|(_, channel)| is_its(channel));
-            one_of("channel", channels.map(|(word, _)| *word).collect())
-        }
-        (Section::Failure, "axis") => one_of("sensor", SENSORS[..2].to_vec()),
-        (Section::Failure, _) => {
-            let quantity = key.field().trim_start_matches("failure.");
-            let kinds = one_of("kind", uses(&FAILURE_KINDS[1..], &|field| quantity.starts_with(field)));
-            let sensors: Vec<&str> = (0..3)
-                .filter(|sensor| of_sensor(key, *sensor).is_none())
-                .map(|sensor| SENSORS[sensor])
-                .collect();
-            if sensors.len() == SENSORS.len() {
-                kinds
-            } else {
-                format!("{kinds} {}", one_of("sensor", sensors))
-            }
-        }
-        (Section::Update, _) => key.is_of_velocity().map_or(String::new(), |is_of_velocity| {
-            let kinds =
-                UPDATED.iter().filter(|(_, updated)| (*updated == Updated::Velocity) == is_of_velocity);
-            one_of("kind", kinds.map(|(word, _)| *word).collect())
-        }),
-        (Section::Panel, _) => {
-            let users: Vec<&str> = ACTIONS
-                .iter()
-                .filter(|(_, action)| key.is_used_by_action(*action))
-                .map(|(word, _)| *word)
-                .collect();
-            if users.len() == ACTIONS.len() { String::new() } else { one_of("kind", users) }
-        }
-        _ => String::new(),
     }
+    conditions.join(" ")
 }
 
 /// The meaning and the unit of a key, for a comment behind it.

@@ -4,15 +4,15 @@ use core::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft, SinusoidDraft, UpdateDraft};
+use super::draft::{Draft, FAILURE_KINDS, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
 use super::fault::{About, Fault, Faults};
-use super::key::{Key, Section};
+use super::key::Section;
 use super::names::{excerpt, nearest, unknown};
 use super::nesting::{MAX_NESTING, too_deep};
 use super::reader::{Item, Reader};
 use super::setting::take_settings;
 use super::table::{self, KEYS};
-use super::{Action, MAX_TEXT, PlannedAction, Scene, Updated};
+use super::{MAX_TEXT, PlannedAction, Scene, Updated};
 use crate::error::Error;
 use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields};
 
@@ -146,14 +146,13 @@ impl Reader<'_> {
                 }
             }
         }
-        let (kind, uses) = MANOEUVRE_KINDS[self.draft.manoeuvre.kind];
+        let (kind, _) = MANOEUVRE_KINDS[self.draft.manoeuvre.kind];
         if item.key("kind").is_none() {
             self.faults.add(&head, "[[manoeuvre]]: expected its kind");
         } else {
             for (index, span) in &item.keys {
-                let Key { name, .. } = KEYS[*index];
-                if name != "kind" && !uses.contains(&KEYS[*index].field()) {
-                    self.faults.add(span, format!("manoeuvre.{name}: {kind} does not use it"));
+                if !KEYS[*index].is_used(&self.draft) {
+                    self.faults.add(span, format!("{}: {kind} does not use it", KEYS[*index].path()));
                 }
             }
             if kind != "sinusoids" && self.draft.manoeuvre.sinusoid_count > 0 {
@@ -169,7 +168,7 @@ impl Reader<'_> {
     }
 
     fn read_sinusoid(&mut self, head: Span, section_table: &DeTable<'_>) {
-        self.draft.sinusoid = SinusoidDraft::default();
+        self.draft.sinusoid = NO_SINUSOID;
         let item = self.read_keys(Section::Sinusoid, head.clone(), section_table);
         let is_speed = self.draft.sinusoid.channel == Channel::Speed;
         let (own, other) =
@@ -178,8 +177,9 @@ impl Reader<'_> {
             self.faults.add(&head, "[[manoeuvre.sinusoid]]: expected its channel");
         } else if let Some(span) = item.key(other) {
             self.faults.add(span, format!("sinusoid.{other}: not for this channel; expected {own}"));
+            self.draft.sinusoid.amplitude = 0.0;
         }
-        let sinusoid = self.draft.sinusoid.to_sinusoid();
+        let sinusoid = self.draft.sinusoid;
         // That of the speed is checked with the flight.
         if let Err(error) = sinusoid.validate(f64::INFINITY) {
             let own = ["sinusoid.amplitude", "sinusoid.frequency_hz", "sinusoid.phase_rad"];
@@ -199,11 +199,8 @@ impl Reader<'_> {
     fn read_failure(&mut self, head: Span, section_table: &DeTable<'_>) {
         self.draft.failure = FailureDraft::default();
         let item = self.read_keys(Section::Failure, head.clone(), section_table);
-        for name in ["sensor", "kind"] {
-            if item.key(name).is_none() {
-                self.faults.add(&head, format!("[[failure]]: expected its {name}"));
-                return;
-            }
+        if !self.has_all(&item, &["sensor", "kind"]) {
+            return;
         }
         let failure = self.draft.failure.clone();
         match (failure.sensor == 2, item.key("axis")) {
@@ -211,10 +208,10 @@ impl Reader<'_> {
             (false, None) => self.faults.add(&head, "[[failure]]: expected its axis"),
             _ => {}
         }
-        let (kind, _) = FAILURE_KINDS[failure.kind];
+        let (kind, _) = FAILURE_KINDS[failure.fields.kind];
         for (index, span) in &item.keys {
             let name = KEYS[*index].name;
-            if !KEYS[*index].is_used_by(&failure) {
+            if !KEYS[*index].is_of_kind(&failure) {
                 self.faults.add(span, format!("failure.{name}: {kind} does not use it"));
             } else if let Some(own) = table::of_sensor(&KEYS[*index], failure.sensor) {
                 self.faults.add(span, format!("failure.{name}: not for this sensor; expected {own}"));
@@ -234,22 +231,28 @@ impl Reader<'_> {
         }
     }
 
-    fn read_update(&mut self, head: Span, section_table: &DeTable<'_>) {
-        self.draft.update = UpdateDraft::default();
-        let item = self.read_keys(Section::Update, head.clone(), section_table);
-        for name in ["kind", "at_s"] {
-            if item.key(name).is_none() {
-                self.faults.add(&head, format!("[[update]]: expected its {name}"));
-                return;
-            }
+    /// Whether the text sets all these keys of an item; notes the first that it does not set.
+    fn has_all(&mut self, item: &Item, names: &[&str]) -> bool {
+        let missing = names.iter().find(|name| item.key(name).is_none());
+        if let Some(name) = missing {
+            self.faults.add(&item.head, format!("[[{}]]: expected its {name}", item.site.section.name()));
         }
-        let update = self.draft.update.clone();
-        let is_of_velocity = update.updated == Updated::Velocity;
+        missing.is_none()
+    }
+
+    fn read_update(&mut self, head: Span, section_table: &DeTable<'_>) {
+        self.draft.update = NO_UPDATE;
+        let item = self.read_keys(Section::Update, head.clone(), section_table);
+        if !self.has_all(&item, &["kind", "at_s"]) {
+            return;
+        }
+        let is_of_velocity = self.draft.update.updated == Updated::Velocity;
         let (own, other) = if is_of_velocity { ("sigma_m_s", "sigma_m") } else { ("sigma_m", "sigma_m_s") };
         if let Some(span) = item.key(other) {
             self.faults.add(span, format!("update.{other}: not for this kind; expected {own}"));
+            self.draft.update.sigma_n = NO_UPDATE.sigma_n;
         }
-        match update.to_planned() {
+        match planned_update(&self.draft.update) {
             Ok(planned) => {
                 if let Err(error) = self.draft.scene.add_update(planned) {
                     self.faults.add(&head, error.to_string());
@@ -262,23 +265,13 @@ impl Reader<'_> {
     fn read_action(&mut self, head: Span, section_table: &DeTable<'_>) {
         self.draft.action = PlannedAction::default();
         let item = self.read_keys(Section::Panel, head.clone(), section_table);
-        let needed = |action| match action {
-            Action::Position => &["kind", "at_s", "latitude_deg", "longitude_deg"][..],
-            Action::Heading => &["kind", "at_s", "heading_deg"],
-            _ => &["kind", "at_s"],
-        };
         let planned = self.draft.action;
-        let has = |name: &str| item.key(name).or(item.key(&name.replace("_deg", "_rad"))).is_some();
-        if let Some(name) = needed(planned.action).iter().find(|name| !has(name)) {
-            self.faults.add(&head, format!("[[panel]]: expected its {name}"));
+        let used = table::of_section(Section::Panel).filter(|(_, key)| key.is_used(&self.draft));
+        if !self.has_all(&item, &used.map(|(_, key)| key.name).collect::<Vec<_>>()) {
             return;
         }
-        for (_, key) in
-            table::of_section(Section::Panel).filter(|(_, key)| !key.is_used_by_action(planned.action))
-        {
-            if let Some(span) = item.key(key.name) {
-                self.faults.add(span, format!("panel.{}: not for this kind", key.name));
-            }
+        for (index, span) in item.keys.iter().filter(|(index, _)| !KEYS[*index].is_used(&self.draft)) {
+            self.faults.add(span, format!("{}: not for this kind", KEYS[*index].path()));
         }
         match planned.validate().and_then(|()| self.draft.scene.add_action(planned)) {
             Ok(()) => {}

@@ -3,9 +3,10 @@
 use toml::de::{DeInteger, DeTable, DeValue};
 
 use super::draft::Draft;
-use super::key::{Key, Shape, Target};
+use super::key::{Key, Target};
 use super::names::excerpt;
 use super::nesting::too_deep;
+use crate::parameter::Shape;
 use crate::records;
 
 /// Largest size of a text in a scene [bytes].

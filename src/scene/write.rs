@@ -1,13 +1,13 @@
 //! The writer of scenes.
 
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
+use super::draft::{Draft, FAILURE_KINDS, update_draft};
 use super::key::{Key, Section, Target};
 use super::list::meaning;
 use super::site::{Site, ValuePath};
-use super::table::{of_section, of_sensor};
+use super::table::of_section;
 use super::value::{divided, shown, written};
-use super::{FlightSource, PlannedAction, PlannedFailure, PlannedUpdate, Scene, Updated};
-use crate::flight::{Channel, MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields};
+use super::{FlightSource, Scene};
+use crate::flight::ManoeuvreFields;
 
 impl Scene {
     /// The scene in TOML with comments: all values that are not the default. [`Scene::parse`] reads the same scene from it, to the bit.
@@ -15,12 +15,11 @@ impl Scene {
         let mut writer = Writer::new(self);
         for section in Section::ALL {
             match section {
-                Section::Manoeuvre => self.manoeuvres().iter().for_each(|one| writer.manoeuvre(one)),
-                Section::Failure => self.failures.iter().for_each(|one| writer.failure(one)),
-                Section::Update => self.updates.iter().for_each(|one| writer.update(one)),
-                Section::Panel => self.panel.iter().for_each(|one| writer.action(one)),
                 Section::Sinusoid => {}
-                _ => writer.section(section, |_| true),
+                _ if section.is_list() => {
+                    (0..).take_while(|index| writer.item(self, section, *index).is_some()).count();
+                }
+                _ => writer.section(section),
             }
         }
         writer.text
@@ -68,22 +67,10 @@ impl Scene {
     /// not. It is written as in the text of a scene; a value that the scene does not have is empty. `"manoeuvre[3]"`,
     /// `"failure[0]"`, `"update[0]"` and `"panel[0]"` are all lines of an item. `None`: there is no such value.
     pub fn value(&self, path: &str) -> Option<String> {
-        let mut writer = Writer::new(self);
         match Site::read(path) {
-            Ok(Site { section: Section::Manoeuvre, item: [index, _] }) => {
-                writer.manoeuvre(self.manoeuvres().get(index)?);
-                Some(writer.text)
-            }
-            Ok(Site { section: Section::Failure, item: [index, _] }) => {
-                writer.failure(self.failures.get(index)?);
-                Some(writer.text)
-            }
-            Ok(Site { section: Section::Panel, item: [index, _] }) => {
-                writer.action(self.panel.get(index)?);
-                Some(writer.text)
-            }
-            Ok(Site { section: Section::Update, item: [index, _] }) => {
-                writer.update(self.updates.get(index)?);
+            Ok(Site { section, item: [index, _] }) if section.lists() == 1 => {
+                let mut writer = Writer::new(self);
+                writer.item(self, section, index)?;
                 Some(writer.text)
             }
             _ => {
@@ -105,22 +92,11 @@ impl Scene {
             Section::Flight if key.is_of_manoeuvres() => matches!(self.flight, FlightSource::Path(_)),
             Section::Flight if key.name == "temperature_change_c_h" => !draft.temperature_c.is_nan(),
             Section::Options if key.name == "closed_loop_time_s" => draft.closed_loop,
-            Section::Manoeuvre => {
-                key.name == "kind" || MANOEUVRE_KINDS[draft.manoeuvre.kind].1.contains(&key.field())
+            Section::Failure if FAILURE_KINDS[draft.failure.fields.kind].0 == "drop_outs" => {
+                let is_random = draft.failure.fields.interval_s == 0.0;
+                key.is_used(draft) && key.name != if is_random { "interval_s" } else { "probability" }
             }
-            Section::Sinusoid => {
-                let is_speed = draft.sinusoid.channel == Channel::Speed;
-                key.name != if is_speed { "amplitude_deg" } else { "amplitude_m_s" }
-            }
-            Section::Failure => {
-                let FailureDraft { sensor, interval_s, .. } = draft.failure;
-                let is_random = FAILURE_KINDS[draft.failure.kind].0 == "drop_outs" && interval_s == 0.0;
-                let other = if is_random { "interval_s" } else { "probability" };
-                own_failure_key(key, sensor) && key.is_used_by(&draft.failure) && key.name != other
-            }
-            Section::Panel => key.is_used_by_action(draft.action.action),
-            Section::Update => key.is_of_velocity() != Some(draft.update.updated != Updated::Velocity),
-            _ => true,
+            _ => key.is_used(draft),
         }
     }
 
@@ -133,26 +109,27 @@ impl Scene {
     }
 
     /// A draft with the item at `site`, if that is one of a list.
-    fn draft_of(&self, Site { section, item: [index, inner] }: Site) -> Option<Draft> {
+    fn draft_of(&self, site: Site) -> Option<Draft> {
         let mut draft = Draft::from(self);
+        self.load(&mut draft, site)?;
+        Some(draft)
+    }
+
+    /// Puts the item at a site of a list into `draft`; `None`: there is no such item.
+    fn load(&self, draft: &mut Draft, Site { section, item: [index, inner] }: Site) -> Option<()> {
         match section {
             Section::Manoeuvre => draft.manoeuvre = self.manoeuvres().get(index)?.into(),
             Section::Sinusoid => {
                 let ManoeuvreFields { sinusoids, sinusoid_count, .. } = self.manoeuvres().get(index)?.into();
-                draft.sinusoid = sinusoids[..sinusoid_count].get(inner)?.into();
+                draft.sinusoid = *sinusoids[..sinusoid_count].get(inner)?;
             }
             Section::Failure => draft.failure = self.failures.get(index)?.into(),
-            Section::Update => draft.update = self.updates.get(index)?.into(),
+            Section::Update => draft.update = update_draft(self.updates.get(index)?),
             Section::Panel => draft.action = *self.panel.get(index)?,
             _ => {}
         }
-        Some(draft)
+        Some(())
     }
-}
-
-/// Whether a failure of a sensor has a key: all but the keys of quantities in the units of other sensors; the altimeter has no axis.
-fn own_failure_key(key: &Key, sensor: usize) -> bool {
-    of_sensor(key, sensor).is_none() && !(key.name == "axis" && sensor == 2)
 }
 
 struct Writer {
@@ -167,40 +144,25 @@ impl Writer {
         Self { text: String::new(), draft: Draft::from(scene), default }
     }
 
-    fn manoeuvre(&mut self, manoeuvre: &Manoeuvre) {
-        self.draft.manoeuvre = manoeuvre.into();
-        self.section(Section::Manoeuvre, |_| true);
+    /// Writes an item of a list, a manoeuvre with its sinusoids; `None`: there is no such item.
+    fn item(&mut self, scene: &Scene, section: Section, index: usize) -> Option<()> {
+        scene.load(&mut self.draft, Site { section, item: [index, 0] })?;
+        self.section(section);
         let ManoeuvreFields { sinusoids, sinusoid_count, .. } = self.draft.manoeuvre;
-        for sinusoid in &sinusoids[..sinusoid_count] {
-            self.draft.sinusoid = sinusoid.into();
-            self.section(Section::Sinusoid, |_| true);
+        for sinusoid in sinusoids.iter().take(sinusoid_count).filter(|_| section == Section::Manoeuvre) {
+            self.draft.sinusoid = *sinusoid;
+            self.section(Section::Sinusoid);
         }
-    }
-
-    fn failure(&mut self, planned: &PlannedFailure) {
-        self.draft.failure = planned.into();
-        let sensor = self.draft.failure.sensor;
-        self.section(Section::Failure, |key| own_failure_key(key, sensor));
-    }
-
-    fn action(&mut self, planned: &PlannedAction) {
-        self.draft.action = *planned;
-        let action = planned.action;
-        self.section(Section::Panel, |key| key.is_used_by_action(action));
-    }
-
-    fn update(&mut self, planned: &PlannedUpdate) {
-        self.draft.update = planned.into();
-        self.section(Section::Update, |_| true);
+        Some(())
     }
 
     /// Writes a section with its keys that are not at their default, if there are any. Items of a list are always written, with their
     /// kind.
-    fn section(&mut self, section: Section, wants: impl Fn(&Key) -> bool) {
+    fn section(&mut self, section: Section) {
         let mut lines = String::new();
         for (_, key) in of_section(section) {
             let is_always = section.is_list() && ["kind", "channel", "sensor", "axis"].contains(&key.name);
-            if !wants(key) || (!is_always && self.is_default(key)) {
+            if !key.is_used(&self.draft) || (!is_always && self.is_default(key)) {
                 continue;
             }
             let (value, in_si) = written(&mut self.draft, key);

@@ -46,6 +46,21 @@ impl SensorOutput {
             Self::Altimeter => None,
         }
     }
+
+    /// The output of a sensor, gyro, accelerometer or altimeter counted from 0, along an axis; the altimeter has one, whatever the axis.
+    pub(crate) fn of_sensor(sensor: usize, axis: usize) -> Self {
+        Self::ALL[(3 * sensor + axis).min(Self::ALL.len() - 1)]
+    }
+
+    /// Its sensor and its axis, as [`Self::of_sensor`] takes them; 0 of the altimeter.
+    #[cfg(feature = "scenes")]
+    pub(crate) fn parts(self) -> (usize, usize) {
+        match self {
+            Self::Gyro(axis) => (0, axis as usize),
+            Self::Accelerometer(axis) => (1, axis as usize),
+            Self::Altimeter => (2, 0),
+        }
+    }
 }
 
 /// A failure of one output. It lasts from the interval after it is set until it is cleared or replaced by another one.

@@ -3,75 +3,33 @@
 use nalgebra::Vector3;
 
 use super::stream::{Purpose, Source, Stream, StreamKey};
-use crate::checks::check_off_or;
-use crate::error::{Error, check_ranges};
-use crate::snapshot::{ANY, codes, stored};
+use crate::snapshot::codes;
 use crate::state::StateErrors;
 
-/// Where the misalignment at the start comes from.
+pub use crate::surroundings::InitialErrorParameters;
+
+/// How the INS finds its attitude at the start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Alignment {
-    /// The given misalignment, relative to the true attitude.
+    /// The INS starts with the true attitude, turned by the given and the drawn misalignment.
     #[default]
     Given,
-    /// The given misalignment, relative to the attitude that levelling and gyrocompassing find with the sensor errors
-    /// of the start.
+    /// The library computes the attitude that levelling and gyrocompassing at rest would find with the sensor errors at the
+    /// start. It does so even if the flight starts in motion. The INS starts with this attitude, turned by the given and the
+    /// drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense the reaction to normal gravity. At
+    /// height this is not quite along the ellipsoid's normal: its horizontal part is 7.5 micro-g at 9 km and 45 degrees.
+    /// Gyrocompassing then finds the heading at which the horizontal gyro rates point north. SINS_NAVIGATION_NORTH_UNKNOWN is set
+    /// if the sensor errors hide north. Within 64 km of a pole the start returns SINS_ERROR_SINGULAR.
     LevelAndGyrocompass,
-    /// The given misalignment, relative to the attitude of the true heading that levelling finds with the sensor errors of the start.
+    /// The library computes the attitude that levelling at rest would find with the sensor errors at the start, with the true heading:
+    /// the heading of a unit whose gyros cannot find north comes from another sensor. The INS starts with this attitude, turned by the
+    /// given and the drawn misalignment, whose part about up is the heading error. Any latitude.
     Level,
 }
 
-/// Initial errors, computed less true, east-north-up axes. Each error is the sum of a given part and a part that is
-/// drawn once a run.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct InitialErrorParameters {
-    /// Given position error [m].
-    pub position_n: Vector3<f64>,
-    /// Given velocity error [m/s].
-    pub velocity_n: Vector3<f64>,
-    /// Given misalignment φ, a rotation vector [rad]: computed C = exp(-[φ×]) C.
-    pub misalignment_n: Vector3<f64>,
-    /// Standard deviation of the drawn position error [m].
-    pub position_sigma_n: Vector3<f64>,
-    /// Standard deviation of the drawn velocity error [m/s].
-    pub velocity_sigma_n: Vector3<f64>,
-    /// Standard deviation of the drawn misalignment [rad].
-    pub misalignment_sigma_n: Vector3<f64>,
-    /// Attitude to which the misalignment is relative.
-    pub alignment: Alignment,
-    /// Time of levelling and gyrocompassing, or of levelling [s]; 0: without end. A given attitude does not use it.
-    pub alignment_s: f64,
-}
-
-/// Shortest and longest alignment [s].
-const ALIGNMENTS_S: (f64, f64) = (1.0, 86_400.0);
-
 codes!(Alignment { Given = 0 "given", LevelAndGyrocompass = 1 "gyrocompass", Level = 2 "level" });
 
-stored!(InitialErrorParameters {
-    position_n: ANY,
-    velocity_n: ANY,
-    misalignment_n: ANY,
-    position_sigma_n: ANY,
-    velocity_sigma_n: ANY,
-    misalignment_sigma_n: ANY,
-    alignment,
-    alignment_s: ALIGNMENTS_S.1,
-});
-
 impl InitialErrorParameters {
-    /// Checks every field.
-    pub fn validate(&self) -> Result<(), Error> {
-        let pi = core::f64::consts::PI;
-        check_ranges("initial.position_enu_m", self.position_n.as_slice(), -1e6, 1e6)?;
-        check_ranges("initial.velocity_enu_m_s", self.velocity_n.as_slice(), -1e4, 1e4)?;
-        check_ranges("initial.misalignment_enu_rad", self.misalignment_n.as_slice(), -pi, pi)?;
-        check_ranges("initial.position_sigma_enu_m", self.position_sigma_n.as_slice(), 0.0, 1e5)?;
-        check_ranges("initial.velocity_sigma_enu_m_s", self.velocity_sigma_n.as_slice(), 0.0, 1e3)?;
-        check_ranges("initial.misalignment_sigma_enu_rad", self.misalignment_sigma_n.as_slice(), 0.0, 1.0)?;
-        check_off_or("initial.alignment_s", self.alignment_s, ALIGNMENTS_S.0, ALIGNMENTS_S.1)
-    }
-
     /// The errors of the run `key`, without the errors of the alignment.
     pub fn draw(&self, key: StreamKey) -> StateErrors {
         let drawn = |given: &Vector3<f64>, sigma: &Vector3<f64>, purpose| {

@@ -25,6 +25,7 @@ pub use imu::{ImuFlags, ImuInterval};
 pub(crate) use moment::{Moment, View};
 pub use options::{MAX_UPDATES, Options};
 pub use parameters::ErrorParameters;
+pub(crate) use parameters::with_time;
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;
 
@@ -45,12 +46,12 @@ use navigator::Navigator;
 use read::READ_WIDTH;
 use signals::Signals;
 
-/// One of the two error outputs.
+/// The two sources of errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorSource {
     /// Navigation minus truth: the paper's error data 2.
     Navigation,
-    /// The error differential equations: the paper's error data 1.
+    /// The error differential equations: the paper's error data 1 (sins_options.error_model).
     Model,
 }
 

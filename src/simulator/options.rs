@@ -86,6 +86,9 @@ impl Default for Options {
 }
 
 impl Options {
+    /// Time constant of the closed loop where none is given [s].
+    pub const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
+
     /// Options of a run of an ensemble, without the options that concern only the truth.
     pub(crate) fn of_run(&self) -> Self {
         Self { truth_summary: false, covariance: false, ..*self }

@@ -3,10 +3,12 @@
 use super::{Options, Simulator, heap_simulator};
 use crate::error::Error;
 use crate::mounting::MountingParameters;
+use crate::parameter::{Field, Parameter};
 use crate::sensors::{
-    AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, Sensor, TriadParameters,
+    AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, PARAMETERS, Sensor,
+    TriadParameters,
 };
-use crate::surroundings::{self, places};
+use crate::surroundings::{self, of_path};
 
 /// Settings of the sensors, of the start, of the mounting and of gravity. The default is ideal.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -58,22 +60,6 @@ impl ErrorParameters {
         Ok(memory)
     }
 
-    /// Errors of the gyros or of the accelerometers.
-    pub(crate) fn triad(&self, sensor: Sensor) -> &TriadParameters {
-        match sensor {
-            Sensor::Gyro => &self.gyro,
-            Sensor::Accelerometer => &self.accel,
-        }
-    }
-
-    /// [`Self::triad`], for changes.
-    pub(crate) fn triad_mut(&mut self, sensor: Sensor) -> &mut TriadParameters {
-        match sensor {
-            Sensor::Gyro => &mut self.gyro,
-            Sensor::Accelerometer => &mut self.accel,
-        }
-    }
-
     /// These parameters without errors. Kind and length of the alignment, the reference temperature and the true mounting are not
     /// effects, and stay.
     pub(crate) fn ideal(&self) -> Self {
@@ -86,14 +72,35 @@ impl ErrorParameters {
         ideal
     }
 
-    /// The numbers of the row with the field `path` of the interface; of another field none.
+    /// The numbers of the parameter with the field `path` of the interface; of another field none. Matrices are column by column.
     pub(crate) fn numbers_of(&mut self, path: &str) -> impl Iterator<Item = &mut f64> {
-        let Self { altimeter, mounting, gravity, .. } = self;
-        let found = places(surroundings::rows()).find(|(row, _)| row.field.path == path);
-        let (start, count) = found.map_or((0, 0), |(row, start)| (start, row.shape.count()));
-        let numbers = altimeter.numbers_mut().into_iter().chain(mounting.numbers_mut());
-        numbers.chain(gravity.numbers_mut()).skip(start).take(count)
+        let Self { gyro, accel, altimeter, initial, mounting, gravity } = self;
+        let row = |sensor| row_of(sensor, path).unwrap_or(PARAMETERS.len());
+        let of_gyro = gyro.numbers_mut().into_iter().skip(row(Sensor::Gyro)).take(1);
+        let of_accel = accel.numbers_mut().into_iter().skip(row(Sensor::Accelerometer)).take(1);
+        let numbers = altimeter.numbers_mut().into_iter().chain(initial.numbers_mut());
+        let numbers = numbers.chain(mounting.numbers_mut()).chain(gravity.numbers_mut());
+        of_gyro.chain(of_accel).flatten().chain(of_path(surroundings::rows(), numbers, path))
     }
+}
+
+/// The row of the sensor parameter with the field `path` of the interface.
+fn row_of(sensor: Sensor, path: &str) -> Option<usize> {
+    PARAMETERS.iter().position(|row| row.of(sensor).is_some_and(|field| field.path == path))
+}
+
+/// The field `path` of the interface, and that of its correlation time or distance.
+pub(crate) fn with_time(path: &str) -> impl Iterator<Item = &'static str> {
+    let of_triad = move |sensor| {
+        let name = row_of(sensor, path).map(|row| PARAMETERS[row].name);
+        let belongs =
+            move |row: &&Parameter| name.is_some_and(|name| row.name == name || row.is_time_of(name));
+        PARAMETERS.iter().filter(belongs).filter_map(move |row| row.of(sensor))
+    };
+    let belongs = move |field: &Field| field.path == path || field.range.needed_by() == Some(path);
+    let fields = surroundings::rows().map(|row| row.field).filter(belongs);
+    let triads = [Sensor::Gyro, Sensor::Accelerometer].into_iter().flat_map(of_triad);
+    fields.chain(triads).map(|field| field.path)
 }
 
 #[cfg(test)]

@@ -7,14 +7,14 @@ use crate::error::{Error, Rule};
 /// The standard normal quantile of 97.5 %: the intervals contain the true fraction with 95 % confidence.
 const Z: f64 = 1.959_963_984_540_054;
 
-/// Whether a requirement is met.
+/// Whether a requirement is met: "95 % of the flights are within 2 km".
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Decision {
-    /// The interval of the fraction contains the required fraction.
+    /// The interval of the fraction contains the required fraction. sins_verdict.more_runs runs more would decide.
     Undecided,
-    /// The whole interval is above the required fraction.
+    /// Met: the whole interval is above the required fraction.
     Met,
-    /// The whole interval is below the required fraction.
+    /// Not met: the whole interval is below the required fraction.
     NotMet,
 }
 

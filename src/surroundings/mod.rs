@@ -1,15 +1,17 @@
-//! The parameters of the altimeter, of the mounting and of gravity, from their tables.
+//! The parameters beside those of gyros and accelerometers, from their tables.
 
 mod table;
 
-pub use table::{ALTIMETER, GRAVITY, MOUNTING};
+pub use table::{ALTIMETER, GRAVITY, INITIAL, MOUNTING, START};
 
 use nalgebra::Vector3;
 
 use crate::checks::check_numbers;
+use crate::earth::Ellipsoid;
 use crate::error::Error;
 use crate::math::Euler;
 use crate::parameter::Row;
+use crate::sensors::Alignment;
 use crate::snapshot::{ANY, stored};
 
 // The structs with their checks and numbers, which build.rs writes from the tables.
@@ -48,9 +50,20 @@ impl GravityDisturbanceParameters {
     }
 }
 
-/// Every row.
+/// Every row of an error.
 pub(crate) fn rows() -> impl Iterator<Item = &'static Row> {
-    [ALTIMETER.as_slice(), &MOUNTING, &GRAVITY].into_iter().flatten()
+    [ALTIMETER.as_slice(), &INITIAL, &MOUNTING, &GRAVITY].into_iter().flatten()
+}
+
+/// Of the numbers of all rows those of the row with the field `path` of the interface; of another field none.
+pub(crate) fn of_path<'r, 'n>(
+    rows: impl IntoIterator<Item = &'r Row>,
+    numbers: impl IntoIterator<Item = &'n mut f64>,
+    path: &str,
+) -> impl Iterator<Item = &'n mut f64> {
+    let found = places(rows.into_iter()).find(|(row, _)| row.field.path == path);
+    let (start, count) = found.map_or((0, 0), |(row, start)| (start, row.shape.count()));
+    numbers.into_iter().skip(start).take(count)
 }
 
 /// The rows, each with the place of its first number.

@@ -1,12 +1,13 @@
-//! The tables of the parameters of the altimeter, of the mounting and of gravity: each is listed here once.
+//! The tables of the parameters of the altimeter, of the mounting, of gravity, of the errors at the start and of the start of a flight:
+//! each is listed here once.
 //!
-//! `build.rs` makes from the tables the structs of the interface with the header, `AltimeterParameters`, `MountingParameters`, and the
-//! numbers of these and of `GravityDisturbanceParameters`. Checks, keys of scene files and rows of an error budget read the tables.
+//! `build.rs` makes from the tables the structs of the interface with the header, those of the crate, and the numbers of both. The crate
+//! itself has `GravityDisturbanceParameters`. Checks, keys of scene files and rows of an error budget read the tables.
 
-use crate::parameter::Range::{DistanceOf, TimeOf, Within};
-use crate::parameter::Shape::{Angles, Number, Vector};
-use crate::parameter::{CORRELATION_TIMES_S, Range, Row, own_field as field, row};
-use crate::units::{ARCSEC, DEG, MILLIGAL, PPM};
+use crate::parameter::Range::{DistanceOf, OffOr, TimeOf, Within};
+use crate::parameter::Shape::{Angles, Axes, Number, Vector};
+use crate::parameter::{CORRELATION_TIMES_S, Range, Row, choice, own_field as field, row};
+use crate::units::{ARCMIN, ARCSEC, DEG, MILLIGAL, PPM};
 
 const PI: f64 = core::f64::consts::PI;
 const GIVEN: bool = false;
@@ -92,4 +93,58 @@ pub const GRAVITY: [Row; 9] = [
         field(("gravity.anomaly_sigma_m_s2", "m/s2"), ANOMALY_SIZE, ("anomaly_sigma_mgal", "mGal", MILLIGAL), "random gravity anomaly"), ""),
     row("anomaly.distance_m", Number, RANDOM, "correlation distance of the random part of the anomaly",
         field(("gravity.anomaly_distance_m", "m"), distance_of("gravity.anomaly_sigma_m_s2"), ("anomaly_distance_km", "km", 1e3), ""), ""),
+];
+
+/// Errors at the start, in the order of the struct of the interface.
+#[rustfmt::skip]
+pub const INITIAL: [Row; 8] = [
+    row("position_n", Vector, GIVEN, "position error, east-north-up",
+        field(("initial.position_enu_m", "m"), Within(-1e6, 1e6), ("position_m", "m", 1.0), "initial position"),
+        "The horizontal part is laid off at the height of the solution, and sins_errors measures it at the height of the truth: with an \
+            error of 100 m in height, 3 km read back 0.046 m larger."),
+    row("velocity_n", Vector, GIVEN, "velocity error, east-north-up",
+        field(("initial.velocity_enu_m_s", "m/s"), Within(-1e4, 1e4), ("velocity_m_s", "m/s", 1.0), "initial velocity"), ""),
+    row("misalignment_n", Vector, GIVEN, "misalignment phi, a rotation vector, east-north-up",
+        field(("initial.misalignment_enu_rad", "rad"), Within(-PI, PI), ("misalignment_arcmin", "arcmin", ARCMIN), "initial misalignment"),
+        "Computed C = exp(-[phi x]) C0. C turns vectors from sensor axes to east-north-up. C0 is the true C. With \
+            SINS_ALIGNMENT_LEVEL_AND_GYROCOMPASS or SINS_ALIGNMENT_LEVEL, C0 is the C that the alignment finds."),
+    row("position_sigma_n", Axes, RANDOM, "standard deviation of the position error",
+        field(("initial.position_sigma_enu_m", "m"), Within(0.0, 1e5), ("position_sigma_m", "m", 1.0), "drawn initial position"), ""),
+    row("velocity_sigma_n", Axes, RANDOM, "standard deviation of the velocity error",
+        field(("initial.velocity_sigma_enu_m_s", "m/s"), Within(0.0, 1e3),
+            ("velocity_sigma_m_s", "m/s", 1.0), "drawn initial velocity"), ""),
+    row("misalignment_sigma_n", Axes, RANDOM, "standard deviation of the misalignment",
+        field(("initial.misalignment_sigma_enu_rad", "rad"), Within(0.0, 1.0),
+            ("misalignment_sigma_arcmin", "arcmin", ARCMIN), "drawn initial misalignment"), ""),
+    choice("alignment", ("Alignment", "sins_alignment"), ("initial.alignment", "alignment at the start"), ""),
+    row("alignment_s", Number, GIVEN, "length of the alignment, at rest before the first sample; 0: without end",
+        field(("initial.alignment_s", "s"), OffOr(1.0, 86_400.0), ("alignment_s", "s", 1.0), ""),
+        "Tilt is found from the mean specific force, heading from the mean rate: white noise and quantization are averaged over this \
+            time, and Gauss-Markov, flicker, random walk and ramp errors have their mean of this time. Dead zone and range act on the \
+            mean. The temperature is that of the first sample. The flight begins with the states with which the alignment ended: ramps \
+            and random walks begin at 0 when the alignment begins. An alignment without end leaves out white noise and quantization, \
+            and takes the errors at the first sample for their mean. A reposition aligns again, from the present states of the sensors. \
+            SINS_ALIGNMENT_GIVEN does not use it."),
+];
+
+/// Start of a flight, in the order of the struct of the interface.
+#[rustfmt::skip]
+pub const START: [Row; 8] = [
+    row("latitude_rad", Number, GIVEN, "geodetic latitude of the start",
+        field(("start.latitude_rad", "rad"), Within(-0.5 * PI, 0.5 * PI), ("latitude_deg", "deg", DEG), ""), ""),
+    row("longitude_rad", Number, GIVEN, "longitude of the start, east positive",
+        field(("start.longitude_rad", "rad"), Within(-100.0, 100.0), ("longitude_deg", "deg", DEG), ""), ""),
+    row("height_m", Number, GIVEN, "height of the start above the ellipsoid",
+        field(("start.height_m", "m"), Within(-20e3, 2000e3), ("height_m", "m", 1.0), ""), ""),
+    row("speed_m_s", Number, GIVEN, "speed at the start against the Earth",
+        field(("start.speed_m_s", "m/s"), Within(0.0, 10e3), ("speed_m_s", "m/s", 1.0), ""), ""),
+    row("heading_rad", Number, GIVEN, "course and heading at the start",
+        field(("start.heading_rad", "rad"), Within(-100.0, 100.0), ("heading_deg", "deg", DEG), ""), ""),
+    row("roll_rad", Number, GIVEN, "roll of the body relative to the axes of the path, throughout the flight",
+        field(("start.roll_rad", "rad"), Within(-PI, PI), ("roll_deg", "deg", DEG), ""), ""),
+    row("pitch_rad", Number, GIVEN, "pitch of the body relative to the axes of the path, throughout the flight",
+        field(("start.pitch_rad", "rad"), Within(-0.5 * PI, 0.5 * PI), ("pitch_deg", "deg", DEG), ""),
+        "It is the angle of attack, or the tilt at rest."),
+    choice("ellipsoid", ("Ellipsoid", "sins_earth"), ("start.earth", "ellipsoid"),
+        "It is that of the options of the simulator that will fly it."),
 ];

@@ -18,33 +18,34 @@ pub enum Mode {
 
 codes!(Mode { Off = 0 "off", Align = 1 "align", Navigate = 2 "nav", Attitude = 3 "att" });
 
-/// The supply of power.
+/// Supplies of power.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Power {
-    /// From the aircraft.
+    /// The aircraft.
     #[default]
     Aircraft,
-    /// From the battery.
+    /// The battery, which lasts battery_s.
     Battery,
-    /// None: the unit is off, whatever the selector says, and stores nothing.
+    /// None: the unit is off at once, and stores nothing.
     None,
 }
 
 codes!(Power { Aircraft = 0 "aircraft_power", Battery = 1 "battery", None = 2 "no_power" });
 
-/// How an alignment is made: at rest, or in flight.
+/// Kinds of alignment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum AlignmentKind {
     /// Levelling and gyrocompassing on the measured increments.
     #[default]
     Gyrocompass,
-    /// Levelling on the measured increments, with the heading that was stored. Without one, as `Gyrocompass`.
+    /// Levelling on the measured increments, with the stored heading; without one a gyrocompass.
     StoredHeading,
-    /// A shorter time, which a simulation allows itself: then the true attitude, with the errors of the start that are given.
+    /// Only in a simulation: after fast_alignment_s the unit has the true state, with the errors of sins_initial_errors that need no
+    /// alignment, drawn for this run.
     Fast,
-    /// The same at once.
+    /// The same at once, without a test after power-up.
     Instant,
-    /// In flight, on the fixes of another sensor.
+    /// In flight, on positions and velocities of another sensor: see sins_unit_push_fix().
     InFlight,
 }
 
@@ -55,28 +56,29 @@ codes!(AlignmentKind {
 /// What a unit is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum State {
-    /// It is off, and shows nothing.
+    /// Off: it shows nothing.
     #[default]
     Off,
-    /// Test after power-up.
+    /// The test after power-up.
     Test,
-    /// Alignment before the first vertical.
+    /// Alignment without an attitude yet; also while the unit moves and cannot align.
     CoarseAlignment,
-    /// Alignment, with an attitude.
+    /// Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored. In flight it begins when the
+    /// first windows show an attitude, and the heading is valid when it is as accurate as in_flight_heading_rad.
     FineAlignment,
-    /// Aligned, and waiting for the selector.
+    /// Aligned: it waits for SINS_UNIT_NAV, and continues to align. Its velocity is valid if it was aligned in flight.
     Ready,
     /// Navigation.
     Navigation,
-    /// Fast realignment after a flight.
+    /// Fast realignment of a parked aircraft: velocity and tilt are removed, the heading is kept. An entered position is taken.
     Realignment,
-    /// Levelling of the attitude in flight.
+    /// ATT: levelling. The aircraft should fly straight and level.
     Erection,
-    /// Attitude without navigation.
+    /// ATT: attitude by the gyros, which slowly follows the apparent vertical. In a long turn it follows a false one.
     Attitude,
-    /// Failed, until it is switched off.
+    /// Failed: it shows nothing until it is switched off.
     Fault,
-    /// Switched off, and storing position and heading.
+    /// Switched off: it has stored position and heading, if they were valid.
     PowerDown,
 }
 

@@ -3,7 +3,7 @@
 use super::table::UNIT;
 use crate::error::Error;
 use crate::parameter::Range;
-use crate::snapshot::{ANY, stored};
+use crate::snapshot::stored;
 use crate::surroundings::check;
 
 // The struct with its checks and numbers, which build.rs writes from the table.
@@ -19,13 +19,6 @@ impl UnitParameters {
             }
         }
         self
-    }
-
-    /// The number of the row with the field `path` of the interface.
-    #[cfg(feature = "scenes")]
-    pub(crate) fn number_of(&mut self, path: &str) -> Option<&mut f64> {
-        let index = UNIT.iter().position(|row| row.field.path == path)?;
-        self.numbers_mut().into_iter().nth(index)
     }
 
     /// Length of a whole alignment at `latitude_rad` \[s\].

@@ -2,16 +2,18 @@
 
 use super::registry::Registry;
 use super::{enter, remember};
-use crate::abi::failure::{Failure, SINS_OK, sins_status};
+use crate::abi::answer::Answer;
+use crate::abi::failure::{Failure, sins_status};
 use crate::abi::memory::put;
 
 /// Runs `body` on the object of a handle, as the inside of an exported function. A failure is kept for this thread.
-pub(in crate::abi) fn with_object<T, H, const KIND: usize>(
+pub(in crate::abi) fn with_object<T, H, A: Answer, const KIND: usize>(
     table: &Registry<T, KIND>,
     handle: *const H,
-    body: impl FnOnce(&mut T) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut T) -> Result<A, Failure>,
 ) -> sins_status {
-    enter(|| table.with(handle.addr(), |object| body(object).inspect_err(|&failure| remember(failure))))
+    let body = |object: &mut T| body(object).map(A::status).inspect_err(|&failure| remember(failure));
+    enter(|| table.with(handle.addr(), body))
 }
 
 /// Makes an object and gives the host its handle, at `place`, the argument `name`, which is looked at first.
@@ -29,6 +31,5 @@ pub(in crate::abi) unsafe fn hand_out<T, H, const KIND: usize>(
     }
     let key = table.insert(make()?)?;
     // SAFETY: as this function.
-    unsafe { put(place, core::ptr::without_provenance_mut(key), name)? };
-    Ok(SINS_OK)
+    unsafe { put(place, core::ptr::without_provenance_mut(key), name) }
 }

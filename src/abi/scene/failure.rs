@@ -1,12 +1,10 @@
 //! The failures that a scene plans.
 
 use super::{sins_scene, with_scene};
-use crate::abi::failure::{SINS_OK, sins_status};
+use crate::abi::failure::sins_status;
 use crate::abi::memory::{Output, element, interface_struct, put};
 use crate::abi::sensor_failure::sins_failure_fields;
-use crate::abi::{SINS_SENSOR_ACCEL, SINS_SENSOR_ALTIMETER, SINS_SENSOR_GYRO};
 use crate::scene::{Failing, PlannedFailure};
-use crate::sensors::SensorOutput;
 
 /// A failure that a scene plans. Its fields from kind on are those of sins_failure; kind is not SINS_FAILURE_NONE.
 /// sins_scene_set_items() sets the failures of a scene.
@@ -39,8 +37,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_failure_count(
 ) -> sins_status {
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
-        unsafe { put(count, scene.failures.len(), "count")? };
-        Ok(SINS_OK)
+        unsafe { put(count, scene.failures.len(), "count") }
     })
 }
 
@@ -58,24 +55,19 @@ pub unsafe extern "C-unwind" fn sins_scene_get_failure(
         let output = unsafe { Output::new(failure, "failure")? };
         let rule = "must be less than the number of failures of the scene:";
         let planned = element(&scene.failures, index, rule)?;
-        output.write(&sins_planned_failure::new(planned));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_planned_failure::new(planned)))
     })
 }
 
 impl sins_planned_failure {
     fn new(planned: &PlannedFailure) -> Self {
-        let (sensor, axis) = match planned.output {
-            SensorOutput::Gyro(axis) => (SINS_SENSOR_GYRO, axis as i32),
-            SensorOutput::Accelerometer(axis) => (SINS_SENSOR_ACCEL, axis as i32),
-            SensorOutput::Altimeter => (SINS_SENSOR_ALTIMETER, 0),
-        };
+        let (sensor, axis) = planned.output.parts();
         let Failing { from_s, until_s } = planned.failing;
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved: 0,
-            sensor,
-            axis,
+            sensor: sensor as i32,
+            axis: axis as i32,
             from_s,
             until_s: if until_s.is_infinite() { 0.0 } else { until_s },
             fields: sins_failure_fields::of(Some(planned.failure)),

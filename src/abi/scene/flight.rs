@@ -5,6 +5,7 @@ use crate::abi::failure::{Failure, SINS_OK, sins_status};
 use crate::abi::flight::{self, sins_flight_start};
 use crate::abi::manoeuvre::sins_manoeuvre;
 use crate::abi::memory::{Array, Output, interface_struct, put, put_if_wanted};
+use crate::abi::parameters::Parameters;
 use crate::scene::{FlightPath, FlightSource};
 
 /// Where the flight of a scene comes from: sins_scene_setup.flight.
@@ -59,7 +60,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_setup(
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(setup, "setup")? };
-        output.write(&sins_scene_setup {
+        Ok(output.write(&sins_scene_setup {
             struct_size: size_of::<sins_scene_setup>() as u32,
             reserved: 0,
             flight: match scene.flight {
@@ -76,8 +77,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_setup(
             temperature_c: scene.temperature.map_or(0.0, |temperature| temperature.at_start_c),
             temperature_change_c_s: scene.temperature.map_or(0.0, |temperature| temperature.change_c_s),
             every_s: scene.output.every_s.unwrap_or(0.0),
-        });
-        Ok(SINS_OK)
+        }))
     })
 }
 
@@ -113,7 +113,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_manoeuvres(
                 places.write(index, &sins_manoeuvre::from_manoeuvre(manoeuvre))?;
             }
             if let Some(start) = start {
-                start.write(&sins_flight_start::from_start(&path.start));
+                start.write(&sins_flight_start::from_parameters(&path.start));
             }
             put_if_wanted(repeat, path.repeat);
         }

@@ -3,7 +3,7 @@
 use core::ffi::c_char;
 
 use crate::abi::boundary::enter_without_simulator;
-use crate::abi::failure::{SINS_OK, sins_status};
+use crate::abi::failure::sins_status;
 use crate::abi::memory::{Output, interface_struct};
 use crate::abi::text::chars;
 use crate::error::{Error, Rule};
@@ -102,8 +102,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_key(index: usize, key: *mut sins_
             let rule = Rule::SentenceWith("must be less than the number of keys:", count as f64);
             return Err(Error::invalid("index", index, rule).into());
         };
-        output.write(&sins_scene_key::new(&line, count));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_scene_key::new(&line, count)))
     })
 }
 

@@ -102,14 +102,13 @@ pub unsafe extern "C-unwind" fn sins_log_get_info(
     with_object(&LOGS, log, |log| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(info, "info")? };
-        output.write(&sins_log_info {
+        Ok(output.write(&sins_log_info {
             struct_size: size_of::<sins_log_info>() as u32,
             reserved: 0,
             samples: log.samples().len() as u64,
             duration_s: log.duration_s(),
             title: chars(&log.title),
-        });
-        Ok(SINS_OK)
+        }))
     })
 }
 

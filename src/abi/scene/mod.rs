@@ -26,6 +26,7 @@ pub use value::*;
 
 use core::ffi::c_char;
 
+use crate::abi::answer::Answer;
 use crate::abi::boundary::handle::{hand_out, with_object};
 use crate::abi::boundary::tables::{FLIGHTS, SCENES, SIMULATORS, SceneText};
 use crate::abi::boundary::{enter, enter_without_simulator};
@@ -55,9 +56,9 @@ fn of_scene(scene: Scene) -> SceneText {
 }
 
 /// Runs `body` on the scene of a handle, as the inside of an exported function; it may copy the scene and write it.
-pub(in crate::abi) fn with_scene(
+pub(in crate::abi) fn with_scene<A: Answer>(
     scene: *const sins_scene,
-    body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Scene) -> Result<A, Failure>,
 ) -> sins_status {
     with_sound_scene(scene, |scene| {
         probe(ROOM + ROOM_OF_ITEM * scene.items())?;
@@ -66,9 +67,9 @@ pub(in crate::abi) fn with_scene(
 }
 
 /// Runs `body` on the scene of a handle without an allocation.
-pub(in crate::abi) fn with_sound_scene(
+pub(in crate::abi) fn with_sound_scene<A: Answer>(
     scene: *const sins_scene,
-    body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Scene) -> Result<A, Failure>,
 ) -> sins_status {
     with_object(&SCENES, scene, |content| match &mut content.scene {
         Some(scene) => body(scene),
@@ -201,8 +202,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_fault(
         let output = unsafe { Output::new(fault, "fault")? };
         let faults = &content.faults;
         let found = element(faults, index, "must be less than the number of faults of the scene:")?;
-        output.write(&sins_fault::new(found, faults.len()));
-        Ok(SINS_OK)
+        Ok(output.write(&sins_fault::new(found, faults.len())))
     })
 }
 

@@ -50,16 +50,14 @@ pub unsafe extern "C-unwind" fn sins_scene_get_samples(
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(samples, "samples")? };
         if log.is_null() {
-            output.write(&sins_scene_samples::of(scene, None)?);
-            return Ok(SINS_OK);
+            return Ok(output.write(&sins_scene_samples::of(scene, None)?));
         }
         let mut found = None;
         let status = LOGS.with(log.addr(), |log| {
             found = Some(sins_scene_samples::of(scene, Some(log)));
             Ok(SINS_OK)
         });
-        output.write(&found.ok_or(Failure::of_handle(status, "log"))??);
-        Ok(SINS_OK)
+        Ok(output.write(&found.ok_or(Failure::of_handle(status, "log"))??))
     })
 }
 

@@ -1,7 +1,7 @@
 //! The options of a scene: the same struct as that of the simulator's own function.
 
 use super::{sins_scene, with_scene};
-use crate::abi::failure::{SINS_OK, sins_status};
+use crate::abi::failure::sins_status;
 use crate::abi::memory::Output;
 use crate::abi::options::sins_options;
 use crate::abi::parameters::Parameters;
@@ -16,7 +16,6 @@ pub unsafe extern "C-unwind" fn sins_scene_get_options(
 ) -> sins_status {
     with_scene(scene, |scene| {
         // SAFETY: the host's promise.
-        unsafe { Output::new(options, "options")? }.write(&sins_options::from_parameters(&scene.options));
-        Ok(SINS_OK)
+        Ok(unsafe { Output::new(options, "options")? }.write(&sins_options::from_parameters(&scene.options)))
     })
 }

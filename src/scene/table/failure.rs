@@ -1,8 +1,9 @@
 //! Failures of sensors: `[[failure]]`.
 
 use super::super::draft::FAILURE_KINDS;
-use super::super::key::{Key, Place, Section, Shape, Target, one};
+use super::super::key::{Key, Place, Section, Target, one};
 use super::{PURE, first_words, number, si, unit, word};
+use crate::parameter::Shape;
 use crate::units::{DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G};
 
 const F: Section = Section::Failure;
@@ -29,26 +30,33 @@ pub const FAILURE: &[Key] = &[
         &["x", "y", "z"],
         failure.axis
     ),
-    word!(F, "kind", "kind of the failure; none: the failure is off", "failure.kind", KINDS, failure.kind),
+    word!(
+        F,
+        "kind",
+        "kind of the failure; none: the failure is off",
+        "failure.kind",
+        KINDS,
+        failure.fields.kind
+    ),
     number!(F, N, "from_s", si("s"), "start of the failure, from the start of the flight",
         "failure.from_s" in (0.0, 1e9) => one(failure.from_s)),
     number!(F, N, "until_s", si("s"), "end of the failure, from the start of the flight; default: the end of the flight",
         "failure.until_s" in (0.0, 1e9) => one(failure.until_s)),
     number!(F, N, "size_deg_h", unit("deg/h", DEG_PER_HOUR, "rad/s"), "size of a bias step or of spikes, of a gyro",
-        "failure.size_rad_s" => one(failure.size)),
+        "failure.size_rad_s" => one(failure.fields.size)),
     number!(F, N, "size_micro_g", unit("micro-g", MICRO_G, "m/s2"), "size of a bias step or of spikes, of an accelerometer",
-        "failure.size_m_s2" => one(failure.size)),
-    number!(F, N, "size_m", si("m"), "size of a bias step or of spikes, of the altimeter", "failure.size_m" => one(failure.size)),
+        "failure.size_m_s2" => one(failure.fields.size)),
+    number!(F, N, "size_m", si("m"), "size of a bias step or of spikes, of the altimeter", "failure.size_m" => one(failure.fields.size)),
     number!(F, N, "density_deg_sqrt_h", unit("deg/sqrt(h)", DEG_PER_SQRT_HOUR, "rad/sqrt(s)"), "density of the noise, of a gyro",
-        "failure.density_rad_sqrt_s" => one(failure.density)),
+        "failure.density_rad_sqrt_s" => one(failure.fields.density)),
     number!(F, N, "density_micro_g_sqrt_hz", unit("micro-g/sqrt(Hz)", MICRO_G, "(m/s)/sqrt(s)"),
         "density of the noise, of an accelerometer",
-        "failure.density_m_s_sqrt_s" => one(failure.density)),
+        "failure.density_m_s_sqrt_s" => one(failure.fields.density)),
     number!(F, N, "density_m_sqrt_hz", si("m/sqrt(Hz)"), "density of the noise, of the altimeter",
-        "failure.density_m_sqrt_hz" => one(failure.density)),
+        "failure.density_m_sqrt_hz" => one(failure.fields.density)),
     number!(F, N, "interval_s", si("s"), "spikes, drop-outs: time from the start of one to the start of the next",
-        "failure.interval_s" => one(failure.interval_s)),
-    number!(F, N, "duration_s", si("s"), "spikes: length of one spike", "failure.duration_s" => one(failure.duration_s)),
+        "failure.interval_s" => one(failure.fields.interval_s)),
+    number!(F, N, "duration_s", si("s"), "spikes: length of one spike", "failure.duration_s" => one(failure.fields.duration_s)),
     number!(F, N, "probability", PURE, "drop-outs without interval_s: probability that a sample interval is lost",
-        "failure.probability" => one(failure.probability)),
+        "failure.probability" => one(failure.fields.probability)),
 ];

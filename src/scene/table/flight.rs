@@ -1,8 +1,11 @@
 //! The true motion: `[flight]`, `[[manoeuvre]]`, `[[manoeuvre.sinusoid]]`.
 
-use super::super::key::{Key, Place, Section, Shape, Target, one};
+use super::super::key::{Key, Place, Section, Target, one};
+use super::sensors::of_rows;
 use super::{PURE, choice, count, first_words, number, si, text, unit, word};
 use crate::flight::{Channel, MANOEUVRE_KINDS};
+use crate::parameter::Shape;
+use crate::surroundings;
 use crate::units::DEG;
 
 const F: Section = Section::Flight;
@@ -23,21 +26,16 @@ pub const FLIGHT: &[Key] = &[
     number!(F, N, "temperature_change_c_h", unit("deg C/h", 1.0 / 3600.0, "deg C/s"),
         "constant rate of change of the temperature",
         "flight.temperature_change_c_s" in (-1e6 / 3600.0, 1e6 / 3600.0) => one(temperature_change_c_s)),
-    number!(F, N, "latitude_deg", unit("deg", DEG, "rad"), "geodetic latitude of the start",
-        "start.latitude_rad" => one(start.latitude_rad)),
-    number!(F, N, "longitude_deg", unit("deg", DEG, "rad"), "longitude of the start, east positive",
-        "start.longitude_rad" => one(start.longitude_rad)),
-    number!(F, N, "height_m", si("m"), "height of the start above the ellipsoid", "start.height_m" => one(start.height_m)),
-    number!(F, N, "speed_m_s", si("m/s"), "speed at the start against the Earth", "start.speed_m_s" => one(start.speed_m_s)),
-    number!(F, N, "heading_deg", unit("deg", DEG, "rad"), "course and heading at the start",
-        "start.heading_rad" => one(start.heading_rad)),
-    number!(F, N, "roll_deg", unit("deg", DEG, "rad"), "roll of the body relative to the axes of the path, throughout the flight",
-        "start.roll_rad" => one(start.roll_rad)),
-    number!(F, N, "pitch_deg", unit("deg", DEG, "rad"),
-        "pitch of the body relative to the axes of the path, throughout the flight",
-        "start.pitch_rad" => one(start.pitch_rad)),
-    count!(F, "repeat", "how many times all manoeuvres are flown", "flight.repeat" => repeat),
 ];
+
+/// The keys of the start, without that of the ellipsoid, which is an option.
+pub const START: &[Key] = &{
+    let [keys @ .., _] = of_rows(F, &surroundings::START);
+    keys
+};
+
+pub const REPEAT: &[Key] =
+    &[count!(F, "repeat", "how many times all manoeuvres are flown", "flight.repeat" => repeat)];
 
 pub const MANOEUVRE: &[Key] = &[
     word!(
@@ -64,21 +62,11 @@ pub const MANOEUVRE: &[Key] = &[
         "manoeuvre.turns" => one(manoeuvre.turns)),
 ];
 
-/// The words of what a sinusoid moves.
-pub const CHANNELS: [(&str, Channel); 6] = [
-    ("course", Channel::Course),
-    ("climb", Channel::Climb),
-    ("speed", Channel::Speed),
-    ("roll", Channel::Roll),
-    ("pitch", Channel::Pitch),
-    ("heading", Channel::Heading),
-];
-
 pub const SINUSOID: &[Key] = &[
-    choice!(S, "channel", "quantity that the sinusoid moves", "sinusoid.channel" => sinusoid.channel, CHANNELS),
+    choice!(S, "channel", "quantity that the sinusoid moves", "sinusoid.channel" => sinusoid.channel, Channel::WORDS),
     number!(S, N, "amplitude_deg", unit("deg", DEG, "rad"), "amplitude of an angle",
-        "sinusoid.amplitude_rad" => one(sinusoid.amplitude_rad)),
-    number!(S, N, "amplitude_m_s", si("m/s"), "amplitude of the speed", "sinusoid.amplitude_m_s" => one(sinusoid.amplitude_m_s)),
+        "sinusoid.amplitude_rad" => one(sinusoid.amplitude)),
+    number!(S, N, "amplitude_m_s", si("m/s"), "amplitude of the speed", "sinusoid.amplitude_m_s" => one(sinusoid.amplitude)),
     number!(S, N, "frequency_hz", si("Hz"), "frequency", "sinusoid.frequency_hz" => one(sinusoid.frequency_hz)),
     number!(S, N, "phase_deg", unit("deg", DEG, "rad"), "phase at the start of the manoeuvre",
         "sinusoid.phase_rad" => one(sinusoid.phase_rad)),

@@ -1,9 +1,10 @@
 //! The simulator and what a program writes: `[options]`, `[output]`.
 
-use super::super::key::{Key, Place, Section, Shape, Target, one};
+use super::super::key::{Key, Place, Section, Target, one};
 use super::{choice, count, number, si, text};
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
+use crate::parameter::Shape;
 use crate::state::BodyAxes;
 
 const O: Section = Section::Options;
@@ -48,10 +49,10 @@ pub const OUTPUT: &[Key] = &[
     }),
     number!(P, N, "every_s", si("s"), "time between two records; default: about 2000 records",
         "output.every_s" in (5e-5, 1e7) => one(every_s)),
-    Key {
-        section: P,
-        name: "quiet",
-        doc: "shows neither progress nor summary",
-        target: Target::Flag { get: |d| d.scene.output.quiet, set: |d, quiet| d.scene.output.quiet = quiet },
-    },
+    Key::new(
+        P,
+        "quiet",
+        "shows neither progress nor summary",
+        Target::Flag { get: |d| d.scene.output.quiet, set: |d, quiet| d.scene.output.quiet = quiet },
+    ),
 ];

@@ -1,9 +1,10 @@
 //! The unit and its panel: `[unit]`, `[[panel]]`.
 
-use super::super::key::{Key, Place, Section, Shape, Target, one};
+use super::super::key::{Key, Place, Section, Target, one};
 use super::super::panel::Action;
 use super::sensors::of_rows;
 use super::{choice, number, si, unit};
+use crate::parameter::Shape;
 use crate::unit::{AlignmentKind, Mode, Power, UNIT};
 use crate::units::DEG;
 
@@ -15,7 +16,7 @@ const STARTS: [(&str, Option<Mode>); 3] =
     [("none", None), ("off", Some(Mode::Off)), ("nav", Some(Mode::Navigate))];
 
 /// The words of what is done at the panel.
-pub const ACTIONS: [(&str, Action); 11] = {
+const ACTIONS: [(&str, Action); 11] = {
     let ([off, align, nav, att], [aircraft, battery, none]) = (Mode::WORDS, Power::WORDS);
     [
         (off.0, Action::Select(off.1)),

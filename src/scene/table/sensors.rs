@@ -1,10 +1,10 @@
 //! The errors of gyros and accelerometers: `[gyro]`, `[accelerometer]`, from the table of sensor parameters.
 
 use super::super::draft::Draft;
-use super::super::key::{Key, Place, Section, Shape, Target, Unit};
+use super::super::key::{Key, Place, Section, Target, Unit};
 use super::first_words;
-use crate::parameter::Row;
-use crate::sensors::{Field, Grade, PARAMETERS, ParameterShape, Sensor, TriadParameters};
+use crate::parameter::{Row, Shape};
+use crate::sensors::{Field, Grade, PARAMETERS, Sensor, TriadParameters};
 
 /// The words of a preset, and the grade of each; the first is none.
 const GRADES: [(&str, Option<Grade>); 7] = [
@@ -68,7 +68,7 @@ const fn keys<const N: usize>(sensor: Sensor, preset: Key) -> [Key; N] {
         let parameter = &PARAMETERS[row];
         if let Some(field) = parameter.of(sensor) {
             let doc = parameter.doc_of(&field);
-            keys[place] = key(preset.section, &field, doc, parameter.shape, Place::Parameter(sensor, row));
+            keys[place] = key(preset.section, &field, doc, parameter.shape);
             place += 1;
         }
         row += 1;
@@ -76,7 +76,7 @@ const fn keys<const N: usize>(sensor: Sensor, preset: Key) -> [Key; N] {
     keys
 }
 
-/// The parameters of another table.
+/// The parameters of another table. The key of a choice has no number and is not for use.
 pub const fn of_rows<const N: usize>(section: Section, rows: &[Row; N]) -> [Key; N] {
     let mut keys = [row_key(section, &rows[0]); N];
     let mut row = 1;
@@ -88,22 +88,12 @@ pub const fn of_rows<const N: usize>(section: Section, rows: &[Row; N]) -> [Key;
 }
 
 const fn row_key(section: Section, row: &Row) -> Key {
-    key(section, &row.field, row.field.doc, row.shape, Place::Row(row.field.path))
+    key(section, &row.field, row.field.doc, row.shape)
 }
 
-const fn key(section: Section, field: &Field, doc: &'static str, of: ParameterShape, place: Place) -> Key {
+const fn key(section: Section, field: &Field, doc: &'static str, shape: Shape) -> Key {
     let unit = Unit { text: field.key_unit, si: field.key_si, si_text: field.unit };
-    let target = Target::Numbers { field: field.path, unit, shape: shape(of), limits_si: None, place };
+    let target =
+        Target::Numbers { field: field.path, unit, shape, limits_si: None, place: Place::Row(field.path) };
     Key { section, name: field.key, doc, target }
-}
-
-const fn shape(shape: ParameterShape) -> Shape {
-    match shape {
-        ParameterShape::Number => Shape::Number,
-        ParameterShape::Axes => Shape::Axes,
-        ParameterShape::Vector | ParameterShape::Angles => Shape::Vector,
-        ParameterShape::OffDiagonal(_) => Shape::OffDiagonal,
-        ParameterShape::Diagonal => Shape::Diagonal,
-        ParameterShape::Matrix => Shape::Matrix,
-    }
 }
