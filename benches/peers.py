@@ -119,8 +119,8 @@ class Motion:
         return math.hypot(north, east), math.hypot(*(velocity_ned - self.velocity(t))[:2]), np.linalg.norm(skew) * 206264.8
 
 
-def run_sins(motion, angle, velocity, subsamples=2):
-    """Some samples are the subsamples of an update; the vertical channel is free."""
+def run_sins(motion, angle, velocity, subsamples=2, held=False):
+    """Some samples are the subsamples of an update. The vertical channel is free, or `held`: at height 0 after each update."""
     import sins
     flip = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1.0]])  # north-east-down to east-north-up
     options = sins.options(gravity=sins.GRAVITY_SOMIGLIANA, axes=sins.AXES_FORWARD_RIGHT_DOWN)
@@ -132,12 +132,16 @@ def run_sins(motion, angle, velocity, subsamples=2):
     sins.create(options, sim)
     sins.start_navigation(sim, start)
     increment = sins.imu_increment(interval_s=subsamples / RATE_HZ, count=subsamples)
+    end, error = sins.navigation(), sins.correction()
     angles, velocities = (table.reshape(-1, 3 * subsamples) for table in (angle, velocity))
     for k in range(len(angles)):
         increment.angle_rad[:3 * subsamples] = angles[k]
         increment.velocity_m_s[:3 * subsamples] = velocities[k]
         sins.push_imu(sim, increment)
-    end = sins.navigation()
+        if held:
+            sins.get_navigation(sim, end)
+            error.position_enu_m[2], error.velocity_enu_m_s[2] = end.height_m, end.velocity_enu_m_s[2]
+            sins.correct(sim, error)
     sins.get_navigation(sim, end)
     dcm = flip @ matrix(end.quaternion_nb)
     return end.latitude_rad, end.longitude_rad, flip @ np.array(end.velocity_enu_m_s), dcm
@@ -206,7 +210,16 @@ def run_sins_4(motion, angle, velocity):
     return run_sins(motion, angle, velocity, 4)
 
 
-CODES = {"sins": run_sins, "sins, 4 subsamples": run_sins_4, "pyins": run_pyins, "inu": run_inu, "gnss-ins-sim": run_gnss_ins_sim}
+def run_sins_held(motion, angle, velocity):
+    return run_sins(motion, angle, velocity, held=True)
+
+
+def run_sins_4_held(motion, angle, velocity):
+    return run_sins(motion, angle, velocity, 4, held=True)
+
+
+CODES = {"sins": run_sins, "sins, 4 subsamples": run_sins_4, "sins, height held": run_sins_held,
+         "sins, 4 subsamples, height held": run_sins_4_held, "pyins": run_pyins, "inu": run_inu, "gnss-ins-sim": run_gnss_ins_sim}
 
 
 def version_of(name, folder):
