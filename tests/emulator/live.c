@@ -262,7 +262,7 @@ static void fly(void)
     expect_state(display, L"Stopped");
     Sleep(1000); /* the records are written */
     close_window();
-    printf("%d packets flown by the stick of another program; wrong, late and foreign ones refused\n", flown);
+    printf("%d packets flown; wrong, late and foreign ones refused\n", flown);
 }
 
 static void again(void)
