@@ -116,12 +116,7 @@ pub fn interface() -> String {
     let text = structs.map(|(name, doc, field, access)| {
         let members: Vec<_> =
             PARAMETERS.iter().map(|row| Some(of_interface(row, field(row)?, field))).collect();
-        comment("", doc)
-            + &format!("#[repr(C)]\n#[derive(Debug, Clone, Copy, Default)]\npub struct {name} {{\n")
-            + &format!("    /// sizeof({name})\n    pub struct_size: u32,\n")
-            + "    /// Must be 0.\n    pub reserved: u32,\n"
-            + &fields(&members)
-            + "}\n\n"
+        structure(name, doc, &fields(&members))
             + &numbers(name, "pub(super)", &members)
             + &access.functions(name)
     });
@@ -143,6 +138,14 @@ impl Access {
         };
         format!("\n{}\n{}", one("set", set, "const", &format!("set_{name}")), one("get", get, "mut", name))
     }
+}
+
+/// A struct of the interface with these fields behind its size.
+pub fn structure(name: &str, doc: &str, fields: &str) -> String {
+    comment("", doc)
+        + &format!("#[repr(C)]\n#[derive(Debug, Clone, Copy, Default)]\npub struct {name} {{\n")
+        + &format!("    /// sizeof({name})\n    pub struct_size: u32,\n")
+        + &format!("    /// Must be 0.\n    pub reserved: u32,\n{fields}}}\n\n")
 }
 
 fn of_triad(row: &Parameter) -> Member {

@@ -154,7 +154,7 @@ extern "C" {
 
 /* Reads. */
 
-@solution errors imu accuracy truth_summary covariance record record_line
+@solution errors imu accuracy truth_summary covariance record
 
 /* Many samples in one call. */
 

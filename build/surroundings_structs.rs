@@ -1,7 +1,7 @@
 //! The structs that the tables beside that of the sensors make, as Rust sources.
 
 use crate::parameter::{Row, Shape};
-use crate::sensor_structs::{Access, comment, definition, sentence, unit};
+use crate::sensor_structs::{Access, comment, definition, sentence, structure, unit};
 use crate::surroundings::{ALTIMETER, GRAVITY, INITIAL, MOUNTING, START};
 use crate::unit_table::UNIT;
 
@@ -192,12 +192,8 @@ impl Pair {
             let doc = definition(row.field.doc, &row.field, sigma.map(|(_, name)| name), row.note);
             comment("    ", &doc) + &format!("    pub {name}: {kind},\n")
         };
-        comment("", self.doc)
-            + &format!("#[repr(C)]\n#[derive(Debug, Clone, Copy, Default)]\npub struct {} {{\n", self.name)
-            + &format!("    /// sizeof({})\n    pub struct_size: u32,\n", self.name)
-            + "    /// Must be 0.\n    pub reserved: u32,\n"
-            + &self.rows.iter().map(field).collect::<String>()
-            + &format!("}}\n\nimpl {} {{\n", self.name)
+        structure(self.name, self.doc, &self.rows.iter().map(field).collect::<String>())
+            + &format!("impl {} {{\n", self.name)
             + &self.numbers(|row, names| match names {
                 [one] => format!("{one} = &mut self.{}", row.field.name()),
                 _ => format!("[{}] = self.{}.each_mut()", names.join(", "), row.field.name()),

@@ -45,7 +45,7 @@
 //! | [`recommend`] | finds the cheapest options that meet a required accuracy |
 //! | [`budget`] | finds the contribution of each effect to the errors |
 //! | [`allan`] | estimates the noise of a sensor from its record |
-//! | [`surroundings`] | has the tables of the parameters of the altimeter, of the mounting and of gravity |
+//! | [`surroundings`] | has the tables of the parameters beside those of gyros and accelerometers |
 //! | [`bus`] | words of ARINC 429 of a unit |
 //! | [`unit`] | an INS as an aircraft knows it: modes, alignment, status |
 //! | [`snapshot`] | saves the state of all blocks |

@@ -27,7 +27,7 @@ pub const SINS_ERRORS_WITHOUT_CORRECTIONS: sins_errors_flags = 8;
 
 /// Errors within a sins_record; never grows. Fields as in sins_errors.
 #[repr(C)]
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub struct sins_record_errors {
     /// Position error: displacement from truth along true east and north, and difference of heights [m].
     pub position_enu_m: [f64; 3],
@@ -72,6 +72,21 @@ pub struct sins_errors {
 interface_struct!(sins_errors, "errors", 144);
 
 impl sins_record_errors {
+    /// Errors that nobody computes.
+    const NOT_COMPUTED: Self = Self {
+        position_enu_m: [0.0; 3],
+        latitude_rad: 0.0,
+        longitude_rad: 0.0,
+        height_m: 0.0,
+        velocity_enu_m_s: [0.0; 3],
+        misalignment_enu_rad: [0.0; 3],
+        roll_rad: 0.0,
+        pitch_rad: 0.0,
+        heading_rad: 0.0,
+        flags: SINS_ERRORS_NOT_COMPUTED,
+        reserved2: 0,
+    };
+
     #[inline(always)]
     pub(super) fn of_navigation(moment: Moment<'_>) -> Self {
         Self::new(&moment.navigation_errors(), moment.near_pole())
@@ -79,8 +94,7 @@ impl sins_record_errors {
 
     #[inline(always)]
     pub(super) fn of_model(moment: Moment<'_>) -> Self {
-        let none = || Self { flags: SINS_ERRORS_NOT_COMPUTED, ..Self::default() };
-        moment.model_errors().map_or_else(none, |errors| Self::new(&errors, moment.near_pole()))
+        moment.model_errors().map_or(Self::NOT_COMPUTED, |errors| Self::new(&errors, moment.near_pole()))
     }
 
     #[inline(always)]

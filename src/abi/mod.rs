@@ -42,7 +42,6 @@ mod parameters;
 mod preset;
 mod recommend;
 mod record;
-mod record_line;
 mod run;
 mod sample;
 #[cfg(feature = "scenes")]
@@ -83,7 +82,6 @@ pub use parameters::*;
 pub use preset::*;
 pub use recommend::{sins_cost, sins_recommend, sins_requirement};
 pub use record::*;
-pub use record_line::sins_record_line;
 pub use run::sins_run;
 pub use sample::*;
 #[cfg(feature = "scenes")]

@@ -1,11 +1,19 @@
-//! `sins_record`: one line of the output of `sins_run`.
+//! `sins_record`: one line of the output of `sins_run`, also as a line of a file.
+
+use core::ffi::c_char;
+use core::fmt::{self, Write};
 
 use super::answer::fill_or_need;
+use super::boundary::enter_without_simulator;
+use super::covariance::sins_covariance;
 use super::errors::sins_record_errors;
-use super::failure::sins_status;
-use super::memory::{Output, interface_struct};
+use super::failure::{Failure, sins_status};
+use super::memory::{Output, interface_struct, read, read_numbers};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_record_solution;
+use super::text::put_text;
+use crate::error::{Error, Rule};
+use crate::records::{COLUMNS, Number, SIGMA_COLUMNS};
 use crate::simulator::{Moment, View};
 
 /// Truth, navigation and both errors at one instant.
@@ -61,4 +69,114 @@ pub unsafe extern "C-unwind" fn sins_get_record(sim: *mut sins_sim, record: *mut
         let output = unsafe { Output::new(record, "record")? };
         fill_or_need::<RecordView>(simulator, &output)
     })
+}
+
+/// Size of the longest line [bytes]: 60 numbers have up to 24 letters each; the names of their columns have fewer.
+const LONGEST: usize = 1600;
+
+/// Number of the errors of gyros and accelerometers.
+const SENSOR_ERRORS: usize = 6;
+
+/// Writes a record as one line of comma-separated values, without the newline. The program sins writes its files of records
+/// in this format. If record is NULL, the line has the names of the columns. The decimal numbers are exact: reading them
+/// gives the same doubles. sensor_errors is an array of count = 6 numbers: x, y, z of the mean gyro error [rad/s], then x, y,
+/// z of the mean accelerometer error [m/s2], since the previous record. NULL with count 0: all are 0. covariance adds columns
+/// of standard deviations; NULL: none. buffer, capacity and needed as in sins_last_error(); a line has at most 1600 bytes.
+/// No allocation.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: count is neither 6 nor 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_record_line(
+    record: *const sins_record,
+    sensor_errors: *const f64,
+    count: usize,
+    covariance: *const sins_covariance,
+    buffer: *mut c_char,
+    capacity: usize,
+    needed: *mut usize,
+) -> sins_status {
+    enter_without_simulator(|| {
+        // SAFETY: the host's promise.
+        let line = unsafe { line(record, sensor_errors, count, covariance)? };
+        // SAFETY: the host's promise.
+        unsafe { put_text(&line.bytes[..line.length], buffer, capacity, needed) }
+    })
+}
+
+/// A line without the heap.
+struct Line {
+    bytes: [u8; LONGEST],
+    length: usize,
+}
+
+impl Line {
+    /// Adds a field.
+    fn add(&mut self, field: impl fmt::Display) {
+        let comma = if self.length == 0 { "" } else { "," };
+        // No line is longer than its room.
+        let _ = write!(self, "{comma}{field}");
+    }
+}
+
+impl Write for Line {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        let end = self.length + text.len();
+        self.bytes.get_mut(self.length..end).ok_or(fmt::Error)?.copy_from_slice(text.as_bytes());
+        self.length = end;
+        Ok(())
+    }
+}
+
+/// # Safety
+/// As [`sins_record_line`].
+unsafe fn line(
+    record: *const sins_record,
+    sensor_errors: *const f64,
+    count: usize,
+    covariance: *const sins_covariance,
+) -> Result<Line, Failure> {
+    let mut line = Line { bytes: [0; LONGEST], length: 0 };
+    if record.is_null() {
+        let sigmas = if covariance.is_null() { &[] } else { &SIGMA_COLUMNS[..] };
+        COLUMNS.iter().chain(sigmas).for_each(|column| line.add(column));
+        return Ok(line);
+    }
+    if count != 0 && count != SENSOR_ERRORS {
+        return Err(
+            Error::invalid("count", count, Rule::Sentence("must be 6, or 0 without sensor_errors")).into()
+        );
+    }
+    // SAFETY: as this function.
+    let record = unsafe { read(record, "record")? };
+    let mut sensors = [0.0; SENSOR_ERRORS];
+    // SAFETY: as this function.
+    unsafe { read_numbers(sensor_errors, &mut sensors[..count], "sensor_errors")? };
+    let mut add = |values: &[f64]| values.iter().for_each(|value| line.add(Number(*value)));
+    add(&[record.time_s]);
+    [&record.truth, &record.navigation].into_iter().for_each(|solution| add_solution(&mut add, solution));
+    [&record.navigation_errors, &record.model_errors]
+        .into_iter()
+        .for_each(|errors| add_errors(&mut add, errors));
+    add(&sensors);
+    if !covariance.is_null() {
+        // SAFETY: as this function.
+        let covariance = unsafe { read(covariance, "covariance")? };
+        add(&covariance.position_sigma_enu_m);
+        add(&covariance.velocity_sigma_enu_m_s);
+        add(&covariance.misalignment_sigma_enu_rad);
+    }
+    Ok(line)
+}
+
+fn add_solution(add: &mut impl FnMut(&[f64]), solution: &sins_record_solution) {
+    add(&[solution.latitude_rad, solution.longitude_rad, solution.height_m]);
+    add(&solution.velocity_enu_m_s);
+    add(&[solution.roll_rad, solution.pitch_rad, solution.heading_rad]);
+}
+
+fn add_errors(add: &mut impl FnMut(&[f64]), errors: &sins_record_errors) {
+    add(&errors.position_enu_m);
+    add(&errors.velocity_enu_m_s);
+    add(&errors.misalignment_enu_rad);
+    add(&[errors.roll_rad, errors.pitch_rad, errors.heading_rad, f64::from(errors.flags)]);
 }

@@ -1,6 +1,7 @@
 //! The manoeuvres of which a flight is composed.
 
 use crate::error::{Error, Rule, check_range};
+use crate::snapshot::codes;
 
 /// Largest number of sinusoids in one manoeuvre.
 pub const MAX_SINUSOIDS: usize = 6;
@@ -21,6 +22,10 @@ pub enum Channel {
     /// The sinusoid moves heading alone [rad].
     Heading,
 }
+
+codes!(Channel {
+    Course = 0 "course", Climb = 1 "climb", Speed = 2 "speed", Roll = 3 "roll", Pitch = 4 "pitch", Heading = 5 "heading",
+});
 
 /// amplitude · sin(2π frequency t + phase), with t since the start of the manoeuvre.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,11 +2,12 @@
 
 use nalgebra::Vector3;
 
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
+use super::draft::{Draft, FailureDraft};
 use super::table::of_sensor;
 use super::{Action, Scene, Updated};
 use crate::flight::{Channel, MANOEUVRE_KINDS};
 use crate::parameter::Shape;
+use crate::sensors::FAILURE_KINDS;
 use crate::surroundings::{START, of_path};
 use crate::unit::UNIT;
 
@@ -166,6 +167,10 @@ pub struct Key {
 }
 
 impl Key {
+    pub const fn new(section: Section, name: &'static str, doc: &'static str, target: Target) -> Self {
+        Self { section, name, doc, target }
+    }
+
     /// The field of the library, as its errors name it; empty if the scene alone has this value.
     pub fn field(&self) -> &'static str {
         match self.target {

@@ -1,14 +1,14 @@
 //! The limits of the numbers of a key. The checks of the library state them in their errors: a check is called with a number beyond
 //! every limit, and its error is read.
 
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
+use super::draft::{Draft, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
 use super::key::{Key, Section, Target};
-use super::table::{CHANNELS, SENSORS, UPDATED, of_sensor};
+use super::table::{SENSORS, of_sensor};
 use super::value::{Value, put};
-use super::{PlannedUpdate, Scene};
+use super::{PlannedUpdate, Scene, Updated};
 use crate::error::{Error, Rule};
-use crate::flight::{MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields, Sinusoid};
-use crate::sensors::FailureFields;
+use crate::flight::{Channel, MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields, Sinusoid};
+use crate::sensors::{FAILURE_KINDS, FailureFields};
 
 /// Least and greatest allowed number of a key, in its unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,7 +134,7 @@ fn of_sinusoid(key: &Key) -> Vec<Option<Limits>> {
         fields.sinusoids[0] = draft.sinusoid;
         of_flight(key, &fields.to_manoeuvre())
     };
-    CHANNELS.iter().map(of_channel).collect()
+    Channel::WORDS.iter().map(of_channel).collect()
 }
 
 fn of_failure(key: &Key) -> Vec<Option<Limits>> {
@@ -161,7 +161,7 @@ fn of_update(key: &Key) -> Vec<Option<Limits>> {
         let is_used = key.is_used(&draft) && exceed(&mut draft, key);
         if is_used { stated(key, planned_update(&draft.update).map(|_| ())) } else { None }
     };
-    UPDATED.iter().map(of_kind).collect()
+    Updated::WORDS.iter().map(of_kind).collect()
 }
 
 fn of_action(key: &Key) -> Option<Limits> {

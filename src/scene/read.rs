@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
+use super::draft::{Draft, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
 use super::fault::{About, Fault, Faults};
 use super::key::Section;
 use super::names::{excerpt, nearest, unknown};
@@ -12,9 +12,10 @@ use super::nesting::{MAX_NESTING, too_deep};
 use super::reader::{Item, Reader};
 use super::setting::take_settings;
 use super::table::{self, KEYS};
-use super::{Action, MAX_TEXT, PlannedAction, Scene, Updated};
+use super::{MAX_TEXT, PlannedAction, Scene, Updated};
 use crate::error::Error;
 use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields};
+use crate::sensors::FAILURE_KINDS;
 
 type Span = Range<usize>;
 
@@ -265,13 +266,9 @@ impl Reader<'_> {
     fn read_action(&mut self, head: Span, section_table: &DeTable<'_>) {
         self.draft.action = PlannedAction::default();
         let item = self.read_keys(Section::Panel, head.clone(), section_table);
-        let needed = |action| match action {
-            Action::Position => &["kind", "at_s", "latitude_deg", "longitude_deg"][..],
-            Action::Heading => &["kind", "at_s", "heading_deg"],
-            _ => &["kind", "at_s"],
-        };
         let planned = self.draft.action;
-        if !self.has_all(&item, needed(planned.action)) {
+        let used = table::of_section(Section::Panel).filter(|(_, key)| key.is_used(&self.draft));
+        if !self.has_all(&item, &used.map(|(_, key)| key.name).collect::<Vec<_>>()) {
             return;
         }
         for (index, span) in item.keys.iter().filter(|(index, _)| !KEYS[*index].is_used(&self.draft)) {

@@ -11,6 +11,7 @@ use crate::error::{Error, check_range, check_ranges};
 use crate::errors::NavigationErrors;
 use crate::mechanization::VerticalMode;
 use crate::sensors::StreamKey;
+use crate::snapshot::codes;
 use crate::unit::Unit;
 
 /// What an update corrects. The numbers are part of the bit-for-bit guarantee: never reuse one.
@@ -24,6 +25,8 @@ pub enum Updated {
     /// Velocity: east, north and up.
     Velocity = 2,
 }
+
+codes!(Updated { Position = 0 "position", HorizontalPosition = 1 "horizontal_position", Velocity = 2 "velocity" });
 
 /// A planned update. After it the solution has the error of the fix.
 #[derive(Debug, Clone, Copy, PartialEq)]

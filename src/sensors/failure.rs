@@ -43,6 +43,7 @@ impl SensorOutput {
     }
 
     /// Its sensor and its axis, as [`Self::of`] takes them; 0 of the altimeter.
+    #[cfg(feature = "scenes")]
     pub(crate) fn parts(self) -> (usize, usize) {
         match self {
             Self::Gyro(axis) => (0, axis as usize),

@@ -55,7 +55,7 @@ pub use draw::StandardNormal;
 pub(crate) use effects::{FLICKER_PROCESSES, SharedInput, StateRows};
 pub(crate) use failing::FailingTriad;
 pub use failure::{Axis, Failure, SensorOutput};
-pub(crate) use failure_fields::{FAILURE_KIND_COUNT, FailureFields};
+pub(crate) use failure_fields::{FAILURE_KINDS, FailureFields};
 pub use gravity_disturbance::{GravityDisturbance, GravityDisturbanceParameters, GravityField};
 pub use initial::{Alignment, InitialErrorParameters};
 pub use parameters::{Sensor, TriadParameters};

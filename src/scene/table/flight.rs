@@ -62,18 +62,8 @@ pub const MANOEUVRE: &[Key] = &[
         "manoeuvre.turns" => one(manoeuvre.turns)),
 ];
 
-/// The words of what a sinusoid moves.
-pub const CHANNELS: [(&str, Channel); 6] = [
-    ("course", Channel::Course),
-    ("climb", Channel::Climb),
-    ("speed", Channel::Speed),
-    ("roll", Channel::Roll),
-    ("pitch", Channel::Pitch),
-    ("heading", Channel::Heading),
-];
-
 pub const SINUSOID: &[Key] = &[
-    choice!(S, "channel", "quantity that the sinusoid moves", "sinusoid.channel" => sinusoid.channel, CHANNELS),
+    choice!(S, "channel", "quantity that the sinusoid moves", "sinusoid.channel" => sinusoid.channel, Channel::WORDS),
     number!(S, N, "amplitude_deg", unit("deg", DEG, "rad"), "amplitude of an angle",
         "sinusoid.amplitude_rad" => one(sinusoid.amplitude)),
     number!(S, N, "amplitude_m_s", si("m/s"), "amplitude of the speed", "sinusoid.amplitude_m_s" => one(sinusoid.amplitude)),

@@ -9,8 +9,6 @@ mod surroundings;
 mod update;
 
 pub use failure::SENSORS;
-pub use flight::CHANNELS;
-pub use update::UPDATED;
 
 use super::draft::Draft;
 use super::key::{Key, Section, Target, Unit};
@@ -89,7 +87,7 @@ const fn text(
     doc: &'static str,
     place: fn(&mut Draft) -> &mut String,
 ) -> Key {
-    Key { section, name, doc, target: Target::Text { example, place } }
+    Key::new(section, name, doc, Target::Text { example, place })
 }
 
 /// A key of numbers: section, shape, name, unit, meaning; the library's field, and the place in the draft. The limits are the
@@ -97,18 +95,13 @@ const fn text(
 macro_rules! number {
     ($section:expr, $shape:expr, $name:literal, $unit:expr, $doc:literal,
         $field:literal $(in $limits:expr)? => $places:ident($($place:ident).+)) => {
-        Key {
-            section: $section,
-            name: $name,
-            doc: $doc,
-            target: Target::Numbers {
-                field: $field,
-                unit: $unit,
-                shape: $shape,
-                limits_si: [$(Some($limits),)? None][0],
-                place: Place::At(|draft| $places(&mut draft.$($place).+)),
-            },
-        }
+        Key::new($section, $name, $doc, Target::Numbers {
+            field: $field,
+            unit: $unit,
+            shape: $shape,
+            limits_si: [$(Some($limits),)? None][0],
+            place: Place::At(|draft| $places(&mut draft.$($place).+)),
+        })
     };
 }
 use number;
@@ -116,17 +109,12 @@ use number;
 /// A key of words, whose number is in the draft.
 macro_rules! word {
     ($section:expr, $name:literal, $doc:literal, $field:literal, $words:expr, $($place:ident).+) => {
-        Key {
-            section: $section,
-            name: $name,
-            doc: $doc,
-            target: Target::Choice {
-                field: $field,
-                words: $words,
-                get: |draft| draft.$($place).+,
-                set: |draft, index| draft.$($place).+ = index,
-            },
-        }
+        Key::new($section, $name, $doc, Target::Choice {
+            field: $field,
+            words: $words,
+            get: |draft| draft.$($place).+,
+            set: |draft, index| draft.$($place).+ = index,
+        })
     };
 }
 use word;
@@ -134,17 +122,12 @@ use word;
 /// A key of words, each for one value of a place in the draft.
 macro_rules! choice {
     ($section:expr, $name:literal, $doc:literal, $field:literal => $($place:ident).+, $words:expr) => {
-        Key {
-            section: $section,
-            name: $name,
-            doc: $doc,
-            target: Target::Choice {
-                field: $field,
-                words: &super::first_words($words),
-                get: |draft| $words.iter().position(|(_, value)| *value == draft.$($place).+).unwrap_or(0),
-                set: |draft, index| draft.$($place).+ = $words[index].1,
-            },
-        }
+        Key::new($section, $name, $doc, Target::Choice {
+            field: $field,
+            words: &super::first_words($words),
+            get: |draft| $words.iter().position(|(_, value)| *value == draft.$($place).+).unwrap_or(0),
+            set: |draft, index| draft.$($place).+ = $words[index].1,
+        })
     };
 }
 use choice;
@@ -152,16 +135,11 @@ use choice;
 /// A key of a whole number.
 macro_rules! count {
     ($section:expr, $name:literal, $doc:literal, $field:literal => $($place:ident).+) => {
-        Key {
-            section: $section,
-            name: $name,
-            doc: $doc,
-            target: Target::Count {
-                field: $field,
-                get: |draft| draft.$($place).+ as u64,
-                set: |draft, number| draft.$($place).+ = number.try_into().unwrap_or(!0),
-            },
-        }
+        Key::new($section, $name, $doc, Target::Count {
+            field: $field,
+            get: |draft| draft.$($place).+ as u64,
+            set: |draft, number| draft.$($place).+ = number.try_into().unwrap_or(!0),
+        })
     };
 }
 use count;

@@ -49,10 +49,10 @@ pub const OUTPUT: &[Key] = &[
     }),
     number!(P, N, "every_s", si("s"), "time between two records; default: about 2000 records",
         "output.every_s" in (5e-5, 1e7) => one(every_s)),
-    Key {
-        section: P,
-        name: "quiet",
-        doc: "shows neither progress nor summary",
-        target: Target::Flag { get: |d| d.scene.output.quiet, set: |d, quiet| d.scene.output.quiet = quiet },
-    },
+    Key::new(
+        P,
+        "quiet",
+        "shows neither progress nor summary",
+        Target::Flag { get: |d| d.scene.output.quiet, set: |d, quiet| d.scene.output.quiet = quiet },
+    ),
 ];

@@ -7,15 +7,8 @@ use crate::parameter::Shape;
 
 const U: Section = Section::Update;
 
-/// The words of what an update corrects.
-pub const UPDATED: [(&str, Updated); 3] = [
-    ("position", Updated::Position),
-    ("horizontal_position", Updated::HorizontalPosition),
-    ("velocity", Updated::Velocity),
-];
-
 pub const UPDATE: &[Key] = &[
-    choice!(U, "kind", "what the fix gives", "update.kind" => update.updated, UPDATED),
+    choice!(U, "kind", "what the fix gives", "update.kind" => update.updated, Updated::WORDS),
     number!(U, Shape::Number, "at_s", si("s"), "time of the update, from the start of the flight", "update.at_s" => one(update.at_s)),
     number!(U, Shape::Number, "every_s", si("s"), "time from one update to the next; default: only one",
         "update.every_s" => one(update.every_s)),
