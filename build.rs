@@ -26,6 +26,8 @@ mod header_units;
 mod interface;
 #[path = "build/model.rs"]
 mod model;
+#[path = "build/own.rs"]
+mod own;
 #[allow(dead_code, reason = "the crate uses the rest")]
 #[path = "src/parameter.rs"]
 mod parameter;
@@ -35,10 +37,6 @@ mod python;
 mod read;
 #[path = "build/sensor_structs.rs"]
 mod sensor_structs;
-#[path = "build/sizes.rs"]
-mod sizes;
-#[path = "build/statuses.rs"]
-mod statuses;
 #[path = "src/surroundings/table.rs"]
 mod surroundings;
 #[path = "build/surroundings_structs.rs"]

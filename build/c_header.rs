@@ -17,15 +17,9 @@ const WIDTH: usize = 118;
 
 /// The text of a header. cbindgen reads files: they lie in `work`.
 pub fn write(template: &Template, interface: &Interface, sources: &[Source], work: &Path) -> String {
-    let items: Vec<(&str, Vec<Item>)> = sources
+    let structs: Vec<&ItemStruct> = sources
         .iter()
-        .map(|source| {
-            (&*source.name, syn::parse_file(&source.text).expect("a source of src/abi parses").items)
-        })
-        .collect();
-    let structs: Vec<&ItemStruct> = items
-        .iter()
-        .flat_map(|(_, items)| items)
+        .flat_map(|source| &source.items)
         .filter_map(|item| if let Item::Struct(item) = item { Some(item) } else { None })
         .collect();
     let mut text = String::new();
@@ -33,7 +27,7 @@ pub fn write(template: &Template, interface: &Interface, sources: &[Source], wor
         match part {
             Part::Text(lines) => text += lines,
             Part::Source(name) => {
-                let (_, items) = items.iter().find(|(of, _)| of == name).expect("it was read");
+                let Source { items, .. } = sources.iter().find(|of| of.name == *name).expect("it was read");
                 let path = work.join(format!("{}.rs", name.replace('/', "_")));
                 let source: String =
                     items.iter().map(|item| declared(item, items, interface, &structs)).collect();

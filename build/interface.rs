@@ -8,7 +8,7 @@ use std::path::Path;
 use super::c_header;
 use super::model::Interface;
 use super::template::{Source, Template};
-use super::{ada, c_calls, c_functions, c_layout, fortran, python, sizes, statuses};
+use super::{ada, c_calls, c_functions, c_layout, fortran, own, python};
 
 /// The headers, each of which includes those above it.
 const HEADERS: [(&str, &str); 4] = [
@@ -46,7 +46,11 @@ pub fn generate(abi: &Path, generated: &[(String, String)], work: &Path) -> Outp
         })
     };
     let names = templates.iter().flat_map(Template::sources);
-    let sources: Vec<Source> = names.map(|name| Source { name: name.to_owned(), text: read(name) }).collect();
+    let sources = names.map(|name| {
+        let items = syn::parse_file(&read(name)).expect("a source of src/abi parses").items;
+        Source { name: name.to_owned(), items }
+    });
+    let sources: Vec<Source> = sources.collect();
     let interface = Interface::read(HEADERS[0].1, &sources);
     Outputs {
         headers: headers(&templates, &interface, &sources, work),
@@ -55,8 +59,8 @@ pub fn generate(abi: &Path, generated: &[(String, String)], work: &Path) -> Outp
             ("sins.ads", ada::write(&interface)),
             ("sins.py", python::write(&interface)),
         ],
-        size_checks: sizes::check(&interface),
-        status_names: statuses::names(&interface),
+        size_checks: own::check(&interface),
+        status_names: own::names(&interface),
     }
 }
 

@@ -13,10 +13,8 @@ impl Interface {
     pub fn read(preamble: &str, sources: &[Source]) -> Self {
         let mut interface = Self { units: super::header_units::read(preamble), ..Self::default() };
         let mut structs = Vec::new();
-        for source in sources {
-            for item in syn::parse_file(&source.text).expect("a source of src/abi parses").items {
-                interface.add(item, &mut structs);
-            }
+        for item in sources.iter().flat_map(|source| &source.items) {
+            interface.add(item, &mut structs);
         }
         for index in 0..interface.functions.len() {
             let needed: Vec<String> =
@@ -26,7 +24,7 @@ impl Interface {
         interface
     }
 
-    fn add(&mut self, item: Item, structs: &mut Vec<Struct>) {
+    fn add(&mut self, item: &Item, structs: &mut Vec<Struct>) {
         match item {
             Item::Type(item) if is_public(&item.vis) => {
                 let (name, kind, doc) = (item.ident.to_string(), Type::of(&item.ty), doc(&item.attrs));

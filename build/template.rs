@@ -17,7 +17,7 @@ pub enum Part {
 /// A source of the interface.
 pub struct Source {
     pub name: String,
-    pub text: String,
+    pub items: Vec<syn::Item>,
 }
 
 impl Template {

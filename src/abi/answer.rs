@@ -6,25 +6,6 @@ use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Output, Struct};
 use crate::simulator::{Simulator, View};
 
-/// What the inside of a call gives: a status, or nothing where the call was made.
-pub(super) trait Answer {
-    fn status(self) -> sins_status;
-}
-
-impl Answer for sins_status {
-    #[inline(always)]
-    fn status(self) -> sins_status {
-        self
-    }
-}
-
-impl Answer for () {
-    #[inline(always)]
-    fn status(self) -> sins_status {
-        SINS_OK
-    }
-}
-
 /// Writes `value`, or answers that there is none yet.
 pub(super) fn write_or_need<T: Struct>(output: &Output<T>, value: Option<T>) -> sins_status {
     value.map_or(SINS_NEED_SAMPLE, |value| output.write(&value))

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::choice::check_reserved;
-use super::failure::{Failure, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use crate::correction::{Compensation, Correction};
@@ -124,7 +124,8 @@ pub unsafe extern "C-unwind" fn sins_correct(
 ) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
-        Ok(simulator.correct(&unsafe { read(correction, "correction")? }.to_correction()?)?)
+        simulator.correct(&unsafe { read(correction, "correction")? }.to_correction()?)?;
+        Ok(SINS_OK)
     })
 }
 

@@ -1,6 +1,5 @@
 //! `sins_ensemble`: the life of an ensemble, and its steps.
 
-use super::answer::Answer;
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::ENSEMBLES;
 use super::boundary::{enter, enter_without_simulator};
@@ -20,9 +19,9 @@ pub struct sins_ensemble {
 }
 
 /// Runs `body` on the ensemble of a handle, as the inside of an exported function.
-pub(super) fn with_ensemble<A: Answer>(
+pub(super) fn with_ensemble(
     ensemble: *const sins_ensemble,
-    body: impl FnOnce(&mut Ensemble) -> Result<A, Failure>,
+    body: impl FnOnce(&mut Ensemble) -> Result<sins_status, Failure>,
 ) -> sins_status {
     with_object(&ENSEMBLES, ensemble, body)
 }
@@ -161,7 +160,8 @@ pub unsafe extern "C-unwind" fn sins_ensemble_reposition(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let sample = unsafe { read(sample, "sample")? };
-        Ok(ensemble.reposition(&sample.to_sample()?)?)
+        ensemble.reposition(&sample.to_sample()?)?;
+        Ok(SINS_OK)
     })
 }
 
@@ -188,6 +188,7 @@ pub unsafe extern "C-unwind" fn sins_ensemble_set_failure(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let failure = unsafe { read(failure, "failure")? };
-        Ok(ensemble.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?)
+        ensemble.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?;
+        Ok(SINS_OK)
     })
 }

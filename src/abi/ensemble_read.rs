@@ -133,7 +133,8 @@ pub unsafe extern "C-unwind" fn sins_ensemble_correct(
 ) -> sins_status {
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
-        Ok(ensemble.correct(run, &unsafe { read(correction, "correction")? }.to_correction()?)?)
+        ensemble.correct(run, &unsafe { read(correction, "correction")? }.to_correction()?)?;
+        Ok(SINS_OK)
     })
 }
 

@@ -62,6 +62,7 @@ pub unsafe extern "C-unwind" fn sins_ensemble_snapshot_load(
     with_ensemble(ensemble, |ensemble| {
         // SAFETY: the host's promise.
         let snapshot = unsafe { bytes_of(snapshot.cast(), size, "snapshot")? };
-        Ok(ensemble.load_snapshot(snapshot)?)
+        ensemble.load_snapshot(snapshot)?;
+        Ok(SINS_OK)
     })
 }

@@ -4,7 +4,7 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::answer::write_or_need;
 use super::choice::check_reserved;
-use super::failure::sins_status;
+use super::failure::{SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_navigation;
@@ -141,7 +141,8 @@ pub unsafe extern "C-unwind" fn sins_start_navigation(
         // A norm of 1 within rounding stays: a solution that was read starts to the bit.
         let unit = if (norm - 1.0).abs() <= 4.0 * f64::EPSILON { q } else { q / norm };
         let navigation = Navigation::new(place, v_n, unit, simulator.options().axes);
-        Ok(simulator.start_navigation(start.time_s, &navigation)?)
+        simulator.start_navigation(start.time_s, &navigation)?;
+        Ok(SINS_OK)
     })
 }
 
@@ -171,6 +172,7 @@ pub unsafe extern "C-unwind" fn sins_push_imu(
             angle: part(&imu.angle_rad, index),
             velocity: part(&imu.velocity_m_s, index),
         });
-        Ok(simulator.push_imu(&increments[..imu.count as usize], imu.interval_s)?)
+        simulator.push_imu(&increments[..imu.count as usize], imu.interval_s)?;
+        Ok(SINS_OK)
     })
 }

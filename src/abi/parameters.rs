@@ -3,7 +3,7 @@
 use core::slice::{from_mut, from_ref};
 
 use super::choice::choices;
-use super::failure::{Failure, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, Struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use crate::error::Error;
@@ -72,7 +72,8 @@ pub(super) unsafe fn set<P: Parameters>(
 ) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: as this function.
-        Ok(set(simulator, &unsafe { read(params, name)? }.to_parameters()?)?)
+        set(simulator, &unsafe { read(params, name)? }.to_parameters()?)?;
+        Ok(SINS_OK)
     })
 }
 

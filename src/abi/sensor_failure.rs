@@ -1,11 +1,11 @@
 //! `sins_failure`.
 
 use super::choice::check_reserved;
-use super::failure::{Failure, sins_status};
+use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use crate::error::{Error, Rule};
-use crate::sensors::{self, FAILURE_KIND_COUNT, FailureFields, SensorOutput};
+use crate::sensors::{self, FAILURE_KINDS, FailureFields, SensorOutput};
 
 /// Sensors that can fail.
 pub type sins_sensor = i32;
@@ -81,7 +81,7 @@ pub struct sins_failure {
 interface_struct!(sins_failure, "failure", 56);
 
 // A kind is its place among the kinds.
-const _: () = assert!(SINS_FAILURE_NONE == 0 && SINS_FAILURE_DROP_OUTS + 1 == FAILURE_KIND_COUNT as i32);
+const _: () = assert!(SINS_FAILURE_NONE == 0 && SINS_FAILURE_DROP_OUTS + 1 == FAILURE_KINDS.len() as i32);
 
 impl sins_failure_fields {
     /// The fields of `failure`; without one SINS_FAILURE_NONE.
@@ -94,8 +94,8 @@ impl sins_failure_fields {
         check_reserved("failure.reserved2", self.reserved2)?;
         let Self { size, density, interval_s, duration_s, probability, .. } = self;
         let kind = usize::try_from(self.kind).unwrap_or(usize::MAX);
-        if kind >= FAILURE_KIND_COUNT {
-            let rule = Rule::OneOf("sins_failure_kind", 0, FAILURE_KIND_COUNT as i32 - 1);
+        if kind >= FAILURE_KINDS.len() {
+            let rule = Rule::OneOf("sins_failure_kind", 0, FAILURE_KINDS.len() as i32 - 1);
             return Err(Error::invalid("failure.kind", self.kind, rule).into());
         }
         let failure = FailureFields { kind, size, density, interval_s, duration_s, probability }.to_failure();
@@ -175,7 +175,8 @@ pub unsafe extern "C-unwind" fn sins_set_failure(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let failure = unsafe { read(failure, "failure")? };
-        Ok(simulator.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?)
+        simulator.set_failure(output(ARGUMENTS, sensor, axis)?, failure.to_failure()?)?;
+        Ok(SINS_OK)
     })
 }
 

@@ -1,6 +1,5 @@
 //! `sins_sim`: the simulator's life, and its steps.
 
-use super::answer::Answer;
 use super::boundary::handle::hand_out;
 use super::boundary::tables::SIMULATORS;
 use super::boundary::{enter, enter_without_simulator};
@@ -23,20 +22,20 @@ pub struct sins_sim {
 
 /// Runs `body` on the simulator of a handle, as the inside of an exported function.
 #[inline(always)]
-pub(super) fn with_simulator<A: Answer>(
+pub(super) fn with_simulator(
     sim: *const sins_sim,
-    body: impl FnOnce(&mut Simulator) -> Result<A, Failure>,
+    body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
 ) -> sins_status {
     enter(|| on_simulator(sim, body))
 }
 
 /// [`with_simulator`] where the host's state is set aside already.
 #[inline(always)]
-pub(super) fn on_simulator<A: Answer>(
+pub(super) fn on_simulator(
     sim: *const sins_sim,
-    body: impl FnOnce(&mut Simulator) -> Result<A, Failure>,
+    body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    SIMULATORS.with(sim.addr(), |memory| body(&mut memory[0]).map(A::status))
+    SIMULATORS.with(sim.addr(), |memory| body(&mut memory[0]))
 }
 
 /// Moves a simulator to a sample.
@@ -50,7 +49,8 @@ unsafe fn at_sample(
 ) -> sins_status {
     with_simulator(sim, |simulator| {
         // SAFETY: as this function.
-        Ok(go(simulator, &unsafe { read(sample, "sample")? }.to_sample()?)?)
+        go(simulator, &unsafe { read(sample, "sample")? }.to_sample()?)?;
+        Ok(SINS_OK)
     })
 }
 
@@ -239,7 +239,10 @@ pub(super) fn stepped(step: Step) -> sins_status {
 /// SINS_ERROR_BAD_STATE: no sample yet, or navigating on increments, which have no time stamps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_move_time(sim: *mut sins_sim, time_s: f64) -> sins_status {
-    with_simulator(sim, |simulator| Ok(simulator.move_time(time_s)?))
+    with_simulator(sim, |simulator| {
+        simulator.move_time(time_s)?;
+        Ok(SINS_OK)
+    })
 }
 
 /// Slews the vehicle: the truth jumps to the sample, and the INS keeps its errors. No interval is flown from the previous

@@ -2,7 +2,7 @@
 
 use core::ffi::c_void;
 
-use super::failure::sins_status;
+use super::failure::{SINS_OK, sins_status};
 use super::memory::put;
 use super::simulator::{sins_sim, with_simulator};
 use super::text::{bytes_of, put_saved};
@@ -73,6 +73,7 @@ pub unsafe extern "C-unwind" fn sins_snapshot_load(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let snapshot = unsafe { bytes_of(snapshot.cast(), size, "snapshot")? };
-        Ok(simulator.load_snapshot(snapshot)?)
+        simulator.load_snapshot(snapshot)?;
+        Ok(SINS_OK)
     })
 }

@@ -2,7 +2,6 @@
 
 use core::ffi::c_void;
 
-use super::answer::Answer;
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::UNITS;
 use super::boundary::{enter, enter_without_simulator};
@@ -48,9 +47,9 @@ pub const SINS_UNIT_SNAPSHOT_MAX_SIZE: usize = 1024;
 const _: () = assert!(SINS_UNIT_SNAPSHOT_MAX_SIZE == Unit::SNAPSHOT_MAX_SIZE);
 
 /// Runs `body` on the unit of a handle, as the inside of an exported function.
-pub(super) fn with_unit<A: Answer>(
+pub(super) fn with_unit(
     unit: *const sins_unit,
-    body: impl FnOnce(&mut Unit) -> Result<A, Failure>,
+    body: impl FnOnce(&mut Unit) -> Result<sins_status, Failure>,
 ) -> sins_status {
     with_object(&UNITS, unit, body)
 }
@@ -126,7 +125,8 @@ pub unsafe extern "C-unwind" fn sins_unit_set_params(
 ) -> sins_status {
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
-        Ok(unit.set_parameters(&unsafe { read(params, "params")? }.to_parameters()?)?)
+        unit.set_parameters(&unsafe { read(params, "params")? }.to_parameters()?)?;
+        Ok(SINS_OK)
     })
 }
 
@@ -196,7 +196,10 @@ pub unsafe extern "C-unwind" fn sins_unit_enter_position(
     latitude_rad: f64,
     longitude_rad: f64,
 ) -> sins_status {
-    with_unit(unit, |unit| Ok(unit.enter_position(latitude_rad, longitude_rad)?))
+    with_unit(unit, |unit| {
+        unit.enter_position(latitude_rad, longitude_rad)?;
+        Ok(SINS_OK)
+    })
 }
 
 /// Enters the heading of the mode ATT, -2 pi to 2 pi [rad]. The gyros carry it on. They measure the Earth's rotation too, so it drifts by
@@ -209,7 +212,10 @@ pub unsafe extern "C-unwind" fn sins_unit_enter_heading(
     unit: *mut sins_unit,
     heading_rad: f64,
 ) -> sins_status {
-    with_unit(unit, |unit| Ok(unit.enter_heading(heading_rad)?))
+    with_unit(unit, |unit| {
+        unit.enter_heading(heading_rad)?;
+        Ok(SINS_OK)
+    })
 }
 
 /// Sets what the unit stored when it was last switched off: latitude, -pi/2 to pi/2, longitude, -pi to pi, and true heading, 0 to 2 pi
@@ -223,7 +229,10 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
     longitude_rad: f64,
     heading_rad: f64,
 ) -> sins_status {
-    with_unit(unit, |unit| Ok(unit.set_stored(Some(Stored { latitude_rad, longitude_rad, heading_rad }))?))
+    with_unit(unit, |unit| {
+        unit.set_stored(Some(Stored { latitude_rad, longitude_rad, heading_rad }))?;
+        Ok(SINS_OK)
+    })
 }
 
 /// Takes the last step of the simulator: to be called after each step that was made. The unit reads the measured increments of the
@@ -251,7 +260,10 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
 /// The errors of sins_correct(): the simulator rejects a correction. The unit has noted the interval and tries again with the next.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_unit_update(unit: *mut sins_unit, sim: *mut sins_sim) -> sins_status {
-    with_unit(unit, |unit| Ok(work_with(sim, "sim", |simulator| unit.update(simulator))??))
+    with_unit(unit, |unit| {
+        work_with(sim, "sim", |simulator| unit.update(simulator))??;
+        Ok(SINS_OK)
+    })
 }
 
 /// A fix of another sensor, such as a receiver of satellite navigation: position and velocity of the reference point of the samples.
@@ -309,7 +321,8 @@ pub unsafe extern "C-unwind" fn sins_unit_push_fix(
         check_reserved("fix.reserved", fix.reserved)?;
         let sins_unit_fix { latitude_rad, longitude_rad, height_m, velocity_enu_m_s, .. } = fix;
         let place = Geodetic { latitude_rad, longitude_rad, height_m };
-        Ok(work_with(sim, "sim", |simulator| unit.push_fix(simulator, place, velocity_enu_m_s.into()))??)
+        work_with(sim, "sim", |simulator| unit.push_fix(simulator, place, velocity_enu_m_s.into()))??;
+        Ok(SINS_OK)
     })
 }
 
@@ -343,6 +356,7 @@ pub unsafe extern "C-unwind" fn sins_unit_snapshot_load(
     with_unit(unit, |unit| {
         // SAFETY: the host's promise.
         let snapshot = unsafe { bytes_of(snapshot.cast(), size, "snapshot")? };
-        Ok(unit.load_snapshot(snapshot)?)
+        unit.load_snapshot(snapshot)?;
+        Ok(SINS_OK)
     })
 }

@@ -97,14 +97,18 @@ const fn effects<const N: usize>(table: Table) -> [Effect; N] {
 }
 
 impl Effect {
+    /// Whether it is set. Not inlined, as [`Self::copy`]: its copy of the parameters is not on the stack while the budget flies.
+    #[inline(never)]
     fn is_set(&self, from: &ErrorParameters) -> bool {
         { *from }.numbers_of(self.field).any(|number| *number != 0.0)
     }
 
     /// Copies the numbers of its field, and those of its correlation time or distance.
+    #[inline(never)]
     fn copy(&self, from: &ErrorParameters, to: &mut ErrorParameters) {
+        let mut from = *from;
         for path in crate::simulator::with_time(self.field) {
-            { *from }.numbers_of(path).zip(to.numbers_of(path)).for_each(|(from, to)| *to = *from);
+            to.numbers_of(path).zip(from.numbers_of(path)).for_each(|(to, from)| *to = *from);
         }
     }
 

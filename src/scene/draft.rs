@@ -9,7 +9,7 @@ use super::{
 use crate::Options;
 use crate::error::Error;
 use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
-use crate::sensors::{FAILURE_KIND_COUNT, FailureFields, SensorOutput};
+use crate::sensors::{FailureFields, SensorOutput};
 
 /// A scene while it is read or written. A number that may be missing is NaN.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,17 +43,6 @@ pub struct FailureDraft {
     pub until_s: f64,
     pub fields: FailureFields,
 }
-
-/// The kinds of failures, and the quantities that each of them uses. Drop-outs use one of the two.
-pub const FAILURE_KINDS: [(&str, &[&str]); FAILURE_KIND_COUNT] = [
-    ("none", &["size", "density", "interval_s", "duration_s", "probability"]),
-    ("stuck", &[]),
-    ("dead", &[]),
-    ("bias_step", &["size"]),
-    ("spikes", &["size", "interval_s", "duration_s"]),
-    ("noise", &["density"]),
-    ("drop_outs", &["interval_s", "probability"]),
-];
 
 /// A sinusoid without motion.
 pub const NO_SINUSOID: Sinusoid =

@@ -2,11 +2,12 @@
 
 use nalgebra::Vector3;
 
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft};
+use super::draft::{Draft, FailureDraft};
 use super::table::of_sensor;
 use super::{Action, Scene, Updated};
 use crate::flight::{Channel, MANOEUVRE_KINDS};
 use crate::parameter::Shape;
+use crate::sensors::FAILURE_KINDS;
 use crate::surroundings::{START, of_path};
 use crate::unit::UNIT;
 

@@ -1,14 +1,14 @@
 //! The limits of the numbers of a key. The checks of the library state them in their errors: a check is called with a number beyond
 //! every limit, and its error is read.
 
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
+use super::draft::{Draft, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
 use super::key::{Key, Section, Target};
 use super::table::{SENSORS, of_sensor};
 use super::value::{Value, put};
 use super::{PlannedUpdate, Scene, Updated};
 use crate::error::{Error, Rule};
 use crate::flight::{Channel, MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields, Sinusoid};
-use crate::sensors::FailureFields;
+use crate::sensors::{FAILURE_KINDS, FailureFields};
 
 /// Least and greatest allowed number of a key, in its unit.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-use super::draft::{Draft, FAILURE_KINDS, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
+use super::draft::{Draft, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
 use super::fault::{About, Fault, Faults};
 use super::key::Section;
 use super::names::{excerpt, nearest, unknown};
@@ -15,6 +15,7 @@ use super::table::{self, KEYS};
 use super::{MAX_TEXT, PlannedAction, Scene, Updated};
 use crate::error::Error;
 use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields};
+use crate::sensors::FAILURE_KINDS;
 
 type Span = Range<usize>;
 

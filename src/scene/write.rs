@@ -1,6 +1,6 @@
 //! The writer of scenes.
 
-use super::draft::{Draft, FAILURE_KINDS, update_draft};
+use super::draft::{Draft, update_draft};
 use super::key::{Key, Section, Target};
 use super::list::meaning;
 use super::site::{Site, ValuePath};
@@ -8,6 +8,7 @@ use super::table::of_section;
 use super::value::{divided, shown, written};
 use super::{FlightSource, Scene};
 use crate::flight::ManoeuvreFields;
+use crate::sensors::FAILURE_KINDS;
 
 impl Scene {
     /// The scene in TOML with comments: all values that are not the default. [`Scene::parse`] reads the same scene from it, to the bit.

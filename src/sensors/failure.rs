@@ -175,13 +175,21 @@ impl Failure {
     }
 }
 
-/// Number of failure kinds, including kind 0, which is no failure.
-pub(crate) const FAILURE_KIND_COUNT: usize = 7;
+/// The kinds of failures, and the quantities that each of them uses. Drop-outs use one of the two.
+pub(crate) const FAILURE_KINDS: [(&str, &[&str]); 7] = [
+    ("none", &["size", "density", "interval_s", "duration_s", "probability"]),
+    ("stuck", &[]),
+    ("dead", &[]),
+    ("bias_step", &["size"]),
+    ("spikes", &["size", "interval_s", "duration_s"]),
+    ("noise", &["density"]),
+    ("drop_outs", &["interval_s", "probability"]),
+];
 
 /// A failure of any kind, or none. It has the quantities of all kinds; those that its kind does not use are 0.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct FailureFields {
-    /// Kind, counted from 0: no failure, stuck, dead, bias step, spikes, noise, drop-outs.
+    /// Index in [`FAILURE_KINDS`].
     pub kind: usize,
     pub size: f64,
     pub density: f64,

@@ -54,7 +54,7 @@ pub use draw::StandardNormal;
 pub(crate) use effects::{FLICKER_PROCESSES, SharedInput, StateRows};
 pub(crate) use failing::FailingTriad;
 pub use failure::{Axis, Failure, SensorOutput};
-pub(crate) use failure::{FAILURE_KIND_COUNT, FailureFields};
+pub(crate) use failure::{FAILURE_KINDS, FailureFields};
 pub use gravity_disturbance::GravityDisturbance;
 pub use initial::{Alignment, InitialErrorParameters};
 pub use parameters::{Sensor, TriadParameters};

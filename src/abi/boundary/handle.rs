@@ -2,18 +2,16 @@
 
 use super::registry::Registry;
 use super::{enter, remember};
-use crate::abi::answer::Answer;
 use crate::abi::failure::{Failure, sins_status};
 use crate::abi::memory::put;
 
 /// Runs `body` on the object of a handle, as the inside of an exported function. A failure is kept for this thread.
-pub(in crate::abi) fn with_object<T, H, A: Answer, const KIND: usize>(
+pub(in crate::abi) fn with_object<T, H, const KIND: usize>(
     table: &Registry<T, KIND>,
     handle: *const H,
-    body: impl FnOnce(&mut T) -> Result<A, Failure>,
+    body: impl FnOnce(&mut T) -> Result<sins_status, Failure>,
 ) -> sins_status {
-    let body = |object: &mut T| body(object).map(A::status).inspect_err(|&failure| remember(failure));
-    enter(|| table.with(handle.addr(), body))
+    enter(|| table.with(handle.addr(), |object| body(object).inspect_err(|&failure| remember(failure))))
 }
 
 /// Makes an object and gives the host its handle, at `place`, the argument `name`, which is looked at first.

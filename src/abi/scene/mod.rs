@@ -26,7 +26,6 @@ pub use value::*;
 
 use core::ffi::c_char;
 
-use crate::abi::answer::Answer;
 use crate::abi::boundary::handle::{hand_out, with_object};
 use crate::abi::boundary::tables::{FLIGHTS, SCENES, SIMULATORS, SceneText};
 use crate::abi::boundary::{enter, enter_without_simulator};
@@ -56,9 +55,9 @@ fn of_scene(scene: Scene) -> SceneText {
 }
 
 /// Runs `body` on the scene of a handle, as the inside of an exported function; it may copy the scene and write it.
-pub(in crate::abi) fn with_scene<A: Answer>(
+pub(in crate::abi) fn with_scene(
     scene: *const sins_scene,
-    body: impl FnOnce(&mut Scene) -> Result<A, Failure>,
+    body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
 ) -> sins_status {
     with_sound_scene(scene, |scene| {
         probe(ROOM + ROOM_OF_ITEM * scene.items())?;
@@ -67,9 +66,9 @@ pub(in crate::abi) fn with_scene<A: Answer>(
 }
 
 /// Runs `body` on the scene of a handle without an allocation.
-pub(in crate::abi) fn with_sound_scene<A: Answer>(
+pub(in crate::abi) fn with_sound_scene(
     scene: *const sins_scene,
-    body: impl FnOnce(&mut Scene) -> Result<A, Failure>,
+    body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
 ) -> sins_status {
     with_object(&SCENES, scene, |content| match &mut content.scene {
         Some(scene) => body(scene),

@@ -1,9 +1,9 @@
 //! Failures of sensors: `[[failure]]`.
 
-use super::super::draft::FAILURE_KINDS;
 use super::super::key::{Key, Place, Section, Target, one};
 use super::{PURE, first_words, number, si, unit, word};
 use crate::parameter::Shape;
+use crate::sensors::FAILURE_KINDS;
 use crate::units::{DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G};
 
 const F: Section = Section::Failure;

@@ -1,7 +1,15 @@
-//! The names of the statuses, for the crate.
+//! What the crate itself takes from the interface.
 
-use super::model::Interface;
+use super::model::{Interface, Struct};
 
+/// Checks, when the library is compiled, that the constants SINS_SIZEOF_... are the sizes of the structs.
+pub fn check(interface: &Interface) -> String {
+    let assert =
+        |one: &Struct| format!("const _: () = assert!(size_of::<{}>() == {});\n", one.name, one.size);
+    interface.structs.iter().map(assert).collect()
+}
+
+/// The names of the statuses.
 pub fn names(interface: &Interface) -> String {
     let family = interface.enumerations.iter().find(|family| family.name == "sins_status_code");
     let names = family.expect("there are statuses").constants.iter().map(|one| &one.name);
