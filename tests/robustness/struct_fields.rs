@@ -302,7 +302,11 @@ fn units(tried: &mut Tried) {
         tried.each_word(&good, &[], &address, null(), &|words| {
             sins_unit_create(words, SINS_UNIT_OFF, made.as_ptr())
         });
-        assert_eq!(sins_unit_destroy(made.get()), SINS_OK);
+        let mut sim = null_mut();
+        assert_eq!(sins_create(null(), &mut sim), SINS_OK);
+        let fix = Words::new::<sins_unit_fix>(0);
+        tried.each_word(&fix, &[], &address, null(), &|words| sins_unit_push_fix(made.get(), sim, words));
+        assert_eq!((sins_destroy(sim), sins_unit_destroy(made.get())), (SINS_OK, SINS_OK));
     }
     let count = Cell::new(0);
     let due = || vec![count.get() as u64];
