@@ -7,14 +7,14 @@ const Z: f64 = 1.959_963_984_540_054;
 
 /// The 95 % interval of a 1σ, as factors of its estimate.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Interval {
+pub struct SigmaInterval {
     /// √(N/χ²(97.5 %)).
     pub low: f64,
     /// √(N/χ²(2.5 %)).
     pub high: f64,
 }
 
-impl Interval {
+impl SigmaInterval {
     /// Of `runs` runs, 8 or more: as many degrees of freedom, as the mean is known to be 0.
     ///
     /// By the approximation of Wilson and Hilferty, whose factors are accurate to 0.7 % from 8 runs on.

@@ -38,6 +38,6 @@ pub use crate::simulator::ErrorParameters;
 pub use costs::{Costs, step_costs_ns};
 pub use effect::{EFFECTS, Effect};
 pub use flight::{MAX_SAMPLES, MIN_SAMPLES, Scene};
-pub use interval::Interval;
+pub use interval::SigmaInterval;
 pub use request::BudgetRequest;
 pub use survey::{Budget, BudgetRow, error_budget};

@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 use super::contribution::Contribution;
 use super::flight::{Deviation, Look, Track, difference, fly};
 use super::selection::mark;
-use super::{BudgetRequest, Effect, Interval, Scene};
+use super::{BudgetRequest, Effect, Scene, SigmaInterval};
 use crate::error::Error;
 use crate::memory::room;
 use crate::recommend::{Refusal, SolutionError};
@@ -45,7 +45,7 @@ pub struct Budget {
     /// Number of runs with all effects together; 1 if nothing is random.
     pub runs: u64,
     /// The 95 % interval of the root mean square of the random part of the error with all effects; 1 and 1 if nothing is random.
-    pub interval: Interval,
+    pub interval: SigmaInterval,
     /// Number of flights that the call made.
     pub flights: u64,
 }
@@ -88,7 +88,7 @@ pub fn error_budget(
     let Track { span_s, errors: own } = flights.track(&parameters.ideal(), 0, Look::Navigation)?;
     let is_random = Effect::set_in(parameters).any(|effect| effect.is_random);
     let runs = if is_random { request.runs } else { 1 };
-    let interval = if is_random { Interval::of(runs) } else { Interval { low: 1.0, high: 1.0 } };
+    let interval = if is_random { SigmaInterval::of(runs) } else { SigmaInterval { low: 1.0, high: 1.0 } };
 
     // The contribution of each effect.
     let mut contributions = contributions_of(parameters, instants)?;

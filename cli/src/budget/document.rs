@@ -83,7 +83,7 @@ fn figures(survey: &Survey) -> Markup {
 
 #[cfg(test)]
 mod tests {
-    use sins::budget::{Budget, BudgetRequest, BudgetRow, Costs, EFFECTS, Interval};
+    use sins::budget::{Budget, BudgetRequest, BudgetRow, Costs, EFFECTS, SigmaInterval};
     use sins::recommend::SolutionError;
 
     use super::*;
@@ -112,7 +112,7 @@ mod tests {
                 remainder: error(0.0),
                 left_out: error(0.5),
                 runs: 16,
-                interval: Interval::of(16),
+                interval: SigmaInterval::of(16),
                 flights: 51,
             },
             costs: Some(Costs { own_ns: 600.0, total_ns: 640.0, saved_ns: vec![30.0, 10.4] }),

@@ -4,7 +4,7 @@ mod interface;
 mod mounting_and_gravity;
 
 use nalgebra::{Complex, Vector3};
-use sins::budget::{BudgetRequest, BudgetRow, ErrorParameters, Interval, Scene, error_budget};
+use sins::budget::{BudgetRequest, BudgetRow, ErrorParameters, Scene, SigmaInterval, error_budget};
 use sins::errors::NavigationErrors;
 use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::mechanization::VerticalMode;
@@ -385,7 +385,7 @@ fn a_bad_field_of_the_request_is_named() {
 fn factors_are_those_of_the_tables() {
     for (runs, low, high) in [(8, 17.535, 2.180), (16, 28.845, 6.908), (100, 129.561, 74.222)] {
         let factor = |quantile: f64| (runs as f64 / quantile).sqrt();
-        let interval = Interval::of(runs);
+        let interval = SigmaInterval::of(runs);
         assert!((interval.low / factor(low) - 1.0).abs() < 7e-3, "{runs}: {interval:?}");
         assert!((interval.high / factor(high) - 1.0).abs() < 7e-3, "{runs}: {interval:?}");
     }
