@@ -20,13 +20,14 @@ case $arch in
     i686) machine=i386 ;;
     *) echo "release/windows.sh: processor $arch: must be x86_64 or i686" >&2; exit 2 ;;
 esac
-need "gcc-mingw-w64-$(echo "$arch" | tr _ -)" "$mingw-gcc"
+# The other variant, posix, has threads of its own in each DLL: a DLL that is loaded when no TLS index is free then aborts its host.
+need "gcc-mingw-w64-$(echo "$arch" | tr _ -)-win32" "$mingw-gcc-win32"
 need llvm llvm-dlltool
 has_nightly
 
 linker=CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER
 # All builds use the unit's linker: with another linker, cargo would build everything again, including the standard library.
-export RELATIVE_LINKER=$mingw-gcc UNIT_LINKER=$PWD/release/relative_linker.sh "$linker=$PWD/release/fmu_linker.sh"
+export RELATIVE_LINKER=$mingw-gcc-win32 UNIT_LINKER=$PWD/release/relative_linker.sh "$linker=$PWD/release/fmu_linker.sh"
 built=target/$target/release
 work=target/release-windows/$arch
 mkdir -p "$work"
