@@ -100,6 +100,12 @@ pub(super) struct North {
 }
 
 impl Alignment {
+    /// Times since a start.
+    pub fn clocks(&self) -> [f64; 3] {
+        let [elapsed_s, window_s] = self.in_flight.clocks();
+        [self.elapsed_s, elapsed_s, window_s]
+    }
+
     /// Takes the integral of the specific force over `dt` \[s\] that ends at the attitude `q_is`. Returns whether a window of length
     /// `window_s` \[s\], at least `dt`, is complete and has a mean.
     pub fn advance(

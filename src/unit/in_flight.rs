@@ -104,6 +104,11 @@ stored!(InFlight {
 });
 
 impl InFlight {
+    /// Times since the first fix and in the present window.
+    pub fn clocks(&self) -> [f64; 2] {
+        [self.elapsed_s, self.window_s]
+    }
+
     /// Time since the last fix \[s\].
     fn since_fix_s(&self) -> Option<f64> {
         self.last.map(|last| self.elapsed_s - last.time_s)

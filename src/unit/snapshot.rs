@@ -13,7 +13,10 @@ stored!(Unit {
     unit.parameters.validate()?;
     unit.limits = unit.parameters.with_defaults();
     let sizes = unit.q_bs.norm_squared().min(unit.q_il.norm_squared());
-    from.require(sizes > 0.9 && unit.interval_s > 0.0, sizes, "is not of size 1")
+    from.require(sizes > 0.9 && unit.interval_s > 0.0, sizes, "is not of size 1")?;
+    let clocks = [unit.state_s, unit.invalid_s, unit.on_battery_s, unit.kept_s, unit.test_s, unit.in_navigation_s];
+    let least = clocks.into_iter().chain(unit.alignment.clocks()).fold(0.0, f64::min);
+    from.require(least >= 0.0, least, "is a time before the start")
 });
 
 impl Unit {
