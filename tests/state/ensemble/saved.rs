@@ -1,6 +1,7 @@
 //! A saved ensemble continues to the same bits; a damaged snapshot is rejected.
 
 use nalgebra::Vector3;
+use sins::correction::{Compensation, Correction};
 use sins::ensemble::Ensemble;
 use sins::sensors::InitialErrorParameters;
 use sins::snapshot::{SnapshotOf, seal};
@@ -68,6 +69,37 @@ fn a_saved_ensemble_goes_on_to_the_same_bits() {
         ensemble.step().unwrap();
     }
     assert_eq!(saved(&loaded), saved(&ensemble));
+}
+
+/// The signals of the last interval are saved as they were navigated on, also if their compensation has been cancelled since.
+#[test]
+fn a_cancelled_compensation_is_in_the_last_signals() {
+    let gyro_bias = Vector3::new(1e-3, 0.0, -2e-3);
+    let correction = |gyro_bias| Correction {
+        sensors: Compensation { gyro_bias, ..Default::default() },
+        ..Default::default()
+    };
+    let new = || Ensemble::new(&Simulator::new(&Options::default()).unwrap(), 0, 2).unwrap();
+    let (mut ensemble, mut loaded) = (new(), new());
+    let step = |ensemble: &mut Ensemble, k: i32| {
+        ensemble.push_sample(&resting_sample(f64::from(k))).unwrap();
+        ensemble.step().unwrap();
+    };
+    (0..2).for_each(|k| step(&mut ensemble, k));
+    ensemble.correct(1, &correction(gyro_bias)).unwrap();
+    step(&mut ensemble, 2);
+    ensemble.correct(1, &correction(-gyro_bias)).unwrap();
+    assert_eq!(ensemble.compensation(1), Ok(Compensation::default()));
+
+    let imu = ensemble.imu(1).unwrap().unwrap();
+    assert!(imu.compensated.angle != imu.measured.angle);
+    loaded.load_snapshot(&saved(&ensemble)).unwrap();
+    assert_eq!(loaded.imu(1).unwrap(), Some(imu));
+    for k in 3..6 {
+        assert_eq!(saved(&loaded), saved(&ensemble), "before {k} s");
+        step(&mut ensemble, k);
+        step(&mut loaded, k);
+    }
 }
 
 /// Runs that cannot start, because their initial errors are beyond the limits.

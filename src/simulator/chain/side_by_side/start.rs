@@ -163,7 +163,9 @@ impl SideBySide {
         has_diverged: bool,
     ) -> Result<(), Error> {
         let (batch, lane) = (&mut self.batches[place / RUNS], place % RUNS);
-        if simulator.compensation() != Compensation::default() {
+        // The last interval keeps a compensation that has been cancelled since.
+        let was_compensated = simulator.imu().is_some_and(|imu| imu.compensated != imu.measured);
+        if was_compensated || simulator.compensation() != Compensation::default() {
             batch.make_room_for_compensations()?;
         }
         batch.put_imperfections(lane, &mut simulator.imperfections);
