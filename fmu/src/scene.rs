@@ -5,7 +5,7 @@
 
 use std::path::{Component, Path};
 
-use sins::scene::{KeyKind, KeyLine, MAX_TEXT, Scene, builtin, keys};
+use sins::scene::{Fault, KeyKind, KeyLine, MAX_TEXT, Scene, builtin, keys};
 
 use crate::parameters::{FAILURE, FAILURES, SCENE_BUILTIN, SCENE_FILE, SCENE_TEXT, SECTIONS, subscript};
 use crate::table::{Table, table};
@@ -104,8 +104,11 @@ fn toml(variable: &Variable, value: &Value) -> String {
 pub fn scene(values: &Values, resources: Option<&Path>) -> Result<Scene, String> {
     let changed = Changed { table: &table(), values };
     let mut text = scene_text(&changed, resources)?;
-    let base = parse(&text, &[])?;
-    for slot in 1..=FAILURES {
+    let base = parse(&text, &[]).map_err(|faults| first(&faults, Fault::to_string))?;
+    // The last line before each slot.
+    let mut slots = [0; FAILURES];
+    for (slot, before) in (1..).zip(&mut slots) {
+        *before = text.lines().count();
         text.push_str(&changed.failure(slot));
     }
     let settings: Vec<(String, String)> = keys()
@@ -117,7 +120,8 @@ pub fn scene(values: &Values, resources: Option<&Path>) -> Result<Scene, String>
             Some((path, value))
         })
         .collect();
-    let mut scene = parse(&text, &settings)?;
+    let mut scene =
+        parse(&text, &settings).map_err(|faults| first(&faults, |fault| of_parameter(fault, &slots)))?;
     // The master gives the samples, so the scene has no flight of its own.
     scene.flight = sins::scene::FlightSource::Log(FLIGHT.to_owned());
     Ok(scene)
@@ -154,20 +158,42 @@ fn read(file: &str, resources: Option<&Path>) -> Result<String, String> {
     std::fs::read_to_string(&path).map_err(|error| refused(&error))
 }
 
-/// Parses a scene, which need not have a flight. `Err` is a sentence with the first fault and the number of faults.
-fn parse(text: &str, settings: &[(String, String)]) -> Result<Scene, String> {
+/// Parses a scene, which need not have a flight.
+fn parse(text: &str, settings: &[(String, String)]) -> Result<Scene, Vec<Fault>> {
     let mut settings: Vec<(&str, &str)> =
         settings.iter().map(|(path, value)| (path.as_str(), value.as_str())).collect();
-    let parsed = Scene::parse_with(text.as_bytes(), &settings).or_else(|faults| {
+    Scene::parse_with(text.as_bytes(), &settings).or_else(|faults| {
         settings.push(("flight.file", FLIGHT));
         Scene::parse_with(text.as_bytes(), &settings)
             .map_err(|others| if others.len() < faults.len() { others } else { faults })
-    });
-    parsed.map_err(|faults| {
-        let more = match faults.len() {
-            0 | 1 => String::new(),
-            count => format!(" (and {} faults more)", count - 1),
-        };
-        faults.first().map_or_else(String::new, |fault| format!("{fault}{more}"))
     })
+}
+
+/// The first fault, and the number of the others.
+fn first(faults: &[Fault], sentence: impl Fn(&Fault) -> String) -> String {
+    let more = match faults.len() {
+        0 | 1 => String::new(),
+        count => format!(" (and {} faults more)", count - 1),
+    };
+    faults.first().map(sentence).unwrap_or_default() + &more
+}
+
+/// The sentence of a fault with the name of the variable. `slots` are the last lines before the failures' parts of the text.
+fn of_parameter(fault: &Fault, slots: &[usize]) -> String {
+    let sentence = &fault.sentence;
+    match slots.partition_point(|before| *before < fault.line) {
+        0 if fault.line == 0 => of_element(sentence).unwrap_or_else(|| sentence.clone()),
+        0 => fault.to_string(),
+        slot => sentence.replacen("failure.", &format!("{FAILURE}[{slot}]."), 1),
+    }
+}
+
+/// The sentence of a fault of one element of a key, with the subscript of FMI.
+fn of_element(sentence: &str) -> Option<String> {
+    let (element, rest) = sentence.split_once(']')?;
+    let (path, index) = element.split_once('[')?;
+    let (section, name) = path.split_once('.')?;
+    let key = keys().into_iter().find(|key| key.section == section && key.name == name)?;
+    let KeyKind::Numbers(count) = key.kind else { return None };
+    Some(format!("{path}{}{rest}", subscript(count, index.parse().ok()?)))
 }

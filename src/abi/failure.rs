@@ -168,6 +168,9 @@ impl From<Error> for Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(&self.error, f)?;
+        if self.error.kind == ErrorKind::Discontinuity && self.error.field == "sample.time_s" {
+            f.write_str("; after a pause call sins_move_time()")?;
+        }
         match self.sample {
             Some(index) => write!(f, " (samples[{index}])"),
             None => Ok(()),

@@ -5,9 +5,9 @@ use super::effects::MarkovStep;
 use super::failing::FailingOutput;
 use super::failure::{Failure, SensorOutput};
 use super::kept::Kept;
-use super::stream::{MAX_NORMAL, Purpose, Source, Stream, StreamKey};
+use super::stream::{Purpose, Source, Stream, StreamKey};
 use crate::math::exp_m1;
-use crate::snapshot::{SIGNALS, stored};
+use crate::snapshot::{SIGNALS, WALKS, stored};
 
 /// The altimeter.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +40,7 @@ struct Heights {
 stored!(Heights { true_m: 1e9, lagged_m: 1e9, indicated_m: SIGNALS });
 
 stored!(Altimeter {
-    x: MAX_NORMAL,
+    x: WALKS,
     markov,
     noise,
     heights,

@@ -4,10 +4,10 @@ use nalgebra::Vector3;
 
 use super::effects::MarkovStep;
 use super::kept::Kept;
-use super::stream::{MAX_NORMAL, Purpose, Source, Stream, StreamKey};
+use super::stream::{Purpose, Source, Stream, StreamKey};
 use crate::earth::Earth;
 use crate::error::Error;
-use crate::snapshot::{Numbers, Reader, Stored, Writer, stored};
+use crate::snapshot::{Numbers, Reader, Stored, WALKS, Writer, stored};
 use crate::surroundings::GravityDisturbanceParameters;
 use crate::truth::TruthPoint;
 
@@ -45,7 +45,7 @@ impl Stored for Field {
         let Self { has_moved, x, streams } = self;
         has_moved.load(from)?;
         if *has_moved {
-            Numbers::load(x, from, MAX_NORMAL)?;
+            Numbers::load(x, from, WALKS)?;
             streams.load(from)?;
         }
         Ok(())

@@ -79,9 +79,6 @@ impl StreamKey {
     }
 }
 
-/// Size that a standard normal number never reaches [1].
-pub(super) const MAX_NORMAL: f64 = 100.0;
-
 /// A stream of random numbers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Stream {

@@ -25,7 +25,7 @@ mod stored;
 mod writer;
 
 pub use envelope::{FORMAT_VERSION, SnapshotOf, seal};
-pub(crate) use numbers::{ANY, CLOCK_S, COUNT, NO_SQUARE, Numbers, SIGNALS, moved_clock};
+pub(crate) use numbers::{ANY, CLOCK_S, COUNT, NO_SQUARE, Numbers, SIGNALS, WALKS, moved_clock};
 pub(crate) use reader::Reader;
 pub(crate) use stored::{Stored, codes, stored, variants};
 pub(crate) use writer::{Writer, fitting};

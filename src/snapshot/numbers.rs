@@ -24,6 +24,10 @@ pub(crate) fn moved_clock(time_s: f64, shift_s: f64) -> f64 {
 /// and with finite squares.
 pub(crate) const SIGNALS: f64 = 1e120;
 
+/// Limit of values that a sensor moves on from step to step: so large that each step is lost in its rounding. So no step leads beyond
+/// it, and its integral over the longest interval is within [`SIGNALS`].
+pub(crate) const WALKS: f64 = 1e100;
+
 /// Why a sum of squares is rejected.
 pub(crate) const NO_SQUARE: &str = "must be a square";
 

@@ -3,14 +3,10 @@
 use sins::{Error, Rule};
 
 /// Words of the interface, and those of a scene or of a log's columns.
-const WORDS: [(&str, &str); 14] = [
+const WORDS: [(&str, &str); 13] = [
     (
         "sample.temperature_c: is needed, with SINS_SAMPLE_TEMPERATURE in sample.flags,",
         "flight.temperature_c: is needed",
-    ),
-    (
-        "after a pause call sins_move_time(); any other gap after the previous sample",
-        "the gap after the previous sample",
     ),
     ("max_gap_s", "options.max_gap_s"),
     ("max_acceleration_m_s2", "options.max_acceleration_m_s2"),

@@ -204,3 +204,24 @@ fn limits_of_sensor_parameters() {
     }
     assert!(tried > 100, "{tried}");
 }
+
+/// A refused parameter is named as in the description: elements from 1, matrices by row and column, failures by their slot.
+#[test]
+fn refused_parameters_have_their_names() {
+    let unit = Unit::flying(|_| ());
+    for (name, value, words) in [
+        ("gyro.bias_deg_h[1]", 1e9, " = 1000000000: must be from -2.06265e7 to 2.06265e7"),
+        ("gyro.misalignment_arcsec[2,3]", 1e9, ""),
+        ("gyro.misalignment_arcsec[2,2]", 9.0, " = 9: must be 0 on the diagonal"),
+    ] {
+        assert_eq!(unit.set_reals(&[reference(name)], &[value]), fmi2Discard, "{name}");
+        let said = sentence(&unit);
+        assert!(said.starts_with(&format!("fmi2SetReal: {name}{words}")), "{said}");
+    }
+    assert_eq!(
+        unsafe { fmi2SetInteger(unit.component, [reference("failure[3].kind")].as_ptr(), 1, [2].as_ptr()) },
+        fmi2OK
+    );
+    assert_eq!(unit.set_reals(&[reference("failure[3].from_s")], &[-1.0]), fmi2Discard);
+    assert_eq!(sentence(&unit), "fmi2SetReal: failure[3].from_s = -1: must be from 0 to 1e9");
+}

@@ -8,9 +8,9 @@ use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
-use super::super::stream::{MAX_NORMAL, Purpose, Stream, StreamKey};
+use super::super::stream::{Purpose, Stream, StreamKey};
 use crate::signal::RUNS;
-use crate::snapshot::stored;
+use crate::snapshot::{WALKS, stored};
 
 /// Correlation times of the processes [s], one process per decade.
 const TIMES_S: [f64; 6] = [1.0, 10.0, 100.0, 1e3, 1e4, 1e5];
@@ -56,7 +56,7 @@ pub(in crate::sensors) struct Flicker {
     streams: Kept<[Stream; 3]>,
 }
 
-stored!(Flicker { x: MAX_NORMAL, streams } rebuilt { instability, steps, own });
+stored!(Flicker { x: WALKS, streams } rebuilt { instability, steps, own });
 
 impl Effect for Flicker {
     fn new(key: StreamKey, sensor: Sensor) -> Self {

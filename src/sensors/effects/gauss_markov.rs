@@ -7,10 +7,10 @@ use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
-use super::super::stream::{MAX_NORMAL, Purpose, Stream, StreamKey};
+use super::super::stream::{Purpose, Stream, StreamKey};
 use crate::math::{exp_m1, tanh};
 use crate::signal::RUNS;
-use crate::snapshot::stored;
+use crate::snapshot::{WALKS, stored};
 
 /// Exact discretisation of x' = -x/τ + white noise, stationary variance 1, over a step of a = dt/τ:
 /// ```text
@@ -92,7 +92,7 @@ pub(in crate::sensors) struct GaussMarkov {
     streams: [Kept<Stream>; 3],
 }
 
-stored!(GaussMarkov { x: MAX_NORMAL, streams } rebuilt { sigma, time_s, steps });
+stored!(GaussMarkov { x: WALKS, streams } rebuilt { sigma, time_s, steps });
 
 impl Effect for GaussMarkov {
     fn new(key: StreamKey, sensor: Sensor) -> Self {

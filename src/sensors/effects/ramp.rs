@@ -9,7 +9,7 @@ use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
 use super::states::{States, Visitor};
 use crate::signal::RUNS;
-use crate::snapshot::stored;
+use crate::snapshot::{WALKS, stored};
 
 /// b = R t, t since the run began or the ramp was set; ∫b dt over dt = (b + R dt/2) dt (IEEE Std 952, C.1.6).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,7 +20,7 @@ pub(in crate::sensors) struct Ramp {
     value: Kept<Vector3<f64>>,
 }
 
-stored!(Ramp { value: 1e15 } rebuilt { slope });
+stored!(Ramp { value: WALKS } rebuilt { slope });
 
 impl Effect for Ramp {
     fn new(_: StreamKey, _: Sensor) -> Self {

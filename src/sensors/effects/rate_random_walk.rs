@@ -9,7 +9,7 @@ use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
 use super::super::stream::{Purpose, Stream, StreamKey};
 use crate::signal::RUNS;
-use crate::snapshot::stored;
+use crate::snapshot::{WALKS, stored};
 
 /// b' = K w, where w is white noise of density 1 [1/√s] and b = 0 at the start of a run. Over dt, with n1 and n2 standard normal:
 /// ```text
@@ -29,7 +29,7 @@ pub(in crate::sensors) struct RateRandomWalk {
     streams: Kept<[Stream; 3]>,
 }
 
-stored!(RateRandomWalk { value: 1e12, streams } rebuilt { density, root });
+stored!(RateRandomWalk { value: WALKS, streams } rebuilt { density, root });
 
 /// 1/√12
 const INTEGRAL_OWN: f64 = 0.288_675_134_594_812_9;
@@ -111,5 +111,21 @@ impl RateRandomWalk {
         let integral = (*value + step * (0.5 * n1 + INTEGRAL_OWN * n2)) * dt;
         *value += step * n1;
         integral
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The largest steps, from the limit of a snapshot on, lead to no value that a snapshot cannot have.
+    #[test]
+    fn no_step_leads_beyond_the_limit_of_a_snapshot() {
+        let (density, dt) = (1e4, crate::truth::INTERVALS_S.1);
+        for sign in [1.0, -1.0] {
+            let mut value = sign * WALKS;
+            let integral = RateRandomWalk::advance(&mut value, density * dt.sqrt(), dt, [sign * 100.0; 2]);
+            assert!(value == sign * WALKS && integral.abs() < crate::snapshot::SIGNALS);
+        }
     }
 }
