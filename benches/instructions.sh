@@ -13,13 +13,13 @@ row() {
 }
 if [ "${1:-}" = matrix ]; then
     echo scheme,subsamples,updates_per_sample,frame,instructions_per_step
-    for frame in Earth-fixed geographic; do
+    for frame in earth geographic; do
         for rung in paper,{1,2},1 exact,{1..5},1 polynomial,{1..5},1; do
             row "$rung,$frame"
         done
     done
-    row exact,2,2,Earth-fixed
-    row polynomial,4,2,Earth-fixed
+    row exact,2,2,earth
+    row polynomial,4,2,earth
 else
     for what in simulation2 calls reads nav shown align att record ideal free; do
         count=$(per_step 10000 20000 target/release/steps $what)

@@ -7,7 +7,7 @@
 //! - `reads`: as `calls`, and reads navigation and both errors, each in a call of its own;
 //! - `nav`, `align`, `att`: as `reads`, with the update of a unit in this mode; `shown`: as `nav`, with its status and what it shows;
 //! - `record`: as `calls`, and reads truth, navigation and both errors in one call;
-//! - `SCHEME,SUBSAMPLES,UPDATES,FRAME` (`exact,2,1,Earth-fixed`): by push and step of the Rust simulator;
+//! - `SCHEME,SUBSAMPLES,UPDATES,FRAME` (`exact,2,1,earth`): by push and step of the Rust simulator;
 //! - `save`, `load`: COUNT snapshots of simulation 2 in flight.
 
 mod c_scene;
@@ -74,17 +74,7 @@ fn options(what: &str) -> Option<Options> {
     let mut word = || words.next();
     let (scheme, subsamples, updates, frame) = (word()?, word()?, word()?, word()?);
     let (subsamples, updates_per_sample) = (subsamples.parse().ok()?, updates.parse().ok()?);
-    let scheme = match scheme {
-        "paper" => Scheme::Paper,
-        "exact" => Scheme::Exact,
-        "polynomial" => Scheme::Polynomial,
-        _ => return None,
-    };
-    let frame = match frame {
-        "Earth-fixed" => Frame::EarthFixed,
-        "geographic" => Frame::Geographic,
-        _ => return None,
-    };
+    let (scheme, frame) = (Scheme::of_word(scheme)?, Frame::of_word(frame)?);
     let intake = IntakeLimits { period_s: Some(scene::PERIOD_S), ..Default::default() };
     Some(Options { scheme, subsamples, updates_per_sample, frame, intake, ..Default::default() })
 }

@@ -9,7 +9,6 @@ use sins::recommend::{
 use sins::truth::FlightSample;
 use sins::units::STANDARD_GRAVITY;
 
-use crate::curve::scheme_name;
 use crate::failure::{Failure, Kind};
 use crate::fly::FOR_LOGS;
 use crate::given::{Given, SceneArguments};
@@ -228,7 +227,7 @@ fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> Result<String, Fail
 /// Text of the answer: the options as in a scene, and their remaining errors.
 fn text(given: &Given, answer: &Recommendation, judged: &str) -> String {
     let Motion { rate_max, force_max, vibration_max } = answer.motion;
-    let scheme = scheme_name(answer.rung.scheme);
+    let scheme = answer.rung.scheme.word();
     format!(
         "# {}: {}\n[options]\nscheme = \"{scheme}\"\nsubsamples = {}\nupdates_per_sample = {}\n\n\
          {judged}\n  largest rate {} deg/s at {:.6} s, specific force {} m/s2 at {:.6} s, vibration {} deg/s2 at {:.6} s\n\

@@ -57,8 +57,18 @@ macro_rules! codes {
     ($type:ident { $($variant:ident = $code:literal $word:literal),* $(,)? }) => {
         #[cfg(feature = "scenes")]
         impl $type {
-            /// The words of a scene, with what each means.
-            pub(crate) const WORDS: [(&'static str, Self); [$($code),*].len()] = [$(($word, Self::$variant)),*];
+            /// The words of scenes and programs, with what each means.
+            pub const WORDS: [(&'static str, Self); [$($code),*].len()] = [$(($word, Self::$variant)),*];
+
+            /// The word of this one.
+            pub const fn word(&self) -> &'static str {
+                match self { $(Self::$variant => $word,)* }
+            }
+
+            /// What `word` means.
+            pub fn of_word(word: &str) -> Option<Self> {
+                Self::WORDS.into_iter().find(|(known, _)| *known == word).map(|(_, one)| one)
+            }
         }
 
         impl $crate::snapshot::Stored for $type {

@@ -92,16 +92,6 @@ codes!(State {
 impl State {
     /// The words of all states, in the order of their codes.
     pub const ALL_WORDS: [&'static str; Self::WORDS.len()] = crate::scene::first_words(Self::WORDS);
-
-    /// The state in words, as a program shows it.
-    pub fn words(self) -> &'static str {
-        Self::WORDS[self as usize].0
-    }
-
-    /// The state of these words.
-    pub fn of_words(words: &str) -> Option<Self> {
-        Self::WORDS.iter().find(|(of, _)| *of == words).map(|(_, state)| *state)
-    }
 }
 
 /// Makes a struct of flags: each with its name, its meaning and its bit, the bits from 1 on in the order given.

@@ -21,15 +21,6 @@ pub struct Configuration {
     pub frame: Frame,
 }
 
-/// Name of a scheme, as in the text of a scene.
-pub fn scheme_name(scheme: Scheme) -> &'static str {
-    match scheme {
-        Scheme::Paper => "paper",
-        Scheme::Exact => "exact",
-        Scheme::Polynomial => "polynomial",
-    }
-}
-
 impl Configuration {
     /// Configuration of the paper.
     pub const PAPER: Self = Self {
@@ -68,25 +59,14 @@ impl Configuration {
         self.rung.applied_to(&Options { frame: self.frame, ..*base })
     }
 
-    pub fn scheme_name(&self) -> &'static str {
-        scheme_name(self.rung.scheme)
-    }
-
-    pub fn frame_name(&self) -> &'static str {
-        match self.frame {
-            Frame::EarthFixed => "Earth-fixed",
-            Frame::Geographic => "geographic",
-        }
-    }
-
     /// Scheme and number of subsamples; also the axes if they are not the default, and the updates if there are several.
     pub fn name(&self) -> String {
-        let mut name = format!("{} {}", self.scheme_name(), self.rung.subsamples);
+        let mut name = format!("{} {}", self.rung.scheme.word(), self.rung.subsamples);
         if self.rung.updates_per_sample > 1 {
             name += &format!(" × {}", self.rung.updates_per_sample);
         }
         if self.frame != Frame::default() {
-            name += &format!(" {}", self.frame_name());
+            name += &format!(" {}", self.frame.word());
         }
         name
     }

@@ -44,7 +44,7 @@ impl Instructions {
     pub fn of(&self, configuration: &Configuration) -> Option<f64> {
         let rung = &configuration.rung;
         let (subsamples, updates) = (rung.subsamples.to_string(), rung.updates_per_sample.to_string());
-        let key = [configuration.scheme_name(), &subsamples, &updates, configuration.frame_name()];
+        let key = [rung.scheme.word(), &subsamples, &updates, configuration.frame.word()];
         self.rows.iter().find(|(row, _)| *row == key).map(|(_, count)| *count)
     }
 }
@@ -56,7 +56,7 @@ mod tests {
     #[test]
     fn counts_are_found_by_configuration() {
         let read = |text: &str| Instructions::from_csv(Path::new("i.csv"), text.as_bytes());
-        let text = format!("{}\npaper,2,1,geographic,5000\nexact,2,1,Earth-fixed,5200\n", HEADER.join(","));
+        let text = format!("{}\npaper,2,1,geographic,5000\nexact,2,1,earth,5200\n", HEADER.join(","));
         let counts = read(&text).unwrap();
         assert_eq!(counts.of(&Configuration::PAPER), Some(5000.0));
         assert_eq!(counts.of(&Configuration::all()[0]), None);

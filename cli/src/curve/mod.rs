@@ -21,7 +21,6 @@ mod table;
 mod timing;
 
 pub use command::Order;
-pub use configuration::scheme_name;
 
 use std::path::PathBuf;
 

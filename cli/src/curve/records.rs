@@ -39,10 +39,10 @@ fn row(survey: &Survey, point: &Point, instructions: &Instructions) -> Vec<Strin
     let counted = instructions.of(configuration).map_or_else(String::new, |count| count.to_string());
     let mut row = vec![
         survey.name.clone(),
-        configuration.scheme_name().to_owned(),
+        rung.scheme.word().to_owned(),
         rung.subsamples.to_string(),
         rung.updates_per_sample.to_string(),
-        configuration.frame_name().to_owned(),
+        configuration.frame.word().to_owned(),
         point.rate_hz.to_string(),
     ];
     match &point.measured {

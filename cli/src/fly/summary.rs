@@ -100,7 +100,7 @@ fn settings(figures: &Figures, rows: &mut Rows) {
 fn flight(figures: &Figures, rows: &mut Rows) {
     let flown = figures.flown;
     for (number, (from_s, state)) in (1..).zip(&flown.states) {
-        rows.text(&format!("unit_{number}_state"), state.words(), &format!("state {number} of the unit"));
+        rows.text(&format!("unit_{number}_state"), state.word(), &format!("state {number} of the unit"));
         rows.number(
             &format!("unit_{number}_from_s"),
             *from_s,

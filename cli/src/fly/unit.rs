@@ -65,7 +65,7 @@ impl UnitInFlight {
         }
         self.written = Some(status.state);
         let (valid, reasons) = (status.validity.words(), status.reasons.words());
-        let state = status.state.words();
+        let state = status.state.word();
         let time = records::line([time_s]);
         write_line(file, &format!("{time},{state},{:.1},{valid},{reasons}", status.to_go_s))?;
         Ok(new)

@@ -54,7 +54,7 @@ impl Answers {
                 vec![native::encode(navigation, received)]
             }
             Send::Fgfs => Vec::new(),
-            Send::Json => vec![json::encode(navigation, shown.status.state.words()).into_bytes()],
+            Send::Json => vec![json::encode(navigation, shown.status.state.word()).into_bytes()],
             Send::Nmea => {
                 let number = (navigation.time_s / nmea::INTERVAL_S + 1e-6).floor() as i64;
                 if self.sentence.replace(number) == Some(number) {

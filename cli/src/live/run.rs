@@ -247,7 +247,7 @@ impl Progress<'_> {
 /// What the INS is doing, its error, and the packets so far.
 fn line(shown: &Shown, traffic: &Traffic) -> String {
     let status = &shown.status;
-    let mut words = status.state.words().to_owned();
+    let mut words = status.state.word().to_owned();
     if status.to_go_s > 0.0 {
         words += &format!(", {:.0} s to go", status.to_go_s);
     }

@@ -73,7 +73,7 @@ impl Summary {
     /// States of the unit, each with its begin [s].
     pub fn states(&self) -> Vec<(f64, State)> {
         let from_s = |number: u32| self.number(&format!("unit_{number}_from_s"));
-        let state = |number: u32| State::of_words(self.value(&format!("unit_{number}_state"))?);
+        let state = |number: u32| State::of_word(self.value(&format!("unit_{number}_state"))?);
         (1..).map_while(|number| Some((from_s(number)?, state(number)?))).collect()
     }
 

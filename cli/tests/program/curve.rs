@@ -13,7 +13,7 @@ fn accuracy_and_its_cost_are_measured() {
     let folder = folder("curve");
     std::fs::write(
         folder.join("counts.csv"),
-        "scheme,subsamples,updates_per_sample,frame,instructions_per_step\nexact,2,1,Earth-fixed,5060\n",
+        "scheme,subsamples,updates_per_sample,frame,instructions_per_step\nexact,2,1,earth,5060\n",
     )
     .unwrap();
     let log = project_file("c_examples/flights/airliner_cruise.csv");
@@ -33,10 +33,10 @@ fn accuracy_and_its_cost_are_measured() {
     // The error of the paper's scheme is of first order in the rotation of a step, the error of the default of third order.
     for rate in ["200", "400"] {
         let paper = number(find(&aerobatics, "paper", "geographic", rate), "position_m");
-        let default = number(find(&aerobatics, "exact", "Earth-fixed", rate), "position_m");
+        let default = number(find(&aerobatics, "exact", "earth", rate), "position_m");
         assert!(paper > 1000.0 * default, "{rate} Hz: {paper:e} {default:e}");
     }
-    assert_eq!(find(&aerobatics, "exact", "Earth-fixed", "100")["instructions_per_step"], "5060");
+    assert_eq!(find(&aerobatics, "exact", "earth", "100")["instructions_per_step"], "5060");
     let singular = find(&pole, "paper", "geographic", "100");
     assert!(singular["status"].contains("latitude") && singular["position_m"].is_empty(), "{singular:?}");
 
