@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use sins::budget::BudgetRequest;
 
 use crate::failure::Failure;
-use crate::given::Settings;
+use crate::given::{Settings, whole};
 use crate::limits::{LimitArguments, of_option};
 
 /// Scene of a log that has no scene: the recommended simulator with sensors of navigation grade.
@@ -40,7 +40,7 @@ pub struct Order {
     #[arg(long, default_value_t = 1.0)]
     pub hours: f64,
     /// Number of runs with all effects together, if any effect is random, 8 to 1000
-    #[arg(long, default_value_t = 16)]
+    #[arg(long, default_value_t = 16, value_parser = whole(8, 1000))]
     pub runs: u64,
     #[command(flatten)]
     limits: LimitArguments,
@@ -84,7 +84,7 @@ mod tests {
     fn what_is_wrong_is_named() {
         for (arguments, named) in [
             (["--hours", "0"], "--hours 0"),
-            (["--runs", "3"], "--runs = 3: must be from 8 to 1000"),
+            (["--runs", "3"], "expected a whole number from 8 to 1000"),
             (["--position", "1e13"], "--position = 1e13"),
             (["--quick", "x"], "--quick"),
         ] {

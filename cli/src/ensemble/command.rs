@@ -2,7 +2,8 @@
 
 use std::ffi::OsString;
 
-use crate::given::SceneArguments;
+use super::plan::MOST_RUNS;
+use crate::given::{SceneArguments, whole};
 use crate::places::OutputArguments;
 
 /// Scene of a log that has no scene: the recommended simulator with sensors of navigation grade.
@@ -20,14 +21,14 @@ pub struct Order {
     #[command(flatten)]
     pub scene: SceneArguments,
     /// Number of runs
-    #[arg(long, default_value_t = 1000)]
+    #[arg(long, default_value_t = 1000, value_parser = whole(1, MOST_RUNS))]
     pub runs: u64,
     /// Number of the first run [default: the scene's options.run]
-    #[arg(long, value_name = "RUN")]
+    #[arg(long, value_name = "RUN", value_parser = whole(0, u64::MAX))]
     pub first_run: Option<u64>,
     /// Number of threads [default: one on each core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
-    pub threads: Option<u16>,
+    #[arg(long, value_name = "N", value_parser = whole(1, 4096))]
+    pub threads: Option<u64>,
     /// Time between two rows of statistics [default: a 200th of the flight]
     #[arg(long, value_name = "SECONDS")]
     pub every: Option<f64>,

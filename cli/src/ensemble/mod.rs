@@ -55,7 +55,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     };
 
     let quiet = order.output.is_quiet(&given);
-    let threads = order.threads.map_or_else(cores, usize::from);
+    let threads = order.threads.map_or_else(cores, |threads| threads as usize);
     let before = results.runs(&plan);
     if before > 0 && !quiet {
         terminal::say(&format!("{}: {before} of {} runs are flown", checkpoint.path().display(), plan.runs));

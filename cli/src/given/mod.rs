@@ -4,6 +4,7 @@ mod arguments;
 mod log;
 mod settings;
 mod text;
+mod whole;
 mod words;
 
 use std::ffi::OsStr;
@@ -19,6 +20,7 @@ pub use arguments::SceneArguments;
 pub use log::open;
 pub use settings::Settings;
 pub use text::is_log;
+pub use whole::whole;
 pub use words::of_sample;
 
 use crate::failure::{Failure, Kind};

@@ -154,8 +154,10 @@ fn no_output_is_an_input() {
         std::fs::remove_file(folder.join(&name)).unwrap();
     }
     for (more, words) in [
-        (&["--runs", "0"][..], "--runs 0: expected 1 to"),
-        (&["--threads", "0"], "--threads"),
+        (&["--runs", "0"][..], "'0' for '--runs <RUNS>': expected a whole number from 1 to 10000000"),
+        (&["--runs", "1e3"], "'1e3' for '--runs <RUNS>': expected a whole number from 1 to 10000000"),
+        (&["--threads", "0"], "expected a whole number from 1 to 4096"),
+        (&["--first-run", "-1"], "expected a whole number from 0 to 18446744073709551615"),
         (&["--every", "1e-9"], "--every"),
         (&["--every", "nan"], "--every"),
         (&["--name", "a/b"], "without a folder"),
@@ -275,7 +277,7 @@ fn the_last_run_of_all_can_be_flown() {
     let runs = read(folder.join("out/rest_ensemble_runs.csv"));
     assert!(runs.contains(&format!("\n{last},")), "{runs}");
     let (code, _, errors) = order(&last, "2");
-    assert!(code != 0 && errors.contains("with the last run below 2^64"), "{errors}");
+    assert!(code != 0 && errors.contains("the last run below 2^64"), "{errors}");
 }
 
 /// Each verdict counts the runs of the file of runs; the exit code is that of the worst verdict.
