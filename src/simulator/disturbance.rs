@@ -8,7 +8,7 @@ use crate::math::GAUSS_2;
 use crate::mounting::Block;
 use crate::sensors::GravityDisturbance;
 use crate::signal::{Increment, IntervalMotion};
-use crate::snapshot::stored;
+use crate::snapshot::{SIGNALS, stored};
 use crate::truth::Recent;
 
 /// True less normal gravity δg along the flight.
@@ -20,7 +20,7 @@ pub(super) struct Disturbance {
     apparent: SensorErrors,
 }
 
-stored!(Disturbance { at_last_e: 1e3 } rebuilt { apparent });
+stored!(Disturbance { at_last_e: SIGNALS } rebuilt { apparent });
 
 impl Disturbance {
     /// Starts with `at_first_e` [m/s²].
