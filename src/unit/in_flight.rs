@@ -170,7 +170,9 @@ impl InFlight {
             self.expected_i += fix.velocity_i - last.velocity_i - mean * (fix.time_s - last.time_s);
             self.felt_i -= fix.arm_i - last.arm_i;
         }
-        let is_complete = self.window_s > 0.0 && self.window_s >= parameters.coarse_alignment_s;
+        // The length of a window is a sum of intervals, with their rounding.
+        let is_complete =
+            self.window_s > 0.0 && self.window_s >= parameters.coarse_alignment_s * (1.0 - 1e-9);
         if is_complete {
             let kept = exp(-self.window_s * drift / parameters.in_flight_heading_rad);
             self.close(&rotate(&(turned * q_en), &Vector3::z()), kept, drift);
