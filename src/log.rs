@@ -124,9 +124,12 @@ impl FlightLog {
                 return Err(fault(line, 1, sentence));
             }
             let first_s = log.samples.first().map_or(sample.time_s, |first| first.time_s);
-            if !(sample.time_s - first_s).is_finite() {
-                let sentence =
-                    format!("time_s = {:e}: too long after the first sample, {first_s:e}", sample.time_s);
+            let latest_s = FlightSample::LATEST_S;
+            if sample.time_s - first_s > latest_s {
+                let sentence = format!(
+                    "time_s = {:e}: must be at most {latest_s:e} s after the first sample, {first_s:e}",
+                    sample.time_s
+                );
                 return Err(fault(line, 1, sentence));
             }
             room_for_one_more(&mut log.samples).map_err(LogError::Memory)?;

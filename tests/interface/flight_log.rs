@@ -112,11 +112,18 @@ fn a_comment_may_end_a_log_without_a_newline() {
     }
 }
 
-/// Time stamps are finite, but the time between them is not.
+/// Also where the time between two finite stamps is not finite.
 #[test]
-fn a_flight_has_a_finite_duration() {
-    let text = format!("{HEADER}\n-1e308,45,0.1,100,0,0,90\n1e308,45,0.2,100,0,0,90\n");
-    let (line, column, sentence) = fault(text.as_bytes());
-    assert_eq!((line, column), (3, 1));
-    assert_eq!(sentence, "time_s = 1e308: too long after the first sample, -1e308");
+fn a_log_has_a_longest_duration() {
+    let log =
+        |first: &str, last: &str| format!("{HEADER}\n{first},45,0.1,100,0,0,90\n{last},45,0.2,100,0,0,90\n");
+    for (first, last) in [("-1e308", "1e308"), ("0e0", "1.1e10")] {
+        let (line, column, sentence) = fault(log(first, last).as_bytes());
+        assert_eq!((line, column), (3, 1));
+        assert_eq!(
+            sentence,
+            format!("time_s = {last}: must be at most 1e10 s after the first sample, {first}")
+        );
+    }
+    assert_eq!(read(&log("5", "1e10")).samples().len(), 2);
 }
