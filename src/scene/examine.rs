@@ -182,11 +182,11 @@ fn in_unit_of(error: &Error, key: &Key) -> Error {
 }
 
 /// An error about `key`, in its unit, in its words.
-fn sentence(error: &Error, key: &Key) -> String {
+pub(super) fn sentence(error: &Error, key: &Key) -> String {
     let Target::Numbers { .. } = key.target else { return error.to_string() };
     let rule = Error { field: "", value: None, ..*error };
     let index = error.index.map_or(String::new(), |index| format!("[{index}]"));
-    let value = error.value.map_or(String::new(), |value| format!(" = {}", value.as_f64()));
+    let value = error.value.map_or(String::new(), |value| format!(" = {value}"));
     format!("{}{index}{value}: {rule}", key.path())
 }
 

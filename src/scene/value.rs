@@ -3,9 +3,12 @@
 use toml::de::{DeInteger, DeTable, DeValue};
 
 use super::draft::Draft;
+use super::examine::sentence;
 use super::key::{Key, Target};
+use super::limits::{Limits, limits};
 use super::names::excerpt;
 use super::nesting::too_deep;
+use crate::error::{Error, Rule};
 use crate::parameter::Shape;
 use crate::records;
 
@@ -113,9 +116,11 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
                 return Err(refused(shape.expected().to_owned() + &unit.behind()));
             };
             let unit_si = if in_si { 1.0 } else { unit.si };
-            for (to, number) in place.of(draft).zip(numbers) {
-                *to = number * unit_si;
+            let in_si: Vec<f64> = numbers.iter().map(|number| number * unit_si).collect();
+            if let Some(index) = in_si.iter().position(|number| number.is_infinite()) {
+                return Err(beyond_all(key, numbers[index]));
             }
+            place.of(draft).zip(in_si).for_each(|(to, number)| *to = number);
         }
         Target::Choice { words, set, .. } => {
             let found = match value {
@@ -169,10 +174,23 @@ pub fn put_element(
             return Err(format!("{path}[{element}] = {}: expected a number{unit}", value.shown()));
         }
     };
+    let number_si = number * if in_si { 1.0 } else { unit.si };
+    if number_si.is_infinite() {
+        return Err(beyond_all(key, number));
+    }
     if let Some(to) = place.of(draft).nth(element) {
-        *to = number * if in_si { 1.0 } else { unit.si };
+        *to = number_si;
     }
     Ok(())
+}
+
+/// What is wrong with a number that is infinite in SI.
+fn beyond_all(key: &Key, number: f64) -> String {
+    let rule = match limits(key) {
+        Some(Limits { low, high, .. }) => Rule::Between(low, high),
+        None => Rule::Finite,
+    };
+    sentence(&Error::invalid("", number, rule), key)
 }
 
 /// All numbers of a shape, where a single one may stand for several.

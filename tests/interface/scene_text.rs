@@ -192,6 +192,26 @@ fn every_word_of_every_choice_is_read_and_written() {
     }
 }
 
+/// A number is quoted as it was written, also where it is infinite in SI, and beside its limits.
+#[test]
+fn the_largest_numbers_are_rejected_as_written() {
+    for (key, limits) in
+        [("hours", "1e-5 to 100000"), ("rate_hz", "0.001 to 20000"), ("latitude_deg", "-90 to 90")]
+    {
+        for value in ["1e308", "-1e308"] {
+            let text = format!(
+                "[flight]\nlatitude_deg = 0\nlongitude_deg = 0\nheight_m = 0\n{key} = {value}\n[[manoeuvre]]\nkind = \"rest\"\nduration_s = 10\n"
+            );
+            let text = if key == "latitude_deg" { text.replacen("latitude_deg = 0\n", "", 1) } else { text };
+            let faults = reported(&text);
+            assert_eq!(faults[0].1, format!("flight.{key} = {value}: must be from {limits}"));
+        }
+    }
+    let mut scene = Scene::parse(b"[flight]\nbuiltin = \"rest\"\n").unwrap();
+    let faults = scene.set(&[("flight.hours", "1e308")]).unwrap_err();
+    assert_eq!(faults[0].sentence, "flight.hours = 1e308: must be from 1e-5 to 100000");
+}
+
 #[test]
 fn a_file_with_several_faults_gets_them_all_with_their_lines() {
     let text = "[flight]\nbuiltin = \"rest\"\n\n[gyro]\nbias_deg_hour = 3\nrange_deg_s = -1\nmarkov_sigma_deg_h = [1, 2]\n\
@@ -206,7 +226,7 @@ fn a_file_with_several_faults_gets_them_all_with_their_lines() {
                 "gyro.markov_sigma_deg_h = an array of 2: expected one number for all axes, or three [deg/h]"
                     .to_owned()
             ),
-            (8, "gyro.bias_deg_h[1] = 1000000000: must be from -2.06265e7 to 2.06265e7".to_owned()),
+            (8, "gyro.bias_deg_h[1] = 1e9: must be from -2.06265e7 to 2.06265e7".to_owned()),
             (10, "options.scheme = \"fast\": expected exact, paper, polynomial".to_owned()),
             (11, "options.subsamples = 9: must be from 1 to 5".to_owned()),
             (12, "no such section: altimter; did you mean altimeter?".to_owned()),

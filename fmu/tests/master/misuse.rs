@@ -210,7 +210,7 @@ fn limits_of_sensor_parameters() {
 fn refused_parameters_have_their_names() {
     let unit = Unit::flying(|_| ());
     for (name, value, words) in [
-        ("gyro.bias_deg_h[1]", 1e9, " = 1000000000: must be from -2.06265e7 to 2.06265e7"),
+        ("gyro.bias_deg_h[1]", 1e9, " = 1e9: must be from -2.06265e7 to 2.06265e7"),
         ("gyro.misalignment_arcsec[2,3]", 1e9, ""),
         ("gyro.misalignment_arcsec[2,2]", 9.0, " = 9: must be 0 on the diagonal"),
     ] {
