@@ -206,12 +206,20 @@ private:
             MoveWindow(page->window(), client.left, client.top, width, height, TRUE);
     }
 
+    /* Shows a page. Keys never go to a hidden page: a focus within another one moves on, and its field is done. */
     void show_page(int index) {
+        HWND shown = pages_[index]->window(), focus = GetFocus();
         page_ = index;
         TabCtrl_SetCurSel(item(IDC_TABS), index);
+        ShowWindow(shown, SW_SHOW);
+        if (focus != NULL && !IsChild(shown, focus) &&
+            std::any_of(std::begin(pages_), std::end(pages_), [=](auto &page) { return IsChild(page->window(), focus); })) {
+            HWND first = GetNextDlgTabItem(shown, NULL, FALSE);
+            SetFocus(first != NULL ? first : item(IDC_TABS));
+        }
         for (int k = 0; k < PAGES; k++)
             ShowWindow(pages_[k]->window(), k == index ? SW_SHOW : SW_HIDE);
-        SetWindowPos(pages_[index]->window(), HWND_TOP, 0, 0, 0, 0, SWP_NOMOVE | SWP_NOSIZE);
+        SetWindowPos(shown, HWND_TOP, 0, 0, 0, 0, SWP_NOMOVE | SWP_NOSIZE);
         RedrawWindow(window_, NULL, NULL, RDW_INVALIDATE | RDW_ALLCHILDREN | RDW_UPDATENOW);
     }
 

@@ -356,6 +356,35 @@ static void press(BYTE key, int with_control)
     Sleep(500);
 }
 
+/* With the focus within a page, another page is shown by Ctrl and a digit: it gets the focus, and keys change nothing that is hidden. */
+static void focus_follows_the_page(HWND general)
+{
+    GUITHREADINFO thread = {.cbSize = sizeof thread};
+    HWND earth = FindWindowExW(general, NULL, L"ComboBox", NULL);
+    LRESULT before;
+    int page;
+    if (earth == NULL) {
+        fail("no list");
+    }
+    before = ask(earth, CB_GETCURSEL, 0, 0);
+    for (page = 1; page <= 5; page++) {
+        press('2', 1);
+        ask(general, WM_NEXTDLGCTL, (WPARAM)earth, TRUE);
+        press((BYTE)('0' + page), 1);
+        GetGUIThreadInfo(GetWindowThreadProcessId(main_window, NULL), &thread);
+        if (thread.hwndFocus == NULL || !IsWindowVisible(thread.hwndFocus)) {
+            fail("the focus stays in a hidden page");
+        }
+        if (page == 4) { /* of this page, a key changes nothing in the scene */
+            press(VK_END, 0);
+        }
+        if (ask(earth, CB_GETCURSEL, 0, 0) != before) {
+            fail("a key changes a hidden page");
+        }
+    }
+    press('4', 1);
+}
+
 static void keys(void)
 {
     HWND general = page_of(IDC_SECTION), display = page_of(IDC_PROGRESS), presets = GetDlgItem(general, IDC_PRESET);
@@ -388,8 +417,9 @@ static void keys(void)
     press('N', 1);
     answer(IDNO);
     expect_state(display, L"Ready");
+    focus_follows_the_page(general);
     close_window();
-    printf("presets by the arrow key and a button; Ctrl+Z, F5, F1 and Ctrl+N\n");
+    printf("the focus follows the page; presets by the arrow key and a button; Ctrl+Z, F5, F1 and Ctrl+N\n");
 }
 
 /* What the cockpit says: the state of the INS, and in the next line time [s], speed [kt], height [m]. */
