@@ -92,6 +92,7 @@ impl Scene {
         match key.section {
             Section::Flight if key.is_of_manoeuvres() => matches!(self.flight, FlightSource::Path(_)),
             Section::Flight if key.name == "temperature_change_c_h" => !draft.temperature_c.is_nan(),
+            Section::Flight if key.name == "rate_hz" => !self.is_log(),
             Section::Options if key.name == "closed_loop_time_s" => draft.closed_loop,
             Section::Failure if FAILURE_KINDS[draft.failure.fields.kind].0 == "drop_outs" => {
                 let is_random = draft.failure.fields.interval_s == 0.0;

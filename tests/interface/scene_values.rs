@@ -219,6 +219,7 @@ fn a_preset_and_another_flight_replace_what_was() {
     assert_eq!(scene.flight, FlightSource::Builtin("patrol".into()));
     scene.set(&[("flight.file", "a.csv")]).unwrap();
     assert_eq!((scene.flight.clone(), scene.rate_hz), (FlightSource::Log("a.csv".into()), 100.0));
+    assert_eq!(scene.value("flight.rate_hz").as_deref(), Some(""), "a log has its own time stamps");
     assert!(scene.set(&[("flight.file", "")]).is_err() && scene.is_log());
     scene.set_items("manoeuvre", "[[manoeuvre]]\nkind = \"rest\"\nduration_s = 60\n").unwrap();
     assert_eq!(scene.flown_s(), Ok(60.0));
