@@ -10,7 +10,7 @@
 //!  scene       sample             parameters, inputs            `parameters`, `inputs`, `corrections`, `panel`
 //!    |          |
 //!    v          v
-//!  sins::Simulator  ->  outputs                                 `outputs`, `panel`
+//!  sins::Simulator  ->  outputs                                 `outputs`, `parts`, `panel`
 //! ```
 //!
 //! The variables of inputs, parameters and outputs are in one table (`table`), which is made from the keys of a scene. The
@@ -34,6 +34,7 @@ mod logger;
 mod outputs;
 mod panel;
 mod parameters;
+mod parts;
 mod saved;
 mod scene;
 pub mod states;

@@ -7,7 +7,7 @@ use sins::{Error, ErrorSource, Simulator};
 
 use crate::values::{Value, Values};
 use crate::variable::{Role, Variable};
-use crate::{corrections, panel};
+use crate::{corrections, panel, parts};
 
 /// A number: name, unit, usual size, meaning.
 pub type Number = (&'static str, &'static str, f64, &'static str);
@@ -58,8 +58,13 @@ const IMU: [Number; 13] = [
     ("imu.mean_force_m_s2[3]", "m/s2", 10.0, "measured specific force, mean of the interval, sensor axis z"),
 ];
 
-const COUNT: usize =
-    SOLUTION.len() + 2 * ERRORS.len() + IMU.len() + 9 + corrections::COMPENSATIONS + panel::COUNT;
+const COUNT: usize = SOLUTION.len()
+    + 2 * ERRORS.len()
+    + IMU.len()
+    + 9
+    + corrections::COMPENSATIONS
+    + panel::COUNT
+    + parts::REALS;
 
 const FLAGS: [(&str, &str); 11] = [
     ("flags.available", "there is a solution: a sample was taken"),
@@ -88,17 +93,17 @@ pub fn variables() -> impl Iterator<Item = Variable> {
     let numbers =
         numbers.chain(errors("model_errors", "by the error equations", 12)).chain(IMU.iter().map(own));
     let numbers = numbers.chain(errors("sigma", "standard deviation by the covariance", 9));
-    let numbers = numbers.chain(corrections::compensations()).chain(panel::numbers());
+    let numbers = numbers.chain(corrections::compensations()).chain(panel::numbers()).chain(parts::numbers());
     let numbers = numbers.map(|(name, unit, nominal, doc)| {
         let variable = Variable::new(name, Role::Output, Value::Real(0.0), doc).in_unit(unit, 1.0);
         Variable { nominal, ..variable }
     });
     let flags = FLAGS.iter().map(|&(name, doc)| (name.to_owned(), doc.to_owned())).chain(panel::flags());
     let flags = flags.map(|(name, doc)| Variable::new(name, Role::Output, Value::Boolean(false), doc));
-    numbers.chain(flags).chain([panel::state()])
+    numbers.chain(flags).chain(parts::counts()).chain([panel::state()])
 }
 
-/// Writes the outputs to their places, the last reals, booleans and integer of the table. An error changes nothing.
+/// Writes the outputs to their places, the last reals, booleans and integers of the table. An error changes nothing.
 pub fn read(
     simulator: &mut Simulator,
     unit: Option<&Unit>,
@@ -120,6 +125,7 @@ pub fn read(
     };
     let imu = simulator.imu().unwrap_or_default();
     let report = panel::report(unit, simulator)?;
+    let ([updates, parts_per_update], increments) = parts::read(simulator);
 
     let from = into.reals.len() - COUNT;
     let numbers = &mut into.reals[from..];
@@ -154,9 +160,11 @@ pub fn read(
         .iter()
         .for_each(|three| put(three.as_slice()));
     put(&report.numbers);
+    put(&increments);
 
     of_box.copy_from_slice(&report.flags);
-    into.integers.last_mut().into_iter().for_each(|state| *state = report.state);
+    let integers = into.integers.iter_mut().rev();
+    integers.zip([report.state, parts_per_update, updates]).for_each(|(to, value)| *to = value);
     flags.copy_from_slice(&[
         true,
         behind_gap,

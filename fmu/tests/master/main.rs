@@ -1,8 +1,9 @@
-//! Calls of a master: corrections, wrong calls, calls in random order, the URI of the resources.
+//! Calls of a master: corrections, parts of intervals, wrong calls, calls in random order, the URI of the resources.
 
 mod corrections;
 mod misuse;
 mod panel;
+mod parts;
 mod random_calls;
 mod support;
 mod uri;
