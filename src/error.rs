@@ -47,11 +47,11 @@ pub enum Rule {
     /// value < limit.
     Below(f64),
     /// value ≥ limit: words before the limit, and the limit.
-    AtLeast(&'static str, f64),
+    AtLeast(&'static str, Value),
     /// value ≤ limit: words before the limit, and the limit.
-    AtMost(&'static str, f64),
+    AtMost(&'static str, Value),
     /// value = limit: words before the limit, and the limit.
-    Exactly(&'static str, f64),
+    Exactly(&'static str, Value),
     /// value = 0: words that follow "must be 0".
     Zero(&'static str),
     /// A value of this enumeration of the C interface: all integers from the first to the last.
@@ -59,7 +59,7 @@ pub enum Rule {
     /// A sentence that describes the limit.
     Sentence(&'static str),
     /// A sentence that ends with a number. The number is not itself the limit of the value.
-    SentenceWith(&'static str, f64),
+    SentenceWith(&'static str, Value),
 }
 
 impl Rule {
@@ -73,9 +73,10 @@ impl Rule {
             | Self::NeededBy(low, high, _) => (Some(low), Some(high)),
             Self::BetweenIntegers(low, high) => (Some(low as f64), Some(high as f64)),
             Self::OneOf(_, low, high) => (Some(low.into()), Some(high.into())),
-            Self::AtLeast(_, low) => (Some(low), None),
-            Self::Below(high) | Self::AtMost(_, high) => (None, Some(high)),
-            Self::Exactly(_, only) => (Some(only), Some(only)),
+            Self::AtLeast(_, low) => (Some(low.as_f64()), None),
+            Self::Below(high) => (None, Some(high)),
+            Self::AtMost(_, high) => (None, Some(high.as_f64())),
+            Self::Exactly(_, only) => (Some(only.as_f64()), Some(only.as_f64())),
             Self::Zero(_) => (Some(0.0), Some(0.0)),
         }
     }
@@ -207,7 +208,7 @@ impl fmt::Display for Error {
             Rule::AtLeast(words, number)
             | Rule::AtMost(words, number)
             | Rule::Exactly(words, number)
-            | Rule::SentenceWith(words, number) => write!(f, "{words} {}", limit(number)),
+            | Rule::SentenceWith(words, number) => write!(f, "{words} {number}"),
         }
     }
 }
@@ -302,7 +303,8 @@ mod tests {
         );
         let run = Error::invalid("run", u64::MAX, Rule::BetweenIntegers(0, u64::MAX - 1));
         assert_eq!(run.to_string(), "run = 18446744073709551615: must be from 0 to 18446744073709551614");
-        let size = Error::invalid("gyro.struct_size", 3_435_973_836_u32, Rule::Exactly("must be", 712.0));
+        let size =
+            Error::invalid("gyro.struct_size", 3_435_973_836_u32, Rule::Exactly("must be", 712_u32.into()));
         assert_eq!(size.to_string(), "gyro.struct_size = 3435973836: must be 712");
     }
 }

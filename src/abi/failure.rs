@@ -128,7 +128,7 @@ impl Failure {
     }
 
     pub fn buffer(name: &'static str, capacity: usize, needed: usize) -> Self {
-        let rule = Rule::AtLeast("is too small; needed:", needed as f64);
+        let rule = Rule::AtLeast("is too small; needed:", needed.into());
         Self {
             status: SINS_ERROR_BUFFER_TOO_SMALL,
             error: Error::invalid(name, capacity, rule),

@@ -35,7 +35,7 @@ pub(super) use interface_struct;
 /// Checks a struct size that a host states.
 fn check_size<T: Struct>(size: usize) -> Result<usize, Failure> {
     if size < T::FIRST_SIZE || size > MAX_STRUCT_SIZE || !size.is_multiple_of(8) {
-        let rule = Rule::Exactly("must be sizeof the struct; in this release", size_of::<T>() as f64);
+        let rule = Rule::Exactly("must be sizeof the struct; in this release", size_of::<T>().into());
         return Err(Failure::struct_size(T::NAME, size, rule));
     }
     Ok(size)
@@ -211,7 +211,7 @@ impl<T: Struct> Array<T> {
         // SAFETY: the head of an element.
         let size = unsafe { pointer.cast::<u32>().read_unaligned() } as usize;
         if size != self.stride && size != 0 {
-            let rule = Rule::Exactly("must be 0, or that of the first element:", self.stride as f64);
+            let rule = Rule::Exactly("must be 0, or that of the first element:", self.stride.into());
             return Err(Failure::struct_size(T::NAME, size, rule));
         }
         // SAFETY: an element has `stride` readable bytes.
@@ -284,6 +284,6 @@ pub(super) unsafe fn put_if_wanted<T: Copy>(pointer: *mut T, value: T) {
 /// The element `index`; `rule` says what there must be of it.
 #[cfg(feature = "scenes")]
 pub(super) fn element<'a, T>(list: &'a [T], index: usize, rule: &'static str) -> Result<&'a T, Failure> {
-    let rule = Rule::SentenceWith(rule, list.len() as f64);
+    let rule = Rule::SentenceWith(rule, list.len().into());
     list.get(index).ok_or_else(|| crate::error::Error::invalid("index", index, rule).into())
 }

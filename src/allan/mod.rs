@@ -54,7 +54,7 @@ impl Estimator {
     /// For records of `count` samples, [`FEWEST_SAMPLES`] or more, over intervals of `interval_s` \[s\], 1e-9 to 1e9.
     pub fn new(count: usize, interval_s: f64) -> Result<Self, Error> {
         if count < FEWEST_SAMPLES {
-            let rule = Rule::AtLeast("must be at least", FEWEST_SAMPLES as f64);
+            let rule = Rule::AtLeast("must be at least", FEWEST_SAMPLES.into());
             return Err(Error::invalid("count", count, rule));
         }
         check_range("interval_s", interval_s, 1e-9, 1e9)?;
@@ -74,7 +74,7 @@ impl Estimator {
     /// `increments` are angles \[rad\] or velocities \[m/s\] over the intervals, `count` finite numbers.
     pub fn variances(&self, increments: &[f64]) -> Result<Vec<f64>, Error> {
         if increments.len() != self.count {
-            let rule = Rule::Exactly("must be", self.count as f64);
+            let rule = Rule::Exactly("must be", self.count.into());
             return Err(Error::invalid("number of increments", increments.len(), rule));
         }
         check_ranges("increments", increments, f64::MIN, f64::MAX)?;

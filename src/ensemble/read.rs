@@ -140,7 +140,8 @@ impl Ensemble {
         match self.diverged_s(place) {
             None => Ok(place),
             Some(time_s) => {
-                let rule = Rule::SentenceWith("has diverged; its last good solution was at time_s =", time_s);
+                let rule =
+                    Rule::SentenceWith("has diverged; its last good solution was at time_s =", time_s.into());
                 Err(Error::of(ErrorKind::Diverged, "run", run, rule))
             }
         }

@@ -207,13 +207,17 @@ impl Geographic {
         let (cos, least) = (sin_cos(latitude).1, Mechanization::MIN_COS_LATITUDE);
         if cos < least {
             let words = "the geographic mechanization needs a distance to the pole, as the cosine of latitude, of at least";
-            return singular("cosine of the navigated latitude", cos, Rule::AtLeast(words, least));
+            return singular("cosine of the navigated latitude", cos, Rule::AtLeast(words, least.into()));
         }
         let (turn, most) = (self.turn2.sqrt(), Mechanization::MAX_TURN_RAD);
         if turn > most {
             let words =
                 "is too large near this pole: use shorter updates or Earth-fixed axes; must be at most";
-            return singular("turn of the geographic axes in an update", turn, Rule::AtMost(words, most));
+            return singular(
+                "turn of the geographic axes in an update",
+                turn,
+                Rule::AtMost(words, most.into()),
+            );
         }
         // The path of an interval can be longer than the way over the pole.
         if !(latitude.abs() <= FRAC_PI_2 && self.place.value.y.abs() <= MAX_LONGITUDE_RAD) {
@@ -221,7 +225,7 @@ impl Geographic {
             return singular(
                 "size of the navigated latitude_rad",
                 latitude.abs(),
-                Rule::AtMost(words, FRAC_PI_2),
+                Rule::AtMost(words, FRAC_PI_2.into()),
             );
         }
         Ok(())

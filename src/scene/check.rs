@@ -112,7 +112,7 @@ impl Scene {
         }
         if !self.is_log() && self.rate_hz * self.options.intake.max_gap_s < 1.0 {
             let words = "samples would be farther apart than options.max_gap_s =";
-            let rule = Rule::SentenceWith(words, self.options.intake.max_gap_s);
+            let rule = Rule::SentenceWith(words, self.options.intake.max_gap_s.into());
             conflicts.push(Error::invalid("flight.rate_hz", self.rate_hz, rule));
         }
         if self.unit.start.is_none() && !self.panel.is_empty() {

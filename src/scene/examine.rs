@@ -166,19 +166,20 @@ impl Reader<'_> {
 fn in_unit_of(error: &Error, key: &Key) -> Error {
     let Target::Numbers { unit, .. } = key.target else { return *error };
     let in_unit = |number: f64| if unit.si == 1.0 { number } else { rounded(number / unit.si) };
+    let of_unit = |value: Value| Value::Real(in_unit(value.as_f64()));
     let rule = match error.rule {
         Rule::Between(low, high) => Rule::Between(in_unit(low), in_unit(high)),
         Rule::OffOr(low, high) => Rule::OffOr(in_unit(low), in_unit(high)),
         Rule::DefaultOr(low, high) => Rule::DefaultOr(in_unit(low), in_unit(high)),
         Rule::NeededBy(low, high, field) => Rule::NeededBy(in_unit(low), in_unit(high), field),
         Rule::Below(limit) => Rule::Below(in_unit(limit)),
-        Rule::AtLeast(words, number) => Rule::AtLeast(words, in_unit(number)),
-        Rule::AtMost(words, number) => Rule::AtMost(words, in_unit(number)),
-        Rule::Exactly(words, number) => Rule::Exactly(words, in_unit(number)),
-        Rule::SentenceWith(words, number) => Rule::SentenceWith(words, in_unit(number)),
+        Rule::AtLeast(words, number) => Rule::AtLeast(words, of_unit(number)),
+        Rule::AtMost(words, number) => Rule::AtMost(words, of_unit(number)),
+        Rule::Exactly(words, number) => Rule::Exactly(words, of_unit(number)),
+        Rule::SentenceWith(words, number) => Rule::SentenceWith(words, of_unit(number)),
         other => other,
     };
-    Error { value: error.value.map(|value| in_unit(value.as_f64()).into()), rule, ..*error }
+    Error { value: error.value.map(of_unit), rule, ..*error }
 }
 
 /// An error about `key`, in its unit, in its words.

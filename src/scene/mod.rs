@@ -268,7 +268,7 @@ impl Scene {
         match self.duration_s.or_else(of_builtin) {
             // The durations may differ by the rounding of a program's arithmetic.
             Some(wanted_s) if wanted_s > flight_s * (1.0 + 1e-9) => {
-                let rule = Rule::AtMost("must be at most the duration of the flight:", flight_s);
+                let rule = Rule::AtMost("must be at most the duration of the flight:", flight_s.into());
                 Err(Error::invalid("flight.duration_s", wanted_s, rule))
             }
             Some(wanted_s) => Ok(wanted_s.min(flight_s)),

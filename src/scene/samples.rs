@@ -60,7 +60,7 @@ impl Scene {
             Some(every_s) => (every_s / period_s).round(),
         };
         if intervals < 1.0 {
-            let rule = Rule::AtLeast("must be at least the sample interval,", period_s);
+            let rule = Rule::AtLeast("must be at least the sample interval,", period_s.into());
             return Err(Error::invalid("output.every_s", self.output.every_s.unwrap_or_default(), rule));
         }
         Ok(intervals as u64)

@@ -29,7 +29,7 @@ impl PlannedFailure {
         failure.validate(output)?;
         check_range("failure.from_s", from_s, TIMES_S.0, TIMES_S.1)?;
         if until_s <= from_s {
-            let rule = Rule::SentenceWith("must be more than from_s =", from_s);
+            let rule = Rule::SentenceWith("must be more than from_s =", from_s.into());
             return Err(Error::invalid("failure.until_s", until_s, rule));
         }
         if until_s != f64::INFINITY {
@@ -144,7 +144,7 @@ impl Scene {
         if let Some(other) = self.failures.iter().find(meets) {
             let rule = Rule::SentenceWith(
                 "overlaps in time with a failure of the same output from",
-                other.failing.from_s,
+                other.failing.from_s.into(),
             );
             return Err(Error::invalid("failure.from_s", planned.failing.from_s, rule));
         }

@@ -20,8 +20,8 @@ pub const MAX_TEXT_VALUE: usize = 4096;
 pub enum Value {
     Text(String),
     Flag(bool),
-    /// A whole number that is not negative; also a number.
-    Whole(u64),
+    /// A whole number with all its digits; also a number.
+    Whole(i128),
     Number(f64),
     Numbers(Vec<f64>),
     /// A value of a type that no key takes, by the name of the type.
@@ -33,7 +33,7 @@ impl Value {
         match value {
             DeValue::String(text) => Self::Text(text.to_string()),
             DeValue::Boolean(flag) => Self::Flag(*flag),
-            DeValue::Integer(integer) => u64::from_str_radix(integer.as_str(), integer.radix()).map_or_else(
+            DeValue::Integer(integer) => i128::from_str_radix(integer.as_str(), integer.radix()).map_or_else(
                 |_| finite(number(value)).map_or(Self::Other("a number without a value"), Self::Number),
                 Self::Whole,
             ),
@@ -99,7 +99,7 @@ fn whole_number(integer: &DeInteger<'_>) -> f64 {
     if integer.radix() == 10 {
         return integer.as_str().parse().unwrap_or(f64::NAN);
     }
-    u64::from_str_radix(integer.as_str(), integer.radix()).map_or(f64::NAN, |whole| whole as f64)
+    i128::from_str_radix(integer.as_str(), integer.radix()).map_or(f64::NAN, |whole| whole as f64)
 }
 
 fn finite(number: f64) -> Option<f64> {
@@ -131,8 +131,13 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
             set(draft, index);
         }
         Target::Count { set, .. } => {
-            let Value::Whole(whole) = value else { return Err(refused("a whole number".to_owned())) };
-            set(draft, *whole);
+            let whole = if let Value::Whole(whole) = value { u64::try_from(*whole).ok() } else { None };
+            let Some(whole) = whole else {
+                let (low, high) =
+                    limits(key).map_or((0, u64::MAX), |limits| (limits.low as u64, limits.high as u64));
+                return Err(refused(format!("a whole number from {low} to {high}")));
+            };
+            set(draft, whole);
         }
         Target::Text { example, place } => match value {
             Value::Text(text) if text.chars().any(char::is_control) => {

@@ -158,7 +158,7 @@ impl Failure {
                 check_interval(interval_s)?;
                 check_range("failure.duration_s", duration_s, 1e-9, 1e9)?;
                 if duration_s > interval_s {
-                    let rule = Rule::AtMost("must be at most failure.interval_s =", interval_s);
+                    let rule = Rule::AtMost("must be at most failure.interval_s =", interval_s.into());
                     return Err(Error::invalid("failure.duration_s", duration_s, rule));
                 }
                 Ok(())

@@ -353,5 +353,5 @@ pub(crate) fn nothing_to_correct() -> Error {
 
 /// The error for a solution that is singular: `value` of `field` breaks `limit`.
 fn singular(field: &'static str, value: f64, words: &'static str, limit: f64) -> Error {
-    Error::of(ErrorKind::Singular, field, value, Rule::SentenceWith(words, limit))
+    Error::of(ErrorKind::Singular, field, value, Rule::SentenceWith(words, limit.into()))
 }

@@ -49,7 +49,7 @@ pub fn seal(snapshot: &mut [u8], of: SnapshotOf) {
 pub(super) fn open(snapshot: &[u8], of: SnapshotOf) -> Result<&[u8], Error> {
     let damaged = |field, value: usize, rule| Err(Error::of(ErrorKind::Snapshot, field, value, rule));
     let Some(header) = snapshot.get(..HEADER_BYTES) else {
-        let rule = Rule::AtLeast("is cut off; bytes that the header alone needs:", HEADER_BYTES as f64);
+        let rule = Rule::AtLeast("is cut off; bytes that the header alone needs:", HEADER_BYTES.into());
         return damaged("snapshot size", snapshot.len(), rule);
     };
     let number = |at: usize| u32::from_le_bytes(core::array::from_fn(|byte| header[at + byte]));
@@ -65,7 +65,7 @@ pub(super) fn open(snapshot: &[u8], of: SnapshotOf) -> Result<&[u8], Error> {
     }
     let version = number(8) as usize;
     if version != FORMAT_VERSION as usize {
-        let rule = Rule::Exactly("is of another release; this one reads version", f64::from(FORMAT_VERSION));
+        let rule = Rule::Exactly("is of another release; this one reads version", FORMAT_VERSION.into());
         return damaged("snapshot format version", version, rule);
     }
     let length = number(12);

@@ -20,7 +20,7 @@ pub(crate) fn fitting(length: usize, capacity: usize) -> Result<usize, Error> {
     if length <= capacity {
         return Ok(length);
     }
-    let rule = Rule::AtLeast("is too small for the snapshot; needed:", length as f64);
+    let rule = Rule::AtLeast("is too small for the snapshot; needed:", length.into());
     Err(Error::of(ErrorKind::BufferTooSmall, "capacity", capacity, rule))
 }
 

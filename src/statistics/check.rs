@@ -8,7 +8,7 @@ impl Statistics {
     pub fn check(&self) -> Result<(), Error> {
         let size = size_of::<Self>();
         if self.struct_size as usize != size {
-            let rule = Rule::Exactly("must be", size as f64);
+            let rule = Rule::Exactly("must be", size.into());
             return Err(Error::invalid("statistics.struct_size", self.struct_size, rule));
         }
         if self.layout != LAYOUT && (self.layout, self.runs) != (0, 0) {
@@ -29,17 +29,17 @@ impl Statistics {
             ("statistics.out_of_range", self.out_of_range),
             ("statistics.outside_validity", self.outside_validity),
         ] {
-            require(count <= self.runs, field, count, Rule::AtMost(TOO_MANY, self.runs as f64))?;
+            require(count <= self.runs, field, count, Rule::AtMost(TOO_MANY, self.runs.into()))?;
         }
         let left_out = self.diverged + self.out_of_range;
-        let rule = Rule::AtMost(TOO_MANY, self.runs as f64);
+        let rule = Rule::AtMost(TOO_MANY, self.runs.into());
         require(left_out <= self.runs, "statistics.diverged + out_of_range", left_out, rule)?;
         let good = self.good();
-        let rule = Rule::AtMost("is damaged: more than the runs in the sums,", good as f64);
+        let rule = Rule::AtMost("is damaged: more than the runs in the sums,", good.into());
         require(self.outside_validity <= good, "statistics.outside_validity", self.outside_validity, rule)?;
 
         let counted: u64 = self.histogram.iter().copied().map(u64::from).sum();
-        let rule = Rule::Exactly("is damaged: the runs in the sums are", good as f64);
+        let rule = Rule::Exactly("is damaged: the runs in the sums are", good.into());
         require(counted == good, "sum of statistics.histogram", counted, rule)?;
         let last = self.histogram.iter().rposition(|&count| count > 0);
         let of_largest = super::bucket_of(self.largest_radial.min((1 << STATE_BITS) - 1));

@@ -176,7 +176,7 @@ impl Intake {
         if self.waiting() == QUEUE_CAPACITY {
             let rule = Rule::SentenceWith(
                 "the queue is full, step first; samples that can wait:",
-                QUEUE_CAPACITY as f64,
+                QUEUE_CAPACITY.into(),
             );
             return Err(Error::of(ErrorKind::QueueFull, "queued samples", QUEUE_CAPACITY, rule));
         }
@@ -227,7 +227,7 @@ impl Intake {
                 if (stamp_s - time_s).abs() > OFF_PERIOD * period {
                     return order(Rule::SentenceWith(
                         "is off the stated sample period; the nearest sample time is",
-                        time_s,
+                        time_s.into(),
                     ));
                 }
                 (ticks - self.ticks) * period
@@ -237,13 +237,13 @@ impl Intake {
         if interval_s < MIN_INTERVAL_S - rounding || interval_s <= 0.0 {
             return order(Rule::SentenceWith(
                 "must be at least 5e-5 s after the previous sample, at",
-                last.time_s,
+                last.time_s.into(),
             ));
         }
         if interval_s > self.limits.max_gap_s + rounding {
             let rule = Rule::SentenceWith(
                 "the gap after the previous sample must be at most max_gap_s =",
-                self.limits.max_gap_s,
+                self.limits.max_gap_s.into(),
             );
             return Err(Error::of(ErrorKind::Discontinuity, "sample.time_s", stamp_s, rule));
         }

@@ -71,7 +71,7 @@ impl Steps<'_> {
                 unexplained2.sqrt(),
                 Rule::AtMost(
                     "must be at most 10 m plus the effect of max_acceleration_m_s2 in this interval:",
-                    allowed,
+                    allowed.into(),
                 ),
             );
         }
@@ -89,7 +89,7 @@ impl Steps<'_> {
             return jump(
                 "sample.velocity_enu_m_s: acceleration since the previous sample [m/s2]",
                 change2.sqrt() / t,
-                Rule::AtMost("must be at most max_acceleration_m_s2 =", limit),
+                Rule::AtMost("must be at most max_acceleration_m_s2 =", limit.into()),
             );
         }
         Ok(())
@@ -155,7 +155,7 @@ fn check_speed(displacement: &Vector3<f64>, t: f64) -> Result<(), Error> {
         return jump(
             "sample position: speed since the previous sample [m/s]",
             speed2.sqrt(),
-            Rule::AtMost("must be at most", MAX_SPEED_M_S),
+            Rule::AtMost("must be at most", MAX_SPEED_M_S.into()),
         );
     }
     Ok(())

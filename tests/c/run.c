@@ -74,7 +74,7 @@ static void refusals(void)
 {
     sins_sim *sim = make();
     size_t written = 99;
-    char text[200];
+    char text[200], all[100];
     double good = samples[500].height_m;
     sins_navigation navigation = {.struct_size = sizeof navigation};
 
@@ -82,6 +82,12 @@ static void refusals(void)
     CHECK(sins_run(sim, samples, COUNT, EVERY, found, RECORDS - 1, &written) == SINS_ERROR_BUFFER_TOO_SMALL);
     CHECK(sins_get_navigation(sim, &navigation) == SINS_NEED_SAMPLE); /* nothing was flown */
     CHECK(written == 0);
+
+    /* The largest count is named with every digit. */
+    CHECK(sins_run(sim, samples, (size_t)-1, 1, NULL, 0, &written) == SINS_ERROR_BUFFER_TOO_SMALL);
+    CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+    snprintf(all, sizeof all, "capacity = 0: is too small; needed: %llu", (unsigned long long)((size_t)-2));
+    CHECK(strcmp(text, all) == 0);
 
     /* A count that overflows when the samples in the queue are added. */
     CHECK(sins_push_sample(sim, &samples[0]) == SINS_OK && sins_push_sample(sim, &samples[1]) == SINS_OK);

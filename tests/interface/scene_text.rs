@@ -212,6 +212,21 @@ fn the_largest_numbers_are_rejected_as_written() {
     assert_eq!(faults[0].sentence, "flight.hours = 1e308: must be from 1e-5 to 100000");
 }
 
+/// Whole numbers keep every digit, in the value and in its limits.
+#[test]
+fn whole_numbers_are_rejected_with_every_digit() {
+    let most = "expected a whole number from 0 to 18446744073709551615";
+    for (setting, words) in [
+        ("seed = 18446744073709551616", most),
+        ("run = -9223372036854775809", most),
+        ("seed = 1.5", most),
+        ("subsamples = 2.5", "expected a whole number from 1 to 5"),
+    ] {
+        let faults = reported(&format!("[flight]\nbuiltin = \"rest\"\n[options]\n{setting}\n"));
+        assert_eq!(faults, [(4, format!("options.{setting}: {words}"))]);
+    }
+}
+
 #[test]
 fn a_file_with_several_faults_gets_them_all_with_their_lines() {
     let text = "[flight]\nbuiltin = \"rest\"\n\n[gyro]\nbias_deg_hour = 3\nrange_deg_s = -1\nmarkov_sigma_deg_h = [1, 2]\n\

@@ -99,7 +99,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_key(index: usize, key: *mut sins_
         probe(ROOM)?;
         let (found, count) = key_line(index);
         let Some(line) = found else {
-            let rule = Rule::SentenceWith("must be less than the number of keys:", count as f64);
+            let rule = Rule::SentenceWith("must be less than the number of keys:", count.into());
             return Err(Error::invalid("index", index, rule).into());
         };
         Ok(output.write(&sins_scene_key::new(&line, count)))

@@ -218,7 +218,7 @@ pub unsafe extern "C-unwind" fn sins_scene_create_builtin(
     enter_without_simulator(|| {
         let unknown = || {
             let count = BUILTIN_SCENES.len() as f64;
-            let rule = Rule::SentenceWith("must be the name of a built-in scene; there are", count);
+            let rule = Rule::SentenceWith("must be the name of a built-in scene; there are", count.into());
             Failure::from(Error { value: None, ..Error::invalid("name", 0.0, rule) })
         };
         // SAFETY: the host's promise.
