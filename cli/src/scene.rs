@@ -77,7 +77,8 @@ fn check(scenes: &[OsString], settings: &Settings) -> Result<(), Failure> {
             Ok(given) => {
                 let (duration, rate_hz) = (time_text(given.duration_s), six_digits(1.0 / given.period_s));
                 let title = given.title.trim_end_matches('.');
-                good += &format!("{}: {title}, {duration} at {rate_hz} Hz\n", given.origin);
+                let gaps = given.gaps_text().map_or_else(String::new, |gaps| format!("; gaps: {gaps}"));
+                good += &format!("{}: {title}, {duration} at {rate_hz} Hz{gaps}\n", given.origin);
             }
             Err(failure) => bad.push(failure),
         }

@@ -192,6 +192,6 @@ pub(super) fn sentence(error: &Error, key: &Key) -> String {
 }
 
 /// A number with six digits: enough for a limit, without digits that come from rounding.
-fn rounded(number: f64) -> f64 {
+pub(crate) fn rounded(number: f64) -> f64 {
     format!("{number:.5e}").parse().unwrap_or(number)
 }

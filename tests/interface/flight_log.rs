@@ -112,18 +112,40 @@ fn a_comment_may_end_a_log_without_a_newline() {
     }
 }
 
-/// Also where the time between two finite stamps is not finite.
 #[test]
 fn a_log_has_a_longest_duration() {
     let log =
         |first: &str, last: &str| format!("{HEADER}\n{first},45,0.1,100,0,0,90\n{last},45,0.2,100,0,0,90\n");
-    for (first, last) in [("-1e308", "1e308"), ("0e0", "1.1e10")] {
-        let (line, column, sentence) = fault(log(first, last).as_bytes());
-        assert_eq!((line, column), (3, 1));
-        assert_eq!(
-            sentence,
-            format!("time_s = {last}: must be at most 1e10 s after the first sample, {first}")
-        );
-    }
+    let (line, column, sentence) = fault(log("-5e9", "6e9").as_bytes());
+    assert_eq!((line, column), (3, 1));
+    assert_eq!(sentence, "time_s = 6e9: must be at most 1e10 s after the first sample, -5e9");
     assert_eq!(read(&log("5", "1e10")).samples().len(), 2);
+}
+
+/// A value out of its range is reported with its column and its limits, in the unit of the column.
+#[test]
+fn values_of_a_log_have_ranges() {
+    let in_radians = "time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad,\
+        velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,temperature_c";
+    let good = ["1", "0.7", "0.1", "100", "0", "0", "1", "0", "0", "0", "20"];
+    for (place, value, words) in [
+        (0, "1e308", "time_s = 1e308: must be from -1e10 to 1e10"),
+        (
+            1,
+            "47.5",
+            "latitude_rad = 47.5: must be from -1.5707963277948966 to 1.5707963277948966; is it in degrees?",
+        ),
+        (2, "-101", "longitude_rad = -101: must be from -100 to 100; is it in degrees?"),
+        (3, "5e9", "height_m = 5e9: must be from -20000 to 2000000"),
+        (6, "1e5", "heading_rad = 100000: must be from -10000 to 10000"),
+        (9, "3e4", "velocity_up_m_s = 30000: must be from -20000 to 20000"),
+        (10, "3000", "temperature_c = 3000: must be from -273.15 to 1000"),
+    ] {
+        let mut row = good;
+        row[place] = value;
+        let text = format!("{in_radians}\n{}\n{}\n", good.join(",").replacen('1', "0", 1), row.join(","));
+        assert_eq!(fault(text.as_bytes()), (3, place + 1, words.to_owned()));
+    }
+    let text = format!("{HEADER}\n0,45,0.1,100,0,0,90\n1,90.01,0.2,100,0,0,90\n");
+    assert_eq!(fault(text.as_bytes()), (3, 2, "latitude_deg = 90.01: must be from -90 to 90".to_owned()));
 }

@@ -43,6 +43,9 @@ fn setting(figures: &Figures, records: &Path) -> String {
     line("failures", planned::text(figures.scene()));
     line("updates", figures.updates());
     line("options", figures.set_in("options"));
+    if let Some(gaps) = given.gaps_text() {
+        line("gaps", gaps);
+    }
     let interrupted = if figures.is_interrupted { ", stopped before the end" } else { "" };
     line(
         "flown",

@@ -114,6 +114,8 @@ fn flight(figures: &Figures, rows: &mut Rows) {
     let label = "stopped before the end of the flight (0: no, 1: yes)";
     rows.whole("interrupted", u64::from(figures.is_interrupted), label);
     rows.whole("records", flown.records, "records written");
+    rows.whole("gaps", figures.given.gaps.count, "gaps in the log, which were bridged");
+    rows.number("gap_longest_s", figures.given.gaps.longest_s, "s", "longest gap in the log");
     for (key, value, unit, label, time_s) in figures.truth() {
         rows.number(key, value, unit, &format!("truth: {label}, at {} s", six_digits(time_s)));
     }

@@ -1,6 +1,7 @@
 //! The scene that the command line names, and its flight sample by sample.
 
 mod arguments;
+mod gaps;
 mod log;
 mod settings;
 mod text;
@@ -17,6 +18,7 @@ use sins::truth::FlightSample;
 use sins::{Error, ErrorKind};
 
 pub use arguments::SceneArguments;
+pub use gaps::Gaps;
 pub use log::open;
 pub use settings::Settings;
 pub use text::is_log;
@@ -48,6 +50,8 @@ pub struct Given {
     pub period_s: f64,
     /// Time from the first sample to the last [s].
     pub duration_s: f64,
+    /// Gaps of the log, if the flight is one.
+    pub gaps: Gaps,
     motion: Motion,
 }
 
@@ -122,7 +126,7 @@ impl Given {
         };
         let Samples { count, start_s, period_s, duration_s } = samples;
         let title = title(&scene, &motion);
-        Ok(Self {
+        let mut given = Self {
             scene,
             name,
             origin: text.origin,
@@ -132,8 +136,14 @@ impl Given {
             start_s,
             period_s,
             duration_s,
+            gaps: Gaps::default(),
             motion,
-        })
+        };
+        if let Motion::Log(_, log) = &given.motion {
+            let found = gaps::find(&given.scene, log, count);
+            given.gaps = found.map_err(|(index, error)| given.failure_at(index, &error))?;
+        }
+        Ok(given)
     }
 
     /// The scene called `name` (built in or a file) for samples that come from outside, or without a name that of the text `for_logs`.
@@ -162,6 +172,7 @@ impl Given {
             start_s: 0.0,
             period_s: 0.0,
             duration_s: 0.0,
+            gaps: Gaps::default(),
             motion: Motion::Live,
         })
     }
@@ -201,6 +212,17 @@ impl Given {
             Motion::Log(path, log) => {
                 format!("{}:{}", path.display(), log.line(index).unwrap_or_default())
             }
+        }
+    }
+
+    /// The gaps of the log in words; `None`: it has none.
+    pub fn gaps_text(&self) -> Option<String> {
+        let Gaps { count, longest_s, index } = self.gaps;
+        let (longest_s, place) = (rounded(longest_s, 6), self.place(index));
+        match count {
+            0 => None,
+            1 => Some(format!("1, of {longest_s} s, before {place}, bridged")),
+            _ => Some(format!("{count}, the longest of {longest_s} s, before {place}, bridged")),
         }
     }
 

@@ -43,6 +43,12 @@ impl Text {
         let most = MAX_TEXT as u64 + 1;
         let read = std::fs::File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes));
         read.map_err(|error| Failure::of_input(path, &error))?;
+        if is_header(&bytes) {
+            return Err(Failure::of_file(
+                path,
+                &"is a flight log: give its file a name that ends in .csv, or use --log",
+            ));
+        }
         let origin = path.display().to_string();
         Ok(Self { bytes, origin, path: Some(path.to_owned()), name: name_of(path) })
     }
@@ -101,6 +107,14 @@ fn line_of(text: &str, section: &str, key: &str) -> Option<u64> {
 /// Whether `name` is the name of a flight log.
 pub fn is_log(name: &OsStr) -> bool {
     name == "-" || Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+}
+
+/// Whether a text begins with the header of a flight log.
+fn is_header(text: &[u8]) -> bool {
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+    let is_empty = |line: &&[u8]| line.starts_with(b"#") || line.trim_ascii().is_empty();
+    let header = text.split(|byte| *byte == b'\n').find(|line| !is_empty(line));
+    header.is_some_and(|line| line.split(|byte| *byte == b',').any(|name| name.trim_ascii() == b"time_s"))
 }
 
 /// Name of a file without folder and ending.

@@ -11,9 +11,13 @@ use crate::support::sins;
 use crate::support::{HEADER, done, folder, log, project_file, read, rejected, run, with_log};
 
 #[test]
-fn rows_of_more_fields_than_columns_are_no_flight() {
+fn a_log_without_its_name_and_rows_of_more_fields_than_columns_are_no_flight() {
     let folder = folder("decimal_commas");
     std::fs::write(folder.join("commas.csv"), log().replace(",0.7,", ",0,7,")).unwrap();
+    std::fs::write(folder.join("log.txt"), format!("# a title\n{}", log())).unwrap();
+    let errors = rejected(&folder, &["fly", "log.txt"]);
+    assert_eq!(errors, "log.txt: is a flight log: give its file a name that ends in .csv, or use --log\n");
+    done(&folder, &["fly", "--log", "log.txt"]);
     let errors = rejected(&folder, &["fly", "commas.csv"]);
     assert!(errors.starts_with("commas.csv:2: 8 fields"), "{errors}");
     assert!(!folder.join("sins_out/commas.csv").exists());
@@ -125,7 +129,7 @@ fn a_bad_sample_is_reported_in_the_words_of_the_log() {
         std::fs::write(folder.join("log.csv"), format!("{header}\n{rows}")).unwrap();
     };
     for (last, expected) in [
-        ("2,95,116,50,0,0,0", "log.csv:4: latitude = 95 deg: must be from -90 to 90 deg\n"),
+        ("2,95,116,50,0,0,0", "log.csv:4: latitude_deg = 95: must be from -90 to 90\n"),
         ("2,39,116,50,0,1e6,0", "log.csv:4: velocity_north_m_s = 1000000: must be from -20000 to 20000\n"),
         (
             "9,39,116,50,0,0,0",
@@ -133,12 +137,28 @@ fn a_bad_sample_is_reported_in_the_words_of_the_log() {
         ),
     ] {
         flight(["0,39,116,50,0,0,0", "1,39,116,50,0,0,0", last]);
-        for command in ["fly", "budget", "ensemble", "curve"] {
-            let errors = rejected(&folder, &[command, "log.csv"]);
-            assert!(errors.ends_with(expected), "{command}: {errors}");
+        for command in [&["fly"][..], &["budget"], &["ensemble"], &["curve"], &["scene", "check"]] {
+            let errors = rejected(&folder, &[command, &["log.csv"]].concat());
+            assert!(errors.ends_with(expected), "{command:?}: {errors}");
         }
     }
     let warm = ["fly", "simulation1", "--set", "gyro.bias_temperature_deg_h_per_k=1"];
     let expected = "flight.temperature_c: is needed while temperature coefficients are set\n";
     assert!(rejected(&folder, &warm).ends_with(expected));
+}
+
+/// A gap that the flight bridges is said, by the check of the scene, in the summary and in its file.
+#[test]
+fn gaps_of_a_log_are_said() {
+    let folder = folder("gaps");
+    let rows = ["0", "0.5", "1", "1.5", "3.5", "4"].map(|time_s| format!("{time_s},39,116,50,0,0,0\n"));
+    let header = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
+    std::fs::write(folder.join("log.csv"), format!("{header}{}", rows.concat())).unwrap();
+    let gaps = "1, of 2 s, before log.csv:6, bridged\n";
+    assert!(done(&folder, &["scene", "check", "log.csv"]).ends_with(&format!("; gaps: {gaps}")));
+    let printed = done(&folder, &["fly", "log.csv"]);
+    assert!(printed.contains(&format!("  gaps            {gaps}")), "{printed}");
+    let summary = read(folder.join("sins_out/log_summary.csv"));
+    assert!(summary.contains("\ngaps,1,,") && summary.contains("\ngap_longest_s,2,s,"), "{summary}");
+    assert!(!done(&folder, &["fly", "rest", "--set", "flight.hours=0.01"]).contains("gaps"));
 }

@@ -1,0 +1,38 @@
+//! The samples of a log, one after the other: what a simulator would refuse, and the gaps that it bridges.
+
+use sins::Error;
+use sins::log::FlightLog;
+use sins::scene::Scene;
+use sins::truth::{Intake, Pushed};
+
+/// Gaps of a log: intervals of more than 2.5 times each of the two before, which are bridged.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Gaps {
+    /// Number of gaps.
+    pub count: u64,
+    /// The longest gap [s].
+    pub longest_s: f64,
+    /// Index of the sample behind the longest gap.
+    pub index: usize,
+}
+
+/// Takes the first `count` samples of `log` as a simulator of `scene` does. Its gaps; or the first sample that the simulator
+/// refuses, and why.
+pub fn find(scene: &Scene, log: &FlightLog, count: usize) -> Result<Gaps, (usize, Error)> {
+    let options = &scene.options;
+    let at = |index| move |error| (index, error);
+    let mut intake = Intake::new(options.earth(), options.axes, options.intake).map_err(at(0))?;
+    let (mut gaps, mut last_s) = (Gaps::default(), 0.0);
+    for (index, sample) in log.samples().iter().take(count).enumerate() {
+        let length_s = sample.time_s - last_s;
+        if intake.push(sample).map_err(at(index))? == Pushed::BehindGap {
+            gaps.count += 1;
+            if length_s > gaps.longest_s {
+                (gaps.longest_s, gaps.index) = (length_s, index);
+            }
+        }
+        intake.take();
+        last_s = sample.time_s;
+    }
+    Ok(gaps)
+}
