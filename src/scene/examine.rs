@@ -63,7 +63,7 @@ impl Reader<'_> {
             while let Err(error) = self.draft.validate(section) {
                 self.add_error(&error, &item);
                 let Some((index, _)) = item.of_field(error.field) else { break };
-                if self.faults.are_many() || !self.put_back(&KEYS[index]) {
+                if self.faults.are_many() || !put_back(&mut self.draft, &KEYS[index]) {
                     break;
                 }
             }
@@ -82,27 +82,6 @@ impl Reader<'_> {
         for error in scene.conflicts() {
             let item = self.item_of(&error);
             self.add_error(&error, &item);
-        }
-    }
-
-    /// Puts the default in the place of the value of a key. Returns whether the value was another one.
-    fn put_back(&mut self, key: &Key) -> bool {
-        let mut default = Draft::from(&Scene::default());
-        match key.target {
-            Target::Numbers { place, .. } => {
-                let mut has_changed = false;
-                for (number, default) in place.of(&mut self.draft).zip(place.of(&mut default)) {
-                    has_changed |= number.to_bits() != default.to_bits();
-                    *number = *default;
-                }
-                has_changed
-            }
-            Target::Count { get, set, .. } => {
-                let has_changed = get(&self.draft) != get(&default);
-                set(&mut self.draft, get(&default));
-                has_changed
-            }
-            _ => false,
         }
     }
 
@@ -159,6 +138,27 @@ impl Reader<'_> {
             self.add_error(&error, &item);
         }
         if self.faults.is_empty() { Ok(*scene) } else { Err(self.faults.into_list()) }
+    }
+}
+
+/// Puts the default in the place of the value of a key. Returns whether the value was another one.
+pub(super) fn put_back(draft: &mut Draft, key: &Key) -> bool {
+    let mut default = Draft::from(&Scene::default());
+    match key.target {
+        Target::Numbers { place, .. } => {
+            let mut has_changed = false;
+            for (number, default) in place.of(draft).zip(place.of(&mut default)) {
+                has_changed |= number.to_bits() != default.to_bits();
+                *number = *default;
+            }
+            has_changed
+        }
+        Target::Count { get, set, .. } => {
+            let has_changed = get(draft) != get(&default);
+            set(draft, get(&default));
+            has_changed
+        }
+        _ => false,
     }
 }
 

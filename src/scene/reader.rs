@@ -5,6 +5,7 @@ use core::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::draft::Draft;
+use super::examine::put_back;
 use super::fault::{About, Faults};
 use super::key::{Key, Section};
 use super::names::{nearest, unknown};
@@ -103,7 +104,13 @@ impl Reader<'_> {
                 let (value, in_si) = (setting.value_for(key), setting.path.in_si);
                 let put = match setting.path.element {
                     Some(element) => put_element(&mut self.draft, key, in_si, element, &value),
-                    None if setting.is_default() => continue,
+                    None if setting.is_default() => {
+                        // The draft has the default, or what a preset has set.
+                        if !section.is_list() {
+                            put_back(&mut self.draft, key);
+                        }
+                        continue;
+                    }
                     None => put(&mut self.draft, key, in_si, &value),
                 };
                 // A fault is one of the setting, not of the text that it changes.

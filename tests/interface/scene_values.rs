@@ -211,6 +211,10 @@ fn a_preset_and_another_flight_replace_what_was() {
     assert_eq!(scene.errors.gyro, sins::sensors::Grade::Consumer.parameters().0);
     scene.set(&[("gyro.preset", "tactical"), ("gyro.bias_deg_h", "2")]).unwrap();
     assert_eq!(scene.value("gyro.bias_deg_h").as_deref(), Some("2"));
+    // An empty value sets the default of the key, not the value of the preset.
+    scene.set(&[("gyro.preset", "tactical"), ("gyro.bias_sigma_deg_h", "")]).unwrap();
+    assert_eq!(scene.value("gyro.bias_sigma_deg_h").as_deref(), Some("0"));
+    assert_eq!(scene.value("gyro.random_walk_deg_sqrt_h").as_deref(), Some("0.125"));
     scene.set(&[("start.position_m", "[1, 2, 3]")]).unwrap();
     scene.set(&[("start.preset", "navigation"), ("start.alignment_s", "900")]).unwrap();
     let initial = sins::sensors::Grade::Navigation.start();
@@ -393,6 +397,13 @@ fn a_host_is_told_the_line_the_path_and_the_limits_of_a_fault() {
         };
         assert_eq!(read(c"options.vertical", &mut buffer, &mut needed), SINS_OK);
         assert_eq!((text(&buffer), needed), ("\"damped\"".into(), 9));
+        let without = c"options.vertical = free\noptions.vertical\n";
+        assert_eq!(sins_scene_set_values(scene, without.as_ptr()), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(sins_scene_get_fault(scene, 0, &mut fault), SINS_OK);
+        let sentence = "expected path = value, or path = for the default".to_owned();
+        assert_eq!((fault.count, fault.line, text(&fault.sentence)), (1, 2, sentence));
+        assert_eq!(read(c"options.vertical", &mut buffer, &mut needed), SINS_OK);
+        assert_eq!(text(&buffer), "\"damped\"");
         assert_eq!(sins_scene_set_values(scene, c"options.vertical = free".as_ptr()), SINS_OK);
         assert_eq!(sins_scene_get_fault(scene, 0, &mut fault), SINS_ERROR_INVALID_ARGUMENT);
         assert_eq!(read(c"options.vertcal", &mut buffer, &mut needed), SINS_ERROR_INVALID_ARGUMENT);

@@ -58,16 +58,26 @@ pub unsafe extern "C-unwind" fn sins_scene_set_values(
     let values = unsafe { text_of(values, "values") };
     let size = values.map_or(0, <[u8]>::len);
     change_scene(scene, "values", size, |scene| {
-        let mut settings = Vec::new();
+        let (mut settings, mut faults) = (Vec::new(), Vec::new());
         let mut lines = Vec::new();
         for (line, number) in utf8(values?)?.lines().zip(1..) {
             let line = line.trim();
             if line.is_empty() || line.starts_with('#') {
                 continue;
             }
-            let (path, value) = line.split_once('=').unwrap_or((line, ""));
-            settings.push((path.trim(), value.trim()));
+            match line.split_once('=') {
+                Some((path, value)) => settings.push((path.trim(), value.trim())),
+                None => faults.push(Fault {
+                    line: number,
+                    column: 1,
+                    sentence: NO_SETTING.to_owned(),
+                    ..Fault::default()
+                }),
+            }
             lines.push(number);
+        }
+        if !faults.is_empty() {
+            return Err(faults.into());
         }
         scene.set(&settings).map_err(|mut faults| {
             faults.iter_mut().for_each(|fault| place_in_lines(fault, &lines));
@@ -75,6 +85,9 @@ pub unsafe extern "C-unwind" fn sins_scene_set_values(
         })
     })
 }
+
+/// What is wrong with a line that sets nothing.
+const NO_SETTING: &str = "expected path = value, or path = for the default";
 
 /// A fault of setting `column` is one of its line.
 fn place_in_lines(fault: &mut Fault, lines: &[usize]) {
