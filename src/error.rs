@@ -159,6 +159,29 @@ impl Error {
         Self { kind: ErrorKind::BadState, field: "", index: None, value: None, rule: Rule::Sentence(why) }
     }
 
+    /// The same error in a unit of `size` in SI, with six digits: enough for a limit, without digits that come from rounding.
+    pub fn in_unit(self, size: f64) -> Self {
+        if size == 1.0 {
+            return self;
+        }
+        let digits = |number: f64| format!("{number:.5e}").parse().unwrap_or(number);
+        let number = |number: f64| digits(number / size);
+        let value = |value: Value| Value::Real(number(value.as_f64()));
+        let rule = match self.rule {
+            Rule::Between(low, high) => Rule::Between(number(low), number(high)),
+            Rule::OffOr(low, high) => Rule::OffOr(number(low), number(high)),
+            Rule::DefaultOr(low, high) => Rule::DefaultOr(number(low), number(high)),
+            Rule::NeededBy(low, high, field) => Rule::NeededBy(number(low), number(high), field),
+            Rule::Below(limit) => Rule::Below(number(limit)),
+            Rule::AtLeast(words, limit) => Rule::AtLeast(words, value(limit)),
+            Rule::AtMost(words, limit) => Rule::AtMost(words, value(limit)),
+            Rule::Exactly(words, limit) => Rule::Exactly(words, value(limit)),
+            Rule::SentenceWith(words, limit) => Rule::SentenceWith(words, value(limit)),
+            other => other,
+        };
+        Self { value: self.value.map(value), rule, ..self }
+    }
+
     /// The same error, about element `index` of the field.
     pub fn at(self, index: usize) -> Self {
         Self { index: Some(index), ..self }

@@ -31,16 +31,16 @@ impl LimitArguments {
     }
 }
 
-/// The sentence of `error` about a field of a request, with the option of the command line that sets the field.
+/// The sentence of `error` about a field of a request, with the option of the command line that sets the field, in its unit.
 pub fn of_option(error: &Error) -> Failure {
-    let option = match error.field.rsplit('.').next().unwrap_or_default() {
-        "runs" => "--runs",
-        "position_m" => "--position",
-        "velocity_m_s" => "--velocity",
-        "attitude_rad" => "--attitude [rad]",
-        "margin" => "--margin",
-        "duration_s" => "--hours [s]",
-        _ => error.field,
+    let (option, unit_si) = match error.field.rsplit('.').next().unwrap_or_default() {
+        "runs" => ("--runs", 1.0),
+        "position_m" => ("--position", 1.0),
+        "velocity_m_s" => ("--velocity", 1.0),
+        "attitude_rad" => ("--attitude", ARCSEC),
+        "margin" => ("--margin", 1.0),
+        "duration_s" => ("--hours", 3600.0),
+        _ => (error.field, 1.0),
     };
-    Failure::new(error.to_string().replacen(error.field, option, 1))
+    Failure::new(Error { field: option, ..error.in_unit(unit_si) }.to_string())
 }

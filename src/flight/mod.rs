@@ -61,7 +61,9 @@ impl Flight {
     /// The sample at `time_s` [s] since the start, 0 to the duration. Times that are outside only by a host's rounding are accepted.
     pub fn sample_at(&self, time_s: f64) -> Result<FlightSample, Error> {
         let rounding = 1e-9 + 1e-12 * self.duration_s;
-        check_range("time_s", time_s, -rounding, self.duration_s + rounding)?;
+        if !(-rounding..=self.duration_s + rounding).contains(&time_s) {
+            check_range("time_s", time_s, 0.0, self.duration_s)?;
+        }
         let time_s = time_s.clamp(0.0, self.duration_s);
         let segment = &self.segments[self.segments.partition_point(|s| s.end_s() < time_s)];
         let motion = segment.at(time_s);
@@ -101,6 +103,6 @@ fn segments(start: &FlightStart, manoeuvres: &[Manoeuvre]) -> Result<(Vec<Segmen
         (speed_m_s, course_rad) = segment.leaves();
         segments.push(segment);
     }
-    check_range("duration of the flight_s", duration_s, 0.0, 1e8)?;
+    check_range("duration of the flight [s]", duration_s, 0.0, 1e8)?;
     Ok((segments, duration_s))
 }

@@ -6,9 +6,9 @@ use nalgebra::Vector3;
 use super::columns::{COUNT, Column, FORCE, RATE, TEMPERATURE, VELOCITY, in_degrees, name, quantity_of};
 use super::{LogError, MAX_LINE, fault};
 use crate::earth::Geodetic;
-use crate::error::{Error, Rule};
+use crate::error::Error;
 use crate::math::Euler;
-use crate::scene::{excerpt, rounded};
+use crate::scene::excerpt;
 use crate::truth::FlightSample;
 
 /// Checks a line with its end, so that each row has a line number of its own.
@@ -97,13 +97,13 @@ fn out_of_range(error: &Error, row: &StringRecord, line: u64, columns: &[Option<
     else {
         return fault(line, 1, error.to_string());
     };
-    let sentence = match (error.rule, row.get(column.place)) {
-        (Rule::Between(low, high), Some(text)) if column.si != 1.0 => {
-            let [low, high] = [low, high].map(|limit| rounded(limit / column.si));
-            let (name, text) = (in_degrees(name(quantity)).unwrap_or_default(), excerpt(text));
-            format!("{name} = {text}: must be from {low} to {high}")
+    let own = Error { field: name(quantity), index: None, ..*error };
+    let sentence = match (in_degrees(own.field), row.get(column.place)) {
+        (Some(name), Some(text)) if column.si != 1.0 => {
+            let limits = Error { field: "", value: None, ..own }.in_unit(column.si);
+            format!("{name} = {}: {limits}", excerpt(text))
         }
-        _ => Error { field: name(quantity), index: None, ..*error }.to_string(),
+        _ => own.to_string(),
     };
     fault(line, column.place + 1, sentence)
 }

@@ -8,7 +8,7 @@ use super::reader::{Item, Reader};
 use super::site::ValuePath;
 use super::table::KEYS;
 use super::{BUILTIN_SCENES, Scene};
-use crate::error::{Error, Rule, Value};
+use crate::error::{Error, Value};
 
 impl Reader<'_> {
     /// Checks whether the keys go together.
@@ -95,7 +95,8 @@ impl Reader<'_> {
         let count = if let Target::Numbers { shape, .. } = key.target { shape.count() } else { 1 };
         let path =
             ValuePath { site: item.site, key: index, in_si: false, element: element.filter(|_| count > 1) };
-        let error = in_unit_of(error, key);
+        let error =
+            if let Target::Numbers { unit, .. } = key.target { error.in_unit(unit.si) } else { *error };
         let (minimum, maximum) = error.rule.limits();
         // A value in SI may be beyond all numbers in a small unit.
         let value = error.value.map(Value::as_f64).filter(|value| value.is_finite());
@@ -162,26 +163,6 @@ pub(super) fn put_back(draft: &mut Draft, key: &Key) -> bool {
     }
 }
 
-/// The library's error in the unit of `key`.
-fn in_unit_of(error: &Error, key: &Key) -> Error {
-    let Target::Numbers { unit, .. } = key.target else { return *error };
-    let in_unit = |number: f64| if unit.si == 1.0 { number } else { rounded(number / unit.si) };
-    let of_unit = |value: Value| Value::Real(in_unit(value.as_f64()));
-    let rule = match error.rule {
-        Rule::Between(low, high) => Rule::Between(in_unit(low), in_unit(high)),
-        Rule::OffOr(low, high) => Rule::OffOr(in_unit(low), in_unit(high)),
-        Rule::DefaultOr(low, high) => Rule::DefaultOr(in_unit(low), in_unit(high)),
-        Rule::NeededBy(low, high, field) => Rule::NeededBy(in_unit(low), in_unit(high), field),
-        Rule::Below(limit) => Rule::Below(in_unit(limit)),
-        Rule::AtLeast(words, number) => Rule::AtLeast(words, of_unit(number)),
-        Rule::AtMost(words, number) => Rule::AtMost(words, of_unit(number)),
-        Rule::Exactly(words, number) => Rule::Exactly(words, of_unit(number)),
-        Rule::SentenceWith(words, number) => Rule::SentenceWith(words, of_unit(number)),
-        other => other,
-    };
-    Error { value: error.value.map(of_unit), rule, ..*error }
-}
-
 /// An error about `key`, in its unit, in its words.
 pub(super) fn sentence(error: &Error, key: &Key) -> String {
     let Target::Numbers { .. } = key.target else { return error.to_string() };
@@ -189,9 +170,4 @@ pub(super) fn sentence(error: &Error, key: &Key) -> String {
     let index = error.index.map_or(String::new(), |index| format!("[{index}]"));
     let value = error.value.map_or(String::new(), |value| format!(" = {value}"));
     format!("{}{index}{value}: {rule}", key.path())
-}
-
-/// A number with six digits: enough for a limit, without digits that come from rounding.
-pub(crate) fn rounded(number: f64) -> f64 {
-    format!("{number:.5e}").parse().unwrap_or(number)
 }

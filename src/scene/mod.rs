@@ -29,7 +29,6 @@ mod value;
 mod write;
 
 pub use builtin::{BUILTIN_SCENES, builtin};
-pub(crate) use examine::rounded;
 pub use fault::{About, Fault, MAX_FAULTS};
 pub use limits::Limits;
 pub(crate) use list::key_line;

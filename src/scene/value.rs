@@ -24,8 +24,8 @@ pub enum Value {
     Whole(i128),
     Number(f64),
     Numbers(Vec<f64>),
-    /// A value of a type that no key takes, by the name of the type.
-    Other(&'static str),
+    /// A value that no key takes: what it is, or the number beyond all numbers as it was written.
+    Other(String),
 }
 
 impl Value {
@@ -33,21 +33,24 @@ impl Value {
         match value {
             DeValue::String(text) => Self::Text(text.to_string()),
             DeValue::Boolean(flag) => Self::Flag(*flag),
-            DeValue::Integer(integer) => i128::from_str_radix(integer.as_str(), integer.radix()).map_or_else(
-                |_| finite(number(value)).map_or(Self::Other("a number without a value"), Self::Number),
-                Self::Whole,
-            ),
-            DeValue::Float(_) => {
-                finite(number(value)).map_or(Self::Other("a number without a value"), Self::Number)
-            }
+            DeValue::Integer(integer) => i128::from_str_radix(integer.as_str(), integer.radix())
+                .map_or_else(|_| Self::of_number(value, integer.as_str()), Self::Whole),
+            DeValue::Float(float) => Self::of_number(value, float.as_str()),
             DeValue::Array(array) => {
                 let numbers = array.iter().map(|element| finite(number(element.get_ref()))).collect();
                 let numbers: Option<Vec<f64>> = numbers;
-                numbers.map_or(Self::Other("an array with elements that are not numbers"), Self::Numbers)
+                numbers.map_or_else(
+                    || Self::Other("an array with elements that are not numbers".to_owned()),
+                    Self::Numbers,
+                )
             }
-            DeValue::Datetime(_) => Self::Other("a date"),
-            DeValue::Table(_) => Self::Other("a table"),
+            DeValue::Datetime(_) => Self::Other("a date".to_owned()),
+            DeValue::Table(_) => Self::Other("a table".to_owned()),
         }
+    }
+
+    fn of_number(value: &DeValue<'_>, written: &str) -> Self {
+        finite(number(value)).map_or_else(|| Self::Other(excerpt(written)), Self::Number)
     }
 
     /// The value of a setting outside of the text: a value of TOML, or else a text without quotes.
@@ -72,7 +75,7 @@ impl Value {
             Self::Whole(whole) => whole.to_string(),
             Self::Number(number) => number_text(*number),
             Self::Numbers(numbers) => format!("an array of {}", numbers.len()),
-            Self::Other(name) => (*name).to_owned(),
+            Self::Other(what) => what.clone(),
         }
     }
 

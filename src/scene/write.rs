@@ -34,7 +34,7 @@ pub struct ChangedKey {
     pub section: &'static str,
     /// Name of the key: "bias_deg_h".
     pub name: &'static str,
-    /// Its value in TOML.
+    /// Its value in TOML; a number that has no equal in the unit is the nearest.
     pub value: String,
     /// Its unit; empty: none.
     pub unit: &'static str,
@@ -52,12 +52,8 @@ impl Scene {
                 if writer.is_default(key) {
                     continue;
                 }
-                let (value, in_si) = written(&mut writer.draft, key);
-                let unit = match key.target {
-                    Target::Numbers { unit, .. } if !in_si => unit.text,
-                    Target::Numbers { .. } => "[SI]",
-                    _ => "",
-                };
+                let value = shown(&mut writer.draft, key, false, None);
+                let unit = if let Target::Numbers { unit, .. } = key.target { unit.text } else { "" };
                 set.push(ChangedKey { section: section.name(), name: key.name, value, unit, doc: key.doc });
             }
         }

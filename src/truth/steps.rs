@@ -104,7 +104,7 @@ impl Steps<'_> {
                 "sample attitude: rotation since the previous sample [rad]",
                 2.0 * atan2((1.0 - cosine * cosine).max(0.0).sqrt(), cosine),
                 Rule::Sentence(
-                    "must be below 170 degrees; beyond it the direction of the rotation is unknown",
+                    "must be less than 2.967 (170 degrees); beyond it the direction of the rotation is unknown",
                 ),
             );
         }

@@ -207,6 +207,10 @@ fn the_largest_numbers_are_rejected_as_written() {
             assert_eq!(faults[0].1, format!("flight.{key} = {value}: must be from {limits}"));
         }
     }
+    for value in ["1e400", "-inf", "nan"] {
+        let faults = reported(&format!("[flight]\nbuiltin = \"rest\"\nhours = {value}\n"));
+        assert_eq!(faults, [(3, format!("flight.hours = {value}: expected a number [h]"))]);
+    }
     let mut scene = Scene::parse(b"[flight]\nbuiltin = \"rest\"\n").unwrap();
     let faults = scene.set(&[("flight.hours", "1e308")]).unwrap_err();
     assert_eq!(faults[0].sentence, "flight.hours = 1e308: must be from 1e-5 to 100000");

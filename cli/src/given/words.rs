@@ -1,6 +1,7 @@
 //! Errors of the library about a sample, in the words of scenes and logs.
 
 use sins::log::column_of;
+use sins::units::DEG;
 use sins::{Error, Rule};
 
 /// Words of the interface, and those of a scene or of a log's columns.
@@ -17,9 +18,9 @@ const WORDS: [(&str, &str); 4] = [
 /// The sentence of `error`. The unit of a log's angle is not known here: angles are in degrees.
 pub fn of_sample(error: &Error) -> String {
     let angle = error.field.strip_prefix("sample.").and_then(|field| field.strip_suffix("_rad"));
-    if let (Some(angle), Some(value), Rule::Between(low, high)) = (angle, error.value, error.rule) {
-        let [value, low, high] =
-            [value.as_f64(), low, high].map(|angle| crate::units::six_digits(angle.to_degrees()));
+    if let Some(angle) = angle
+        && let Error { value: Some(value), rule: Rule::Between(low, high), .. } = error.in_unit(DEG)
+    {
         return format!("{angle} = {value} deg: must be from {low} to {high} deg");
     }
     let text = match column_of(error) {

@@ -34,7 +34,7 @@ use crate::abi::flight::sins_flight;
 use crate::abi::memory::{Output, element};
 use crate::abi::simulator::sins_sim;
 use crate::abi::text::{bad_text, bytes_of, put_text, text_of};
-use crate::error::{Error, Rule, check_integer};
+use crate::error::{Error, check_integer};
 use crate::memory::probe;
 use crate::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, builtin, keys_text};
 
@@ -205,6 +205,9 @@ pub unsafe extern "C-unwind" fn sins_scene_get_fault(
     })
 }
 
+/// What is wrong with a name that no built-in scene has.
+const NO_BUILTIN: &str = "must be the name of a built-in scene; sins_scene_builtin_name() gives the names";
+
 /// Creates a built-in scene by its name: "simulation1", "simulation2", "rest", "patrol", "racetrack", "aerobatics",
 /// "over_the_pole", "coning", "commuter", "rock_size", "spin_accel", "gen_nav".
 ///
@@ -216,11 +219,7 @@ pub unsafe extern "C-unwind" fn sins_scene_create_builtin(
     scene: *mut *mut sins_scene,
 ) -> sins_status {
     enter_without_simulator(|| {
-        let unknown = || {
-            let count = BUILTIN_SCENES.len() as f64;
-            let rule = Rule::SentenceWith("must be the name of a built-in scene; there are", count.into());
-            Failure::from(Error { value: None, ..Error::invalid("name", 0.0, rule) })
-        };
+        let unknown = || Failure::from(bad_text("name", NO_BUILTIN));
         // SAFETY: the host's promise.
         unsafe {
             hand_out(&SCENES, scene, "scene", || {

@@ -2,7 +2,7 @@
 
 use core::ffi::c_char;
 
-use super::{sins_scene, with_scene};
+use super::{NO_BUILTIN, sins_scene, with_scene};
 use crate::abi::failure::{Failure, SINS_OK, sins_status};
 use crate::abi::text::{bad_text, put_text, utf8_of};
 use crate::error::{Error, Rule, check_integer};
@@ -99,7 +99,7 @@ pub unsafe extern "C-unwind" fn sins_scene_set_text(
             }
             SINS_SCENE_TEXT_BUILTIN => {
                 if crate::scene::builtin(text).is_none() {
-                    return Err(refused("must be the name of a built-in scene").into());
+                    return Err(refused(NO_BUILTIN).into());
                 }
                 scene.flight = flight(FlightSource::Builtin(text.to_owned()))?;
             }

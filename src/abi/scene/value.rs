@@ -29,7 +29,11 @@ pub unsafe extern "C-unwind" fn sins_scene_get_value(
         // SAFETY: the host's promise.
         let path = unsafe { utf8_of(path, "path")? };
         let Some(value) = scene.value(path) else {
-            return Err(bad_text("path", "must name a value or an item of the scene").into());
+            return Err(bad_text(
+                "path",
+                "must name a value or an item of the scene; sins_scene_get_key() gives the keys",
+            )
+            .into());
         };
         // SAFETY: the host's promise.
         unsafe { put_text(value.as_bytes(), buffer, capacity, needed) }
