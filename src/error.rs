@@ -159,6 +159,13 @@ impl Error {
         Self { kind: ErrorKind::BadState, field: "", index: None, value: None, rule: Rule::Sentence(why) }
     }
 
+    /// The sentence with `name` in the place of the field and its index.
+    pub fn sentence_about(&self, name: &str) -> String {
+        let rule = Self { field: "", index: None, value: None, ..*self };
+        let value = self.value.map_or(String::new(), |value| format!(" = {value}"));
+        format!("{name}{value}: {rule}")
+    }
+
     /// The same error in a unit of `size` in SI, with six digits: enough for a limit, without digits that come from rounding.
     pub fn in_unit(self, size: f64) -> Self {
         if size == 1.0 {

@@ -1,6 +1,7 @@
 //! Corrections by the master: errors that it estimated, as inputs, and the compensation in force, as outputs.
 
 use nalgebra::Vector3;
+use sins::Error;
 use sins::correction::{Compensation, Correction};
 use sins::state::StateErrors;
 
@@ -55,6 +56,14 @@ pub fn compensations() -> impl Iterator<Item = (String, &'static str, f64, Strin
 /// The number of corrections that the master has counted.
 pub fn count(values: &Values) -> i32 {
     values.integers.first().copied().unwrap_or_default()
+}
+
+/// The input that an error about a component of the solution is about.
+pub fn name_of(error: &Error) -> Option<String> {
+    let fields =
+        ["correction.position_enu_m", "correction.velocity_enu_m_s", "correction.misalignment_enu_rad"];
+    let place = fields.iter().position(|field| *field == error.field)? * 3 + error.index?;
+    ERRORS.get(place).map(|(name, ..)| format!("correction.{name}"))
 }
 
 /// The correction that the inputs state.

@@ -3,7 +3,9 @@
 use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::Vector3;
+use sins::Error;
 use sins::earth::Geodetic;
+use sins::log::quantity_of;
 use sins::math::{Euler, atan2, attitude_from_euler};
 use sins::truth::FlightSample;
 use sins::units::TEMPERATURE_RANGE_C;
@@ -86,6 +88,14 @@ pub fn variables() -> impl Iterator<Item = Variable> {
             Variable { nominal, limits: Some(limits), ..variable.in_unit(unit, 1.0) }
         })
     })
+}
+
+/// The variable that an error about a sample is about.
+pub fn name_of(error: &Error) -> Option<&'static str> {
+    // The time is an argument of the step.
+    let place = quantity_of(error)?;
+    let names = GROUPS.iter().flat_map(|group| group.inputs).map(|input| input.0);
+    ["currentCommunicationPoint"].into_iter().chain(names).nth(place)
 }
 
 /// Angle between the attitudes of two sets of inputs [rad].

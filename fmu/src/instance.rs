@@ -150,9 +150,15 @@ impl Flight {
     }
 }
 
-/// The sentence of an error. Its indices are those of FMI, from 1.
+/// The sentence of an error, with the name of the variable, if it is about one. Indices are those of FMI, from 1.
 fn sentence(error: Error) -> String {
-    Error { index: error.index.map(|index| index + 1), ..error }.to_string()
+    if let Some(field) = inputs::name_of(&error) {
+        return Error { field, index: None, ..error }.to_string();
+    }
+    match corrections::name_of(&error) {
+        Some(name) => error.sentence_about(&name),
+        None => Error { index: error.index.map(|index| index + 1), ..error }.to_string(),
+    }
 }
 
 /// What a step leads to.

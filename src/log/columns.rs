@@ -38,7 +38,8 @@ pub fn name(quantity: usize) -> &'static str {
     QUANTITIES[quantity].0
 }
 
-/// The quantity that an error about a sample is about.
+/// The quantity that an error about a sample is about, in the order time, position, attitude, velocity, angular rate, specific force,
+/// temperature.
 pub fn quantity_of(error: &Error) -> Option<usize> {
     QUANTITIES.iter().position(|&(_, field, index)| (field, index) == (error.field, error.index))
 }

@@ -17,7 +17,7 @@ use crate::truth::FlightSample;
 use columns::columns;
 use rows::{check_line, next_row, sample};
 
-pub use columns::column_of;
+pub use columns::{column_of, quantity_of};
 
 /// Largest number of columns of a log, and of bytes of a line.
 const MAX_COLUMNS: usize = 1000;

@@ -86,23 +86,20 @@ pub fn sample(
         f_b: triple(FORCE),
         temperature_c: columns[TEMPERATURE].map(|_| values[TEMPERATURE]),
     };
-    sample.validate().map_err(|error| out_of_range(&error, row, line, columns))?;
+    sample.validate().map_err(|error| out_of_range(&error, line, columns))?;
     Ok(sample)
 }
 
 /// A value out of its range: its column and its limits in the unit of the column.
-fn out_of_range(error: &Error, row: &StringRecord, line: u64, columns: &[Option<Column>; COUNT]) -> LogError {
+fn out_of_range(error: &Error, line: u64, columns: &[Option<Column>; COUNT]) -> LogError {
     let quantity = quantity_of(error);
     let Some((quantity, column)) = quantity.and_then(|index| columns[index].map(|column| (index, column)))
     else {
         return fault(line, 1, error.to_string());
     };
     let own = Error { field: name(quantity), index: None, ..*error };
-    let sentence = match (in_degrees(own.field), row.get(column.place)) {
-        (Some(name), Some(text)) if column.si != 1.0 => {
-            let limits = Error { field: "", value: None, ..own }.in_unit(column.si);
-            format!("{name} = {}: {limits}", excerpt(text))
-        }
+    let sentence = match in_degrees(own.field) {
+        Some(name) if column.si != 1.0 => own.in_unit(column.si).sentence_about(&name),
         _ => own.to_string(),
     };
     fault(line, column.place + 1, sentence)

@@ -166,8 +166,6 @@ pub(super) fn put_back(draft: &mut Draft, key: &Key) -> bool {
 /// An error about `key`, in its unit, in its words.
 pub(super) fn sentence(error: &Error, key: &Key) -> String {
     let Target::Numbers { .. } = key.target else { return error.to_string() };
-    let rule = Error { field: "", value: None, ..*error };
     let index = error.index.map_or(String::new(), |index| format!("[{index}]"));
-    let value = error.value.map_or(String::new(), |value| format!(" = {value}"));
-    format!("{}{index}{value}: {rule}", key.path())
+    error.sentence_about(&format!("{}{index}", key.path()))
 }

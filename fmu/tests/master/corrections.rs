@@ -185,7 +185,7 @@ fn a_correction_that_is_rejected_changes_nothing() {
     let before = both.unit.state();
     assert_eq!(both.step_unit(), fmi2Error);
     let said = both.unit.messages();
-    assert!(said[0].2.contains("correction.position_enu_m[2] = 2000000: must be from"), "{said:?}");
+    assert!(said[0].2.contains("correction.position_north_m = 2000000: must be from"), "{said:?}");
     assert!(both.unit.state() == before);
     both.set(&Correction::default());
     both.step();

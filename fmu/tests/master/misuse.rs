@@ -225,3 +225,27 @@ fn refused_parameters_have_their_names() {
     assert_eq!(unit.set_reals(&[reference("failure[3].from_s")], &[-1.0]), fmi2Discard);
     assert_eq!(sentence(&unit), "fmi2SetReal: failure[3].from_s = -1: must be from 0 to 1e9");
 }
+
+/// Messages about a sample have the names of the inputs.
+#[test]
+fn refused_samples_have_their_names() {
+    let unit = Unit::flying(|_| {});
+    for (place, value, words) in [
+        (
+            0,
+            47.5,
+            "truth.latitude_rad = 47.5: must be from -1.5707963277948966 to 1.5707963277948966; is it in degrees?",
+        ),
+        (2, 3e6, "truth.height_m = 3000000: must be from -20000 to 2000000"),
+        (7, 3e4, "truth.velocity_north_m_s = 30000: must be from -20000 to 20000"),
+    ] {
+        let mut values = AT_REST;
+        values[place] = value;
+        unit.set_reals(&inputs(), &values);
+        assert_eq!(step(&unit, 0.0), fmi2Error);
+        assert!(sentence(&unit).ends_with(words), "{words}");
+    }
+    unit.set_reals(&inputs(), &AT_REST);
+    assert_eq!((step(&unit, 0.0), step(&unit, 9.0)), (fmi2OK, fmi2Error));
+    assert!(sentence(&unit).contains("currentCommunicationPoint = 9: the gap after the previous sample"));
+}
