@@ -97,7 +97,7 @@ public:
         case ID_BUDGET: StudyDialog(*this, BUDGET).modal(window_, IDD_STUDY); break;
         case ID_ENGLISH:
         case ID_CHINESE: change_language(id == ID_CHINESE); return;
-        case ID_ABOUT: say(window_, lines("about", wide(sins::version_string())), MB_ICONINFORMATION); break;
+        case ID_ABOUT: say(window_, lines("about", {wide(PROGRAM_VERSION), wide(sins::version_string())}), MB_ICONINFORMATION); break;
         case ID_HELP_KEYS: say(window_, lines("help"), MB_ICONINFORMATION); break;
         default:
             if (builtin < builtins_.size())
@@ -224,8 +224,8 @@ private:
     }
 
     /* A text with a line for each part. */
-    static std::wstring lines(const std::string &name, const std::wstring &value = L"") {
-        std::wstring all = text(name, {value});
+    static std::wstring lines(const std::string &name, const Texts &values = {}) {
+        std::wstring all = text(name, values);
         std::replace(all.begin(), all.end(), L';', L'\n');
         return all;
     }
@@ -261,7 +261,7 @@ private:
         for (int k = 0; k < 3; k++) {
             if (pages_[k]->has_marks()) {
                 show_page(k);
-                throw Refusal(text("not_in_flight"));
+                throw Refusal(text("not_in_flight") + L"\n" + pages_[k]->first_fault());
             }
         }
         if (flight != NULL && flight->status().state == Flight::PAUSED) {

@@ -12,10 +12,11 @@ need "g++-mingw-w64-$(echo "$arch" | tr _ -)-posix" "$arch-w64-mingw32-g++-posix
 
 parts=$(mktemp -d)
 trap 'rm -rf "$parts"' EXIT
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' ../../Cargo.toml | head -1)
 # No warning about fields that an initializer leaves out: they are zero. -mfpmath=sse: figures equal those of the library to the
 # bit, also with 32 bits.
 flags="-std=c++20 -O2 -Wall -Wextra -Wpedantic -Wno-missing-field-initializers -Werror -msse2 -mfpmath=sse -D_WIN32_WINNT=0x0601 -DNOMINMAX -DUNICODE -D_UNICODE -I../../include"
-version=$(sed -n 's/^version = "\(.*\)"/\1/p' ../../Cargo.toml | head -1)
+flags="$flags -DPROGRAM_VERSION=\"$version\""
 printf '#define VERSION_TEXT "%s"\n#define VERSION_NUMBERS %s, 0\n' "$version" "$(echo "${version%%-*}" | sed 's/\./, /g')" >"$parts/version.h"
 "$arch-w64-mingw32-windres" -c 65001 -I "$parts" -i emulator.rc -o "$parts/resources.o"
 "$arch-w64-mingw32-g++-posix" $flags -I. -municode -mwindows -static -s -Wl,--no-insert-timestamp -o "$out/SINS_Emulator.exe" main.cpp "$parts/resources.o" \

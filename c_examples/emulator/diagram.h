@@ -137,6 +137,19 @@ private:
                               : Range{all.low - margin, all.high + margin};
     }
 
+    /* The unit of a panel: that of the largest range of all panels with its quantity, for they are compared. */
+    Unit unit_y(const Panel &panel, Range x) const {
+        Cell all;
+        for (const Panel &other : panels) {
+            if (other.quantity == panel.quantity) {
+                const Range range = range_y(other, x, UNITS[panel.quantity][0]);
+                all.join(Cell(range.low));
+                all.join(Cell(range.high));
+            }
+        }
+        return unit_for(panel.quantity, {all.low, all.high});
+    }
+
     /* Places of axes and curves. A map has one scale for both directions. */
     Scale scale(size_t index, RECT area) const {
         static const Panel NONE = {L"", LENGTH, {}, {}};
@@ -158,7 +171,7 @@ private:
             scale.x = {center - step * width / east / 2, center + step * width / east / 2};
             scale.y = {middle - step * tall / 2, middle + step * tall / 2};
         }
-        scale.y_unit = is_logarithmic ? scale.y_unit : unit_for(panel.quantity, scale.y);
+        scale.y_unit = is_logarithmic ? scale.y_unit : x_quantity == DEGREES ? unit_for(panel.quantity, scale.y) : unit_y(panel, seen_x());
         return scale;
     }
 
@@ -251,6 +264,11 @@ private:
         HPEN pen = CreatePen(PS_SOLID, scaled(trace.is_wide ? 3 : 1), trace.color);
         HGDIOBJ before = SelectObject(dc, pen);
         Polyline(dc, points.data(), (int)points.size());
+        const auto is_near = [&](const POINT &point) { return abs(point.x - points[0].x) < 2 && abs(point.y - points[0].y) < 2; };
+        if (x_quantity == DEGREES && !points.empty() && std::all_of(points.begin(), points.end(), is_near)) { /* a flight at rest */
+            const int size = scaled(4);
+            Ellipse(dc, points[0].x - size, points[0].y - size, points[0].x + size, points[0].y + size);
+        }
         SelectObject(dc, before);
         DeleteObject(pen);
     }

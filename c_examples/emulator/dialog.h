@@ -43,6 +43,7 @@ public:
 
     HWND window() const { return window_; }
     bool has_marks() const { return !marked_.empty(); }
+    std::wstring first_fault() const { return has_marks() ? tip_texts_.at(*marked_.begin()) : L""; }
 
 protected:
     virtual void on_control(HWND, const std::string &) {} /* a control and the second piece of its text */
@@ -65,7 +66,12 @@ protected:
     bool checked(int id) const { return IsDlgButtonChecked(window_, id) == BST_CHECKED; }
     void check(int id, bool on) { CheckDlgButton(window_, id, on ? BST_CHECKED : BST_UNCHECKED); }
     void show(int id, bool visible) const { ShowWindow(item(id), visible ? SW_SHOW : SW_HIDE); }
-    void enable(int id, bool enabled) const { EnableWindow(item(id), enabled); }
+    /* The focus does not stay in a control that is off, where it would take no keys. */
+    void enable(int id, bool enabled) const {
+        if (!enabled && GetFocus() == item(id))
+            SendMessageW(window_, WM_NEXTDLGCTL, 0, FALSE);
+        EnableWindow(item(id), enabled);
+    }
 
     void fill(HWND combo, const Texts &words) const {
         SendMessageW(combo, CB_RESETCONTENT, 0, 0);

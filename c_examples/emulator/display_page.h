@@ -17,6 +17,10 @@ public:
     void update() {
         Flight *flight = document_.flight.get();
         bool has_model = true, is_old = false;
+        const bool is_under_way = flight != NULL && flight->is_under_way();
+        enable(ID_PAUSE, is_under_way);
+        enable(ID_STOP, is_under_way);
+        enable(ID_RESET, flight != NULL);
         if (flight != NULL) {
             Flight::Status status = flight->status();
             has_model = (status.record.model_errors.flags & SINS_ERRORS_NOT_COMPUTED) == 0;

@@ -24,6 +24,8 @@ public:
         if (effects_ != before)
             select(IDC_EFFECTS, 0);
         show_effect(all_is_new);
+        if (all_is_new)
+            choose(IDC_PRESET, 0); /* a grade that is not applied is no grade of another scene */
         std::wstring whole = shown(scene_.setup().flown_s / 3600, 6);
         SendMessageW(item(IDC_HOURS), EM_SETCUEBANNER, FALSE, (LPARAM)whole.c_str());
     }
@@ -42,6 +44,7 @@ protected:
             is_in_si_ = false;
             show_effect(false);
         } else if ((id == IDC_SECTION || id == IDC_UNIT) && code == CBN_SELCHANGE) {
+            choose(IDC_PRESET, 0);
             is_in_si_ = id == IDC_UNIT && chosen(IDC_UNIT) == 1;
             refresh(true);
         } else if (id == IDC_APPLY && chosen(IDC_PRESET) > 0) {

@@ -79,6 +79,16 @@ impl Value {
         }
     }
 
+    /// What a message adds about a number with a decimal comma.
+    fn point(&self) -> &'static str {
+        match self {
+            Self::Text(text) if text.replacen(',', ".", 1).parse::<f64>().is_ok() => {
+                "; decimals follow a point"
+            }
+            _ => "",
+        }
+    }
+
     fn numbers(&self) -> Option<Vec<f64>> {
         match self {
             Self::Whole(whole) => Some(vec![*whole as f64]),
@@ -116,7 +126,7 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
         Target::Numbers { shape, unit, place, .. } => {
             let numbers = value.numbers().and_then(|numbers| elements(shape, value, &numbers));
             let Some(numbers) = numbers else {
-                return Err(refused(shape.expected().to_owned() + &unit.behind()));
+                return Err(refused(shape.expected().to_owned() + &unit.behind() + value.point()));
             };
             let unit_si = if in_si { 1.0 } else { unit.si };
             let in_si: Vec<f64> = numbers.iter().map(|number| number * unit_si).collect();
@@ -179,7 +189,11 @@ pub fn put_element(
         Value::Text(text) if text.is_empty() => 0.0,
         _ => {
             let (path, unit) = (key.path(), unit.behind());
-            return Err(format!("{path}[{element}] = {}: expected a number{unit}", value.shown()));
+            return Err(format!(
+                "{path}[{element}] = {}: expected a number{unit}{}",
+                value.shown(),
+                value.point()
+            ));
         }
     };
     let number_si = number * if in_si { 1.0 } else { unit.si };

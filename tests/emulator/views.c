@@ -46,7 +46,7 @@ static void expect_place(HWND list, int place, const char *what)
 /* The patrol that simulation 2 flies begins at latitude 40, longitude 116.4, 8000 m and 200 m/s. */
 static void start(void)
 {
-    HWND trajectory = page_of(IDC_SOURCE), list = GetDlgItem(trajectory, IDC_BUILTIN);
+    HWND trajectory = page_of(IDC_SOURCE), list = GetDlgItem(trajectory, IDC_BUILTIN), general = page_of(IDC_PRESET);
     int count = (int)ask(list, CB_GETCOUNT, 0, 0), k;
     expect_field(trajectory, 2, L"40");
     expect_field(trajectory, 3, L"116.4");
@@ -64,6 +64,9 @@ static void start(void)
         expect_place(list, k - 1, "an arrow key does not reach the built-in flight before");
     }
     expect_field(trajectory, 4, L"8000"); /* that of simulation 1, which is the same patrol */
+    choose(general, IDC_PRESET, 2);
+    choose(general, IDC_SECTION, 1);
+    expect_place(GetDlgItem(general, IDC_PRESET), 0, "the list shows a grade that was not applied");
     close_window();
     printf("the start of a built-in flight is its own; %d flights by arrow keys\n", count);
 }
@@ -73,8 +76,14 @@ static void errors(const wchar_t *folder)
     HWND display = page_of(IDC_PROGRESS);
     wchar_t path[1024];
     int k;
+    if (IsWindowEnabled(GetDlgItem(display, ID_STOP)) || IsWindowEnabled(GetDlgItem(display, ID_RESET))) {
+        fail("a flight can be stopped before it begins");
+    }
     command(ID_FLY);
     wait_for_end(GetDlgItem(display, IDC_PROGRESS));
+    if (IsWindowEnabled(GetDlgItem(display, ID_PAUSE)) || !IsWindowEnabled(GetDlgItem(display, ID_RESET))) {
+        fail("a flight can be paused after its end, or not be reset");
+    }
     for (k = 0; k < 3; k++) {
         choose(display, IDC_QUANTITY, k);
         swprintf(path, 1024, L"%ls\\errors%d.png", folder, k);

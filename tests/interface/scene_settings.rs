@@ -74,6 +74,8 @@ fn faults_have_the_number_of_their_setting() {
         ("flight.hours", "1\n[output]\nquiet = true"),
         ("flight.rate_hz", "nan"),
         ("output.name", "a/b"),
+        ("gyro.bias_deg_h", "1,5"),
+        ("altimeter.bias_m", "1,5e-3"),
     ];
     let faults = set(TEXT, &settings).unwrap_err();
     for (fault, begin) in faults.iter().zip([
@@ -87,10 +89,12 @@ fn faults_have_the_number_of_their_setting() {
         "0:8: flight.hours = ",
         "0:9: flight.rate_hz = ",
         "0:10: output.name: must be a name without a folder",
+        "0:11: gyro.bias_deg_h = \"1,5\": expected one number for all axes, or three [deg/h]; decimals follow a point",
+        "0:12: altimeter.bias_m = \"1,5e-3\": expected a number [m]; decimals follow a point",
     ]) {
         assert!(fault.starts_with(begin), "{fault}, not {begin}");
     }
-    assert_eq!(faults.len(), 10, "{faults:?}");
+    assert_eq!(faults.len(), 12, "{faults:?}");
 }
 
 /// Every key of a section in single brackets can be read and set. Setting the value that was read changes nothing.
