@@ -5,7 +5,7 @@ use super::draft::Draft;
 use super::key::{Key, Section, Target, Unit};
 use super::limits::{Limits, limits};
 use super::table::{KEYS, of_section};
-use super::value::shown;
+use super::written::shown;
 
 /// A key as a reader sees it.
 #[derive(Debug, Clone, PartialEq)]

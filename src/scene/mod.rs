@@ -27,6 +27,7 @@ mod table;
 mod update;
 mod value;
 mod write;
+mod written;
 
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub use fault::{About, Fault, MAX_FAULTS};

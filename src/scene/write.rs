@@ -5,7 +5,7 @@ use super::key::{Key, Section, Target};
 use super::list::meaning;
 use super::site::{Site, ValuePath};
 use super::table::of_section;
-use super::value::{divided, shown, written};
+use super::written::{divided, shown, written};
 use super::{FlightSource, Scene};
 use crate::flight::ManoeuvreFields;
 use crate::sensors::FAILURE_KINDS;
