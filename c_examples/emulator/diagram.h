@@ -137,17 +137,22 @@ private:
                               : Range{all.low - margin, all.high + margin};
     }
 
-    /* The unit of a panel: that of the largest range of all panels with its quantity, for they are compared. */
+    /* The unit of all panels of a quantity, which are compared: that of the smallest range, if it shows the largest with five digits. */
     Unit unit_y(const Panel &panel, Range x) const {
-        Cell all;
+        Unit smallest = UNITS[panel.quantity].back();
+        double size = 0;
         for (const Panel &other : panels) {
             if (other.quantity == panel.quantity) {
-                const Range range = range_y(other, x, UNITS[panel.quantity][0]);
-                all.join(Cell(range.low));
-                all.join(Cell(range.high));
+                const Range range = range_y(other, x, smallest);
+                const Unit own = unit_for(panel.quantity, range);
+                smallest = own.si < smallest.si ? own : smallest;
+                size = std::max({size, std::fabs(range.low), std::fabs(range.high)});
             }
         }
-        return unit_for(panel.quantity, {all.low, all.high});
+        for (const Unit &unit : UNITS[panel.quantity])
+            if (unit.si >= smallest.si && size < 1e5 * unit.si)
+                return unit;
+        return UNITS[panel.quantity].back();
     }
 
     /* Places of axes and curves. A map has one scale for both directions. */
