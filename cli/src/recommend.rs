@@ -108,44 +108,60 @@ struct Piece {
 }
 
 impl Piece {
-    fn new(given: &Given, first: usize, count: usize) -> Result<Self, Failure> {
-        let samples = (first..first + count).map(|index| given.sample(index)).collect::<Result<_, _>>()?;
+    /// The samples from `first` to `last`.
+    fn new(given: &Given, first: usize, last: usize) -> Result<Self, Failure> {
+        let samples = (first..=last).map(|index| given.sample(index)).collect::<Result<_, _>>()?;
         Ok(Self { first, samples })
     }
 
+    fn last(&self) -> usize {
+        self.first + self.samples.len() - 1
+    }
+
     fn start_s(&self, given: &Given) -> f64 {
-        self.first as f64 * given.period_s
+        given.time_s(self.first)
+    }
+
+    fn duration_s(&self, given: &Given) -> f64 {
+        given.time_s(self.last()) - self.start_s(given)
     }
 }
 
 /// The parts of the scene by which the algorithms are judged.
 fn pieces(order: &Order, given: &Given) -> Result<Vec<Piece>, Failure> {
-    let at = |seconds: f64| (seconds / given.period_s).round() as usize;
-    let first = at(order.from.max(0.0));
-    let rest = given.count.saturating_sub(first);
-    let count = order.piece.map_or(rest, |piece_s| rest.min(at(piece_s.max(0.0)) + 1));
     let wrong = |what: &str| {
         let piece = order.piece.map_or_else(String::new, |piece_s| format!(" --piece {piece_s}"));
         let from = order.from;
         Err(Failure::new(format!("--from {from}{piece}: {what}; it lasts {:.6} s", given.duration_s)))
     };
-    if count < 2 {
+    if !(0.0..=given.duration_s).contains(&order.from) || order.piece.is_some_and(|piece_s| piece_s.is_nan())
+    {
+        return wrong("the piece must begin in the scene");
+    }
+    let end = given.count - 1;
+    let first = given.index_at(order.from);
+    let last = order.piece.map_or(end, |piece_s| given.index_at(order.from + piece_s));
+    if last <= first {
         return wrong("the scene has no two samples there");
     }
+    let count = last - first + 1;
     if order.piece.is_some() && count > MAX_SAMPLES {
         return wrong(&format!("the piece has {count} samples, more than {MAX_SAMPLES}"));
     }
-    let length = at(PIECE_S).max(1) + 1;
-    if order.piece.is_some() || count <= MAX_SAMPLES || length >= count {
-        return Ok(vec![Piece::new(given, first, count)?]);
+    let latest_s = given.time_s(end) - PIECE_S;
+    if order.piece.is_some() || count <= MAX_SAMPLES || latest_s <= given.time_s(first) {
+        return Ok(vec![Piece::new(given, first, last)?]);
     }
     // In the middle of its piece.
-    let latest = first + count - length;
-    let begin = |(_, at): (f64, usize)| at.saturating_sub(length / 2).clamp(first, latest);
-    let mut begins = hardest(given, first, count)?.map(begin).to_vec();
-    begins.sort_unstable();
-    begins.dedup();
-    begins.into_iter().map(|first| Piece::new(given, first, length.min(given.count - first))).collect()
+    let begin_s = |at: usize| (given.time_s(at) - PIECE_S / 2.0).clamp(given.time_s(first), latest_s);
+    let mut parts = hardest(given, first, count)?.map(|(_, at)| {
+        let begin = given.index_at(begin_s(at)).min(end - 1);
+        (begin, given.index_at(begin_s(at) + PIECE_S).clamp(begin + 1, begin + MAX_SAMPLES - 1))
+    });
+    parts.sort_unstable();
+    let mut parts = parts.to_vec();
+    parts.dedup();
+    parts.into_iter().map(|(first, last)| Piece::new(given, first, last)).collect()
 }
 
 /// What makes a part of the scene hard.
@@ -157,7 +173,6 @@ const HARD: [&str; 4] = ["rate", "specific force", "vibration", "coning"];
 /// the change of velocity. Its error grows with the time, however slow and gentle the motion is at each moment.
 fn hardest(given: &Given, first: usize, count: usize) -> Result<[(f64, usize); 4], Failure> {
     let options = given.scene.simulator_options();
-    let length = (PIECE_S / given.period_s).round().max(1.0) as usize;
     let mut worst = [(0.0, first); 4];
     let (mut part, mut products) = (0, [Vector3::zeros(); 2]);
     for index in (first..first + count - 2).step_by(count.div_ceil(SEARCHED)) {
@@ -165,8 +180,9 @@ fn hardest(given: &Given, first: usize, count: usize) -> Result<[(f64, usize); 4
         let pair = Figures::new(&options, &samples).map_err(|refusal| {
             given.failure_at(index + refusal.sample.unwrap_or_default(), &refusal.error)
         })?;
-        if index / length != part {
-            (part, products) = (index / length, [Vector3::zeros(); 2]);
+        let now = (given.time_s(index) / PIECE_S) as usize;
+        if now != part {
+            (part, products) = (now, [Vector3::zeros(); 2]);
         }
         products.iter_mut().zip(turn_products(&samples)).for_each(|(sum, product)| *sum += product);
         let [rate, force, vibration] = pair.motion.values();
@@ -199,15 +215,15 @@ fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> Result<String, Fail
     if pieces.iter().any(|piece| piece.samples.len() == given.count) {
         return Ok(format!("judged by the whole scene of {whole_s:.6} s"));
     }
-    let (first, piece_s) = (&pieces[0], (pieces[0].samples.len() - 1) as f64 * given.period_s);
+    let (first, piece_s) = (&pieces[0], pieces[0].duration_s(given));
     if order.piece.is_some() || order.from > 0.0 && pieces.len() == 1 {
-        let own = first.first..first.first + first.samples.len();
+        let own = first.first..first.last() + 1;
         let of_piece = hardest(given, first.first, first.samples.len())?;
         let harder = HARD
             .into_iter()
             .zip(hardest(given, 0, given.count)?.into_iter().zip(of_piece))
             .filter(|(_, ((value, at), (of_piece, _)))| value > of_piece && !own.contains(at))
-            .map(|(name, ((_, at), _))| format!("a larger {name} at {:.6} s", at as f64 * given.period_s))
+            .map(|(name, ((_, at), _))| format!("a larger {name} at {:.6} s", given.time_s(at)))
             .collect::<Vec<_>>();
         let verdict = match harder.is_empty() {
             true => "no other part is harder".to_owned(),

@@ -21,11 +21,10 @@ pub struct Scene {
 impl Scene {
     /// The first `most_s` [s] of `given`, or all of `given` if it is shorter.
     pub fn new(given: Given, most_s: f64) -> Self {
-        let most = (most_s / given.period_s).round() as usize + 1;
-        let count = given.count.min(most.max(2));
+        let count = given.index_at(most_s).max(1) + 1;
         let scene = &given.scene;
         let title = given.title.trim_end_matches('.');
-        let span_s = (count - 1) as f64 * given.period_s;
+        let span_s = given.time_s(count - 1);
         let without = match (scene.failures.is_empty(), scene.updates.is_empty()) {
             (true, true) => "",
             (false, true) => ", without its failures",

@@ -140,16 +140,13 @@ fn due(given: &Given, requirements: Vec<Requirement>) -> Result<Vec<Due>, Failur
     let is_given = !requirements.is_empty();
     let applying = requirements.into_iter().filter(|one| one.applies(given.duration_s));
     let dues = applying.map(|requirement| {
-        let index = match requirement.time_s {
-            None => last,
-            Some(time_s) => (time_s / given.period_s).round() as usize,
-        };
+        let index = requirement.time_s.map_or(last, |time_s| given.index_at(time_s));
         let follows = given.scene.options.vertical == VerticalMode::FollowTruth;
         if follows && matches!(requirement.measure, Measure::State(2 | 5)) {
             let what = format!("--meets: {} has no error: options.vertical is follow", requirement.quantity);
             return Err(Failure::new(what));
         }
-        if index > last {
+        if requirement.time_s.is_some_and(|time_s| time_s > given.duration_s + 0.5 * given.period_s) {
             let what =
                 format!("--meets: {} is due after the flight, which lasts {flown}", requirement.quantity);
             return Err(Failure::new(what));

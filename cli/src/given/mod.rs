@@ -195,6 +195,30 @@ impl Given {
         }
     }
 
+    /// Time of the sample `index` since the first one [s].
+    pub fn time_s(&self, index: usize) -> f64 {
+        match &self.motion {
+            Motion::Log(_, log) => log.samples()[index].time_s - self.start_s,
+            Motion::Flight(_) | Motion::Live => index as f64 * self.period_s,
+        }
+    }
+
+    /// Index of the sample nearest to a time since the first one [s], one of the `count`.
+    pub fn index_at(&self, time_s: f64) -> usize {
+        let last = self.count.saturating_sub(1);
+        match &self.motion {
+            Motion::Log(_, log) => {
+                let samples = &log.samples()[..self.count];
+                let behind =
+                    samples.partition_point(|sample| sample.time_s - self.start_s < time_s).min(last);
+                let before = behind.saturating_sub(1);
+                let is_nearer = time_s - self.time_s(before) < self.time_s(behind) - time_s;
+                if is_nearer { before } else { behind }
+            }
+            Motion::Flight(_) | Motion::Live => ((time_s / self.period_s).round() as usize).min(last),
+        }
+    }
+
     /// Flight in closed form; `None` for a log.
     pub fn flight(&self) -> Option<&Flight> {
         match &self.motion {

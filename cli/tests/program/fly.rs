@@ -229,6 +229,28 @@ fn a_closed_pipe_is_no_failure() {
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
 }
 
+/// A minute at rest with a row each second, then five seconds of rolling with twenty rows each second.
+#[test]
+fn a_piece_of_an_uneven_log_is_found_by_its_time_stamps() {
+    let folder = folder("uneven");
+    let rest = (0..60).map(|second| (f64::from(second), 0.0));
+    let rolling = (0..=100).map(|step| (60.0 + f64::from(step) / 20.0, 5.0 * (f64::from(step) * 0.1).sin()));
+    let rows = rest.chain(rolling).map(|(time_s, roll)| format!("{time_s},45,10,100,{roll},0,0\n"));
+    let header = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
+    std::fs::write(folder.join("log.csv"), header.to_owned() + &rows.collect::<String>()).unwrap();
+    let recommend = |arguments: &[&str]| {
+        done(&folder, &[&["recommend", "log.csv", "--position", "1"][..], arguments].concat())
+    };
+    let rolling = recommend(&["--from", "60", "--piece", "5"]);
+    let verdict = "judged by 5.000000 s from 60.000000 s, of 65.000000 s: no other part is harder\n";
+    assert!(rolling.contains(verdict), "{rolling}");
+    let rest = recommend(&["--from", "20", "--piece", "30"]);
+    let verdict = "judged by 30.000000 s from 20.000000 s, of 65.000000 s: may not hold elsewhere, with a larger rate at 6";
+    assert!(rest.contains(verdict), "{rest}");
+    let errors = rejected(&folder, &["recommend", "log.csv", "--position", "1", "--from", "-5"]);
+    assert_eq!(errors, "--from -5: the piece must begin in the scene; it lasts 65.000000 s\n");
+}
+
 #[test]
 fn options_are_recommended_and_too_much_is_reported() {
     let folder = folder("recommend");
