@@ -10,7 +10,7 @@ use crate::given::Given;
 pub const OUTPUT_FOLDER: &str = "sins_out";
 
 /// Where a command that flies one scene writes.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Default, clap::Args)]
 pub struct OutputArguments {
     /// Folder of all outputs [default: the scene's output.folder, or sins_out]
     #[arg(short, long, value_name = "DIR")]

@@ -50,17 +50,15 @@ const NO_LIMIT: &str =
 
 pub fn run(order: &Order) -> Result<(), Failure> {
     let given = order.scene.load(FOR_LOGS)?;
-    let hours = order.hours.unwrap_or(given.duration_s / 3600.0);
     let SolutionError { position_m, velocity_m_s, attitude_rad } = order.limits.errors();
     if [position_m, velocity_m_s, attitude_rad] == [0.0; 3] {
         return Err(Failure::new(NO_LIMIT));
     }
     let requirement = Requirement {
-        duration_s: (hours * 3600.0).min(if order.hours.is_some() {
-            f64::INFINITY
-        } else {
-            Requirement::MAX_DURATION_S
-        }),
+        duration_s: match order.hours {
+            Some(hours) => hours * 3600.0,
+            None => given.duration_s.min(Requirement::MAX_DURATION_S),
+        },
         position_m,
         velocity_m_s,
         attitude_rad,

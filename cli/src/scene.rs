@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use sins::scene::{BUILTIN_SCENES, KeyLine, builtin, keys, keys_text};
 
 use crate::failure::Failure;
-use crate::fly::FOR_LOGS;
+use crate::fly::{self, FOR_LOGS};
 use crate::given::{Given, Settings, is_log, read_scene};
 use crate::output::Outputs;
 use crate::rows::{self, number};
@@ -18,7 +18,8 @@ use crate::units::{six_digits, time_text};
 pub enum Order {
     /// Lists the built-in scenes
     List,
-    /// Reports every fault of scenes and flight logs with its line, and summarizes those without faults
+    /// Reports every fault of scenes, and the first of a flight log, with its line, and summarizes those without faults. What shows only in
+    /// flight, such as a mechanization at a pole, is reported by `sins fly`
     Check {
         /// Files SCENE.toml and LOG.csv, or built-in scenes
         #[arg(required = true, value_name = "SCENE")]
@@ -73,7 +74,8 @@ fn list() -> Result<(), Failure> {
 fn check(scenes: &[OsString], settings: &Settings) -> Result<(), Failure> {
     let (mut good, mut bad) = (String::new(), Vec::new());
     for name in scenes {
-        match Given::load(Some(name), None, settings, FOR_LOGS) {
+        let loaded = Given::load(Some(name), None, settings, FOR_LOGS);
+        match loaded.and_then(|given| fly::check(&given).map(|()| given)) {
             Ok(given) => {
                 let (duration, rate_hz) = (time_text(given.duration_s), six_digits(1.0 / given.period_s));
                 let title = given.title.trim_end_matches('.');

@@ -58,12 +58,27 @@ pub fn count(values: &Values) -> i32 {
     values.integers.first().copied().unwrap_or_default()
 }
 
-/// The input that an error about a component of the solution is about.
+/// The variable that an error about a correction is about.
 pub fn name_of(error: &Error) -> Option<String> {
-    let fields =
-        ["correction.position_enu_m", "correction.velocity_enu_m_s", "correction.misalignment_enu_rad"];
-    let place = fields.iter().position(|field| *field == error.field)? * 3 + error.index?;
-    ERRORS.get(place).map(|(name, ..)| format!("correction.{name}"))
+    let place =
+        |fields: &[&str]| Some(fields.iter().position(|field| *field == error.field)? * 3 + error.index?);
+    let of_solution = place(&[
+        "correction.position_enu_m",
+        "correction.velocity_enu_m_s",
+        "correction.misalignment_enu_rad",
+    ]);
+    let of_sensors = || {
+        place(&[
+            "compensation.gyro_bias_rad_s",
+            "compensation.gyro_scale_factor",
+            "compensation.accel_bias_m_s2",
+            "compensation.accel_scale_factor",
+        ])
+    };
+    match of_solution {
+        Some(place) => ERRORS.get(place).map(|(name, ..)| format!("correction.{name}")),
+        None => OF_SENSORS.get(of_sensors()?).map(|(name, ..)| format!("compensation.{name}")),
+    }
 }
 
 /// The correction that the inputs state.

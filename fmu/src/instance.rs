@@ -138,6 +138,11 @@ impl Flight {
         let behind_gap = fly().map_err(sentence)?;
         let mut refused_entries = Vec::new();
         // After the first sample there is no interval yet.
+        if let Some(taken) = &self.taken
+            && unit.is_none()
+        {
+            refused_entries = panel::without_a_box(values, taken.entries);
+        }
         if let Some(unit) = &mut unit
             && let Some(taken) = &self.taken
         {
@@ -269,7 +274,9 @@ impl Instance {
     pub fn step(&mut self, time_s: f64, length_s: f64) -> Result<Flown, Refused> {
         self.require(&[Phase::Stepping])?;
         if !(length_s.is_finite() && length_s >= 0.0) {
-            return Err(Refused::error(format!("communicationStepSize = {length_s}: must not be negative")));
+            return Err(Refused::error(format!(
+                "communicationStepSize = {length_s}: must be a finite number, not negative"
+            )));
         }
         let Some(flight) = &mut self.flight else { return Err(Refused::error("there is no flight")) };
         let inputs = &self.values.reals[..inputs::COUNT];

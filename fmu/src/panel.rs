@@ -75,6 +75,16 @@ fn entries(values: &Values) -> [f64; ENTRIES.len()] {
     std::array::from_fn(|k| values.reals[inputs::COUNT + corrections::REALS + k])
 }
 
+/// A sentence for each entry and fix of a unit without a box, where they have no effect.
+pub fn without_a_box(values: &Values, counted: Counts) -> Vec<String> {
+    let names = ["panel.position_count", "panel.heading_count", "fix.count"];
+    let entered =
+        names.iter().zip(counts(values).into_iter().zip(counted)).filter(|(_, (now, before))| now != before);
+    entered
+        .map(|(name, _)| format!("{name}: nothing is entered: without unit.start there is no box"))
+        .collect()
+}
+
 /// Gives the unit, after its update, the fix of the inputs if it is a new one.
 pub fn push_fix(
     values: &Values,

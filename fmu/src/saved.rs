@@ -17,8 +17,15 @@ const DAMAGED: &str = "no state of this unit, or a damaged one";
 
 const PHASES: [Phase; 4] = [Phase::Instantiated, Phase::Initializing, Phase::Stepping, Phase::Terminated];
 
-/// The state of `instance`.
+/// The state of `instance`, and its hash.
 pub fn save(instance: &Instance) -> Result<Vec<u8>, String> {
+    let mut state = write(instance)?;
+    let hash = hash(&state);
+    state.extend(hash.to_le_bytes());
+    Ok(state)
+}
+
+fn write(instance: &Instance) -> Result<Vec<u8>, String> {
     let mut to = Vec::with_capacity(16 << 10);
     to.extend(MARK);
     to.push(PHASES.iter().position(|phase| *phase == instance.phase).unwrap_or(0) as u8);
@@ -57,8 +64,18 @@ pub fn save(instance: &Instance) -> Result<Vec<u8>, String> {
     Ok(to)
 }
 
+/// Hash of a state without its hash: FNV-1a of 64 bits.
+fn hash(state: &[u8]) -> u64 {
+    let fold = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+    state.iter().fold(0xcbf2_9ce4_8422_2325, fold)
+}
+
 /// The instance of a state. Its scene is made anew if its parameters differ from the parameters of `now`.
 pub fn load(state: &[u8], now: &Instance) -> Result<Instance, String> {
+    let (state, own_hash) = state.split_last_chunk().ok_or(DAMAGED)?;
+    if hash(state).to_le_bytes() != *own_hash {
+        return Err(DAMAGED.to_owned());
+    }
     read(state, now.resources.clone(), now).ok_or(DAMAGED)?
 }
 

@@ -104,7 +104,7 @@ fn toml(variable: &Variable, value: &Value) -> String {
 pub fn scene(values: &Values, resources: Option<&Path>) -> Result<Scene, String> {
     let changed = Changed { table: &table(), values };
     let mut text = scene_text(&changed, resources)?;
-    let base = parse(&text, &[]).map_err(|faults| first(&faults, Fault::to_string))?;
+    let base = parse(&text, &[]).map_err(|faults| first(&faults, |fault| format!("scene, line {fault}")))?;
     // The last line before each slot.
     let mut slots = [0; FAILURES];
     for (slot, before) in (1..).zip(&mut slots) {
@@ -183,7 +183,7 @@ fn of_parameter(fault: &Fault, slots: &[usize]) -> String {
     let sentence = &fault.sentence;
     match slots.partition_point(|before| *before < fault.line) {
         0 if fault.line == 0 => of_element(sentence).unwrap_or_else(|| sentence.clone()),
-        0 => fault.to_string(),
+        0 => format!("scene, line {fault}"),
         slot => sentence.replacen("failure.", &format!("{FAILURE}[{slot}]."), 1),
     }
 }

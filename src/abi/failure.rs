@@ -168,8 +168,14 @@ impl From<Error> for Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(&self.error, f)?;
-        if self.error.kind == ErrorKind::Discontinuity && self.error.field == "sample.time_s" {
-            f.write_str("; after a pause call sins_move_time()")?;
+        match (self.error.field, self.error.kind, self.error.value) {
+            ("sample.time_s", ErrorKind::Discontinuity, _) => {
+                f.write_str("; after a pause call sins_move_time()")?
+            }
+            ("sample.temperature_c", _, None) => {
+                f.write_str("; set SINS_SAMPLE_TEMPERATURE in sample.flags")?
+            }
+            _ => {}
         }
         match self.sample {
             Some(index) => write!(f, " (samples[{index}])"),

@@ -73,27 +73,27 @@ impl Error {
         format!("{name}{value}: {rule}")
     }
 
-    /// The same error in a unit of `size` in SI, with six digits: enough for a limit, without digits that come from rounding.
+    /// The same error in a unit of `size` in SI. Limits have six digits, without digits that come from rounding, and are not beyond
+    /// the limits in SI.
     pub fn in_unit(self, size: f64) -> Self {
         if size == 1.0 {
             return self;
         }
-        let digits = |number: f64| format!("{number:.5e}").parse().unwrap_or(number);
-        let number = |number: f64| digits(number / size);
-        let value = |value: Value| Value::Real(number(value.as_f64()));
+        let low = |number: f64| six_digits(number / size, 1.0);
+        let high = |number: f64| six_digits(number / size, -1.0);
         let rule = match self.rule {
-            Rule::Between(low, high) => Rule::Between(number(low), number(high)),
-            Rule::OffOr(low, high) => Rule::OffOr(number(low), number(high)),
-            Rule::DefaultOr(low, high) => Rule::DefaultOr(number(low), number(high)),
-            Rule::NeededBy(low, high, field) => Rule::NeededBy(number(low), number(high), field),
-            Rule::Below(limit) => Rule::Below(number(limit)),
-            Rule::AtLeast(words, limit) => Rule::AtLeast(words, value(limit)),
-            Rule::AtMost(words, limit) => Rule::AtMost(words, value(limit)),
-            Rule::Exactly(words, limit) => Rule::Exactly(words, value(limit)),
-            Rule::SentenceWith(words, limit) => Rule::SentenceWith(words, value(limit)),
+            Rule::Between(from, to) => Rule::Between(low(from), high(to)),
+            Rule::OffOr(from, to) => Rule::OffOr(low(from), high(to)),
+            Rule::DefaultOr(from, to) => Rule::DefaultOr(low(from), high(to)),
+            Rule::NeededBy(from, to, field) => Rule::NeededBy(low(from), high(to), field),
+            Rule::Below(limit) => Rule::Below(high(limit)),
+            Rule::AtLeast(words, limit) => Rule::AtLeast(words, low(limit.as_f64()).into()),
+            Rule::AtMost(words, limit) => Rule::AtMost(words, high(limit.as_f64()).into()),
+            Rule::Exactly(words, limit) => Rule::Exactly(words, high(limit.as_f64()).into()),
+            Rule::SentenceWith(words, limit) => Rule::SentenceWith(words, high(limit.as_f64()).into()),
             other => other,
         };
-        Self { value: self.value.map(value), rule, ..self }
+        Self { value: self.value.map(|value| rounded(value.as_f64() / size, 15).into()), rule, ..self }
     }
 
     /// The same error, about element `index` of the field.
@@ -152,8 +152,25 @@ impl fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
+/// `number` with `digits` digits.
+fn rounded(number: f64, digits: usize) -> f64 {
+    format!("{number:.0$e}", digits - 1).parse().unwrap_or(number)
+}
+
+/// A limit with six digits: the nearest, or if that is not the limit within rounding, the next one in a `direction`, 1 or -1.
+fn six_digits(limit: f64, direction: f64) -> f64 {
+    let near = rounded(limit, 6);
+    let text = format!("{near:.5e}");
+    let exponent: i32 = text.split_once('e').and_then(|(_, digits)| digits.parse().ok()).unwrap_or_default();
+    let step: f64 = format!("1e{}", exponent - 5).parse().unwrap_or_default();
+    let is_within = (near - limit) * direction >= -1e-12 * limit.abs();
+    if is_within { near } else { rounded(near + direction * step, 6) }
+}
+
 #[cfg(test)]
 mod tests {
+    use core::f64::consts::FRAC_PI_2;
+
     use super::*;
 
     #[test]
@@ -178,5 +195,16 @@ mod tests {
         let size =
             Error::invalid("gyro.struct_size", 3_435_973_836_u32, Rule::Exactly("must be", 712_u32.into()));
         assert_eq!(size.to_string(), "gyro.struct_size = 3435973836: must be 712");
+        // In another unit, a stated limit is accepted, and the value is none of the stated range.
+        let latitude = |value| check_range("", value, -FRAC_PI_2 - 1e-9, FRAC_PI_2 + 1e-9);
+        let error = latitude(90.0000001_f64.to_radians()).unwrap_err().in_unit(1.0_f64.to_radians());
+        assert_eq!(error.sentence_about("latitude_deg"), "latitude_deg = 90.0000001: must be from -90 to 90");
+        let rate = |value| check_range("", value, 1e-9, 1e6);
+        let error = rate(1.1e6).unwrap_err().in_unit(1.0_f64.to_radians());
+        assert_eq!(
+            error.sentence_about("rate"),
+            "rate = 6.30253574643906e7: must be from 5.72958e-8 to 5.72957e7"
+        );
+        assert_eq!(rate(5.72957e7_f64.to_radians()), Ok(()));
     }
 }

@@ -65,8 +65,16 @@ pub struct Column {
     pub si: f64,
 }
 
+impl Column {
+    /// Its name, which is that of its quantity or the one in degrees.
+    pub fn name(&self, quantity: usize) -> String {
+        let name = name(quantity);
+        in_degrees(name).filter(|_| self.si != 1.0).unwrap_or_else(|| name.to_owned())
+    }
+}
+
 /// The name of an angle in degrees. Rates can be given only in radians.
-pub fn in_degrees(quantity: &str) -> Option<String> {
+fn in_degrees(quantity: &str) -> Option<String> {
     let stem = quantity.strip_suffix("_rad")?;
     Some(format!("{stem}_deg"))
 }
@@ -98,8 +106,17 @@ pub fn columns(header: &StringRecord, line: u64) -> Result<[Option<Column>; COUN
     };
     let missing = (0..COUNT).filter(|&index| columns[index].is_none() && is_wanted(index));
     let missing: Vec<String> = missing.map(|index| missing_column(name(index), header)).collect();
+    let other = [(';', "semicolons"), ('\t', "tabs")]
+        .into_iter()
+        .find(|(mark, _)| header.iter().any(|name| name.contains(*mark)));
     if missing.is_empty() {
         Ok(columns)
+    } else if let Some((_, marks)) = other {
+        Err(fault(
+            line,
+            1,
+            format!("columns separated by {marks}: expected commas between fields, and decimal points"),
+        ))
     } else {
         Err(fault(line, 1, format!("missing columns: {}", missing.join(", "))))
     }

@@ -3,7 +3,7 @@
 use csv::StringRecord;
 use nalgebra::Vector3;
 
-use super::columns::{COUNT, Column, FORCE, RATE, TEMPERATURE, VELOCITY, in_degrees, name, quantity_of};
+use super::columns::{COUNT, Column, FORCE, RATE, TEMPERATURE, VELOCITY, name, quantity_of};
 use super::{LogError, MAX_LINE, fault};
 use crate::earth::Geodetic;
 use crate::error::Error;
@@ -60,16 +60,20 @@ pub fn sample(
 ) -> Result<FlightSample, LogError> {
     let mut values = [0.0; COUNT];
     for (quantity, column) in columns.iter().enumerate() {
-        let Some(Column { place, si }) = column else { continue };
-        let Some(text) = row.get(*place) else {
-            return Err(fault(line, place + 1, format!("the line ends before {}", name(quantity))));
+        let Some(column) = column else { continue };
+        let Some(text) = row.get(column.place) else {
+            return Err(fault(
+                line,
+                column.place + 1,
+                format!("the line ends before {}", column.name(quantity)),
+            ));
         };
         match text.parse::<f64>() {
-            Ok(value) if value.is_finite() => values[quantity] = value * si,
+            Ok(value) if value.is_finite() => values[quantity] = value * column.si,
             _ => {
-                let sentence =
-                    format!("{}: expected a finite number, found \"{}\"", name(quantity), excerpt(text));
-                return Err(fault(line, place + 1, sentence));
+                let name = column.name(quantity);
+                let sentence = format!("{name}: expected a finite number, found \"{}\"", excerpt(text));
+                return Err(fault(line, column.place + 1, sentence));
             }
         }
     }
@@ -98,9 +102,9 @@ fn out_of_range(error: &Error, line: u64, columns: &[Option<Column>; COUNT]) -> 
         return fault(line, 1, error.to_string());
     };
     let own = Error { field: name(quantity), index: None, ..*error };
-    let sentence = match in_degrees(own.field) {
-        Some(name) if column.si != 1.0 => own.in_unit(column.si).sentence_about(&name),
-        _ => own.to_string(),
+    let sentence = match column.si {
+        1.0 => own.to_string(),
+        si => own.in_unit(si).sentence_about(&column.name(quantity)),
     };
     fault(line, column.place + 1, sentence)
 }

@@ -24,13 +24,13 @@ impl Scene {
             return Err(vec![Fault { sentence, ..Fault::default() }]);
         }
         let mut base = self.clone();
-        for (path, _) in settings.iter().filter(|(_, value)| !value.is_empty()) {
+        for (path, value) in settings {
             match *path {
-                "flight.file" => {
+                "flight.file" if !value.is_empty() => {
                     base.flight = FlightSource::Log(String::new());
                     base.rate_hz = Self::default().rate_hz;
                 }
-                "flight.builtin" => base.flight = FlightSource::Builtin(String::new()),
+                "flight.builtin" if !value.is_empty() => base.flight = FlightSource::Builtin(String::new()),
                 "gyro.preset" => base.errors.gyro = TriadParameters::default(),
                 "accelerometer.preset" => base.errors.accel = TriadParameters::default(),
                 "start.preset" => base.errors.initial = InitialErrorParameters::default(),

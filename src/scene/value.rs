@@ -73,6 +73,8 @@ impl Value {
             Self::Text(text) => format!("\"{}\"", excerpt(text)),
             Self::Flag(flag) => flag.to_string(),
             Self::Whole(whole) => whole.to_string(),
+            // With its point: it is no whole number.
+            Self::Number(number) if number.fract() == 0.0 && number.abs() < 1e7 => format!("{number:.1}"),
             Self::Number(number) => number_text(*number),
             Self::Numbers(numbers) => format!("an array of {}", numbers.len()),
             Self::Other(what) => what.clone(),

@@ -203,9 +203,7 @@ fn no_temperature() -> Error {
         field: "sample.temperature_c",
         index: None,
         value: None,
-        rule: Rule::Sentence(
-            "is needed, with SINS_SAMPLE_TEMPERATURE in sample.flags, while temperature coefficients are set",
-        ),
+        rule: Rule::Sentence("is needed while temperature coefficients are set"),
     }
 }
 

@@ -101,7 +101,7 @@ impl Options {
         if let Some(period) = self.intake.period_s {
             check_range("options.sample_period_s", period, MIN_INTERVAL_S, MAX_GAP_S)?;
             if period > self.intake.max_gap_s {
-                let rule = Rule::AtMost("must be at most max_gap_s =", self.intake.max_gap_s.into());
+                let rule = Rule::AtMost("must be at most options.max_gap_s =", self.intake.max_gap_s.into());
                 return Err(Error::invalid("options.sample_period_s", period, rule));
             }
         }
@@ -110,7 +110,7 @@ impl Options {
             check_range("options.closed_loop_time_s", time_constant, 1.0, 1e4)?;
             if time_constant < 4.0 * self.intake.max_gap_s {
                 let rule = Rule::AtLeast(
-                    "must be at least four times max_gap_s:",
+                    "must be at least four times options.max_gap_s:",
                     (4.0 * self.intake.max_gap_s).into(),
                 );
                 return Err(Error::invalid("options.closed_loop_time_s", time_constant, rule));

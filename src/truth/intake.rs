@@ -242,7 +242,7 @@ impl Intake {
         }
         if interval_s > self.limits.max_gap_s + rounding {
             let rule = Rule::SentenceWith(
-                "the gap after the previous sample must be at most max_gap_s =",
+                "the gap after the previous sample must be at most options.max_gap_s =",
                 self.limits.max_gap_s.into(),
             );
             return Err(Error::of(ErrorKind::Discontinuity, "sample.time_s", stamp_s, rule));

@@ -70,7 +70,7 @@ impl Steps<'_> {
                 "sample position: displacement that the velocity does not explain [m]",
                 unexplained2.sqrt(),
                 Rule::AtMost(
-                    "must be at most 10 m plus the effect of max_acceleration_m_s2 in this interval:",
+                    "must be at most 10 m plus the effect of options.max_acceleration_m_s2 in this interval:",
                     allowed.into(),
                 ),
             );
@@ -89,7 +89,7 @@ impl Steps<'_> {
             return jump(
                 "sample.velocity_enu_m_s: acceleration since the previous sample [m/s2]",
                 change2.sqrt() / t,
-                Rule::AtMost("must be at most max_acceleration_m_s2 =", limit.into()),
+                Rule::AtMost("must be at most options.max_acceleration_m_s2 =", limit.into()),
             );
         }
         Ok(())

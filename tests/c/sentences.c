@@ -93,7 +93,7 @@ static void failures(void)
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
     sample.time_s = 60.0;
     CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_DISCONTINUITY && sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
-    CHECK(strcmp(text, "sample.time_s = 60: the gap after the previous sample must be at most max_gap_s = 2.5; after a pause call sins_move_time()") == 0);
+    CHECK(strcmp(text, "sample.time_s = 60: the gap after the previous sample must be at most options.max_gap_s = 2.5; after a pause call sins_move_time()") == 0);
     sample.time_s = 0.01;
     sample.latitude_rad = 47.5;
     CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_INVALID_ARGUMENT && sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);

@@ -149,8 +149,7 @@ fn no_coefficient_or_no_difference_changes_no_bit() {
 /// A coefficient is never without a temperature: a call that would set one without is refused and changes nothing.
 #[test]
 fn samples_without_a_temperature_are_refused_while_coefficients_are_set() {
-    let missing = "sample.temperature_c: is needed, with SINS_SAMPLE_TEMPERATURE in sample.flags, while temperature \
-                   coefficients are set";
+    let missing = "sample.temperature_c: is needed while temperature coefficients are set";
     let mut simulator = Simulator::new(&Options::default()).unwrap();
     simulator.set_accel(&thermal(1e-3)).unwrap();
     let refused = simulator.push_sample(&resting_sample(0.0)).unwrap_err();

@@ -154,7 +154,7 @@ static uint64_t digest(uint64_t hash, const void *object, size_t size)
 }
 
 #define RATE_HZ 128
-#define ROOM 128
+#define ROOM 512
 static const char *const INPUTS[] = {"truth.latitude_rad", "truth.longitude_rad", "truth.height_m",
     "truth.velocity_east_m_s", "truth.velocity_north_m_s", "truth.velocity_up_m_s",
     "truth.roll_rad", "truth.pitch_rad", "truth.heading_rad"};

@@ -143,7 +143,7 @@ fn three_faults_are_told_each_at_its_place() {
     let text = format!("{REST}[gyro]\nbias_deg_hour = 1\n  range_deg_s = -1\n[options]\nscheme = \"fast\"\n");
     let expected = [
         (4, 1, "no such key: bias_deg_hour; did you mean bias_deg_h?"),
-        (5, 3, "gyro.range_deg_s[0] = -1: must be 0 for none, or from 5.72958e-8 to 5.72958e7"),
+        (5, 3, "gyro.range_deg_s[0] = -1: must be 0 for none, or from 5.72958e-8 to 5.72957e7"),
         (7, 10, "options.scheme = \"fast\": expected exact, paper, polynomial"),
     ];
     assert_eq!(

@@ -68,7 +68,7 @@ fn a_fault_has_its_line_its_column_and_a_sentence() {
     let row = "0,45,0,0,0,0,0\n";
     is(&format!("{HEADER}\n{row}"), 3, 1, "1 samples");
     is(&format!("{HEADER}\n{row}{row}"), 3, 1, "not later");
-    is(&format!("{HEADER}\n{row}1,45,0,0,0,0\n"), 3, 7, "the line ends before heading_rad");
+    is(&format!("{HEADER}\n{row}1,45,0,0,0,0\n"), 3, 7, "the line ends before heading_deg");
     for number in ["north", "", "nan", "inf", "1e999", "0x10", "1_000"] {
         is(&format!("{HEADER}\n{row}1,{number},0,0,0,0,0\n"), 3, 2, "expected a finite number");
     }

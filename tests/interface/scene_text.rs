@@ -239,13 +239,13 @@ fn a_file_with_several_faults_gets_them_all_with_their_lines() {
         reported(text),
         [
             (5, "no such key: bias_deg_hour; did you mean bias_deg_h?".to_owned()),
-            (6, "gyro.range_deg_s[0] = -1: must be 0 for none, or from 5.72958e-8 to 5.72958e7".to_owned()),
+            (6, "gyro.range_deg_s[0] = -1: must be 0 for none, or from 5.72958e-8 to 5.72957e7".to_owned()),
             (
                 7,
                 "gyro.markov_sigma_deg_h = an array of 2: expected one number for all axes, or three [deg/h]"
                     .to_owned()
             ),
-            (8, "gyro.bias_deg_h[1] = 1e9: must be from -2.06265e7 to 2.06265e7".to_owned()),
+            (8, "gyro.bias_deg_h[1] = 1e9: must be from -2.06264e7 to 2.06264e7".to_owned()),
             (10, "options.scheme = \"fast\": expected exact, paper, polynomial".to_owned()),
             (11, "options.subsamples = 9: must be from 1 to 5".to_owned()),
             (12, "no such section: altimter; did you mean altimeter?".to_owned()),

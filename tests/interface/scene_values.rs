@@ -211,6 +211,9 @@ fn a_preset_and_another_flight_replace_what_was() {
     assert_eq!(scene.errors.gyro, sins::sensors::Grade::Consumer.parameters().0);
     scene.set(&[("gyro.preset", "tactical"), ("gyro.bias_deg_h", "2")]).unwrap();
     assert_eq!(scene.value("gyro.bias_deg_h").as_deref(), Some("2"));
+    // The default of a preset is none: no errors.
+    scene.set(&[("gyro.preset", "")]).unwrap();
+    assert_eq!(scene.errors.gyro, sins::sensors::TriadParameters::default());
     // An empty value sets the default of the key, not the value of the preset.
     scene.set(&[("gyro.preset", "tactical"), ("gyro.bias_sigma_deg_h", "")]).unwrap();
     assert_eq!(scene.value("gyro.bias_sigma_deg_h").as_deref(), Some("0"));
@@ -388,7 +391,7 @@ fn a_host_is_told_the_line_the_path_and_the_limits_of_a_fault() {
         assert_eq!((fault.count, fault.line, text(&fault.path)), (2, 3, "gyro.range_deg_s[2]".into()));
         let limits = SINS_ERROR_INFO_VALUE | SINS_ERROR_INFO_MINIMUM | SINS_ERROR_INFO_MAXIMUM;
         assert_eq!((fault.flags, fault.value), (limits, -3.0));
-        assert!((fault.maximum / 5.72958e7 - 1.0).abs() < 1e-6, "{}", fault.maximum);
+        assert_eq!(fault.maximum, 5.72957e7);
         assert_eq!(sins_scene_get_fault(scene, 1, &mut fault), SINS_OK);
         assert_eq!((fault.line, text(&fault.path), fault.flags), (5, "altimeter".into(), 0));
         let mut buffer = [0; 64];

@@ -98,6 +98,25 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     ended.and(finished)
 }
 
+/// What `sins fly` would refuse before the flight and in its first interval.
+pub fn check(given: &Given) -> Result<(), Failure> {
+    let output = &given.scene.output;
+    let (folder, _) = OutputArguments::default().places(given)?;
+    if !output.imu.is_empty() {
+        below(&folder, &output.imu, "output.imu", "--imu")?;
+    }
+    spacing::intervals(given)?;
+    let [mut simulator] = *given.scene.simulator()?;
+    let mut fly = |index| {
+        let mut sample = given.sample(index)?;
+        given.scene.prepare(&mut simulator, given.start_s, &mut sample)?;
+        simulator.push_sample(&sample)?;
+        simulator.step()
+    };
+    (0..given.count.min(2))
+        .try_for_each(|index| fly(index).map(|_| ()).map_err(|error| given.failure_at(index, &error)))
+}
+
 /// Puts all files in place. The records are last, because the report looks for the summary beside the records.
 pub fn finish(figures: &Figures, files: Files, summary_file: OutputFile) -> Result<(), Failure> {
     let Files { records, imu, unit } = files;

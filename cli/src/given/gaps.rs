@@ -5,7 +5,8 @@ use sins::log::FlightLog;
 use sins::scene::Scene;
 use sins::truth::{Intake, Pushed};
 
-/// Gaps of a log: intervals of more than 2.5 times each of the two before, which are bridged.
+/// Gaps of a log: intervals of more than 2.5 times each of the two before, which are bridged; also a first interval of more than
+/// 2.5 times the second.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Gaps {
     /// Number of gaps.
@@ -22,17 +23,19 @@ pub fn find(scene: &Scene, log: &FlightLog, count: usize) -> Result<Gaps, (usize
     let options = &scene.options;
     let at = |index| move |error| (index, error);
     let mut intake = Intake::new(options.earth(), options.axes, options.intake).map_err(at(0))?;
-    let (mut gaps, mut last_s) = (Gaps::default(), 0.0);
+    let (mut gaps, mut last_s, mut before_s) = (Gaps::default(), 0.0, 0.0);
     for (index, sample) in log.samples().iter().take(count).enumerate() {
         let length_s = sample.time_s - last_s;
-        if intake.push(sample).map_err(at(index))? == Pushed::BehindGap {
+        let is_behind = intake.push(sample).map_err(at(index))? == Pushed::BehindGap;
+        let first = (index == 2 && before_s > 2.5 * length_s).then_some((before_s, 1));
+        for (length_s, index) in is_behind.then_some((length_s, index)).into_iter().chain(first) {
             gaps.count += 1;
             if length_s > gaps.longest_s {
                 (gaps.longest_s, gaps.index) = (length_s, index);
             }
         }
         intake.take();
-        last_s = sample.time_s;
+        (last_s, before_s) = (sample.time_s, length_s);
     }
     Ok(gaps)
 }

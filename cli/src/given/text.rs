@@ -44,10 +44,7 @@ impl Text {
         let read = std::fs::File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes));
         read.map_err(|error| Failure::of_input(path, &error))?;
         if is_header(&bytes) {
-            return Err(Failure::of_file(
-                path,
-                &"is a flight log: give its file a name that ends in .csv, or use --log",
-            ));
+            return Err(Failure::of_file(path, &"is a flight log: the name of its file must end in .csv"));
         }
         let origin = path.display().to_string();
         Ok(Self { bytes, origin, path: Some(path.to_owned()), name: name_of(path) })
@@ -114,7 +111,10 @@ fn is_header(text: &[u8]) -> bool {
     let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     let is_empty = |line: &&[u8]| line.starts_with(b"#") || line.trim_ascii().is_empty();
     let header = text.split(|byte| *byte == b'\n').find(|line| !is_empty(line));
-    header.is_some_and(|line| line.split(|byte| *byte == b',').any(|name| name.trim_ascii() == b"time_s"))
+    let is_mark = |byte: &u8| !(byte.is_ascii_alphanumeric() || *byte == b'_');
+    header.is_some_and(|line| {
+        line.split(is_mark).any(|word| word.eq_ignore_ascii_case(b"time_s")) && !line.contains(&b'=')
+    })
 }
 
 /// Name of a file without folder and ending.

@@ -16,8 +16,17 @@ fn a_log_without_its_name_and_rows_of_more_fields_than_columns_are_no_flight() {
     std::fs::write(folder.join("commas.csv"), log().replace(",0.7,", ",0,7,")).unwrap();
     std::fs::write(folder.join("log.txt"), format!("# a title\n{}", log())).unwrap();
     let errors = rejected(&folder, &["fly", "log.txt"]);
-    assert_eq!(errors, "log.txt: is a flight log: give its file a name that ends in .csv, or use --log\n");
+    assert_eq!(errors, "log.txt: is a flight log: the name of its file must end in .csv\n");
     done(&folder, &["fly", "--log", "log.txt"]);
+    for (mark, marks) in [(";", "semicolons"), ("\t", "tabs")] {
+        std::fs::write(folder.join("marks.csv"), log().replace(',', mark)).unwrap();
+        std::fs::write(folder.join("marks.txt"), log().replace(',', mark)).unwrap();
+        let errors = rejected(&folder, &["fly", "marks.csv"]);
+        assert!(errors.ends_with(&format!(
+            "columns separated by {marks}: expected commas between fields, and decimal points\n"
+        )));
+        assert!(rejected(&folder, &["fly", "marks.txt"]).starts_with("marks.txt: is a flight log"));
+    }
     let errors = rejected(&folder, &["fly", "commas.csv"]);
     assert!(errors.starts_with("commas.csv:2: 8 fields"), "{errors}");
     assert!(!folder.join("sins_out/commas.csv").exists());
@@ -142,9 +151,21 @@ fn a_bad_sample_is_reported_in_the_words_of_the_log() {
             assert!(errors.ends_with(expected), "{command:?}: {errors}");
         }
     }
-    let warm = ["fly", "simulation1", "--set", "gyro.bias_temperature_deg_h_per_k=1"];
+    let warm = "gyro.bias_temperature_deg_h_per_k=1";
     let expected = "flight.temperature_c: is needed while temperature coefficients are set\n";
-    assert!(rejected(&folder, &warm).ends_with(expected));
+    assert!(rejected(&folder, &["fly", "simulation1", "--set", warm]).ends_with(expected));
+    // The check of a scene reports what would stop the flight before its first record.
+    for (set, expected) in [
+        (warm, expected),
+        ("output.every_s=0.001", "every_s = 0.001: must be at least the sample interval, 0.01\n"),
+        (
+            "output.folder=/tmp",
+            "output.folder = \"/tmp\": expected a name below the folder of the outputs (--out), without ..\n",
+        ),
+    ] {
+        let errors = rejected(&folder, &["scene", "check", "patrol", "--set", set]);
+        assert!(errors.ends_with(expected), "{errors}");
+    }
 }
 
 /// A gap that the flight bridges is said, by the check of the scene, in the summary and in its file.
@@ -160,5 +181,12 @@ fn gaps_of_a_log_are_said() {
     assert!(printed.contains(&format!("  gaps            {gaps}")), "{printed}");
     let summary = read(folder.join("sins_out/log_summary.csv"));
     assert!(summary.contains("\ngaps,1,,") && summary.contains("\ngap_longest_s,2,s,"), "{summary}");
+    // Also in the first interval.
+    let rows = ["0", "2", "2.1", "2.2"].map(|time_s| format!("{time_s},39,116,50,0,0,0\n"));
+    std::fs::write(folder.join("first.csv"), format!("{header}{}", rows.concat())).unwrap();
+    assert!(
+        done(&folder, &["scene", "check", "first.csv"])
+            .ends_with("; gaps: 1, of 2 s, before first.csv:3, bridged\n")
+    );
     assert!(!done(&folder, &["fly", "rest", "--set", "flight.hours=0.01"]).contains("gaps"));
 }

@@ -316,7 +316,7 @@ fn wrong_packets_are_counted_and_never_flown() {
         "of another length: 5 bytes: version 24 has 408",
         "of another version: version 23 in 408 bytes: must be 24 or 25",
         "with NaN or infinity: latitude = NaN: must be a finite number",
-        "out of range: latitude = 114.592 deg: must be from -90 to 90 deg",
+        "out of range: latitude = 114.591559026165 deg: must be from -90 to 90 deg",
         "from another address: 127.0.0.1:",
         "with a jump: a way of ",
         "late or repeated: 3 periods before",

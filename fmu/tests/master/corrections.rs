@@ -187,6 +187,13 @@ fn a_correction_that_is_rejected_changes_nothing() {
     let said = both.unit.messages();
     assert!(said[0].2.contains("correction.position_north_m = 2000000: must be from"), "{said:?}");
     assert!(both.unit.state() == before);
+    far.errors.position_n.y = 0.0;
+    far.sensors.accel_bias.x = 2e4;
+    both.set(&far);
+    assert_eq!(both.step_unit(), fmi2Error);
+    let said = both.unit.messages();
+    let words = "compensation.accelerometer_bias_m_s2[1] = 20000: must be from";
+    assert!(said[0].2.contains(words), "{said:?}");
     both.set(&Correction::default());
     both.step();
 }

@@ -210,7 +210,7 @@ fn limits_of_sensor_parameters() {
 fn refused_parameters_have_their_names() {
     let unit = Unit::flying(|_| ());
     for (name, value, words) in [
-        ("gyro.bias_deg_h[1]", 1e9, " = 1e9: must be from -2.06265e7 to 2.06265e7"),
+        ("gyro.bias_deg_h[1]", 1e9, " = 1e9: must be from -2.06264e7 to 2.06264e7"),
         ("gyro.misalignment_arcsec[2,3]", 1e9, ""),
         ("gyro.misalignment_arcsec[2,2]", 9.0, " = 9: must be 0 on the diagonal"),
     ] {
@@ -224,6 +224,44 @@ fn refused_parameters_have_their_names() {
     );
     assert_eq!(unit.set_reals(&[reference("failure[3].from_s")], &[-1.0]), fmi2Discard);
     assert_eq!(sentence(&unit), "fmi2SetReal: failure[3].from_s = -1: must be from 0 to 1e9");
+}
+
+/// A state with any damaged bit, or without its end, is refused and changes nothing.
+#[test]
+fn damaged_states_are_refused() {
+    let unit = Unit::flying(|_| {});
+    unit.set_reals(&inputs(), &AT_REST);
+    for k in 0..3 {
+        assert_eq!(step(&unit, 0.01 * f64::from(k)), fmi2OK);
+    }
+    let good = unit.state();
+    let load = |state: &[u8]| unsafe {
+        let mut image = ptr::null_mut();
+        fmi2DeSerializeFMUstate(unit.component, state.as_ptr().cast(), state.len(), &mut image)
+    };
+    for at in (0..good.len()).step_by(41).chain(good.len() - 8..good.len()) {
+        let mut damaged = good.clone();
+        damaged[at] ^= 1 << (at % 8);
+        assert_ne!(load(&damaged), fmi2OK, "byte {at} of {}", good.len());
+        assert_ne!(load(&good[..at]), fmi2OK);
+    }
+    assert!(unit.state() == good);
+}
+
+/// Without a box, an entry at the panel gives a warning.
+#[test]
+fn an_entry_without_a_box_is_a_warning() {
+    let unit = Unit::flying(|_| {});
+    unit.set_reals(&inputs(), &AT_REST);
+    assert_eq!((step(&unit, 0.0), step(&unit, 0.01)), (fmi2OK, fmi2OK));
+    let count = reference("panel.position_count");
+    assert_eq!(unsafe { fmi2SetInteger(unit.component, &count, 1, &1) }, fmi2OK);
+    assert!(unit.messages().is_empty());
+    assert_eq!(step(&unit, 0.02), fmi2OK);
+    assert_eq!(
+        sentence(&unit),
+        "panel.position_count: nothing is entered: without unit.start there is no box"
+    );
 }
 
 /// Messages about a sample have the names of the inputs.
