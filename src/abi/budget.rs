@@ -108,7 +108,7 @@ pub unsafe extern "C-unwind" fn sins_error_budget(
         request.validate()?;
         // SAFETY: the host's promise; written at the end alone.
         let summary = unsafe { Output::if_wanted(budget, "budget")? };
-        check_integer("count", count, MIN_SAMPLES as i64, MAX_SAMPLES as i64)?;
+        check_integer("count", count, MIN_SAMPLES as u64, MAX_SAMPLES as u64)?;
         // SAFETY: the host's promise; samples are only read.
         let samples = unsafe { Array::new(samples.cast_mut(), count, "samples")? };
         let needed = 1 + Effect::set_in(&parameters).count();

@@ -83,7 +83,7 @@ pub(super) unsafe fn read_flight(
 ) -> Result<(FlightStart, Vec<Manoeuvre>), Failure> {
     // SAFETY: as this function.
     let start = unsafe { read(start, "start")? }.to_parameters()?;
-    check_integer("count", count, 1, MAX_MANOEUVRES as i64)?;
+    check_integer("count", count, 1, MAX_MANOEUVRES as u64)?;
     // SAFETY: as this function; manoeuvres are only read.
     let manoeuvres = unsafe { Array::new(manoeuvres.cast_mut(), count, "manoeuvres")? };
     let mut list = room(count)?;

@@ -154,7 +154,7 @@ impl sins_manoeuvre {
 
     fn set_sinusoids(&self, fields: &mut ManoeuvreFields) -> Result<(), Failure> {
         if self.kind == SINS_MANOEUVRE_SINUSOIDS {
-            check_integer("manoeuvre.sinusoid_count", self.sinusoid_count, 1, MAX_SINUSOIDS as i64)?;
+            check_integer("manoeuvre.sinusoid_count", self.sinusoid_count, 1, MAX_SINUSOIDS as u64)?;
             fields.sinusoid_count = self.sinusoid_count as usize;
         } else if self.sinusoid_count != 0 {
             return Err(Error::invalid("manoeuvre.sinusoid_count", self.sinusoid_count, NOT_USED).into());

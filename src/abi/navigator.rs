@@ -90,7 +90,7 @@ pub unsafe extern "C-unwind" fn sins_get_imu_update(
     with_simulator(sim, |simulator| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::new(increment, "increment")? };
-        let index = check_integer("update", update, 0, i64::from(i32::MAX)).map(|()| update as usize)?;
+        let index = check_integer("update", update, 0, i32::MAX as u64).map(|()| update as usize)?;
         let increments = simulator.measured_update(index);
         Ok(write_or_need(&output, increments.map(|(parts, t)| sins_imu_increment::new(parts, t))))
     })
@@ -164,7 +164,7 @@ pub unsafe extern "C-unwind" fn sins_push_imu(
         let imu = unsafe { read(increment, "increment")? };
         check_reserved("imu.reserved", imu.reserved)?;
         check_reserved("imu.reserved2", imu.reserved2)?;
-        check_integer("imu.count", imu.count, 1, MAX_SUBSAMPLES as i64)?;
+        check_integer("imu.count", imu.count, 1, MAX_SUBSAMPLES as u64)?;
         let part = |values: &[f64; 15], index: usize| {
             Vector3::new(values[3 * index], values[3 * index + 1], values[3 * index + 2])
         };

@@ -170,7 +170,7 @@ pub unsafe extern "C-unwind" fn sins_recommend(
         };
         let time_steps = requirement.time_steps == 1;
         let requirement = requirement.to_requirement()?;
-        check_integer("count", count, MIN_SAMPLES as i64, MAX_SAMPLES as i64)?;
+        check_integer("count", count, MIN_SAMPLES as u64, MAX_SAMPLES as u64)?;
         // SAFETY: the host's promise; samples are only read.
         let samples = read_samples(&unsafe { Array::new(samples.cast_mut(), count, "samples")? })?;
         let answer = recommend(&setup, &samples, &requirement)?;

@@ -142,7 +142,7 @@ pub(super) const ARGUMENTS: [&str; 2] = ["sensor", "axis"];
 pub(super) fn output(fields: [&'static str; 2], sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
     let [sensor_field, axis_field] = fields;
     let (last, rule) = match sensor {
-        SINS_SENSOR_GYRO | SINS_SENSOR_ACCEL => (2, Rule::Between(0.0, 2.0)),
+        SINS_SENSOR_GYRO | SINS_SENSOR_ACCEL => (2, Rule::BetweenIntegers(0, 2)),
         SINS_SENSOR_ALTIMETER => (0, Rule::Zero(": the altimeter has one output")),
         _ => return Err(Error::invalid(sensor_field, sensor, Rule::OneOf("sins_sensor", 0, 2)).into()),
     };

@@ -31,7 +31,7 @@ pub struct Scene<'a> {
 
 impl Scene<'_> {
     pub(super) fn validate(&self) -> Result<(), Error> {
-        check_integer("count", self.count, MIN_SAMPLES as i64, MAX_SAMPLES as i64)
+        check_integer("count", self.count, MIN_SAMPLES as u64, MAX_SAMPLES as u64)
     }
 
     pub(super) fn samples(&self) -> impl Iterator<Item = Result<FlightSample, Error>> {

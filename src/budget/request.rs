@@ -24,7 +24,7 @@ impl BudgetRequest {
 
     /// Checks every field.
     pub fn validate(&self) -> Result<(), Error> {
-        check_integer("request.runs", self.runs, Self::RUNS.0 as i64, Self::RUNS.1 as i64)?;
+        check_integer("request.runs", self.runs, Self::RUNS.0, Self::RUNS.1)?;
         check_range("request.position_m", self.limits.position_m, 0.0, 1e12)?;
         check_range("request.velocity_m_s", self.limits.velocity_m_s, 0.0, 1e12)?;
         check_range("request.attitude_rad", self.limits.attitude_rad, 0.0, 1e12)

@@ -7,12 +7,16 @@ use crate::units::TEMPERATURE_RANGE_C;
 pub(crate) fn check_integer(
     field: &'static str,
     value: impl Into<Value>,
-    low: i64,
-    high: i64,
+    low: u64,
+    high: u64,
 ) -> Result<(), Error> {
-    let (value, low, high) = (value.into(), low as f64, high as f64);
-    let is_within = (low..=high).contains(&value.as_f64());
-    if is_within { Ok(()) } else { Err(Error::invalid(field, value, Rule::Between(low, high))) }
+    let value = value.into();
+    let is_within = match value {
+        Value::Signed(value) => u64::try_from(value).is_ok_and(|value| (low..=high).contains(&value)),
+        Value::Unsigned(value) => (low..=high).contains(&value),
+        Value::Real(_) => false,
+    };
+    if is_within { Ok(()) } else { Err(Error::invalid(field, value, Rule::BetweenIntegers(low, high))) }
 }
 
 /// Checks that `value` is a finite number from `low` to `high`.

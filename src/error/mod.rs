@@ -114,12 +114,10 @@ impl fmt::Display for Error {
                 None => f.write_str(": ")?,
             }
         }
-        let is_integer = self.value.is_some_and(Value::is_integer);
-        let limit = |number| Number { number, is_integer };
         match self.rule {
             Rule::Finite => f.write_str("must be a finite number"),
             Rule::Between(low, high) => {
-                write!(f, "must be from {} to {}", limit(low), limit(high))?;
+                write!(f, "must be from {} to {}", Number(low), Number(high))?;
                 // Not s/rad, the unit of a nonlinearity.
                 let is_angle = self.field.ends_with("_rad") && !self.field.ends_with("_s_rad");
                 let may_be_degrees = |value: f64| is_angle && (1.6..=360.0).contains(&value.abs());
@@ -130,15 +128,15 @@ impl fmt::Display for Error {
             }
             Rule::BetweenIntegers(low, high) => write!(f, "must be from {low} to {high}"),
             Rule::OffOr(low, high) => {
-                write!(f, "must be 0 for none, or from {} to {}", limit(low), limit(high))
+                write!(f, "must be 0 for none, or from {} to {}", Number(low), Number(high))
             }
             Rule::DefaultOr(low, high) => {
-                write!(f, "must be 0 for the default, or from {} to {}", limit(low), limit(high))
+                write!(f, "must be 0 for the default, or from {} to {}", Number(low), Number(high))
             }
             Rule::NeededBy(low, high, field) => {
-                write!(f, "must be from {} to {} where {field} is not 0", limit(low), limit(high))
+                write!(f, "must be from {} to {} where {field} is not 0", Number(low), Number(high))
             }
-            Rule::Below(high) => write!(f, "must be less than {}", limit(high)),
+            Rule::Below(high) => write!(f, "must be less than {}", Number(high)),
             Rule::OneOf(name, first, last) => write!(f, "must be of enum {name}, {first} to {last}"),
             Rule::Zero(why) => write!(f, "must be 0{why}"),
             Rule::Sentence(words) => f.write_str(words),

@@ -104,27 +104,23 @@ value_from!(
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Real(number) => Number { number, is_integer: false }.fmt(f),
+            Self::Real(number) => Number(number).fmt(f),
             Self::Signed(integer) => integer.fmt(f),
             Self::Unsigned(integer) => integer.fmt(f),
         }
     }
 }
 
-/// Number to display: an integer with every digit, a very large or very small number with an exponent.
-pub(super) struct Number {
-    pub number: f64,
-    pub is_integer: bool,
-}
+/// Number to display, a very large or very small one with an exponent.
+pub(super) struct Number(pub f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { number, is_integer } = *self;
-        let size = number.abs();
-        if !is_integer && size != 0.0 && number.is_finite() && !(1e-4..1e7).contains(&size) {
-            write!(f, "{number:e}")
+        let size = self.0.abs();
+        if size != 0.0 && self.0.is_finite() && !(1e-4..1e7).contains(&size) {
+            write!(f, "{:e}", self.0)
         } else {
-            write!(f, "{number}")
+            write!(f, "{}", self.0)
         }
     }
 }

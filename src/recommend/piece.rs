@@ -60,7 +60,7 @@ impl Piece {
     /// Checks the samples each by itself and against the one before, as a simulator does.
     pub fn new(options: &Options, samples: &[FlightSample]) -> Result<Self, Refusal> {
         options.validate()?;
-        check_integer("count", samples.len(), MIN_SAMPLES as i64, MAX_SAMPLES as i64)?;
+        check_integer("count", samples.len(), MIN_SAMPLES as u64, MAX_SAMPLES as u64)?;
         let earth = options.earth();
         let mut intake = Intake::new(earth, options.axes, options.intake)?;
         let mut summary = TruthSummary::default();

@@ -190,7 +190,7 @@ impl FlightPath {
     /// Checks how many times the manoeuvres are flown, as the field `repeat`.
     pub(crate) fn check_repeat(&self, repeat: &'static str) -> Result<(), Error> {
         let most = (MAX_MANOEUVRES / self.manoeuvres.len().max(1)).max(1);
-        check_integer(repeat, self.repeat, 1, most as i64)
+        check_integer(repeat, self.repeat, 1, most as u64)
     }
 
     fn all(&self) -> Result<Vec<Manoeuvre>, Error> {

@@ -67,7 +67,7 @@ impl Numbers for u64 {
     fn load(&mut self, from: &mut Reader<'_>, limit: f64) -> Result<(), Error> {
         let value = from.word()?;
         if value as f64 > limit {
-            return Err(from.refused(value, Rule::Between(0.0, limit)));
+            return Err(from.refused(value, Rule::BetweenIntegers(0, limit as u64)));
         }
         *self = value;
         Ok(())

@@ -68,7 +68,7 @@ impl<'a> Reader<'a> {
     pub fn count(&mut self, most: usize) -> Result<usize, Error> {
         let word = self.word()?;
         if word > most as u64 {
-            return Err(self.refused(word, Rule::Between(0.0, most as f64)));
+            return Err(self.refused(word, Rule::BetweenIntegers(0, most as u64)));
         }
         Ok(word as usize)
     }

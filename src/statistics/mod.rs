@@ -12,7 +12,7 @@ pub use layout::sins_statistics as Statistics;
 pub use meets::{Decision, Verdict};
 pub use radial::RADIAL_ERROR;
 
-use crate::error::{Error, ErrorKind, Rule};
+use crate::error::{Error, check_integer};
 use crate::errors::NavigationErrors;
 use crate::math::nearest_integer;
 use radial::bucket_of;
@@ -151,10 +151,7 @@ impl Statistics {
 }
 
 fn check_runs(runs: u64) -> Result<(), Error> {
-    if runs <= MAX_RUNS.into() {
-        return Ok(());
-    }
-    Err(Error::of(ErrorKind::InvalidArgument, "statistics.runs", runs, Rule::Between(0.0, MAX_RUNS.into())))
+    check_integer("statistics.runs", runs, 0, MAX_RUNS.into())
 }
 
 /// The states and the horizontal radial error in their resolutions, unless one is out of range.

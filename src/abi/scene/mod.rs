@@ -263,7 +263,7 @@ pub unsafe extern "C-unwind" fn sins_scene_write(
     with_scene(scene, |scene| {
         scene.check()?;
         let text = scene.write();
-        check_integer("bytes of the scene's text", text.len(), 0, MAX_TEXT as i64)?;
+        check_integer("bytes of the scene's text", text.len(), 0, MAX_TEXT as u64)?;
         // SAFETY: the host's promise.
         unsafe { put_text(text.as_bytes(), buffer, capacity, needed) }
     })

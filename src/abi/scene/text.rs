@@ -80,7 +80,7 @@ pub unsafe extern "C-unwind" fn sins_scene_set_text(
         // SAFETY: the host's promise.
         let text = unsafe { utf8_of(text, "text")? };
         let refused = |rule| bad_text("text", rule);
-        check_integer("bytes of text", text.len(), 0, MAX_TEXT_VALUE as i64)?;
+        check_integer("bytes of text", text.len(), 0, MAX_TEXT_VALUE as u64)?;
         if text.chars().any(char::is_control) {
             return Err(refused("must not have control characters").into());
         }
