@@ -109,7 +109,7 @@ impl Checkpoint {
 
 /// Description of the order, line by line.
 fn head(given: &Given, plan: &Plan) -> Result<String, Failure> {
-    let Plan { first_run, runs, every, requirements, .. } = plan;
+    let Plan { first_run, runs, every_s, requirements, .. } = plan;
     let scene = Scene { output: Output::default(), ..given.scene.clone() };
     let mut hash = Hash::default();
     // The format Debug has every field, and all digits of a number.
@@ -123,7 +123,7 @@ fn head(given: &Given, plan: &Plan) -> Result<String, Failure> {
     let _ = write!(limits, "{requirements:?}");
     Ok(format!(
         "{MARK}\nversion {}\nscene {:016x}\nseed {}\nfirst run {first_run}\nruns {runs}\nblock {BLOCK}\n\
-         intervals between rows {every}\nbytes of statistics {}\n\
+         seconds between rows {every_s:?}\nbytes of statistics {}\n\
          requirements {:016x}\n\n",
         env!("CARGO_PKG_VERSION"),
         hash.0,

@@ -41,7 +41,7 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
                     }
                     p.source {
                         (study.runs()) ". Flown: " (time_text(study.given.duration_s)) ". A row of statistics each "
-                        (time_text(study.plan.every as f64 * study.given.period_s)) "."
+                        (time_text(study.plan.every_s)) "."
                     }
                     @if !study.results.diverged.is_empty() {
                         p.remark { "Runs that diverged are left out of the statistics from that moment on." }

@@ -38,11 +38,11 @@ pub type Piece = Range<usize>;
 pub struct Plan {
     pub first_run: u64,
     pub runs: u64,
-    /// The samples at which statistics are taken, in order: the first one, each `every` intervals, those at which requirements
+    /// The samples at which statistics are taken, in order: the first one, those nearest to each multiple of `every_s`, those at which requirements
     /// are due, and the last one.
     pub instants: Vec<usize>,
-    /// Number of intervals between two instants.
-    pub every: usize,
+    /// Time between two rows [s].
+    pub every_s: f64,
     pub sources: Vec<ErrorSource>,
     /// The requirements that apply to the flight.
     pub requirements: Vec<Due>,
@@ -67,12 +67,14 @@ impl Due {
 
 impl Plan {
     pub fn new(order: &Order, given: &Given, requirements: Vec<Requirement>) -> Result<Self, Failure> {
-        let intervals = given.count - 1;
-        let every = match order.every {
-            None => (intervals as f64 / ROWS).round().max(1.0),
-            Some(every_s) => (every_s / given.period_s).round(),
+        let intervals = |every: f64| every.round() * given.period_s;
+        let every_s = match order.every {
+            None => intervals(((given.count - 1) as f64 / ROWS).max(1.0)),
+            // Intervals of a log may differ.
+            Some(every_s) if given.flight().is_none() => every_s,
+            Some(every_s) => intervals(every_s / given.period_s),
         };
-        if !(every >= 1.0 && intervals as f64 / every < MOST_ROWS as f64) {
+        if !(every_s > 0.0 && given.duration_s / every_s < MOST_ROWS as f64) {
             let what = format!(
                 "--every {}: expected at least the sample interval, {:.6} s, and at most {MOST_ROWS} rows, so {:.6} s",
                 order.every.unwrap_or_default(),
@@ -81,11 +83,9 @@ impl Plan {
             );
             return Err(Failure::new(what));
         }
-        let every = (every as usize).min(intervals);
-        let mut instants: Vec<usize> = (0..=intervals).step_by(every).collect();
-        if !intervals.is_multiple_of(every) {
-            instants.push(intervals);
-        }
+        let rows = (given.duration_s / every_s) as usize;
+        let mut instants: Vec<usize> = (0..=rows).map(|row| given.index_at(row as f64 * every_s)).collect();
+        instants.push(given.count - 1);
         let requirements = due(given, requirements)?;
         instants.extend(requirements.iter().map(|due| due.index));
         instants.sort_unstable();
@@ -102,7 +102,7 @@ impl Plan {
             );
             return Err(Failure::new(what));
         }
-        Ok(Self { first_run, runs: order.runs, instants, every, sources, requirements })
+        Ok(Self { first_run, runs: order.runs, instants, every_s, sources, requirements })
     }
 
     pub fn blocks(&self) -> usize {

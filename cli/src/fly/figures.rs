@@ -29,13 +29,12 @@ impl<'a> Figures<'a> {
     pub fn gather(
         given: &'a Given,
         name: &'a str,
-        every: u64,
+        every_s: f64,
         flown: &'a Flown,
         is_interrupted: bool,
     ) -> Result<Self, Failure> {
         let none = || Failure::of_kind(Kind::Failed, "no interval was flown");
         let (accuracy, closure, trim) = flown.accuracy.ok_or_else(none)?;
-        let every_s = every as f64 * given.period_s;
         Ok(Self { given, name, flown, accuracy, closure, trim, every_s, is_interrupted })
     }
 

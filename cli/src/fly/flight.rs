@@ -13,6 +13,7 @@ use sins::unit::{State, Status, UnitNavigation, Validity};
 use sins::{ClosureFigures, Error, ErrorSource, ImuInterval, Simulator, Solution, TrimFigures};
 
 use super::imu;
+use super::spacing::Spacing;
 use super::unit::UnitInFlight;
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
@@ -71,15 +72,15 @@ impl SensorSum {
     }
 }
 
-/// Flies all of `given`, with a record after every `every` intervals. After an error or a request to stop, the files and the results
+/// Flies all of `given`. After an error or a request to stop, the files and the results
 /// are those up to then.
 pub fn fly(
     given: &Given,
-    every: u64,
+    spacing: Spacing,
     files: Files,
     quiet: bool,
 ) -> Result<(Files, Flown, Result<(), Failure>), Failure> {
-    let mut flight = InFlight::new(&given.scene, every, given.start_s, files)?;
+    let mut flight = InFlight::new(&given.scene, spacing, given.start_s, files)?;
     let ended = flight.fly(given, quiet);
     let (files, flown) = flight.end()?;
     Ok((files, flown, ended))
@@ -117,8 +118,8 @@ pub struct Shown {
 pub struct InFlight<'a> {
     scene: &'a Scene,
     simulator: Box<[Simulator; 1]>,
-    /// Intervals from one record to the next.
-    every: u64,
+    /// When records are due.
+    spacing: Spacing,
     /// Time stamp of the first sample [s].
     start_s: f64,
     files: Files,
@@ -130,13 +131,13 @@ pub struct InFlight<'a> {
 
 impl<'a> InFlight<'a> {
     /// A flight whose first sample is at `start_s` [s].
-    pub fn new(scene: &'a Scene, every: u64, start_s: f64, mut files: Files) -> Result<Self, Failure> {
+    pub fn new(scene: &'a Scene, spacing: Spacing, start_s: f64, mut files: Files) -> Result<Self, Failure> {
         write_line(&mut files.records, &records::head(scene.options.covariance))?;
         if let Some(file) = &mut files.imu {
             write_line(file, &imu::COLUMNS.join(","))?;
         }
         let (simulator, flown, sensor_errors) = (scene.simulator()?, Flown::default(), SensorSum::default());
-        Ok(Self { scene, simulator, every, start_s, files, flown, sensor_errors, is_recorded: [true; 2] })
+        Ok(Self { scene, simulator, spacing, start_s, files, flown, sensor_errors, is_recorded: [true; 2] })
     }
 
     /// What the INS shows after the last interval. Without a unit, it navigates.
@@ -223,7 +224,7 @@ impl<'a> InFlight<'a> {
             let written = imu::write_rows(file, simulator, interval.time_s);
             written.map_err(|error| Failure::of_output(file.path(), &error))?;
         }
-        let is_due = simulator.intervals().is_multiple_of(self.every);
+        let is_due = self.spacing.take(interval.time_s - self.start_s, interval.interval_s);
         if let Some(unit) = &mut self.files.unit {
             unit.update(self.scene, simulator, self.start_s)?;
             let words = unit.send(simulator, &interval)?;

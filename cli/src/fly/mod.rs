@@ -29,6 +29,7 @@ pub use bus::line as bus_line;
 pub use figures::Figures;
 pub use flight::{Files, InFlight, Shown, Stopped};
 pub use print::text;
+pub use spacing::Spacing;
 pub use summary::MARK;
 pub use unit::{COLUMNS as UNIT_COLUMNS, UnitInFlight};
 
@@ -62,7 +63,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let (folder, name) = order.output.places(&given)?;
     let imu = order.imu.as_ref().or(Some(&given.scene.output.imu).filter(|imu| !imu.is_empty()));
     let imu = imu.map(|file| below(&folder, file, "output.imu", "--imu")).transpose()?;
-    let every = spacing::intervals(&given)?;
+    let spacing = Spacing::of(&given)?;
     let mut outputs = Outputs::new(&given.inputs, order.output.force);
     // The outputs are opened before the flight, so that one that cannot be written is reported at once.
     outputs.folder(&folder)?;
@@ -83,13 +84,13 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     };
     let quiet = order.output.is_quiet(&given);
     interrupt::graceful(true);
-    let (files, flown, ended) = flight::fly(&given, every, files, quiet)?;
+    let (files, flown, ended) = flight::fly(&given, spacing, files, quiet)?;
     if let Err(failure) = &ended
         && (failure.kind() == Kind::Input || flown.records == 0)
     {
         return ended.map(|_| ());
     }
-    let figures = Figures::gather(&given, &name, every, &flown, ended.is_err());
+    let figures = Figures::gather(&given, &name, spacing.every_s, &flown, ended.is_err());
     let finished = figures.and_then(|figures| {
         finish(&figures, files, summary_file)?;
         if quiet { Ok(()) } else { print(&text(&figures, &file(".csv"))) }
@@ -105,7 +106,7 @@ pub fn check(given: &Given) -> Result<(), Failure> {
     if !output.imu.is_empty() {
         below(&folder, &output.imu, "output.imu", "--imu")?;
     }
-    spacing::intervals(given)?;
+    Spacing::of(given)?;
     let [mut simulator] = *given.scene.simulator()?;
     let mut fly = |index| {
         let mut sample = given.sample(index)?;

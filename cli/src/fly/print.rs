@@ -58,15 +58,11 @@ fn setting(figures: &Figures, records: &Path) -> String {
             figures.ns_per_step(),
         ),
     );
-    let every = match (figures.every_s / given.period_s).round() {
-        // The intervals of a log may differ.
-        samples if figures.scene().is_log() && samples > 1.0 => format!("{samples} samples"),
-        _ => format!("{} s", six_digits(figures.every_s)),
-    };
+    let every = six_digits(figures.every_s);
     for (_, value, unit, label, time_s) in figures.truth() {
         line("truth", format!("{label} {} {unit}, at {} s", six_digits(value), six_digits(time_s)));
     }
-    line("records", format!("{}, one each {every}, in {}", flown.records, records.display()));
+    line("records", format!("{}, one each {every} s, in {}", flown.records, records.display()));
     text
 }
 

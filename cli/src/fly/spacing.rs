@@ -3,8 +3,56 @@
 use crate::failure::Failure;
 use crate::given::Given;
 
-/// Intervals from one record to the next.
-pub fn intervals(given: &Given) -> Result<u64, Failure> {
-    let every = given.scene.record_every(given.count, given.period_s);
-    every.map_err(|error| Failure::new(format!("{}: {error}", given.origin)))
+/// Records at the first sample from each multiple of a time on. Intervals of a log may differ.
+#[derive(Debug, Clone, Copy)]
+pub struct Spacing {
+    /// Time from one record to the next [s].
+    pub every_s: f64,
+    /// Time of the next record since the start of the flight [s].
+    next_s: f64,
+}
+
+impl Spacing {
+    pub fn new(every_s: f64) -> Self {
+        Self { every_s, next_s: every_s }
+    }
+
+    /// That of the scene, else the one for about 2000 records.
+    pub fn of(given: &Given) -> Result<Self, Failure> {
+        if let (Some(every_s), None) = (given.scene.output.every_s, given.flight()) {
+            return Ok(Self::new(every_s));
+        }
+        let every = given.scene.record_every(given.count, given.period_s);
+        let every = every.map_err(|error| Failure::new(format!("{}: {error}", given.origin)))?;
+        Ok(Self::new(every as f64 * given.period_s))
+    }
+
+    /// Whether the interval of `interval_s` [s] that ends at `time_s` [s] since the start has a record.
+    pub fn take(&mut self, time_s: f64, interval_s: f64) -> bool {
+        // Stamps of a log are rounded.
+        let latest_s = time_s + 0.1 * interval_s;
+        let is_due = latest_s >= self.next_s;
+        if is_due {
+            self.next_s = self.every_s * ((latest_s / self.every_s).floor() + 1.0);
+        }
+        is_due
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn records_are_at_the_samples_from_their_times_on() {
+        let uneven = [1.0, 2.0, 3.0, 4.0, 4.1, 4.2, 4.3, 4.4, 4.6, 5.0, 9.0, 9.5, 10.0];
+        let mut spacing = Spacing::new(1.5);
+        let mut last_s = 0.0;
+        let due = |time_s: &f64| {
+            let interval_s = time_s - std::mem::replace(&mut last_s, *time_s);
+            spacing.take(*time_s, interval_s)
+        };
+        let found: Vec<f64> = uneven.into_iter().filter(due).collect();
+        assert_eq!(found, [2.0, 3.0, 4.6, 9.0]);
+    }
 }

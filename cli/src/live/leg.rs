@@ -10,7 +10,9 @@ use sins::truth::FlightSample;
 use sins::unit::Unit;
 
 use crate::failure::Failure;
-use crate::fly::{Figures, Files, InFlight, MARK, Stopped, UNIT_COLUMNS, UnitInFlight, finish, text};
+use crate::fly::{
+    Figures, Files, InFlight, MARK, Spacing, Stopped, UNIT_COLUMNS, UnitInFlight, finish, text,
+};
 use crate::given::Given;
 use crate::output::{OutputFile, Outputs};
 use crate::places::below;
@@ -95,10 +97,9 @@ pub struct Leg<'a> {
     records: PathBuf,
     summary: OutputFile,
     log: Option<Log>,
-    every: u64,
+    spacing: Spacing,
     first: FlightSample,
     last: FlightSample,
-    /// Before the second sample the spacing of the records is not known.
     state: State<'a>,
 }
 
@@ -116,7 +117,8 @@ impl<'a> Leg<'a> {
             log.sample(&first)?;
         }
         let state = State::Begun(Some(Box::new(files)));
-        Ok(Self { given, name, records, summary, log, every: 1, first, last: first, state })
+        let spacing = Spacing::new(given.scene.output.every_s.unwrap_or(EVERY_S));
+        Ok(Self { given, name, records, summary, log, spacing, first, last: first, state })
     }
 
     /// Flies the interval that `sample` ends.
@@ -125,9 +127,7 @@ impl<'a> Leg<'a> {
             && let Some(files) = files.take()
         {
             let scene = &self.given.scene;
-            let first_s = sample.time_s - self.first.time_s;
-            self.every = (scene.output.every_s.unwrap_or(EVERY_S) / first_s).round().max(1.0) as u64;
-            let mut flight = InFlight::new(scene, self.every, self.first.time_s, *files)?;
+            let mut flight = InFlight::new(scene, self.spacing, self.first.time_s, *files)?;
             flight.begin(self.first)?;
             self.state = State::Flying(Box::new(flight));
         }
@@ -164,7 +164,7 @@ impl<'a> Leg<'a> {
 
     /// Puts the files in place. Returns the path of the records and the summary in words; `None`: nothing was flown.
     pub fn end(self) -> Result<Option<(PathBuf, String)>, Failure> {
-        let (given, every) = (self.given, self.every);
+        let (given, every_s) = (self.given, self.spacing.every_s);
         let State::Flying(mut flight) = self.state else { return Ok(None) };
         match flight.record_last() {
             Err(Stopped::Output(failure)) => return Err(failure),
@@ -181,9 +181,9 @@ impl<'a> Leg<'a> {
             Samples { count: flown.steps as usize + 1, start_s: self.first.time_s, period_s, duration_s };
         let given = given.with_samples(&samples);
         if let Some(log) = self.log {
-            log.commit(&given, every)?;
+            log.commit(&given, every_s)?;
         }
-        let figures = Figures::gather(&given, &self.name, every, &flown, false)?;
+        let figures = Figures::gather(&given, &self.name, every_s, &flown, false)?;
         finish(&figures, files, self.summary)?;
         let words = text(&figures, &self.records);
         Ok(Some((self.records, words)))
@@ -205,10 +205,10 @@ impl Log {
     }
 
     /// Writes the scene: that of the flight, with its log and the spacing of its records.
-    fn commit(self, given: &Given, every: u64) -> Result<(), Failure> {
+    fn commit(self, given: &Given, every_s: f64) -> Result<(), Failure> {
         let mut scene = given.scene.clone();
         scene.flight = FlightSource::Log(format!("{}.csv", self.stem));
-        scene.output.every_s = Some(every as f64 * given.period_s);
+        scene.output.every_s = Some(every_s);
         scene.output.name = format!("{}_replay", self.stem);
         self.file.commit()?;
         self.scene.finish(format!("{SCENE_MARK}\n\n{}", scene.write()))

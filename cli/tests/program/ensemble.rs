@@ -118,7 +118,7 @@ fn a_checkpoint_that_is_damaged_or_foreign_is_rejected() {
         (&["--set", "options.seed=7"][..], "is that of another command: it has \"scene "),
         (&["--set", "gyro.bias_sigma_deg_h=0.02"], "is that of another command: it has \"scene "),
         (&["--first-run", "3"], "\"first run 0\" where this command has \"first run 3\""),
-        (&["--every", "9"], "\"intervals between rows "),
+        (&["--every", "9"], "\"seconds between rows "),
         (&["--meets", "rnp10"], "it has \"requirements "),
     ] {
         let errors = rejected(&folder, &[&again[..], more].concat());
