@@ -2533,7 +2533,7 @@ typedef struct sins_budget {
     uint32_t struct_size;
     /** 0 */
     uint32_t reserved;
-    /** Duration of the evaluation: from the end of the first interval to the end of the last [s]. */
+    /** Time from the first sample to the end of the last interval [s]. */
     double duration_s;
     /** Number of runs with all effects together; 1 if nothing is random. */
     uint64_t runs;

@@ -173,7 +173,11 @@ impl Rules {
             return Err(Failure::of_file(path, &what));
         }
         if !self.force && metadata.len() > 0 && !is_own(path, mark) {
-            let what = "exists already, and this program did not write it; --force replaces it";
+            // A file without a mark, such as a scene, is edited by users.
+            let what = match mark {
+                "" => "exists already; --force replaces it",
+                _ => "exists already, and this program did not write it; --force replaces it",
+            };
             return Err(Failure::of_file(path, &what));
         }
         Ok(())

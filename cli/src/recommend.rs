@@ -20,7 +20,8 @@ use crate::units::{brief_parts, time_text, two_digits};
 /// Finds the cheapest options that meet a required accuracy
 ///
 /// Flies the scene with each algorithm, cheapest first, and compares it with a reference of known uncertainty. The
-/// limits are those of the errors that the algorithm itself causes, at any time. Options and mounting are those of the scene.
+/// limits are those of the errors that the algorithm itself causes, at any time; that of the attitude is relative to the Earth, so it is
+/// no misalignment relative to north and east at the navigated place. Options and mounting are those of the scene.
 /// Sensor errors, also those of --preset, do not matter.
 #[derive(Debug, clap::Args)]
 pub struct Order {
@@ -31,7 +32,7 @@ pub struct Order {
     /// Duration for which the accuracy is required [default: the whole scene]
     #[arg(long)]
     pub hours: Option<f64>,
-    /// Start of the piece that is flown
+    /// Start of the piece that is flown, since the first sample
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0)]
     pub from: f64,
     /// Length of the piece that is flown; it must contain the hardest motion of the scene [default: the whole scene, or the hardest parts of a long one]
@@ -242,23 +243,28 @@ fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> Result<String, Fail
 fn text(given: &Given, answer: &Recommendation, judged: &str) -> String {
     let Motion { rate_max, force_max, vibration_max } = answer.motion;
     let scheme = answer.rung.scheme.word();
+    let since = |time_s: f64| (time_s - given.start_s).max(0.0);
     format!(
         "# {}: {}\n[options]\nscheme = \"{scheme}\"\nsubsamples = {}\nupdates_per_sample = {}\n\n\
          {judged}\n  largest rate {} deg/s at {:.6} s, specific force {} m/s2 at {:.6} s, vibration {} deg/s2 at {:.6} s\n\
-         error within {}: {}\n  of which uncertainty of the reference: {}\n{} algorithms were tried\n",
+         error within {}: {}\n  of which uncertainty of the reference: {}\n{} tried\n",
         given.origin,
         given.title,
         answer.rung.subsamples,
         answer.rung.updates_per_sample,
         two_digits(rate_max.value.to_degrees()),
-        rate_max.time_s,
+        since(rate_max.time_s),
         two_digits(force_max.value),
-        force_max.time_s,
+        since(force_max.time_s),
         two_digits(vibration_max.value.to_degrees()),
-        vibration_max.time_s,
+        since(vibration_max.time_s),
         time_text(answer.duration_s),
         brief_parts(answer.predicted.parts()),
         brief_parts(answer.uncertainty.parts()),
-        answer.tried,
+        if answer.tried == 1 {
+            "1 algorithm was".to_owned()
+        } else {
+            format!("{} algorithms were", answer.tried)
+        },
     )
 }

@@ -1,9 +1,9 @@
 //! `sins scene` and `sins keys`: scenes as texts.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use sins::scene::{BUILTIN_SCENES, KeyLine, builtin, keys, keys_text};
+use sins::scene::{BUILTIN_SCENES, FlightSource, KeyLine, builtin, keys, keys_text};
 
 use crate::failure::Failure;
 use crate::fly::{self, FOR_LOGS};
@@ -52,7 +52,17 @@ pub fn run(order: &Order) -> Result<(), Failure> {
                 let what = format!("{}: is a flight log, not a scene", scene.display());
                 return Err(Failure::new(what));
             }
-            let text = read_scene(scene, settings)?.write();
+            let mut scene_in = read_scene(scene, settings)?;
+            let folder = |path: &Path| path.parent().map(Path::to_owned).unwrap_or_default();
+            if let (FlightSource::Log(file), Some(path)) = (&mut scene_in.flight, output)
+                && Path::new(file.as_str()).is_relative()
+                && folder(path) != folder(Path::new(scene))
+            {
+                // The name of a log is relative to the scene.
+                let log = folder(Path::new(scene)).join(file.as_str());
+                *file = std::path::absolute(&log).unwrap_or(log).to_string_lossy().into_owned();
+            }
+            let text = scene_in.write();
             match output {
                 // Users edit scenes, so an existing scene is replaced only with --force.
                 Some(path) => Outputs::new(&[PathBuf::from(scene)], *force).write(path, "", &text),

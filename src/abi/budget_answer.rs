@@ -60,7 +60,7 @@ pub struct sins_budget {
     pub struct_size: u32,
     /// 0
     pub reserved: u32,
-    /// Duration of the evaluation: from the end of the first interval to the end of the last [s].
+    /// Time from the first sample to the end of the last interval [s].
     pub duration_s: f64,
     /// Number of runs with all effects together; 1 if nothing is random.
     pub runs: u64,

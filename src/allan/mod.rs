@@ -84,19 +84,25 @@ impl Estimator {
 
     /// Variances and coefficients of a record; `increments` as for [`Self::variances`].
     ///
-    /// A record without noise is rejected: all its increments are equal, or a variance is not from 1e-70 to 1e70.
+    /// A record without noise is rejected: all its increments but two are equal, or a variance is not from 1e-70 to 1e70.
     pub fn estimate(&self, increments: &[f64]) -> Result<Estimate, Error> {
         let variances = self.variances(increments)?;
         // Equal increments can have a variance above 0: subtracting their mean leaves rounding errors.
-        let first = increments[0];
-        if increments.iter().all(|increment| *increment == first) {
+        // All but one or two may be equal: the first and the last value of a record.
+        if increments.iter().filter(|increment| **increment != increments[increments.len() / 2]).count() <= 2
+        {
             return Err(Error::invalid(
                 "increments",
-                first,
+                increments[increments.len() / 2],
                 Rule::Sentence("expected noise, found this value throughout"),
             ));
         }
-        check_ranges("allan_variance", &variances, VARIANCES.0, VARIANCES.1)?;
+        if let Some(variance) =
+            variances.iter().find(|variance| !(VARIANCES.0..=VARIANCES.1).contains(*variance))
+        {
+            let rule = Rule::Sentence("expected noise: a variance must be from 1e-70 to 1e70");
+            return Err(Error::invalid("Allan variance", *variance, rule));
+        }
         let fit = Fit::new(&self.taus_s, &variances, &self.covariance);
         let point = |(i, (&tau_s, &variance)): (usize, (&f64, &f64))| {
             let degrees = interval::degrees_of_freedom(&fit, &self.covariance, i, tau_s);

@@ -71,7 +71,7 @@ const MISALIGNMENT: usize = 6;
 /// The errors of a flight, navigation minus truth, at the instants of its scene.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Track {
-    /// Time from the first instant to the last [s].
+    /// Time from the first sample to the last instant [s].
     pub span_s: f64,
     pub errors: Vec<Deviation>,
 }
@@ -100,13 +100,13 @@ pub(super) fn fly(
     let mut memory = parameters.simulator(&Options { key, error_model, covariance, ..*options })?;
     let instants = scene.instants();
     let mut track = Track { span_s: 0.0, errors: room(instants)? };
-    let mut start_s = None;
+    let start_s = (scene.sample)(0).map_err(|error| Refusal { error, sample: Some(0), piece: 0 })?.time_s;
     fly_looking(&mut memory[0], scene.samples(), |index, simulator| {
         if track.errors.len() < instants
             && index == scene.instant(track.errors.len())
             && let Some((time_s, deviation)) = look.at(simulator)?
         {
-            track.span_s = time_s - *start_s.get_or_insert(time_s);
+            track.span_s = time_s - start_s;
             track.errors.push(deviation);
         }
         Ok(ControlFlow::Continue(()))

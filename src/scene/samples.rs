@@ -43,6 +43,12 @@ impl Scene {
     fn samples_of_log(&self, log: &FlightLog) -> Result<Samples, Error> {
         let start_s = log.samples()[0].time_s;
         let wanted_s = self.duration_s.unwrap_or(f64::INFINITY) * (1.0 + ROUNDING);
+        if let Some(duration_s) = self.duration_s
+            && duration_s > log.duration_s() * (1.0 + ROUNDING)
+        {
+            let rule = Rule::AtMost("must be at most the duration of the log:", log.duration_s().into());
+            return Err(Error::invalid("flight.duration_s", duration_s, rule));
+        }
         let count = log.samples().iter().take_while(|sample| sample.time_s - start_s <= wanted_s).count();
         if count < 2 {
             let rule = Rule::Sentence("the log has no second sample within this time");

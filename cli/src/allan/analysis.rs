@@ -8,6 +8,7 @@ use super::quantity::Sensor;
 use crate::drawing::series::mean;
 use crate::failure::Failure;
 use crate::progress::Progress;
+use crate::terminal::say;
 use crate::units::significant;
 
 /// Confidence of all intervals.
@@ -73,7 +74,14 @@ impl Analysis {
             progress.count();
             analysis
         };
-        log.series.iter().map(analysis).collect()
+        let (good, bad): (Vec<_>, Vec<_>) = log.series.iter().map(analysis).partition(Result::is_ok);
+        let refused = bad.into_iter().filter_map(Result::err);
+        if good.is_empty() {
+            return Err(Failure::all(refused.collect()));
+        }
+        // A sensor without noise does not hide the others.
+        refused.for_each(|failure| say(&format!("left out: {failure}")));
+        good.into_iter().collect()
     }
 
     fn of_series(series: &Series, estimator: &Estimator) -> Result<Self, Failure> {

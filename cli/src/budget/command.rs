@@ -24,8 +24,8 @@ preset = \"navigation\"
 /// Writes into DIR: budget.html; SCENE.svg; budget.csv, a row for each effect; table.md, which it also prints. Errors of
 /// sensors, altimeter, start, mounting and gravity are those that the scene sets; failures and updates are not flown.
 ///
-/// With limits it also finds the effects that can be left out: without all of them together, no error changes by more than its
-/// limit at any time.
+/// With limits it also finds the effects that can be left out: without all of them together, the root mean square over the runs of
+/// the change of each error is within its limit at any time. Single runs change by more.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// Built-in scenes, files SCENE.toml, or flight logs LOG.csv; logs are flown with sensors of navigation grade
@@ -36,7 +36,7 @@ pub struct Order {
     /// Folder of all outputs
     #[arg(short, long, value_name = "DIR", default_value = "sins_out/budget")]
     pub out: PathBuf,
-    /// Hours of each scene to fly, at most
+    /// Hours of each scene or log to fly, at most
     #[arg(long, default_value_t = 1.0)]
     pub hours: f64,
     /// Number of runs with all effects together, if any effect is random, 8 to 1000

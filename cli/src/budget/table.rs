@@ -94,7 +94,7 @@ pub fn remark(survey: &Survey) -> String {
     if budget.rows.iter().any(|row| row.can_be_left_out) {
         let left_out = brief_parts(budget.left_out.parts());
         text += &format!(
-            " In flights without the effects that can be left out, the errors change by {left_out}."
+            " In flights without the effects that can be left out, the errors change by {left_out} (root mean square over the runs)."
         );
     }
     text

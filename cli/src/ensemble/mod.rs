@@ -85,6 +85,9 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     if !quiet {
         terminal::print(&print::text(&study, &judged, &flown, threads, &file(".html")))?;
     }
+    if results.diverged.len() as u64 == plan.runs {
+        return Err(Failure::of_kind(Kind::Failed, "every run diverged before the end"));
+    }
     verdict::failure(&judged).map_or(Ok(()), Err)
 }
 

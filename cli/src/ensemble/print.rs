@@ -15,13 +15,21 @@ pub fn text(study: &Study, judged: &[Judged], flown: &Flown, threads: usize, pag
     let mut text =
         format!("{}: {}\n  {}; {}\n\n", study.name, given.title, study.runs(), time_text(given.duration_s));
     text += &format!("  {:<30}{:>12}{:>12}{:>12}\n", "at the end", "east", "north", "up");
-    if let Some(row) = study.end(ErrorSource::Navigation) {
+    if let Some(row) = study.end(ErrorSource::Navigation)
+        && row.good() == 0
+    {
+        text += "  none: no run reached the end\n";
+    } else if let Some(row) = study.end(ErrorSource::Navigation) {
+        let is_one = row.good() == 1;
         let figures = &row.figures;
         for quantity in &QUANTITIES {
             let part = quantity.first..quantity.first + study.axes(quantity);
             let largest = row.rms()[part.clone()].iter().copied().fold(0.0, f64::max);
             let unit = usual(largest, quantity.family);
             for (what, values) in [("mean", row.mean()), ("1 sigma", row.sigma()), ("RMS", row.rms())] {
+                if is_one && what != "mean" {
+                    continue; // one run has no scatter
+                }
                 let values = &values[part.clone()];
                 let head = format!("{} {what} [{}]", quantity.name, unit.name);
                 let numbers: String = values
@@ -34,8 +42,10 @@ pub fn text(study: &Study, judged: &[Judged], flown: &Flown, threads: usize, pag
         let [cep50, r95, largest] =
             [figures.cep50_m, figures.r95_m, figures.largest_radial_m].map(|size| brief(size, LENGTH));
         text += &format!("  horizontal position error: CEP50 {cep50}, R95 {r95}, largest {largest}\n");
-        let [along, cross] = [0, 1].map(|axis| with_unit(row.track_sigma()[axis], LENGTH));
-        text += &format!("  1 sigma along the track {along}, across the track {cross}\n");
+        if !is_one {
+            let [along, cross] = [0, 1].map(|axis| with_unit(row.track_sigma()[axis], LENGTH));
+            text += &format!("  1 sigma along the track {along}, across the track {cross}\n");
+        }
     }
     text += &verdict::text(judged);
     if flown.steps > 0 {

@@ -31,6 +31,11 @@ pub struct Row {
 }
 
 impl Row {
+    /// Number of runs that the figures are of.
+    pub fn good(&self) -> u64 {
+        self.figures.runs - self.figures.diverged - self.figures.out_of_range
+    }
+
     pub fn mean(&self) -> State {
         self.figures.mean.into()
     }
@@ -93,11 +98,15 @@ pub fn statistics(rows: &[Row]) -> String {
         let counts = [figures.runs, figures.diverged, figures.out_of_range].map(|count| count.to_string());
         text += &format!("{:.6},{data},{}", row.time_s, counts.join(","));
         let radial = [figures.cep50_m, figures.r95_m, figures.largest_radial_m];
-        let numbers = [row.mean(), row.sigma(), row.rms()].into_iter().flatten();
-        for value in numbers.chain([row.east_north()]).chain(radial) {
-            text += ",";
-            text += &scientific(value);
-        }
+        // Of no run there are no figures, and of one run no scatter.
+        let of = |values: &[f64], least: u64| -> String {
+            let number = |value: &f64| {
+                if row.good() < least { ",".to_owned() } else { format!(",{}", scientific(*value)) }
+            };
+            values.iter().map(number).collect()
+        };
+        text += &(of(&row.mean(), 1) + &of(&row.sigma(), 2) + &of(&row.rms(), 1));
+        text += &(of(&[row.east_north()], 2) + &of(&radial, 1));
         text += "\n";
     }
     text

@@ -36,6 +36,8 @@ pub struct Files {
 #[derive(Debug, Default)]
 pub struct Flown {
     pub records: u64,
+    /// Records so near a pole that velocity and misalignment have no east and north.
+    pub near_pole: u64,
     pub steps: u64,
     /// Time that the steps took [s].
     pub seconds: f64,
@@ -48,6 +50,13 @@ pub struct Flown {
     pub states: Vec<(f64, State)>,
     /// Summary of the true motion, if the scene requests it.
     pub truth: Option<TruthSummary>,
+}
+
+impl Flown {
+    /// Whether velocity and misalignment have figures.
+    pub fn has_axes(&self) -> bool {
+        self.near_pole < self.records
+    }
 }
 
 /// Errors of the sensors since the last record: integrals [rad], [m/s], and the time of integration [s].
@@ -306,7 +315,7 @@ fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(),
         raise(&mut flown.largest_difference[0], (model.position - errors.position).norm());
     }
     if errors.flags & NEAR_POLE != 0 {
-        // East, north and up misalignment have no meaning near a pole.
+        flown.near_pole += 1;
         return Ok(());
     }
     raise(&mut flown.largest[1], errors.velocity.norm());

@@ -80,7 +80,9 @@ fn closure(figures: &Figures) -> String {
     axes("velocity [m/s]", &closure.velocity_n, 3);
     axes("  caused by the truth", &closure.host_velocity_n, 2);
     axes("  caused by sensors, simulator", &(closure.velocity_n - closure.host_velocity_n), 2);
-    axes("rms velocity error [m/s]", &figures.accuracy.velocity_rms_n, 3);
+    if figures.flown.has_axes() {
+        axes("rms velocity error [m/s]", &figures.accuracy.velocity_rms_n, 3);
+    }
     let trim = &figures.trim;
     if figures.scene().options.closed_loop_time_s.is_some() {
         text += &format!(
@@ -116,13 +118,21 @@ fn accuracy(figures: &Figures) -> String {
         }
     }
     line("largest |position error| of the records", flown.largest[0], "m");
-    line("largest |velocity error| of the records", flown.largest[1], "m/s");
-    line("largest |misalignment| of the records", flown.largest[2] / ARCMIN, "arcmin");
+    if flown.has_axes() {
+        line("largest |velocity error| of the records", flown.largest[1], "m/s");
+        line("largest |misalignment| of the records", flown.largest[2] / ARCMIN, "arcmin");
+    }
     if figures.scene().options.error_model {
         let what = "largest |error data 1 - error data 2| of the records, position";
         line(what, flown.largest_difference[0], "m");
         let what = "largest |error data 1 - error data 2| of the records, velocity";
         line(what, flown.largest_difference[1], "m/s");
+    }
+    if flown.near_pole > 0 {
+        text += &format!(
+            "  {} of {} records are near a pole: they are not in the figures of velocity and misalignment\n",
+            flown.near_pole, flown.records
+        );
     }
     if !figures.has_rates() {
         let from_s = accuracy.window_start_s;

@@ -162,10 +162,14 @@ fn accuracy(figures: &Figures, rows: &mut Rows) {
     }
     let label = "error rates and growth are evaluated from this time on";
     rows.number("window_start_s", accuracy.window_start_s, "s", label);
-    rows.axes("velocity_rms_{}_m_s", "m/s", &accuracy.velocity_rms_n, "rms velocity error");
     rows.number("max_position_m", flown.largest[0], "m", "largest position error");
-    rows.number("max_velocity_m_s", flown.largest[1], "m/s", "largest velocity error");
-    rows.number("max_misalignment_rad", flown.largest[2], "rad", "largest misalignment");
+    if flown.has_axes() {
+        rows.axes("velocity_rms_{}_m_s", "m/s", &accuracy.velocity_rms_n, "rms velocity error");
+        rows.number("max_velocity_m_s", flown.largest[1], "m/s", "largest velocity error");
+        rows.number("max_misalignment_rad", flown.largest[2], "rad", "largest misalignment");
+    }
+    let label = "records near a pole, which are not in the figures of velocity and misalignment";
+    rows.whole("records_near_pole", flown.near_pole, label);
     for (key, value, unit, label) in [
         (
             "max_model_difference_position_m",
