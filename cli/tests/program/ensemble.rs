@@ -357,3 +357,29 @@ fn a_requirement_that_does_not_fit_is_rejected() {
     }
     assert!(rejected(&folder, &order(&["--meets", "rnp"])).contains("did you mean rnp10?"));
 }
+
+/// Of runs that all diverged there are no figures, of one run there is no scatter.
+#[test]
+fn figures_that_do_not_exist_are_empty() {
+    let folder = folder("no_figures");
+    let falling = ["--set", "options.vertical=free", "--set", "accelerometer.bias_sigma_micro_g=1000000"];
+    let ensemble = |runs: &str, hours: &str, more: &[&str]| {
+        let hours = format!("flight.hours={hours}");
+        let scene = ["ensemble", "rest", "--runs", runs, "--set", "flight.rate_hz=1", "--set", &hours];
+        let ended = run(&folder, &[&scene[..], more].concat());
+        let rows = read(folder.join("sins_out/rest_ensemble.csv"));
+        (ended, rows.lines().last().unwrap().split(',').map(str::to_owned).collect::<Vec<_>>())
+    };
+    let ((code, said, errors), row) = ensemble("3", "3", &falling);
+    assert_eq!((code, errors.as_str()), (1, "every run diverged before the end\n"));
+    assert!(said.contains("\n  none: no run reached the end\n"), "{said}");
+    assert_eq!(row[..5], ["10800.000000", "2", "3", "3", "0"]);
+    assert!(row.len() == 36 && row[5..].iter().all(String::is_empty), "{row:?}");
+    let ((code, said, _), row) = ensemble("1", "0.1", &["--preset", "tactical"]);
+    assert!(code == 0 && said.contains("position mean") && !said.contains("1 sigma"), "{said}");
+    let is_empty = |column: usize| row[column].is_empty();
+    assert!(
+        (5..36).all(|column| is_empty(column) == ((14..23).contains(&column) || column == 32)),
+        "{row:?}"
+    );
+}

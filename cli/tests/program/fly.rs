@@ -1,6 +1,6 @@
 //! `sins fly`, `sins scene`, `sins keys`, `sins recommend`: the first commands of a new user.
 
-use crate::support::{done, folder, names, numbers, project_file, read, rejected, run};
+use crate::support::{done, folder, log, names, numbers, project_file, read, rejected, run, with_log};
 
 /// The value of a row of a summary.
 fn figure(summary: &str, key: &str) -> String {
@@ -247,6 +247,20 @@ fn a_piece_of_an_uneven_log_is_found_by_its_time_stamps() {
     let rest = recommend(&["--from", "20", "--piece", "30"]);
     let verdict = "judged by 30.000000 s from 20.000000 s, of 65.000000 s: may not hold elsewhere, with a larger rate at 6";
     assert!(rest.contains(verdict), "{rest}");
+    // So are its records, and the rows of an ensemble.
+    let fly = ["fly", "log.csv", "--preset", "tactical", "--set", "output.every_s=5"];
+    assert!(done(&folder, &fly).contains("  records         14, one each 5 s, in "));
+    done(&folder, &["ensemble", "log.csv", "--runs", "2", "--every", "5"]);
+    let multiples: Vec<f64> = (0..=13).map(|k| 5.0 * f64::from(k)).collect();
+    for name in ["log.csv", "log_ensemble.csv"] {
+        let (_, rows) = numbers(&folder.join("sins_out").join(name));
+        assert_eq!(rows.iter().map(|row| row[0]).collect::<Vec<_>>(), multiples, "{name}");
+    }
+    let errors = rejected(&folder, &["fly", "log.csv", "--set", "flight.hours=5"]);
+    assert!(
+        errors.contains("flight.duration_s = 18000: must be at most the duration of the log: 65"),
+        "{errors}"
+    );
     let errors = rejected(&folder, &["recommend", "log.csv", "--position", "1", "--from", "-5"]);
     assert_eq!(errors, "--from -5: the piece must begin in the scene; it lasts 65.000000 s\n");
 }
@@ -367,4 +381,29 @@ fn a_long_scene_is_judged_by_its_hardest_parts() {
     let (rate_deg_s, rest) = line.split_once(" deg/s at ").unwrap();
     let at_s: f64 = rest.split_once(" s, ").unwrap().0.parse().unwrap();
     assert!(rate_deg_s.parse::<f64>().unwrap() > 90.0 && (3000.0..3008.0).contains(&at_s), "{line}");
+}
+
+/// Near a pole, velocity and misalignment have no east and north, so they have no figures.
+#[test]
+fn near_a_pole_there_are_no_figures_of_velocity() {
+    let folder = folder("pole");
+    std::fs::write(folder.join("pole.csv"), log().replace(",0.7,", ",1.5707,")).unwrap();
+    let said = done(&folder, &["fly", "pole.csv"]);
+    let words =
+        "  11 of 11 records are near a pole: they are not in the figures of velocity and misalignment\n";
+    assert!(said.contains(words) && !said.contains("velocity error"), "{said}");
+    let summary = read(folder.join("sins_out/pole_summary.csv"));
+    assert!(summary.contains("\nrecords_near_pole,11,") && !summary.contains("max_velocity"), "{summary}");
+}
+
+/// A scene that is written into another folder finds its log, and a scene is not replaced without --force.
+#[test]
+fn a_scene_written_elsewhere_finds_its_log() {
+    let folder = with_log("elsewhere");
+    std::fs::create_dir(folder.join("scenes")).unwrap();
+    std::fs::write(folder.join("scenes/own.toml"), "[flight]\nfile = \"../logs/mylog.csv\"\n").unwrap();
+    let write = ["scene", "write", "scenes/own.toml", "-o", "other.toml"];
+    done(&folder, &write);
+    done(&folder, &["scene", "check", "other.toml"]);
+    assert_eq!(rejected(&folder, &write), "other.toml: exists already; --force replaces it\n");
 }
