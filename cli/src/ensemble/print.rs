@@ -13,7 +13,8 @@ use crate::units::{LENGTH, brief, time_text, usual, with_unit};
 pub fn text(study: &Study, judged: &[Judged], flown: &Flown, threads: usize, page: &Path) -> String {
     let given = study.given;
     let mut text =
-        format!("{}: {}\n  {}; {}\n\n", study.name, given.title, study.runs(), time_text(given.duration_s));
+        format!("{}: {}\n  {}; {}\n", study.name, given.title, study.runs(), time_text(given.duration_s));
+    text += &format!("  errors of: {}\n\n", errors(study));
     text += &format!("  {:<30}{:>12}{:>12}{:>12}\n", "at the end", "east", "north", "up");
     if let Some(row) = study.end(ErrorSource::Navigation)
         && row.good() == 0
@@ -58,4 +59,16 @@ pub fn text(study: &Study, judged: &[Judged], flown: &Flown, threads: usize, pag
         );
     }
     text + &format!("  {}\n", page.display())
+}
+
+/// The sections of the scene that set errors, in words.
+fn errors(study: &Study) -> String {
+    let set = study.given.scene.changed_keys();
+    let sections = ["gyro", "accelerometer", "altimeter", "start", "mounting", "gravity"];
+    let mut words: Vec<&str> =
+        sections.into_iter().filter(|section| set.iter().any(|key| key.section == *section)).collect();
+    if !study.given.scene.failures.is_empty() {
+        words.push("failures");
+    }
+    if words.is_empty() { "nothing: all runs are equal".to_owned() } else { words.join(", ") }
 }

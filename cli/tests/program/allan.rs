@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::support::{done, folder, read, rejected};
+use crate::support::{done, folder, read, rejected, run};
 
 /// A turn at 10 °/s, measured in pulses of a thousandth of a degree while the turntable shakes. The motion of the shaking is
 /// subtracted again. Q is 0.001° / √12. Row `gap` and the rows after it are `late` steps late.
@@ -34,6 +34,14 @@ fn a_log_becomes_a_picture_a_page_and_tables() {
     assert!(low < q && q < high && high < 1.1 * low, "{low:e} {q:e} {high:e}");
     let curve = read(folder.join("p.csv"));
     assert!(curve.starts_with("column,averaging_time_s,deviation,low,high,degrees_of_freedom,fit\n"));
+
+    // A column without noise does not hide the other.
+    let constant = read(folder.join("turn.csv")).replace(",mode", ",gyro_x_deg_s").replace(",turn", ",0");
+    std::fs::write(folder.join("constant.csv"), constant).unwrap();
+    let (code, again, errors) = run(&folder, &["allan", "constant.csv", "-o", "c.svg"]);
+    let words =
+        "left out: column \"gyro_x_deg_s\": increments = 0: expected noise, found this value throughout";
+    assert!(code == 0 && errors.contains(words) && again.contains("gyro_z_deg_s"), "{again}{errors}");
 
     let columns = ["--columns", "gyro_z_deg_s:deg_h", "--rate", "100"];
     done(&folder, &[&["allan", "turn.csv", "-o", "a.html"], &columns[..]].concat());

@@ -373,6 +373,8 @@ fn figures_that_do_not_exist_are_empty() {
     let ((code, said, errors), row) = ensemble("3", "3", &falling);
     assert_eq!((code, errors.as_str()), (1, "every run diverged before the end\n"));
     assert!(said.contains("\n  none: no run reached the end\n"), "{said}");
+    assert!(said.contains("\n  errors of: accelerometer\n"), "{said}");
+    assert!(ensemble("2", "0.1", &[]).0.1.contains("\n  errors of: nothing: all runs are equal\n"));
     assert_eq!(row[..5], ["10800.000000", "2", "3", "3", "0"]);
     assert!(row.len() == 36 && row[5..].iter().all(String::is_empty), "{row:?}");
     let ((code, said, _), row) = ensemble("1", "0.1", &["--preset", "tactical"]);
