@@ -81,6 +81,12 @@ impl Outputs {
         })
     }
 
+    /// Whether no file has this name: none that exists, unless with `force`, and none of these outputs.
+    pub fn is_free(&self, path: &Path) -> bool {
+        let is_taken = self.taken.iter().any(|taken| taken.file_name() == path.file_name());
+        !is_taken && (self.rules.force || !path.exists())
+    }
+
     /// A file to be written. An existing file is replaced if it has `mark` near its beginning.
     pub fn file(&mut self, path: &Path, mark: &str) -> Result<OutputFile, Failure> {
         let folder = match path.parent() {

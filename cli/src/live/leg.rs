@@ -17,6 +17,7 @@ use crate::given::Given;
 use crate::output::{OutputFile, Outputs};
 use crate::places::below;
 use crate::record::COLUMNS;
+use crate::terminal::say;
 
 /// Time between records that a scene does not set [s].
 const EVERY_S: f64 = 1.0;
@@ -67,11 +68,19 @@ impl Blank {
         });
         let log = record.map(|record| {
             let path = below(folder, record, "--record", "--record")?;
-            let stem = numbered(&path.file_stem().unwrap_or_default().to_string_lossy());
-            let beside = |ending: &str| path.with_file_name(format!("{stem}.{ending}"));
+            let begin = path.file_stem().unwrap_or_default().to_string_lossy();
+            let beside = |stem: &str, ending: &str| path.with_file_name(format!("{stem}.{ending}"));
             if let Some(folder) = path.parent() {
                 outputs.folder(folder)?;
             }
+            // A live flight cannot be flown again: its log takes the place of no other.
+            let numbered = |number| if number == 1 { begin.to_string() } else { format!("{begin}_{number}") };
+            let is_free = |stem: &String| outputs.is_free(&beside(stem, "csv"));
+            let stem = (number..).map(numbered).find(is_free).unwrap_or_default();
+            if number == 1 && stem != begin {
+                say(&format!("{}: exists; the log is {}", path.display(), beside(&stem, "csv").display()));
+            }
+            let beside = |ending: &str| beside(&stem, ending);
             let (file, scene) =
                 (outputs.file(&beside("csv"), LOG_MARK)?, outputs.file(&beside("toml"), SCENE_MARK)?);
             Ok::<_, Failure>(Log { file, scene, stem })

@@ -493,6 +493,19 @@ fn a_unit_aligns_live() {
         "{said}"
     );
     assert_replayed(&folder, "box_live", "log");
+
+    // The log of the next session takes the place of no other.
+    let first = read(folder.join("sins_out/log.csv"));
+    let peer = Peer::start(&folder, &arguments);
+    for _ in 0..3 {
+        peer.send(&fgfs(&rest));
+    }
+    peer.answer();
+    peer.answer();
+    peer.finish();
+    assert!(read(folder.join("sins_out/log.csv")) == first);
+    assert!(read(folder.join("sins_out/log_2.csv")).lines().count() >= 4);
+    assert!(read(folder.join("sins_out/log_2.toml")).contains("log_2.csv"));
 }
 
 /// What ends a run, and what cannot be begun.
