@@ -34,7 +34,12 @@ struct flown {
 
 static void fail(const char *what, const char *why)
 {
+    double until_s = MPI_Wtime() + 0.1;
+
     fprintf(stderr, "ensemble_mpi: %s: %s\n", what, why);
+    /* MPI_Abort() ends the launcher too. It first needs the time to pass the sentence on. */
+    while (MPI_Wtime() < until_s) {
+    }
     MPI_Abort(MPI_COMM_WORLD, 1);
     exit(1);
 }

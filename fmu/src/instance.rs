@@ -138,14 +138,11 @@ impl Flight {
         let behind_gap = fly().map_err(sentence)?;
         let mut refused_entries = Vec::new();
         // After the first sample there is no interval yet.
-        if let Some(taken) = &self.taken
-            && unit.is_none()
-        {
-            refused_entries = panel::without_a_box(values, taken.entries);
-        }
-        if let Some(unit) = &mut unit
-            && let Some(taken) = &self.taken
-        {
+        if let Some(taken) = &self.taken {
+            let Some(unit) = &mut unit else {
+                refused_entries = panel::without_a_box(values, taken.entries);
+                return Ok(Next { simulator, unit, behind_gap, refused_entries });
+            };
             refused_entries = panel::act(values, taken.entries, unit)?;
             let updated = self.scene.update_unit(unit, &mut simulator, first_s);
             let updated = updated.and_then(|()| panel::push_fix(values, taken.entries, unit, &mut simulator));

@@ -84,16 +84,16 @@ impl Estimator {
 
     /// Variances and coefficients of a record; `increments` as for [`Self::variances`].
     ///
-    /// A record without noise is rejected: all its increments but two are equal, or a variance is not from 1e-70 to 1e70.
+    /// A record without noise is rejected: at most two of its increments differ from the others, or a variance is not from 1e-70 to 1e70.
     pub fn estimate(&self, increments: &[f64]) -> Result<Estimate, Error> {
         let variances = self.variances(increments)?;
         // Equal increments can have a variance above 0: subtracting their mean leaves rounding errors.
-        // All but one or two may be equal: the first and the last value of a record.
-        if increments.iter().filter(|increment| **increment != increments[increments.len() / 2]).count() <= 2
-        {
+        // The first and the last value of a record may be others.
+        let usual = increments[increments.len() / 2];
+        if increments.iter().filter(|increment| **increment != usual).count() <= 2 {
             return Err(Error::invalid(
                 "increments",
-                increments[increments.len() / 2],
+                usual,
                 Rule::Sentence("expected noise, found this value throughout"),
             ));
         }

@@ -38,8 +38,8 @@ pub type Piece = Range<usize>;
 pub struct Plan {
     pub first_run: u64,
     pub runs: u64,
-    /// The samples at which statistics are taken, in order: the first one, those nearest to each multiple of `every_s`, those at which requirements
-    /// are due, and the last one.
+    /// The samples at which statistics are taken, in order: the first one, those nearest to each multiple of `every_s`, those at which
+    /// requirements are due, and the last one.
     pub instants: Vec<usize>,
     /// Time between two rows [s].
     pub every_s: f64,

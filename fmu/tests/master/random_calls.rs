@@ -208,10 +208,14 @@ impl Master {
                 false
             }
             1 => {
+                let end = image.len() - 8;
                 for _ in 0..=self.random.below(3) {
-                    let at = self.random.below(image.len());
+                    let at = self.random.below(end);
                     image[at] = self.random.next() as u8;
                 }
+                // With the right hash, or it would be refused before it is read.
+                let hash = hash(&image[..end]);
+                image[end..].copy_from_slice(&hash.to_le_bytes());
                 false
             }
             _ => true,
@@ -267,6 +271,12 @@ impl Master {
         let (on, name) = (self.random.below(2) as c_int, names[self.random.below(2)]);
         ("fmi2SetDebugLogging", unsafe { fmi2SetDebugLogging(self.unit.component, on, 1, &name) })
     }
+}
+
+/// The hash at the end of a state: FNV-1a of 64 bits.
+fn hash(state: &[u8]) -> u64 {
+    let fold = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+    state.iter().fold(0xcbf2_9ce4_8422_2325, fold)
 }
 
 #[test]

@@ -33,6 +33,12 @@ fn what_cannot_be_estimated_is_rejected_with_its_limit() {
     let rejected = |increments: &[f64]| words(estimator.estimate(increments).err());
     assert_eq!(rejected(&[1.0; 44]), "number of increments = 44: must be 45");
     assert_eq!(rejected(&[0.1; 45]), "increments = 0.1: expected noise, found this value throughout");
+    // A first and a last value of another size are no noise; a third one may be.
+    let mut constant = [0.1; 45];
+    (constant[0], constant[44]) = (0.0, 0.2);
+    assert_eq!(rejected(&constant), "increments = 0.1: expected noise, found this value throughout");
+    constant[20] = 0.2;
+    assert_eq!(rejected(&constant), "");
     let mut increments: Vec<f64> = (0..45).map(|k| f64::from(k * k % 11)).collect();
     assert!(estimator.estimate(&increments).is_ok());
     let small: Vec<f64> = increments.iter().map(|increment| 1e-40 * increment).collect();
