@@ -18,8 +18,13 @@ impl Unit {
         self.power = power;
     }
 
-    /// Sets how the next alignment is made.
+    /// Sets how the unit aligns. With another kind an alignment in progress begins anew; a realignment is the same with each kind.
     pub fn set_alignment(&mut self, kind: AlignmentKind) {
+        let is_aligning = self.aligns() || self.state == State::Ready;
+        if kind != self.kind && is_aligning && !self.realigned {
+            self.start_anew();
+            (self.motion, self.reasons.motion) = (Default::default(), false);
+        }
         self.kind = kind;
     }
 

@@ -6,7 +6,7 @@ use sins::earth::{Earth, Geodetic};
 use sins::math::Euler;
 use sins::sensors::{StreamKey, TriadParameters};
 use sins::truth::{FlightSample, IntakeLimits};
-use sins::unit::{Mode, State, Status, Unit, UnitNavigation, UnitParameters};
+use sins::unit::{AlignmentKind, Mode, State, Status, Unit, UnitNavigation, UnitParameters};
 use sins::{ErrorSource, Options, Simulator};
 
 use crate::support::{DEG, DEG_PER_HOUR, G};
@@ -47,6 +47,7 @@ pub struct Aircraft {
     pub simulator: Simulator,
     pub receiver: Option<Receiver>,
     pub unit: Unit,
+    kind: AlignmentKind,
     pub rate_hz: f64,
     samples: u64,
     place: Geodetic,
@@ -55,6 +56,8 @@ pub struct Aircraft {
     bank: f64,
     /// How fast it can roll [rad/s].
     pub roll_rate: f64,
+    /// The temperature is 20 °C plus this times the time [°C/s]; `None`: it is not known.
+    pub warming: Option<f64>,
 }
 
 /// The gyros and accelerometers of the paper: 0.01 °/h, 0.005 °/√h, 50 µg, 10 µg/√Hz.
@@ -89,6 +92,7 @@ impl Aircraft {
             simulator,
             receiver,
             unit,
+            kind: AlignmentKind::default(),
             rate_hz,
             samples: 0,
             place,
@@ -96,6 +100,7 @@ impl Aircraft {
             heading: 0.7,
             bank: 0.0,
             roll_rate: f64::INFINITY,
+            warming: None,
         }
     }
 
@@ -141,6 +146,20 @@ impl Aircraft {
 
     pub fn place(&self) -> Geodetic {
         self.place
+    }
+
+    pub fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    /// How the unit aligns.
+    pub fn kind(&self) -> AlignmentKind {
+        self.kind
+    }
+
+    pub fn set_alignment(&mut self, kind: AlignmentKind) {
+        self.kind = kind;
+        self.unit.set_alignment(kind);
     }
 
     pub fn heading(&self) -> f64 {
@@ -208,6 +227,7 @@ impl Aircraft {
             place,
             v_n: Some(direction * self.speed + sway),
             euler,
+            temperature_c: self.warming.map(|rate| 20.0 + rate * time_s),
             ..Default::default()
         };
         self.simulator.push_sample(&sample).unwrap();

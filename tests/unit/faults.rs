@@ -22,6 +22,28 @@ fn a_dead_gyro_is_a_fault_until_the_unit_is_off() {
     assert_eq!(aircraft.stand(6.0).state, State::Off);
 }
 
+/// Every second interval of a gyro lost in a turn: the time without a signal is summed, and until it is reached, the heading is wrong
+/// by at most the turn in it. An interval without a signal shows no rates.
+#[test]
+fn a_gyro_that_is_lost_again_and_again_is_a_fault() {
+    let mut aircraft = Aircraft::ideal(40.0);
+    aircraft.unit = sins::unit::Unit::new(&UnitParameters::default(), Mode::Navigate).unwrap();
+    aircraft.go(Motion::Drive { acceleration: 2.0, to: 100.0 }, 60.0);
+    let output = SensorOutput::Gyro(Axis::Z);
+    let turn = Motion::Turn(3.0 * DEG);
+    for _ in 0..300 {
+        aircraft.simulator.set_failure(output, Some(Failure::Dead)).unwrap();
+        assert!(!aircraft.go(turn, 0.1).validity.rates);
+        aircraft.simulator.set_failure(output, None).unwrap();
+        let status = aircraft.go(turn, 0.1);
+        assert_eq!(status.validity.rates, !status.fault);
+        let error = sins::math::wrap_angle(aircraft.navigation().euler.heading - aircraft.heading());
+        assert!(!status.validity.heading || error.abs() < 3.1 * DEG, "{error}");
+    }
+    let status = aircraft.unit.status();
+    assert!(status.fault && status.reasons.no_signal);
+}
+
 #[test]
 fn the_battery_lasts_its_time() {
     let mut aircraft = Aircraft::ideal(40.0);

@@ -9,6 +9,7 @@ mod attitude;
 mod bus;
 mod faults;
 mod in_flight;
+mod monkey;
 mod realignment;
 mod saved;
 mod states;
