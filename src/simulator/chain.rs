@@ -181,11 +181,19 @@ impl Chain {
 
     /// Increments on which the INS navigated in update `update` of the last interval, and the length of the update [s].
     pub fn measured_update(&self, update: usize) -> Option<(&[Increment], f64)> {
-        let LastInterval::Flown { interval_s, on_ideal, .. } = self.last else { return None };
-        let (_, navigated) = self.signals.of(&self.parts, on_ideal);
-        let mut updates = navigated.chunks_exact(self.options.subsamples);
+        let interval_s = self.last.length_s()?;
+        let mut updates = self.flown_on().chunks_exact(self.options.subsamples);
         let update_s = interval_s / updates.len() as f64;
         updates.nth(update).map(|increments| (increments, update_s))
+    }
+
+    /// Increments on which the INS navigated in the last interval, as far as they are known.
+    fn flown_on(&self) -> &[Increment] {
+        match self.last {
+            LastInterval::None => &[],
+            LastInterval::Flown { on_ideal, .. } => self.signals.of(&self.parts, on_ideal).1,
+            LastInterval::Loaded { .. } => self.signals.of(&self.parts, false).1,
+        }
     }
 
     pub fn trim(&self) -> TrimFigures {

@@ -77,7 +77,8 @@ impl Unit {
 
     /// The heading that the alignment in progress takes from what is stored.
     pub(super) fn stored_heading_rad(&self) -> Option<f64> {
-        self.stored.filter(|_| self.kind == AlignmentKind::StoredHeading).map(|stored| stored.heading_rad)
+        let is_used = self.kind == AlignmentKind::StoredHeading && self.switched_on_e.is_some();
+        self.stored.filter(|_| is_used).map(|stored| stored.heading_rad)
     }
 
     /// The attitude that an alignment at rest on `at_rest` has found so far, with its heading.
@@ -93,14 +94,19 @@ impl Unit {
         q_in.conjugate() * self.inertial.q_is * self.q_bs.conjugate()
     }
 
-    /// The attitude with this heading and the measured vertical: the vertical that was measured depends on the heading, as the Earth has
-    /// turned since then, by less than a thousandth of it.
+    /// The attitude with the measured vertical, and with this heading when the gyros began to keep their axes. The vertical that was
+    /// measured depends on the heading, as the Earth has turned since then.
     fn with_heading(&self, heading_rad: f64, at_rest: &EarthAtRest) -> Option<Quaternion<f64>> {
-        const ITERATIONS: usize = 5;
+        const MOST: usize = 40;
+        let since = at_rest.over(self.inertial.kept_s);
         let mut q_in = shortest_rotation(&Vector3::z(), &self.alignment.newest()?.up_i);
-        for _ in 0..ITERATIONS {
-            q_in *= self.turn_about_up(&self.attitude_in(&q_in), heading_rad).conjugate();
-            q_in = self.alignment.levelled(&q_in, at_rest)?;
+        for _ in 0..MOST {
+            let q_in_then = q_in * since.conjugate();
+            let turn = self.turn_about_up(&(q_in_then.conjugate() * self.q_bs.conjugate()), heading_rad);
+            q_in = self.alignment.levelled(&(q_in_then * turn.conjugate() * since), at_rest)?;
+            if turn.imag().norm_squared() < 1e-32 {
+                break;
+            }
         }
         Some(self.attitude_in(&q_in))
     }

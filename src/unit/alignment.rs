@@ -47,7 +47,7 @@ impl EarthAtRest {
     }
 
     /// Rotates the axes east-north-up `t` \[s\] later to these axes.
-    fn over(&self, t: f64) -> Quaternion<f64> {
+    pub fn over(&self, t: f64) -> Quaternion<f64> {
         rotation_quaternion(&(self.axis_n() * (self.rate_rad_s * t)))
     }
 

@@ -4,7 +4,6 @@ use super::{AlignmentKind, Mode, Power, State, Stored, Unit};
 use crate::error::{Error, check_range};
 
 const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
-const HALF: f64 = core::f64::consts::PI;
 const WHOLE: f64 = core::f64::consts::TAU;
 
 impl Unit {
@@ -70,10 +69,8 @@ impl Unit {
 
     /// Sets what the unit stored at its last switching off; `None`: nothing.
     pub fn set_stored(&mut self, stored: Option<Stored>) -> Result<(), Error> {
-        if let Some(stored) = stored {
-            check_range("latitude_rad", stored.latitude_rad, -QUARTER, QUARTER)?;
-            check_range("longitude_rad", stored.longitude_rad, -HALF, HALF)?;
-            check_range("heading_rad", stored.heading_rad, 0.0, WHOLE)?;
+        if let Some(stored) = &stored {
+            stored.validate()?;
         }
         self.stored = stored;
         Ok(())

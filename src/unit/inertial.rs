@@ -5,7 +5,7 @@ use nalgebra::{Quaternion, Vector3};
 use super::UnitParameters;
 use crate::math::{rotate, rotation_quaternion};
 use crate::signal::Increment;
-use crate::snapshot::{SIGNALS, stored};
+use crate::snapshot::{CLOCK_S, SIGNALS, stored};
 
 /// Time over which the force at rest is averaged, and after which a change of velocity is forgotten \[s\]. In it the Earth turns gravity
 /// so little that the velocity stays below 0.05 m/s at rest.
@@ -16,11 +16,14 @@ const MEMORY_S: f64 = 8.0;
 pub(super) struct Inertial {
     /// Rotates block axes to inertial axes.
     pub q_is: Quaternion<f64>,
+    /// Time for which the gyros have kept these axes \[s\].
+    pub kept_s: f64,
 }
 
-stored!(Inertial { q_is: ANY_UNIT } then |inertial, from| {
+stored!(Inertial { q_is: ANY_UNIT, kept_s: CLOCK_S } then |inertial, from| {
     let size = inertial.q_is.norm_squared();
-    from.require((size - 1.0).abs() < 1e-9, size, "is not the square of a unit quaternion")
+    from.require((size - 1.0).abs() < 1e-9, size, "is not the square of a unit quaternion")?;
+    from.require(inertial.kept_s >= 0.0, inertial.kept_s, "is a time before the start")
 });
 
 /// Limit of the components of a unit quaternion.
@@ -28,13 +31,14 @@ const ANY_UNIT: f64 = 1.0 + 1e-9;
 
 impl Default for Inertial {
     fn default() -> Self {
-        Self { q_is: Quaternion::identity() }
+        Self { q_is: Quaternion::identity(), kept_s: 0.0 }
     }
 }
 
 impl Inertial {
-    /// Turns on by `increments`. Returns the integral of the specific force over them, inertial axes \[m/s\].
-    pub fn turn(&mut self, increments: &[Increment]) -> Vector3<f64> {
+    /// Turns on by `increments` over `dt` \[s\]. Returns the integral of the specific force over them, inertial axes \[m/s\].
+    pub fn turn(&mut self, increments: &[Increment], dt: f64) -> Vector3<f64> {
+        self.kept_s += dt;
         let mut velocity_i = Vector3::zeros();
         for Increment { angle, velocity } in increments {
             velocity_i += rotate(&self.q_is, &(velocity + 0.5 * angle.cross(velocity)));

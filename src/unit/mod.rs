@@ -28,7 +28,7 @@ pub use panel::{AlignmentKind, Mode, Power, Reasons, State, Status, Stored, Vali
 pub use parameters::UnitParameters;
 pub use table::UNIT;
 
-use nalgebra::Quaternion;
+use nalgebra::{Quaternion, Vector3};
 
 use crate::error::Error;
 use crate::signal::Increment;
@@ -60,6 +60,8 @@ pub struct Unit {
     /// Entered, and refused because it is far from what is stored.
     refused: Option<(f64, f64)>,
     stored: Option<Stored>,
+    /// Where the unit was switched on, Earth-fixed axes \[m\], as long as the aircraft stands there with the stored heading.
+    switched_on_e: Option<Vector3<f64>>,
     /// Rotates block axes to the axes of the vehicle.
     q_bs: Quaternion<f64>,
     axes: BodyAxes,
@@ -113,6 +115,7 @@ impl Unit {
             entered: None,
             refused: None,
             stored: None,
+            switched_on_e: None,
             q_bs: Quaternion::identity(),
             axes: BodyAxes::default(),
             inertial: Inertial::default(),
@@ -173,6 +176,7 @@ impl Unit {
             Some(time_s) => {
                 let has_jumped = simulator.is_first_interval();
                 if has_jumped {
+                    self.switched_on_e = None;
                     (self.entered, self.refused) = (None, None);
                 }
                 if has_jumped || (time_s - begun_s).abs() > 0.5 * dt {

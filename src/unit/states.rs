@@ -25,6 +25,9 @@ impl Unit {
 
     pub(super) fn enter(&mut self, state: State) {
         (self.state, self.state_s) = (state, 0.0);
+        if matches!(state, State::Navigation | State::Erection) {
+            self.switched_on_e = None;
+        }
     }
 
     /// Power, and the built-in test of the sensors.
@@ -70,7 +73,7 @@ impl Unit {
             self.power_down(simulator)?;
         }
         match self.state {
-            State::Off if self.selector != Mode::Off && self.has_power() => self.power_up(),
+            State::Off if self.selector != Mode::Off && self.has_power() => self.power_up(simulator),
             State::Off | State::Fault => return Ok(()),
             State::PowerDown => return self.switch_off(simulator),
             _ => {}
@@ -103,10 +106,11 @@ impl Unit {
         self.power != Power::None && !(self.power == Power::Battery && self.reasons.battery_empty)
     }
 
-    fn power_up(&mut self) {
+    fn power_up(&mut self, simulator: &Simulator) {
         self.reasons = Reasons::default();
         (self.entered, self.refused, self.latitude_failures) = (None, None, 0);
         self.found_latitude_rad = None;
+        self.switched_on_e = simulator.true_point().map(|point| point.state.r_e);
         (self.in_navigation_s, self.on_battery_s, self.invalid_s) = (0.0, 0.0, 0.0);
         self.enter(State::Test);
     }
@@ -149,6 +153,7 @@ impl Unit {
     /// Stops an alignment of an aircraft that moves. A realignment loses the navigation at a speed that is too high for it.
     fn stop_for_motion(&mut self, parameters: &UnitParameters, simulator: &Simulator) -> Result<(), Error> {
         self.start_anew();
+        self.switched_on_e = None;
         if self.realigned && !Self::is_parked(parameters, simulator)? {
             return self.leave_navigation(parameters, simulator);
         }
@@ -203,12 +208,12 @@ impl Unit {
     ) -> Result<(), Error> {
         let mut velocity_i = nalgebra::Vector3::zeros();
         let mut updates = 0;
-        while let Some((increments, _)) = simulator.measured_update(updates) {
-            velocity_i += self.inertial.turn(increments);
+        while let Some((increments, update_s)) = simulator.measured_update(updates) {
+            velocity_i += self.inertial.turn(increments, update_s);
             updates += 1;
         }
         if updates == 0 {
-            velocity_i = self.inertial.turn(&[self.measured]);
+            velocity_i = self.inertial.turn(&[self.measured], dt);
         }
         if matches!(self.state, State::Erection | State::Attitude) {
             self.erect(&velocity_i, dt, parameters);
@@ -237,6 +242,11 @@ impl Unit {
         let point = simulator.true_point();
         let (place_e, temperature_c) =
             (point.map(|point| point.state.r_e), point.and_then(TruthPoint::temperature_c));
+        let farthest = parameters.motion_distance_m;
+        self.switched_on_e = self
+            .switched_on_e
+            .zip(place_e)
+            .and_then(|(then, now)| ((now - then).norm_squared() <= farthest * farthest).then_some(then));
         let moves = self.motion.feel(velocity_i, place_e, dt, parameters);
         let is_tested = self.alignment.elapsed_s >= parameters.motion_inhibition_s;
         if moves && is_tested && !is_made_up {
@@ -286,7 +296,7 @@ impl Unit {
             AlignmentKind::Instant => 0.0,
             AlignmentKind::Fast => parameters.fast_alignment_s,
             AlignmentKind::InFlight => parameters.in_flight_alignment_s,
-            AlignmentKind::StoredHeading if self.stored.is_some() => parameters.stored_heading_alignment_s,
+            _ if self.stored_heading_rad().is_some() => parameters.stored_heading_alignment_s,
             // Without a latitude the unit waits as long as at the largest one.
             _ => parameters.alignment_at_s(self.latitude_rad().unwrap_or(parameters.max_latitude_rad)),
         }

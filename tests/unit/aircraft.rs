@@ -56,6 +56,7 @@ pub struct Aircraft {
     bank: f64,
     /// How fast it can roll [rad/s].
     pub roll_rate: f64,
+    is_updated: bool,
     /// The temperature is 20 °C plus this times the time [°C/s]; `None`: it is not known.
     pub warming: Option<f64>,
 }
@@ -100,6 +101,7 @@ impl Aircraft {
             heading: 0.7,
             bank: 0.0,
             roll_rate: f64::INFINITY,
+            is_updated: true,
             warming: None,
         }
     }
@@ -179,6 +181,13 @@ impl Aircraft {
         self.bank += (bank - self.bank).clamp(-most, most);
     }
 
+    /// A step of the simulator alone.
+    pub fn step_without_update(&mut self, motion: Motion) {
+        self.is_updated = false;
+        self.step(motion);
+        self.is_updated = true;
+    }
+
     fn step(&mut self, motion: Motion) {
         let dt = 1.0 / self.rate_hz;
         let time_s = self.samples as f64 * dt;
@@ -231,7 +240,7 @@ impl Aircraft {
             ..Default::default()
         };
         self.simulator.push_sample(&sample).unwrap();
-        if self.simulator.step().unwrap() == sins::Step::Done {
+        if self.simulator.step().unwrap() == sins::Step::Done && self.is_updated {
             self.unit.update(&mut self.simulator).unwrap();
             let is_due = (self.samples - 1).is_multiple_of(self.rate_hz.round() as u64);
             if let (Some(receiver), true) = (&mut self.receiver, is_due) {

@@ -65,6 +65,8 @@ struct Oracle {
     entered: Option<Geodetic>,
     /// Largest difference of the stored heading from the true one in this alignment.
     stored_off: f64,
+    /// Where the unit was switched on.
+    switched_on: Geodetic,
 }
 
 impl Oracle {
@@ -72,6 +74,17 @@ impl Oracle {
     fn level(&self) -> f64 {
         let force = self.accel.mean + self.accel.scale * G + self.accel.noise / 5f64.sqrt();
         force / G + self.gyro.mean * 30.0 + self.gyro.noise * 30f64.sqrt() + 2e-4
+    }
+
+    /// Largest heading error of an alignment at rest: a stored heading is that of the aircraft while it has not moved.
+    fn heading_at_rest(&self, aircraft: &Aircraft, truth: &Navigation, t: f64) -> f64 {
+        let compass = self.compass(truth.place.latitude_rad, t);
+        let has_moved = metres(&self.switched_on, &truth.place) > 0.5;
+        if aircraft.kind() == AlignmentKind::StoredHeading && !has_moved {
+            // In gusts the aircraft was switched on with up to 0.1 degrees.
+            return compass.max(self.stored_off + 4e-3 + self.gyro.mean * 1000.0);
+        }
+        compass
     }
 
     /// The tilt by a stored heading that is not that of the aircraft: the Earth turns the vertical since the last window the other way.
@@ -120,7 +133,12 @@ impl Oracle {
         *velocity += force * DT + self.accel.noise * DT / 5.0;
         *position += *velocity * DT;
         // What the crew does.
-        if let Some(stored) = status.stored {
+        if status.state == State::Test {
+            self.switched_on = truth.place;
+        }
+        let is_aligning =
+            matches!(status.state, State::CoarseAlignment | State::FineAlignment | State::Ready);
+        if let Some(stored) = status.stored.filter(|_| !is_aligning || self.realigned) {
             self.stored_off = wrap_angle(stored.heading_rad - truth.euler.heading).abs();
         }
         let entered_off = self.entered.map_or(0.0, |entered| metres(&entered, &truth.place));
@@ -145,10 +163,7 @@ impl Oracle {
             let heading = match aircraft.kind() {
                 _ if keeps_heading => self.solution.heading,
                 AlignmentKind::InFlight => SIGMAS * 0.1 * DEG,
-                AlignmentKind::StoredHeading if status.stored.is_some() => {
-                    self.stored_off + 4e-3 + self.gyro.mean * 100.0
-                }
-                _ => self.compass(latitude, 250.0),
+                _ => self.heading_at_rest(aircraft, truth, 250.0),
             };
             // A wrong heading turns the way of the vertical since the last window.
             let of_stored = self.of_stored(aircraft);
@@ -187,14 +202,11 @@ impl Oracle {
         let bounds = match status.state {
             State::Attitude => self.att,
             State::FineAlignment if aircraft.kind() == AlignmentKind::InFlight => {
-                Bounds { tilt: 0.05, heading: SIGMAS * 0.1 * DEG, ..Bounds::default() }
+                Bounds { tilt: SIGMAS * 0.5 * DEG, heading: SIGMAS * 0.1 * DEG, ..Bounds::default() }
             }
             State::FineAlignment => Bounds {
                 tilt: self.level() + 46.0 * EARTH_RATE + self.of_stored(aircraft),
-                heading: match (aircraft.kind(), status.stored) {
-                    (AlignmentKind::StoredHeading, Some(_)) => self.stored_off + 4e-3,
-                    _ => self.compass(latitude, 40.0),
-                },
+                heading: self.heading_at_rest(aircraft, truth, 40.0),
                 ..Bounds::default()
             },
             _ => self.solution,
@@ -263,6 +275,7 @@ fn live(seed: u64) -> [u64; 5] {
         last_truth: None,
         entered: None,
         stored_off: 0.0,
+        switched_on: Geodetic::default(),
     };
     let mut valid = [0; 5];
     let mut motion = Motion::Rest;
