@@ -144,6 +144,12 @@ impl fmt::Display for Error {
             | Rule::AtMost(words, number)
             | Rule::Exactly(words, number)
             | Rule::SentenceWith(words, number) => write!(f, "{words} {number}"),
+            Rule::Label(number, is_reversed, other) => {
+                write!(f, "label {number:03o} is not in the table")?;
+                let Some((other, name)) = other else { return Ok(()) };
+                let not = if is_reversed { "not " } else { "" };
+                write!(f, "; label bits {not}reversed? {other:03o} would be {name}")
+            }
         }
     }
 }
