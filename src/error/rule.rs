@@ -33,6 +33,8 @@ pub enum Rule {
     Sentence(&'static str),
     /// A sentence that ends with a number. The number is not itself the limit of the value.
     SentenceWith(&'static str, Value),
+    /// The gap after the last accepted sample is longer than the limit [s], and the position jumped in it [m].
+    GapWithJump(f64, f64),
     /// The label of a word is not in the table: its number, whether its bits are reversed, and, if there is one, the label with the bits in
     /// the other order, by number and name.
     Label(u8, bool, Option<(u8, &'static str)>),
@@ -42,7 +44,11 @@ impl Rule {
     /// The smallest and the largest value, if the rule has them. The limit of [`Rule::Below`] itself is not allowed.
     pub fn limits(&self) -> (Option<f64>, Option<f64>) {
         match *self {
-            Self::Finite | Self::Sentence(_) | Self::SentenceWith(..) | Self::Label(..) => (None, None),
+            Self::Finite
+            | Self::Sentence(_)
+            | Self::SentenceWith(..)
+            | Self::Label(..)
+            | Self::GapWithJump(..) => (None, None),
             Self::Between(low, high)
             | Self::OffOr(low, high)
             | Self::DefaultOr(low, high)

@@ -58,7 +58,7 @@ static void failures(void)
     sins_imu imu = {.struct_size = sizeof imu};
     sins_navigation navigation = {.struct_size = sizeof navigation};
     int32_t axis;
-    char text[256];
+    char text[400];
 
     CHECK(sins_create(NULL, &sim) == SINS_OK);
     bad_failure(sim, 3, 0, &failure, "sensor = 3: must be of enum sins_sensor, 0 to 2");
@@ -93,7 +93,16 @@ static void failures(void)
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
     sample.time_s = 60.0;
     CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_DISCONTINUITY && sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
-    CHECK(strcmp(text, "sample.time_s = 60: the gap after the previous sample must be at most options.max_gap_s = 2.5; after a pause call sins_move_time()") == 0);
+    CHECK(strcmp(text, "sample.time_s = 60: the gap after the last accepted sample must be at most options.max_gap_s = 2.5; after a pause call "
+                       "sins_move_time(); samples that were rejected in the gap said why") == 0);
+    sample.latitude_rad = 0.1; /* a jump that the host does not notice */
+    for (sample.time_s = 0.5; sample.time_s < 1e4; sample.time_s += 0.5) {
+        const char *reason = sample.time_s > 2.5 ? "sample.time_s = " : "sample position: displacement that the velocity";
+        CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_DISCONTINUITY && sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+        CHECK(strstr(text, reason) == text && strstr(text, "pause") == NULL);
+    }
+    CHECK(strstr(text, "options.max_gap_s = 2.5; in the gap the position jumped by 633") != NULL);
+    CHECK(strstr(text, " m; after a jump call sins_move_truth()") != NULL);
     sample.time_s = 0.01;
     sample.latitude_rad = 47.5;
     CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_INVALID_ARGUMENT && sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);

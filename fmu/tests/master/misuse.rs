@@ -285,5 +285,7 @@ fn refused_samples_have_their_names() {
     }
     unit.set_reals(&inputs(), &AT_REST);
     assert_eq!((step(&unit, 0.0), step(&unit, 9.0)), (fmi2OK, fmi2Error));
-    assert!(sentence(&unit).contains("currentCommunicationPoint = 9: the gap after the previous sample"));
+    assert!(
+        sentence(&unit).contains("currentCommunicationPoint = 9: the gap after the last accepted sample")
+    );
 }
