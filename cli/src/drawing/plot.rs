@@ -43,6 +43,8 @@ pub const PANEL_WIDTH: f64 = WIDTH - LEFT - RIGHT;
 pub struct Trace {
     pub points: Points,
     pub pen: Pen,
+    /// Time of each point since the start of the run [s], where the x axis is not time; empty: not known.
+    pub time_s: Vec<f64>,
 }
 
 /// A vertical line over the whole panel, with a word above it, or none.
@@ -92,7 +94,7 @@ pub struct Drawing {
 
 impl Trace {
     pub fn new(pen: Pen, points: Points) -> Self {
-        Self { points, pen }
+        Self { points, pen, time_s: Vec::new() }
     }
 }
 
@@ -119,6 +121,14 @@ impl Drawing {
     /// Height of all panels with the x axis [drawing units].
     pub fn height(&self) -> f64 {
         self.panels.iter().map(|panel| panel.above() + panel.height + GAP).sum::<f64>() + X_AXIS
+    }
+
+    /// The drawing with another height; the panels share the difference by their heights.
+    pub fn of_height(mut self, height: f64) -> Self {
+        let panels: f64 = self.panels.iter().map(|panel| panel.height).sum();
+        let factor = (height - (self.height() - panels)) / panels;
+        self.panels.iter_mut().for_each(|panel| panel.height *= factor);
+        self
     }
 
     /// The drawing as an SVG element that fills the width it is given; `alt` describes it.
@@ -256,7 +266,17 @@ impl Frame<'_> {
             write!(text, "{begin}{right}{between}{down}")?;
             (x, y, begin) = (next_x, next_y, if begin == "m" { "l" } else { " " });
         }
-        text.write_str("\"/>\n")
+        // A single point is a dot.
+        text.write_str(if trace.points.len() == 1 { "l0 0\"" } else { "\"" })?;
+        if let Some(first) = trace.time_s.first() {
+            write!(text, " data-t=\"{}", first.round())?;
+            trace
+                .time_s
+                .windows(2)
+                .try_for_each(|pair| write!(text, " {}", pair[1].round() - pair[0].round()))?;
+            text.write_str("\"")?;
+        }
+        text.write_str("/>\n")
     }
 
     fn write_dots_and_texts(&self, text: &mut String) -> fmt::Result {
@@ -323,6 +343,16 @@ mod tests {
         // 426 by 100 units, in hundredths.
         assert!(svg.contains("<path class=\"east\" d=\"m0 10000l21300-7500 21300-2500\"/>"), "{svg}");
         assert!(svg.contains("data-box=\"720 450 4260 1000\" data-x=\"0 10 1\" data-y=\"-1 1 1\""), "{svg}");
+    }
+
+    #[test]
+    fn a_drawing_of_another_height_is_that_high() {
+        let panel = |height| Panel::new("", Axis::linear(0.0, 1.0, 4), height, Vec::new());
+        let panels = vec![panel(100.0), panel(50.0)];
+        let drawing = Drawing { width: WIDTH, x: Axis::linear(0.0, 1.0, 4), x_label: String::new(), panels };
+        let drawing = drawing.of_height(500.0);
+        assert_eq!(drawing.height(), 500.0);
+        assert!((drawing.panels[0].height - 2.0 * drawing.panels[1].height).abs() < 1e-9);
     }
 
     #[test]
