@@ -5,6 +5,12 @@
 
 #[path = "build/ada.rs"]
 mod ada;
+#[allow(dead_code, reason = "the crate uses the rest")]
+#[path = "src/base"]
+mod base {
+    pub mod parameter;
+    pub mod units;
+}
 #[path = "build/c_calls.rs"]
 mod c_calls;
 #[path = "build/c_functions.rs"]
@@ -28,9 +34,6 @@ mod interface;
 mod model;
 #[path = "build/own.rs"]
 mod own;
-#[allow(dead_code, reason = "the crate uses the rest")]
-#[path = "src/parameter.rs"]
-mod parameter;
 #[path = "build/python.rs"]
 mod python;
 #[path = "build/read.rs"]
@@ -50,9 +53,6 @@ mod template;
 mod text;
 #[path = "src/unit/table.rs"]
 mod unit_table;
-#[allow(dead_code, reason = "the crate uses the rest")]
-#[path = "src/units.rs"]
-mod units;
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -62,12 +62,12 @@ fn main() {
         "build.rs",
         "build",
         "src/abi",
-        "src/statistics/layout.rs",
-        "src/parameter.rs",
+        "src/ensemble/statistics/layout.rs",
+        "src/base/parameter.rs",
         "src/sensors/table.rs",
         "src/surroundings/table.rs",
         "src/unit/table.rs",
-        "src/units.rs",
+        "src/base/units.rs",
     ] {
         println!("cargo:rerun-if-changed={source}");
     }

@@ -17,7 +17,7 @@ use sins::errors::{ErrorModel, SensorErrors};
 use sins::mechanization::{Frame, Mechanization, Scheme, VerticalAid};
 use sins::sensors::{Sensor, StreamKey, Triad, paper_simulation2};
 use sins::signal::{Increment, SignalGenerator};
-use sins::state::{BodyAxes, StateErrors};
+use sins::earth::state::{BodyAxes, StateErrors};
 use sins::truth::{FlightSample, Intake, IntakeLimits, Recent, TruthPoint};
 
 const STEPS: usize = 1000;

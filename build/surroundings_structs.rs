@@ -1,6 +1,6 @@
 //! The structs that the tables beside that of the sensors make, as Rust sources.
 
-use crate::parameter::{Row, Shape};
+use crate::base::parameter::{Row, Shape};
 use crate::sensor_structs::{Access, comment, definition, sentence, structure, unit};
 use crate::surroundings::{ALTIMETER, GRAVITY, INITIAL, MOUNTING, START};
 use crate::unit_table::UNIT;

@@ -21,7 +21,7 @@ use sins::earth::{Earth, Ellipsoid, Geodetic, GravityModel};
 use sins::math::{relative_rotation, rotation_vector};
 use sins::mechanization::{BodyMotion, Frame, Mechanization, Scheme, VerticalAid};
 use sins::signal::Increment;
-use sins::state::{BodyAxes, EarthFixedState};
+use sins::earth::state::{BodyAxes, EarthFixedState};
 use wander::Wander;
 
 /// One of the mechanizations.

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use sins::earth::{Earth, Geodetic};
 use sins::math::{Euler, attitude_from_euler};
 use sins::signal::Increment;
-use sins::state::{BodyAxes, EarthFixedState, Navigation};
+use sins::earth::state::{BodyAxes, EarthFixedState, Navigation};
 
 /// A reference flight.
 pub struct Reference {

@@ -3,7 +3,7 @@
 #[path = "../../tests/support/patrol.rs"]
 mod patrol;
 
-use sins::flight::FlightStart;
+use sins::truth::flight::FlightStart;
 use sins::truth::FlightSample;
 
 pub const PERIOD_S: f64 = 0.01;

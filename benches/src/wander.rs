@@ -11,7 +11,7 @@ use sins::math::{
 };
 use sins::mechanization::{BodyMotion, VerticalLoop};
 use sins::signal::Increment;
-use sins::state::EarthFixedState;
+use sins::earth::state::EarthFixedState;
 
 /// The navigator.
 #[derive(Debug, Clone, Copy)]

@@ -98,8 +98,8 @@ impl fmt::Display for Failure {
     }
 }
 
-impl From<sins::recommend::Refusal> for Failure {
-    fn from(refusal: sins::recommend::Refusal) -> Self {
+impl From<sins::analysis::recommend::Refusal> for Failure {
+    fn from(refusal: sins::analysis::recommend::Refusal) -> Self {
         Self::new(refusal.to_string())
     }
 }

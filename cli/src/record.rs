@@ -2,9 +2,9 @@
 //! `sins report` reads them.
 
 use nalgebra::Vector3;
+use sins::earth::state::Navigation;
 use sins::errors::NavigationErrors;
 pub use sins::records::{COLUMNS, SIGMA_COLUMNS};
-use sins::state::Navigation;
 use sins::{Error, ErrorSource, Simulator};
 
 /// Axes of all errors except those of the sensors, in the order of the columns.

@@ -1,7 +1,7 @@
 //! The outputs, which are read from the simulator after a step.
 
-use sins::correction::Compensation;
-use sins::state::Navigation;
+use sins::earth::state::Navigation;
+use sins::errors::correction::Compensation;
 use sins::unit::Unit;
 use sins::{Error, ErrorSource, Simulator};
 

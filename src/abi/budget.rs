@@ -6,11 +6,11 @@ use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Array, Output, interface_struct, put_if_wanted, read};
 use super::sample::sins_flight_sample;
 use super::simulator::{look_at, sins_sim};
-use crate::budget::{
+use crate::analysis::budget::{
     BudgetRequest, Costs, Effect, MAX_SAMPLES, MIN_SAMPLES, Scene, error_budget, step_costs_ns,
 };
-use crate::error::{Error, check_integer};
-use crate::recommend::SolutionError;
+use crate::analysis::recommend::SolutionError;
+use crate::base::error::{Error, check_integer};
 use crate::simulator::{ErrorParameters, Simulator};
 
 /// Request for an error budget. All zero is 16 runs and no limits.

@@ -1,7 +1,7 @@
 //! Constants of the host: choices of an enumeration, flags, and reserved fields.
 
 use super::failure::Failure;
-use crate::error::{Error, Rule};
+use crate::base::error::{Error, Rule};
 
 /// A choice of the library that is an enumeration of the interface.
 pub(super) trait Choice: Copy + 'static {

@@ -3,7 +3,7 @@
 use core::ffi::{CStr, c_char};
 use core::fmt;
 
-use crate::error::{Error, ErrorKind, Rule};
+use crate::base::error::{Error, ErrorKind, Rule};
 
 /// Result of a call: SINS_OK is 0, a negative status is an error, a positive status is neither. After an error nothing has
 /// changed, with the exceptions under Statuses.

@@ -3,8 +3,8 @@
 use super::choice::{Choice, check_reserved, choices};
 use super::failure::Failure;
 use super::memory::interface_struct;
-use crate::error::{Error, Rule, Value, check_integer};
-use crate::flight::{
+use crate::base::error::{Error, Rule, Value, check_integer};
+use crate::truth::flight::{
     Channel, DEFAULT_RAMP_S, MANOEUVRE_KINDS, MAX_SINUSOIDS, Manoeuvre, ManoeuvreFields, Sinusoid,
 };
 

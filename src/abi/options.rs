@@ -4,12 +4,12 @@ use super::choice::{Choice, check_reserved, choices, switch};
 use super::failure::Failure;
 use super::memory::interface_struct;
 use super::parameters::Parameters;
+use crate::base::error::{Error, Rule, check_integer};
+use crate::earth::state::BodyAxes;
 use crate::earth::{Ellipsoid, GravityModel};
-use crate::error::{Error, Rule, check_integer};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
 use crate::sensors::StreamKey;
 use crate::simulator::Options;
-use crate::state::BodyAxes;
 use crate::truth::IntakeLimits;
 
 include!(concat!(env!("OUT_DIR"), "/sins_frame.rs"));

@@ -7,11 +7,11 @@ use super::options::sins_options;
 use super::parameters::Parameters;
 use super::sample::sins_flight_sample;
 use super::simulator::{look_at, sins_sim};
-use crate::error::check_integer;
-use crate::memory::room;
-use crate::recommend::{
+use crate::analysis::recommend::{
     MAX_SAMPLES, MIN_SAMPLES, Recommendation, Refusal, Requirement, Setup, recommend, step_time_ns,
 };
+use crate::base::error::check_integer;
+use crate::base::memory::room;
 use crate::truth::FlightSample;
 
 /// Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.

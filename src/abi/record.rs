@@ -12,8 +12,8 @@ use super::memory::{Output, interface_struct, read, read_numbers};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_record_solution;
 use super::text::put_text;
-use crate::error::{Error, Rule};
-use crate::records::{COLUMNS, Number, SIGMA_COLUMNS};
+use crate::base::error::{Error, Rule};
+use crate::base::records::{COLUMNS, Number, SIGMA_COLUMNS};
 use crate::simulator::{Moment, View};
 
 /// Truth, navigation and both errors at one instant.

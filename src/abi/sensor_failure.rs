@@ -4,7 +4,7 @@ use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
-use crate::error::{Error, Rule};
+use crate::base::error::{Error, Rule};
 use crate::sensors::{self, FAILURE_KINDS, FailureFields, SensorOutput};
 
 /// Sensors that can fail.

@@ -7,9 +7,9 @@ use super::{
     Updated,
 };
 use crate::Options;
-use crate::error::Error;
-use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
+use crate::base::error::Error;
 use crate::sensors::{FailureFields, SensorOutput};
+use crate::truth::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
 
 /// A scene while it is read or written. A number that may be missing is NaN.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,7 +8,7 @@ use super::reader::{Item, Reader};
 use super::site::ValuePath;
 use super::table::KEYS;
 use super::{BUILTIN_SCENES, Scene};
-use crate::error::{Error, ErrorKind, Value};
+use crate::base::error::{Error, ErrorKind, Value};
 
 impl Reader<'_> {
     /// Checks whether the keys go together.

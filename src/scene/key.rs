@@ -5,10 +5,10 @@ use nalgebra::Vector3;
 use super::draft::{Draft, FailureDraft};
 use super::table::of_sensor;
 use super::{Action, Scene, Updated};
-use crate::flight::{Channel, MANOEUVRE_KINDS};
-use crate::parameter::Shape;
+use crate::base::parameter::Shape;
 use crate::sensors::FAILURE_KINDS;
 use crate::surroundings::{START, of_path};
+use crate::truth::flight::{Channel, MANOEUVRE_KINDS};
 use crate::unit::UNIT;
 
 /// The sections, each with its name, as it stands in brackets, and what its keys set, in words.

@@ -6,9 +6,9 @@ use super::key::{Key, Section, Target};
 use super::table::{SENSORS, of_sensor};
 use super::value::{Value, put};
 use super::{PlannedUpdate, Scene, Updated};
-use crate::error::{Error, Rule};
-use crate::flight::{Channel, MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields, Sinusoid};
+use crate::base::error::{Error, Rule};
 use crate::sensors::{FAILURE_KINDS, FailureFields};
+use crate::truth::flight::{Channel, MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields, Sinusoid};
 
 /// Least and greatest allowed number of a key, in its unit.
 #[derive(Debug, Clone, Copy, PartialEq)]

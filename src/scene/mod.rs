@@ -14,6 +14,7 @@ mod fault;
 mod key;
 mod limits;
 mod list;
+pub mod log;
 mod names;
 mod nesting;
 mod panel;
@@ -45,10 +46,10 @@ pub use update::{PlannedUpdate, Updated};
 pub(crate) use value::MAX_TEXT_VALUE;
 pub use write::ChangedKey;
 
-use crate::error::{Error, Rule, check_integer};
-use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
-use crate::memory::room;
+use crate::base::error::{Error, Rule, check_integer};
+use crate::base::memory::room;
 use crate::sensors::{Failure, SensorOutput};
+use crate::truth::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 use crate::{ErrorParameters, Options, Simulator};
 
 /// Largest size of a scene's text [bytes].

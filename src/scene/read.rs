@@ -13,9 +13,9 @@ use super::reader::{Item, Reader};
 use super::setting::take_settings;
 use super::table::{self, KEYS};
 use super::{MAX_TEXT, PlannedAction, Scene, Updated};
-use crate::error::Error;
-use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields};
+use crate::base::error::Error;
 use crate::sensors::FAILURE_KINDS;
+use crate::truth::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields};
 
 type Span = Range<usize>;
 

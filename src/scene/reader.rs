@@ -13,7 +13,7 @@ use super::setting::Setting;
 use super::site::Site;
 use super::table::{self, KEYS, names_of};
 use super::value::{Value, put, put_element};
-use crate::flight::Manoeuvre;
+use crate::truth::flight::Manoeuvre;
 
 type Span = Range<usize>;
 

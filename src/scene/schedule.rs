@@ -2,10 +2,10 @@
 
 use super::{Failing, PlannedFailure, Scene, Temperature};
 use crate::Simulator;
-use crate::correction::Correction;
+use crate::base::error::{Error, Rule, check_range};
 use crate::ensemble::Ensemble;
-use crate::error::{Error, Rule, check_range};
 use crate::errors::NavigationErrors;
+use crate::errors::correction::Correction;
 use crate::sensors::{Failure, SensorOutput, StreamKey};
 use crate::truth::FlightSample;
 

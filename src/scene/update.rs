@@ -5,13 +5,13 @@ use nalgebra::Vector3;
 use super::Scene;
 use super::schedule::{FliesScene, MAX_ITEMS, ROUNDING, TIMES_S};
 use crate::Simulator;
-use crate::correction::Correction;
+use crate::base::error::{Error, check_range, check_ranges};
+use crate::base::snapshot::codes;
 use crate::earth::Geodetic;
-use crate::error::{Error, check_range, check_ranges};
 use crate::errors::NavigationErrors;
+use crate::errors::correction::Correction;
 use crate::mechanization::VerticalMode;
 use crate::sensors::StreamKey;
-use crate::snapshot::codes;
 use crate::unit::Unit;
 
 /// What an update corrects. The numbers are part of the bit-for-bit guarantee: never reuse one.

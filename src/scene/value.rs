@@ -9,8 +9,8 @@ use super::limits::{Limits, limits};
 use super::names::excerpt;
 use super::nesting::too_deep;
 use super::written::number_text;
-use crate::error::{Error, Rule};
-use crate::parameter::Shape;
+use crate::base::error::{Error, Rule};
+use crate::base::parameter::Shape;
 
 /// Largest size of a text in a scene [bytes].
 pub const MAX_TEXT_VALUE: usize = 4096;

@@ -7,8 +7,8 @@ use super::site::{Site, ValuePath};
 use super::table::of_section;
 use super::written::{divided, shown, written};
 use super::{FlightSource, Scene};
-use crate::flight::ManoeuvreFields;
 use crate::sensors::FAILURE_KINDS;
+use crate::truth::flight::ManoeuvreFields;
 
 impl Scene {
     /// The scene in TOML with comments: all values that are not the default. [`Scene::parse`] reads the same scene from it, to the bit.

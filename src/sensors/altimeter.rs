@@ -6,8 +6,8 @@ use super::failing::FailingOutput;
 use super::failure::{Failure, SensorOutput};
 use super::kept::Kept;
 use super::stream::{Purpose, Source, Stream, StreamKey};
-use crate::math::exp_m1;
-use crate::snapshot::{SIGNALS, WALKS, stored};
+use crate::base::math::exp_m1;
+use crate::base::snapshot::{SIGNALS, WALKS, stored};
 
 /// The altimeter.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 
 use super::failure::{Axis, Failure, SensorOutput};
 use super::stream::{Purpose, Source, Stream, StreamKey};
-use crate::error::Error;
-use crate::snapshot::{Numbers, Reader, SIGNALS, Stored, Writer, stored};
+use crate::base::error::Error;
+use crate::base::snapshot::{Numbers, Reader, SIGNALS, Stored, Writer, stored};
 
 /// Share of a sample interval. A loss that is due this close before the end of an interval falls into the next
 /// interval, because sums of intervals have rounding errors.

@@ -1,8 +1,8 @@
 //! How a sensor can fail, as an instructor sets it.
 
-use crate::error::{Error, Rule, check_range};
+use crate::base::error::{Error, Rule, check_range};
+use crate::base::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 use crate::signal::Increment;
-use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 
 /// Axis of a triad, sensor axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::stream::{Purpose, Source, Stream, StreamKey};
-use crate::state::StateErrors;
+use crate::earth::state::StateErrors;
 
 pub use crate::surroundings::{Alignment, InitialErrorParameters};
 

@@ -46,7 +46,7 @@ mod triad;
 mod validation;
 mod xoshiro;
 
-pub use crate::parameter::{Field, Parameter, Range as ParameterRange, Row, Shape as ParameterShape};
+pub use crate::base::parameter::{Field, Parameter, Range as ParameterRange, Row, Shape as ParameterShape};
 pub use crate::surroundings::{AltimeterParameters, GravityDisturbanceParameters, GravityField};
 pub use alignment::{Aligned, Sensed, level, level_and_gyrocompass};
 pub use altimeter::Altimeter;

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::initial::{Alignment, InitialErrorParameters};
 use super::parameters::TriadParameters;
-use crate::units::{DEG, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, STANDARD_GRAVITY as G};
+use crate::base::units::{DEG, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, STANDARD_GRAVITY as G};
 
 const FOOT_M: f64 = 0.3048;
 /// The flat part of the Allan deviation of flicker noise of B = 1.

@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
+use crate::base::math::Compensated;
+use crate::base::snapshot::{COUNT, NO_SQUARE, stored};
 use crate::earth::{Earth, Geodetic};
 use crate::errors::NavigationErrors;
-use crate::math::Compensated;
-use crate::snapshot::{COUNT, NO_SQUARE, stored};
 use crate::truth::{INTERVALS_S, TruthPoint};
 
 /// Displacement [m], and share of the displacement by velocity, by which a sample may contradict its velocity before it is flagged.
@@ -184,8 +184,8 @@ impl Closure {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::Euler;
-    use crate::state::BodyAxes;
+    use crate::base::math::Euler;
+    use crate::earth::state::BodyAxes;
     use crate::truth::{FlightSample, Intake, IntakeLimits};
 
     /// The energy of the swing after one inconsistency of 1 m, over 2000 intervals of 1000 s: 800 000 steps of t = 2.5 s. With
@@ -211,7 +211,7 @@ mod tests {
         }
         let (c, omega_t) =
             (2.0 * earth.rate_rad_s * LONGEST_ANSWER_STEP_S, omega2.sqrt() * LONGEST_ANSWER_STEP_S);
-        let grown = crate::math::exp(800e3 * c * (c + omega_t));
+        let grown = crate::base::math::exp(800e3 * c * (c + omega_t));
         assert!(largest < start * grown * (1.0 + omega_t), "{}", largest / start);
     }
 }

@@ -33,16 +33,16 @@ pub(crate) use start::is_of_truth;
 
 use nalgebra::Vector3;
 
-use crate::correction::Correction;
-use crate::covariance::Propagation;
+use crate::base::error::{Error, ErrorKind, Rule};
+use crate::base::instruction_set::InstructionSet;
+use crate::base::memory::{only, room};
 use crate::earth::Earth;
-use crate::error::{Error, ErrorKind, Rule};
+use crate::earth::state::Navigation;
 use crate::errors::NavigationErrors;
-use crate::instruction_set::InstructionSet;
-use crate::memory::{only, room};
+use crate::errors::correction::Correction;
+use crate::errors::covariance::Propagation;
 use crate::sensors::StreamKey;
 use crate::signal::Increment;
-use crate::state::Navigation;
 use crate::truth::{FlightSample, Intake, Pushed, TruthPoint, TruthSummary};
 use chain::Chain;
 use imperfections::Imperfections;

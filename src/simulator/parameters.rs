@@ -1,13 +1,13 @@
 //! All that makes an INS err, as a host sets it.
 
 use super::{Options, Simulator, heap_simulator};
-use crate::error::Error;
-use crate::mounting::MountingParameters;
-use crate::parameter::{Field, Parameter};
+use crate::base::error::Error;
+use crate::base::parameter::{Field, Parameter};
 use crate::sensors::{
     AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, PARAMETERS, Sensor,
     TriadParameters,
 };
+use crate::signal::mounting::MountingParameters;
 use crate::surroundings::{self, of_path};
 
 /// Settings of the sensors, of the start, of the mounting and of gravity. The default is ideal.

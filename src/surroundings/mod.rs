@@ -6,12 +6,12 @@ pub use table::{ALTIMETER, GRAVITY, INITIAL, MOUNTING, START};
 
 use nalgebra::Vector3;
 
-use crate::checks::check_numbers;
+use crate::base::checks::check_numbers;
+use crate::base::error::Error;
+use crate::base::math::Euler;
+use crate::base::parameter::Row;
+use crate::base::snapshot::{ANY, codes, stored};
 use crate::earth::Ellipsoid;
-use crate::error::Error;
-use crate::math::Euler;
-use crate::parameter::Row;
-use crate::snapshot::{ANY, codes, stored};
 
 // The structs with their checks and numbers, which build.rs writes from the tables.
 include!(concat!(env!("OUT_DIR"), "/surroundings.rs"));

@@ -4,10 +4,10 @@
 //! `build.rs` makes from the tables the structs of the interface with the header, those of the crate, and the numbers of both. The crate
 //! itself has `GravityDisturbanceParameters`. Checks, keys of scene files and rows of an error budget read the tables.
 
-use crate::parameter::Range::{DistanceOf, OffOr, TimeOf, Within};
-use crate::parameter::Shape::{Angles, Axes, Number, Vector};
-use crate::parameter::{CORRELATION_TIMES_S, Range, Row, choice, own_field as field, row};
-use crate::units::{ARCMIN, ARCSEC, DEG, MILLIGAL, PPM};
+use crate::base::parameter::Range::{DistanceOf, OffOr, TimeOf, Within};
+use crate::base::parameter::Shape::{Angles, Axes, Number, Vector};
+use crate::base::parameter::{CORRELATION_TIMES_S, Range, Row, choice, own_field as field, row};
+use crate::base::units::{ARCMIN, ARCSEC, DEG, MILLIGAL, PPM};
 
 const PI: f64 = core::f64::consts::PI;
 const GIVEN: bool = false;

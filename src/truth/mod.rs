@@ -1,5 +1,6 @@
 //! Truth: the samples of the flight simulator, checked on entry and converted to Earth-fixed axes.
 
+pub mod flight;
 mod intake;
 mod limits;
 mod point;

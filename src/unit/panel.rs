@@ -1,7 +1,7 @@
 //! What a unit has to the outside: its panel, and the words for its state.
 
-use crate::error::{Error, check_range};
-use crate::snapshot::codes;
+use crate::base::error::{Error, check_range};
+use crate::base::snapshot::codes;
 
 /// The mode selector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -106,7 +106,7 @@ macro_rules! flags {
             $(#[doc = $meaning] pub $flag: bool,)*
         }
 
-        crate::snapshot::stored!($type { $($flag),* });
+        crate::base::snapshot::stored!($type { $($flag),* });
 
         impl $type {
             /// Name and meaning of each flag, in the order of the bits.
@@ -189,7 +189,7 @@ pub struct Stored {
     pub heading_rad: f64,
 }
 
-crate::snapshot::stored!(Stored { latitude_rad: 1.6, longitude_rad: 3.2, heading_rad: 6.3 } then |stored, _| stored.validate());
+crate::base::snapshot::stored!(Stored { latitude_rad: 1.6, longitude_rad: 3.2, heading_rad: 6.3 } then |stored, _| stored.validate());
 
 impl Stored {
     /// Checks every field.

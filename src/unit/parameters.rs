@@ -1,9 +1,9 @@
 //! Times and limits of a unit, from their table.
 
 use super::table::UNIT;
-use crate::error::Error;
-use crate::parameter::Range;
-use crate::snapshot::stored;
+use crate::base::error::Error;
+use crate::base::parameter::Range;
+use crate::base::snapshot::stored;
 use crate::surroundings::check;
 
 // The struct with its checks and numbers, which build.rs writes from the table.

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use sins::earth::Earth;
-use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
 use sins::truth::FlightSample;
+use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
 
 use crate::support::{DEG, G, patrol};
 

@@ -4,12 +4,12 @@
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
-use sins::flight::{Channel, Flight, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 use sins::math::{euler_from_attitude, rotate_inverse};
 use sins::mechanization::Scheme;
-use sins::mounting::MountingParameters;
 use sins::sensors::TriadParameters;
+use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Channel, Flight, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 use sins::{ErrorSource, ImuInterval, Options, Simulator};
 
 use crate::support::{self, DEG, EARTH_RATE, options_at, resting_sample};

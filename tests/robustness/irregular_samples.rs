@@ -4,9 +4,9 @@
 use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
-use sins::flight::{Channel, Flight, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 use sins::sensors::{TriadParameters, paper_simulation2};
 use sins::truth::FlightSample;
+use sins::truth::flight::{Channel, Flight, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
 
 use crate::support::{Worst, fly, options_at, patrol, resting_sample};

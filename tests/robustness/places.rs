@@ -3,9 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{UnitQuaternion, Vector3};
-use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::mechanization::Frame;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorSource, Options, Simulator};
 
 use crate::support::orbits::{Apart, Circle, about, apart_on_the_way, sample_of};
@@ -63,7 +63,7 @@ fn turns_in_the_hosts_angles_are_nothing() {
         let circle = Circle::past(on_the_equator(-0.5, 0.3), 0.0);
         let mut simulator = Simulator::new(&options_at(50.0)).unwrap();
         let mut reported = 0;
-        let sample = |time_s: f64, state: &sins::state::EarthFixedState| {
+        let sample = |time_s: f64, state: &sins::earth::state::EarthFixedState| {
             let mut sample = sample_of(time_s, state);
             reported += 1;
             if reported % 2 == 0 {

@@ -9,10 +9,10 @@ use sins::earth::GravityModel;
 use sins::ensemble::Ensemble;
 use sins::math::Euler;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::mounting::MountingParameters;
 use sins::sensors::{
     Failure, GravityDisturbanceParameters, GravityField, SensorOutput, StreamKey, TriadParameters,
 };
+use sins::signal::mounting::MountingParameters;
 use sins::truth::{FlightSample, Pushed};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 

@@ -3,13 +3,13 @@
 use std::sync::OnceLock;
 
 use nalgebra::Vector3;
-use sins::correction::Correction;
 use sins::ensemble::Ensemble;
 use sins::errors::NavigationErrors;
-use sins::flight::Flight;
+use sins::errors::correction::Correction;
 use sins::scene::{FliesScene, Scene};
 use sins::sensors::{Failure, SensorOutput, StreamKey};
 use sins::truth::FlightSample;
+use sins::truth::flight::Flight;
 use sins::{Error, ErrorKind, ErrorSource, Simulator};
 
 use crate::support::errors;

@@ -3,17 +3,17 @@
 
 use nalgebra::{Matrix3, Vector3};
 use sins::Options;
-use sins::correction::{Compensation, Correction};
 use sins::earth::Geodetic;
+use sins::earth::state::{BodyAxes, Navigation, StateErrors};
+use sins::errors::correction::{Compensation, Correction};
 use sins::math::{Euler, mix};
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::mounting::MountingParameters;
 use sins::sensors::{
     AltimeterParameters, Axis, Failure, GravityDisturbanceParameters, GravityField, InitialErrorParameters,
     SensorOutput, TriadParameters,
 };
 use sins::signal::Increment;
-use sins::state::{BodyAxes, Navigation, StateErrors};
+use sins::signal::mounting::MountingParameters;
 use sins::truth::{FlightSample, IntakeLimits};
 
 use super::moments::Call;

@@ -5,12 +5,12 @@ use std::borrow::Borrow;
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
+use sins::earth::state::{BodyAxes, EarthFixedState};
 use sins::earth::{Earth, Geodetic};
 use sins::errors::NavigationErrors;
 use sins::math::Euler;
 use sins::sensors::{PARAMETERS, Parameter, ParameterShape, Sensor, TriadParameters};
 use sins::signal::Increment;
-use sins::state::{BodyAxes, EarthFixedState};
 use sins::truth::{FlightSample, Intake, IntakeLimits};
 
 pub mod any_use;
@@ -205,8 +205,8 @@ pub fn resting_sample(time_s: f64) -> FlightSample {
 }
 
 /// The patrol of the tests: from Beijing's meridian, heading a little east of north.
-pub fn patrol(duration_s: f64) -> sins::flight::Flight {
-    let start = sins::flight::FlightStart {
+pub fn patrol(duration_s: f64) -> sins::truth::flight::Flight {
+    let start = sins::truth::flight::FlightStart {
         latitude_rad: 40.0 * DEG,
         longitude_rad: 116.4 * DEG,
         height_m: 8000.0,

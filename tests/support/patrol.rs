@@ -1,7 +1,7 @@
 //! The patrol of the paper's simulations, with added angular oscillations.
 
 use sins::Error;
-use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
+use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
 
 /// Figure-eights of sums of sinusoids, at 200 m/s with banks to 30°, in which the aircraft rolls, pitches and yaws within seconds.
 /// It is livelier than the built-in scene `patrol`, which climbs, gains speed and rocks more slowly.

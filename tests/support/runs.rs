@@ -3,16 +3,16 @@
 
 use nalgebra::Vector3;
 use sins::Options;
+use sins::earth::state::{BodyAxes, Navigation};
 use sins::earth::{Ellipsoid, GravityModel};
 use sins::math::Euler;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::mounting::MountingParameters;
 use sins::sensors::{
     Axis, Failure, GravityDisturbanceParameters, GravityField, InitialErrorParameters, SensorOutput,
     StreamKey, TriadParameters,
 };
 use sins::signal::Increment;
-use sins::state::{BodyAxes, Navigation};
+use sins::signal::mounting::MountingParameters;
 use sins::truth::{FlightSample, IntakeLimits};
 
 use super::moments::{Call, altimeter, every_effect, flown, loops, samples, setting};

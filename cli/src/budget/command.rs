@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use sins::budget::BudgetRequest;
+use sins::analysis::budget::BudgetRequest;
 
 use crate::failure::Failure;
 use crate::given::{Settings, whole};

@@ -83,8 +83,8 @@ fn figures(survey: &Survey) -> Markup {
 
 #[cfg(test)]
 mod tests {
-    use sins::budget::{Budget, BudgetRequest, BudgetRow, Costs, EFFECTS, SigmaInterval};
-    use sins::recommend::SolutionError;
+    use sins::analysis::budget::{Budget, BudgetRequest, BudgetRow, Costs, EFFECTS, SigmaInterval};
+    use sins::analysis::recommend::SolutionError;
 
     use super::*;
 

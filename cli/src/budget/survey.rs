@@ -1,7 +1,7 @@
 //! The budgets of the scenes.
 
-use sins::budget::{Budget, BudgetRequest, Costs, Effect, error_budget, step_costs_ns};
-use sins::recommend::{Refusal, SolutionError};
+use sins::analysis::budget::{Budget, BudgetRequest, Costs, Effect, error_budget, step_costs_ns};
+use sins::analysis::recommend::{Refusal, SolutionError};
 
 use super::scene::Scene;
 use crate::failure::Failure;
@@ -72,7 +72,7 @@ impl Survey {
                 }
                 scene.sample(index)
             };
-            let flown = sins::budget::Scene { count: scene.count, sample: &sample };
+            let flown = sins::analysis::budget::Scene { count: scene.count, sample: &sample };
             error_budget(&scene.options, &flown, &scene.parameters, request)
         });
         drop(progress);
@@ -121,7 +121,7 @@ impl Survey {
 /// Times of a step of `scene` with and without the effects of its budget.
 fn costs(scene: &Scene, budget: &Budget) -> Result<Costs, Failure> {
     let sample = |index| scene.sample(index);
-    let flown = sins::budget::Scene { count: scene.count, sample: &sample };
+    let flown = sins::analysis::budget::Scene { count: scene.count, sample: &sample };
     let _timing = Progress::working(format!("timing a step of {}", scene.name));
     let effects = budget.rows.iter().map(|row| row.effect);
     Ok(step_costs_ns(&scene.options, &flown, &scene.parameters, effects)?)

@@ -2,7 +2,7 @@
 
 use sins::Options;
 use sins::earth::Earth;
-use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
+use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
 
 use super::reference::Judge;
 use super::scene::{Rate, Scene};

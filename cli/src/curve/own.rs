@@ -1,10 +1,10 @@
 //! Scenes of the user: flights in closed form, and flight logs.
 
 use sins::Options;
-use sins::flight::Manoeuvre;
-use sins::recommend::Refusal;
+use sins::analysis::recommend::Refusal;
 use sins::scene::{FlightSource, builtin};
 use sins::truth::FlightSample;
+use sins::truth::flight::Manoeuvre;
 
 use super::embedded;
 use super::reference::Judge;

@@ -8,8 +8,8 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use sins::ensemble::statistics::Statistics;
 use sins::scene::{Output, Scene};
-use sins::statistics::Statistics;
 
 use super::plan::{BLOCK, Plan};
 use super::results::{Results, State};

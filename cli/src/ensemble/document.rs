@@ -2,8 +2,8 @@
 
 use maud::{Markup, html};
 use sins::ErrorSource;
+use sins::ensemble::statistics::Figures;
 use sins::scene::ChangedKey;
-use sins::statistics::Figures;
 
 use super::study::{QUANTITIES, Quantity, Study};
 use super::table::Row;

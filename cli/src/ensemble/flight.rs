@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
+use sins::earth::state::Navigation;
 use sins::ensemble::Ensemble;
 use sins::errors::NavigationErrors;
-use sins::state::Navigation;
 use sins::truth::FlightSample;
 use sins::{Error, ErrorKind, ErrorSource};
 

@@ -1,6 +1,6 @@
 //! Results of the runs: statistics over time, the errors of each run at the end, and the errors of a few runs over time.
 
-use sins::statistics::Statistics;
+use sins::ensemble::statistics::Statistics;
 
 use super::plan::{BLOCK, Piece, Plan};
 use crate::failure::{Failure, Kind};

@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use sins::ErrorSource;
-use sins::statistics::Figures;
+use sins::ensemble::statistics::Figures;
 
 use super::plan::Plan;
 use super::requirement::along_cross;

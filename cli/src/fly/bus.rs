@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::io::Write;
 
-use sins::bus::{Inputs, Word, decode, words};
+use sins::unit::bus::{Inputs, Word, decode, words};
 use sins::unit::{Status, Unit, UnitNavigation};
 use sins::{Error, Simulator, records};
 

@@ -4,10 +4,10 @@ use std::io::Write;
 use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
+use sins::earth::state::Navigation;
 use sins::errors::AccuracyFigures;
 use sins::records;
 use sins::scene::Scene;
-use sins::state::Navigation;
 use sins::truth::{FlightSample, TruthSummary};
 use sins::unit::{State, Status, UnitNavigation, Validity};
 use sins::{ClosureFigures, Error, ErrorSource, ImuInterval, Simulator, Solution, TrimFigures};

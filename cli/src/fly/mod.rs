@@ -13,7 +13,7 @@ mod unit;
 
 use std::path::Path;
 
-use sins::bus::Inputs;
+use sins::unit::bus::Inputs;
 use sins::unit::{Mode, Unit, UnitParameters};
 
 use crate::failure::{Failure, Kind};

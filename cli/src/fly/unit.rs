@@ -2,9 +2,9 @@
 
 use std::io::Write;
 
-use sins::bus::Word;
 use sins::records;
 use sins::scene::Scene;
+use sins::unit::bus::Word;
 use sins::unit::{State, Status, Unit, UnitNavigation};
 use sins::{Error, ImuInterval, Simulator};
 

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use sins::log::{FlightLog, LogError};
+use sins::scene::log::{FlightLog, LogError};
 
 use crate::failure::Failure;
 

@@ -11,10 +11,10 @@ mod words;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use sins::flight::Flight;
-use sins::log::FlightLog;
+use sins::scene::log::FlightLog;
 use sins::scene::{FlightSource, Samples, Scene};
 use sins::truth::FlightSample;
+use sins::truth::flight::Flight;
 use sins::{Error, ErrorKind};
 
 pub use arguments::SceneArguments;

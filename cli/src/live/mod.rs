@@ -19,8 +19,8 @@ mod traffic;
 
 use std::ffi::OsString;
 
-use sins::bus::Inputs;
 use sins::truth::Intake;
+use sins::unit::bus::Inputs;
 
 use crate::failure::Failure;
 use crate::fly::FOR_LOGS;

@@ -3,7 +3,7 @@
 use core::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use crate::math::SPLIT_MIX_STEP;
+use crate::base::math::SPLIT_MIX_STEP;
 
 /// Largest number of handles of a kind that exist at the same time.
 pub(in crate::abi) const SLOTS: usize = 4096;

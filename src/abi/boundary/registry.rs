@@ -8,7 +8,7 @@ use super::lock::{Guard, Lock};
 use crate::abi::failure::{
     Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
 };
-use crate::memory::{only, room};
+use crate::base::memory::{only, room};
 
 /// In place of the key of a slot: the slot is free. No key has this kind.
 const FREE: usize = 0;

@@ -2,15 +2,15 @@
 
 use super::registry::Registry;
 use crate::ensemble::Ensemble;
-use crate::flight::Flight;
 #[cfg(feature = "scenes")]
-use crate::log::FlightLog;
+use crate::scene::log::FlightLog;
 #[cfg(feature = "scenes")]
 use crate::scene::{Fault, Scene};
 use crate::simulator::Simulator;
+use crate::truth::flight::Flight;
 use crate::unit::Unit;
 
-/// Simulators, each made by [`crate::memory::only`], as memory for it can be missing.
+/// Simulators, each made by [`crate::base::memory::only`], as memory for it can be missing.
 pub(in crate::abi) static SIMULATORS: Registry<Box<[Simulator; 1]>, 1> = Registry::new();
 pub(in crate::abi) static FLIGHTS: Registry<Flight, 2> = Registry::new();
 #[cfg(feature = "scenes")]

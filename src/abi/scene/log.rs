@@ -11,9 +11,9 @@ use crate::abi::memory::{Output, element, interface_struct, put_if_wanted};
 use crate::abi::sample::sins_flight_sample;
 use crate::abi::sentence::Sentence;
 use crate::abi::text::{bytes_of, chars};
-use crate::error::{Error, Rule};
-use crate::log::{FlightLog, LogError};
-use crate::memory::probe;
+use crate::base::error::{Error, Rule};
+use crate::base::memory::probe;
+use crate::scene::log::{FlightLog, LogError};
 
 /// A flight log in memory. A handle is a checked key, as that of sins_sim, and never taken for one.
 #[repr(C)]

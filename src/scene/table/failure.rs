@@ -2,9 +2,9 @@
 
 use super::super::key::{Key, Place, Section, Target, one};
 use super::{PURE, first_words, number, si, unit, word};
-use crate::parameter::Shape;
+use crate::base::parameter::Shape;
+use crate::base::units::{DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G};
 use crate::sensors::FAILURE_KINDS;
-use crate::units::{DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G};
 
 const F: Section = Section::Failure;
 const N: Shape = Shape::Number;

@@ -3,10 +3,10 @@
 use super::super::key::{Key, Place, Section, Target, one};
 use super::sensors::of_rows;
 use super::{PURE, choice, count, first_words, number, si, text, unit, word};
-use crate::flight::{Channel, MANOEUVRE_KINDS};
-use crate::parameter::Shape;
+use crate::base::parameter::Shape;
+use crate::base::units::DEG;
 use crate::surroundings;
-use crate::units::DEG;
+use crate::truth::flight::{Channel, MANOEUVRE_KINDS};
 
 const F: Section = Section::Flight;
 const M: Section = Section::Manoeuvre;

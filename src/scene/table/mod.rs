@@ -12,7 +12,7 @@ pub use failure::SENSORS;
 
 use super::draft::Draft;
 use super::key::{Key, Section, Target, Unit};
-use crate::joined::{joined, total};
+use crate::base::joined::{joined, total};
 
 /// Every key.
 pub const KEYS: &[Key] = &joined::<Key, { total(PARTS) }>(PARTS);

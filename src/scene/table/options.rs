@@ -2,10 +2,10 @@
 
 use super::super::key::{Key, Place, Section, Target, one};
 use super::{choice, count, number, si, text};
+use crate::base::parameter::Shape;
+use crate::earth::state::BodyAxes;
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
-use crate::parameter::Shape;
-use crate::state::BodyAxes;
 
 const O: Section = Section::Options;
 const P: Section = Section::Output;

@@ -9,12 +9,12 @@ use sins::abi::{
     SINS_OK, sins_cost, sins_create, sins_destroy, sins_flight_sample, sins_mounting, sins_options,
     sins_recommend, sins_requirement, sins_set_mounting, sins_status,
 };
-use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
+use sins::analysis::recommend::{Requirement, Rung, Setup, SolutionError, ladder, recommend, step_time_ns};
+use sins::earth::state::EarthFixedState;
 use sins::math::{relative_rotation, rotation_vector};
 use sins::mechanization::{Scheme, VerticalMode};
-use sins::recommend::{Requirement, Rung, Setup, SolutionError, ladder, recommend, step_time_ns};
-use sins::state::EarthFixedState;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
 use sins::{Options, Simulator};
 
 use crate::support::{DEG, options_at};

@@ -1,10 +1,10 @@
 //! Failures in a flight: set, replaced and cleared, in both error data, through resets and divergence.
 
 use nalgebra::Vector3;
+use sins::earth::state::{BodyAxes, Navigation};
 use sins::math::{Euler, attitude_from_euler};
 use sins::sensors::{Axis, Failure, SensorOutput};
 use sins::signal::Increment;
-use sins::state::{BodyAxes, Navigation};
 use sins::{ErrorKind, ErrorSource, ImuFlags, Options, Simulator, Step};
 
 use super::{DT, EPS, INVALID_GYRO, in_flight, noisy_simulator, rest, simulator};

@@ -5,10 +5,10 @@ mod placement;
 mod truth;
 
 use nalgebra::Vector3;
-use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::math::Euler;
-use sins::mounting::MountingParameters;
+use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorKind, Options, Simulator};
 
 use crate::support::{DEG, resting_sample, step};
