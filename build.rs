@@ -40,19 +40,15 @@ mod python;
 mod read;
 #[path = "build/sensor_structs.rs"]
 mod sensor_structs;
-#[path = "src/surroundings/table.rs"]
-mod surroundings;
-#[path = "build/surroundings_structs.rs"]
-mod surroundings_structs;
-#[path = "src/sensors/table.rs"]
-mod table;
+#[path = "build/table_structs.rs"]
+mod table_structs;
+#[path = "build/tables.rs"]
+mod tables;
 #[cfg_attr(not(feature = "header"), allow(dead_code, reason = "c_header uses the rest"))]
 #[path = "build/template.rs"]
 mod template;
 #[path = "build/text.rs"]
 mod text;
-#[path = "src/unit/table.rs"]
-mod unit_table;
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -64,11 +60,11 @@ fn main() {
         "src/abi",
         "src/ensemble/statistics/layout.rs",
         "src/base/parameter.rs",
-        "src/sensors/table.rs",
-        "src/surroundings/table.rs",
-        "src/unit/table.rs",
         "src/base/units.rs",
-    ] {
+    ]
+    .iter()
+    .chain(&tables::FILES)
+    {
         println!("cargo:rerun-if-changed={source}");
     }
     println!("cargo:rerun-if-env-changed=SINS_WRITE_HEADER");
@@ -82,13 +78,11 @@ fn main() {
 
     let root = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
     let out = PathBuf::from(variable("OUT_DIR"));
-    let mut generated_sources = surroundings_structs::interface();
+    let mut generated_sources = table_structs::interface();
     generated_sources.push(("sensor_params".to_owned(), sensor_structs::interface()));
     generated_sources.extend(enumerations::interface(&root.join("src")));
     write(&out.join("triad_parameters.rs"), &sensor_structs::triad());
-    write(&out.join("surroundings.rs"), &surroundings_structs::own());
-    write(&out.join("unit.rs"), &surroundings_structs::own_of_unit());
-    for (name, text) in &generated_sources {
+    for (name, text) in table_structs::own().iter().chain(&generated_sources) {
         write(&out.join(format!("{name}.rs")), text);
     }
 

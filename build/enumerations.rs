@@ -15,7 +15,7 @@ const ENUMERATIONS: [(&str, &str, u32, &str, &str); 15] = [
     ("sins_earth", "SINS_EARTH", 0, "Ellipsoid", "earth/mod.rs"),
     ("sins_gravity", "SINS_GRAVITY", 0, "GravityModel", "earth/gravity.rs"),
     ("sins_axes", "SINS_AXES", 0, "BodyAxes", "earth/state.rs"),
-    ("sins_alignment", "SINS_ALIGNMENT", 0, "Alignment", "surroundings/mod.rs"),
+    ("sins_alignment", "SINS_ALIGNMENT", 0, "Alignment", "sensors/initial.rs"),
     ("sins_grade", "SINS_GRADE", 1, "Grade", "sensors/preset.rs"),
     ("sins_errors_source", "SINS_ERRORS", 0, "ErrorSource", "simulator/mod.rs"),
     ("sins_decision", "SINS_DECISION", 0, "Decision", "ensemble/statistics/meets.rs"),

@@ -2,7 +2,7 @@
 //! `sins_accel_params` of the interface.
 
 use crate::base::parameter::{Field, Parameter, Range, Shape};
-use crate::table::PARAMETERS;
+use crate::tables::PARAMETERS;
 use crate::text;
 
 const TRIAD_DOC: &str = "\

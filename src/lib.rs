@@ -185,8 +185,6 @@ pub mod signal;
 #[forbid(unsafe_code)]
 mod simulator;
 #[forbid(unsafe_code)]
-pub mod surroundings;
-#[forbid(unsafe_code)]
 pub mod truth;
 #[forbid(unsafe_code)]
 pub mod unit;

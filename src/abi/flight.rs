@@ -10,7 +10,7 @@ use super::parameters::{Parameters, params};
 use super::sample::sins_flight_sample;
 use crate::base::error::check_integer;
 use crate::base::memory::room;
-use crate::surroundings::copy;
+use crate::base::rows::copy;
 use crate::truth::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 
 /// An embedded flight. A handle is a checked key, as that of sins_sim, and never taken for one.

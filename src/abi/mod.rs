@@ -3,8 +3,8 @@
 //! Everything behind is safe Rust.
 //!
 //! The doc comments of the public items are the documentation in the header. That of the fields of `sins_gyro_params` and
-//! `sins_accel_params` comes from `src/sensors/table.rs`, that of the other structs of parameters from
-//! `src/surroundings/table.rs`, and that of most enumerations from the enumerations of the crate that `build/enumerations.rs` lists.
+//! `sins_accel_params` comes from `src/sensors/table.rs`, that of the other structs of parameters from the
+//! tables that `build/tables.rs` lists, and that of most enumerations from the enumerations of the crate that `build/enumerations.rs` lists.
 //!
 //! # Safety
 //!

@@ -7,13 +7,13 @@ use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, Struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use crate::base::error::Error;
+use crate::base::rows::copy;
 use crate::sensors::{
     Alignment, AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, PARAMETERS,
     TriadParameters,
 };
 use crate::signal::mounting::MountingParameters;
 use crate::simulator::Simulator;
-use crate::surroundings::copy;
 use crate::unit::UnitParameters;
 
 /// A struct that holds parameters.

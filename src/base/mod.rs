@@ -15,6 +15,8 @@ pub mod parameter;
 #[forbid(unsafe_code)]
 pub mod records;
 #[forbid(unsafe_code)]
+pub mod rows;
+#[forbid(unsafe_code)]
 pub mod snapshot;
 #[forbid(unsafe_code)]
 pub mod units;

@@ -150,6 +150,11 @@ impl Field {
     }
 }
 
+/// Of a row: its number is the same in each run.
+pub const GIVEN: bool = false;
+/// Of a row: its number says how large an error is that is drawn in each run.
+pub const RANDOM: bool = true;
+
 /// A field, with its key and the SI units in one unit of the key.
 pub const fn own_field(
     (path, unit): (&'static str, &'static str),

@@ -6,8 +6,9 @@ use super::draft::{Draft, FailureDraft};
 use super::table::of_sensor;
 use super::{Action, Scene, Updated};
 use crate::base::parameter::Shape;
+use crate::base::rows::of_path;
 use crate::sensors::FAILURE_KINDS;
-use crate::surroundings::{START, of_path};
+use crate::truth::flight::START;
 use crate::truth::flight::{Channel, MANOEUVRE_KINDS};
 use crate::unit::UNIT;
 

@@ -27,6 +27,8 @@ pub use imu::{ImuFlags, ImuInterval};
 pub(crate) use moment::{Moment, View};
 pub use options::{MAX_UPDATES, Options};
 pub use parameters::ErrorParameters;
+#[cfg(test)]
+pub(crate) use parameters::rows;
 pub(crate) use parameters::with_time;
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;

@@ -3,8 +3,8 @@
 use super::table::UNIT;
 use crate::base::error::Error;
 use crate::base::parameter::Range;
+use crate::base::rows::check;
 use crate::base::snapshot::stored;
-use crate::surroundings::check;
 
 // The struct with its checks and numbers, which build.rs writes from the table.
 include!(concat!(env!("OUT_DIR"), "/unit.rs"));

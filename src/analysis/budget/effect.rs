@@ -2,9 +2,9 @@
 
 use crate::base::joined::{joined, total};
 use crate::base::parameter::Row;
-use crate::sensors::{PARAMETERS, Sensor};
+use crate::sensors::{ALTIMETER, GRAVITY, INITIAL, PARAMETERS, Sensor};
+use crate::signal::mounting::MOUNTING;
 use crate::simulator::ErrorParameters;
-use crate::surroundings;
 
 /// An effect that can be set and left out alone.
 #[derive(Debug, Clone, Copy)]
@@ -28,12 +28,12 @@ macro_rules! of {
 pub static EFFECTS: &[Effect] = &joined::<Effect, { total(PARTS) }>(PARTS);
 
 const PARTS: &[&[Effect]] = &[
-    of!(Table::Rows(&surroundings::GRAVITY)),
+    of!(Table::Rows(&GRAVITY)),
     of!(Table::Triad(Sensor::Gyro)),
     of!(Table::Triad(Sensor::Accelerometer)),
-    of!(Table::Backwards(&surroundings::ALTIMETER)),
-    of!(Table::Rows(&surroundings::INITIAL)),
-    of!(Table::Rows(&surroundings::MOUNTING)),
+    of!(Table::Backwards(&ALTIMETER)),
+    of!(Table::Rows(&INITIAL)),
+    of!(Table::Rows(&MOUNTING)),
 ];
 
 /// A table of parameters.
@@ -164,7 +164,7 @@ mod tests {
             ..ErrorParameters::default()
         };
         all.initial.alignment = Alignment::LevelAndGyrocompass;
-        for row in surroundings::rows() {
+        for row in crate::simulator::rows() {
             all.numbers_of(row.field.path).for_each(|number| *number = 1.0);
         }
         all

@@ -5,8 +5,7 @@ use super::sensors::of_rows;
 use super::{PURE, choice, count, first_words, number, si, text, unit, word};
 use crate::base::parameter::Shape;
 use crate::base::units::DEG;
-use crate::surroundings;
-use crate::truth::flight::{Channel, MANOEUVRE_KINDS};
+use crate::truth::flight::{self, Channel, MANOEUVRE_KINDS};
 
 const F: Section = Section::Flight;
 const M: Section = Section::Manoeuvre;
@@ -30,7 +29,7 @@ pub const FLIGHT: &[Key] = &[
 
 /// The keys of the start, without that of the ellipsoid, which is an option.
 pub const START: &[Key] = &{
-    let [keys @ .., _] = of_rows(F, &surroundings::START);
+    let [keys @ .., _] = of_rows(F, &flight::START);
     keys
 };
 

@@ -1,11 +1,11 @@
 //! The keys of a scene, in the order in which they are read and written.
 
+mod errors;
 mod failure;
 mod flight;
 mod options;
 mod panel;
 mod sensors;
-mod surroundings;
 mod update;
 
 pub use failure::SENSORS;
@@ -26,12 +26,12 @@ const PARTS: &[&[Key]] = &[
     options::OPTIONS,
     sensors::GYRO,
     sensors::ACCELEROMETER,
-    surroundings::ALTIMETER,
+    errors::ALTIMETER,
     &[sensors::START],
-    surroundings::START,
-    surroundings::ALIGNMENT,
-    surroundings::MOUNTING,
-    surroundings::GRAVITY,
+    errors::START,
+    errors::ALIGNMENT,
+    errors::MOUNTING,
+    errors::GRAVITY,
     failure::FAILURE,
     update::UPDATE,
     panel::START,

@@ -10,15 +10,22 @@
 
 mod block;
 mod placement;
+mod table;
 
 pub use block::{Belief, Block, MountingErrors};
 pub use placement::Placement;
+pub use table::MOUNTING;
 
 use nalgebra::Vector3;
 
+use crate::base::error::Error;
 use crate::base::math::Euler;
+use crate::base::rows::check;
+use crate::base::snapshot::stored;
 use crate::earth::state::BodyAxes;
-pub use crate::surroundings::MountingParameters;
+
+// The parameters with their checks and numbers, which build.rs writes from the table.
+include!(concat!(env!("OUT_DIR"), "/mounting.rs"));
 
 /// Integral over `dt` [s] of the acceleration ω'×r + ω×(ω×r) at the place `arm` = r [m], as a velocity [m/s] in body axes, while ω
 /// changes by `change` = d about its mean `mean` = m [rad/s]:

@@ -9,20 +9,26 @@ mod manoeuvre;
 mod path;
 mod profile;
 mod smooth;
+mod table;
 
-pub use crate::surroundings::FlightStart;
 pub(crate) use fields::{DEFAULT_RAMP_S, MANOEUVRE_KINDS, ManoeuvreFields};
 pub use manoeuvre::{Channel, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
+pub use table::START;
 
 use nalgebra::Quaternion;
 
 use crate::base::error::{Error, check_range};
 use crate::base::math::{Euler, atan2, attitude_from_euler, euler_from_attitude, hypot, rotate, rotated_z};
 use crate::base::memory::room;
-use crate::earth::{Earth, Geodetic, GravityModel, navigation_axes};
+use crate::base::rows::check;
+use crate::base::snapshot::stored;
+use crate::earth::{Earth, Ellipsoid, Geodetic, GravityModel, navigation_axes};
 use crate::truth::FlightSample;
 use path::Path;
 use profile::Segment;
+
+// The start of a flight with its checks and numbers, which build.rs writes from the table.
+include!(concat!(env!("OUT_DIR"), "/start.rs"));
 
 /// Largest number of manoeuvres in a flight.
 pub const MAX_MANOEUVRES: usize = 4096;

@@ -1,9 +1,8 @@
-//! The structs that the tables beside that of the sensors make, as Rust sources.
+//! The structs that the tables beside that of the triads make, as Rust sources.
 
 use crate::base::parameter::{Row, Shape};
 use crate::sensor_structs::{Access, comment, definition, sentence, structure, unit};
-use crate::surroundings::{ALTIMETER, GRAVITY, INITIAL, MOUNTING, START};
-use crate::unit_table::UNIT;
+use crate::tables::{ALTIMETER, GRAVITY, INITIAL, MOUNTING, START, UNIT};
 
 /// A struct of the interface with that of the crate.
 struct Pair {
@@ -19,7 +18,7 @@ struct Pair {
     access: Option<Access>,
 }
 
-const PAIRS: [Pair; 5] = [
+const PAIRS: [Pair; 6] = [
     Pair {
         name: "sins_altimeter_params",
         doc: "\
@@ -146,9 +145,7 @@ Start of an embedded flight, level and straight.",
         table: "START",
         access: None,
     },
-];
-
-const OF_UNIT: Pair = Pair {
+    Pair {
     name: "sins_unit_params",
     doc: "\
 Times and limits of a unit. All zero, the default, is the unit that the comments describe.",
@@ -157,25 +154,17 @@ Times and limits of a unit. All zero, the default, is the unit that the comments
     rows: &UNIT,
     table: "UNIT",
     access: None,
-};
+    },
+];
 
 /// The structs of the interface: sources by their names.
 pub fn interface() -> Vec<(String, String)> {
-    PAIRS
-        .iter()
-        .chain([&OF_UNIT])
-        .map(|pair| (pair.table.to_lowercase() + "_params", pair.interface()))
-        .collect()
+    PAIRS.iter().map(|pair| (pair.table.to_lowercase() + "_params", pair.interface())).collect()
 }
 
-/// The structs of the crate, their checks and their numbers.
-pub fn own() -> String {
-    PAIRS.iter().map(Pair::own).collect()
-}
-
-/// The same for a unit.
-pub fn own_of_unit() -> String {
-    OF_UNIT.own()
+/// The structs of the crate, their checks and their numbers: sources by their names.
+pub fn own() -> Vec<(String, String)> {
+    PAIRS.iter().map(|pair| (pair.table.to_lowercase(), pair.own())).collect()
 }
 
 impl Pair {
