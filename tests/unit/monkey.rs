@@ -109,6 +109,7 @@ impl Oracle {
     /// An interval at the end of which the unit shows `state` and the truth is `truth`; `lost` tells which triads had no signal.
     fn advance(&mut self, aircraft: &Aircraft, truth: &Navigation, lost: (bool, bool)) {
         let status = aircraft.unit.status();
+        let latitude = truth.place.latitude_rad;
         let speed = truth.v_n.norm();
         let turned = self.last_truth.map_or(0.0, |last| angle_between(&last, truth));
         let accelerated = self.last_truth.map_or(0.0, |last| (truth.v_n - last.v_n).norm());
@@ -277,6 +278,7 @@ fn live(seed: u64) -> [u64; 5] {
         switched_on: Geodetic::default(),
     };
     let mut valid = [0; 5];
+    let mut motion = Motion::Rest;
     let mut failed = None;
     for _ in 0..draws.random_range(20..40) {
         // Mostly what a crew does, at times anything.
@@ -319,7 +321,7 @@ fn live(seed: u64) -> [u64; 5] {
             }
             _ => aircraft.receiver = None,
         }
-        let motion = match (draws.random_range(0..10), aircraft.speed() > 0.0) {
+        motion = match (draws.random_range(0..10), aircraft.speed() > 0.0) {
             (0..=4, false) => Motion::Rest,
             (5, false) => Motion::Sway,
             (0..=2, true) => Motion::Drive { acceleration: 3.0, to: 0.0 },
