@@ -198,7 +198,6 @@ impl Oracle {
         let status = aircraft.unit.status();
         let context =
             || format!("seed {seed}, {:.1} s: {status:?}\nshown {shown:?}\ntruth {truth:?}", shown.time_s);
-        let latitude = truth.place.latitude_rad;
         let bounds = match status.state {
             State::Attitude => self.att,
             State::FineAlignment if aircraft.kind() == AlignmentKind::InFlight => {
@@ -278,7 +277,6 @@ fn live(seed: u64) -> [u64; 5] {
         switched_on: Geodetic::default(),
     };
     let mut valid = [0; 5];
-    let mut motion = Motion::Rest;
     let mut failed = None;
     for _ in 0..draws.random_range(20..40) {
         // Mostly what a crew does, at times anything.
@@ -321,7 +319,7 @@ fn live(seed: u64) -> [u64; 5] {
             }
             _ => aircraft.receiver = None,
         }
-        motion = match (draws.random_range(0..10), aircraft.speed() > 0.0) {
+        let motion = match (draws.random_range(0..10), aircraft.speed() > 0.0) {
             (0..=4, false) => Motion::Rest,
             (5, false) => Motion::Sway,
             (0..=2, true) => Motion::Drive { acceleration: 3.0, to: 0.0 },
