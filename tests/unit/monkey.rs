@@ -109,6 +109,7 @@ impl Oracle {
     /// An interval at the end of which the unit shows `state` and the truth is `truth`; `lost` tells which triads had no signal.
     fn advance(&mut self, aircraft: &Aircraft, truth: &Navigation, lost: (bool, bool)) {
         let status = aircraft.unit.status();
+        let latitude = truth.place.latitude_rad;
         let speed = truth.v_n.norm();
         let turned = self.last_truth.map_or(0.0, |last| angle_between(&last, truth));
         let accelerated = self.last_truth.map_or(0.0, |last| (truth.v_n - last.v_n).norm());
@@ -197,7 +198,6 @@ impl Oracle {
         let status = aircraft.unit.status();
         let context =
             || format!("seed {seed}, {:.1} s: {status:?}\nshown {shown:?}\ntruth {truth:?}", shown.time_s);
-        let latitude = truth.place.latitude_rad;
         let bounds = match status.state {
             State::Attitude => self.att,
             State::FineAlignment if aircraft.kind() == AlignmentKind::InFlight => {
