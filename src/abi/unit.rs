@@ -9,7 +9,7 @@ use super::choice::{Choice, check_reserved, choices};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::parameters::Parameters;
-use super::parameters::sins_unit_params;
+use super::settings::sins_unit_params;
 use super::simulator::{sins_sim, work_with};
 use super::text::{bytes_of, put_saved};
 use crate::earth::Geodetic;

@@ -1,4 +1,4 @@
-//! Tables that are joined when the crate is compiled.
+//! Tables that are joined or split when the crate is compiled.
 
 /// Number of elements of all parts.
 pub const fn total<T>(parts: &[&[T]]) -> usize {
@@ -23,4 +23,16 @@ pub const fn joined<T: Copy, const N: usize>(parts: &[&[T]]) -> [T; N] {
         part += 1;
     }
     all
+}
+
+/// The words of a table.
+#[cfg(feature = "scenes")]
+pub const fn first_words<T: Copy, const N: usize>(table: [(&'static str, T); N]) -> [&'static str; N] {
+    let mut words = [""; N];
+    let mut index = 0;
+    while index < N {
+        words[index] = table[index].0;
+        index += 1;
+    }
+    words
 }

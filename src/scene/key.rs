@@ -5,11 +5,11 @@ use nalgebra::Vector3;
 use super::draft::{Draft, FailureDraft};
 use super::table::of_sensor;
 use super::{Action, Scene, Updated};
+use crate::base::error::Error;
 use crate::base::parameter::Shape;
 use crate::base::rows::of_path;
 use crate::sensors::FAILURE_KINDS;
-use crate::truth::flight::START;
-use crate::truth::flight::{Channel, MANOEUVRE_KINDS};
+use crate::truth::flight::{Channel, MANOEUVRE_KINDS, START};
 use crate::unit::UNIT;
 
 /// The sections, each with its name, as it stands in brackets, and what its keys set, in words.
@@ -237,6 +237,13 @@ impl Key {
     /// Its name with that of its section: "gyro.bias_deg_h".
     pub fn path(&self) -> String {
         format!("{}.{}", self.section.name(), self.name)
+    }
+
+    /// An error about it, in its unit, in its words.
+    pub fn sentence_of(&self, error: &Error) -> String {
+        let Target::Numbers { .. } = self.target else { return error.to_string() };
+        let index = error.index.map_or(String::new(), |index| format!("[{index}]"));
+        error.sentence_about(&format!("{}{index}", self.path()))
     }
 }
 

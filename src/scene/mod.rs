@@ -41,7 +41,6 @@ pub use panel::{Action, PlannedAction, UnitPlan};
 pub(crate) use read::utf8;
 pub use samples::Samples;
 pub use schedule::FliesScene;
-pub(crate) use table::first_words;
 pub use update::{PlannedUpdate, Updated};
 pub(crate) use value::MAX_TEXT_VALUE;
 pub use write::ChangedKey;

@@ -1,6 +1,8 @@
 //! What a unit has to the outside: its panel, and the words for its state.
 
 use crate::base::error::{Error, check_range};
+#[cfg(feature = "scenes")]
+use crate::base::joined::first_words;
 use crate::base::snapshot::codes;
 
 /// The mode selector.
@@ -94,7 +96,7 @@ codes!(State {
 #[cfg(feature = "scenes")]
 impl State {
     /// The words of all states, in the order of their codes.
-    pub const ALL_WORDS: [&'static str; Self::WORDS.len()] = crate::scene::first_words(Self::WORDS);
+    pub const ALL_WORDS: [&'static str; Self::WORDS.len()] = first_words(Self::WORDS);
 }
 
 /// Makes a struct of flags: each with its name, its meaning and its bit, the bits from 1 on in the order given.

@@ -1,7 +1,8 @@
 //! Failures of sensors: `[[failure]]`.
 
 use super::super::key::{Key, Place, Section, Target, one};
-use super::{PURE, first_words, number, si, unit, word};
+use super::{PURE, number, si, unit, word};
+use crate::base::joined::first_words;
 use crate::base::parameter::Shape;
 use crate::base::units::{DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G};
 use crate::sensors::FAILURE_KINDS;

@@ -2,7 +2,8 @@
 
 use super::super::key::{Key, Place, Section, Target, one};
 use super::sensors::of_rows;
-use super::{PURE, choice, count, first_words, number, si, text, unit, word};
+use super::{PURE, choice, count, number, si, text, unit, word};
+use crate::base::joined::first_words;
 use crate::base::parameter::Shape;
 use crate::base::units::DEG;
 use crate::truth::flight::{self, Channel, MANOEUVRE_KINDS};

@@ -66,17 +66,6 @@ const fn si(text: &'static str) -> Unit {
     unit(text, 1.0, text)
 }
 
-/// The words of a table.
-pub(crate) const fn first_words<T: Copy, const N: usize>(table: [(&'static str, T); N]) -> [&'static str; N] {
-    let mut words = [""; N];
-    let mut index = 0;
-    while index < N {
-        words[index] = table[index].0;
-        index += 1;
-    }
-    words
-}
-
 const PURE: Unit = si("");
 
 /// A text that is not empty.
@@ -124,7 +113,7 @@ macro_rules! choice {
     ($section:expr, $name:literal, $doc:literal, $field:literal => $($place:ident).+, $words:expr) => {
         Key::new($section, $name, $doc, Target::Choice {
             field: $field,
-            words: &super::first_words($words),
+            words: &crate::base::joined::first_words($words),
             get: |draft| $words.iter().position(|(_, value)| *value == draft.$($place).+).unwrap_or(0),
             set: |draft, index| draft.$($place).+ = $words[index].1,
         })

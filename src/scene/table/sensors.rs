@@ -2,7 +2,7 @@
 
 use super::super::draft::Draft;
 use super::super::key::{Key, Place, Section, Target, Unit};
-use super::first_words;
+use crate::base::joined::first_words;
 use crate::base::parameter::{Row, Shape};
 use crate::sensors::{Field, Grade, PARAMETERS, Sensor, TriadParameters};
 
