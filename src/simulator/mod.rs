@@ -56,9 +56,9 @@ use signals::Signals;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorSource {
     /// Navigation minus truth: the paper's error data 2.
-    Navigation,
+    Navigation = 0,
     /// The error differential equations: the paper's error data 1 (sins_options.error_model).
-    Model,
+    Model = 1,
 }
 
 /// Whether a step was made.

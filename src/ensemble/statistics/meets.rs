@@ -11,11 +11,11 @@ const Z: f64 = 1.959_963_984_540_054;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Decision {
     /// The interval of the fraction contains the required fraction. sins_verdict.more_runs runs more would decide.
-    Undecided,
+    Undecided = 0,
     /// Met: the whole interval is above the required fraction.
-    Met,
+    Met = 1,
     /// Not met: the whole interval is below the required fraction.
-    NotMet,
+    NotMet = 2,
 }
 
 /// How many runs are within a limit, and what follows for a requirement.

@@ -49,16 +49,16 @@ impl Digit {
 pub enum WordStatus {
     /// The value is valid.
     #[default]
-    Normal,
+    Normal = 0,
     /// There is no value.
-    NoComputedData,
+    NoComputedData = 1,
     /// The equipment is in its test.
-    FunctionalTest,
+    FunctionalTest = 2,
     /// The equipment has failed. A decimal word has no such status: it then says "no computed data".
-    FailureWarning,
+    FailureWarning = 3,
     /// The status bits say normal, but the data are no value of the label: a decimal digit above its greatest value, or a value out of
     /// the range of the quantity. No word is encoded so.
-    IllegalValue,
+    IllegalValue = 4,
 }
 
 /// The status bits of a normal decimal number below zero.
