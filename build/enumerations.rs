@@ -4,7 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use syn::parse::{Parse, ParseStream, Parser};
-use syn::{Expr, Ident, Item, ItemEnum, Lit, LitInt, LitStr, Token, Variant, braced};
+use syn::token::Brace;
+use syn::{Attribute, Expr, Ident, Item, ItemEnum, Lit, LitInt, LitStr, Token, Variant, braced};
 
 use super::read::doc;
 
@@ -30,13 +31,30 @@ const ENUMERATIONS: [(&str, &str, &str, &str); 15] = [
     ("sins_unit_state", "SINS_UNIT_STATE", "State", "unit/panel.rs"),
 ];
 
+/// Likewise of kinds (`kinds!`), with what the enumeration is, and with what the number 0 means if it is no kind.
+const KINDS: [(&str, &str, &str, Option<(&str, &str)>, &str, &str); 2] = [
+    (
+        "sins_manoeuvre_kind",
+        "SINS_MANOEUVRE",
+        "Kinds of manoeuvre.",
+        None,
+        "Manoeuvre",
+        "truth/flight/manoeuvre.rs",
+    ),
+    (
+        "sins_failure_kind",
+        "SINS_FAILURE",
+        "Kinds of failure.",
+        Some(("NONE", "No failure: clears the failure that is set.")),
+        "Failure",
+        "sensors/failure.rs",
+    ),
+];
+
 /// The enumerations of the interface: sources by their names. The crate is in the folder `src`.
 pub fn interface(src: &Path) -> Vec<(String, String)> {
     let made = ENUMERATIONS.map(|(name, prefix, own, file)| {
-        let path = src.join(file);
-        println!("cargo:rerun-if-changed={}", path.display());
-        let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let items = syn::parse_file(&text).expect("a source of the crate parses").items;
+        let items = items(src, file);
         let found = items.iter().find_map(|item| match item {
             Item::Enum(item) if item.ident == own => Some(item),
             _ => None,
@@ -44,7 +62,78 @@ pub fn interface(src: &Path) -> Vec<(String, String)> {
         let found = found.unwrap_or_else(|| panic!("{file} has no {own}"));
         (name.to_owned(), constants(found, &numbers(found, &items), name, prefix))
     });
-    made.into()
+    let kinds = KINDS.map(|(name, prefix, doc, none, own, file)| {
+        let found = items(src, file).iter().find_map(|item| kinds_of(item, own));
+        let kinds = found.unwrap_or_else(|| panic!("{file} has no {own}"));
+        let mut text = format!("/// {doc}\npub type {name} = i32;\n\n");
+        let none = none.map(|(word, doc)| format!("/// {doc}\npub const {prefix}_{word}: {name} = 0;\n"));
+        text += &none.unwrap_or_default();
+        for Kind { docs, name: kind, number } in &kinds {
+            docs.iter().for_each(|line| text += &format!("/// {line}\n"));
+            text += &format!("pub const {prefix}{}: {name} = {number};\n", upper(&kind.to_string()));
+        }
+        (name.to_owned(), text)
+    });
+    made.into_iter().chain(kinds).collect()
+}
+
+/// The items of a source.
+fn items(src: &Path, file: &str) -> Vec<Item> {
+    let path = src.join(file);
+    println!("cargo:rerun-if-changed={}", path.display());
+    let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    syn::parse_file(&text).expect("a source of the crate parses").items
+}
+
+/// A kind of `kinds!`.
+struct Kind {
+    docs: Vec<String>,
+    name: Ident,
+    number: u32,
+}
+
+/// The kinds, if the item is `kinds!` of the enumeration `own`.
+fn kinds_of(item: &Item, own: &str) -> Option<Vec<Kind>> {
+    let Item::Macro(item) = item else { return None };
+    let is_it = item.mac.path.is_ident("kinds");
+    let kinds = |input: ParseStream<'_>| {
+        input.call(Attribute::parse_outer)?;
+        if input.parse::<Ident>()? != own {
+            return Err(input.error("another enumeration"));
+        }
+        // The quantities of the flat form are in the first braces.
+        skip_to_brace(input)?;
+        skip(input)?;
+        skip_to_brace(input)?;
+        let rows;
+        braced!(rows in input);
+        let mut kinds = Vec::new();
+        while !rows.is_empty() {
+            let docs = doc(&rows.call(Attribute::parse_outer)?);
+            let name = rows.parse()?;
+            rows.parse::<Token![=]>()?;
+            kinds.push(Kind { docs, name, number: rows.parse::<LitInt>()?.base10_parse()? });
+            while !rows.is_empty() && rows.parse::<Option<Token![,]>>()?.is_none() {
+                skip(&rows)?;
+            }
+        }
+        Ok(kinds)
+    };
+    is_it.then(|| kinds.parse2(item.mac.tokens.clone()).ok()).flatten()
+}
+
+fn skip(input: ParseStream<'_>) -> syn::Result<()> {
+    input.step(|at| match at.token_tree() {
+        Some((_, rest)) => Ok(((), rest)),
+        None => Err(at.error("expected more")),
+    })
+}
+
+fn skip_to_brace(input: ParseStream<'_>) -> syn::Result<()> {
+    while !input.peek(Brace) {
+        skip(input)?;
+    }
+    Ok(())
 }
 
 /// The number of each variant: of `codes!` among the items of its file, or its own.

@@ -51,6 +51,19 @@ pub(super) fn one_of<T: Copy>(
     }
 }
 
+/// The number of one of `count` kinds, which a field holds as a constant of `enumeration`.
+pub(super) fn of_kinds(
+    field: &'static str,
+    value: i32,
+    count: usize,
+    enumeration: &'static str,
+) -> Result<usize, Failure> {
+    match usize::try_from(value) {
+        Ok(kind) if kind < count => Ok(kind),
+        _ => Err(Error::invalid(field, value, Rule::OneOf(enumeration, 0, count as i32 - 1)).into()),
+    }
+}
+
 /// The value of a field that holds a constant of an `enumeration` of two: 0 is off, 1 is on.
 pub(super) fn switch(field: &'static str, value: i32, enumeration: &'static str) -> Result<bool, Failure> {
     one_of(field, value, &[(0, false), (1, true)], enumeration)

@@ -8,6 +8,8 @@ pub mod instruction_set;
 #[forbid(unsafe_code)]
 pub mod joined;
 #[forbid(unsafe_code)]
+pub mod kinds;
+#[forbid(unsafe_code)]
 pub mod math;
 pub mod memory;
 #[forbid(unsafe_code)]

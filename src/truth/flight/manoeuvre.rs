@@ -1,6 +1,7 @@
 //! The manoeuvres of which a flight is composed.
 
 use crate::base::error::{Error, Rule, check_range};
+use crate::base::kinds::kinds;
 use crate::base::snapshot::codes;
 
 /// Largest number of sinusoids in one manoeuvre.
@@ -40,84 +41,87 @@ pub struct Sinusoid {
     pub phase_rad: f64,
 }
 
-/// One manoeuvre; each begins and ends in straight and level flight. `ramp_s` is the time in which it builds up, and in which it dies
-/// out, at most half of its duration.
+/// Sinusoids that act together.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Manoeuvre {
-    /// At rest; the speed must be 0.
-    Rest {
+pub struct Sinusoids {
+    terms: [Sinusoid; MAX_SINUSOIDS],
+    count: usize,
+}
+
+impl Default for Sinusoids {
+    fn default() -> Self {
+        Self { terms: [Sinusoid::NONE; MAX_SINUSOIDS], count: 0 }
+    }
+}
+
+impl Sinusoids {
+    /// Those of `terms`; beyond [`MAX_SINUSOIDS`] of them the rest is left out, and the manoeuvre is rejected.
+    pub fn of(terms: &[Sinusoid]) -> Self {
+        let mut all = Self { count: terms.len(), ..Self::default() };
+        all.terms.iter_mut().zip(terms).for_each(|(to, term)| *to = *term);
+        all
+    }
+
+    /// All of them.
+    pub fn terms(&self) -> &[Sinusoid] {
+        &self.terms[..self.count.min(MAX_SINUSOIDS)]
+    }
+
+    /// Adds one. Returns whether there was room for it.
+    pub(crate) fn push(&mut self, term: Sinusoid) -> bool {
+        let place = self.terms.get_mut(self.count);
+        let has_room = place.is_some();
+        if let Some(place) = place {
+            *place = term;
+            self.count += 1;
+        }
+        has_room
+    }
+}
+
+/// Default of the time in which a manoeuvre builds up [s].
+const DEFAULT_RAMP_S: f64 = 5.0;
+
+kinds! {
+    /// One manoeuvre; each begins and ends in straight and level flight. `ramp_s` is the time in which it builds up, and in which it
+    /// dies out, at most half of its duration.
+    Manoeuvre of "manoeuvre", flat ManoeuvreFields {
         /// Duration [s].
-        duration_s: f64,
-    },
-    /// Along a geodesic at constant speed and height.
-    Straight {
-        /// Duration [s].
-        duration_s: f64,
-    },
-    /// Changes the speed.
-    Accelerate {
-        /// Duration [s].
-        duration_s: f64,
+        duration_s = 0.0,
+        /// Time in which the manoeuvre builds up, and in which it dies out [s].
+        ramp_s = DEFAULT_RAMP_S,
         /// Change of speed [m/s].
-        speed_change_m_s: f64,
-    },
-    /// Changes the height: pitches up and down again.
-    Climb {
-        /// Duration [s].
-        duration_s: f64,
+        speed_change_m_s = 0.0,
         /// Change of height [m].
-        height_change_m: f64,
-        /// Time in which the manoeuvre builds up, and in which it ends [s].
-        ramp_s: f64,
-    },
-    /// Level turn, coordinated: tan(bank) = speed · turn rate / 9.80665. Its duration follows from these. A turn that is too
-    /// short for the bank reaches a smaller bank.
-    Turn {
-        /// Change of heading, right positive [rad].
-        heading_change_rad: f64,
-        /// Bank, 0 to 1.5 [rad].
-        bank_rad: f64,
-        /// Time to roll in, and to roll out [s].
-        ramp_s: f64,
-    },
-    /// Rolls about the path, which stays straight.
-    Roll {
-        /// Duration [s].
-        duration_s: f64,
-        /// Whole turns, right positive.
-        turns: f64,
-    },
-    /// Vertical loops at constant speed.
-    Loop {
-        /// Duration [s].
-        duration_s: f64,
-        /// Whole turns, nose up positive.
-        turns: f64,
-        /// Time in which the manoeuvre builds up, and in which it ends [s].
-        ramp_s: f64,
-    },
-    /// Course swings to both sides and back.
-    STurn {
-        /// Duration [s].
-        duration_s: f64,
-        /// Amplitude of the course, first to the right if positive [rad].
-        heading_amplitude_rad: f64,
-        /// Number of swings.
-        cycles: f64,
-        /// Time in which the manoeuvre builds up, and in which it ends [s].
-        ramp_s: f64,
-    },
-    /// Sum of sinusoids: patrol patterns, rocking, coning, vibration.
-    Sinusoids {
-        /// Duration [s].
-        duration_s: f64,
-        /// Time in which the manoeuvre builds up, and in which it ends [s].
-        ramp_s: f64,
-        /// Sinusoids, of which the first `count` are used.
-        terms: [Sinusoid; MAX_SINUSOIDS],
-        /// Number of sinusoids, 1 to 6.
-        count: usize,
-    },
+        height_change_m = 0.0,
+        /// Change of heading, right positive; of an S-turn the amplitude of the course [rad].
+        heading_change_rad = 0.0,
+        /// Bank of a turn, 0 to 1.5 [rad].
+        bank_rad = 0.0,
+        /// Number of rolls, of loops, or of swings.
+        turns = 0.0,
+    } with sinusoids: Sinusoids {
+        /// At rest for duration_s; the speed must be 0.
+        Rest = 0 "rest" { duration_s },
+        /// Along a geodesic at constant speed and height for duration_s.
+        Straight = 1 "straight" { duration_s },
+        /// Changes the speed by speed_change_m_s in duration_s.
+        Accelerate = 2 "accelerate" { duration_s, speed_change_m_s },
+        /// Changes the height by height_change_m in duration_s. Uses ramp_s.
+        Climb = 3 "climb" { duration_s, ramp_s, height_change_m },
+        /// Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
+        /// duration follows from these.
+        Turn = 4 "turn" { ramp_s, heading_change_rad, bank_rad },
+        /// Whole rolls along a straight path in duration_s; the field turns is their number (positive: right wing down).
+        Roll = 5 "roll" { duration_s, turns },
+        /// Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s.
+        Loop = 6 "loop" { duration_s, ramp_s, turns },
+        /// The course swings by heading_change_rad to both sides, first to the right if it is positive. The field turns is the number
+        /// of swings in duration_s. A swing is a full period: to one side, to the other side, and back. Uses ramp_s.
+        STurn = 7 "s_turn" { duration_s, ramp_s, heading_change_rad, turns },
+        /// Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s.
+        Sinusoids = 8 "sinusoids" { duration_s, ramp_s; sinusoids: Sinusoids },
+    }
 }
 
 impl Manoeuvre {
@@ -175,19 +179,19 @@ impl Manoeuvre {
                 ramp(ramp_s)?;
                 duration(duration_s)
             }
-            Self::STurn { duration_s, heading_amplitude_rad, cycles, ramp_s } => {
+            Self::STurn { duration_s, heading_change_rad, turns, ramp_s } => {
                 moving()?;
-                check_range("manoeuvre.heading_change_rad", heading_amplitude_rad, -10.0, 10.0)?;
-                check_range("manoeuvre.turns", cycles, 0.0, 1e6)?;
+                check_range("manoeuvre.heading_change_rad", heading_change_rad, -10.0, 10.0)?;
+                check_range("manoeuvre.turns", turns, 0.0, 1e6)?;
                 ramp(ramp_s)?;
                 duration(duration_s)
             }
-            Self::Sinusoids { duration_s, ramp_s, terms, count } => {
-                check_range("manoeuvre.sinusoids", count as f64, 1.0, MAX_SINUSOIDS as f64)?;
-                for term in &terms[..count] {
+            Self::Sinusoids { duration_s, ramp_s, sinusoids } => {
+                check_range("manoeuvre.sinusoids", sinusoids.count as f64, 1.0, MAX_SINUSOIDS as f64)?;
+                for term in sinusoids.terms() {
                     term.validate(speed_m_s)?;
                 }
-                let speeds = terms[..count].iter().filter(|term| matches!(term.channel, Channel::Speed));
+                let speeds = sinusoids.terms().iter().filter(|term| matches!(term.channel, Channel::Speed));
                 let together = speeds.map(|term| term.amplitude.abs()).sum();
                 check_range("manoeuvre.amplitude, those of the speed together", together, 0.0, speed_m_s)?;
                 ramp(ramp_s)?;
@@ -198,6 +202,10 @@ impl Manoeuvre {
 }
 
 impl Sinusoid {
+    /// One without motion.
+    pub(crate) const NONE: Self =
+        Self { channel: Channel::Course, amplitude: 0.0, frequency_hz: 0.0, phase_rad: 0.0 };
+
     /// Checks every field, for a manoeuvre that begins at `speed_m_s`.
     pub(crate) fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
         let limit = match self.channel {

@@ -4,15 +4,14 @@
 //! integral over the ellipsoid, held as piecewise Chebyshev series that are exact to rounding. Courses are kept against
 //! axes that are carried along without turning (wander azimuth): straight flight is a geodesic and no pole is singular.
 
-mod fields;
 mod manoeuvre;
 mod path;
 mod profile;
 mod smooth;
 mod table;
 
-pub(crate) use fields::{DEFAULT_RAMP_S, MANOEUVRE_KINDS, ManoeuvreFields};
-pub use manoeuvre::{Channel, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
+pub(crate) use manoeuvre::ManoeuvreFields;
+pub use manoeuvre::{Channel, MAX_SINUSOIDS, Manoeuvre, Sinusoid, Sinusoids};
 pub use table::START;
 
 use nalgebra::Quaternion;

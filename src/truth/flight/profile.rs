@@ -133,16 +133,16 @@ impl Segment {
                 let climb = TAU * turns / window.whole() * window.integral(t);
                 Kinematics::along(v, climb, course, 0.0)
             }
-            Manoeuvre::STurn { heading_amplitude_rad, cycles, .. } => {
+            Manoeuvre::STurn { heading_change_rad, turns, .. } => {
                 let swing = Sinusoid {
                     channel: Channel::Course,
-                    amplitude: *heading_amplitude_rad,
-                    frequency_hz: cycles / window.length,
+                    amplitude: *heading_change_rad,
+                    frequency_hz: turns / window.length,
                     phase_rad: 0.0,
                 };
                 self.sum_of_sinusoids(t, &[swing])
             }
-            Manoeuvre::Sinusoids { terms, count, .. } => self.sum_of_sinusoids(t, &terms[..*count]),
+            Manoeuvre::Sinusoids { sinusoids, .. } => self.sum_of_sinusoids(t, sinusoids.terms()),
         }
     }
 
