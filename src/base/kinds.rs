@@ -65,13 +65,6 @@ macro_rules! kinds {
                 $crate::base::kinds::check_unused(uses, Self::QUANTITIES, numbers, concat!(": this ", $of, " does not use it"))
             }
 
-            /// Makes the quantities 0 that the kind does not use.
-            pub fn clear_unused(&mut self) {
-                let uses = Self::KINDS.get(self.kind).map_or(Self::QUANTITIES, |(_, uses)| uses);
-                let numbers = Self::QUANTITIES.iter().zip(self.numbers_mut());
-                numbers.filter(|(of, _)| !uses.contains(of)).for_each(|(_, number)| *number = 0.0);
-            }
-
             /// What it describes; `None`: it is of no kind. Quantities that the kind does not use are ignored.
             pub fn kind(&self) -> Option<$kinds> {
                 match self.kind {

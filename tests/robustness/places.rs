@@ -100,7 +100,7 @@ fn turns_in_the_hosts_angles_are_nothing() {
 #[test]
 fn heading_errors_are_wrapped() {
     let start = FlightStart { latitude_rad: 0.5, speed_m_s: 200.0, ..Default::default() };
-    let swings = Manoeuvre::STurn { duration_s: 120.0, heading_amplitude_rad: 0.3, cycles: 6.0, ramp_s: 5.0 };
+    let swings = Manoeuvre::STurn { duration_s: 120.0, heading_change_rad: 0.3, turns: 6.0, ramp_s: 5.0 };
     let flight = Flight::new(&start, &[swings]).unwrap();
     let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
     let samples: Vec<FlightSample> =

@@ -342,8 +342,8 @@ impl Host {
             2 => Failure::BiasStep { size },
             3 => Failure::Spikes { size, interval_s, duration_s: draws.of(&[1e-9, 1e-4]) },
             4 => Failure::Noise { density: size },
-            5 => Failure::RandomDropOuts { probability: 0.3 },
-            6 => Failure::PeriodicDropOuts { interval_s },
+            5 => Failure::DropOuts { interval_s: 0.0, probability: 0.3 },
+            6 => Failure::DropOuts { interval_s, probability: 0.0 },
             _ => return Call::Failure(output, None),
         };
         Call::Failure(output, Some(failure))

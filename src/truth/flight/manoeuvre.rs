@@ -124,6 +124,16 @@ kinds! {
     }
 }
 
+#[cfg(feature = "scenes")]
+impl ManoeuvreFields {
+    /// Makes the quantities 0 that the kind does not use.
+    pub fn clear_unused(&mut self) {
+        let uses = Self::KINDS.get(self.kind).map_or(Self::QUANTITIES, |(_, uses)| uses);
+        let numbers = Self::QUANTITIES.iter().zip(self.numbers_mut());
+        numbers.filter(|(of, _)| !uses.contains(of)).for_each(|(_, number)| *number = 0.0);
+    }
+}
+
 impl Manoeuvre {
     /// Checks every field, for a manoeuvre that begins at `speed_m_s`.
     pub(crate) fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
