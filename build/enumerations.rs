@@ -31,24 +31,34 @@ const ENUMERATIONS: [(&str, &str, &str, &str); 15] = [
     ("sins_unit_state", "SINS_UNIT_STATE", "State", "unit/panel.rs"),
 ];
 
-/// Likewise of kinds (`kinds!`), with what the enumeration is, and with what the number 0 means if it is no kind.
-const KINDS: [(&str, &str, &str, Option<(&str, &str)>, &str, &str); 2] = [
-    (
-        "sins_manoeuvre_kind",
-        "SINS_MANOEUVRE",
-        "Kinds of manoeuvre.",
-        None,
-        "Manoeuvre",
-        "truth/flight/manoeuvre.rs",
-    ),
-    (
-        "sins_failure_kind",
-        "SINS_FAILURE",
-        "Kinds of failure.",
-        Some(("NONE", "No failure: clears the failure that is set.")),
-        "Failure",
-        "sensors/failure.rs",
-    ),
+/// Kinds of the crate (`kinds!`) as an enumeration of the interface.
+struct KindsOf {
+    name: &'static str,
+    prefix: &'static str,
+    doc: &'static str,
+    /// Word of the number 0 and its meaning, if it is no kind.
+    none: Option<(&'static str, &'static str)>,
+    own: &'static str,
+    file: &'static str,
+}
+
+const KINDS: [KindsOf; 2] = [
+    KindsOf {
+        name: "sins_manoeuvre_kind",
+        prefix: "SINS_MANOEUVRE",
+        doc: "Kinds of manoeuvre.",
+        none: None,
+        own: "Manoeuvre",
+        file: "truth/flight/manoeuvre.rs",
+    },
+    KindsOf {
+        name: "sins_failure_kind",
+        prefix: "SINS_FAILURE",
+        doc: "Kinds of failure.",
+        none: Some(("NONE", "No failure: clears the failure that is set.")),
+        own: "Failure",
+        file: "sensors/failure.rs",
+    },
 ];
 
 /// The enumerations of the interface: sources by their names. The crate is in the folder `src`.
@@ -62,7 +72,7 @@ pub fn interface(src: &Path) -> Vec<(String, String)> {
         let found = found.unwrap_or_else(|| panic!("{file} has no {own}"));
         (name.to_owned(), constants(found, &numbers(found, &items), name, prefix))
     });
-    let kinds = KINDS.map(|(name, prefix, doc, none, own, file)| {
+    let kinds = KINDS.map(|KindsOf { name, prefix, doc, none, own, file }| {
         let found = items(src, file).iter().find_map(|item| kinds_of(item, own));
         let kinds = found.unwrap_or_else(|| panic!("{file} has no {own}"));
         let mut text = format!("/// {doc}\npub type {name} = i32;\n\n");

@@ -194,6 +194,7 @@ pub mod allan;
 
 pub use base::error::{Error, ErrorKind, Rule, Value};
 pub use base::{math, records, snapshot, units};
+pub use simulator::record;
 pub use simulator::{
     ClosureFigures, ErrorParameters, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator,
     Solution, Step, TrimFigures,

@@ -25,7 +25,6 @@ mod places;
 mod planned;
 mod progress;
 mod recommend;
-mod record;
 mod report;
 mod rows;
 mod scene;

@@ -13,6 +13,7 @@ mod navigator;
 mod options;
 mod parameters;
 mod read;
+pub mod record;
 mod settings;
 mod signals;
 mod snapshot;

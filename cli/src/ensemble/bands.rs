@@ -17,7 +17,7 @@ use crate::drawing::scales::{over_time, panel, scaled, time_axis};
 use crate::drawing::series::Points;
 use crate::failure::Failure;
 use crate::planned;
-use crate::record::EAST_NORTH_UP;
+use crate::rows::EAST_NORTH_UP;
 use crate::units::{Family, LENGTH, Unit, fitting, fitting_axis, with_unit};
 
 /// Mean and bands of one quantity, a panel for each axis.

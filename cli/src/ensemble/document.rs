@@ -12,7 +12,7 @@ use super::{bands, ends};
 use crate::drawing::document::{document, figure, table};
 use crate::failure::Failure;
 use crate::planned;
-use crate::record::EAST_NORTH_UP;
+use crate::rows::EAST_NORTH_UP;
 use crate::units::{LENGTH, time_text, with_unit};
 
 /// The whole page.

@@ -10,7 +10,7 @@ use super::requirement::along_cross;
 use super::results::{Results, State};
 use crate::failure::Failure;
 use crate::given::Given;
-use crate::record::EAST_NORTH_UP;
+use crate::rows::EAST_NORTH_UP;
 use crate::rows::number;
 
 /// The three errors and their units, as in the names of columns.

@@ -20,7 +20,7 @@ use crate::given::Given;
 use crate::interrupt;
 use crate::output::OutputFile;
 use crate::progress::Progress;
-use crate::record::{NEAR_POLE, NOT_COMPUTED, Record};
+use sins::record::{self, NEAR_POLE, NOT_COMPUTED, Record};
 
 /// Number of samples between two checks of the clock, the signals and the disk.
 const CHUNK: usize = 4096;
@@ -141,7 +141,7 @@ pub struct InFlight<'a> {
 impl<'a> InFlight<'a> {
     /// A flight whose first sample is at `start_s` [s].
     pub fn new(scene: &'a Scene, spacing: Spacing, start_s: f64, mut files: Files) -> Result<Self, Failure> {
-        write_line(&mut files.records, &records::head(scene.options.covariance))?;
+        write_line(&mut files.records, &record::head(scene.options.covariance))?;
         if let Some(file) = &mut files.imu {
             write_line(file, &imu::COLUMNS.join(","))?;
         }

@@ -21,9 +21,9 @@ use crate::given::{Given, SceneArguments};
 use crate::interrupt;
 use crate::output::{OutputFile, Outputs};
 use crate::places::{OutputArguments, below};
-use crate::record::COLUMNS;
 use crate::terminal::print;
 use bus::Bus;
+use sins::record::COLUMNS;
 
 pub use bus::line as bus_line;
 pub use figures::Figures;

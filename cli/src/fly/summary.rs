@@ -6,8 +6,8 @@ use sins::units::NMI_PER_HOUR;
 use super::figures::Figures;
 use crate::failure::{Failure, printable};
 use crate::planned;
-use crate::record::EAST_NORTH_UP;
 use crate::rows;
+use crate::rows::EAST_NORTH_UP;
 use crate::units::six_digits;
 
 /// Beginning of every summary.

@@ -16,8 +16,8 @@ use crate::fly::{
 use crate::given::Given;
 use crate::output::{OutputFile, Outputs};
 use crate::places::below;
-use crate::record::COLUMNS;
 use crate::terminal::say;
+use sins::record::COLUMNS;
 
 /// Time between records that a scene does not set [s].
 const EVERY_S: f64 = 1.0;

@@ -9,9 +9,9 @@ use sins::unit::State;
 use crate::drawing::failures::Span;
 use crate::failure::Failure;
 use crate::places::beside;
-use crate::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
 use crate::report::summary::Summary;
 use crate::table::Table;
+use sins::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
 
 /// All recorded data of a run. All columns have one entry for each record.
 pub struct Run {
