@@ -61,7 +61,7 @@ macro_rules! kinds {
 
             /// Rejects `numbers`, the quantities of an interface in which 0 is not set, if the kind does not use one that is set.
             pub fn check_unused(&self, numbers: &[f64]) -> Result<(), $crate::base::error::Error> {
-                let uses = Self::KINDS.get(self.kind).map_or(Self::QUANTITIES, |(_, uses)| uses);
+                let uses = if self.kind().is_some() { Self::KINDS[self.kind].1 } else { &[] };
                 $crate::base::kinds::check_unused(uses, Self::QUANTITIES, numbers, concat!(": this ", $of, " does not use it"))
             }
 
