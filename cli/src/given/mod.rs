@@ -1,6 +1,7 @@
 //! The scene that the command line names, and its flight sample by sample.
 
 mod arguments;
+mod file;
 mod gaps;
 mod log;
 mod settings;
@@ -18,8 +19,8 @@ use sins::truth::FlightSample;
 use sins::{Error, ErrorKind};
 
 pub use arguments::SceneArguments;
+pub use file::{open, read_text};
 pub use gaps::Gaps;
-pub use log::open;
 pub use settings::Settings;
 pub use text::is_log;
 pub use whole::whole;

@@ -1,0 +1,52 @@
+//! Input files: opened, and texts as a whole.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use sins::scene::MAX_TEXT;
+
+use crate::failure::Failure;
+
+/// Opens an input; a device is rejected.
+pub fn open(path: &Path) -> Result<File, Failure> {
+    reject_device(path)?;
+    File::open(path).map_err(|error| Failure::of_input(path, &error))
+}
+
+/// Rejects a device: it has no end, or waits for a keyboard.
+pub fn reject_device(path: &Path) -> Result<(), Failure> {
+    if is_device(path) {
+        return Err(Failure::of_file(path, &"is a device: expected a file or a pipe"));
+    }
+    Ok(())
+}
+
+fn is_device(path: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        let is_one = |metadata: std::fs::Metadata| {
+            metadata.file_type().is_char_device() || metadata.file_type().is_block_device()
+        };
+        std::fs::metadata(path).is_ok_and(is_one)
+    }
+    #[cfg(windows)]
+    {
+        path.file_name().is_some_and(|name| crate::output::is_device_of_windows(&name.to_string_lossy()))
+    }
+}
+
+/// The text of a scene or of requirements, as a whole: a longer one is rejected, and not cut.
+pub fn read_text(path: &Path) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    let read = open(path)?.take(MAX_TEXT as u64 + 1).read_to_end(&mut bytes);
+    read.map_err(|error| Failure::of_input(path, &error))?;
+    match bytes.len() {
+        0..=MAX_TEXT => Ok(bytes),
+        _ => Err(Failure::of_file(
+            path,
+            &format!("a text has at most {MAX_TEXT} bytes, and this one has more"),
+        )),
+    }
+}
