@@ -1,12 +1,15 @@
 //! Input files: opened, and texts as a whole.
 
 use std::fs::File;
-use std::io::Read;
+use std::io::{Cursor, Read};
 use std::path::Path;
 
-use sins::scene::MAX_TEXT;
+use sins::scene::{MAX_TEXT, foreign};
 
 use crate::failure::Failure;
+
+/// Number of bytes that show what a file is.
+const BEGIN: u64 = 4096;
 
 /// Opens an input; a device is rejected.
 pub fn open(path: &Path) -> Result<File, Failure> {
@@ -42,11 +45,29 @@ pub fn read_text(path: &Path) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
     let read = open(path)?.take(MAX_TEXT as u64 + 1).read_to_end(&mut bytes);
     read.map_err(|error| Failure::of_input(path, &error))?;
-    match bytes.len() {
-        0..=MAX_TEXT => Ok(bytes),
-        _ => Err(Failure::of_file(
-            path,
-            &format!("a text has at most {MAX_TEXT} bytes, and this one has more"),
-        )),
+    if bytes.len() <= MAX_TEXT {
+        return Ok(bytes);
+    }
+    Err(match foreign(&bytes) {
+        Some(what) => Failure::of_file(path, &format!("is {what}: expected a text in TOML")),
+        None => {
+            Failure::of_file(path, &format!("a text has at most {MAX_TEXT} bytes, and this one has more"))
+        }
+    })
+}
+
+/// Opens a table, unless its beginning shows that it is a file of another kind. The table, and its size, 0 for a pipe [bytes].
+pub fn open_table(path: &Path) -> Result<(impl Read + use<>, u64), Failure> {
+    let mut file = open(path)?;
+    let size = file.metadata().map_or(0, |metadata| metadata.len());
+    let mut begin = Vec::new();
+    let read = (&mut file).take(BEGIN).read_to_end(&mut begin);
+    read.map_err(|error| Failure::of_input(path, &error))?;
+    match foreign(&begin) {
+        // The program's own tables have messages of their own.
+        Some(what) if !begin.starts_with(b"time_s,") => {
+            Err(Failure::of_file(path, &format!("is {what}: expected a table of comma-separated values")))
+        }
+        _ => Ok((Cursor::new(begin).chain(file), size)),
     }
 }

@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use sins::scene::{BUILTIN_SCENES, Fault, Scene, nearest};
+use sins::scene::{BUILTIN_SCENES, Fault, Scene, foreign, nearest};
 
 use super::file::read_text;
 use super::settings::Settings;
@@ -64,7 +64,14 @@ impl Text {
             }
             Fault { line, column, sentence, .. } => format!("{}:{line}:{column}: {sentence}", self.origin),
         };
-        Failure::all(faults.iter().map(|fault| Failure::new(sentence(fault))).collect())
+        let mut failures: Vec<Failure> = faults.iter().map(|fault| Failure::new(sentence(fault))).collect();
+        let has_ending = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "toml");
+        let is_known = || foreign(&self.bytes).is_some();
+        if let Some(path) = self.path.as_ref().filter(|path| !has_ending(path) && !is_known()) {
+            let what = "is read as a scene in TOML, because its name does not end in .csv; docs/your_log.md says what a log has";
+            failures.push(Failure::of_file(path, &what));
+        }
+        Failure::all(failures)
     }
 
     pub fn folder(&self) -> &Path {

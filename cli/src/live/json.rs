@@ -1,6 +1,7 @@
 //! A sample, and what an INS shows, as an object in JSON.
 
 use sins::records::number;
+use sins::scene::listed;
 use sins::unit::UnitNavigation;
 use sins::units::DEG;
 
@@ -42,7 +43,8 @@ pub fn decode(datagram: &[u8]) -> Result<FlightSample, Refused> {
     let missing: Vec<&str> =
         COLUMNS.into_iter().zip(&values).filter(|(_, value)| value.is_none()).map(|(name, _)| name).collect();
     if !missing.is_empty() {
-        let found = if others.is_empty() { String::new() } else { format!("; found {}", quote(&others)) };
+        let found =
+            if others.is_empty() { String::new() } else { format!("; found {}", listed(others.into_iter())) };
         return Err(Refused::new(Why::Length, format!("missing keys: {}{found}", missing.join(", "))));
     }
     Ok(text::sample(&values.map(Option::unwrap_or_default)))
@@ -56,14 +58,6 @@ fn expect(text: &str, letter: char) -> Result<&str, Refused> {
 fn syntax(expected: &str, text: &str) -> Refused {
     let found: String = text.trim_start().chars().take(20).collect();
     Refused::new(Why::Syntax, format!("{expected}, found \"{found}\""))
-}
-
-/// The first of `keys`, as a message can have them.
-fn quote(keys: &[&str]) -> String {
-    const MOST: usize = 12;
-    let more = if keys.len() > MOST { ", ..." } else { "" };
-    let keys = keys.iter().take(MOST).map(|key| key.chars().take(40).collect::<String>());
-    keys.collect::<Vec<_>>().join(", ") + more
 }
 
 /// The text in quotation marks at the beginning, with its escapes, and what follows.

@@ -8,6 +8,7 @@ use sins::unit::State;
 
 use crate::drawing::failures::Span;
 use crate::failure::Failure;
+use crate::given::open_table;
 use crate::places::beside;
 use crate::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
 use crate::report::summary::Summary;
@@ -69,7 +70,7 @@ impl Run {
             Failure::of_file(&summary_path, &what)
         })?;
         let summary = Summary::read(&summary_path, summary)?;
-        let input = File::open(path).map_err(|error| Failure::of_input(path, &error))?;
+        let (input, _) = open_table(path)?;
         Self::from_table(path, &stem, Table::read(path, input)?, summary)
     }
 
