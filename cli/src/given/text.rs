@@ -66,9 +66,13 @@ impl Text {
         };
         let mut failures: Vec<Failure> = faults.iter().map(|fault| Failure::new(sentence(fault))).collect();
         let has_ending = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "toml");
-        let is_known = || foreign(&self.bytes).is_some();
-        if let Some(path) = self.path.as_ref().filter(|path| !has_ending(path) && !is_known()) {
-            let what = "is read as a scene in TOML, because its name does not end in .csv; docs/your_log.md says what a log has";
+        if let Some(path) = self.path.as_ref().filter(|path| !has_ending(path)) {
+            let what = match foreign(&self.bytes) {
+                Some(_) => "a flight of your own is a log in a file .csv; docs/your_log.md says what a log has",
+                None => {
+                    "is read as a scene in TOML, because its name does not end in .csv; docs/your_log.md says what a log has"
+                }
+            };
             failures.push(Failure::of_file(path, &what));
         }
         Failure::all(failures)

@@ -63,7 +63,10 @@ impl Run {
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let summary_path = summary_path(path);
-        // The summary is opened first: a pipe in the place of the records has no summary, and opening the pipe would wait.
+        if path.is_file() {
+            open_table(path)?; // a file of another kind has no summary
+        }
+        // The summary is opened before the records: a pipe in the place of the records has no summary, and opening the pipe would wait.
         let summary = File::open(&summary_path).map_err(|error| {
             let what = format!(
                 "the summary of {}, which must be in the same folder, cannot be read: {error}",

@@ -198,7 +198,6 @@ fn files_of_other_kinds_are_named() {
         let table = table.to_str().unwrap();
         std::fs::write(folder.join(name), content).unwrap();
         std::fs::write(folder.join(table), content).unwrap();
-        std::fs::write(folder.join("flight_summary.csv"), "key,value,unit,label\n").unwrap();
         for (order, file) in [
             (&["fly", name][..], name),
             (&["fly", table], table),
@@ -213,6 +212,9 @@ fn files_of_other_kinds_are_named() {
             assert!(line.starts_with(file) && line.contains(&format!("is {what}")), "{order:?}: {errors}");
         }
     }
+    let errors = rejected(&folder, &["fly", "flight.igc"]);
+    let advice = "a flight of your own is a log in a file .csv; docs/your_log.md says what a log has\n";
+    assert!(errors.ends_with(advice), "{errors}");
     // What nobody knows is read as what its name says.
     std::fs::write(folder.join("notes.txt"), "some words\n").unwrap();
     let errors = rejected(&folder, &["fly", "notes.txt"]);
