@@ -253,7 +253,7 @@ def _make(described, kinds, given):
     """What stands for the arguments behind the first `given` that were left out: outputs, and None where that is allowed."""
     for name, kind in list(zip(described.__code__.co_varnames, kinds))[given:]:
         if not isinstance(kind, (_Out, _MayBeNone)):
-            raise TypeError(f"{described.__name__}(): an argument is missing that is no output of its own: {name}")
+            raise TypeError(f"{described.__name__}(): missing argument: {name}")
     return [kind.make() for kind in kinds[given:]]
 
 

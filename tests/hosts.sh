@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . tests/support/built.sh
 
-hosts="fortran ada python octave fortran_windows documented"
+hosts="fortran ada python octave fortran_windows"
 scenes="aerobatics commuter"
 out=$PWD/target/hosts
 bindings=$built/bindings
@@ -121,16 +121,6 @@ python() {
         /usr/bin/python3 tests/hosts/arinc429.py "$out"/bus/{words,flight,imu}.csv $(ls "$out"/bus/flight_unit.csv 2>/dev/null)
     done
     /usr/bin/python3 tests/hosts/arinc429.py
-}
-
-# The commands of docs/hosts.md as they stand there. Those of the other hosts need the compilers that these hosts install.
-documented() {
-    need python3 /usr/bin/python3
-    for package in numpy matplotlib; do
-        need "python3-$package" "/usr/lib/python3/dist-packages/$package/__init__.py"
-    done
-    build_library
-    /usr/bin/python3 tests/hosts/commands.py "$built" "$out/documented"
 }
 
 # The MEX file flies a log: a matrix of samples.

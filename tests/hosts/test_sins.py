@@ -147,7 +147,7 @@ class Calls(unittest.TestCase):
         self.assertEqual(sins.scene_get_failure_count(sins.scene_create_builtin("patrol")), 0)
         self.assertEqual(sins.scene_builtin_name(0), sins._text(sins.scene_builtin_name, (0,)))
         self.assertEqual(sins.last_error(self.sim), "no error")
-        self.assertRaisesRegex(TypeError, "an argument is missing", sins.get_errors, self.sim)
+        self.assertRaisesRegex(TypeError, r"get_errors\(\): missing argument: source", sins.get_errors, self.sim)
         self.assertRaisesRegex(sins.Error, "options.frame = 7", sins.create, sins.options(frame=7))
 
     def test_lists_are_arrays_that_the_library_reads(self):
@@ -229,20 +229,20 @@ class Calls(unittest.TestCase):
         error = caught.exception
         self.assertEqual(str(error), "line 4, column 1: no such key: bais_deg_h; did you mean bias_deg_h? (and 1 more: see faults)")
         self.assertEqual((error.status, [fault.line for fault in error.faults]), (sins.SCENE_HAS_FAULTS, [4, 5]))
-        scene = sins.scene_parse(faulty.replace("bais", "arw").split("bias")[0].replace("deg_h", "deg_sqrt_h"))
+        scene = sins.scene_parse(faulty.split("[gyro]")[0])
         for change, line in (("gyro.bais_deg_h = 1", 1), ("gyro.bias_deg_h = 1\n\nflight.hours = 1e9", 3)):
             with self.assertRaisesRegex(sins.Error, f"^line {line}, column 1: ") as caught:
                 sins.scene_set_values(scene, change)
             self.assertEqual((caught.exception.status, len(caught.exception.faults)), (sins.ERROR_INVALID_ARGUMENT, 1))
         # The faults of a change are not those of a later call.
-        with self.assertRaisesRegex(sins.Error, "no such failure|index = 3") as caught:
+        with self.assertRaisesRegex(sins.Error, "^index = 3: must be less than the number of failures") as caught:
             sins.scene_get_failure(scene, 3)
         self.assertEqual(caught.exception.faults, ())
 
     def test_inputs_that_may_be_none_may_be_left_out(self):
         with sins.create() as sim, sins.create(None) as other:
             self.assertEqual(bytes(sins.get_gyro(sim)), bytes(sins.get_gyro(other)))
-        with self.assertRaisesRegex(TypeError, r"unit_create\(\): an argument is missing that is no output of its own: mode"):
+        with self.assertRaisesRegex(TypeError, r"unit_create\(\): missing argument: mode"):
             sins.unit_create()
 
     def test_a_requirement_that_is_not_met_is_raised(self):
