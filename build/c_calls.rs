@@ -97,6 +97,11 @@ pub fn write(interface: &Interface) -> String {
     text + &null_calls(interface) + "\n#endif\n"
 }
 
+/// Whether this argument of this function may be null.
+pub fn may_be_null(function: &str, argument: &str) -> bool {
+    MAY_BE_NULL.iter().any(|(of, may)| (of.is_empty() || *of == function) && may.contains(&argument))
+}
+
 /// Whether a function is one of a handle that every state of the handle answers alike.
 fn is_call_of(function: &Function, handle: &str) -> bool {
     let noun = handle.trim_start_matches("sins_");
@@ -134,10 +139,7 @@ fn null_calls(interface: &Interface) -> String {
             let is_pointer = matches!(argument.kind, Type::Const(_) | Type::Mut(_));
             let is_handle =
                 pointee(&argument.kind).is_some_and(|name| interface.handles.iter().any(|one| one == name));
-            let may = |of: &str| {
-                MAY_BE_NULL.iter().any(|(name, may)| *name == of && may.contains(&&*argument.name))
-            };
-            if is_pointer && !is_handle && !may("") && !may(&function.name) {
+            if is_pointer && !is_handle && !may_be_null(&function.name, &argument.name) {
                 lines += &format!(
                     "    EVERY_CALL({}({}));\n",
                     function.name,

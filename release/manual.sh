@@ -2,6 +2,7 @@
 # Makes HTML pages of the headers: release/manual.sh OUT. The first page has the preamble of sins.h and the data flow of the library;
 # each subject has a page of its own. An item of a header without a comment is an error.
 set -euo pipefail
+[ $# -ge 1 ] || { echo "usage: $0 OUT" >&2; exit 2; }
 mkdir -p "$1"
 SINS_OUT=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."

@@ -20,19 +20,13 @@ CALL_S = 600.0
 def open_scene(name, hours):
     """The scene of a file, or a built-in one. `hours` replaces its duration."""
     if name.endswith(".toml"):
-        scene = sins.scene()
         with open(name, "rb") as file:
-            status = sins.scene_parse(file.read(), scene)
-        if status == sins.SCENE_HAS_FAULTS:
-            fault = sins.scene_get_fault(scene, 0)
-            sys.exit(f"{name}:{fault.line}:{fault.column}: {fault.sentence.decode()}")
+            scene = sins.scene_parse(file.read())
     else:
         scene = sins.scene_create_builtin(name)
-    setup = sins.scene_get_setup(scene)
     if hours is not None:
-        setup.duration_s = hours * 3600
-        sins.scene_set_setup(scene, setup)
-        setup = sins.scene_get_setup(scene)
+        sins.scene_set_values(scene, f"flight.hours = {hours}")
+    setup = sins.scene_get_setup(scene)
     failures = sins.scene_get_failure_count(scene)
     if setup.flight == sins.SCENE_FLIGHT_LOG or setup.has_temperature or failures:
         sys.exit(f"{name}: a log, a temperature or failures want sins.scene_prepare() before each sample: see harness.c")

@@ -6,6 +6,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::draft::{Draft, FailureDraft, NO_UPDATE, planned_update};
 use super::fault::{About, Fault, Faults};
+use super::foreign::foreign;
 use super::key::Section;
 use super::names::{excerpt, nearest, unknown};
 use super::nesting::{MAX_NESTING, too_deep};
@@ -42,7 +43,12 @@ impl Scene {
     /// "0.01")`, `("gyro.bias_deg_h[1]", "0.01")`, `("manoeuvre[3].bank_deg", "30")`. A value is written as in the text, but a string
     /// needs no quotes; an empty value is the default. If a key is set twice, the last value counts.
     pub fn parse_with(text: &[u8], settings: &[(&str, &str)]) -> Result<Self, Vec<Fault>> {
-        let text = utf8(text)?;
+        let file = text;
+        let is_foreign = || {
+            let sentence = format!("is {}: expected a scene, a text in TOML", foreign(file)?);
+            Some(vec![Fault { line: 1, column: 1, sentence, about: About::default() }])
+        };
+        let text = utf8(text).map_err(|faults| is_foreign().unwrap_or(faults))?;
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         if let Some(at) = too_deep(text) {
             let mut faults = Faults::new(text);
@@ -53,6 +59,9 @@ impl Scene {
             return Err(faults.into_list());
         }
         let (root, errors) = DeTable::parse_recoverable(text);
+        if let Some(faults) = (!errors.is_empty()).then(is_foreign).flatten() {
+            return Err(faults);
+        }
         let mut faults = Faults::new(text);
         let settings = take_settings(settings, &mut faults);
         let mut reader = Reader {

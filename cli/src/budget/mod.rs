@@ -19,6 +19,7 @@ use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
 use crate::given::Given;
 use crate::output::Outputs;
+use crate::places::svg;
 use crate::rows::TABLE_MARK;
 use crate::terminal::print;
 use scene::Scene;
@@ -37,16 +38,18 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let page = file("budget.html", PAGE_MARK)?;
     let rows = file("budget.csv", &records::COLUMNS.join(","))?;
     let table = file("table.md", TABLE_MARK)?;
-    let pictures = scenes.iter().map(|scene| file(&format!("{}.svg", scene.name), PICTURE_MARK));
+    let pictures = scenes.iter().map(|scene| file(&svg(&scene.name)?, PICTURE_MARK));
     let pictures = pictures.collect::<Result<Vec<_>, _>>()?;
 
     let surveys = Survey::of_all(&scenes, &request, order.time_steps)?;
-    for (survey, picture) in surveys.iter().zip(pictures) {
-        picture.finish(document::picture(survey))?;
-    }
-    page.finish(document::page(&surveys))?;
-    rows.finish(records::records(&surveys)?)?;
     let tables = table::tables(&surveys);
-    table.finish(format!("{TABLE_MARK}\n\n{tables}"))?;
-    print(&tables)
+    let text = records::records(&surveys)?;
+    let drawn =
+        surveys.iter().zip(pictures).map(|(survey, picture)| picture.finish(document::picture(survey)));
+    Failure::each(drawn.chain([
+        page.finish(document::page(&surveys)),
+        rows.finish(text),
+        table.finish(format!("{TABLE_MARK}\n\n{tables}")),
+        print(&tables),
+    ]))
 }

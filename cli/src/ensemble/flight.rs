@@ -82,7 +82,8 @@ impl<'a> Work<'a> {
         let done = self.fly(piece).and_then(|part| {
             let (results, checkpoint) = &mut *self.results();
             results.add(piece, part)?;
-            checkpoint.write_in_time(self.plan, results)
+            checkpoint.write_in_time(self.plan, results);
+            Ok(())
         });
         if done.is_err() {
             self.is_over.store(true, Ordering::Relaxed);

@@ -281,7 +281,8 @@ impl<'a> InFlight<'a> {
     /// Reports an error of the disk.
     pub fn check(&mut self) -> Result<(), Failure> {
         self.files.records.check()?;
-        self.files.imu.as_mut().map_or(Ok(()), OutputFile::check)
+        self.files.imu.as_mut().map_or(Ok(()), OutputFile::check)?;
+        self.files.unit.as_mut().map_or(Ok(()), UnitInFlight::check)
     }
 
     /// The files and the results of the flight.
@@ -293,6 +294,7 @@ impl<'a> InFlight<'a> {
         if self.scene.options.truth_summary {
             self.flown.truth = simulator.truth_summary()?;
         }
+        self.flown.records = self.flown.records.saturating_sub(self.files.records.settle());
         Ok((self.files, self.flown))
     }
 

@@ -1,6 +1,6 @@
 //! `sins fly`: flies a scene, writes its records and figures, and prints a summary.
 //!
-//! The data flow is `crate::given` → `flight` → `crate::record`, `imu` → `figures` → `summary` (file), `print` (terminal).
+//! The data flow is `crate::given` → `flight` → `sins::record`, `imu` → `figures` → `summary` (file), `print` (terminal).
 
 mod bus;
 mod figures;
@@ -30,7 +30,7 @@ pub use figures::Figures;
 pub use flight::{Files, InFlight, Shown, Stopped};
 pub use print::text;
 pub use spacing::Spacing;
-pub use summary::MARK;
+pub use summary::{LONGEST, MARK};
 pub use unit::{COLUMNS as UNIT_COLUMNS, UnitInFlight};
 
 /// Scene of a log that has no scene: the recommended simulator with ideal sensors.
@@ -68,14 +68,13 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     // The outputs are opened before the flight, so that one that cannot be written is reported at once.
     outputs.folder(&folder)?;
     let file = |ending: &str| folder.join(format!("{name}{ending}"));
-    let summary_file = outputs.file(&file("_summary.csv"), summary::MARK)?;
+    let mut summary_file = outputs.file(&file("_summary.csv"), summary::MARK)?;
+    summary_file.reserve(summary::LONGEST)?;
     let files = Files {
         records: outputs.file(&file(".csv"), &COLUMNS.join(","))?,
         imu: match &imu {
             Some(path) => {
-                if let Some(folder) = path.parent() {
-                    outputs.folder(folder)?;
-                }
+                outputs.folder_of(path)?;
                 Some(outputs.file(path, &imu::COLUMNS.join(","))?)
             }
             None => None,
@@ -83,7 +82,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         unit: unit(order, &given, &mut outputs, &folder, &file("_unit.csv"))?,
     };
     let quiet = order.output.is_quiet(&given);
-    interrupt::graceful(true);
+    interrupt::graceful();
     let (files, flown, ended) = flight::fly(&given, spacing, files, quiet)?;
     if let Err(failure) = &ended
         && (failure.kind() == Kind::Input || flown.records == 0)
@@ -92,11 +91,15 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     }
     let figures = Figures::gather(&given, &name, spacing.every_s, &flown, ended.is_err());
     let finished = figures.and_then(|figures| {
-        finish(&figures, files, summary_file)?;
-        if quiet { Ok(()) } else { print(&text(&figures, &file(".csv"))) }
+        let written = finish(&figures, files, summary_file);
+        written.and(if quiet { Ok(()) } else { print(&text(&figures, &file(".csv"))) })
     });
-    // A failure of the flight has priority.
-    ended.and(finished)
+    match ended {
+        // The files say themselves what the disk did not take.
+        Err(failure) if failure.kind() == Kind::Unwritten => finished.and(Err(failure)),
+        // A failure of the flight has priority.
+        _ => ended.and(finished),
+    }
 }
 
 /// What `sins fly` would refuse before the flight and in its first interval.
@@ -118,18 +121,17 @@ pub fn check(given: &Given) -> Result<(), Failure> {
         .try_for_each(|index| fly(index).map(|_| ()).map_err(|error| given.failure_at(index, &error)))
 }
 
-/// Puts all files in place. The records are last, because the report looks for the summary beside the records.
+/// Puts all files in place, each as far as the disk has taken it. The records are last, because the report looks for the summary beside
+/// the records.
 pub fn finish(figures: &Figures, files: Files, summary_file: OutputFile) -> Result<(), Failure> {
     let Files { records, imu, unit } = files;
     let text = summary::text(figures)?;
-    if let Some(imu) = imu {
-        imu.commit()?;
-    }
-    if let Some(unit) = unit {
-        unit.commit()?;
-    }
-    summary_file.finish(text)?;
-    records.commit()
+    Failure::each([
+        imu.map_or(Ok(()), OutputFile::commit_lines),
+        unit.map_or(Ok(()), UnitInFlight::commit),
+        summary_file.finish(text),
+        records.commit_lines(),
+    ])
 }
 
 /// The unit in flight, with its files, if the scene has a unit or the words of one are wanted.
@@ -150,6 +152,7 @@ fn unit(
         }
         Some(name) => {
             let path = below(folder, name, "--bus", "--bus")?;
+            outputs.folder_of(&path)?;
             let inputs = Inputs { axes: given.scene.options.axes, ..Inputs::default() };
             let file = outputs.file(&path, &bus::COLUMNS.join(","))?;
             Some(Bus::new(file, order.bus_delay / 1e3, inputs)?)

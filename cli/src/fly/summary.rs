@@ -13,6 +13,9 @@ use crate::units::six_digits;
 /// Beginning of every summary.
 pub const MARK: &str = "key,value,unit,label\nname,";
 
+/// Number of bytes that no summary exceeds, unless its scene has hundreds of failures and updates.
+pub const LONGEST: usize = 1 << 15;
+
 /// Text of the file. A figure that does not exist has the value "none".
 pub fn text(figures: &Figures) -> Result<String, Failure> {
     let mut summary = Rows(Vec::new());

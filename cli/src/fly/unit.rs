@@ -71,9 +71,18 @@ impl UnitInFlight {
         Ok(new)
     }
 
+    /// Reports an error of the disk.
+    pub fn check(&mut self) -> Result<(), Failure> {
+        self.file.as_mut().map_or(Ok(()), OutputFile::check)?;
+        self.bus.as_mut().map_or(Ok(()), Bus::check)
+    }
+
+    /// Puts its files in place, as far as the disk has taken them.
     pub fn commit(self) -> Result<(), Failure> {
-        self.file.map_or(Ok(()), OutputFile::commit)?;
-        self.bus.map_or(Ok(()), Bus::commit)
+        Failure::each([
+            self.file.map_or(Ok(()), OutputFile::commit_lines),
+            self.bus.map_or(Ok(()), Bus::commit),
+        ])
     }
 }
 

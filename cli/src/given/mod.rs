@@ -1,6 +1,7 @@
 //! The scene that the command line names, and its flight sample by sample.
 
 mod arguments;
+mod file;
 mod gaps;
 mod log;
 mod settings;
@@ -18,8 +19,8 @@ use sins::truth::flight::Flight;
 use sins::{Error, ErrorKind};
 
 pub use arguments::SceneArguments;
-pub use gaps::Gaps;
-pub use log::open;
+pub use file::{open_table, read_text};
+pub use gaps::{Gaps, unit_of_interval};
 pub use settings::Settings;
 pub use text::is_log;
 pub use whole::whole;
@@ -141,7 +142,11 @@ impl Given {
         };
         if let Motion::Log(_, log) = &given.motion {
             let found = gaps::find(&given.scene, log, count);
-            given.gaps = found.map_err(|(index, error)| given.failure_at(index, &error))?;
+            given.gaps = found.map_err(|(index, error)| {
+                let is_gap = error.kind == ErrorKind::Discontinuity && error.field == "sample.time_s";
+                let unit = if is_gap { gaps::unit_of_stamps(&given.scene, log) } else { "" };
+                Failure::new(format!("{}{unit}", given.failure_at(index, &error)))
+            })?;
         }
         Ok(given)
     }

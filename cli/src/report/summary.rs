@@ -6,6 +6,7 @@ use std::path::Path;
 use csv::ReaderBuilder;
 
 use crate::drawing::failures::Span;
+use sins::scene::listed;
 use sins::unit::State;
 
 use crate::failure::Failure;
@@ -33,7 +34,9 @@ impl Summary {
         let mut reader = ReaderBuilder::new().flexible(true).from_reader(input);
         let header = reader.headers().map_err(|error| Failure::of_file(path, &error))?;
         if header != ["key", "value", "unit", "label"].as_slice() {
-            return Err(Failure::of_line(path, 1, &"expected the header \"key,value,unit,label\""));
+            let found = listed(header.iter());
+            let what = format!("expected the header \"key,value,unit,label\"; the header has {found}");
+            return Err(Failure::of_line(path, 1, &what));
         }
         let mut rows = Vec::new();
         for row in reader.records() {

@@ -121,10 +121,16 @@ impl fmt::Display for Error {
                 // Not s/rad, the unit of a nonlinearity.
                 let is_angle = self.field.ends_with("_rad") && !self.field.ends_with("_s_rad");
                 let may_be_degrees = |value: f64| is_angle && (1.6..=360.0).contains(&value.abs());
-                match self.value {
-                    Some(Value::Real(value)) if may_be_degrees(value) => f.write_str("; is it in degrees?"),
-                    _ => Ok(()),
-                }
+                let is_stamp = self.field == "time_s" || self.field.ends_with(".time_s");
+                let hint = match self.value {
+                    Some(Value::Real(value)) if may_be_degrees(value) => "; is it in degrees?",
+                    // The time since 1970 in another unit.
+                    Some(Value::Real(1e10..1e14)) if is_stamp => "; is it in ms?",
+                    Some(Value::Real(1e14..1e17)) if is_stamp => "; is it in microseconds?",
+                    Some(Value::Real(1e17..1e20)) if is_stamp => "; is it in nanoseconds?",
+                    _ => "",
+                };
+                f.write_str(hint)
             }
             Rule::BetweenIntegers(low, high) => write!(f, "must be from {low} to {high}"),
             Rule::OffOr(low, high) => {
@@ -189,6 +195,16 @@ mod tests {
             check_range("sample.latitude_rad", 47.5, -1.5, 1.5).unwrap_err().to_string(),
             "sample.latitude_rad = 47.5: must be from -1.5 to 1.5; is it in degrees?"
         );
+        for (value, hint) in [
+            (1.76e12, "; is it in ms?"),
+            (1.76e15, "; is it in microseconds?"),
+            (1.76e18, "; is it in nanoseconds?"),
+            (-1.76e12, ""),
+            (1e300, ""),
+        ] {
+            let error = check_range("sample.time_s", value, -1e10, 1e10).unwrap_err().to_string();
+            assert_eq!(error, format!("sample.time_s = {value:e}: must be from -1e10 to 1e10{hint}"));
+        }
         let error = check_ranges("gyro.markov_time_s", &[1.0, -3.0], 0.0, 1e12).unwrap_err();
         assert_eq!(error.to_string(), "gyro.markov_time_s[1] = -3: must be from 0 to 1e12");
         assert_eq!(

@@ -7,7 +7,7 @@ use csv::StringRecord;
 use super::{LogError, fault};
 use crate::base::error::Error;
 use crate::base::units::DEG;
-use crate::scene::{excerpt, nearest};
+use crate::scene::{excerpt, listed, nearest};
 
 /// The quantities of a log: name, field of a sample, index in it. An angle may be in degrees: the name then ends in `_deg`.
 const QUANTITIES: [(&str, &str, Option<usize>); 17] = [
@@ -118,7 +118,8 @@ pub fn columns(header: &StringRecord, line: u64) -> Result<[Option<Column>; COUN
             format!("columns separated by {marks}: expected commas between fields, and decimal points"),
         ))
     } else {
-        Err(fault(line, 1, format!("missing columns: {}", missing.join(", "))))
+        let header = listed(header.iter());
+        Err(fault(line, 1, format!("missing columns: {}; the header has {header}", missing.join(", "))))
     }
 }
 

@@ -12,7 +12,7 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::base::error::Error;
 use crate::base::memory::room_for_one_more;
-use crate::scene::Fault;
+use crate::scene::{Fault, foreign};
 use crate::truth::FlightSample;
 use columns::columns;
 use rows::{check_line, next_row, sample};
@@ -50,6 +50,15 @@ impl FlightLog {
     /// Reads the log in a text: at least two samples, in the order of time, with values in their ranges. How they follow each
     /// other is checked when they are pushed.
     pub fn parse(text: &[u8]) -> Result<Self, LogError> {
+        Self::parse_log(text).map_err(|error| match (&error, foreign(text)) {
+            (LogError::Fault(_), Some(what)) => {
+                fault(1, 1, format!("is {what}: expected a flight log, a table of comma-separated values"))
+            }
+            _ => error,
+        })
+    }
+
+    fn parse_log(text: &[u8]) -> Result<Self, LogError> {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
         for (line, number) in text.split_inclusive(|byte| *byte == b'\n').zip(1..) {
             check_line(line).map_err(|sentence| fault(number, 1, sentence))?;
