@@ -24,6 +24,8 @@ mod fortran;
 mod header_units;
 #[path = "build/interface.rs"]
 mod interface;
+#[path = "build/javascript.rs"]
+mod javascript;
 #[path = "build/model.rs"]
 mod model;
 #[path = "build/own.rs"]
@@ -48,6 +50,8 @@ mod table;
 mod template;
 #[path = "build/text.rs"]
 mod text;
+#[path = "build/typescript.rs"]
+mod typescript;
 #[path = "src/unit/table.rs"]
 mod unit_table;
 #[allow(dead_code, reason = "the crate uses the rest")]
