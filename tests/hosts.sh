@@ -11,8 +11,9 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . tests/support/built.sh
+. tests/support/node.sh
 
-hosts="fortran ada python octave fortran_windows"
+hosts="fortran ada python javascript octave fortran_windows"
 scenes="aerobatics commuter"
 out=$PWD/target/hosts
 bindings=$built/bindings
@@ -121,6 +122,27 @@ python() {
         /usr/bin/python3 tests/hosts/arinc429.py "$out"/bus/{words,flight,imu}.csv $(ls "$out"/bus/flight_unit.csv 2>/dev/null)
     done
     /usr/bin/python3 tests/hosts/arinc429.py
+}
+
+# The library as WebAssembly in Node.
+javascript() {
+    local package=$PWD/target/wasm program
+    release/wasm.sh "$package"
+    mkdir -p "$out/javascript"
+    export SINS_MODULE=$package/sins.mjs
+    for program in fly:c_examples/web/fly.mjs layout:tests/hosts/layout_javascript.mjs calls:tests/hosts/calls.mjs; do
+        printf '#!/bin/sh\nexec node "%s" "$@"\n' "$PWD/${program#*:}" >"$out/javascript/${program%:*}"
+        chmod +x "$out/javascript/${program%:*}"
+    done
+    same_as_c javascript
+    node --expose-gc --test tests/hosts/test_sins.mjs >"$out/test_javascript" || { cat "$out/test_javascript"; return 1; }
+    echo "javascript: $(sed -n 's/^# pass /tests passed: /p' "$out/test_javascript")"
+    node_packages $typescript
+    cp tests/hosts/types.mts "$package"/sins.{mjs,d.ts} "$out/javascript"
+    mv "$out/javascript/sins.d.ts" "$out/javascript/sins.d.mts"
+    target/node/node_modules/.bin/tsc --noEmit --strict --target esnext --module nodenext --types node \
+        --typeRoots target/node/node_modules/@types "$out/javascript/types.mts"
+    echo "javascript: the types are those that TypeScript expects"
 }
 
 # The MEX file flies a log: a matrix of samples.

@@ -116,7 +116,7 @@ test("a view is empty after the memory has moved, and its struct is as before", 
 });
 
 test("structs and handles that are dropped are given back", async () => {
-    const { memory } = globalThis.performance, before = process.memoryUsage().external;
+    const before = process.memoryUsage().external;
     for (let round = 0; round < 400; round++) {
         for (let k = 0; k < 100; k++) {
             new sins.statistics();
@@ -125,7 +125,7 @@ test("structs and handles that are dropped are given back", async () => {
         globalThis.gc();
         await new Promise((done) => setTimeout(done)); // finalizers are tasks
     }
-    assert.ok(process.memoryUsage().external - before < 100e6, String(memory));
+    assert.ok(process.memoryUsage().external - before < 100e6);
 });
 
 test("texts of any length, and bytes", () => {
@@ -133,15 +133,14 @@ test("texts of any length, and bytes", () => {
     assert.equal(sins.last_status, sins.OK);
     assert.equal(sins.scene_get_text(scene, sins.SCENE_TEXT_TITLE), "飞".repeat(1000));
     assert.equal(sins.scene_write(sins.scene_parse(sins.scene_write(scene))), sins.scene_write(scene));
-    const faulty = sins.scene_parse("[gyro]\nbais_deg_h = 1\n");
+    const faulty = sins.scene_parse("[flight]\nbuiltin = \"rest\"\n[gyro]\nbais_deg_h = 1\n");
     assert.equal(sins.last_status, sins.SCENE_HAS_FAULTS);
     const fault = sins.scene_get_fault(faulty, 0);
-    assert.deepEqual([fault.line, fault.column, fault.sentence], [2n, 1n, "no such key: bais_deg_h; did you mean bias_deg_h?"]);
-    const long = `# ${"x".repeat(5 << 20)}\ntime_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n0,1,1,1,1,1,1\n1,1,1,1,1,1,1\n`;
+    assert.deepEqual([fault.line, fault.column, fault.sentence], [4n, 1n, "no such key: bais_deg_h; did you mean bias_deg_h?"]);
+    const long = `${`# ${"x".repeat(1000)}\n`.repeat(5000)}time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n0,1,1,1,1,1,1\n1,1,1,1,1,1,1\n`;
     const [log] = sins.log_parse(new TextEncoder().encode(long));
     const [at, line] = sins.log_get_sample(log, 1);
-    assert.deepEqual([at.time_s, line], [1, 4n]);
-    refuses(() => sins.log_parse("a,b\n"), thrown(() => sins.log_parse("a,b\n")).message);
+    assert.deepEqual([at.time_s, line], [1, 5003n]);
     assert.match(thrown(() => sins.log_parse("a,b\n")).message, /^line = 1, column 1: missing columns: time_s/);
 });
 
@@ -154,9 +153,8 @@ test("a record is a line of the program's files", () => {
 });
 
 test("a defect ends the instance, and another one is not touched", async () => {
-    // A key that points at no number of the module: the module traps, as it does in a panic.
-    const bytes = readFileSync(new URL("sins.wasm", process.env.SINS_MODULE.startsWith("/") ? `file://${process.env.SINS_MODULE}` : process.env.SINS_MODULE));
-    const own = await load(bytes);
+    // An address outside of the memory: the module traps, as it does in a panic.
+    const own = await load();
     const sim = own.create(null), gyro = new own.gyro_params();
     const [address] = Object.getOwnPropertySymbols(gyro).filter((one) => one.description === "address");
     gyro[address] = 0xffff0000;
