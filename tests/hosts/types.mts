@@ -1,6 +1,6 @@
 // What TypeScript accepts of sins.d.ts, and what it does not.
 
-import { load, SinsError, type Sins } from "./sins.mjs";
+import { load, SinsError, type Sins } from "sins";
 
 const sins: Sins = await load();
 const sim = sins.create(null);
