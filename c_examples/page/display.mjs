@@ -3,12 +3,12 @@
 import { Curves, QUANTITIES, unit_of } from "./curves.mjs";
 import { save } from "./files.mjs";
 import { FAILED, FINISHED, FLYING, PAUSED } from "./flight.mjs";
-import { Indicator, Panel } from "./instruments.mjs";
+import { DEGREE, Indicator, Panel } from "./instruments.mjs";
 import { Track } from "./map.mjs";
 import { element, options, parts, shown, text } from "./texts.mjs";
 
 const PACES = [1, 10, 100, 1000, 0]; // in the order of the text "paces"
-const DEGREE = Math.PI / 180, NMI_H = 1852 / 3600;
+const NMI_H = 1852 / 3600;
 
 export class Display {
     /** pilot: the colleague that flies. */

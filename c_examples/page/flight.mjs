@@ -1,6 +1,6 @@
 // A flight in a worker: sample by sample through the simulator, with the records of `sins fly`, and points for the curves.
 
-import { Curves } from "./points.mjs";
+import { Points } from "./points.mjs";
 
 /** Samples between two looks at the clock. */
 const STEPS = 64;
@@ -63,7 +63,7 @@ export class Flight {
             .map((name) => ["measured", "ideal"].map((kind) => this.imu.offset(`${kind}_${name}`)))
             .concat([[this.imu.offset("time_s"), this.imu.offset("interval_s")]]);
         [this.sums, this.summed_s] = [new Float64Array(6), 0];
-        this.curves = new Curves(this.records, this.imu, samples.count);
+        this.points = new Points(this.records, this.imu, samples.count);
         [this.pieces, this.piece, this.next, this.state, this.fault, this.is_new] = [[], "", 0, FLYING, null, true];
         this.add_line(sins.record_line(null, null, this.covariance));
         this.set_pace(pace);
@@ -118,9 +118,9 @@ export class Flight {
             }
             this.next++;
             if (is_due || is_last) this.keep_record();
-            if (index > 0 && this.curves.is_due(index, is_last)) {
+            if (index > 0 && this.points.is_due(index, is_last)) {
                 sins.get_record(sim, this.records.at(0));
-                this.curves.add(samples.start_s, is_last);
+                this.points.add(samples.start_s, is_last);
             }
             if (is_last) this.state = FINISHED;
         } catch (error) {

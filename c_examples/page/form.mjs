@@ -1,7 +1,7 @@
 // Fields of the scene: a row for each key, with its meaning, unit, limits and fault. An item of a list has a draft, which becomes part of
 // the scene as soon as the library accepts it.
 
-import { quoted, unit_of, unquoted } from "./scene.mjs";
+import { quoted, unit_name, unquoted } from "./scene.mjs";
 import { element, label, options, parts, text } from "./texts.mjs";
 
 let rows_made = 0;
@@ -17,10 +17,10 @@ export function row(scene, key, path, changed) {
     const fault = element("output", { class: "fault", id: `${id}_fault`, for: id });
     const made = element(
         "div",
-        { class: "row", title: hint },
+        { class: key.kind === scene.sins.SCENE_KEY_TEXT ? "row wide" : "row", title: hint },
         element("label", { for: id }, scene.meaning(path)),
         field,
-        element("span", { class: "unit" }, unit_of(key)),
+        element("span", { class: "unit" }, unit_name(key)),
         element("span", { class: "hint", id: `${id}_hint` }, hint),
         fault,
     );
@@ -96,7 +96,7 @@ function summary(scene, draft) {
     for (const [name, value] of Object.entries(values)) {
         const key = scene.key(`${section}.${name}`);
         if (scene.words(key)) words.push(scene.word_label(key, value));
-        else numbers.push(`${label(`${key.path}.short`, name.replace(/_(deg|m|s|h|hz)$|_s$/, "").replaceAll("_", " "))} ${value} ${unit_of(key)}`);
+        else numbers.push(`${label(`${key.path}.short`, name.replace(/_(deg|m|s|h|hz)$|_s$/, "").replaceAll("_", " "))} ${value} ${unit_name(key)}`);
     }
     return `${words.join(" ")}: ${numbers.join(", ")}`;
 }
@@ -118,8 +118,8 @@ export function items(scene, list, fresh) {
         { class: "bar" },
         button("Add", () => put(scene.items(list).toSpliced(chosen + 1, 0, fresh()), chosen + 1)),
         button("Remove", () => put(scene.items(list).toSpliced(chosen, 1), Math.max(chosen - 1, 0))),
-        button("Up", () => move(-1)),
-        button("Down", () => move(1)),
+        button("Move up", () => move(-1)),
+        button("Move down", () => move(1)),
     );
     function move(by) {
         const all = scene.items(list), to = chosen + by;

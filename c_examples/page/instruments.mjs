@@ -2,7 +2,8 @@
 
 import { element, options, parts, text } from "./texts.mjs";
 
-const DEGREE = Math.PI / 180, KNOT = 1852 / 3600;
+export const DEGREE = Math.PI / 180;
+const KNOT = 1852 / 3600;
 /** Degrees of pitch from the middle of an indicator to its rim. */
 const RIM = 35 * DEGREE;
 

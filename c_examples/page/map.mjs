@@ -32,12 +32,17 @@ export class Track {
         });
         const bounds = [0, 1].map((axis) => this.tracks.flatMap((track) => [track[axis].reduce((a, b) => Math.min(a, b)), track[axis].reduce((a, b) => Math.max(a, b))]));
         this.bounds = bounds.map((own) => (own.length ? [Math.min(...own), Math.max(...own)] : [-1, 1]));
-        const key = JSON.stringify([text("Map"), matchMedia("(prefers-color-scheme: dark)").matches, this.tracks.length]);
+        const key = JSON.stringify([text("Map"), matchMedia("(prefers-color-scheme: dark)").matches]);
         if (key !== this.key) {
             this.plot?.destroy();
             [this.key, this.plot] = [key, this.make()];
         }
-        this.plot.setData([null, ...this.tracks]);
+        this.plot.setData(this.data());
+    }
+
+    /** Of both tracks. */
+    data() {
+        return [null, ...[0, 1].map((k) => this.tracks[k] ?? [[], []])];
     }
 
     make() {
@@ -45,7 +50,7 @@ export class Track {
         const axis = (name) => ({ stroke: colour("ink"), grid, ticks: grid, font, labelFont: font, labelSize: 18, label: `${name} [km]`, space: 45 });
         const [east, north] = parts("axes_enu");
         const line = (label, ink, width) => ({ label, stroke: colour(ink), facets: [{ scale: "x", auto: true }, { scale: "y", auto: true }], paths: track_path(colour(ink), width) });
-        const series = [line(names[1], "data1", 3), line(names[0], "data2", 1.25)].slice(0, Math.max(1, this.tracks.length));
+        const series = [line(names[1], "data1", 3), line(names[0], "data2", 1.25)];
         const plot = new uPlot(
             {
                 ...this.size(),
@@ -57,7 +62,7 @@ export class Track {
                 cursor: { show: false },
                 legend: { live: false },
             },
-            [null, ...this.tracks],
+            this.data(),
             this.target,
         );
         plot.root.setAttribute("role", "img");

@@ -1,7 +1,7 @@
 // What accuracy costs: the scene's flight with ideal sensors and other options, its error and its time on this machine.
 
 /** Longest piece of the flight [s]; most samples in memory. */
-const LONGEST_S = 600, PIECE = 4096;
+const LONGEST_S = 600, BATCH = 4096;
 /** The flight is repeated until the steps took this time, and the least time counts [ms]. */
 const LEAST_MS = 20;
 /** Records in the piece, among which the largest error is looked for. */
@@ -15,7 +15,7 @@ export function measure(sins, scene, options) {
     const rate_hz = options?.rate_hz ?? sins.scene_get_setup(scene).rate_hz, flight = sins.scene_create_flight(scene);
     const flown_s = Math.min(sins.scene_get_setup(scene).flown_s, LONGEST_S), count = Math.floor(flown_s * rate_hz + 1e-6) + 1;
     const simulator = () => (options === null ? sins.scene_create_simulator(scene) : sins.create(options_of(sins, scene, options)));
-    const every = Math.max(1, Math.floor((count - 1) / RECORDS)), records = sins.array(sins.record, Math.ceil(PIECE / every) + 1);
+    const every = Math.max(1, Math.floor((count - 1) / RECORDS)), records = sins.array(sins.record, Math.ceil(BATCH / every) + 1);
     let [error_m, least_ms, sum_ms] = [0, Infinity, 0];
     do {
         const sim = simulator(), round = fly(sins, sim, flight, { rate_hz, count, every, records });
@@ -42,7 +42,7 @@ function options_of(sins, scene, { scheme, subsamples, rate_hz }) {
 
 /** Flies once: samples are computed outside of the measured time, because a host has its own flight. */
 function fly(sins, sim, flight, { rate_hz, count, every, records }) {
-    const samples = sins.array(sins.flight_sample, Math.min(PIECE, count)), position = records.offset("navigation_errors.position_enu_m");
+    const samples = sins.array(sins.flight_sample, Math.min(BATCH, count)), position = records.offset("navigation_errors.position_enu_m");
     let [error_m, spent_ms] = [0, 0];
     for (let first = 0; first < count; first += samples.length) {
         const some = Math.min(samples.length, count - first), part = some === samples.length ? samples : sins.array(sins.flight_sample, some);

@@ -24,7 +24,7 @@ const OF_RECORD = {
 };
 const OF_IMU = { rate: "measured_rate_rad_s", force: "measured_force_m_s2" };
 
-export class Curves {
+export class Points {
     constructor(records, imu, count) {
         [this.records, this.imu] = [records, imu];
         this.every = Math.max(1, Math.floor(count / LEAST));

@@ -55,7 +55,7 @@ export class Scene extends EventTarget {
         const range = key.flags & ZERO ? "range_or_0" : "range";
         const limits = key.flags & LIMITS ? text(range, shown(key.minimum, 6), shown(key.maximum, 6)) : "";
         const many = key.elements === 3 ? text("three_numbers") : key.elements === 9 ? text("nine_numbers") : "";
-        return [limits + (limits && key.unit ? ` ${unit_of(key)}` : ""), many, key.default_value && text("default_is", key.default_value)]
+        return [limits + (limits && key.unit ? ` ${unit_name(key)}` : ""), many, key.default_value && text("default_is", key.default_value)]
             .filter(Boolean)
             .join("; ");
     }
@@ -162,7 +162,7 @@ export class Scene extends EventTarget {
     }
 }
 
-export const unit_of = (key) => key.unit.replace("deg C", "°C").replaceAll("deg", "°").replace("micro-g", "µg").replace("sqrt", "√");
+export const unit_name = (key) => key.unit.replace("deg C", "°C").replaceAll("deg", "°").replace("micro-g", "µg").replace("sqrt", "√");
 
 export function unquoted(value) {
     return /^".*"$/s.test(value) ? value.slice(1, -1).replace(/\\(.)/g, "$1") : value;

@@ -21,6 +21,7 @@ export function trajectory(scene, take_file) {
     const flown_names = [...new Set(names.map((name) => flight_of(sins, name)))];
     const named = (all) => options(all.map((name) => [name, label(`builtin.${name}`, name)]));
     const whole = element("select", { "aria-label": text("Whole scene"), "data-path": "scene" }, ...named(names));
+    whole.value = "simulation2";
     const take = element("button", { onclick: () => scene.open(sins.scene_create_builtin(whole.value)), "data-do": "open_builtin" }, text("Open"));
     const source = element("select", { id: "source" }, ...options(parts("sources").slice(0, 3).map((name, k) => [String(k), name])));
     const builtin = element("select", { id: "builtin", "data-path": "flight.builtin" }, ...named(flown_names));

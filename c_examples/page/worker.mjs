@@ -18,7 +18,7 @@ export function serve() {
 
     /** Reports the flight; whole: with the curves. */
     function tell(whole) {
-        const curves = whole ? flight.curves.copy() : null;
+        const curves = whole ? flight.points.copy() : null;
         const buffers = curves ? Object.values(curves).flat().map((column) => column.buffer) : [];
         told_ms = performance.now();
         if (whole) drawn_ms = told_ms;
@@ -137,9 +137,9 @@ export function serve() {
 /** The other side: a worker of the page. */
 export class Colleague {
     constructor(address, module) {
-        this.worker = new Worker(address, { type: "module" });
+        this.worker = new Worker(address);
         [this.requests, this.last] = [new Map(), 0];
-        this.on_flight = () => {};
+        [this.on_flight, this.on_failure] = [() => {}, console.error];
         this.worker.onmessage = ({ data }) => {
             if (data.flight) return this.on_flight(data.flight, data.curves);
             const { done, failed } = this.requests.get(data.number);
@@ -147,7 +147,8 @@ export class Colleague {
             if (data.fault) failed(data.fault);
             else done(data.answer);
         };
-        this.ask("library", { module });
+        this.worker.onerror = (event) => this.on_failure(event.message ?? "the worker cannot be started");
+        this.ask("library", { module }).catch((fault) => this.on_failure(fault.sentence));
     }
     /** Asks for something; the promise is rejected with a fault. */
     ask(what, values = {}) {
