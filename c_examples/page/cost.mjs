@@ -79,12 +79,19 @@ export class Cost {
 
     async measure_chosen() {
         const turn = ++this.turn, { chosen } = this;
+        if (this.scene.is_log) return void (this.said.value = text("cost_log"));
         try {
             this.said.value = text("computing");
             const measured = await this.measure(chosen);
             if (this.sensors_m === null) await this.measure(null);
             if (turn !== this.turn || !measured) return;
+            this.draw();
             this.said.value = text("cost_measured", this.name(chosen), shown(measured.error_m, 2), shown(measured.flown_s, 4), shown(measured.us_per_s, 2), shown(this.sensors_m, 2));
+            for (const rate_hz of RATES_HZ.filter((rate) => rate !== chosen.rate_hz)) {
+                if (turn !== this.turn) return;
+                await this.measure({ ...chosen, rate_hz }); // the curve on which the choice is a point
+                this.draw();
+            }
         } catch (fault) {
             this.said.value = this.scene.told(fault);
         }
@@ -93,6 +100,7 @@ export class Cost {
 
     /** Measures every choice, and draws each at once. */
     async measure_all() {
+        if (this.scene.is_log) return void (this.said.value = text("cost_log"));
         const turn = ++this.turn, all = RATES_HZ.flatMap((rate_hz) => this.schemes.flatMap((scheme) => SUBSAMPLES.map((subsamples) => ({ scheme, subsamples, rate_hz }))));
         try {
             for (const [k, options] of all.entries()) {
@@ -121,9 +129,10 @@ export class Cost {
     draw() {
         const of = (points) => [Float64Array.from(points, ({ us_per_s }) => us_per_s), Float64Array.from(points, ({ error_m }) => Math.max(error_m, LEAST_M))];
         const chosen = this.points.filter((point) => same(point, this.chosen));
+        const own = this.points.filter((point) => same(point, { ...this.chosen, rate_hz: point.rate_hz })).sort((a, b) => a.rate_hz - b.rate_hz);
         const costs = this.points.map(({ us_per_s }) => us_per_s), span = costs.length ? [Math.min(...costs), Math.max(...costs)] : [];
         const line = this.sensors_m === null || span.length === 0 ? [[], []] : [Float64Array.from(span), Float64Array.from(span, () => this.sensors_m)];
-        const data = [null, ...this.schemes.map((scheme) => of(this.points.filter((point) => point.scheme === scheme))), line, of(chosen)];
+        const data = [null, ...this.schemes.map((scheme) => of(this.points.filter((point) => point.scheme === scheme))), line, of(own), of(chosen)];
         const key = JSON.stringify([text("time"), matchMedia("(prefers-color-scheme: dark)").matches]);
         if (key !== this.key) {
             this.plot?.destroy();
@@ -133,8 +142,9 @@ export class Cost {
     }
 
     make(data) {
-        const grid = { stroke: colour("grid"), width: 1 }, font = "12px system-ui, sans-serif", facets = [{ scale: "x", auto: true }, { scale: "y", auto: true }];
-        const axis = (label) => ({ stroke: colour("ink"), grid, ticks: grid, font, labelFont: font, labelSize: 18, label, values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : shown(tick, 2))) });
+        const filter = (_, ticks) => ticks.map((tick) => (Number.isInteger(Math.log10(tick)) ? tick : null)), grid = { stroke: colour("grid"), width: 1, filter };
+        const font = "12px system-ui, sans-serif", facets = [{ scale: "x", auto: true }, { scale: "y", auto: true }];
+        const axis = (label) => ({ stroke: colour("ink"), grid, ticks: grid, font, labelFont: font, labelSize: 18, label, filter, values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : shown(tick, 2))) });
         const scheme = (word, k) => ({ label: this.scene.word_label(this.scene.key("options.scheme"), word), stroke: colour(`scheme${k}`), facets, paths: dots(colour(`scheme${k}`), 3) });
         const limits = (_, low, high) => (low === null || low === undefined ? [1, 1000] : [low / 2, high * 2]);
         const plot = new uPlot(
@@ -147,6 +157,7 @@ export class Cost {
                     null,
                     ...this.schemes.map(scheme),
                     { label: text("error of the sensors"), stroke: colour("sensors"), facets, paths: dashes(colour("sensors")) },
+                    { label: text("chosen algorithm"), stroke: colour("ink"), facets, paths: lines(colour("ink")) },
                     { label: text("chosen"), stroke: colour("ink"), facets, paths: dots(colour("ink"), 7, true) },
                 ],
                 axes: [{ ...axis(text("time of a simulated second [µs]")), size: 44 }, { ...axis(text("largest error [m]")), size: 66 }],
@@ -172,6 +183,16 @@ function dots(ink, radius, is_ring = false) {
             if (is_ring) paint.stroke();
             else paint.fill();
         }
+    });
+}
+
+/** Draws a line through the points. */
+function lines(ink) {
+    return drawn((plot, paint, points) => {
+        [paint.strokeStyle, paint.lineWidth] = [ink, devicePixelRatio];
+        paint.beginPath();
+        for (const [x, y] of points) paint.lineTo(x, y);
+        paint.stroke();
     });
 }
 

@@ -4,7 +4,7 @@ import { element, parts, shown, text } from "./texts.mjs";
 
 /** Units of a kind of quantity, each with its size, and the least span of an axis, so that rounding does not fill a panel. */
 const KINDS = {
-    length: { units: [["m", 1], ["km", 1000]], least: 1e-3 },
+    length: { units: [["mm", 1e-3], ["m", 1], ["km", 1000]], least: 1e-3 },
     speed: { units: [["mm/s", 1e-3], ["m/s", 1]], least: 1e-5 },
     angle: { units: [["″", Math.PI / 648000], ["′", Math.PI / 10800], ["°", Math.PI / 180]], least: Math.PI / 648000 / 100 },
     degrees: { units: [["°", Math.PI / 180]], least: Math.PI / 18000 },
@@ -126,7 +126,7 @@ export class Curves {
     }
 
     sizes(is_last) {
-        return { width: Math.max(200, this.target.clientWidth), height: (innerWidth < 600 ? 130 : 165) + (is_last ? 34 : 0) };
+        return { width: Math.max(200, this.target.clientWidth), height: (innerWidth < 600 ? 130 : 205) + (is_last ? 34 : 0) };
     }
 
     resize() {

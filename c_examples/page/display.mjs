@@ -62,13 +62,21 @@ export class Display {
     /** Shows another flight after a change of the language. */
     follow(other) {
         if (!other) return;
-        [this.now, this.points, this.path, this.flown_text] = [other.now, other.points, other.path, other.flown_text];
+        for (const name of ["now", "points", "path", "flown_text", "has_model", "log_name", "planned"]) this[name] = other[name];
         this.pace.value = other.pace.value;
         this.refresh();
     }
 
+    /** What keeps the flight from its start, or "". */
+    obstacle() {
+        const { scene } = this, file = scene.is_log ? scene.get("flight.file") : null;
+        if (scene.faults.length) return text("not_in_flight");
+        return file === null || file.split(/[\\/]/).at(-1) === this.log_name ? "" : text("log_missing", file);
+    }
+
     async fly() {
-        if (this.scene.faults.length) return this.say(text("not_in_flight"), true);
+        const obstacle = this.obstacle();
+        if (obstacle) return this.say(obstacle, true);
         if (this.now?.state === PAUSED) return this.pilot.ask("pause", { is_paused: false });
         [this.flown_text, this.points, this.now, this.has_model] = [this.scene.text, null, null, this.scene.get("options.error_model") === "rk4"];
         this.say("");
@@ -161,7 +169,9 @@ export class Display {
 
     /** The path of the flight before it is flown. */
     async preview() {
+        const obstacle = this.obstacle();
         if (this.scene.faults.length || this.previewed === this.scene.text) return;
+        if (obstacle) return this.say(obstacle, true);
         const written = (this.previewed = this.scene.text);
         try {
             const path = await this.pilot.ask("path", { text: written });
@@ -203,7 +213,7 @@ function rows(now) {
     const names = parts("progress"), { record, accuracy } = now ?? {};
     if (!record) return [];
     const { truth, navigation, navigation_errors: errors, model_errors: model } = record;
-    const several = (values, size, digits) => Array.from(values, (value) => (value / size).toFixed(digits)).join(" ");
+    const several = (values, size, digits) => Array.from(values, (value) => (value / size).toFixed(digits).replace(/^-(0\.0*)$/, "$1")).join(" ");
     const both = (show) => [show(navigation), show(truth)], attitude = (own) => [own.roll_rad, own.pitch_rad, own.heading_rad];
     const is_known = (own) => (own.flags & 4) === 0; // SINS_ERRORS_NOT_COMPUTED
     const all = [

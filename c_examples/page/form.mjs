@@ -38,7 +38,7 @@ export function row(scene, key, path, changed) {
                 const is_default = !words && (value === unquoted(key.default_value) || (key.elements > 1 && value === "0"));
                 field.value = is_default ? "" : value.replace(/^\[|\]$/g, "");
             }
-            made.classList.toggle("off", value === unquoted(key.default_value));
+            made.classList.toggle("off", value === "" || value === unquoted(key.default_value));
         },
     };
 }

@@ -48,7 +48,7 @@ class Page {
             element(
                 "div",
                 { class: "bar" },
-                button("Open...", () => choose(".toml,.csv", (file) => this.take_file(file)), "open"),
+                button("Open", () => choose(".toml,.csv", (file) => this.take_file(file)), "open"),
                 button("Save the scene", () => save(new Blob([this.text.value], { type: "application/toml" }), `${this.display.name()}.toml`), "save"),
                 button("Save the records", () => this.display.save_records(), "records"),
                 button("Picture", () => this.display.save_picture(), "picture"),
@@ -161,7 +161,7 @@ class Page {
             if (is_log) {
                 display.say(text("computing"));
                 const { samples, duration_s } = await this.pilot.ask("log", { file });
-                display.previewed = null;
+                [display.previewed, display.log_name] = [null, file.name];
                 const [fault] = fly_log(scene, file.name);
                 display.say(fault ? scene.told(fault) : text("log_read", file.name, samples, shown_s(duration_s)), Boolean(fault));
             } else {

@@ -81,6 +81,11 @@ export class Scene extends EventTarget {
         this.dispatchEvent(Object.assign(new Event("change"), { source }));
     }
 
+    /** Whether the flight is a log. */
+    get is_log() {
+        return this.sins.scene_get_setup(this.handle).flight === this.sins.SCENE_FLIGHT_LOG;
+    }
+
     /** Its text; source: a text that the user wrote, which is kept as it is. */
     get text() {
         return this.sins.scene_write(this.handle);
@@ -162,7 +167,7 @@ export class Scene extends EventTarget {
     }
 }
 
-export const unit_name = (key) => key.unit.replace("deg C", "°C").replaceAll("deg", "°").replace("micro-g", "µg").replace("sqrt", "√");
+export const unit_name = (key) => key.unit.replace("deg C", "°C").replaceAll("deg", "°").replace("micro-g", "µg").replace("sqrt", "√").replace(/2$/, "²");
 
 export function unquoted(value) {
     return /^".*"$/s.test(value) ? value.slice(1, -1).replace(/\\(.)/g, "$1") : value;

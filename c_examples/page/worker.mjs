@@ -10,7 +10,7 @@ const PIECE_MS = 12;
 /** Time between two reports: of the instant, and of the curves [ms]. */
 const STATUS_MS = 66, CURVES_MS = 250;
 /** Most points of a path before the flight. */
-const PATH_POINTS = 3000;
+const PATH_POINTS = 10000;
 
 export function serve() {
     let sins, log = null, flight = null, told_ms = 0, drawn_ms = 0, is_going = false;
