@@ -34,13 +34,23 @@ export function on_drop(take) {
     });
 }
 
-/** Bytes through a compressor or its counterpart. */
+/** Bytes, or a blob, through a compressor or its counterpart. */
 const through = async (bytes, stream) => new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+
+/** Letters of base64 that are read at once, so that the page does not stand still. */
+const PIECE_OF_BASE64 = 1 << 17;
+/** Ends the task, so that the browser does what waits. */
+const pause = () => new Promise((done) => setTimeout(done));
+const bytes_of = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
 /** Bytes of base64 in an element of the page, that were packed by gzip. */
 export async function unpacked(id) {
-    const packed = await fetch(`data:application/gzip;base64,${document.getElementById(id).textContent.trim()}`);
-    return through(await packed.arrayBuffer(), new DecompressionStream("gzip"));
+    const packed = document.getElementById(id).textContent, pieces = [];
+    for (let from = 0; from < packed.length; from += PIECE_OF_BASE64) {
+        await pause();
+        pieces.push(bytes_of(packed.slice(from, from + PIECE_OF_BASE64)));
+    }
+    return through(new Blob(pieces), new DecompressionStream("gzip"));
 }
 
 /** A text as a part of an address. */
@@ -51,6 +61,6 @@ export async function to_link(text) {
 
 /** The text of a part of an address. Throws if it is none. */
 export async function of_link(part) {
-    const bytes = Uint8Array.from(atob(part.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
+    const bytes = bytes_of(part.replaceAll("-", "+").replaceAll("_", "/"));
     return new TextDecoder("utf-8", { fatal: true }).decode(await through(bytes, new DecompressionStream("deflate-raw")));
 }

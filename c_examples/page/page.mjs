@@ -74,46 +74,49 @@ class Page {
     /** The tabs of the settings, each with its panel. */
     tabs() {
         const { scene } = this, names = parts("tabs");
-        const section = (own, wanted = () => true) => fields(scene, scene.keys.filter((key) => key.section === own && key.name !== "preset" && wanted(key)));
+        const section = (own) => fields(scene, scene.keys.filter((key) => key.section === own && key.name !== "preset"));
         const folded = (title, ...content) => element("details", {}, element("summary", {}, title), ...content);
-        const sensor = (own) => folded(section_name(own), presets(scene, own), section(own));
         const failure = () => `[[failure]]\nsensor = "gyro"\naxis = "x"\nkind = "dead"\nfrom_s = ${this.display.now?.time_s ?? 0}\n`;
         this.text = element("textarea", { id: "text", spellcheck: "false", wrap: "off", "aria-label": text("Text of the scene"), "aria-describedby": "text_faults" });
         this.text.oninput = () => this.later("typed", () => scene.parse(this.text.value));
         this.faults = element("ul", { id: "text_faults", class: "faults", role: "status" });
-        const panels = {
-            [names[0]]: [trajectory(scene, (file) => this.take_file(file))],
-            [names[1]]: [
+        const settings = {
+            [names[0]]: () => [trajectory(scene, (file) => this.take_file(file))],
+            [names[1]]: () => [
                 group(section_name("options"), section("options")),
-                ...["gyro", "accelerometer", "altimeter", "gravity"].map((own) => (own === "gyro" || own === "accelerometer" ? sensor(own) : folded(section_name(own), section(own)))),
+                ...["gyro", "accelerometer"].map((own) => folded(section_name(own), presets(scene, own), section(own))),
+                ...["altimeter", "gravity"].map((own) => folded(section_name(own), section(own))),
                 folded(text("Failures of sensors"), items(scene, "failure", failure)),
             ],
-            [names[2]]: [presets(scene, "start"), section("start"), group(section_name("mounting"), section("mounting"))],
-            [text("Unit")]: [group(text("Panel of the INS"), items(scene, "panel", () => '[[panel]]\nkind = "align"\nat_s = 0\n')), section("unit")],
-            [text("Text")]: [this.text, this.faults, group(section_name("output"), section("output")), group(text("Updates"), items(scene, "update", () => '[[update]]\nkind = "position"\nat_s = 60\nsigma_m = 10\n'))],
+            [names[2]]: () => [presets(scene, "start"), section("start"), group(section_name("mounting"), section("mounting"))],
+            [text("Unit")]: () => [group(text("Panel of the INS"), items(scene, "panel", () => '[[panel]]\nkind = "align"\nat_s = 0\n')), section("unit")],
+            [text("Text")]: () => [this.text, this.faults, group(section_name("output"), section("output")), group(text("Updates"), items(scene, "update", () => '[[update]]\nkind = "position"\nat_s = 60\nsigma_m = 10\n'))],
         };
         const list = element("div", { role: "tablist" });
-        const all = Object.entries(panels).map(([name, content], k) => {
-            const tab = element("button", { role: "tab", id: `tab${k}`, "aria-controls": `panel${k}`, onclick: () => choose_tab(k) }, name);
+        this.panels = Object.entries(settings).map(([name, make], k) => {
+            const tab = element("button", { role: "tab", id: `tab${k}`, "aria-controls": `panel${k}`, onclick: () => this.choose_tab(k) }, name);
             tab.onkeydown = ({ key }) => {
                 const step = { ArrowRight: 1, ArrowLeft: -1 }[key];
-                if (step) choose_tab((k + step + all.length) % all.length, true);
+                if (step) this.choose_tab((k + step + this.panels.length) % this.panels.length).focus();
             };
             list.append(tab);
-            return [tab, element("div", { role: "tabpanel", id: `panel${k}`, "aria-labelledby": `tab${k}` }, ...content)];
+            return { tab, make, panel: element("div", { role: "tabpanel", id: `panel${k}`, "aria-labelledby": `tab${k}` }) };
         });
-        const choose_tab = (chosen, is_by_key = false) => {
-            this.tab = chosen;
-            all.forEach(([tab, panel], k) => {
-                tab.setAttribute("aria-selected", String(k === chosen));
-                tab.tabIndex = k === chosen ? 0 : -1;
-                panel.hidden = k !== chosen;
-            });
-            if (is_by_key) all[chosen][0].focus();
-        };
-        choose_tab(this.tab);
-        this.panels = all.map(([, panel]) => panel);
-        return [list, ...this.panels];
+        this.choose_tab(this.tab);
+        return [list, ...this.panels.map(({ panel }) => panel)];
+    }
+
+    /** Shows a panel of the settings, which is made when it is first shown. Returns its tab. */
+    choose_tab(chosen) {
+        this.tab = chosen;
+        this.panels.forEach(({ tab, panel, make }, k) => {
+            tab.setAttribute("aria-selected", String(k === chosen));
+            tab.tabIndex = k === chosen ? 0 : -1;
+            panel.hidden = k !== chosen;
+            if (k === chosen && panel.childElementCount === 0) panel.append(...make());
+        });
+        refresh_within(this.panels[chosen].panel);
+        return this.panels[chosen].tab;
     }
 
     /** Calls something after a pause, once. */
@@ -134,7 +137,7 @@ class Page {
     refresh(source = null) {
         const { scene } = this;
         if (source !== "text") this.text.value = scene.text;
-        this.panels.forEach(refresh_within);
+        refresh_within(this.panels[this.tab].panel);
         const in_text = scene.faults.filter((fault) => fault.in_text);
         this.faults.replaceChildren(...in_text.map((fault) => {
             const go = () => select_place(this.text, Number(fault.line), Number(fault.column));
