@@ -1479,7 +1479,7 @@ typedef struct sins_covariance {
     uint32_t struct_size;
     /**
      * Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, SINS_ERRORS_WITHOUT_CORRECTIONS, and
-     * SINS_ERRORS_OUTSIDE_VALIDITY if a standard deviation exceeds the limits of that flag.
+     * SINS_ERRORS_OUTSIDE_VALIDITY if a standard deviation, or an error of this run, exceeds the limits of that flag.
      */
     int32_t flags;
     /** Time [s]. */
@@ -2008,8 +2008,8 @@ typedef struct sins_imu_increment {
  * sins_get_navigation(), whose angles are rounded. With a mounting the parts are the signals of the sensor block. The parts do
  * not contain the aid of the vertical channel. sins_push_imu() rejects updates shorter than 5e-5 s.
  *
- * SINS_NEED_SAMPLE: the last interval has no such update, or there is none: before the first step, after sins_snapshot_load()
- * until the next step (a snapshot keeps the sums of sins_get_imu() alone), and while the simulator navigates on increments.
+ * SINS_NEED_SAMPLE: the last interval has no such update, or there is none: before the first step, and while the simulator navigates on
+ * increments.
  * SINS_ERROR_INVALID_ARGUMENT: update is negative.
  *
  * ```c
@@ -2136,7 +2136,7 @@ SINS_API sins_status SINS_CALL sins_get_compensation(sins_sim *sim, sins_compens
  * A buffer of this size holds every snapshot of a simulator that this release saves. For a library newer than this header
  * ask sins_snapshot_size(); for an ensemble ask sins_ensemble_snapshot_size().
  */
-#define SINS_SNAPSHOT_MAX_SIZE 20480
+#define SINS_SNAPSHOT_MAX_SIZE 24576
 
 /**
  * Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. These sizes

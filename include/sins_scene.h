@@ -216,8 +216,9 @@ SINS_API sins_status SINS_CALL sins_scene_create_unit(const sins_scene *scene, s
  * place after each step. flight_start_s is the time stamp of the flight's first sample. An action acts in the interval in which
  * its time is, the start of the interval included. No allocation, no system call.
  *
+ * SINS_ERROR_INVALID_ARGUMENT: flight_start_s not from -2e10 to 2e10.
  * SINS_ERROR_BAD_HANDLE: scene, unit or sim is not a valid handle.
- * SINS_ERROR_BAD_STATE: an entry at the wrong moment; sins_last_error(NULL, ...) says which. As sins_unit_update(); as sins_scene_parse().
+ * SINS_ERROR_BAD_STATE: an entry at the wrong moment; sins_last_error(NULL, ...) says which; the unit was updated. As sins_unit_update(); as sins_scene_parse().
  */
 SINS_API sins_status SINS_CALL sins_scene_update_unit(const sins_scene *scene, sins_unit *unit, sins_sim *sim,
     double flight_start_s);

@@ -87,6 +87,11 @@ typedef struct sins_unit_params {
      */
     double motion_threshold_m_s;
     /**
+     * Distance from its place beyond which an alignment stops [m], 1e-6 to 1e6; 0: 0.2. The default is this
+     * library's: a sway of 1 cm does not matter, a slow start stops the alignment.
+     */
+    double motion_distance_m;
+    /**
      * Time constant of the filter of this velocity [s], 1e-3 to 1e6; 0: 0.5. The default is that of
      * flybywiresim/aircraft.
      */
@@ -117,8 +122,8 @@ typedef struct sins_unit_params {
      */
     double erection_time_s;
     /**
-     * Time without a signal of a gyro or accelerometer after which the unit fails [s], 1e-3 to 1e6; 0: 1. The
-     * default is this library's.
+     * Time without a signal of a gyro or accelerometer after which the unit fails [s], 1e-3 to 1e6; 0: 1. It is
+     * the sum since the alignment, or the erection of ATT, began. The default is this library's.
      */
     double fault_s;
     /** Time that the battery lasts [s], 1e-3 to 1e6; 0: none. If 0, it lasts for ever. */
@@ -136,7 +141,7 @@ typedef struct sins_unit_params {
 } sins_unit_params;
 
 /** A buffer of this size holds every snapshot of a unit that this release saves. */
-#define SINS_UNIT_SNAPSHOT_MAX_SIZE 1024
+#define SINS_UNIT_SNAPSHOT_MAX_SIZE 2048
 
 /** Positions of the mode selector. */
 typedef enum sins_unit_mode {
@@ -167,7 +172,10 @@ typedef enum sins_unit_power {
 typedef enum sins_unit_alignment {
     /** Levelling and gyrocompassing on the measured increments. */
     SINS_UNIT_ALIGNMENT_GYROCOMPASS = 0,
-    /** Levelling on the measured increments, with the stored heading; without one a gyrocompass. */
+    /**
+     * Levelling on the measured increments, with the stored heading. Without one, and when the aircraft has moved since the unit was
+     * switched on, a gyrocompass.
+     */
     SINS_UNIT_ALIGNMENT_STORED_HEADING = 1,
     /**
      * Only in a simulation: after fast_alignment_s the unit has the true state, with the errors of sins_initial_errors that need no
@@ -270,7 +278,8 @@ SINS_API sins_status SINS_CALL sins_unit_select(sins_unit *unit, int32_t mode);
 SINS_API sins_status SINS_CALL sins_unit_set_power(sins_unit *unit, int32_t power);
 
 /**
- * Sets how the unit aligns, of enum sins_unit_alignment.
+ * Sets how the unit aligns, of enum sins_unit_alignment. With another kind an alignment in progress begins anew, and a unit that is ready
+ * aligns again. A realignment is the same with each kind.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such kind.
  */
@@ -290,8 +299,9 @@ SINS_API sins_status SINS_CALL sins_unit_press_test(sins_unit *unit);
 SINS_API sins_status SINS_CALL sins_unit_enter_position(sins_unit *unit, double latitude_rad, double longitude_rad);
 
 /**
- * Enters the heading of the mode ATT, -2 pi to 2 pi [rad]. The gyros carry it on. They measure the Earth's rotation too, so it drifts by
- * up to 15 deg/h. A magnetic heading that is entered remains one.
+ * Enters the heading of the mode ATT, -2 pi to 2 pi [rad]. The gyros carry it on. They measure the rotation of the Earth and the motion
+ * over it too, so the heading drifts by Omega sin(latitude) + v_east tan(latitude)/R: 13 deg/h at rest at 60 degrees, 27 deg/h with
+ * 250 m/s to the east there. A magnetic heading that is entered remains one.
  *
  * SINS_ERROR_INVALID_ARGUMENT: out of its range.
  * SINS_ERROR_BAD_STATE: the attitude of ATT is not valid.
@@ -299,7 +309,8 @@ SINS_API sins_status SINS_CALL sins_unit_enter_position(sins_unit *unit, double 
 SINS_API sins_status SINS_CALL sins_unit_enter_heading(sins_unit *unit, double heading_rad);
 
 /**
- * Sets what the unit stored when it was last switched off: latitude, -pi/2 to pi/2, longitude, -pi to pi, and true heading, 0 to 2 pi
+ * Sets what the unit stored when it was last switched off. An alignment with the stored heading takes the heading for that of the aircraft
+ * when the unit was switched on: latitude, -pi/2 to pi/2, longitude, -pi to pi, and true heading, 0 to 2 pi
  * [rad]. A new unit has nothing stored. sins_unit_status has what a host may keep from one session to the next.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
@@ -315,18 +326,30 @@ SINS_API sins_status SINS_CALL sins_unit_set_stored(sins_unit *unit, double lati
  *
  * An alignment averages the specific force in the inertial axes that the gyros keep, over windows of at most coarse_alignment_s. The
  * motion of the vertical in these axes shows east. So a sway of the aircraft does no harm. With white noise N of the gyros the standard
- * deviation of the heading error after the time T is 1.02 N / (Omega cos(latitude) sqrt(T)), where Omega is the Earth rate; a gyro bias
- * b to the east adds b / (Omega cos(latitude)), an accelerometer bias B to the east B tan(latitude) / g. Height and vertical velocity begin without errors.
+ * deviation of the heading error after the time T is 1.02 N / (Omega cos(latitude) sqrt(T)), where Omega is the Earth rate. A gyro bias
+ * b to the east adds b / (Omega cos(latitude)), one about the vertical -b T/2, an accelerometer bias B to the east
+ * B tan(latitude) / g. Noise A of the accelerometers adds sqrt(3/a) A / (g Omega cos(latitude) T) with windows of the length a. Perfect
+ * sensors leave no error. Height and vertical velocity begin without errors. Until there are two windows, 45 s with the defaults, the
+ * vertical is that of the first: the Earth turns it by up to 3.3e-3 rad.
  *
- * Test for motion: the unit integrates the specific force less its mean over 8 s. It cannot feel a constant velocity.
+ * Test for motion: an alignment stops if the velocity that the unit feels against its mean force is above motion_threshold_m_s, if the
+ * aircraft is further than motion_distance_m from where it stood, or if its mean acceleration in a window is above 5e-4 m/s2. The last
+ * two are those of the truth: a real unit cannot find a slow start or a constant velocity, and would show wrong outputs as valid. The
+ * alignment starts anew after still_s at rest. A realignment of an aircraft that reaches realignment_speed_m_s loses the navigation.
  *
  * Test of the latitude: the speed of that motion gives the cosine of latitude. It must agree with that of the entered latitude to 0.004
- * plus the largest gyro bias plus 5 standard deviations of what is drawn, divided by Omega; or to latitude_tolerance_rad. The north or
- * south of the entered latitude is tested to 0.2 in its sine. After the first failure the position must be entered again; after the
- * second the unit fails.
+ * and the errors of the sensors, or to latitude_tolerance_rad. These errors are all that is set, and 5 standard deviations of all that is
+ * drawn, of the mean rate of the gyros and of the change of the accelerometers between the first and the last window. The north or south
+ * of the entered latitude is tested to 0.2 in its sine and those of the gyros. After the first failure the position must be entered
+ * again; after the second the unit fails.
  *
- * If the time of the simulator does not continue from the last update (a reposition, a jump, an interval without an update), an
- * alignment starts anew.
+ * Signals: an interval in which a gyro or accelerometer has no signal shows no rates, and an alignment begins anew. When the sum of
+ * such intervals since the alignment began is more than fault_s, the unit fails. Until then, attitude and heading are wrong by up to the
+ * rotation in them, the velocity by up to the force times their length.
+ *
+ * If the truth jumps (sins_reposition(), sins_move_truth(), sins_reset()), an alignment or the erection of ATT starts anew, and the
+ * position must be entered again. If the time does not continue from the last update (a pause that is not reported, an interval without
+ * an update), it starts anew, too.
  *
  * SINS_ERROR_BAD_STATE: the simulator has made no step, or the unit has taken this step already.
  * SINS_ERROR_BAD_HANDLE: sim is not a simulator.
@@ -342,10 +365,12 @@ SINS_API sins_status SINS_CALL sins_unit_update(sins_unit *unit, sins_sim *sim);
  * The first fix begins a window. A window ends with the first fix at least coarse_alignment_s behind its begin, and the next one begins.
  * In each window the integral a of the measured specific force, in inertial axes that the gyros keep, belongs to the integral b by the
  * fixes: the change of the inertial velocity less the integral of the gravitation. The believed lever arm is taken into account. The
- * rotation R for which the sum of |b - R a|^2 over the windows is least is the attitude. With two windows the unit shows roll and pitch.
+ * rotation R for which the sum of |b - R a|^2 over the windows is least is the attitude. From two windows on the unit shows roll and pitch, when their standard deviation is
+ * below 0.5 deg.
  *
- * The standard deviation of the heading follows from what R leaves of that sum, from the motion, and from the gyros: their largest bias
- * and one standard deviation of what is drawn, as they are set. Turns and changes of speed make it small. In straight flight it is at
+ * The standard deviation of the heading follows from what R leaves of that sum, from the motion, and from the gyros: all that is set
+ * and one standard deviation of what is drawn. What few windows leave is no good estimate: it is multiplied by the ratio of the quantiles
+ * of Student's and the normal distribution, 2.8 with two windows, 1.6 with three, 1.2 with six. Turns and changes of speed make it small. In straight flight it is at
  * least the drift of the gyros divided by the horizontal Earth rate. A window counts less the older it is: its weight falls by e in the
  * time in which the drift reaches in_flight_heading_rad.
  *
@@ -398,7 +423,10 @@ typedef enum sins_unit_state {
     SINS_UNIT_STATE_REALIGNMENT = 6,
     /** ATT: levelling. The aircraft should fly straight and level. */
     SINS_UNIT_STATE_ERECTION = 7,
-    /** ATT: attitude by the gyros, which slowly follows the apparent vertical. In a long turn it follows a false one. */
+    /**
+     * ATT: attitude by the gyros, which slowly follows the apparent vertical. In a long turn it follows a false one. It lags behind the
+     * vertical by erection_time_s times the rate of the Earth and of the motion over it: 0.5 deg at rest on the equator.
+     */
     SINS_UNIT_STATE_ATTITUDE = 8,
     /** Failed: it shows nothing until it is switched off. */
     SINS_UNIT_STATE_FAULT = 9,
@@ -541,7 +569,12 @@ typedef enum sins_bus_flags {
     SINS_BUS_WIND = 1,
     /** The field magnetic_variation_rad holds a value. */
     SINS_BUS_MAGNETIC_VARIATION = 2,
-    /** The label bits of the words are in the order in which most cards take them: the first bit of the label is the highest of the byte. */
+    /**
+     * The bits of the label are reversed: the lowest byte of 310 is hexadecimal 13. ARINC 429 sends the most significant bit of the label
+     * first, and calls it bit 1. Without this flag that bit is the highest of the lowest byte, which is then the number of the label, c8;
+     * with it, that bit is the lowest of the word. The manual of a card says which order it takes. 45 degrees of latitude are e40000c8,
+     * reversed e4000013.
+     */
     SINS_BUS_REVERSED_LABEL = 4
 } sins_bus_flags;
 
@@ -554,7 +587,12 @@ typedef enum sins_bus_word_status {
     /** The equipment is in its test. */
     SINS_BUS_FUNCTIONAL_TEST = 2,
     /** The equipment has failed. A decimal word has no such status: it then says "no computed data". */
-    SINS_BUS_FAILURE_WARNING = 3
+    SINS_BUS_FAILURE_WARNING = 3,
+    /**
+     * The status bits say normal, but the data are no value of the label: a decimal digit above its greatest value, or a value out of
+     * the range of the quantity. No word is encoded so.
+     */
+    SINS_BUS_ILLEGAL_VALUE = 4
 } sins_bus_word_status;
 
 /** What a host knows beside the unit. All zero, or NULL: nothing; the words that need it say "no computed data". */
@@ -585,7 +623,10 @@ typedef struct sins_bus_word {
     uint32_t struct_size;
     /** Number of the label: 200 is the octal 310. */
     uint32_t label;
-    /** The word. Bit 1, the first bit of the label, is the lowest bit. */
+    /**
+     * The word: the label in the lowest byte, in the order of SINS_BUS_REVERSED_LABEL. From bit 9 of ARINC 429 on, bit n is bit n - 1 of
+     * the integer, from 0.
+     */
     uint32_t word;
     /** 0 */
     uint32_t reserved;
@@ -607,19 +648,24 @@ typedef struct sins_bus_label {
     double resolution;
     /** Time from one word to the next [s]; 0: an input, which the unit does not send. */
     double interval_s;
-    /** Value of a decoded word, in the unit; 0 from sins_bus_get_label(). */
+    /** Value of a decoded word, in the unit; 0 from sins_bus_get_label(); NaN if the data are no value of the label. */
     double value;
-    /** Status of a decoded word, of enum sins_bus_word_status. */
+    /** Status of a decoded word, of enum sins_bus_word_status. The value counts only with SINS_BUS_NORMAL. */
     int32_t status;
     /** 0 */
     uint32_t reserved;
+    /** Least value that a word of the label may have, in the unit. */
+    double minimum;
+    /** Greatest value that a word of the label may have, in the unit. */
+    double maximum;
 } sins_bus_label;
 
 /**
- * Gives the words that are due after from_s and not after to_s, in the order of their times, into words[0] to words[*count - 1]; at
- * most 10 s at a time. status and navigation are those of sins_unit_get_status() and sins_unit_get_navigation(). Each label is sent
- * at the multiples of its interval. A unit that is off sends nothing. A value beyond the range of its word is the end of the range;
- * angles wrap.
+ * Gives the words that are due after from_s and not after to_s, in the order of their times, into words[0] to words[*count - 1].
+ * from_s is from -1e10 to 1e10 s, to_s from from_s to 10 s later. A time that is before a multiple of a millisecond by no more than
+ * four roundings, 4 * DBL_EPSILON times itself, counts as the multiple. status and navigation are those of sins_unit_get_status()
+ * and sins_unit_get_navigation(). Each label is sent at the multiples of its interval. A unit that is off sends nothing. A value
+ * beyond the range of its label is the end of the range; angles of any direction wrap.
  *
  * The words show what navigation holds. A real unit is some 80 ms late: a host that wants that keeps status and navigation for this
  * time. A simulator without a panel sends words too, with a unit that was created with SINS_UNIT_NAV.
@@ -642,9 +688,9 @@ typedef struct sins_bus_label {
  * bus_status.state = SINS_UNIT_STATE_NAVIGATION;
  * bus_navigation.validity = SINS_UNIT_VALID_POSITION;
  * bus_navigation.latitude_rad = 45.0 * SINS_DEG;
- * sins_bus_words(&bus_status, &bus_navigation, NULL, 0.0, 0.1, &word, 1, &word_count);
+ * sins_bus_words(&bus_status, &bus_navigation, NULL, 0.09, 0.1, &word, 1, &word_count);
  * sins_bus_decode(word.word, 0, &label);
- * printf("label %o: %08lx, %g %s\n", (unsigned)label.label, (unsigned long)word.word, label.value, label.unit);  // label 312: 200000ca, 0 kt
+ * printf("label %o: %08lx, %g %s\n", (unsigned)label.label, (unsigned long)word.word, label.value, label.unit);  // label 310: e40000c8, 45 deg
  * ```
  */
 SINS_API sins_status SINS_CALL sins_bus_words(const sins_unit_status *status, const sins_unit_navigation *navigation,
@@ -658,22 +704,26 @@ SINS_API sins_status SINS_CALL sins_bus_words(const sins_unit_status *status, co
 SINS_API sins_status SINS_CALL sins_bus_get_label(size_t index, sins_bus_label *label);
 
 /**
- * Decodes a word of the table: its label, its value and its status. The host gives the value of an input, set latitude (041), set
- * longitude (042) or set heading (043), to sins_unit_enter_position() or sins_unit_enter_heading(). flags is 0, or SINS_BUS_REVERSED_LABEL.
+ * Decodes a word of the table: its label, its value and its status. The status is SINS_BUS_ILLEGAL_VALUE and the value NaN if the status
+ * bits say normal, but the data are no value of the label: a decimal digit above 9, 75 minutes, 99 degrees of latitude, a minus sign
+ * where the range begins at 0. If the status is SINS_BUS_NORMAL, the host may give the value of an input, set latitude (041), set
+ * longitude (042) or set heading (043), to sins_unit_enter_position() or sins_unit_enter_heading(); these do not accept NaN. flags is 0,
+ * or SINS_BUS_REVERSED_LABEL.
  *
- * SINS_ERROR_INVALID_ARGUMENT: the parity of the word is even, or the table does not have its label.
+ * SINS_ERROR_INVALID_ARGUMENT: the parity of the word is even, or the table does not have its label. sins_last_error() says which, and
+ * whether there is a label with the bits in the other order.
  */
 SINS_API sins_status SINS_CALL sins_bus_decode(uint32_t word, uint32_t flags, sins_bus_label *label);
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_unit_sizeof {
-    SINS_SIZEOF_UNIT_PARAMS = 184,
+    SINS_SIZEOF_UNIT_PARAMS = 192,
     SINS_SIZEOF_UNIT_FIX = 56,
     SINS_SIZEOF_UNIT_STATUS = 80,
     SINS_SIZEOF_UNIT_NAVIGATION = 136,
     SINS_SIZEOF_BUS_INPUTS = 48,
     SINS_SIZEOF_BUS_WORD = 24,
-    SINS_SIZEOF_BUS_LABEL = 88
+    SINS_SIZEOF_BUS_LABEL = 104
 };
 
 #ifdef __cplusplus

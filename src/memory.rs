@@ -35,7 +35,8 @@ pub(crate) fn only<T>(memory: Vec<T>) -> Result<Box<[T; 1]>, Error> {
     memory.into_boxed_slice().try_into().map_err(|_| missing(count))
 }
 
-fn missing(count: usize) -> Error {
+/// The error of a lack of memory for `count` elements.
+pub(crate) fn missing(count: usize) -> Error {
     Error::of(
         ErrorKind::OutOfMemory,
         "elements",

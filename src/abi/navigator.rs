@@ -69,8 +69,8 @@ impl sins_imu_increment {
 /// sins_get_navigation(), whose angles are rounded. With a mounting the parts are the signals of the sensor block. The parts do
 /// not contain the aid of the vertical channel. sins_push_imu() rejects updates shorter than 5e-5 s.
 ///
-/// SINS_NEED_SAMPLE: the last interval has no such update, or there is none: before the first step, after sins_snapshot_load()
-/// until the next step (a snapshot keeps the sums of sins_get_imu() alone), and while the simulator navigates on increments.
+/// SINS_NEED_SAMPLE: the last interval has no such update, or there is none: before the first step, and while the simulator navigates on
+/// increments.
 /// SINS_ERROR_INVALID_ARGUMENT: update is negative.
 ///
 /// ```c

@@ -9,7 +9,7 @@ use super::text::{bytes_of, put_saved};
 
 /// A buffer of this size holds every snapshot of a simulator that this release saves. For a library newer than this header
 /// ask sins_snapshot_size(); for an ensemble ask sins_ensemble_snapshot_size().
-pub const SINS_SNAPSHOT_MAX_SIZE: usize = 20480;
+pub const SINS_SNAPSHOT_MAX_SIZE: usize = 24576;
 
 /// Reads the size that a snapshot has now. It changes with what is set and with the number of waiting samples. These sizes
 /// are without waiting samples. Without sensor errors it is 1.3 to 2.1 KiB, by the options. With every error of gyros,

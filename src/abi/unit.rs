@@ -43,7 +43,7 @@ include!(concat!(env!("OUT_DIR"), "/sins_unit_power.rs"));
 include!(concat!(env!("OUT_DIR"), "/sins_unit_alignment.rs"));
 
 /// A buffer of this size holds every snapshot of a unit that this release saves.
-pub const SINS_UNIT_SNAPSHOT_MAX_SIZE: usize = 1024;
+pub const SINS_UNIT_SNAPSHOT_MAX_SIZE: usize = 2048;
 const _: () = assert!(SINS_UNIT_SNAPSHOT_MAX_SIZE == Unit::SNAPSHOT_MAX_SIZE);
 
 /// Runs `body` on the unit of a handle, as the inside of an exported function.
@@ -164,7 +164,8 @@ pub unsafe extern "C-unwind" fn sins_unit_set_power(unit: *mut sins_unit, power:
     })
 }
 
-/// Sets how the unit aligns, of enum sins_unit_alignment.
+/// Sets how the unit aligns, of enum sins_unit_alignment. With another kind an alignment in progress begins anew, and a unit that is ready
+/// aligns again. A realignment is the same with each kind.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such kind.
 #[unsafe(no_mangle)]
@@ -202,8 +203,9 @@ pub unsafe extern "C-unwind" fn sins_unit_enter_position(
     })
 }
 
-/// Enters the heading of the mode ATT, -2 pi to 2 pi [rad]. The gyros carry it on. They measure the Earth's rotation too, so it drifts by
-/// up to 15 deg/h. A magnetic heading that is entered remains one.
+/// Enters the heading of the mode ATT, -2 pi to 2 pi [rad]. The gyros carry it on. They measure the rotation of the Earth and the motion
+/// over it too, so the heading drifts by Omega sin(latitude) + v_east tan(latitude)/R: 13 deg/h at rest at 60 degrees, 27 deg/h with
+/// 250 m/s to the east there. A magnetic heading that is entered remains one.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: out of its range.
 /// SINS_ERROR_BAD_STATE: the attitude of ATT is not valid.
@@ -218,7 +220,8 @@ pub unsafe extern "C-unwind" fn sins_unit_enter_heading(
     })
 }
 
-/// Sets what the unit stored when it was last switched off: latitude, -pi/2 to pi/2, longitude, -pi to pi, and true heading, 0 to 2 pi
+/// Sets what the unit stored when it was last switched off. An alignment with the stored heading takes the heading for that of the aircraft
+/// when the unit was switched on: latitude, -pi/2 to pi/2, longitude, -pi to pi, and true heading, 0 to 2 pi
 /// [rad]. A new unit has nothing stored. sins_unit_status has what a host may keep from one session to the next.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
@@ -242,18 +245,30 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
 ///
 /// An alignment averages the specific force in the inertial axes that the gyros keep, over windows of at most coarse_alignment_s. The
 /// motion of the vertical in these axes shows east. So a sway of the aircraft does no harm. With white noise N of the gyros the standard
-/// deviation of the heading error after the time T is 1.02 N / (Omega cos(latitude) sqrt(T)), where Omega is the Earth rate; a gyro bias
-/// b to the east adds b / (Omega cos(latitude)), an accelerometer bias B to the east B tan(latitude) / g. Height and vertical velocity begin without errors.
+/// deviation of the heading error after the time T is 1.02 N / (Omega cos(latitude) sqrt(T)), where Omega is the Earth rate. A gyro bias
+/// b to the east adds b / (Omega cos(latitude)), one about the vertical -b T/2, an accelerometer bias B to the east
+/// B tan(latitude) / g. Noise A of the accelerometers adds sqrt(3/a) A / (g Omega cos(latitude) T) with windows of the length a. Perfect
+/// sensors leave no error. Height and vertical velocity begin without errors. Until there are two windows, 45 s with the defaults, the
+/// vertical is that of the first: the Earth turns it by up to 3.3e-3 rad.
 ///
-/// Test for motion: the unit integrates the specific force less its mean over 8 s. It cannot feel a constant velocity.
+/// Test for motion: an alignment stops if the velocity that the unit feels against its mean force is above motion_threshold_m_s, if the
+/// aircraft is further than motion_distance_m from where it stood, or if its mean acceleration in a window is above 5e-4 m/s2. The last
+/// two are those of the truth: a real unit cannot find a slow start or a constant velocity, and would show wrong outputs as valid. The
+/// alignment starts anew after still_s at rest. A realignment of an aircraft that reaches realignment_speed_m_s loses the navigation.
 ///
 /// Test of the latitude: the speed of that motion gives the cosine of latitude. It must agree with that of the entered latitude to 0.004
-/// plus the largest gyro bias plus 5 standard deviations of what is drawn, divided by Omega; or to latitude_tolerance_rad. The north or
-/// south of the entered latitude is tested to 0.2 in its sine. After the first failure the position must be entered again; after the
-/// second the unit fails.
+/// and the errors of the sensors, or to latitude_tolerance_rad. These errors are all that is set, and 5 standard deviations of all that is
+/// drawn, of the mean rate of the gyros and of the change of the accelerometers between the first and the last window. The north or south
+/// of the entered latitude is tested to 0.2 in its sine and those of the gyros. After the first failure the position must be entered
+/// again; after the second the unit fails.
 ///
-/// If the time of the simulator does not continue from the last update (a reposition, a jump, an interval without an update), an
-/// alignment starts anew.
+/// Signals: an interval in which a gyro or accelerometer has no signal shows no rates, and an alignment begins anew. When the sum of
+/// such intervals since the alignment began is more than fault_s, the unit fails. Until then, attitude and heading are wrong by up to the
+/// rotation in them, the velocity by up to the force times their length.
+///
+/// If the truth jumps (sins_reposition(), sins_move_truth(), sins_reset()), an alignment or the erection of ATT starts anew, and the
+/// position must be entered again. If the time does not continue from the last update (a pause that is not reported, an interval without
+/// an update), it starts anew, too.
 ///
 /// SINS_ERROR_BAD_STATE: the simulator has made no step, or the unit has taken this step already.
 /// SINS_ERROR_BAD_HANDLE: sim is not a simulator.
@@ -293,10 +308,12 @@ interface_struct!(sins_unit_fix, "fix", 56);
 /// The first fix begins a window. A window ends with the first fix at least coarse_alignment_s behind its begin, and the next one begins.
 /// In each window the integral a of the measured specific force, in inertial axes that the gyros keep, belongs to the integral b by the
 /// fixes: the change of the inertial velocity less the integral of the gravitation. The believed lever arm is taken into account. The
-/// rotation R for which the sum of |b - R a|^2 over the windows is least is the attitude. With two windows the unit shows roll and pitch.
+/// rotation R for which the sum of |b - R a|^2 over the windows is least is the attitude. From two windows on the unit shows roll and pitch, when their standard deviation is
+/// below 0.5 deg.
 ///
-/// The standard deviation of the heading follows from what R leaves of that sum, from the motion, and from the gyros: their largest bias
-/// and one standard deviation of what is drawn, as they are set. Turns and changes of speed make it small. In straight flight it is at
+/// The standard deviation of the heading follows from what R leaves of that sum, from the motion, and from the gyros: all that is set
+/// and one standard deviation of what is drawn. What few windows leave is no good estimate: it is multiplied by the ratio of the quantiles
+/// of Student's and the normal distribution, 2.8 with two windows, 1.6 with three, 1.2 with six. Turns and changes of speed make it small. In straight flight it is at
 /// least the drift of the gyros divided by the horizontal Earth rate. A window counts less the older it is: its weight falls by e in the
 /// time in which the drift reaches in_flight_heading_rad.
 ///

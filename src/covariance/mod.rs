@@ -22,6 +22,7 @@ mod alignment;
 mod factor;
 mod figures;
 mod line;
+mod means;
 mod passage;
 mod propagation;
 mod read;
@@ -32,6 +33,7 @@ mod stretch;
 
 pub(crate) use alignment::Alignment;
 pub use figures::{ErrorEllipse, Matrix9, NavigationCovariance};
+pub(crate) use means::{Signals, Variances};
 pub(crate) use propagation::{Propagation, StartErrors};
 pub(crate) use sources::Parameters;
 pub(crate) use stretch::Flown;

@@ -8,7 +8,7 @@ use super::reader::{Item, Reader};
 use super::site::ValuePath;
 use super::table::KEYS;
 use super::{BUILTIN_SCENES, Scene};
-use crate::error::{Error, Value};
+use crate::error::{Error, ErrorKind, Value};
 
 impl Reader<'_> {
     /// Checks whether the keys go together.
@@ -88,7 +88,8 @@ impl Reader<'_> {
     /// Notes an error of the library at the key that set the field.
     pub(super) fn add_error(&mut self, error: &Error, item: &Item) {
         let Some((index, span)) = item.of_field(error.field) else {
-            let about = About { path: item.site.to_string(), ..About::default() };
+            let lacks_memory = error.kind == ErrorKind::OutOfMemory;
+            let about = About { path: item.site.to_string(), lacks_memory, ..About::default() };
             return self.faults.add_about(item.begin(), error.to_string(), about);
         };
         let (key, element) = (&KEYS[index], error.index);
@@ -100,7 +101,7 @@ impl Reader<'_> {
         let (minimum, maximum) = error.rule.limits();
         // A value in SI may be beyond all numbers in a small unit.
         let value = error.value.map(Value::as_f64).filter(|value| value.is_finite());
-        let about = About { path: path.to_string(), value, minimum, maximum };
+        let about = About { path: path.to_string(), value, minimum, maximum, lacks_memory: false };
         self.faults.add_about(span, sentence(&error, key), about);
     }
 

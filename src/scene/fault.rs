@@ -34,6 +34,8 @@ pub struct About {
     pub minimum: Option<f64>,
     /// Greatest value, in the unit of the key, if there is one.
     pub maximum: Option<f64>,
+    /// It is no fault of the text: there was not enough memory.
+    pub lacks_memory: bool,
 }
 
 impl fmt::Display for Fault {

@@ -200,6 +200,19 @@ impl Key {
         }
     }
 
+    /// Whether the text of an item of a list needs the key, and so has it with any value.
+    pub fn is_required(&self, draft: &Draft) -> bool {
+        let is_one = match self.section {
+            Section::Manoeuvre => self.name == "kind",
+            Section::Sinusoid => self.name == "channel",
+            Section::Failure => ["sensor", "axis", "kind"].contains(&self.name),
+            Section::Update => ["kind", "at_s"].contains(&self.name),
+            Section::Panel => true,
+            _ => false,
+        };
+        is_one && self.is_used(draft)
+    }
+
     /// Whether this kind of failure uses the key.
     pub fn is_of_kind(&self, failure: &FailureDraft) -> bool {
         let (_, uses) = FAILURE_KINDS[failure.fields.kind];

@@ -1,7 +1,7 @@
 //! The unit of a scene, and what its crew does: `[unit]`, `[[panel]]`.
 
 use super::Scene;
-use super::schedule::{MAX_ITEMS, ROUNDING, TIMES_S};
+use super::schedule::{LATEST_START_S, MAX_ITEMS, ROUNDING, TIMES_S};
 use crate::Simulator;
 use crate::error::{Error, Rule, check_range};
 use crate::unit::{AlignmentKind, Mode, Power, Unit, UnitParameters};
@@ -102,22 +102,26 @@ impl Scene {
 
     /// Does what is planned at the panel in the last interval of `simulator`, updates the unit, and gives it fixes: to be called after each
     /// step.
-    /// `start_s` is the time stamp of the flight's first sample. An error of an action has its index.
+    /// `start_s` is the time stamp of the flight's first sample. An error of an action has its index; the other actions were made and the
+    /// unit was updated.
     pub fn update_unit(&self, unit: &mut Unit, simulator: &mut Simulator, start_s: f64) -> Result<(), Error> {
+        check_range("flight_start_s", start_s, -LATEST_START_S, LATEST_START_S)?;
         let Some(imu) = simulator.imu() else { return unit.update(simulator) };
         let end_s = imu.time_s - start_s - ROUNDING * imu.interval_s;
         let due = end_s - imu.interval_s..end_s;
+        let mut acted = Ok(());
         for (index, planned) in
             self.panel.iter().enumerate().filter(|(_, planned)| due.contains(&planned.at_s))
         {
-            planned.act(unit, simulator).map_err(|error| match error.rule {
+            acted = acted.and(planned.act(unit, simulator).map_err(|error| match error.rule {
                 Rule::Sentence(words) if error.field.is_empty() => {
                     Error { field: "panel", index: Some(index), ..Error::bad_state(words) }
                 }
                 _ => error,
-            })?;
+            }));
         }
         unit.update(simulator)?;
-        self.push_fixes(unit, simulator, start_s)
+        self.push_fixes(unit, simulator, start_s)?;
+        acted
     }
 }

@@ -148,9 +148,7 @@ impl Reader<'_> {
             }
         }
         let (kind, _) = MANOEUVRE_KINDS[self.draft.manoeuvre.kind];
-        if item.key("kind").is_none() {
-            self.faults.add(&head, "[[manoeuvre]]: expected its kind");
-        } else {
+        if self.has_all(&item) {
             for (index, span) in &item.keys {
                 if !KEYS[*index].is_used(&self.draft) {
                     self.faults.add(span, format!("{}: {kind} does not use it", KEYS[*index].path()));
@@ -174,9 +172,7 @@ impl Reader<'_> {
         let is_speed = self.draft.sinusoid.channel == Channel::Speed;
         let (own, other) =
             if is_speed { ("amplitude_m_s", "amplitude_deg") } else { ("amplitude_deg", "amplitude_m_s") };
-        if item.key("channel").is_none() {
-            self.faults.add(&head, "[[manoeuvre.sinusoid]]: expected its channel");
-        } else if let Some(span) = item.key(other) {
+        if let (true, Some(span)) = (self.has_all(&item), item.key(other)) {
             self.faults.add(span, format!("sinusoid.{other}: not for this channel; expected {own}"));
             self.draft.sinusoid.amplitude = 0.0;
         }
@@ -200,14 +196,12 @@ impl Reader<'_> {
     fn read_failure(&mut self, head: Span, section_table: &DeTable<'_>) {
         self.draft.failure = FailureDraft::default();
         let item = self.read_keys(Section::Failure, head.clone(), section_table);
-        if !self.has_all(&item, &["sensor", "kind"]) {
+        if !self.has_all(&item) {
             return;
         }
         let failure = self.draft.failure.clone();
-        match (failure.sensor == 2, item.key("axis")) {
-            (true, Some(span)) => self.faults.add(span, "failure.axis: the altimeter has only one output"),
-            (false, None) => self.faults.add(&head, "[[failure]]: expected its axis"),
-            _ => {}
+        if let (2, Some(span)) = (failure.sensor, item.key("axis")) {
+            self.faults.add(span, "failure.axis: the altimeter has only one output");
         }
         let (kind, _) = FAILURE_KINDS[failure.fields.kind];
         for (index, span) in &item.keys {
@@ -232,11 +226,14 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the text sets all these keys of an item; notes the first that it does not set.
-    fn has_all(&mut self, item: &Item, names: &[&str]) -> bool {
-        let missing = names.iter().find(|name| item.key(name).is_none());
-        if let Some(name) = missing {
-            self.faults.add(&item.head, format!("[[{}]]: expected its {name}", item.site.section.name()));
+    /// Whether the text sets all keys that the item in the draft requires; notes the first that it does not set.
+    fn has_all(&mut self, item: &Item) -> bool {
+        let section = item.site.section;
+        let missing = table::of_section(section)
+            .map(|(_, key)| key)
+            .find(|key| key.is_required(&self.draft) && item.key(key.name).is_none());
+        if let Some(key) = missing {
+            self.faults.add(&item.head, format!("[[{}]]: expected its {}", section.name(), key.name));
         }
         missing.is_none()
     }
@@ -244,7 +241,7 @@ impl Reader<'_> {
     fn read_update(&mut self, head: Span, section_table: &DeTable<'_>) {
         self.draft.update = NO_UPDATE;
         let item = self.read_keys(Section::Update, head.clone(), section_table);
-        if !self.has_all(&item, &["kind", "at_s"]) {
+        if !self.has_all(&item) {
             return;
         }
         let is_of_velocity = self.draft.update.updated == Updated::Velocity;
@@ -267,8 +264,7 @@ impl Reader<'_> {
         self.draft.action = PlannedAction::default();
         let item = self.read_keys(Section::Panel, head.clone(), section_table);
         let planned = self.draft.action;
-        let used = table::of_section(Section::Panel).filter(|(_, key)| key.is_used(&self.draft));
-        if !self.has_all(&item, &used.map(|(_, key)| key.name).collect::<Vec<_>>()) {
+        if !self.has_all(&item) {
             return;
         }
         for (index, span) in item.keys.iter().filter(|(index, _)| !KEYS[*index].is_used(&self.draft)) {

@@ -50,7 +50,7 @@ impl Temperature {
 pub(super) const MAX_ITEMS: usize = 4096;
 
 /// Largest size of the time stamp of a flight's first sample [s]: twice that of a sample, because moved time moves it too.
-const LATEST_START_S: f64 = 2e10;
+pub(super) const LATEST_START_S: f64 = 2e10;
 
 /// Largest error of the time of a failure or an update by the rounding of time stamps, in intervals.
 pub(super) const ROUNDING: f64 = 1e-9;

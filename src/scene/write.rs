@@ -154,12 +154,12 @@ impl Writer {
         Some(())
     }
 
-    /// Writes a section with its keys that are not at their default, if there are any. Items of a list are always written, with their
-    /// kind.
+    /// Writes a section with its keys that are not at their default, if there are any. Items of a list are always written, with what
+    /// they require.
     fn section(&mut self, section: Section) {
         let mut lines = String::new();
         for (_, key) in of_section(section) {
-            let is_always = section.is_list() && ["kind", "channel", "sensor", "axis"].contains(&key.name);
+            let is_always = key.is_required(&self.draft);
             if !key.is_used(&self.draft) || (!is_always && self.is_default(key)) {
                 continue;
             }

@@ -118,7 +118,15 @@ impl Chain {
         Extension { block, disturbance, sensors_state }: Extension,
     ) -> Self {
         let closed_loop = options.closed_loop_time_s.map(|time_constant_s| {
-            let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &sensors_state);
+            // To the bit the start of a navigator without errors: runs of an ensemble with errors and without share the trim.
+            let at_truth = || {
+                let truth = match &block {
+                    Some(_) => sensors_state.navigation(&earth, options.axes),
+                    None => first.navigation(&earth, options.axes),
+                };
+                let state = with_errors(&earth, options, &truth, &StateErrors::NONE).earth_fixed(&earth);
+                Mechanization::new(earth, options.frame, options.scheme, &state)
+            };
             ClosedLoop::new(time_constant_s, first.time_s, with_shadow.then(at_truth))
         });
         let error_model = options.error_model.then(|| {
@@ -181,11 +189,19 @@ impl Chain {
 
     /// Increments on which the INS navigated in update `update` of the last interval, and the length of the update [s].
     pub fn measured_update(&self, update: usize) -> Option<(&[Increment], f64)> {
-        let LastInterval::Flown { interval_s, on_ideal, .. } = self.last else { return None };
-        let (_, navigated) = self.signals.of(&self.parts, on_ideal);
-        let mut updates = navigated.chunks_exact(self.options.subsamples);
+        let interval_s = self.last.length_s()?;
+        let mut updates = self.flown_on().chunks_exact(self.options.subsamples);
         let update_s = interval_s / updates.len() as f64;
         updates.nth(update).map(|increments| (increments, update_s))
+    }
+
+    /// Increments on which the INS navigated in the last interval, as far as they are known.
+    fn flown_on(&self) -> &[Increment] {
+        match self.last {
+            LastInterval::None => &[],
+            LastInterval::Flown { on_ideal, .. } => self.signals.of(&self.parts, on_ideal).1,
+            LastInterval::Loaded { .. } => self.signals.of(&self.parts, false).1,
+        }
     }
 
     pub fn trim(&self) -> TrimFigures {

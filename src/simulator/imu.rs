@@ -56,7 +56,8 @@ pub(super) enum LastInterval {
         flags: ImuFlags,
         vertical_unaided: bool,
     },
-    /// Only the sums of the increments are known, as a snapshot stores only these.
+    /// The ideal increments are known as their sum only, as a snapshot stores them. The increments on which the INS navigated are in the
+    /// chain, in an ensemble their sum alone.
     Loaded { imu: ImuInterval, vertical_unaided: bool },
 }
 
@@ -67,6 +68,15 @@ impl LastInterval {
             Self::None => {}
             Self::Flown { time_s, .. } => *time_s = now_s,
             Self::Loaded { imu, .. } => imu.time_s = now_s,
+        }
+    }
+
+    /// Length of the interval \[s\], if there was one.
+    pub fn length_s(&self) -> Option<f64> {
+        match *self {
+            Self::None => None,
+            Self::Flown { interval_s, .. } => Some(interval_s),
+            Self::Loaded { imu, .. } => Some(imu.interval_s),
         }
     }
 

@@ -5,6 +5,7 @@ mod chain;
 mod closed_loop;
 mod closure;
 mod disturbance;
+mod drift;
 mod imperfections;
 mod imu;
 mod moment;
@@ -21,6 +22,7 @@ mod start;
 pub(crate) use chain::side_by_side::SideBySide;
 pub use closed_loop::TrimFigures;
 pub use closure::ClosureFigures;
+pub(crate) use drift::Bound;
 pub use imu::{ImuFlags, ImuInterval};
 pub(crate) use moment::{Moment, View};
 pub use options::{MAX_UPDATES, Options};
@@ -28,6 +30,8 @@ pub use parameters::ErrorParameters;
 pub(crate) use parameters::with_time;
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;
+
+use nalgebra::Vector3;
 
 use crate::correction::Correction;
 use crate::covariance::Propagation;
@@ -39,7 +43,7 @@ use crate::memory::{only, room};
 use crate::sensors::StreamKey;
 use crate::signal::Increment;
 use crate::state::Navigation;
-use crate::truth::{FlightSample, Intake, Pushed, TruthSummary};
+use crate::truth::{FlightSample, Intake, Pushed, TruthPoint, TruthSummary};
 use chain::Chain;
 use imperfections::Imperfections;
 use navigator::Navigator;
@@ -300,6 +304,26 @@ impl Simulator {
     /// Whether a step has been made since the start or the last reposition, or the navigation was started.
     pub fn has_started(&self) -> bool {
         !matches!(self.mode, Mode::Waiting)
+    }
+
+    /// The point of the truth to which the last step has flown; `None` while navigating on increments.
+    pub(crate) fn true_point(&self) -> Option<&TruthPoint> {
+        match self.mode {
+            Mode::Flying(_) => self.intake.current(),
+            _ => None,
+        }
+    }
+
+    /// Mean acceleration of the truth against the Earth in the last interval, Earth-fixed axes \[m/s²\]; `None` without a truth.
+    pub(crate) fn true_acceleration_e(&self) -> Option<Vector3<f64>> {
+        let [now, before, _] = self.intake.behind();
+        let (now, before) = (now?, before?);
+        Some((now.state.v_e - before.state.v_e) / now.interval_s)
+    }
+
+    /// Whether the last step flew the first interval since the truth began, or jumped.
+    pub(crate) fn is_first_interval(&self) -> bool {
+        self.intake.behind()[2].is_none()
     }
 
     /// Samples that wait for a step.

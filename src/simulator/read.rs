@@ -64,8 +64,7 @@ impl Simulator {
     }
 
     /// Increments on which the INS navigated in update `update` of the last interval, measured and compensated, and the length of the
-    /// update [s]. [`Self::push_imu`] takes them. `None` if there is no such update, while navigating on increments, and from the load of a
-    /// snapshot to the next step.
+    /// update [s]. [`Self::push_imu`] takes them. `None` if there is no such update, and while navigating on increments.
     pub fn measured_update(&self, update: usize) -> Option<(&[Increment], f64)> {
         match &self.mode {
             Mode::Flying(chain) => chain.measured_update(update),

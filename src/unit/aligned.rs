@@ -2,16 +2,18 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::alignment::{North, shortest_rotation};
+use super::alignment::{EarthAtRest, North, shortest_rotation};
 use super::states::{correct, remove_errors};
 use super::{AlignmentKind, Mode, State, Unit, UnitParameters};
+use crate::covariance::Signals;
 use crate::earth::{Earth, Geodetic};
 use crate::error::Error;
 use crate::errors::navigation_minus_truth;
-use crate::math::{rotate, rotate_inverse, rotation_quaternion, sin_cos};
-use crate::sensors::TriadParameters;
-use crate::simulator::Simulator;
+use crate::math::{rotate_inverse, rotation_quaternion};
+use crate::simulator::{Bound, Simulator};
 use crate::state::Navigation;
+use crate::truth::TruthPoint;
+use crate::units::STANDARD_GRAVITY as GRAVITY;
 
 /// Failed tests of the latitude after which the unit fails.
 const LATITUDE_FAILURES: usize = 2;
@@ -49,25 +51,16 @@ impl Unit {
         if self.reasons.latitude_too_high {
             return Ok(());
         }
-        let q_is = self.inertial.q_is;
-        let q_bs = self.q_bs;
-        let from_stored = self.kind == AlignmentKind::StoredHeading && self.stored.is_some();
-        let q_nb = if let (true, Some(stored), Some(fix)) =
-            (from_stored, self.stored, self.alignment.newest())
-        {
-            let level = shortest_rotation(&Vector3::z(), &fix.up_i).conjugate() * q_is * q_bs.conjugate();
-            let level =
-                Navigation::new(Geodetic::default(), Vector3::zeros(), level, simulator.options().axes);
-            about_up(level.euler.heading - stored.heading_rad) * level.q_nb
-        } else {
-            let Some(north) = self.alignment.north(latitude_rad, earth.rate_rad_s) else { return Ok(()) };
-            if !self.latitude_passes(&north, latitude_rad, earth.rate_rad_s, parameters, simulator.gyro()) {
-                return Ok(());
-            }
-            north.q_in.conjugate() * q_is * q_bs.conjugate()
-        };
         let Some(present) = simulator.navigation()? else { return Ok(()) };
         let place = self.entered_place(&present.navigation, simulator);
+        let at_rest = EarthAtRest::new(&earth, &place);
+        if self.stored_heading_rad().is_none() {
+            let Some(north) = self.alignment.north(&at_rest) else { return Ok(()) };
+            if !self.latitude_passes(&north, &at_rest, parameters, simulator) {
+                return Ok(());
+            }
+        }
+        let Some(q_nb) = self.found_attitude(&at_rest) else { return Ok(()) };
         self.settle(&earth, place, Vector3::zeros(), q_nb, simulator)?;
         self.become_ready();
         Ok(())
@@ -82,24 +75,59 @@ impl Unit {
         }
     }
 
+    /// The heading that the alignment in progress takes from what is stored.
+    pub(super) fn stored_heading_rad(&self) -> Option<f64> {
+        let is_used = self.kind == AlignmentKind::StoredHeading && self.switched_on_e.is_some();
+        self.stored.filter(|_| is_used).map(|stored| stored.heading_rad)
+    }
+
+    /// The attitude that an alignment at rest on `at_rest` has found so far, with its heading.
+    pub(super) fn found_attitude(&self, at_rest: &EarthAtRest) -> Option<Quaternion<f64>> {
+        match self.stored_heading_rad() {
+            Some(heading_rad) => self.with_heading(heading_rad, at_rest),
+            None => self.alignment.north(at_rest).map(|north| self.attitude_in(&north.q_in)),
+        }
+    }
+
+    /// The attitude in axes that `q_in` rotates to the inertial axes of the gyros.
+    pub(super) fn attitude_in(&self, q_in: &Quaternion<f64>) -> Quaternion<f64> {
+        q_in.conjugate() * self.inertial.q_is * self.q_bs.conjugate()
+    }
+
+    /// The attitude with the measured vertical, and with this heading when the gyros began to keep their axes. The vertical that was
+    /// measured depends on the heading, as the Earth has turned since then.
+    fn with_heading(&self, heading_rad: f64, at_rest: &EarthAtRest) -> Option<Quaternion<f64>> {
+        const MOST: usize = 40;
+        let since = at_rest.over(self.inertial.kept_s);
+        let mut q_in = shortest_rotation(&Vector3::z(), &self.alignment.newest()?.up_i);
+        for _ in 0..MOST {
+            let q_in_then = q_in * since.conjugate();
+            let turn = self.turn_about_up(&(q_in_then.conjugate() * self.q_bs.conjugate()), heading_rad);
+            q_in = self.alignment.levelled(&(q_in_then * turn.conjugate() * since), at_rest)?;
+            if turn.imag().norm_squared() < 1e-32 {
+                break;
+            }
+        }
+        Some(self.attitude_in(&q_in))
+    }
+
     /// Compares the latitude of the gyros with the entered one. After two failures the unit fails.
     fn latitude_passes(
         &mut self,
         north: &North,
-        latitude_rad: f64,
-        earth_rate: f64,
+        at_rest: &EarthAtRest,
         parameters: &UnitParameters,
-        gyro: &TriadParameters,
+        simulator: &Simulator,
     ) -> bool {
-        let (sin, cos) = sin_cos(latitude_rad);
+        let EarthAtRest { rate_rad_s: earth_rate, sin, cos, .. } = *at_rest;
         let cos_found = north.horizontal_rad_s / earth_rate;
         self.found_latitude_rad =
             Some(crate::math::atan2((1.0 - cos_found * cos_found).max(0.0).sqrt(), cos_found));
         let (of_cos, of_sin) = if parameters.latitude_tolerance_rad != 0.0 {
             (parameters.latitude_tolerance_rad * sin.abs() + COSINE_TOLERANCE, SINE_TOLERANCE)
         } else {
-            let by_gyros = gyro_rate_error(gyro, self.alignment.elapsed_s, SIGMAS) / earth_rate;
-            (by_gyros + COSINE_TOLERANCE, by_gyros + SINE_TOLERANCE)
+            let [of_vertical, of_gyros] = self.rate_errors(north, at_rest, simulator);
+            (of_vertical / earth_rate + COSINE_TOLERANCE, of_gyros / earth_rate + SINE_TOLERANCE)
         };
         let passes =
             (cos_found - cos).abs() <= of_cos && (north.vertical_excess_rad_s / earth_rate).abs() <= of_sin;
@@ -114,22 +142,37 @@ impl Unit {
         passes
     }
 
+    /// Bounds of the errors of the angular rate of the vertical and of the mean rate of the gyros, with which they show the rotation of
+    /// the Earth between both windows \[rad/s\].
+    fn rate_errors(&self, north: &North, at_rest: &EarthAtRest, simulator: &Simulator) -> [f64; 2] {
+        let Some((apart_s, window_s)) = self.alignment.windows_s() else { return [f64::INFINITY; 2] };
+        let windows = (window_s.max(self.interval_s), apart_s);
+        let q_ns = north.q_in.conjugate() * self.inertial.q_is;
+        let earth_rate_n = at_rest.axis_n() * at_rest.rate_rad_s;
+        let signals = Signals {
+            rate_s: rotate_inverse(&q_ns, &earth_rate_n),
+            force_s: rotate_inverse(&q_ns, &Vector3::z()) * GRAVITY,
+        };
+        let now_c = simulator.true_point().and_then(TruthPoint::temperature_c);
+        let temperatures_c = [self.alignment.temperature_c.or(now_c), now_c];
+        let before_s = self.age_s - self.alignment.elapsed_s + simulator.initial_errors().alignment_s;
+        let gyros = simulator.mean_rate_error(&signals, apart_s, temperatures_c, before_s.max(0.0));
+        let vertical = simulator.force_error_change(&signals, windows, temperatures_c);
+        let of_vertical =
+            Bound { set: vertical.set / GRAVITY / apart_s, sigma: vertical.sigma / GRAVITY / apart_s };
+        [gyros.plus(&of_vertical).at(SIGMAS), gyros.at(SIGMAS)]
+    }
+
     /// Levels the solution and removes its velocity; its heading stays.
     fn level_again(&mut self, simulator: &mut Simulator) -> Result<(), Error> {
-        let (Some(fix), Some(solution)) = (self.alignment.newest(), simulator.navigation()?) else {
-            return Ok(());
-        };
+        let Some(solution) = simulator.navigation()? else { return Ok(()) };
         let earth = simulator.options().earth();
-        let (q_is, q_bs) = (self.inertial.q_is, self.q_bs);
         let navigation = &solution.navigation;
-        let q_in = q_is * (navigation.q_nb * q_bs).conjugate();
-        let (_, cos) = sin_cos(navigation.place.latitude_rad);
-        let turned = earth.rate_rad_s * cos * (self.alignment.elapsed_s - fix.time_s);
-        let up_i = fix.up_i + rotate(&q_in, &Vector3::x()) * turned;
-        let up_i = up_i / up_i.norm_squared().sqrt();
-        let q_in = shortest_rotation(&rotate(&q_in, &Vector3::z()), &up_i) * q_in;
-        let q_nb = q_in.conjugate() * q_is * q_bs.conjugate();
-        let place = self.entered_place(&solution.navigation, simulator);
+        let q_in = self.inertial.q_is * (navigation.q_nb * self.q_bs).conjugate();
+        let place = self.entered_place(navigation, simulator);
+        let at_rest = EarthAtRest::new(&earth, &place);
+        let Some(q_in) = self.alignment.levelled(&q_in, &at_rest) else { return Ok(()) };
+        let q_nb = self.attitude_in(&q_in);
         self.settle(&earth, place, Vector3::zeros(), q_nb, simulator)?;
         self.become_ready();
         Ok(())
@@ -171,9 +214,10 @@ impl Unit {
     /// ATT: the first level after the erection, then a slow erection to the apparent vertical.
     pub(super) fn erect(&mut self, velocity_i: &Vector3<f64>, dt: f64, parameters: &UnitParameters) {
         if self.state == State::Erection {
-            let is_complete =
-                self.alignment.advance(velocity_i, &self.inertial.q_is, dt, parameters.erection_s);
-            if let (true, Some(fix)) = (is_complete, self.alignment.newest()) {
+            let of_aircraft = Vector3::zeros(); // It is not at rest.
+            let q_is = &self.inertial.q_is;
+            let is_shown = self.alignment.advance(velocity_i, q_is, &of_aircraft, dt, parameters.erection_s);
+            if let (Some(true), Some(fix)) = (is_shown, self.alignment.newest()) {
                 self.q_il = shortest_rotation(&Vector3::z(), &fix.up_i);
                 self.turn_to(0.0);
                 self.enter(State::Attitude);
@@ -191,28 +235,17 @@ impl Unit {
 
     /// The attitude of ATT, with level axes in place of east-north-up.
     pub(super) fn attitude(&self) -> Quaternion<f64> {
-        self.q_il.conjugate() * self.inertial.q_is * self.q_bs.conjugate()
+        self.attitude_in(&self.q_il)
     }
 
     /// Turns the level axes of ATT so that the heading is `heading_rad`.
     pub(super) fn turn_to(&mut self, heading_rad: f64) {
-        let present = Navigation::new(Geodetic::default(), Vector3::zeros(), self.attitude(), self.axes);
-        let turn = about_up(present.euler.heading - heading_rad);
-        self.q_il *= turn.conjugate();
+        self.q_il *= self.turn_about_up(&self.attitude(), heading_rad).conjugate();
     }
-}
 
-/// Rotation about up.
-fn about_up(angle: f64) -> Quaternion<f64> {
-    rotation_quaternion(&(Vector3::z() * angle))
-}
-
-/// Bound of the error of a mean gyro rate over `t` \[s\]: what is set, and `sigmas` standard deviations of what is drawn \[rad/s\].
-pub(super) fn gyro_rate_error(gyro: &TriadParameters, t: f64, sigmas: f64) -> f64 {
-    let largest = |axes: &Vector3<f64>| axes.amax();
-    let walk = largest(&gyro.random_walk);
-    let sigma = largest(&gyro.bias_sigma);
-    let markov = largest(&gyro.markov_sigma);
-    let variance = walk * walk / t + sigma * sigma + markov * markov;
-    largest(&gyro.bias) + sigmas * variance.sqrt()
+    /// The rotation about up after which the attitude `q_nb` has the heading `heading_rad`.
+    fn turn_about_up(&self, q_nb: &Quaternion<f64>, heading_rad: f64) -> Quaternion<f64> {
+        let present = Navigation::new(Geodetic::default(), Vector3::zeros(), *q_nb, self.axes);
+        rotation_quaternion(&(Vector3::z() * (present.euler.heading - heading_rad)))
+    }
 }

@@ -4,7 +4,6 @@ use super::{AlignmentKind, Mode, Power, State, Stored, Unit};
 use crate::error::{Error, check_range};
 
 const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
-const HALF: f64 = core::f64::consts::PI;
 const WHOLE: f64 = core::f64::consts::TAU;
 
 impl Unit {
@@ -18,8 +17,13 @@ impl Unit {
         self.power = power;
     }
 
-    /// Sets how the next alignment is made.
+    /// Sets how the unit aligns. With another kind an alignment in progress begins anew; a realignment is the same with each kind.
     pub fn set_alignment(&mut self, kind: AlignmentKind) {
+        let is_aligning = self.aligns() || self.state == State::Ready;
+        if kind != self.kind && is_aligning && !self.realigned {
+            self.start_anew();
+            (self.motion, self.reasons.motion) = (Default::default(), false);
+        }
         self.kind = kind;
     }
 
@@ -34,7 +38,17 @@ impl Unit {
         check_range("latitude_rad", latitude_rad, -QUARTER, QUARTER)?;
         check_range("longitude_rad", longitude_rad, -WHOLE, WHOLE)?;
         if !self.aligns() && self.state != State::Ready {
-            return Err(Error::bad_state("a position can be entered during an alignment"));
+            return Err(Error::bad_state(match self.state {
+                State::Off | State::PowerDown => {
+                    "a position can be entered during an alignment; the unit is off"
+                }
+                State::Test => "a position can be entered during an alignment; the power-up test is not over",
+                State::Navigation => "a position can be entered during an alignment; the unit navigates",
+                State::Erection | State::Attitude => {
+                    "a position can be entered during an alignment; the unit is in ATT"
+                }
+                _ => "a position can be entered during an alignment; the unit has failed",
+            }));
         }
         let longitude_rad = crate::math::wrap_angle(longitude_rad);
         let position = (latitude_rad, longitude_rad);
@@ -56,7 +70,15 @@ impl Unit {
     pub fn enter_heading(&mut self, heading_rad: f64) -> Result<(), Error> {
         check_range("heading_rad", heading_rad, -WHOLE, WHOLE)?;
         if self.state != State::Attitude {
-            return Err(Error::bad_state("a heading can be entered when the attitude of ATT is valid"));
+            return Err(Error::bad_state(match self.state {
+                State::Test => {
+                    "a heading can be entered when the attitude of ATT is valid; the power-up test is not over"
+                }
+                State::Erection => {
+                    "a heading can be entered when the attitude of ATT is valid; the erection is not over"
+                }
+                _ => "a heading can be entered when the attitude of ATT is valid",
+            }));
         }
         self.turn_to(heading_rad);
         self.heading_entered = true;
@@ -65,10 +87,8 @@ impl Unit {
 
     /// Sets what the unit stored at its last switching off; `None`: nothing.
     pub fn set_stored(&mut self, stored: Option<Stored>) -> Result<(), Error> {
-        if let Some(stored) = stored {
-            check_range("latitude_rad", stored.latitude_rad, -QUARTER, QUARTER)?;
-            check_range("longitude_rad", stored.longitude_rad, -HALF, HALF)?;
-            check_range("heading_rad", stored.heading_rad, 0.0, WHOLE)?;
+        if let Some(stored) = &stored {
+            stored.validate()?;
         }
         self.stored = stored;
         Ok(())

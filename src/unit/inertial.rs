@@ -5,7 +5,7 @@ use nalgebra::{Quaternion, Vector3};
 use super::UnitParameters;
 use crate::math::{rotate, rotation_quaternion};
 use crate::signal::Increment;
-use crate::snapshot::{SIGNALS, stored};
+use crate::snapshot::{CLOCK_S, SIGNALS, stored};
 
 /// Time over which the force at rest is averaged, and after which a change of velocity is forgotten \[s\]. In it the Earth turns gravity
 /// so little that the velocity stays below 0.05 m/s at rest.
@@ -16,11 +16,14 @@ const MEMORY_S: f64 = 8.0;
 pub(super) struct Inertial {
     /// Rotates block axes to inertial axes.
     pub q_is: Quaternion<f64>,
+    /// Time for which the gyros have kept these axes \[s\].
+    pub kept_s: f64,
 }
 
-stored!(Inertial { q_is: ANY_UNIT } then |inertial, from| {
+stored!(Inertial { q_is: ANY_UNIT, kept_s: CLOCK_S } then |inertial, from| {
     let size = inertial.q_is.norm_squared();
-    from.require((size - 1.0).abs() < 1e-9, size, "is not the square of a unit quaternion")
+    from.require((size - 1.0).abs() < 1e-9, size, "is not the square of a unit quaternion")?;
+    from.require(inertial.kept_s >= 0.0, inertial.kept_s, "is a time before the start")
 });
 
 /// Limit of the components of a unit quaternion.
@@ -28,13 +31,14 @@ const ANY_UNIT: f64 = 1.0 + 1e-9;
 
 impl Default for Inertial {
     fn default() -> Self {
-        Self { q_is: Quaternion::identity() }
+        Self { q_is: Quaternion::identity(), kept_s: 0.0 }
     }
 }
 
 impl Inertial {
-    /// Turns on by `increments`. Returns the integral of the specific force over them, inertial axes \[m/s\].
-    pub fn turn(&mut self, increments: &[Increment]) -> Vector3<f64> {
+    /// Turns on by `increments` over `dt` \[s\]. Returns the integral of the specific force over them, inertial axes \[m/s\].
+    pub fn turn(&mut self, increments: &[Increment], dt: f64) -> Vector3<f64> {
+        self.kept_s += dt;
         let mut velocity_i = Vector3::zeros();
         for Increment { angle, velocity } in increments {
             velocity_i += rotate(&self.q_is, &(velocity + 0.5 * angle.cross(velocity)));
@@ -45,7 +49,9 @@ impl Inertial {
     }
 }
 
-/// The test for motion: the velocity that the unit feels against its mean force, which it forgets after some seconds.
+/// The test for motion: the velocity that the unit feels against its mean force, which it forgets after some seconds; and the distance
+/// of the aircraft from its place. Departure: a real unit cannot see that place. It finds a slow start late, and a constant velocity
+/// never, and shows wrong outputs as valid.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Motion {
     /// Mean specific force \[m/s²\].
@@ -56,6 +62,8 @@ pub(super) struct Motion {
     elapsed_s: f64,
     /// Time since the last motion \[s\].
     pub still_s: f64,
+    /// Where the aircraft stood then, Earth-fixed axes \[m\].
+    place_e: Option<Vector3<f64>>,
 }
 
 stored!(Motion {
@@ -63,12 +71,20 @@ stored!(Motion {
     velocity_i: SIGNALS,
     filtered_i: SIGNALS,
     elapsed_s: SIGNALS,
-    still_s: SIGNALS
+    still_s: SIGNALS,
+    place_e: SIGNALS
 });
 
 impl Motion {
-    /// Takes the integral of the specific force over `dt` \[s\]. Returns whether the unit moves.
-    pub fn feel(&mut self, velocity_i: &Vector3<f64>, dt: f64, parameters: &UnitParameters) -> bool {
+    /// Takes the integral of the specific force over `dt` \[s\], and the place of the aircraft, if it is known. Returns whether the unit
+    /// moves.
+    pub fn feel(
+        &mut self,
+        velocity_i: &Vector3<f64>,
+        place_e: Option<Vector3<f64>>,
+        dt: f64,
+        parameters: &UnitParameters,
+    ) -> bool {
         self.elapsed_s += dt;
         let force_i = velocity_i / dt;
         self.force_i += (force_i - self.force_i) * (dt / MEMORY_S.min(self.elapsed_s)).min(1.0);
@@ -76,7 +92,14 @@ impl Motion {
         self.velocity_i += excess - self.velocity_i * (dt / MEMORY_S).min(1.0);
         self.filtered_i += (self.velocity_i - self.filtered_i) * (dt / parameters.motion_filter_s).min(1.0);
         let threshold = parameters.motion_threshold_m_s;
-        let is_moving = self.filtered_i.norm_squared() > threshold * threshold;
+        let farthest = parameters.motion_distance_m;
+        let has_left = place_e
+            .zip(self.place_e)
+            .is_some_and(|(now, then)| (now - then).norm_squared() > farthest * farthest);
+        if has_left || self.place_e.is_none() {
+            self.place_e = place_e;
+        }
+        let is_moving = has_left || self.filtered_i.norm_squared() > threshold * threshold;
         self.still_s = if is_moving { 0.0 } else { self.still_s + dt };
         is_moving
     }

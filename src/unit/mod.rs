@@ -28,7 +28,7 @@ pub use panel::{AlignmentKind, Mode, Power, Reasons, State, Status, Stored, Vali
 pub use parameters::UnitParameters;
 pub use table::UNIT;
 
-use nalgebra::Quaternion;
+use nalgebra::{Quaternion, Vector3};
 
 use crate::error::Error;
 use crate::signal::Increment;
@@ -60,6 +60,8 @@ pub struct Unit {
     /// Entered, and refused because it is far from what is stored.
     refused: Option<(f64, f64)>,
     stored: Option<Stored>,
+    /// Where the unit was switched on, Earth-fixed axes \[m\], as long as the aircraft stands there with the stored heading.
+    switched_on_e: Option<Vector3<f64>>,
     /// Rotates block axes to the axes of the vehicle.
     q_bs: Quaternion<f64>,
     axes: BodyAxes,
@@ -75,6 +77,10 @@ pub struct Unit {
     reasons: Reasons,
     found_latitude_rad: Option<f64>,
     latitude_failures: usize,
+    /// Whether gyros and accelerometers had a signal in the last interval.
+    has_signal: bool,
+    /// Time since the first update \[s\].
+    age_s: f64,
     /// Clocks \[s\].
     invalid_s: f64,
     on_battery_s: f64,
@@ -109,6 +115,7 @@ impl Unit {
             entered: None,
             refused: None,
             stored: None,
+            switched_on_e: None,
             q_bs: Quaternion::identity(),
             axes: BodyAxes::default(),
             inertial: Inertial::default(),
@@ -120,6 +127,8 @@ impl Unit {
             reasons: Reasons::default(),
             found_latitude_rad: None,
             latitude_failures: 0,
+            has_signal: true,
+            age_s: 0.0,
             invalid_s: 0.0,
             on_battery_s: 0.0,
             kept_s: 0.0,
@@ -160,16 +169,24 @@ impl Unit {
 
     /// Takes over the interval.
     fn note(&mut self, imu: &ImuInterval, simulator: &Simulator) {
-        if self.time_s.is_none() {
-            self.look_at(simulator);
-        }
         let dt = imu.interval_s;
         let begun_s = imu.time_s - dt;
-        if self.time_s.is_some_and(|time_s| (time_s - begun_s).abs() > 0.5 * dt) {
-            self.alignment = Alignment::default();
-            self.motion = Motion::default();
+        match self.time_s {
+            None => self.look_at(simulator),
+            Some(time_s) => {
+                let has_jumped = simulator.is_first_interval();
+                if has_jumped {
+                    self.switched_on_e = None;
+                    (self.entered, self.refused) = (None, None);
+                }
+                if has_jumped || (time_s - begun_s).abs() > 0.5 * dt {
+                    self.motion = Motion::default();
+                    self.start_anew();
+                }
+            }
         }
         self.time_s = Some(imu.time_s);
+        self.age_s += dt;
         self.state_s += dt;
         self.measured = imu.compensated;
         self.interval_s = dt;

@@ -2,12 +2,14 @@
 
 use nalgebra::{Quaternion, Vector3};
 
+use super::alignment::{EarthAtRest, shortest_rotation};
 use super::{AlignmentKind, Mode, Power, Reasons, State, Status, Unit, Validity};
 use crate::earth::Geodetic;
 use crate::error::Error;
 use crate::math::{Euler, rotate};
 use crate::simulator::Simulator;
 use crate::state::Navigation;
+use crate::truth::TruthPoint;
 
 /// What the unit shows. What is not valid is 0.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -77,18 +79,25 @@ impl Unit {
 
     /// Which outputs are valid.
     fn validity(&self) -> Validity {
-        let rates = Validity { rates: true, ..Validity::default() };
+        let rates = Validity { rates: self.has_signal, ..Validity::default() };
         let attitude = Validity { attitude: true, ..rates };
         match self.state {
             State::Off | State::Test | State::Fault | State::PowerDown => Validity::default(),
             State::CoarseAlignment | State::Erection => rates,
-            State::FineAlignment => Validity { heading: self.shows_heading(), ..attitude },
+            State::FineAlignment => {
+                Validity { attitude: self.shows_attitude(), heading: self.shows_heading(), ..rates }
+            }
             State::Ready | State::Realignment => {
                 Validity { heading: true, position: true, velocity: self.aligns_in_flight(), ..attitude }
             }
             State::Navigation => Validity { heading: true, position: true, velocity: true, ..attitude },
             State::Attitude => Validity { heading: self.heading_entered, ..attitude },
         }
+    }
+
+    /// In flight, fixes whose velocity does not change show one direction at most.
+    fn shows_attitude(&self) -> bool {
+        !self.aligns_in_flight() || self.alignment.in_flight.has_attitude()
     }
 
     /// In an alignment at rest the heading is shown from its half on, in flight when it is accurate enough.
@@ -144,13 +153,17 @@ impl Unit {
             return self.attitude();
         }
         let earth = simulator.options().earth();
-        let north = self.latitude_rad().and_then(|latitude| self.alignment.north(latitude, earth.rate_rad_s));
-        let q_in = match (self.alignment.in_flight.q_in(&earth), north, self.alignment.newest()) {
-            (Some(q_in), ..) => q_in,
-            (_, Some(north), _) => north.q_in,
-            (_, None, Some(fix)) => super::alignment::shortest_rotation(&Vector3::z(), &fix.up_i),
-            (_, None, None) => Quaternion::identity(),
-        };
-        q_in.conjugate() * self.inertial.q_is * self.q_bs.conjugate()
+        if let Some(q_in) = self.alignment.in_flight.q_in(&earth) {
+            return self.attitude_in(&q_in);
+        }
+        let height_m = simulator.true_point().map_or(0.0, TruthPoint::height_m);
+        let found = self.latitude_rad().and_then(|latitude_rad| {
+            let place = Geodetic { latitude_rad, height_m, ..Geodetic::default() };
+            self.found_attitude(&EarthAtRest::new(&earth, &place))
+        });
+        found.unwrap_or_else(|| {
+            let up_i = self.alignment.up_i().unwrap_or(Vector3::z());
+            self.attitude_in(&shortest_rotation(&Vector3::z(), &up_i))
+        })
     }
 }

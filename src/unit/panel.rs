@@ -1,5 +1,6 @@
 //! What a unit has to the outside: its panel, and the words for its state.
 
+use crate::error::{Error, check_range};
 use crate::snapshot::codes;
 
 /// The mode selector.
@@ -38,7 +39,8 @@ pub enum AlignmentKind {
     /// Levelling and gyrocompassing on the measured increments.
     #[default]
     Gyrocompass,
-    /// Levelling on the measured increments, with the stored heading; without one a gyrocompass.
+    /// Levelling on the measured increments, with the stored heading. Without one, and when the aircraft has moved since the unit was
+    /// switched on, a gyrocompass.
     StoredHeading,
     /// Only in a simulation: after fast_alignment_s the unit has the true state, with the errors of sins_initial_errors that need no
     /// alignment, drawn for this run.
@@ -74,7 +76,8 @@ pub enum State {
     Realignment,
     /// ATT: levelling. The aircraft should fly straight and level.
     Erection,
-    /// ATT: attitude by the gyros, which slowly follows the apparent vertical. In a long turn it follows a false one.
+    /// ATT: attitude by the gyros, which slowly follows the apparent vertical. In a long turn it follows a false one. It lags behind the
+    /// vertical by erection_time_s times the rate of the Earth and of the motion over it: 0.5 deg at rest on the equator.
     Attitude,
     /// Failed: it shows nothing until it is switched off.
     Fault,
@@ -186,7 +189,17 @@ pub struct Stored {
     pub heading_rad: f64,
 }
 
-crate::snapshot::stored!(Stored { latitude_rad: 1.6, longitude_rad: 3.2, heading_rad: 6.3 });
+crate::snapshot::stored!(Stored { latitude_rad: 1.6, longitude_rad: 3.2, heading_rad: 6.3 } then |stored, _| stored.validate());
+
+impl Stored {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        use core::f64::consts::{FRAC_PI_2, PI, TAU};
+        check_range("latitude_rad", self.latitude_rad, -FRAC_PI_2, FRAC_PI_2)?;
+        check_range("longitude_rad", self.longitude_rad, -PI, PI)?;
+        check_range("heading_rad", self.heading_rad, 0.0, TAU)
+    }
+}
 
 /// What a unit reports of itself.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::errors::NavigationErrors;
 use crate::simulator::{ErrorSource, ImuInterval, Simulator};
 use crate::state::StateErrors;
+use crate::truth::TruthPoint;
 
 /// Least number of windows of an alignment.
 const WINDOWS: f64 = 20.0;
@@ -24,6 +25,9 @@ impl Unit {
 
     pub(super) fn enter(&mut self, state: State) {
         (self.state, self.state_s) = (state, 0.0);
+        if matches!(state, State::Navigation | State::Erection) {
+            self.switched_on_e = None;
+        }
     }
 
     /// Power, and the built-in test of the sensors.
@@ -41,11 +45,15 @@ impl Unit {
             self.enter(State::Off);
             return;
         }
-        let has_signal = !(imu.flags.gyro_invalid || imu.flags.accel_invalid);
-        self.invalid_s = if has_signal { 0.0 } else { self.invalid_s + dt };
-        if self.invalid_s != 0.0 && self.invalid_s > self.limits.fault_s {
-            self.reasons.no_signal = true;
-            self.enter(State::Fault);
+        self.has_signal = !(imu.flags.gyro_invalid || imu.flags.accel_invalid);
+        if !self.has_signal {
+            self.invalid_s += dt;
+            if self.invalid_s > self.limits.fault_s {
+                self.reasons.no_signal = true;
+                self.enter(State::Fault);
+            } else if self.state != State::Attitude {
+                self.start_anew();
+            }
         }
     }
 
@@ -65,7 +73,7 @@ impl Unit {
             self.power_down(simulator)?;
         }
         match self.state {
-            State::Off if self.selector != Mode::Off && self.has_power() => self.power_up(),
+            State::Off if self.selector != Mode::Off && self.has_power() => self.power_up(simulator),
             State::Off | State::Fault => return Ok(()),
             State::PowerDown => return self.switch_off(simulator),
             _ => {}
@@ -98,10 +106,11 @@ impl Unit {
         self.power != Power::None && !(self.power == Power::Battery && self.reasons.battery_empty)
     }
 
-    fn power_up(&mut self) {
+    fn power_up(&mut self, simulator: &Simulator) {
         self.reasons = Reasons::default();
         (self.entered, self.refused, self.latitude_failures) = (None, None, 0);
         self.found_latitude_rad = None;
+        self.switched_on_e = simulator.true_point().map(|point| point.state.r_e);
         (self.in_navigation_s, self.on_battery_s, self.invalid_s) = (0.0, 0.0, 0.0);
         self.enter(State::Test);
     }
@@ -114,16 +123,46 @@ impl Unit {
         self.inertial = Default::default();
         (self.heading_entered, self.realigned) = (false, false);
         self.reasons.motion = false;
-        self.in_navigation_s = 0.0;
+        (self.in_navigation_s, self.invalid_s) = (0.0, 0.0);
         self.enter(state);
+    }
+
+    /// Begins what is in progress anew: an alignment that must not know of what was before, or an erection.
+    pub(super) fn start_anew(&mut self) {
+        let state = match self.state {
+            State::Ready | State::Realignment if self.realigned => State::Realignment,
+            State::CoarseAlignment | State::FineAlignment | State::Ready => State::CoarseAlignment,
+            State::Erection | State::Attitude => State::Erection,
+            _ => return,
+        };
+        self.alignment = Alignment::default();
+        self.heading_entered = false;
+        if self.state != state {
+            self.enter(state);
+        }
+    }
+
+    /// Whether the solution is slow enough for a realignment.
+    fn is_parked(parameters: &UnitParameters, simulator: &Simulator) -> Result<bool, Error> {
+        let speed = simulator
+            .navigation()?
+            .map_or(0.0, |solution| solution.navigation.v_n.xy().norm_squared().sqrt());
+        Ok(speed < parameters.realignment_speed_m_s)
+    }
+
+    /// Stops an alignment of an aircraft that moves. A realignment loses the navigation at a speed that is too high for it.
+    fn stop_for_motion(&mut self, parameters: &UnitParameters, simulator: &Simulator) -> Result<(), Error> {
+        self.start_anew();
+        self.switched_on_e = None;
+        if self.realigned && !Self::is_parked(parameters, simulator)? {
+            return self.leave_navigation(parameters, simulator);
+        }
+        Ok(())
     }
 
     /// ALIGN after a flight: parked, a realignment; in motion the navigation is lost.
     fn leave_navigation(&mut self, parameters: &UnitParameters, simulator: &Simulator) -> Result<(), Error> {
-        let speed = simulator
-            .navigation()?
-            .map_or(0.0, |solution| solution.navigation.v_n.xy().norm_squared().sqrt());
-        let is_parked = speed < parameters.realignment_speed_m_s;
+        let is_parked = Self::is_parked(parameters, simulator)?;
         (self.entered, self.refused) = (None, None);
         self.begin(if is_parked { State::Realignment } else { State::CoarseAlignment }, simulator);
         self.realigned = is_parked;
@@ -169,12 +208,12 @@ impl Unit {
     ) -> Result<(), Error> {
         let mut velocity_i = nalgebra::Vector3::zeros();
         let mut updates = 0;
-        while let Some((increments, _)) = simulator.measured_update(updates) {
-            velocity_i += self.inertial.turn(increments);
+        while let Some((increments, update_s)) = simulator.measured_update(updates) {
+            velocity_i += self.inertial.turn(increments, update_s);
             updates += 1;
         }
         if updates == 0 {
-            velocity_i = self.inertial.turn(&[self.measured]);
+            velocity_i = self.inertial.turn(&[self.measured], dt);
         }
         if matches!(self.state, State::Erection | State::Attitude) {
             self.erect(&velocity_i, dt, parameters);
@@ -200,32 +239,44 @@ impl Unit {
         if is_made_up && self.state == State::Ready {
             return Ok(());
         }
-        let moves = self.motion.feel(velocity_i, dt, parameters);
+        let point = simulator.true_point();
+        let (place_e, temperature_c) =
+            (point.map(|point| point.state.r_e), point.and_then(TruthPoint::temperature_c));
+        let farthest = parameters.motion_distance_m;
+        self.switched_on_e = self
+            .switched_on_e
+            .zip(place_e)
+            .and_then(|(then, now)| ((now - then).norm_squared() <= farthest * farthest).then_some(then));
+        let moves = self.motion.feel(velocity_i, place_e, dt, parameters);
         let is_tested = self.alignment.elapsed_s >= parameters.motion_inhibition_s;
         if moves && is_tested && !is_made_up {
             self.reasons.motion = true;
         }
         if self.reasons.motion {
             if self.motion.still_s < parameters.still_s {
-                self.alignment = Alignment::default();
-                let state = if self.realigned { State::Realignment } else { State::CoarseAlignment };
-                if self.state != state {
-                    self.enter(state);
-                }
-                return Ok(());
+                return self.stop_for_motion(parameters, simulator);
             }
             self.reasons.motion = false;
         }
         let whole_s = self.length_s(parameters);
         let window_s = self.window_s(whole_s, parameters);
-        let is_complete = self.alignment.advance(velocity_i, &self.inertial.q_is, dt, window_s);
+        if self.alignment.elapsed_s == 0.0 {
+            self.alignment.temperature_c = temperature_c;
+        }
+        let acceleration_e = simulator.true_acceleration_e().unwrap_or_default();
+        let is_shown = self.alignment.advance(velocity_i, &self.inertial.q_is, &acceleration_e, dt, window_s);
+        if is_shown == Some(false) && !is_made_up {
+            self.reasons.motion = true;
+            self.motion.still_s = 0.0;
+            return self.stop_for_motion(parameters, simulator);
+        }
         let elapsed_s = self.alignment.elapsed_s;
         let has_attitude = elapsed_s >= parameters.coarse_alignment_s - 0.5 * dt;
         if self.state == State::CoarseAlignment && has_attitude && self.alignment.newest().is_some() {
             self.enter(State::FineAlignment);
         }
         let is_over = elapsed_s >= whole_s - 0.5 * dt || self.state == State::Ready;
-        if is_over && (is_complete || is_made_up) {
+        if is_over && (is_shown.is_some() || is_made_up) {
             self.finish(parameters, simulator)?;
         }
         Ok(())
@@ -245,7 +296,7 @@ impl Unit {
             AlignmentKind::Instant => 0.0,
             AlignmentKind::Fast => parameters.fast_alignment_s,
             AlignmentKind::InFlight => parameters.in_flight_alignment_s,
-            AlignmentKind::StoredHeading if self.stored.is_some() => parameters.stored_heading_alignment_s,
+            _ if self.stored_heading_rad().is_some() => parameters.stored_heading_alignment_s,
             // Without a latitude the unit waits as long as at the largest one.
             _ => parameters.alignment_at_s(self.latitude_rad().unwrap_or(parameters.max_latitude_rad)),
         }
@@ -261,7 +312,9 @@ impl Unit {
         if self.realigned || whole_s == 0.0 {
             return parameters.realignment_s;
         }
-        let longest_s = parameters.coarse_alignment_s.min(whole_s / WINDOWS);
+        // With a stored heading only the last window matters.
+        let windows = if self.stored_heading_rad().is_some() { 1.0 } else { WINDOWS };
+        let longest_s = parameters.coarse_alignment_s.min(whole_s / windows);
         let rest_s = whole_s - self.alignment.elapsed_s;
         if rest_s > 0.1 * longest_s { rest_s / (rest_s / longest_s).ceil() } else { longest_s }
     }

@@ -30,7 +30,7 @@ const fn time(
 
 /// Times and limits of a unit, in the order of the struct of the interface.
 #[rustfmt::skip]
-pub const UNIT: [Row; 22] = [
+pub const UNIT: [Row; 23] = [
     time(("power_up_test_s", "length of the test after power-up"), "unit.power_up_test_s", 5.0, "The default is this library's."),
     time(("coarse_alignment_s", "length of the coarse alignment, after which the attitude is valid"), "unit.coarse_alignment_s", 30.0,
         "The default is that of the open A320 simulator flybywiresim/aircraft."),
@@ -58,6 +58,9 @@ pub const UNIT: [Row; 22] = [
     number(("motion_threshold_m_s", "velocity of the unit beyond which an alignment stops"), ("unit.motion_threshold_m_s", "m/s"),
         OrDefault(0.15, 1e-6, 1e3), ("motion_threshold_m_s", "m/s", 1.0),
         "The default is this library's: a sway of 1 cm at 0.3 Hz has 0.02 m/s, taxiing at 1 kt 0.5 m/s."),
+    number(("motion_distance_m", "distance from its place beyond which an alignment stops"), ("unit.motion_distance_m", "m"),
+        OrDefault(0.2, 1e-6, 1e6), ("motion_distance_m", "m", 1.0),
+        "The default is this library's: a sway of 1 cm does not matter, a slow start stops the alignment."),
     time(("motion_filter_s", "time constant of the filter of this velocity"), "unit.motion_filter_s", 0.5,
         "The default is that of flybywiresim/aircraft."),
     time(("motion_inhibition_s", "time from the start of an alignment in which motion is not tested"), "unit.motion_inhibition_s", 2.0,
@@ -72,7 +75,7 @@ pub const UNIT: [Row; 22] = [
     time(("erection_time_s", "time constant with which the attitude of ATT follows the apparent vertical"), "unit.erection_time_s", 120.0,
         "The default is this library's."),
     time(("fault_s", "time without a signal of a gyro or accelerometer after which the unit fails"), "unit.fault_s", 1.0,
-        "The default is this library's."),
+        "It is the sum since the alignment, or the erection of ATT, began. The default is this library's."),
     number(("battery_s", "time that the battery lasts"), ("unit.battery_s", "s"), OffOr(1e-3, 1e6), ("battery_s", "s", 1.0),
         "If 0, it lasts for ever."),
     time(("in_flight_alignment_s", "least length of an alignment of kind SINS_UNIT_ALIGNMENT_IN_FLIGHT"), "unit.in_flight_alignment_s", 180.0,

@@ -21,10 +21,15 @@ static long allocator_bytes;
 static __thread long allocator_calls;
 /* Number of allocations of this thread that still succeed; negative: all. */
 static __thread long allocator_good = -1;
+/* Number of allocations of this thread before one that fails alone; negative: none. */
+static __thread long allocator_before = -1;
 
 static inline int allocator_refuses(void)
 {
     allocator_calls++;
+    if (allocator_before >= 0 && allocator_before-- == 0) {
+        return 1;
+    }
     if (allocator_good > 0) {
         allocator_good--;
         return 0;

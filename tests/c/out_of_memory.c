@@ -1,7 +1,10 @@
 /* Memory runs out at every allocation in turn: the call returns SINS_ERROR_OUT_OF_MEMORY and changes nothing, and other
  * handles continue to the same bits. */
 
+#define _GNU_SOURCE
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "allocator.h"
 #include "scene.h"
@@ -136,6 +139,37 @@ static void starve_scenes(void)
     CHECK(sins_scene_destroy(scene) == SINS_OK);
 }
 
+/* Lets each allocation of the parser fail alone. The parser of TOML ends the process if memory runs out behind the check, so each runs in
+   a process of its own. Where it does not, a good text has no faults. */
+static void starve_parser(void)
+{
+    int before, reported = 0;
+    for (before = 0;; before++) {
+        int state;
+        pid_t child = fork();
+        CHECK(child >= 0);
+        if (child == 0) {
+            sins_scene *scene = NULL;
+            sins_status status;
+            fclose(stderr);
+            allocator_before = before;
+            status = sins_scene_parse(scene_text, sizeof scene_text - 1, &scene);
+            if (allocator_before >= 0) {
+                _exit(status == SINS_OK ? 3 : 1); /* no allocation failed */
+            }
+            _exit(status == SINS_ERROR_OUT_OF_MEMORY && scene == NULL ? 2 : status == SINS_OK ? 0 : 1);
+        }
+        CHECK(waitpid(child, &state, 0) == child);
+        CHECK(!WIFEXITED(state) || WEXITSTATUS(state) != 1);
+        reported += WIFEXITED(state) && WEXITSTATUS(state) == 2;
+        if (WIFEXITED(state) && WEXITSTATUS(state) == 3) {
+            break;
+        }
+    }
+    CHECK(reported > 1);
+    printf("out_of_memory: %d allocations of a scene's parser fail alone, %d are reported\n", before, reported);
+}
+
 /* Lets each allocation of `call` fail in turn, with all later ones. Returns the number of allocations. */
 static int starve(sins_status (*call)(void))
 {
@@ -208,6 +242,7 @@ int main(void)
         }
     }
     starve_scenes();
+    starve_parser();
     CHECK(memcmp(found, expected, sizeof expected) == 0);
     CHECK(sins_destroy(sim) == SINS_OK);
     return 0;

@@ -6,7 +6,7 @@ use sins::earth::{Earth, Geodetic};
 use sins::math::Euler;
 use sins::sensors::{StreamKey, TriadParameters};
 use sins::truth::{FlightSample, IntakeLimits};
-use sins::unit::{Mode, State, Status, Unit, UnitNavigation, UnitParameters};
+use sins::unit::{AlignmentKind, Mode, State, Status, Unit, UnitNavigation, UnitParameters};
 use sins::{ErrorSource, Options, Simulator};
 
 use crate::support::{DEG, DEG_PER_HOUR, G};
@@ -47,6 +47,7 @@ pub struct Aircraft {
     pub simulator: Simulator,
     pub receiver: Option<Receiver>,
     pub unit: Unit,
+    kind: AlignmentKind,
     pub rate_hz: f64,
     samples: u64,
     place: Geodetic,
@@ -55,6 +56,9 @@ pub struct Aircraft {
     bank: f64,
     /// How fast it can roll [rad/s].
     pub roll_rate: f64,
+    is_updated: bool,
+    /// The temperature is 20 °C plus this times the time [°C/s]; `None`: it is not known.
+    pub warming: Option<f64>,
 }
 
 /// The gyros and accelerometers of the paper: 0.01 °/h, 0.005 °/√h, 50 µg, 10 µg/√Hz.
@@ -89,6 +93,7 @@ impl Aircraft {
             simulator,
             receiver,
             unit,
+            kind: AlignmentKind::default(),
             rate_hz,
             samples: 0,
             place,
@@ -96,6 +101,8 @@ impl Aircraft {
             heading: 0.7,
             bank: 0.0,
             roll_rate: f64::INFINITY,
+            is_updated: true,
+            warming: None,
         }
     }
 
@@ -143,6 +150,20 @@ impl Aircraft {
         self.place
     }
 
+    pub fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    /// How the unit aligns.
+    pub fn kind(&self) -> AlignmentKind {
+        self.kind
+    }
+
+    pub fn set_alignment(&mut self, kind: AlignmentKind) {
+        self.kind = kind;
+        self.unit.set_alignment(kind);
+    }
+
     pub fn heading(&self) -> f64 {
         self.heading
     }
@@ -158,6 +179,13 @@ impl Aircraft {
     fn roll_to(&mut self, bank: f64, dt: f64) {
         let most = self.roll_rate * dt;
         self.bank += (bank - self.bank).clamp(-most, most);
+    }
+
+    /// A step of the simulator alone.
+    pub fn step_without_update(&mut self, motion: Motion) {
+        self.is_updated = false;
+        self.step(motion);
+        self.is_updated = true;
     }
 
     fn step(&mut self, motion: Motion) {
@@ -208,10 +236,11 @@ impl Aircraft {
             place,
             v_n: Some(direction * self.speed + sway),
             euler,
+            temperature_c: self.warming.map(|rate| 20.0 + rate * time_s),
             ..Default::default()
         };
         self.simulator.push_sample(&sample).unwrap();
-        if self.simulator.step().unwrap() == sins::Step::Done {
+        if self.simulator.step().unwrap() == sins::Step::Done && self.is_updated {
             self.unit.update(&mut self.simulator).unwrap();
             let is_due = (self.samples - 1).is_multiple_of(self.rate_hz.round() as u64);
             if let (Some(receiver), true) = (&mut self.receiver, is_due) {

@@ -22,6 +22,28 @@ fn a_dead_gyro_is_a_fault_until_the_unit_is_off() {
     assert_eq!(aircraft.stand(6.0).state, State::Off);
 }
 
+/// Every second interval of a gyro lost in a turn: the time without a signal is summed, and until it is reached, the heading is wrong
+/// by at most the turn in it. An interval without a signal shows no rates.
+#[test]
+fn a_gyro_that_is_lost_again_and_again_is_a_fault() {
+    let mut aircraft = Aircraft::ideal(40.0);
+    aircraft.unit = sins::unit::Unit::new(&UnitParameters::default(), Mode::Navigate).unwrap();
+    aircraft.go(Motion::Drive { acceleration: 2.0, to: 100.0 }, 60.0);
+    let output = SensorOutput::Gyro(Axis::Z);
+    let turn = Motion::Turn(3.0 * DEG);
+    for _ in 0..300 {
+        aircraft.simulator.set_failure(output, Some(Failure::Dead)).unwrap();
+        assert!(!aircraft.go(turn, 0.1).validity.rates);
+        aircraft.simulator.set_failure(output, None).unwrap();
+        let status = aircraft.go(turn, 0.1);
+        assert_eq!(status.validity.rates, !status.fault);
+        let error = sins::math::wrap_angle(aircraft.navigation().euler.heading - aircraft.heading());
+        assert!(!status.validity.heading || error.abs() < 3.1 * DEG, "{error}");
+    }
+    let status = aircraft.unit.status();
+    assert!(status.fault && status.reasons.no_signal);
+}
+
 #[test]
 fn the_battery_lasts_its_time() {
     let mut aircraft = Aircraft::ideal(40.0);
@@ -90,10 +112,32 @@ fn a_position_far_from_the_stored_one_must_be_entered_twice() {
 #[test]
 fn entries_at_the_wrong_moment_and_out_of_range_are_rejected() {
     let mut aircraft = Aircraft::ideal(10.0);
-    let error = aircraft.unit.enter_position(0.1, 0.3).unwrap_err();
-    assert_eq!(error.to_string(), "a position can be entered during an alignment");
-    let error = aircraft.unit.enter_heading(0.1).unwrap_err();
-    assert_eq!(error.to_string(), "a heading can be entered when the attitude of ATT is valid");
+    let refused = |aircraft: &mut Aircraft, state: State, why: &str| {
+        assert_eq!(aircraft.unit.status().state, state);
+        let error = aircraft.unit.enter_position(0.1, 0.3).unwrap_err();
+        assert_eq!(error.to_string(), format!("a position can be entered during an alignment; {why}"));
+        if state != State::Attitude {
+            let error = aircraft.unit.enter_heading(0.1).unwrap_err().to_string();
+            let why = match state {
+                State::Test => "; the power-up test is not over",
+                State::Erection => "; the erection is not over",
+                _ => "",
+            };
+            assert_eq!(error, format!("a heading can be entered when the attitude of ATT is valid{why}"));
+        }
+    };
+    refused(&mut aircraft, State::Off, "the unit is off");
+    aircraft.unit.select(Mode::Attitude);
+    aircraft.stand(1.0);
+    refused(&mut aircraft, State::Test, "the power-up test is not over");
+    aircraft.until(Motion::Rest, State::Erection, 60.0);
+    refused(&mut aircraft, State::Erection, "the unit is in ATT");
+    aircraft.until(Motion::Rest, State::Attitude, 300.0);
+    refused(&mut aircraft, State::Attitude, "the unit is in ATT");
+    aircraft.unit.select(Mode::Off);
+    aircraft.stand(1.0);
+    refused(&mut aircraft, State::PowerDown, "the unit is off");
+    let mut aircraft = Aircraft::ideal(10.0);
     aircraft.unit.select(Mode::Align);
     aircraft.stand(10.0);
     let error = aircraft.unit.enter_position(47.5, 0.3).unwrap_err();

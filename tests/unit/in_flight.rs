@@ -1,6 +1,7 @@
 //! Alignment in flight, on the fixes of another sensor.
 
 use nalgebra::Vector3;
+use sins::math::wrap_angle;
 use sins::mounting::MountingParameters;
 use sins::sensors::TriadParameters;
 use sins::unit::{AlignmentKind, Mode, State, Status, UnitParameters};
@@ -122,6 +123,40 @@ fn an_alignment_with_real_sensors_leaves_what_they_let() {
         println!("{name}: heading {heading:.2e} rad, tilt {tilt:.2e} rad");
         assert!(heading < 1e-3 && tilt < 1.2 * sensors.1.bias.x / G + 1e-4, "{name}");
     }
+}
+
+/// A heading is shown as valid only when enough windows have confirmed it: two of them agree by chance now and then.
+#[test]
+fn a_heading_that_becomes_valid_is_as_accurate_as_the_limit() {
+    let limit = 0.1 * DEG;
+    let (mut squares, mut worst, mut count) = (0.0, 0.0f64, 0);
+    for run in 0..400 {
+        let mut aircraft = in_flight(40.0, run, &papers_sensors());
+        aircraft.receiver = Some(Receiver::new(run, 3.0, 0.1));
+        for (motion, seconds) in COURSE {
+            let steps = seconds as usize;
+            let Some(error) = (0..steps).find_map(|_| {
+                let status = aircraft.go(motion, 1.0);
+                status
+                    .validity
+                    .heading
+                    .then(|| wrap_angle(aircraft.navigation().euler.heading - aircraft.heading()))
+            }) else {
+                continue;
+            };
+            squares += error * error;
+            worst = worst.max(error.abs());
+            count += 1;
+            break;
+        }
+    }
+    let rms = (squares / f64::from(count)).sqrt();
+    println!(
+        "{count} headings: {:.4} deg rms when they become valid, worst {:.3} deg",
+        rms / DEG,
+        worst / DEG
+    );
+    assert!(count > 380 && rms < limit && worst < 5.0 * limit, "{rms} {worst}");
 }
 
 /// Straight flight shows no heading that is good enough; the crew is told, flies a turn, and the unit is ready.

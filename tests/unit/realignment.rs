@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use sins::sensors::TriadParameters;
-use sins::unit::{Mode, State, UnitParameters};
+use sins::unit::{Mode, State, UnitParameters, Validity};
 
 use crate::aircraft::{Aircraft, Motion};
 use crate::support::{DEG, DEG_PER_HOUR, G};
@@ -94,5 +94,53 @@ fn a_short_time_at_off_realigns_if_the_unit_can() {
         aircraft.stand(3.0);
         aircraft.unit.select(Mode::Navigate);
         aircraft.until(Motion::Rest, state, 3.0);
+    }
+}
+
+/// A take-off with the selector at ALIGN, before and behind the realignment, and NAV in the air: nothing is shown that is not so. The
+/// unit had made the velocity 0 in the air.
+#[test]
+fn a_take_off_with_the_selector_at_align_shows_no_velocity() {
+    for parked_s in [1.0, 100.0] {
+        let mut aircraft = navigating(20.0);
+        aircraft.stand(30.0);
+        aircraft.unit.select(Mode::Align);
+        aircraft.stand(parked_s);
+        let mut shown = aircraft.go(Motion::Drive { acceleration: 2.0, to: 60.0 }, 4.0);
+        assert!(
+            shown.state == State::Realignment && shown.reasons.motion && shown.align_flashes,
+            "{shown:?}"
+        );
+        shown = aircraft.go(Motion::Drive { acceleration: 2.0, to: 60.0 }, 100.0);
+        assert!(shown.state == State::CoarseAlignment && shown.reasons.motion, "{shown:?}");
+        aircraft.unit.select(Mode::Navigate);
+        for _ in 0..600 {
+            let Validity { attitude, heading, position, velocity, .. } =
+                aircraft.go(Motion::Drive { acceleration: 2.0, to: 60.0 }, 1.0).validity;
+            assert!(!(attitude || heading || position || velocity));
+        }
+    }
+}
+
+/// ALIGN while taxiing steadily, below the speed of a realignment: flagged, and nothing is made 0 until the aircraft stands.
+#[test]
+fn align_while_taxiing_waits_for_rest() {
+    for speed in [0.05, 1.0, 5.0, 9.0] {
+        let mut aircraft = navigating(20.0);
+        let taxi = Motion::Drive { acceleration: 1.0, to: speed };
+        aircraft.go(taxi, 60.0);
+        aircraft.unit.select(Mode::Align);
+        aircraft.go(taxi, 10.0);
+        let status = aircraft.go(taxi, 200.0);
+        assert!(status.state == State::Realignment && status.reasons.motion && !status.validity.velocity);
+        // Below 0.1 m/s of the gyros' biases, and a heading error of 5e-3 rad.
+        assert!(
+            aircraft.errors().velocity_n.norm() < 0.1 + 5e-3 * speed,
+            "{speed}: {:?}",
+            aircraft.errors().velocity_n
+        );
+        aircraft.unit.select(Mode::Navigate);
+        aircraft.until(Motion::Rest, State::Navigation, 100.0);
+        assert!(aircraft.errors().velocity_n.norm() < 0.05, "{speed}: {:?}", aircraft.errors().velocity_n);
     }
 }

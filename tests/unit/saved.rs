@@ -139,3 +139,25 @@ fn damaged_bytes_are_refused_and_change_nothing() {
     let error = aircraft.unit.load_snapshot(&simulators[..length]).unwrap_err();
     assert!(error.to_string().ends_with("it is one of a simulator"), "{error}");
 }
+
+/// A pair that is saved between the step and the update of the unit: the parts of the interval are in the snapshot of the simulator.
+#[test]
+fn a_pair_saved_before_the_update_goes_on_to_the_same_bits() {
+    let mut aircraft = Aircraft::new(10.0, 2, 5.0, &papers_sensors());
+    aircraft.unit.select(Mode::Align);
+    for _ in 0..200 {
+        aircraft.go(Motion::Sway, 0.2);
+        let mut behind = aircraft.clone();
+        behind.step_without_update(Motion::Sway);
+        let mut loaded = behind.clone();
+        let mut buffer = vec![0; sins::abi::SINS_SNAPSHOT_MAX_SIZE];
+        let length = behind.simulator.save_snapshot(&mut buffer).unwrap();
+        loaded.simulator = sins::Simulator::new(&Default::default()).unwrap();
+        loaded.simulator.load_snapshot(&buffer[..length]).unwrap();
+        loaded.unit.load_snapshot(&saved(&behind.unit)).unwrap();
+        for each in [&mut behind, &mut loaded] {
+            each.unit.update(&mut each.simulator).unwrap();
+        }
+        assert!(loaded.unit == behind.unit && bits(&loaded.simulator) == bits(&behind.simulator));
+    }
+}

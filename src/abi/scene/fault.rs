@@ -40,7 +40,7 @@ interface_struct!(sins_fault, "fault", 408);
 
 impl sins_fault {
     pub(in crate::abi) fn new(fault: &Fault, count: usize) -> Self {
-        let About { path, value, minimum, maximum } = &fault.about;
+        let About { path, value, minimum, maximum, .. } = &fault.about;
         let flag = |number: &Option<f64>, flag| if number.is_some() { flag } else { 0 };
         Self {
             struct_size: size_of::<Self>() as u32,

@@ -35,7 +35,7 @@ use crate::abi::memory::{Output, element};
 use crate::abi::simulator::sins_sim;
 use crate::abi::text::{bad_text, bytes_of, put_text, text_of};
 use crate::error::{Error, check_integer};
-use crate::memory::probe;
+use crate::memory::{missing, probe};
 use crate::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, builtin, keys_text};
 
 /// A scene. A handle is a checked key, as that of sins_sim, and never taken for one.
@@ -100,6 +100,14 @@ impl From<Vec<Fault>> for Rejected {
     }
 }
 
+/// The faults of a text, unless it could not be read for lack of memory.
+fn of_text(faults: Vec<Fault>) -> Result<Vec<Fault>, Failure> {
+    match faults.iter().any(|fault| fault.about.lacks_memory) {
+        true => Err(missing(faults.len()).into()),
+        false => Ok(faults),
+    }
+}
+
 /// Changes the scene of a handle by `body`, which reads `size` bytes of the host's `argument` beside the scene's text. Keeps the
 /// faults of a rejected change.
 pub(in crate::abi) fn change_scene(
@@ -117,7 +125,7 @@ pub(in crate::abi) fn change_scene(
             Ok(()) => Ok(SINS_OK),
             Err(Rejected::Call(failure)) => Err(failure),
             Err(Rejected::Faults(found)) => {
-                *faults = found;
+                *faults = of_text(found)?;
                 Err(bad_text(argument, "the scene was not changed; sins_scene_get_fault() gives the reasons")
                     .into())
             }
@@ -173,13 +181,14 @@ pub unsafe extern "C-unwind" fn sins_scene_parse(
             hand_out(&SCENES, scene, "scene", || {
                 let text = bytes_of(text.cast(), size, "text")?;
                 probe(ROOM + ROOM_OF_BYTE * text.len().min(MAX_TEXT))?;
-                Ok(Scene::parse(text).map_or_else(
-                    |faults| {
+                Ok(match Scene::parse(text) {
+                    Ok(scene) => of_scene(scene),
+                    Err(faults) => {
+                        let faults = of_text(faults)?;
                         status = SINS_SCENE_HAS_FAULTS;
                         SceneText { scene: None, faults }
-                    },
-                    of_scene,
-                ))
+                    }
+                })
             })?
         };
         Ok(status)

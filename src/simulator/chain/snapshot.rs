@@ -6,6 +6,7 @@ use super::{Chain, Extension};
 use crate::earth::Earth;
 use crate::error::Error;
 use crate::mechanization::Mechanization;
+use crate::signal::MAX_INCREMENTS;
 use crate::simulator::disturbance::Disturbance;
 use crate::simulator::imu::LastInterval;
 use crate::simulator::start::{Start, block_at_start};
@@ -13,8 +14,8 @@ use crate::simulator::{Imperfections, ImuInterval, Options};
 use crate::snapshot::{COUNT, Numbers, Reader, Stored, Writer};
 use crate::truth::TruthPoint;
 
-/// The values are read into a chain that was made at the current point: the parts that it has are those of the snapshot. Only the sums of
-/// the increments are stored.
+/// The values are read into a chain that was made at the current point: the parts that it has are those of the snapshot. Of the last
+/// interval the sums of the increments are stored, and the increments on which the INS navigated, which a unit reads.
 impl Stored for Chain {
     fn save(&self, to: &mut Writer<'_>) {
         let Self {
@@ -44,6 +45,8 @@ impl Stored for Chain {
         covariance.save(to);
         generator.save(to);
         self.imu().save(to);
+        to.count(self.flown_on().len());
+        self.flown_on().save(to);
         self.last.vertical_unaided().unwrap_or_default().save(to);
         north_unknown.save(to);
         block.as_slice().save(to);
@@ -64,6 +67,10 @@ impl Stored for Chain {
         self.generator.load(from)?;
         let mut imu: Option<ImuInterval> = None;
         imu.load(from)?;
+        from.enter("snapshot: increments");
+        let count = from.count(MAX_INCREMENTS.min(self.signals.measured.len()))?;
+        self.signals.measured[..count].load(from)?;
+        self.parts = 0..count;
         let vertical_unaided = from.flag()?;
         self.last = imu.map_or(LastInterval::None, |imu| LastInterval::Loaded { imu, vertical_unaided });
         self.north_unknown = from.flag()?;

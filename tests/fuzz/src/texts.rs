@@ -167,8 +167,9 @@ pub fn check_log(text: &[u8]) {
 
 /// A value for a key, mostly of the kind that it takes.
 fn some_value(input: &mut Input, takes: &str) -> String {
-    let number = |input: &mut Input| match input.below(4) {
+    let number = |input: &mut Input| match input.below(5) {
         0 => format!("{}", input.number()),
+        2 => "0".to_owned(),
         1 => input.pick(&["1e308", "-0", "1e999", "0x10", "1_000", "nan", "+inf"]).to_owned(),
         _ => format!("{}", f64::from(input.byte() as i8) * 1e-2),
     };
@@ -216,6 +217,27 @@ pub fn some_values(input: &mut Input) -> CString {
         .unwrap_or_default()
 }
 
+/// An item of a list with most of the keys that its kind has.
+fn some_item(input: &mut Input) -> String {
+    let section = input.pick(&["panel", "panel", "update", "failure", "manoeuvre"]);
+    let keys = keys();
+    let of_section: Vec<_> = keys.iter().filter(|key| key.section == section).collect();
+    let mut text = format!("[[{section}]]\n");
+    if section == "panel" {
+        text = format!("[unit]\nstart = \"off\"\n{text}");
+    }
+    let mut kind = String::new();
+    for key in of_section {
+        if key.name == "kind" {
+            kind = input.pick(&key.takes.split('|').collect::<Vec<_>>()).to_owned();
+            text.push_str(&format!("kind = \"{kind}\"\n"));
+        } else if (key.condition.is_empty() || key.condition.contains(&kind)) && !input.one_in(8) {
+            text.push_str(&format!("{} = {}\n", key.name, some_value(input, &key.takes)));
+        }
+    }
+    text
+}
+
 /// The text of a scene with some random keys, which are added to a built-in scene or to a short one. Sometimes some
 /// bytes are altered.
 pub fn some_scene(input: &mut Input) -> Vec<u8> {
@@ -225,6 +247,9 @@ pub fn some_scene(input: &mut Input) -> Vec<u8> {
         text.push_str(input.pick(BUILTIN_SCENES).1);
     } else {
         text.push_str("[flight]\nbuiltin = \"patrol\"\n");
+    }
+    if input.one_in(3) {
+        text.push_str(&some_item(input));
     }
     for _ in 0..input.below(6) {
         let key = &keys[input.word() as usize % keys.len()];

@@ -8,7 +8,7 @@ use crate::call;
 use crate::host::{Host, init};
 use crate::motion::Motion;
 use crate::settings::{some_gyro, some_options};
-use crate::snapshots::sentence;
+use crate::snapshots::{frozen, sentence};
 
 const SAMPLES: usize = 24;
 
@@ -18,6 +18,50 @@ fn saved(unit: *mut sins_unit) -> Vec<u8> {
     assert_eq!(status, SINS_OK);
     bytes.truncate(size);
     bytes
+}
+
+/// A unit with its simulator, and at times a twin of both that was loaded from their snapshots.
+struct Pair {
+    unit: *mut sins_unit,
+    sim: *mut sins_sim,
+    twin: Option<(*mut sins_unit, *mut sins_sim)>,
+}
+
+impl Pair {
+    /// Makes a call on both, whose answers must agree.
+    fn call(&self, call: impl Fn(*mut sins_unit, *mut sins_sim) -> sins_status) -> sins_status {
+        let status = call(self.unit, self.sim);
+        if let Some((unit, sim)) = self.twin {
+            assert!(call(unit, sim) == status, "another answer from the unit that was loaded");
+        }
+        status
+    }
+
+    fn loaded(&self) -> (*mut sins_unit, *mut sins_sim) {
+        let (mut unit, mut sim) = (null_mut(), null_mut());
+        assert_eq!(call!(sins_unit_create(std::ptr::null(), SINS_UNIT_OFF, &mut unit)), SINS_OK);
+        assert_eq!(call!(sins_create(std::ptr::null(), &mut sim)), SINS_OK);
+        let (of_unit, of_sim) = (saved(self.unit), frozen(self.sim));
+        let status = call!(sins_unit_snapshot_load(unit, of_unit.as_ptr().cast(), of_unit.len()));
+        assert!(status == SINS_OK, "an unaltered snapshot was refused: {}", sentence(null_mut()));
+        let status = call!(sins_snapshot_load(sim, of_sim.as_ptr().cast(), of_sim.len()));
+        assert!(status == SINS_OK, "an unaltered snapshot was refused: {}", sentence(sim));
+        (unit, sim)
+    }
+
+    fn compare(&self) {
+        if let Some((unit, sim)) = self.twin {
+            let is_same = saved(unit) == saved(self.unit) && frozen(sim) == frozen(self.sim);
+            assert!(is_same, "the unit that was loaded went on otherwise");
+        }
+    }
+
+    fn part(&mut self) {
+        if let Some((unit, sim)) = self.twin.take() {
+            assert_eq!(call!(sins_unit_destroy(unit)), SINS_OK);
+            assert_eq!(call!(sins_destroy(sim)), SINS_OK);
+        }
+    }
 }
 
 impl Host {
@@ -69,35 +113,59 @@ impl Host {
         let mut options = init();
         call!(sins_get_options(sim, &mut options));
         let mut motion = Motion::new(&mut self.input, &options);
+        // At rest most alignments end.
+        let rests = self.input.one_in(2);
+        let mut pair = Pair { unit, sim, twin: None };
         for _ in 0..SAMPLES {
             let choice = i32::from(self.input.byte() % 6) - 1;
+            let sample = motion.sample();
+            let place = [sample.latitude_rad, sample.longitude_rad, sample.height_m];
             let numbers = [0.0, 0.7, -1.6, 7.0, 1e300, f64::NAN];
-            let (one, two, three) =
-                (self.input.pick(&numbers), self.input.pick(&numbers), self.input.pick(&numbers));
+            let any = [self.input.pick(&numbers), self.input.pick(&numbers), self.input.pick(&numbers)];
+            let is_true = self.input.byte() < 160;
+            let [one, two, three] = if is_true { place } else { any };
             match self.input.byte() % 14 {
-                0..3 => call!(sins_unit_select(unit, choice)),
-                3 => call!(sins_unit_set_power(unit, choice)),
-                4 => call!(sins_unit_set_alignment(unit, choice)),
-                5 => call!(sins_unit_press_test(unit)),
-                6 => call!(sins_unit_enter_heading(unit, one)),
-                7 => call!(sins_unit_set_stored(unit, one, two, three)),
+                0..3 => pair.call(|unit, _| call!(sins_unit_select(unit, choice))),
+                3 => pair.call(|unit, _| call!(sins_unit_set_power(unit, choice))),
+                4 => pair.call(|unit, _| call!(sins_unit_set_alignment(unit, choice))),
+                5 => pair.call(|unit, _| call!(sins_unit_press_test(unit))),
+                6 => pair.call(|unit, _| call!(sins_unit_enter_heading(unit, one))),
+                7 => pair.call(|unit, _| call!(sins_unit_set_stored(unit, one, two, three))),
                 8..12 => {
+                    let velocity_enu_m_s = if is_true { sample.velocity_enu_m_s } else { [two, three, one] };
                     let fix = sins_unit_fix {
                         latitude_rad: one,
                         longitude_rad: two,
                         height_m: three,
-                        velocity_enu_m_s: [two, three, one],
+                        velocity_enu_m_s,
                         ..init()
                     };
-                    call!(sins_unit_push_fix(unit, sim, &fix))
+                    pair.call(|unit, sim| call!(sins_unit_push_fix(unit, sim, &fix)))
                 }
-                _ => call!(sins_unit_enter_position(unit, one, two)),
+                _ => pair.call(|unit, _| call!(sins_unit_enter_position(unit, one, two))),
             };
-            motion = motion.next(&mut self.input);
-            call!(sins_push_sample(sim, &motion.sample()));
-            if call!(sins_step(sim)) == SINS_OK {
-                call!(sins_unit_update(unit, sim));
+            self.maybe_twin(&mut pair);
+            let next = motion.next(&mut self.input);
+            let mut sample = next.sample();
+            if rests {
+                sample = sins_flight_sample { time_s: next.time_s, ..motion.sample() };
+                sample.velocity_enu_m_s = [0.0; 3];
+                motion.time_s = next.time_s;
+            } else {
+                motion = next;
             }
+            match self.input.byte() {
+                0..4 => pair.call(|_, sim| call!(sins_reposition(sim, &sample))),
+                4..8 => pair.call(|_, sim| call!(sins_move_truth(sim, &sample))),
+                _ => pair.call(|_, sim| call!(sins_push_sample(sim, &sample))),
+            };
+            self.maybe_twin(&mut pair);
+            let stepped = pair.call(|_, sim| call!(sins_step(sim)));
+            self.maybe_twin(&mut pair);
+            if stepped == SINS_OK && !self.input.one_in(32) {
+                pair.call(|unit, sim| call!(sins_unit_update(unit, sim)));
+            }
+            pair.compare();
             let (mut status, mut shown) = (init::<sins_unit_status>(), init::<sins_unit_navigation>());
             assert_eq!(call!(sins_unit_get_status(unit, &mut status)), SINS_OK);
             assert!((0..=10).contains(&status.state) && status.to_go_s >= 0.0 && status.to_go_s <= 2e6);
@@ -115,6 +183,15 @@ impl Host {
                 angles.iter().chain(vectors.iter().flatten()).all(|number| number.is_finite()),
                 "not a number"
             );
+        }
+        pair.part();
+    }
+
+    /// Between any two calls the pair may be saved: the twin that is loaded goes on to the same bits.
+    fn maybe_twin(&mut self, pair: &mut Pair) {
+        if self.input.one_in(24) {
+            pair.part();
+            pair.twin = Some(pair.loaded());
         }
     }
 
@@ -146,9 +223,14 @@ impl Host {
                     SINS_OK
                 );
                 assert!(label.value.is_finite() && label.label == word.label);
+                assert_ne!(label.status, SINS_BUS_ILLEGAL_VALUE);
             }
         }
-        call!(sins_bus_decode(self.input.word() as u32, 0, &mut label));
+        if call!(sins_bus_decode(self.input.word() as u32, 0, &mut label)) == SINS_OK {
+            let is_legal = (label.minimum..=label.maximum).contains(&label.value);
+            assert!(if label.status == SINS_BUS_NORMAL { is_legal } else { is_legal || label.value.is_nan() });
+            assert!(label.status != SINS_BUS_ILLEGAL_VALUE || label.value.is_nan());
+        }
         call!(sins_bus_get_label(self.input.below(64), &mut label));
     }
 }
