@@ -30,6 +30,8 @@ mod fortran;
 mod header_units;
 #[path = "build/interface.rs"]
 mod interface;
+#[path = "build/javascript.rs"]
+mod javascript;
 #[path = "build/model.rs"]
 mod model;
 #[path = "build/own.rs"]
@@ -49,6 +51,8 @@ mod tables;
 mod template;
 #[path = "build/text.rs"]
 mod text;
+#[path = "build/typescript.rs"]
+mod typescript;
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};

@@ -8,7 +8,7 @@ use std::path::Path;
 use super::c_header;
 use super::model::Interface;
 use super::template::{Source, Template};
-use super::{ada, c_calls, c_functions, c_layout, fortran, own, python};
+use super::{ada, c_calls, c_functions, c_layout, fortran, javascript, own, python, typescript};
 
 /// The headers, each of which includes those above it.
 const HEADERS: [(&str, &str); 4] = [
@@ -58,6 +58,8 @@ pub fn generate(abi: &Path, generated: &[(String, String)], work: &Path) -> Outp
             ("sins.f90", fortran::write(&interface)),
             ("sins.ads", ada::write(&interface)),
             ("sins.py", python::write(&interface)),
+            ("sins.mjs", javascript::write(&interface)),
+            ("sins.d.ts", typescript::write(&interface)),
         ],
         size_checks: own::check(&interface),
         status_names: own::names(&interface),

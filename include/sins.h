@@ -2418,7 +2418,7 @@ typedef struct sins_cost {
     double instructions_per_step;
     /**
      * Time of push and step of one sample, measured in this call on this machine if time_steps is 1, else 0, with the
-     * recommended options, the mounting, and ideal sensors [ns].
+     * recommended options, the mounting, and ideal sensors; 0 in WebAssembly, which has no clock [ns].
      */
     double ns_per_step;
     /** Number of algorithms that were tried, including the recommended one. */

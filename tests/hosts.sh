@@ -11,8 +11,9 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . tests/support/built.sh
+. tests/support/node.sh
 
-hosts="fortran ada python octave fortran_windows"
+hosts="fortran ada python javascript octave fortran_windows"
 scenes="aerobatics commuter"
 out=$PWD/target/hosts
 bindings=$built/bindings
@@ -121,6 +122,33 @@ python() {
         /usr/bin/python3 tests/hosts/arinc429.py "$out"/bus/{words,flight,imu}.csv $(ls "$out"/bus/flight_unit.csv 2>/dev/null)
     done
     /usr/bin/python3 tests/hosts/arinc429.py
+}
+
+# The library as WebAssembly in Node. Its hosts use the package that npm installs from the file of `npm pack`.
+javascript() {
+    local package=$PWD/target/wasm installed=$out/javascript/installed program
+    release/wasm.sh "$package"
+    need npm npm
+    rm -rf "$out/javascript"
+    mkdir -p "$installed"
+    echo '{ "private": true }' >"$installed/package.json"
+    npm pack "$package" --silent --pack-destination "$installed" >/dev/null
+    npm install --prefix "$installed" --silent --offline --no-audit --no-fund "$installed"/sins-*.tgz
+    cp c_examples/web/fly.mjs "$installed"
+    (cd "$installed" && node fly.mjs commuter | grep -q "^position m") || { echo "javascript: the installed package does not fly"; return 1; }
+    export SINS_MODULE=$installed/node_modules/sins/sins.mjs
+    for program in fly:c_examples/web/fly.mjs layout:tests/hosts/layout_javascript.mjs calls:tests/hosts/calls.mjs; do
+        printf '#!/bin/sh\nexec node "%s" "$@"\n' "$PWD/${program#*:}" >"$out/javascript/${program%:*}"
+        chmod +x "$out/javascript/${program%:*}"
+    done
+    same_as_c javascript
+    node --expose-gc --test tests/hosts/test_sins.mjs >"$out/test_javascript" || { cat "$out/test_javascript"; return 1; }
+    echo "javascript: $(sed -n 's/^# pass /tests passed: /p' "$out/test_javascript")"
+    node_packages $typescript
+    cp tests/hosts/types.mts "$installed"
+    target/node/node_modules/.bin/tsc --noEmit --strict --target esnext --module nodenext --types node \
+        --typeRoots target/node/node_modules/@types "$installed/types.mts"
+    echo "javascript: the types are those that TypeScript expects"
 }
 
 # The MEX file flies a log: a matrix of samples.

@@ -4,14 +4,17 @@
 # if its kernel allows it, because the emulator raises no floating-point exceptions. This machine runs the library as released, also
 # on an emulated processor without AVX, and without optimisation. Tests that could not run are reported at the end.
 #
-#     tests/platforms.sh          all: i686, aarch64, and this machine
-#     tests/platforms.sh i686     some of: i686 aarch64 here
+# WebAssembly runs in Node and in Chromium: the digests, by the interface for JavaScript.
+#
+#     tests/platforms.sh          all: i686, aarch64, wasm32, and this machine
+#     tests/platforms.sh i686     some of: i686 aarch64 wasm32 here
 #
 # SINS_LIB_DIR: a folder with a libsins.so to use for this machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . tests/support/built.sh
+. tests/support/node.sh
 
 programs="digests float_environment misuse run ensemble threads"
 folder=$PWD/target/platforms
@@ -60,6 +63,15 @@ aarch64() {
     other aarch64 arm64 qemu-aarch64 -L /usr/aarch64-linux-gnu
 }
 
+wasm32() {
+    echo "== wasm32, in Node and in Chromium"
+    release/wasm.sh target/wasm
+    need chromium chromium
+    node_packages "$playwright"
+    node tests/web/digests.mjs target/wasm
+    node tests/web/digests_in_chromium.mjs target/wasm
+}
+
 here() {
     echo "== here, as released, without AVX, and without optimisation"
     programs=digests
@@ -72,7 +84,7 @@ here() {
 
 need g++ c++
 need qemu-user qemu-aarch64
-[ $# -gt 0 ] || set -- i686 aarch64 here
+[ $# -gt 0 ] || set -- i686 aarch64 wasm32 here
 for platform in "$@"; do
     $platform
 done

@@ -68,7 +68,7 @@ pub struct sins_cost {
     /// machine. The algorithms are ordered by this figure.
     pub instructions_per_step: f64,
     /// Time of push and step of one sample, measured in this call on this machine if time_steps is 1, else 0, with the
-    /// recommended options, the mounting, and ideal sensors [ns].
+    /// recommended options, the mounting, and ideal sensors; 0 in WebAssembly, which has no clock [ns].
     pub ns_per_step: f64,
     /// Number of algorithms that were tried, including the recommended one.
     pub tried: u64,

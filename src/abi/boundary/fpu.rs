@@ -2,11 +2,16 @@
 //! exit. Hosts unmask exceptions (Delphi before 12), set x87 to 24 bits (Direct3D 9), flush denormals (-ffast-math), leave x87
 //! registers in use (MMX without EMMS). On x86-64 no code of the library uses x87.
 
+#[cfg(not(target_family = "wasm"))]
 use core::arch::asm;
 #[cfg(target_arch = "x86")]
 use core::mem::MaybeUninit;
 
+#[cfg(target_family = "wasm")]
+pub(in crate::abi) use super::wasm::FloatState;
+
 /// The host's state. It is filled in place: on i686 it is too large to be moved in every call.
+#[cfg(not(target_family = "wasm"))]
 pub(in crate::abi) struct FloatState {
     #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
     mxcsr: u32,
@@ -152,5 +157,10 @@ impl FloatState {
     }
 }
 
-#[cfg(not(any(target_arch = "x86_64", target_arch = "x86", target_arch = "aarch64")))]
+#[cfg(not(any(
+    target_arch = "x86_64",
+    target_arch = "x86",
+    target_arch = "aarch64",
+    target_family = "wasm"
+)))]
 compile_error!("how this processor keeps its floating-point control state is not known here");

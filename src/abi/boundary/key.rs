@@ -1,8 +1,11 @@
 //! Keys of handles. A key is a number made of kind, slot and generation; no key is ever used again.
 
 use core::sync::atomic::{AtomicUsize, Ordering};
+#[cfg(not(target_family = "wasm"))]
 use std::time::{SystemTime, UNIX_EPOCH};
 
+#[cfg(target_family = "wasm")]
+use super::wasm::time_mark;
 use crate::base::math::SPLIT_MIX_STEP;
 
 /// Largest number of handles of a kind that exist at the same time.
@@ -54,10 +57,14 @@ impl FirstGeneration {
     #[cold]
     fn draw(&self) -> usize {
         const BITS: u32 = LAST_GENERATION.count_ones() - 1;
-        let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-        let mark = (since.as_nanos() as u64) ^ (core::ptr::from_ref(self).addr() as u64).rotate_left(32);
+        let mark = time_mark() ^ (core::ptr::from_ref(self).addr() as u64).rotate_left(32);
         // Multiplicative hashing: the golden ratio of 2^64, the highest bits.
         let mixed = mark.wrapping_mul(SPLIT_MIX_STEP) >> (u64::BITS - BITS);
         LOWEST_GENERATION + mixed as usize
     }
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn time_mark() -> u64 {
+    SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default().as_nanos() as u64
 }

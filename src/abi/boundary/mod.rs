@@ -10,6 +10,8 @@ mod registry;
 pub(in crate::abi) mod tables;
 mod thread;
 mod thread_locals;
+#[cfg(target_family = "wasm")]
+mod wasm;
 
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::sync::OnceLock;

@@ -3,6 +3,9 @@
 
 use core::sync::atomic::{AtomicBool, Ordering};
 
+#[cfg(target_family = "wasm")]
+use super::wasm as system;
+
 /// Whether the process is prepared. If it is not, it is prepared now; if that fails, the next call tries again.
 #[inline]
 pub(in crate::abi) fn prepare_process() -> bool {

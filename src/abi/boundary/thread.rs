@@ -6,7 +6,10 @@ use core::sync::atomic::AtomicUsize;
 /// The bit that is 0 in the name of every thread.
 pub(in crate::abi) const WAITED_FOR: usize = 1;
 
+#[cfg(target_family = "wasm")]
+pub(in crate::abi) use super::wasm::{has_ended, this_thread};
 pub(in crate::abi) use cancellation::Cancellation;
+#[cfg(not(target_family = "wasm"))]
 pub(in crate::abi) use system::{has_ended, this_thread};
 pub(in crate::abi) use waiting::Waiters;
 

@@ -1,0 +1,234 @@
+// The display: controls of the flight, curves, map, instruments and the table of values, all of the flight in the worker.
+
+import { Curves, QUANTITIES, unit_of } from "./curves.mjs";
+import { save } from "./files.mjs";
+import { FAILED, FINISHED, FLYING, PAUSED } from "./flight.mjs";
+import { DEGREE, Indicator, Panel } from "./instruments.mjs";
+import { Track } from "./map.mjs";
+import { element, options, parts, shown, text } from "./texts.mjs";
+
+const PACES = [1, 10, 100, 1000, 0]; // in the order of the text "paces"
+const NMI_H = 1852 / 3600;
+
+export class Display {
+    /** pilot: the colleague that flies. */
+    constructor(scene, pilot) {
+        [this.scene, this.pilot, this.now, this.points, this.path, this.quantity] = [scene, pilot, null, null, null, QUANTITIES[0]];
+        const button = (name, act, what) => element("button", { onclick: act, "data-do": what }, text(name));
+        this.start = button("Start", () => this.fly(), "start");
+        this.pause = button("Pause", () => pilot.ask("pause", { is_paused: this.now?.state === FLYING }), "pause");
+        this.stop = button("Stop", () => pilot.ask("stop"), "stop");
+        this.start.classList.add("first");
+        this.pace = element("select", { id: "pace" }, ...options(parts("paces").map((name, k) => [String(PACES[k]), name]), "0"));
+        this.pace.onchange = () => pilot.ask("pace", { pace: Number(this.pace.value) });
+        this.progress = element("progress", { max: 1, value: 0, "aria-label": text("Flight") });
+        this.state = element("output", { class: "state", id: "state" });
+        const quantity = element("select", { id: "quantity" }, ...options(QUANTITIES.map((own, k) => [String(k), own.name()])));
+        quantity.onchange = () => {
+            this.quantity = QUANTITIES[quantity.selectedIndex];
+            this.draw();
+        };
+        const [curves, map] = [element("div", { class: "plots" }), element("div", { class: "plot" })];
+        [this.curves, this.track] = [new Curves(curves), new Track(map)];
+        this.indicators = parts("indicators").map((title) => new Indicator(title));
+        this.panel = new Panel(scene.sins, (kind, values) => this.act(kind, values));
+        this.values = element("tbody");
+        const [of_navigation, of_truth] = parts("values");
+        this.made = element(
+            "div",
+            { class: "display" },
+            element("div", { class: "bar controls" }, this.start, this.pause, this.stop, element("label", { for: "pace" }, text("Pace")), this.pace),
+            this.progress,
+            this.state,
+            element(
+                "div",
+                { class: "views" },
+                element("section", { class: "curves" }, element("div", { class: "bar" }, element("label", { for: "quantity" }, text("Quantity")), quantity), curves),
+                element(
+                    "section",
+                    { class: "beside" },
+                    element("div", { class: "indicators" }, ...this.indicators.map(({ made }) => made)),
+                    this.panel.made,
+                    element("h3", {}, text("Map")),
+                    map,
+                    element("table", {}, element("thead", {}, element("tr", {}, element("th", {}), ...[of_navigation, of_truth].map((name) => element("th", { scope: "col" }, name)))), this.values),
+                ),
+            ),
+        );
+        pilot.on_flight = (now, points) => this.take(now, points);
+        this.refresh();
+    }
+
+    /** Shows another flight after a change of the language. */
+    follow(other) {
+        if (!other) return;
+        for (const name of ["now", "points", "path", "flown_text", "has_model", "log_name", "planned"]) this[name] = other[name];
+        this.pace.value = other.pace.value;
+        this.refresh();
+    }
+
+    /** What keeps the flight from its start, or "". */
+    obstacle() {
+        const { scene } = this, file = scene.is_log ? scene.get("flight.file") : null;
+        if (scene.faults.length) return text("not_in_flight");
+        return file === null || file.split(/[\\/]/).at(-1) === this.log_name ? "" : text("log_missing", file);
+    }
+
+    async fly() {
+        const obstacle = this.obstacle();
+        if (obstacle) return this.say(obstacle, true);
+        if (this.now?.state === PAUSED) return this.pilot.ask("pause", { is_paused: false });
+        [this.flown_text, this.points, this.now, this.has_model] = [this.scene.text, null, null, this.scene.get("options.error_model") === "rk4"];
+        this.say("");
+        try {
+            await this.pilot.ask("start", { text: this.flown_text, pace: Number(this.pace.value) });
+        } catch (fault) {
+            this.say(this.scene.told(fault), true);
+        }
+    }
+
+    /** An action at the panel now, which becomes part of the scene. */
+    async act(kind, values) {
+        try {
+            if (!this.now || this.now.state > PAUSED) throw new Error(text("nothing_flown"));
+            const lines = Object.entries({ kind: `"${kind}"`, ...values }).map(([name, value]) => `${name} = ${value}\n`);
+            const items = this.scene.items("panel"), item = await this.pilot.ask("act", { lines: lines.join(""), items: items.join("\n") });
+            this.keep_plan("panel", [...items, item]);
+        } catch (error) {
+            this.say(this.scene.told({ ...error, sentence: error.sentence ?? error.message }), true);
+        }
+    }
+
+    /** Plans in flight are also those of the flown scene. */
+    keep_plan(list, items) {
+        const was_same = this.flown_text === this.scene.text;
+        this.scene.set_items(list, items);
+        if (was_same) this.flown_text = this.scene.text;
+        this.refresh();
+    }
+
+    /** Failures that were planned or ended in the form act in the flight too. */
+    async follow_plans() {
+        const failures = this.scene.items("failure").join("\n");
+        if (this.planned === failures) return;
+        this.planned = failures;
+        if (!this.now || this.now.state > PAUSED || this.scene.faults.length) return;
+        await this.pilot.ask("plan", { list: "failure", items: failures });
+        this.flown_text = this.scene.text;
+        this.refresh();
+    }
+
+    /** The state of the flight, and sometimes its curves. */
+    take(now, points) {
+        this.now = now;
+        if (points) this.points = points;
+        cancelAnimationFrame(this.frame);
+        this.frame = requestAnimationFrame(() => {
+            this.refresh(points !== null);
+        });
+    }
+
+    say(sentence, is_fault = false) {
+        this.said = sentence ? { sentence, is_fault } : null;
+        this.show_state();
+    }
+
+    show_state() {
+        const { now, scene, said } = this, is_old = now && this.flown_text !== scene.text;
+        const place = now?.fault && (now.fault.line ? `${scene.get("flight.file")}:${now.fault.line}: ` : `${shown(now.fault.time_s, 10)} s: `);
+        const sentence = now?.fault ? place + scene.told(now.fault) : "";
+        const state = now ? `${parts("states")[now.state]}${is_old ? text("old") : ""}: ${duration(now.time_s)} / ${duration(now.duration_s)}. ${sentence}` : text("ready");
+        const told = said ? said.sentence : state;
+        if (this.state.value !== told) this.state.value = told;
+        this.state.classList.toggle("fault", Boolean(said?.is_fault || now?.fault));
+        if (now) this.progress.value = now.duration_s ? now.time_s / now.duration_s : 0;
+    }
+
+    refresh(with_curves = true) {
+        const { now } = this, is_flying = now?.state === FLYING, is_paused = now?.state === PAUSED;
+        if (is_flying) this.said = null;
+        [this.start.disabled, this.pause.disabled, this.stop.disabled] = [is_flying, !is_flying && !is_paused, !is_flying && !is_paused];
+        this.pause.setAttribute("aria-pressed", String(is_paused));
+        this.show_state();
+        this.panel.made.hidden = now ? !now.has_unit : this.scene.get("unit.start") === "none";
+        this.panel.show(now?.unit ?? null);
+        const { record, unit } = now ?? {}, attitude = (own) => own && [own.roll_rad, own.pitch_rad, own.heading_rad];
+        this.indicators[0].show(attitude(record?.truth) ?? null);
+        this.indicators[1].show(unit ? this.panel.attitude(unit) : now?.has_unit ? null : (attitude(record?.navigation) ?? null));
+        this.values.replaceChildren(...rows(now).map(([name, ...cells]) => element("tr", {}, element("th", { scope: "row" }, name), ...cells.map((cell) => element("td", cells.length === 1 ? { colspan: 2 } : {}, cell)))));
+        if (with_curves) this.draw();
+    }
+
+    draw() {
+        const { points } = this;
+        this.curves.show(this.quantity, points, this.has_model);
+        if (points) this.track.show([points.true_place, points.place]);
+        else this.track.show([this.path?.place]);
+        this.made.classList.toggle("old", Boolean(this.now && this.flown_text !== this.scene.text));
+    }
+
+    /** The path of the flight before it is flown. */
+    async preview() {
+        const obstacle = this.obstacle();
+        if (this.scene.faults.length || this.previewed === this.scene.text) return;
+        if (obstacle) return this.say(obstacle, true);
+        const written = (this.previewed = this.scene.text);
+        try {
+            const path = await this.pilot.ask("path", { text: written });
+            if (written !== this.previewed) return;
+            this.path = path;
+            this.said = null;
+        } catch (fault) {
+            this.path = null;
+            if (!this.now || this.now.state > PAUSED) this.say(this.scene.told(fault), true);
+        }
+        if (!this.points) this.draw();
+        this.show_state();
+    }
+
+    async save_records() {
+        const file = await this.pilot.ask("records");
+        if (file === null) return this.say(text("nothing_flown"), true);
+        save(file, `${this.name()}.csv`);
+    }
+
+    async save_picture() {
+        save(await this.curves.picture(`${this.quantity.name()}: ${this.scene.get("flight.title") || this.name()}`), `${this.name()}.png`);
+    }
+
+    /** The base name of files. */
+    name() {
+        return this.scene.get("output.name") || "sins";
+    }
+}
+
+/** A time in the largest unit that fits. */
+function duration(time_s) {
+    const [unit, size] = unit_of("time", time_s);
+    return `${shown(time_s / size, 4)} ${unit}`;
+}
+
+/** The table of values: the name, then the solution and the truth; or one value. */
+function rows(now) {
+    const names = parts("progress"), { record, accuracy } = now ?? {};
+    if (!record) return [];
+    const { truth, navigation, navigation_errors: errors, model_errors: model } = record;
+    const several = (values, size, digits) => Array.from(values, (value) => (value / size).toFixed(digits).replace(/^-(0\.0*)$/, "$1")).join(" ");
+    const both = (show) => [show(navigation), show(truth)], attitude = (own) => [own.roll_rad, own.pitch_rad, own.heading_rad];
+    const is_known = (own) => (own.flags & 4) === 0; // SINS_ERRORS_NOT_COMPUTED
+    const all = [
+        [names[0], ...both((own) => (own.latitude_rad / DEGREE).toFixed(6))],
+        [names[1], ...both((own) => (own.longitude_rad / DEGREE).toFixed(6))],
+        [names[2], ...both((own) => own.height_m.toFixed(1))],
+        [names[3], ...both((own) => several(own.velocity_enu_m_s, 1, 2))],
+        [names[4], ...both((own) => several(attitude(own), DEGREE, 2))],
+        [names[6], several(errors.position_enu_m, 1, 2)],
+        is_known(model) && [names[7], several(model.position_enu_m, 1, 2)],
+        [names[8], several(errors.velocity_enu_m_s, 1, 4)],
+        [names[9], several(errors.misalignment_enu_rad, DEGREE / 60, 3)],
+        accuracy && [names[10], several(accuracy.closure_position_enu_m, 1, 2)],
+        accuracy && [names[11], shown(accuracy.cep_rate_m_s / NMI_H, 4)],
+        accuracy && [names[12], shown(accuracy.radial_95_rate_m_s / NMI_H, 4)],
+    ];
+    return all.filter(Boolean);
+}

@@ -1,0 +1,209 @@
+// A flight in a worker: sample by sample through the simulator, with the records of `sins fly`, and points for the curves.
+
+import { Points } from "./points.mjs";
+
+/** Samples between two looks at the clock. */
+const STEPS = 64;
+/** Length of a piece of the records in memory [letters]. */
+const PIECE = 1 << 20;
+
+export const FLYING = 0, PAUSED = 1, FINISHED = 2, STOPPED = 3, FAILED = 4; // in the order of the text "states"
+
+/** The samples of a scene: computed by the library, or those of a log. */
+export class Samples {
+    constructor(sins, scene, log) {
+        this.sins = sins;
+        const { flight, rate_hz } = sins.scene_get_setup(scene);
+        this.rate_hz = rate_hz;
+        this.log = flight === sins.SCENE_FLIGHT_LOG ? log : null;
+        const all = sins.scene_get_samples(scene, this.log);
+        this.flight = this.log ? null : sins.scene_create_flight(scene);
+        [this.count, this.record_every] = [Number(all.count), Number(all.record_every)];
+        [this.start_s, this.period_s, this.duration_s] = [all.start_s, all.period_s, all.duration_s];
+    }
+    read(index, sample) {
+        if (this.log) this.sins.log_get_sample(this.log, index, sample);
+        else this.sins.flight_sample_at(this.flight, index / this.rate_hz, sample);
+    }
+    /** Where a sample is: its line in the log, or its time. */
+    place(index) {
+        return this.log ? { line: Number(this.sins.log_get_sample(this.log, index, new this.sins.flight_sample())) } : { time_s: index * this.period_s };
+    }
+    close() {
+        this.flight?.close();
+    }
+}
+
+/** Records at the first sample from each multiple of a time on, as in `sins fly`. */
+class Spacing {
+    constructor(every_s) {
+        [this.every_s, this.next_s] = [every_s, every_s];
+    }
+    take(time_s, interval_s) {
+        const latest_s = time_s + 0.1 * interval_s; // stamps of a log are rounded
+        if (latest_s < this.next_s) return false;
+        this.next_s = this.every_s * (Math.floor(latest_s / this.every_s) + 1);
+        return true;
+    }
+}
+
+export class Flight {
+    /** log: the log of the scene, or null. pace: speed as a multiple of real time; 0: as fast as possible. */
+    constructor(sins, text, log, pace) {
+        this.sins = sins;
+        this.scene = sins.scene_parse(text);
+        const samples = (this.samples = new Samples(sins, this.scene, log));
+        this.sim = sins.scene_create_simulator(this.scene);
+        this.unit = is_with_unit(sins, this.scene) ? sins.scene_create_unit(this.scene) : null;
+        [this.records, this.imu, this.sample] = [sins.array(sins.record, 1), sins.array(sins.imu, 1), new sins.flight_sample()];
+        this.covariance = sins.scene_get_options(this.scene).covariance ? new sins.covariance() : null;
+        const { every_s } = sins.scene_get_setup(this.scene);
+        this.spacing = new Spacing(every_s > 0 ? every_s : samples.record_every * samples.period_s);
+        [this.angles, this.velocities, this.ends] = ["angle_rad", "velocity_m_s"]
+            .map((name) => ["measured", "ideal"].map((kind) => this.imu.offset(`${kind}_${name}`)))
+            .concat([[this.imu.offset("time_s"), this.imu.offset("interval_s")]]);
+        [this.sums, this.summed_s] = [new Float64Array(6), 0];
+        this.points = new Points(this.records, this.imu, samples.count);
+        [this.pieces, this.piece, this.next, this.state, this.fault, this.is_new] = [[], "", 0, FLYING, null, true];
+        this.add_line(sins.record_line(null, null, this.covariance));
+        this.set_pace(pace);
+    }
+
+    /** The time of the last sample since the start of the flight. */
+    get time_s() {
+        return this.next > 1 ? this.records_time() - this.samples.start_s : 0;
+    }
+    records_time() {
+        return this.imu.numbers[this.ends[0]];
+    }
+
+    set_pace(pace) {
+        [this.pace, this.paced_from_s, this.paced_at_ms] = [pace, this.next * this.samples.period_s, performance.now()];
+    }
+    pause(is_paused) {
+        if (this.state === (is_paused ? FLYING : PAUSED)) this.state = is_paused ? PAUSED : FLYING;
+        this.set_pace(this.pace);
+    }
+    stop() {
+        if (this.state === FLYING || this.state === PAUSED) this.state = STOPPED;
+    }
+
+    /** Flies until a time of the clock. Returns in how many milliseconds the next sample is due. */
+    advance(until_ms) {
+        while (this.state === FLYING) {
+            const now_ms = performance.now(), flown_ms = this.pace > 0 ? this.pace * (now_ms - this.paced_at_ms) : Infinity;
+            const due = Math.min((this.paced_from_s + flown_ms / 1000) / this.samples.period_s, this.samples.count - 1);
+            if (now_ms > until_ms) return 0;
+            for (let k = 0; k < STEPS && this.state === FLYING; k++) {
+                if (this.next > due) return Math.max(1, ((this.next - due) * this.samples.period_s * 1000) / this.pace);
+                this.step();
+            }
+        }
+        return Infinity;
+    }
+
+    /** Flies to the next sample. */
+    step() {
+        const { sins, scene, sim, samples, sample } = this, index = this.next;
+        const is_last = index + 1 === samples.count;
+        try {
+            samples.read(index, sample);
+            sins.scene_prepare(scene, sim, samples.start_s, sample);
+            sins.push_sample(sim, sample);
+            let is_due = index === 0;
+            if (index > 0) {
+                sins.step(sim);
+                is_due = this.add_interval();
+                if (this.unit) sins.scene_update_unit(scene, this.unit, sim, samples.start_s);
+            }
+            this.next++;
+            if (is_due || is_last) this.keep_record();
+            if (index > 0 && this.points.is_due(index, is_last)) {
+                sins.get_record(sim, this.records.at(0));
+                this.points.add(samples.start_s, is_last);
+            }
+            if (is_last) this.state = FINISHED;
+        } catch (error) {
+            [this.state, this.fault] = [FAILED, fault_of(error, this.samples.place(index))];
+        }
+    }
+
+    /** Adds the sensor errors of the last interval to their sums. Whether it has a record. */
+    add_interval() {
+        this.sins.get_imu(this.sim, this.imu.at(0));
+        const { numbers } = this.imu, [angle, ideal_angle] = this.angles, [velocity, ideal_velocity] = this.velocities;
+        for (let k = 0; k < 3; k++) {
+            this.sums[k] += numbers[angle + k] - numbers[ideal_angle + k];
+            this.sums[3 + k] += numbers[velocity + k] - numbers[ideal_velocity + k];
+        }
+        const interval_s = numbers[this.ends[1]];
+        this.summed_s += interval_s;
+        return this.spacing.take(numbers[this.ends[0]] - this.samples.start_s, interval_s);
+    }
+
+    keep_record() {
+        const { sins, sim, summed_s } = this, record = this.records.at(0);
+        sins.get_record(sim, record);
+        const covariance = this.covariance && sins.get_covariance(sim, this.covariance) === sins.OK ? this.covariance : null;
+        this.add_line(sins.record_line(record, summed_s > 0 ? this.sums.map((sum) => sum / summed_s) : null, covariance));
+        this.sums.fill(0);
+        this.summed_s = 0;
+    }
+
+    add_line(line) {
+        this.piece += `${line}\n`;
+        if (this.piece.length > PIECE) {
+            this.pieces.push(new Blob([this.piece])); // the browser may keep it on its disk
+            this.piece = "";
+        }
+    }
+
+    /** The file of records so far. */
+    file() {
+        return new Blob([...this.pieces, this.piece], { type: "text/csv" });
+    }
+
+    /** Takes over the planned failures, updates or actions at the panel, which act from the next interval on. */
+    plan(list, items) {
+        const { sins } = this, before = failures(sins, this.scene);
+        sins.scene_set_items(this.scene, list, items);
+        const outputs = failures(sins, this.scene);
+        for (const [output, [sensor, axis]] of before) { // prepare() does not clear an output without planned failures
+            if (!outputs.has(output)) sins.set_failure(this.sim, sensor, axis, new sins.failure());
+        }
+    }
+
+    /** The instant now: for the instruments and the table of values. */
+    status() {
+        const { sins, sim, samples, state, fault, next, unit } = this;
+        const now = { state, fault, time_s: this.time_s, duration_s: samples.duration_s, has_unit: unit !== null };
+        if (next === 0 || state === FAILED) return now;
+        const record = sins.get_record(sim);
+        const accuracy = next > 1 ? sins.get_accuracy(sim)?.copy() : null;
+        const of_unit = unit && next > 1 ? { status: sins.unit_get_status(unit).copy(), shown: sins.unit_get_navigation(unit, sim).copy() } : null;
+        return { ...now, record: record.copy(), accuracy, unit: of_unit };
+    }
+
+    close() {
+        this.samples.close();
+        for (const handle of [this.sim, this.scene, this.unit]) handle?.close();
+    }
+}
+
+const is_with_unit = (sins, scene) => sins.scene_get_value(scene, "unit.start") !== '"none"';
+
+/** The outputs with planned failures. */
+function failures(sins, scene) {
+    const outputs = new Map(), count = sins.scene_get_failure_count(scene);
+    for (let k = 0; k < count; k++) {
+        const { sensor, axis } = sins.scene_get_failure(scene, k);
+        outputs.set(`${sensor} ${axis}`, [sensor, axis]);
+    }
+    return outputs;
+}
+
+/** An error in parts that another thread can tell in any language. */
+export function fault_of(error, place = {}) {
+    const info = error.info?.copy?.() ?? {};
+    return { ...place, sentence: error.message, path: info.field, flags: info.flags, value: info.value, minimum: info.minimum, maximum: info.maximum };
+}

@@ -1,0 +1,56 @@
+// What accuracy costs: the scene's flight with ideal sensors and other options, its error and its time on this machine.
+
+/** Longest piece of the flight [s]; most samples in memory. */
+const LONGEST_S = 600, BATCH = 4096;
+/** The flight is repeated until the steps took this time, and the least time counts [ms]. */
+const LEAST_MS = 20;
+/** Records in the piece, among which the largest error is looked for. */
+const RECORDS = 200;
+
+/**
+ * options: {scheme, subsamples, rate_hz}, or null for the sensors of the scene with its own options. Returns the largest distance from the
+ * true flight [m], the time that a simulated second takes [us], and for how long was flown [s].
+ */
+export function measure(sins, scene, options) {
+    const rate_hz = options?.rate_hz ?? sins.scene_get_setup(scene).rate_hz, flight = sins.scene_create_flight(scene);
+    const flown_s = Math.min(sins.scene_get_setup(scene).flown_s, LONGEST_S), count = Math.floor(flown_s * rate_hz + 1e-6) + 1;
+    const simulator = () => (options === null ? sins.scene_create_simulator(scene) : sins.create(options_of(sins, scene, options)));
+    const every = Math.max(1, Math.floor((count - 1) / RECORDS)), records = sins.array(sins.record, Math.ceil(BATCH / every) + 1);
+    let [error_m, least_ms, sum_ms] = [0, Infinity, 0];
+    do {
+        const sim = simulator(), round = fly(sins, sim, flight, { rate_hz, count, every, records });
+        sim.close();
+        error_m = round.error_m;
+        least_ms = Math.min(least_ms, round.spent_ms);
+        sum_ms += round.spent_ms;
+    } while (options !== null && sum_ms < LEAST_MS);
+    flight.close();
+    return { error_m, us_per_s: (1000 * least_ms) / ((count - 1) / rate_hz), flown_s: (count - 1) / rate_hz };
+}
+
+/** The options of a scene with another algorithm. Without the sensors, an error of the start and the error equations. */
+function options_of(sins, scene, { scheme, subsamples, rate_hz }) {
+    const own = sins.scene_get_options(scene);
+    own.scheme = sins[`SCHEME_${scheme.toUpperCase()}`];
+    own.subsamples = subsamples;
+    own.sample_period_s = 1 / rate_hz;
+    own.error_model = sins.ERROR_MODEL_OFF;
+    own.covariance = sins.COVARIANCE_OFF;
+    own.truth_summary = sins.SUMMARY_OFF;
+    return own;
+}
+
+/** Flies once: samples are computed outside of the measured time, because a host has its own flight. */
+function fly(sins, sim, flight, { rate_hz, count, every, records }) {
+    const samples = sins.array(sins.flight_sample, Math.min(BATCH, count)), position = records.offset("navigation_errors.position_enu_m");
+    let [error_m, spent_ms] = [0, 0];
+    for (let first = 0; first < count; first += samples.length) {
+        const some = Math.min(samples.length, count - first), part = some === samples.length ? samples : sins.array(sins.flight_sample, some);
+        for (let k = 0; k < some; k++) sins.flight_sample_at(flight, (first + k) / rate_hz, part.at(k));
+        const began_ms = performance.now(), written = sins.run(sim, part, every, records);
+        spent_ms += performance.now() - began_ms;
+        const { numbers, stride } = records;
+        for (let k = 0; k < written; k++) error_m = Math.max(error_m, Math.hypot(...numbers.subarray(k * stride + position, k * stride + position + 3)));
+    }
+    return { error_m, spent_ms };
+}

@@ -1,0 +1,240 @@
+// SINS in a page: the form and the text of the scene, the display of the flight, and what accuracy costs.
+
+import { load } from "sins";
+import { Cost } from "./cost.mjs";
+import { Display } from "./display.mjs";
+import { of_link, on_drop, choose, save, to_link, unpacked } from "./files.mjs";
+import { fields, group, items, presets, section_name } from "./form.mjs";
+import { Scene } from "./scene.mjs";
+import { element, language, options, parts, read_texts, speak, text } from "./texts.mjs";
+import { fly_log, refresh_within, trajectory } from "./trajectory.mjs";
+import { Colleague, serve } from "./worker.mjs";
+
+/** Time after the last letter in the text, or the last change of the scene, after which others follow [ms]. */
+const PAUSE_MS = 300;
+
+class Page {
+    constructor(sins, module) {
+        const program = new Blob([document.getElementById("program").textContent], { type: "text/javascript" });
+        [this.address, this.module, this.tab] = [URL.createObjectURL(program), module, 0];
+        this.scene = new Scene(sins);
+        this.pilot = new Colleague(this.address, module);
+        this.scene.addEventListener("change", ({ source }) => this.on_change(source));
+        on_drop((file) => this.take_file(file));
+        addEventListener("hashchange", () => this.open_link());
+        matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.display.draw() ?? this.cost.draw());
+    }
+
+    /** The worker that measures, which begins with its first question. */
+    study() {
+        return (this.measuring ??= new Colleague(this.address, this.module));
+    }
+
+    /** Builds the page in the language of the user. */
+    build() {
+        const { scene } = this, before = this.display;
+        document.documentElement.lang = language === "zh" ? "zh-Hans" : "en";
+        document.title = text("page_title");
+        this.display = new Display(scene, this.pilot);
+        this.display.follow(before);
+        this.cost = new Cost(scene, () => this.study());
+        const languages = element("select", { id: "language", "aria-label": "Language 语言" }, ...options([["en", "English"], ["zh", "中文"]], language));
+        languages.onchange = () => this.set_language(languages.value);
+        const button = (name, act, what) => element("button", { onclick: act, "data-do": what }, text(name));
+        const header = element(
+            "header",
+            {},
+            element("h1", {}, text("page_title")),
+            element(
+                "div",
+                { class: "bar" },
+                button("Open", () => choose(".toml,.csv", (file) => this.take_file(file)), "open"),
+                button("Save the scene", () => save(new Blob([this.text.value], { type: "application/toml" }), `${this.display.name()}.toml`), "save"),
+                button("Save the records", () => this.display.save_records(), "records"),
+                button("Picture", () => this.display.save_picture(), "picture"),
+                button("Copy the link", () => this.copy_link(), "link"),
+                languages,
+            ),
+        );
+        const aside = element("aside", { "aria-label": text("Settings") }, ...this.tabs());
+        const main = element("main", {}, this.display.made, this.cost.made);
+        document.getElementById("page").replaceChildren(header, aside, main, this.footer());
+        this.refresh();
+    }
+
+    footer() {
+        const about = parts("about").map((line) => line.replace("%1", this.scene.sins.version_string()).replace("%2", this.scene.sins.version_string()));
+        const licences = element("details", {}, element("summary", {}, text("Licences")), element("pre", {}));
+        licences.ontoggle = async () => {
+            licences.lastChild.textContent ||= new TextDecoder().decode(await unpacked("licences"));
+        };
+        return element("footer", {}, element("p", {}, [text("page_title"), ...about.slice(1)].join(". ")), licences);
+    }
+
+    /** The tabs of the settings, each with its panel. */
+    tabs() {
+        const { scene } = this, names = parts("tabs");
+        const section = (own) => fields(scene, scene.keys.filter((key) => key.section === own && key.name !== "preset"));
+        const folded = (title, ...content) => element("details", {}, element("summary", {}, title), ...content);
+        const failure = () => `[[failure]]\nsensor = "gyro"\naxis = "x"\nkind = "dead"\nfrom_s = ${this.display.now?.time_s ?? 0}\n`;
+        this.text = element("textarea", { id: "text", spellcheck: "false", wrap: "off", "aria-label": text("Text of the scene"), "aria-describedby": "text_faults" });
+        this.text.oninput = () => this.later("typed", () => scene.parse(this.text.value));
+        this.faults = element("ul", { id: "text_faults", class: "faults", role: "status" });
+        const settings = {
+            [names[0]]: () => [trajectory(scene, (file) => this.take_file(file))],
+            [names[1]]: () => [
+                group(section_name("options"), section("options")),
+                ...["gyro", "accelerometer"].map((own) => folded(section_name(own), presets(scene, own), section(own))),
+                ...["altimeter", "gravity"].map((own) => folded(section_name(own), section(own))),
+                folded(text("Failures of sensors"), items(scene, "failure", failure)),
+            ],
+            [names[2]]: () => [presets(scene, "start"), section("start"), group(section_name("mounting"), section("mounting"))],
+            [text("Unit")]: () => [group(text("Panel of the INS"), items(scene, "panel", () => '[[panel]]\nkind = "align"\nat_s = 0\n')), section("unit")],
+            [text("Text")]: () => [this.text, this.faults, group(section_name("output"), section("output")), group(text("Updates"), items(scene, "update", () => '[[update]]\nkind = "position"\nat_s = 60\nsigma_m = 10\n'))],
+        };
+        const list = element("div", { role: "tablist" });
+        this.panels = Object.entries(settings).map(([name, make], k) => {
+            const tab = element("button", { role: "tab", id: `tab${k}`, "aria-controls": `panel${k}`, onclick: () => this.choose_tab(k) }, name);
+            tab.onkeydown = ({ key }) => {
+                const step = { ArrowRight: 1, ArrowLeft: -1 }[key];
+                if (step) this.choose_tab((k + step + this.panels.length) % this.panels.length).focus();
+            };
+            list.append(tab);
+            return { tab, make, panel: element("div", { role: "tabpanel", id: `panel${k}`, "aria-labelledby": `tab${k}` }) };
+        });
+        this.choose_tab(this.tab);
+        return [list, ...this.panels.map(({ panel }) => panel)];
+    }
+
+    /** Shows a panel of the settings, which is made when it is first shown. Returns its tab. */
+    choose_tab(chosen) {
+        this.tab = chosen;
+        this.panels.forEach(({ tab, panel, make }, k) => {
+            tab.setAttribute("aria-selected", String(k === chosen));
+            tab.tabIndex = k === chosen ? 0 : -1;
+            panel.hidden = k !== chosen;
+            if (k === chosen && panel.childElementCount === 0) panel.append(...make());
+        });
+        refresh_within(this.panels[chosen].panel);
+        return this.panels[chosen].tab;
+    }
+
+    /** Calls something after a pause, once. */
+    later(name, act) {
+        clearTimeout(this[name]);
+        this[name] = setTimeout(act, PAUSE_MS);
+    }
+
+    on_change(source) {
+        this.refresh(source);
+        this.display.follow_plans();
+        this.later("changed", () => {
+            this.display.preview();
+            this.write_link();
+        });
+    }
+
+    refresh(source = null) {
+        const { scene } = this;
+        if (source !== "text") this.text.value = scene.text;
+        refresh_within(this.panels[this.tab].panel);
+        const in_text = scene.faults.filter((fault) => fault.in_text);
+        this.faults.replaceChildren(...in_text.map((fault) => {
+            const go = () => select_place(this.text, Number(fault.line), Number(fault.column));
+            return element("li", {}, element("button", { class: "fault", onclick: go }, `${fault.line}:${fault.column}: ${scene.told(fault)}`));
+        }));
+        this.text.setAttribute("aria-invalid", String(in_text.length > 0));
+        this.display.refresh(false);
+    }
+
+    set_language(wanted) {
+        speak(wanted);
+        try {
+            localStorage.setItem("sins_language", wanted);
+        } catch {
+            // a page of a file may have no memory
+        }
+        this.build();
+    }
+
+    /** Opens a scene, or flies a log. */
+    async take_file(file) {
+        const { scene, display } = this, is_log = /\.(csv|txt|log)$/i.test(file.name);
+        try {
+            if (is_log) {
+                display.say(text("computing"));
+                const { samples, duration_s } = await this.pilot.ask("log", { file });
+                [display.previewed, display.log_name] = [null, file.name];
+                const [fault] = fly_log(scene, file.name);
+                display.say(fault ? scene.told(fault) : text("log_read", file.name, samples, shown_s(duration_s)), Boolean(fault));
+            } else {
+                const written = await file.text();
+                this.text.value = written;
+                display.say("");
+                if (!scene.parse(written)) display.say(`${file.name}: ${scene.told(scene.faults[0])}`, true);
+            }
+        } catch (fault) {
+            display.say(`${file.name}: ${scene.told({ ...fault, sentence: fault.sentence ?? fault.message })}`, true);
+        }
+    }
+
+    async write_link() {
+        const { scene } = this;
+        if (scene.faults.some((fault) => fault.in_text)) return;
+        this.linked = `#scene=${await to_link(scene.text)}`;
+        if (location.hash !== this.linked) history.replaceState(null, "", this.linked);
+    }
+
+    async copy_link() {
+        await this.write_link();
+        await navigator.clipboard?.writeText(location.href).then(() => this.display.say(text("link_copied")), () => this.display.say(location.href));
+    }
+
+    /** Opens the scene of the address: #scene=..., or #NAME of a built-in scene. */
+    async open_link() {
+        const { scene } = this, [, packed] = /^#scene=(.+)$/.exec(location.hash) ?? [], name = decodeURIComponent(location.hash.slice(1));
+        if (location.hash === this.linked || name === "") return;
+        try {
+            if (packed === undefined) return scene.open(scene.sins.scene_create_builtin(name));
+            const written = await of_link(packed);
+            this.text.value = written;
+            if (!scene.parse(written)) this.display.say(scene.told(scene.faults[0]), true);
+            else this.refresh();
+        } catch {
+            this.display.say(text("no_link"), true);
+        }
+    }
+}
+
+const shown_s = (time_s) => Number(time_s.toPrecision(6));
+
+/** Selects a line of a text, and scrolls to it. */
+function select_place(area, line, column) {
+    const lines = area.value.split("\n"), start = lines.slice(0, line - 1).reduce((sum, own) => sum + own.length + 1, 0);
+    area.focus();
+    area.setSelectionRange(start + Math.max(0, column - 1), start + (lines[line - 1]?.length ?? 0));
+    area.scrollTop = (area.scrollHeight / lines.length) * Math.max(0, line - 4);
+}
+
+function stored_language() {
+    try {
+        return localStorage.getItem("sins_language");
+    } catch {
+        return null;
+    }
+}
+
+async function start() {
+    const read = (id) => document.getElementById(id).textContent;
+    read_texts({ en: read("en"), zh: read("zh") });
+    speak(stored_language() ?? (navigator.language.startsWith("zh") ? "zh" : "en"));
+    const module = await WebAssembly.compile(await unpacked("library"));
+    const page = new Page(await load(module), module);
+    page.build();
+    await page.open_link();
+    page.on_change();
+    document.body.dataset.ready = "";
+}
+
+if (typeof document === "undefined") serve();
+else start().catch((error) => document.getElementById("page").replaceChildren(`${error.message}`));

@@ -1,0 +1,68 @@
+// Points of the curves in memory of a fixed size: when it is full, every second point is dropped.
+
+/** Most points. */
+const MOST = 4096;
+/** Samples of a flight that become points, before points are dropped. */
+const LEAST = 20000;
+
+/** Triples of numbers at each point: in the record, and in the last interval of the sensors. */
+const OF_RECORD = {
+    position2: "navigation_errors.position_enu_m",
+    velocity2: "navigation_errors.velocity_enu_m_s",
+    misalignment2: "navigation_errors.misalignment_enu_rad",
+    attitude2: "navigation_errors.roll_rad",
+    position1: "model_errors.position_enu_m",
+    velocity1: "model_errors.velocity_enu_m_s",
+    misalignment1: "model_errors.misalignment_enu_rad",
+    attitude1: "model_errors.roll_rad",
+    true_place: "truth.latitude_rad",
+    true_velocity: "truth.velocity_enu_m_s",
+    true_attitude: "truth.roll_rad",
+    place: "navigation.latitude_rad",
+    velocity: "navigation.velocity_enu_m_s",
+    attitude: "navigation.roll_rad",
+};
+const OF_IMU = { rate: "measured_rate_rad_s", force: "measured_force_m_s2" };
+
+export class Points {
+    constructor(records, imu, count) {
+        [this.records, this.imu] = [records, imu];
+        this.every = Math.max(1, Math.floor(count / LEAST));
+        const places = (array, paths) => Object.entries(paths).map(([name, path]) => [name, array, array.offset(path)]);
+        this.triples = [...places(records, OF_RECORD), ...places(imu, OF_IMU)];
+        this.time = records.offset("time_s");
+        this.columns = Array.from({ length: 1 + 3 * this.triples.length }, () => new Float64Array(MOST));
+        [this.count, this.stride, this.seen] = [0, 1, 0];
+    }
+
+    is_due(index, is_last) {
+        return is_last || index % this.every === 0;
+    }
+
+    /** Adds the record and the interval as a point, if its turn has come. */
+    add(start_s, is_last) {
+        if (this.seen++ % this.stride !== 0 && !is_last) return;
+        if (this.count === MOST) this.halve();
+        const at = this.count++;
+        this.columns[0][at] = this.records.numbers[this.time] - start_s;
+        this.triples.forEach(([, array, offset], triple) => {
+            const { numbers } = array;
+            for (let k = 0; k < 3; k++) this.columns[1 + 3 * triple + k][at] = numbers[offset + k];
+        });
+    }
+
+    halve() {
+        for (const column of this.columns) {
+            for (let k = 0; k < MOST / 2; k++) column[k] = column[2 * k];
+        }
+        this.count = MOST / 2;
+        this.stride *= 2;
+    }
+
+    /** A copy: the times, and by the names of the triples three columns each. */
+    copy() {
+        const [time, ...others] = this.columns.map((column) => column.slice(0, this.count));
+        const triples = this.triples.map(([name], triple) => [name, others.slice(3 * triple, 3 * triple + 3)]);
+        return { time, ...Object.fromEntries(triples) };
+    }
+}

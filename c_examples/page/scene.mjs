@@ -1,0 +1,178 @@
+// The scene of the page: its values by their paths, such as "gyro.bias_deg_h" and "manoeuvre[3].bank_deg", and its faults. Every list of
+// keys, words, units and limits is the library's.
+
+import { label, shown, text, told } from "./texts.mjs";
+
+export class Scene extends EventTarget {
+    constructor(sins) {
+        super();
+        this.sins = sins;
+        this.keys = [];
+        const key = new sins.scene_key();
+        do {
+            sins.scene_get_key(this.keys.length, key);
+            this.keys.push({ ...key.copy(), path: `${key.section}.${key.name}` });
+        } while (this.keys.length < Number(key.count));
+        this.by_path = new Map(this.keys.map((own) => [own.path, own]));
+        this.faults = [];
+        this.open(sins.scene_create_builtin("simulation2"));
+    }
+
+    /** The names of the built-in scenes. */
+    builtins() {
+        const names = [];
+        try {
+            for (;;) names.push(this.sins.scene_builtin_name(names.length));
+        } catch {
+            return names; // there are no more
+        }
+    }
+
+    /** The key of a path, which may have places in lists. */
+    key(path) {
+        return this.by_path.get(path.replace(/\[\d+\]/g, ""));
+    }
+
+    meaning(path) {
+        const key = this.key(path ?? "");
+        return key && label(key.path, key.meaning);
+    }
+
+    /** The sentence of a fault in the language of the user. */
+    told(fault) {
+        return told(fault, (path) => this.meaning(path), this.sins);
+    }
+
+    /** What the library says of an error that was thrown. */
+    told_error(error) {
+        const info = error.info?.copy?.();
+        return this.told({ sentence: error.message, path: info?.field, ...info });
+    }
+
+    /** Meaning, unit and range of a key. */
+    hint(key) {
+        const { LIMITS, ZERO } = { LIMITS: this.sins.SCENE_KEY_LIMITS, ZERO: this.sins.SCENE_KEY_ZERO_IS_OFF };
+        const range = key.flags & ZERO ? "range_or_0" : "range";
+        const limits = key.flags & LIMITS ? text(range, shown(key.minimum, 6), shown(key.maximum, 6)) : "";
+        const many = key.elements === 3 ? text("three_numbers") : key.elements === 9 ? text("nine_numbers") : "";
+        return [limits + (limits && key.unit ? ` ${unit_name(key)}` : ""), many, key.default_value && text("default_is", key.default_value)]
+            .filter(Boolean)
+            .join("; ");
+    }
+
+    /** The words that a key takes, or null. */
+    words(key) {
+        const { SCENE_KEY_WORD, SCENE_KEY_FLAG } = this.sins;
+        return key.kind === SCENE_KEY_WORD ? key.words.split("|") : key.kind === SCENE_KEY_FLAG ? ["false", "true"] : null;
+    }
+
+    word_label(key, word) {
+        return label(`${key.path}.${word}`, key.name === "preset" ? label(`preset.${word}`, word) : word.replaceAll("_", " "));
+    }
+
+    open(handle) {
+        this.handle?.close();
+        this.handle = handle;
+        this.told_of_change([]);
+    }
+
+    told_of_change(faults, source = null) {
+        this.faults = faults;
+        this.dispatchEvent(Object.assign(new Event("change"), { source }));
+    }
+
+    /** Whether the flight is a log. */
+    get is_log() {
+        return this.sins.scene_get_setup(this.handle).flight === this.sins.SCENE_FLIGHT_LOG;
+    }
+
+    /** Its text; source: a text that the user wrote, which is kept as it is. */
+    get text() {
+        return this.sins.scene_write(this.handle);
+    }
+
+    /** Takes a text, if it has no faults. */
+    parse(written) {
+        const { sins } = this;
+        const found = sins.scene_parse(written);
+        if (sins.last_status === sins.SCENE_HAS_FAULTS) {
+            this.told_of_change(this.read_faults(found).map((fault) => ({ ...fault, in_text: true })), "text");
+            found.close();
+            return false;
+        }
+        this.handle.close();
+        this.handle = found;
+        this.told_of_change([], "text");
+        return true;
+    }
+
+    read_faults(handle) {
+        const fault = new this.sins.fault(), faults = [];
+        try {
+            do {
+                this.sins.scene_get_fault(handle, faults.length, fault);
+                faults.push(fault.copy());
+            } while (faults.length < Number(fault.count));
+        } catch {
+            // none
+        }
+        return faults;
+    }
+
+    /** The value at a path without the quotes of words and texts, or "". */
+    get(path) {
+        try {
+            return unquoted(this.sins.scene_get_value(this.handle, path));
+        } catch {
+            return "";
+        }
+    }
+
+    /** Sets values, all or none. Returns the faults. */
+    set(changes) {
+        const lines = Object.entries(changes).map(([path, value]) => `${path} = ${this.written(path, value)}\n`);
+        return this.change(() => this.sins.scene_set_values(this.handle, lines.join("")), Object.keys(changes));
+    }
+
+    /** A value as the library reads it: several numbers stand in brackets. */
+    written(path, value) {
+        const key = this.key(path), several = value.trim().split(/[\s,;]+/);
+        const is_list = key?.elements > 1 && !/\[\d\]$/.test(path) && several.length > 1 && !value.includes("[");
+        return (is_list ? `[${several.join(", ")}]` : value).replaceAll("\n", " ");
+    }
+
+    /** The items of a list, "manoeuvre", "failure", "update" or "panel", as texts. */
+    items(list) {
+        const items = [];
+        for (let item; (item = this.get(`${list}[${items.length}]`)) !== ""; ) items.push(item);
+        return items;
+    }
+
+    set_items(list, items) {
+        return this.change(() => this.sins.scene_set_items(this.handle, list, items.join("\n")), [list]);
+    }
+
+    change(call, paths) {
+        // Faults of other fields stay: their texts are still in the form.
+        const others = this.faults.filter((fault) => !fault.in_text && !paths.some((path) => fault.path.startsWith(path)));
+        let faults = [];
+        try {
+            call();
+        } catch (error) {
+            faults = error.status === this.sins.ERROR_INVALID_ARGUMENT ? this.read_faults(this.handle) : [];
+            if (faults.length === 0) faults = [{ path: paths[0], sentence: error.message }];
+        }
+        this.told_of_change([...others, ...faults]);
+        return faults;
+    }
+}
+
+export const unit_name = (key) => key.unit.replace("deg C", "°C").replaceAll("deg", "°").replace("micro-g", "µg").replace("sqrt", "√").replace(/2$/, "²");
+
+export function unquoted(value) {
+    return /^".*"$/s.test(value) ? value.slice(1, -1).replace(/\\(.)/g, "$1") : value;
+}
+
+export function quoted(value) {
+    return `"${value.replace(/["\\]/g, "\\$&")}"`;
+}

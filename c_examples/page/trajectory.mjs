@@ -1,0 +1,87 @@
+// The trajectory of the scene: a built-in flight, manoeuvres, or a log.
+
+import { fields, group, items } from "./form.mjs";
+import { choose } from "./files.mjs";
+import { element, label, options, parts, text } from "./texts.mjs";
+import { quoted } from "./scene.mjs";
+
+const BUILTIN = 0, MANOEUVRES = 1, LOG = 2; // in the order of the text "sources"
+const NEW_MANOEUVRE = '[[manoeuvre]]\nkind = "straight"\nduration_s = 60\n';
+
+/** The flight of a built-in scene is that of another one, or its own. */
+function flight_of(sins, name) {
+    const scene = sins.scene_create_builtin(name), other = sins.scene_get_text(scene, sins.SCENE_TEXT_BUILTIN);
+    scene.close();
+    return other || name;
+}
+
+/** take_file(file) takes a log or a scene. */
+export function trajectory(scene, take_file) {
+    const { sins } = scene, names = scene.builtins();
+    const flown_names = [...new Set(names.map((name) => flight_of(sins, name)))];
+    const named = (all) => options(all.map((name) => [name, label(`builtin.${name}`, name)]));
+    const whole = element("select", { "aria-label": text("Whole scene"), "data-path": "scene" }, ...named(names));
+    whole.value = "simulation2";
+    const take = element("button", { onclick: () => scene.open(sins.scene_create_builtin(whole.value)), "data-do": "open_builtin" }, text("Open"));
+    const source = element("select", { id: "source" }, ...options(parts("sources").slice(0, 3).map((name, k) => [String(k), name])));
+    const builtin = element("select", { id: "builtin", "data-path": "flight.builtin" }, ...named(flown_names));
+    const choose_log = () => choose(".csv,text/csv", take_file);
+    const browse = element("button", { onclick: choose_log }, text("Choose"));
+    const log_name = element("output", { class: "log" });
+    const row = (id, name, ...content) => element("div", { class: "row wide" }, element("label", { for: id }, name), ...content);
+    const rows = [
+        row("builtin", text("Built-in"), builtin),
+        element("div", { class: "row wide" }, element("span", {}, text("Log")), element("span", { class: "bar" }, browse, log_name)),
+    ];
+
+    function set_source(wanted) {
+        if (wanted === BUILTIN) scene.set({ "flight.builtin": flight_of(sins, builtin.value || "patrol") });
+        else if (wanted === MANOEUVRES) make_manoeuvres(scene);
+        else choose_log();
+        made.refresh();
+    }
+    source.onchange = () => set_source(source.selectedIndex);
+    builtin.onchange = () => set_source(BUILTIN);
+
+    const of_flight = (wanted) => scene.keys.filter((key) => key.section === "flight" && wanted(key.name));
+    const is_general = (name) => ["title", "hours", "rate_hz", "temperature_c", "temperature_change_c_h"].includes(name);
+    const start = group(text("Start of the flight"), fields(scene, of_flight((name) => !is_general(name) && name !== "file" && name !== "builtin")));
+    const path = group(text("Manoeuvres"), items(scene, "manoeuvre", () => NEW_MANOEUVRE));
+    const made = element(
+        "div",
+        {},
+        element("div", { class: "bar scene" }, whole, take),
+        element("section", {}, element("h3", {}, text("Flight")), row("source", text("Kind"), source), ...rows),
+        fields(scene, of_flight(is_general)),
+        start,
+        path,
+    );
+    made.refresh = () => {
+        const { flight } = sins.scene_get_setup(scene.handle), kind = [MANOEUVRES, BUILTIN, LOG][flight]; // enum sins_scene_flight
+        source.selectedIndex = kind;
+        rows.forEach((own, k) => (own.hidden = kind !== [BUILTIN, LOG][k]));
+        for (const own of [start, path]) own.hidden = kind !== MANOEUVRES;
+        if (kind === BUILTIN) builtin.value = flight_of(sins, scene.get("flight.builtin"));
+        log_name.value = kind === LOG ? scene.get("flight.file") : "";
+        refresh_within(made);
+    };
+    return made;
+}
+
+/** Refreshes what follows the scene within an element. */
+export function refresh_within(made) {
+    for (const own of made.querySelectorAll("div")) if (own !== made) own.refresh?.();
+}
+
+/** Makes manoeuvres of a built-in flight, and of a log the default flight. */
+function make_manoeuvres(scene) {
+    const { sins } = scene, { flight } = sins.scene_get_setup(scene.handle);
+    const from = flight === sins.SCENE_FLIGHT_LOG ? sins.scene_create() : scene.handle;
+    const [count] = sins.scene_get_manoeuvres(from, null, null), start = new sins.flight_start();
+    const manoeuvres = sins.array(sins.manoeuvre, count), [, repeat] = sins.scene_get_manoeuvres(from, start, manoeuvres);
+    scene.change(() => sins.scene_set_manoeuvres(scene.handle, start, manoeuvres, repeat), ["flight"]);
+    if (from !== scene.handle) from.close();
+}
+
+/** A log becomes the flight of the scene. */
+export const fly_log = (scene, name) => scene.set({ "flight.file": quoted(name) });

@@ -1,0 +1,44 @@
+// Chromium for the tests, without a network.
+
+import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
+import { resolve } from "node:path";
+
+const require = createRequire(resolve("target/node/package.json"));
+
+export async function browser() {
+    const flags = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"];
+    return require("playwright-core").chromium.launch({ executablePath: "/usr/bin/chromium", args: flags });
+}
+
+/** A page at an address at which the files of a folder are. */
+export async function page_with(browser, folder) {
+    const page = await browser.newPage();
+    const types = { html: "text/html", mjs: "text/javascript", wasm: "application/wasm" };
+    await page.route("https://sins.test/**", (route) => {
+        const { pathname } = new URL(route.request().url());
+        const body = pathname === "/" ? "<!doctype html>" : readFileSync(resolve(folder, pathname.slice(1)));
+        return route.fulfill({ body, contentType: types[pathname.split(".")[1]] ?? "text/html" });
+    });
+    await page.goto("https://sins.test/");
+    return page;
+}
+
+/**
+ * Does something, and returns the longest task of the pages and the sum of the tasks of their workers, in milliseconds of the processor:
+ * a busy machine does not lengthen them.
+ */
+export async function processor_times(browser, act) {
+    const session = await browser.newBrowserCDPSession(), events = [];
+    session.on("Tracing.dataCollected", ({ value }) => events.push(...value.filter((event) => event.name === "thread_name" || (event.ph === "X" && /RunTask/.test(event.name)))));
+    await session.send("Tracing.start", { transferMode: "ReportEvents", traceConfig: { includedCategories: ["toplevel", "__metadata"] } });
+    await act();
+    const ended = new Promise((done) => session.once("Tracing.tracingComplete", done));
+    await session.send("Tracing.end");
+    await ended;
+    await session.detach();
+    const named = (name) => new Set(events.filter((event) => event.args?.name === name).map(({ pid, tid }) => `${pid} ${tid}`));
+    const times_ms = (threads) => events.filter(({ pid, tid, tdur }) => tdur !== undefined && threads.has(`${pid} ${tid}`)).map(({ tdur }) => tdur / 1000);
+    const [pages, workers] = [times_ms(named("CrRendererMain")), times_ms(named("DedicatedWorker thread"))];
+    return { tasks: pages.length, longest_ms: Math.max(...pages), workers_ms: workers.reduce((sum, own) => sum + own, 0) };
+}
