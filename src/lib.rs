@@ -44,6 +44,7 @@
 //! | [`ensemble`], [`statistics`] | many runs of one simulator over the same samples, and the statistics of their errors |
 //! | [`recommend`] | finds the cheapest options that meet a required accuracy |
 //! | [`budget`] | finds the contribution of each effect to the errors |
+//! | [`truth::judge`] | finds what is wrong with a flight before an INS flies it |
 //! | [`allan`] | estimates the noise of a sensor from its record |
 //! | [`surroundings`] | has the tables of the parameters beside those of gyros and accelerometers |
 //! | [`bus`] | words of ARINC 429 of a unit |
@@ -109,6 +110,7 @@
 //! | run k of an ensemble gives the same bits as the simulator with this run number, also when other runs diverge | `tests/state/ensemble`, `tests/interface/c_side.rs` |
 //! | statistics have the same bits for any split of the runs, and are correct if means are large and the scatter is small | `tests/analysis/statistics.rs` |
 //! | a host's wrong units are obvious in the summary of the truth | `tests/analysis/truth_summary.rs` |
+//! | faults of logs are found with their reasons, and no good flight is found doubtful | `tests/analysis/judge` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/analysis/recommend` |
 //! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/analysis/covariance`, `tests/analysis/covariance_runs` |
 //! | contributions of effects equal their closed forms, and the effects that are marked can be left out | `tests/analysis/error_budget`, `tests/analysis/error_budget/mounting_and_gravity.rs` |

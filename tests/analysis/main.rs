@@ -9,6 +9,8 @@ mod covariance;
 #[cfg(feature = "scenes")]
 mod covariance_runs;
 mod error_budget;
+#[cfg(feature = "scenes")]
+mod judge;
 mod recommend;
 mod statistics;
 mod truth_summary;
