@@ -2,6 +2,7 @@
 
 mod arguments;
 mod gaps;
+mod judged;
 mod log;
 mod settings;
 mod text;
@@ -19,6 +20,7 @@ use sins::{Error, ErrorKind};
 
 pub use arguments::SceneArguments;
 pub use gaps::Gaps;
+pub use judged::{Trust, judge_of, sentence};
 pub use log::open;
 pub use settings::Settings;
 pub use text::is_log;
@@ -52,6 +54,8 @@ pub struct Given {
     pub duration_s: f64,
     /// Gaps of the log, if the flight is one.
     pub gaps: Gaps,
+    /// What the judge found in the log, in sentences.
+    pub findings: Vec<String>,
     motion: Motion,
 }
 
@@ -70,6 +74,7 @@ impl Given {
         name: Option<&OsStr>,
         log: Option<&Path>,
         settings: &Settings,
+        trust: &Trust,
         for_logs: &str,
     ) -> Result<Self, Failure> {
         let (text, log) = match name {
@@ -137,11 +142,24 @@ impl Given {
             period_s,
             duration_s,
             gaps: Gaps::default(),
+            findings: Vec::new(),
             motion,
         };
-        if let Motion::Log(_, log) = &given.motion {
-            let found = gaps::find(&given.scene, log, count);
-            given.gaps = found.map_err(|(index, error)| given.failure_at(index, &error))?;
+        if let Motion::Log(path, log) = &given.motion {
+            let findings = judged::judge(&given.scene, path, log, count);
+            let refused = trust.take(&findings).err();
+            match gaps::find(&given.scene, log, count) {
+                Ok(gaps) => given.gaps = gaps,
+                // The finding is the reason.
+                Err((index, error)) => {
+                    let failure = given.failure_at(index, &error);
+                    return Err(Failure::all([failure].into_iter().chain(refused).collect()));
+                }
+            }
+            if let Some(refused) = refused {
+                return Err(refused);
+            }
+            given.findings = findings.into_iter().map(|(_, words)| words).collect();
         }
         Ok(given)
     }
@@ -173,6 +191,7 @@ impl Given {
             period_s: 0.0,
             duration_s: 0.0,
             gaps: Gaps::default(),
+            findings: Vec::new(),
             motion: Motion::Live,
         })
     }

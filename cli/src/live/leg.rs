@@ -7,13 +7,14 @@ use std::time::Instant;
 use sins::records;
 use sins::scene::{FlightSource, Samples};
 use sins::truth::FlightSample;
+use sins::truth::judge::{Judge, Kind, Level};
 use sins::unit::Unit;
 
 use crate::failure::Failure;
 use crate::fly::{
     Figures, Files, InFlight, MARK, Spacing, Stopped, UNIT_COLUMNS, UnitInFlight, finish, text,
 };
-use crate::given::Given;
+use crate::given::{Given, judge_of, sentence};
 use crate::output::{OutputFile, Outputs};
 use crate::places::below;
 use crate::record::COLUMNS;
@@ -21,6 +22,9 @@ use crate::terminal::say;
 
 /// Time between records that a scene does not set [s].
 const EVERY_S: f64 = 1.0;
+
+/// Samples until findings are reported: the first may be those of a few rows.
+const JUDGED: u64 = 200;
 
 /// The first line of a log.
 const LOG_MARK: &str = "# live flight";
@@ -109,6 +113,9 @@ pub struct Leg<'a> {
     spacing: Spacing,
     first: FlightSample,
     last: FlightSample,
+    judge: Box<Judge>,
+    /// Kinds of findings that were reported.
+    reported: Vec<Kind>,
     state: State<'a>,
 }
 
@@ -127,7 +134,10 @@ impl<'a> Leg<'a> {
         }
         let state = State::Begun(Some(Box::new(files)));
         let spacing = Spacing::new(given.scene.output.every_s.unwrap_or(EVERY_S));
-        Ok(Self { given, name, records, summary, log, spacing, first, last: first, state })
+        let mut judge = Box::new(judge_of(&given.scene));
+        judge.push(&first)?;
+        let reported = Vec::new();
+        Ok(Self { given, name, records, summary, log, spacing, first, last: first, judge, reported, state })
     }
 
     /// Flies the interval that `sample` ends.
@@ -147,10 +157,22 @@ impl<'a> Leg<'a> {
         flight.go_on(sample)?;
         flight.add_time(began.elapsed());
         self.last = sample;
+        self.judge.push(&sample)?;
         if let Some(log) = &mut self.log {
             log.sample(&sample)?;
         }
         Ok(flight)
+    }
+
+    /// What is doubtful in the samples, in sentences, and was not reported yet.
+    pub fn doubts(&mut self) -> Vec<String> {
+        if self.judge.count() < JUDGED {
+            return Vec::new();
+        }
+        let findings = self.judge.findings().filter(|finding| finding.level >= Level::Doubtful);
+        let new: Vec<_> = findings.filter(|finding| !self.reported.contains(&finding.kind)).collect();
+        self.reported.extend(new.iter().map(|finding| finding.kind));
+        new.iter().map(sentence).collect()
     }
 
     /// Time stamp of the last sample [s].
@@ -188,7 +210,8 @@ impl<'a> Leg<'a> {
         let period_s = duration_s / flown.steps as f64;
         let samples =
             Samples { count: flown.steps as usize + 1, start_s: self.first.time_s, period_s, duration_s };
-        let given = given.with_samples(&samples);
+        let mut given = given.with_samples(&samples);
+        given.findings = self.judge.findings().map(|finding| sentence(&finding)).collect();
         if let Some(log) = self.log {
             log.commit(&given, every_s)?;
         }

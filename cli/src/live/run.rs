@@ -186,6 +186,7 @@ impl<'a> Live<'a> {
             progress.shown_s = whole_s;
             if let Some(leg) = &mut progress.leg {
                 leg.check()?;
+                leg.doubts().iter().for_each(|words| say(&format!("packets: {words}")));
             }
             self.print(&format!("{whole_s:>6} s  {}\n", line(shown, &progress.traffic)))?;
         }

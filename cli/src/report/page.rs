@@ -70,7 +70,8 @@ fn scene(run: &Run) -> String {
 
 /// Remarks that a reader of the figures needs.
 fn remarks(run: &Run) -> Vec<String> {
-    let mut remarks = Vec::new();
+    let mut remarks: Vec<String> =
+        run.summary.findings().map(|finding| format!("Flight data: {finding}.")).collect();
     let span = |(from, to): (f64, f64)| format!("between {} and {}", time_text(from), time_text(to));
     if run.model.is_none() && run.is_of_paper() {
         remarks.push("The error differential equations (error data 1) were off.".to_owned());

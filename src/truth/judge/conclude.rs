@@ -130,9 +130,9 @@ impl Judge {
             if rounding_m > coarse.0 {
                 coarse = (rounding_m, step_m);
             }
-            // Rounding is noise too.
+            // Rounding looks like noise: of a steady motion, up to half of the step.
             let sigma_m = self.noise.sigma(axis);
-            if rounding_m == 0.0 || sigma_m > 1.5 * rounding_m {
+            if rounding_m == 0.0 || sigma_m > step_m {
                 noisy = noisy.max(sigma_m);
             }
         }
@@ -162,20 +162,30 @@ impl Judge {
             let acceleration_m_s2 = self.flown(acceleration);
             found.add(Finding { at: farthest.at, count: spikes, acceleration_m_s2, ..own });
         }
-        let (jump, flown) = (self.positions.acceleration, self.positions.flown);
-        let level = if flown.value > self.max_acceleration_m_s2 {
-            Some((Level::Unusable, flown))
-        } else if self.has_velocity() {
-            None
-        } else if jump.value > JOLT_M_S2 {
-            Some((Level::Doubtful, jump))
-        } else {
-            (jump.value > MANOEUVRE_M_S2).then_some((Level::Note, jump))
+        self.find_acceleration(found);
+    }
+
+    /// Finds accelerations, if no other finding explains them.
+    fn find_acceleration(&self, found: &mut Findings) {
+        let explains = |finding: &Finding| {
+            finding.kind == Kind::ZerosAtStart
+                || finding.acceleration_m_s2 > 0.0 && finding.level == Level::Unusable
+                || finding.kind == Kind::NearStamps
         };
-        if let Some((level, largest)) = level {
-            let own = finding(Kind::Acceleration, level, largest.value);
-            found.add(Finding { at: largest.at, count: 1, ..own });
+        if found.list.iter().flatten().any(explains) {
+            return;
         }
+        let (jump, flown) = (self.positions.acceleration, self.positions.flown);
+        let limit = self.max_acceleration_m_s2;
+        let (level, largest, clue) = if flown.value > limit {
+            (Level::Unusable, flown, Clue::Limit(limit))
+        } else if self.has_velocity() || jump.value < MANOEUVRE_M_S2 {
+            return;
+        } else {
+            (if jump.value > JOLT_M_S2 { Level::Doubtful } else { Level::Note }, jump, Clue::None)
+        };
+        let own = finding(Kind::Acceleration, level, largest.value);
+        found.add(Finding { at: largest.at, count: 1, clue, ..own });
     }
 
     /// Finds held rows; whether there are any.

@@ -79,6 +79,8 @@ pub(super) enum Clue {
     None,
     /// Steps of numbers of 32 bits.
     Float32,
+    /// The largest value that the options allow.
+    Limit(f64),
     /// Name of what it would be right as.
     Known(&'static str),
     /// Velocity in the unit of this name, with east and north exchanged, and each with the opposite sign.

@@ -44,7 +44,15 @@ impl fmt::Display for Finding {
             (Kind::Spike, _) => {
                 write!(f, "a position is {figure} m beside the path of its neighbours at {at} s")
             }
-            (Kind::Acceleration, _) => write!(f, "the positions accelerate by {figure} m/s2 at {at} s"),
+            (Kind::Acceleration, clue) => {
+                write!(f, "the flight accelerates by {figure} m/s2 at {at} s")?;
+                match clue {
+                    Clue::Limit(limit) => {
+                        write!(f, ", and options.max_acceleration_m_s2 is {}", Digits(limit))
+                    }
+                    _ => Ok(()),
+                }
+            }
             (Kind::ZerosAtStart, _) => write!(f, "the first {} are zeros", Counted(self.count, "row")),
             (Kind::VelocityUnit, clue) => velocity_sentence(f, self.figure, &clue),
             (Kind::VelocityContradicts, _) => {
