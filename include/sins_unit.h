@@ -569,7 +569,12 @@ typedef enum sins_bus_flags {
     SINS_BUS_WIND = 1,
     /** The field magnetic_variation_rad holds a value. */
     SINS_BUS_MAGNETIC_VARIATION = 2,
-    /** The label bits of the words are in the order in which most cards take them: the first bit of the label is the highest of the byte. */
+    /**
+     * The bits of the label are reversed: the lowest byte of 310 is hexadecimal 13. ARINC 429 sends the most significant bit of the label
+     * first, and calls it bit 1. Without this flag that bit is the highest of the lowest byte, which is then the number of the label, c8;
+     * with it, that bit is the lowest of the word. The manual of a card says which order it takes. 45 degrees of latitude are e40000c8,
+     * reversed e4000013.
+     */
     SINS_BUS_REVERSED_LABEL = 4
 } sins_bus_flags;
 
@@ -582,7 +587,12 @@ typedef enum sins_bus_word_status {
     /** The equipment is in its test. */
     SINS_BUS_FUNCTIONAL_TEST = 2,
     /** The equipment has failed. A decimal word has no such status: it then says "no computed data". */
-    SINS_BUS_FAILURE_WARNING = 3
+    SINS_BUS_FAILURE_WARNING = 3,
+    /**
+     * The status bits say normal, but the data are no value of the label: a decimal digit above its greatest value, or a value out of
+     * the range of the quantity. No word is encoded so.
+     */
+    SINS_BUS_ILLEGAL_VALUE = 4
 } sins_bus_word_status;
 
 /** What a host knows beside the unit. All zero, or NULL: nothing; the words that need it say "no computed data". */
@@ -613,7 +623,10 @@ typedef struct sins_bus_word {
     uint32_t struct_size;
     /** Number of the label: 200 is the octal 310. */
     uint32_t label;
-    /** The word. Bit 1, the first bit of the label, is the lowest bit. */
+    /**
+     * The word: the label in the lowest byte, in the order of SINS_BUS_REVERSED_LABEL. From bit 9 of ARINC 429 on, bit n is bit n - 1 of
+     * the integer, from 0.
+     */
     uint32_t word;
     /** 0 */
     uint32_t reserved;
@@ -635,19 +648,24 @@ typedef struct sins_bus_label {
     double resolution;
     /** Time from one word to the next [s]; 0: an input, which the unit does not send. */
     double interval_s;
-    /** Value of a decoded word, in the unit; 0 from sins_bus_get_label(). */
+    /** Value of a decoded word, in the unit; 0 from sins_bus_get_label(); NaN if the data are no value of the label. */
     double value;
-    /** Status of a decoded word, of enum sins_bus_word_status. */
+    /** Status of a decoded word, of enum sins_bus_word_status. The value counts only with SINS_BUS_NORMAL. */
     int32_t status;
     /** 0 */
     uint32_t reserved;
+    /** Least value that a word of the label may have, in the unit. */
+    double minimum;
+    /** Greatest value that a word of the label may have, in the unit. */
+    double maximum;
 } sins_bus_label;
 
 /**
- * Gives the words that are due after from_s and not after to_s, in the order of their times, into words[0] to words[*count - 1]; at
- * most 10 s at a time. status and navigation are those of sins_unit_get_status() and sins_unit_get_navigation(). Each label is sent
- * at the multiples of its interval. A unit that is off sends nothing. A value beyond the range of its word is the end of the range;
- * angles wrap.
+ * Gives the words that are due after from_s and not after to_s, in the order of their times, into words[0] to words[*count - 1].
+ * from_s is from -1e10 to 1e10 s, to_s from from_s to 10 s later. A time that is before a multiple of a millisecond by no more than
+ * four roundings, 4 * DBL_EPSILON times itself, counts as the multiple. status and navigation are those of sins_unit_get_status()
+ * and sins_unit_get_navigation(). Each label is sent at the multiples of its interval. A unit that is off sends nothing. A value
+ * beyond the range of its label is the end of the range; angles of any direction wrap.
  *
  * The words show what navigation holds. A real unit is some 80 ms late: a host that wants that keeps status and navigation for this
  * time. A simulator without a panel sends words too, with a unit that was created with SINS_UNIT_NAV.
@@ -670,9 +688,9 @@ typedef struct sins_bus_label {
  * bus_status.state = SINS_UNIT_STATE_NAVIGATION;
  * bus_navigation.validity = SINS_UNIT_VALID_POSITION;
  * bus_navigation.latitude_rad = 45.0 * SINS_DEG;
- * sins_bus_words(&bus_status, &bus_navigation, NULL, 0.0, 0.1, &word, 1, &word_count);
+ * sins_bus_words(&bus_status, &bus_navigation, NULL, 0.09, 0.1, &word, 1, &word_count);
  * sins_bus_decode(word.word, 0, &label);
- * printf("label %o: %08lx, %g %s\n", (unsigned)label.label, (unsigned long)word.word, label.value, label.unit);  // label 312: 200000ca, 0 kt
+ * printf("label %o: %08lx, %g %s\n", (unsigned)label.label, (unsigned long)word.word, label.value, label.unit);  // label 310: e40000c8, 45 deg
  * ```
  */
 SINS_API sins_status SINS_CALL sins_bus_words(const sins_unit_status *status, const sins_unit_navigation *navigation,
@@ -686,10 +704,14 @@ SINS_API sins_status SINS_CALL sins_bus_words(const sins_unit_status *status, co
 SINS_API sins_status SINS_CALL sins_bus_get_label(size_t index, sins_bus_label *label);
 
 /**
- * Decodes a word of the table: its label, its value and its status. The host gives the value of an input, set latitude (041), set
- * longitude (042) or set heading (043), to sins_unit_enter_position() or sins_unit_enter_heading(). flags is 0, or SINS_BUS_REVERSED_LABEL.
+ * Decodes a word of the table: its label, its value and its status. The status is SINS_BUS_ILLEGAL_VALUE and the value NaN if the status
+ * bits say normal, but the data are no value of the label: a decimal digit above 9, 75 minutes, 99 degrees of latitude, a minus sign
+ * where the range begins at 0. If the status is SINS_BUS_NORMAL, the host may give the value of an input, set latitude (041), set
+ * longitude (042) or set heading (043), to sins_unit_enter_position() or sins_unit_enter_heading(); these do not accept NaN. flags is 0,
+ * or SINS_BUS_REVERSED_LABEL.
  *
- * SINS_ERROR_INVALID_ARGUMENT: the parity of the word is even, or the table does not have its label.
+ * SINS_ERROR_INVALID_ARGUMENT: the parity of the word is even, or the table does not have its label. sins_last_error() says which, and
+ * whether there is a label with the bits in the other order.
  */
 SINS_API sins_status SINS_CALL sins_bus_decode(uint32_t word, uint32_t flags, sins_bus_label *label);
 
@@ -701,7 +723,7 @@ enum sins_unit_sizeof {
     SINS_SIZEOF_UNIT_NAVIGATION = 136,
     SINS_SIZEOF_BUS_INPUTS = 48,
     SINS_SIZEOF_BUS_WORD = 24,
-    SINS_SIZEOF_BUS_LABEL = 88
+    SINS_SIZEOF_BUS_LABEL = 104
 };
 
 #ifdef __cplusplus

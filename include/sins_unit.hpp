@@ -29,7 +29,7 @@ inline std::vector<sins_bus_word> bus_words(const sins_unit_status &status, cons
 /* The table of labels. */
 inline std::vector<sins_bus_label> bus_labels() { return detail::all(make<sins_bus_label>(), sins_bus_get_label); }
 
-/* Label, value and status of a word; flags is 0, or SINS_BUS_REVERSED_LABEL. */
+/* Label, value and status of a word; flags is 0, or SINS_BUS_REVERSED_LABEL. The value counts only with SINS_BUS_NORMAL. */
 inline sins_bus_label bus_decode(uint32_t word, uint32_t flags = 0) {
     return detail::filled<sins_bus_label>(nullptr, sins_bus_decode, word, flags);
 }

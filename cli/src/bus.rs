@@ -1,21 +1,22 @@
 //! `sins bus`: the words of ARINC 429 that `sins fly --bus` writes.
 
-use sins::bus::{Format, LABELS, Label, WordStatus, decode, reversed};
+use sins::bus::{Decoded, Format, LABELS, Label, WordStatus, decode, decode_reversed};
 
 use crate::failure::Failure;
 use crate::terminal::print;
+use crate::units::six_digits;
 
 /// Lists the labels of the words that a unit sends, or decodes words
 #[derive(Debug, clap::Subcommand)]
 pub enum Order {
-    /// Lists the labels: number, quantity, unit, resolution, range, interval
+    /// Lists the labels: number, quantity, unit, data, resolution, legal range, interval
     Labels,
-    /// Decodes words in hexadecimal: label, quantity, value, unit, status
+    /// Decodes words in hexadecimal: label, quantity, value, unit, status, and why a value is illegal
     Decode {
         /// The words, as e40000c8
         #[arg(required = true, value_name = "WORD")]
         words: Vec<String>,
-        /// The label bits are reversed, as many cards take them
+        /// The label bits are reversed: the first bit of the label is the lowest of the word
         #[arg(long)]
         reversed: bool,
     },
@@ -38,23 +39,28 @@ fn labels() -> String {
             0 => "input".to_owned(),
             interval => format!("{interval} ms"),
         };
+        let (data, numbers) = format_of(label);
         let Label { number, name, unit, .. } = label;
-        format!("| {number:03o} | {name} | {unit} | {} | {interval} |\n", format_of(label))
+        format!("| {number:03o} | {name} | {unit} | {data} | {numbers} | {interval} |\n")
     });
-    "| label | quantity | unit | data | interval |\n|---|---|---|---|---|\n".to_owned()
+    "| label | quantity | unit | data | resolution | range | interval |\n|---|---|---|---|---|---|---|\n"
+        .to_owned()
         + &rows.collect::<String>()
 }
 
-fn format_of(label: &Label) -> String {
-    let resolution = label.resolution;
+/// What the data are; and resolution and range, as two cells.
+fn format_of(label: &Label) -> (String, String) {
+    let Label { resolution, range: (low, high), .. } = label;
     match label.format {
-        Format::Binary { bits, is_signed, .. } => {
-            let range = resolution * (1_u64 << (bits - u32::from(is_signed))) as f64;
-            let sign = if is_signed { "±" } else { "" };
-            format!("binary, {bits} bits{}, {sign}{range}", if is_signed { " with sign" } else { "" })
-        }
-        Format::Decimal(digits) => format!("{} decimal digits, {resolution:.4}", digits.len()),
-        Format::Bits => "single bits".to_owned(),
+        Format::Binary { lowest, .. } => (
+            format!("binary, {} bits with sign", 29 - lowest),
+            format!("{} | {low} to {high}", six_digits(*resolution)),
+        ),
+        Format::Decimal(digits) => (
+            format!("{} decimal digits", digits.len()),
+            format!("{} | {low} to {high}", six_digits(*resolution)),
+        ),
+        Format::Bits => ("single bits".to_owned(), " | ".to_owned()),
     }
 }
 
@@ -62,16 +68,18 @@ fn decoded(text: &str, is_reversed: bool) -> Result<String, Failure> {
     let bits = u32::from_str_radix(text.trim_start_matches("0x"), 16);
     let bits =
         bits.map_err(|_| Failure::new(format!("{text}: expected a word of up to 8 hexadecimal digits")))?;
-    let bits = if is_reversed { reversed(bits) } else { bits };
-    let found = decode(bits).ok_or_else(|| {
-        Failure::new(format!("{text}: has an even parity, or a label that the table does not have"))
-    })?;
-    let Label { number, name, unit, .. } = found.label;
-    Ok(format!("{number:03o} {name} {} {unit} {}", value(found.label, found.value), status(found.status)))
+    let found = if is_reversed { decode_reversed(bits) } else { decode(bits) };
+    let Decoded { label, value, status, illegal } = found.map_err(|error| Failure::new(error.to_string()))?;
+    let Label { number, name, unit, .. } = label;
+    let why = illegal.map_or(String::new(), |why| format!(": {why}"));
+    Ok(format!("{number:03o} {name} {} {unit} {}{why}", self::value(label, value), self::status(status)))
 }
 
-/// A value with the digits of its resolution.
+/// A value with the digits of its resolution; "-": none.
 pub fn value(label: &Label, value: f64) -> String {
+    if value.is_nan() {
+        return "-".to_owned();
+    }
     let digits = (0..9).find(|digits| label.resolution * 10_f64.powi(*digits) >= 1.0).unwrap_or(9);
     format!("{value:.0$}", digits as usize)
 }
@@ -82,5 +90,6 @@ pub fn status(status: WordStatus) -> &'static str {
         WordStatus::NoComputedData => "no-computed-data",
         WordStatus::FunctionalTest => "functional-test",
         WordStatus::FailureWarning => "failure-warning",
+        WordStatus::IllegalValue => "illegal-value",
     }
 }

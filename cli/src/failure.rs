@@ -110,12 +110,6 @@ impl From<sins::Error> for Failure {
     }
 }
 
-impl<E: std::error::Error + Send + Sync> From<plotters::drawing::DrawingAreaErrorKind<E>> for Failure {
-    fn from(error: plotters::drawing::DrawingAreaErrorKind<E>) -> Self {
-        Self::of_kind(Kind::Failed, format!("a figure could not be drawn: {error}"))
-    }
-}
-
 /// `text` with a question mark for each character that would steer a terminal or hide text: control characters except line feed and
 /// tab, and characters that turn the direction of writing.
 pub fn printable(text: &str) -> String {

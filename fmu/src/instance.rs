@@ -62,6 +62,8 @@ pub struct Flown {
     pub turn_rad: f64,
     /// Entries at the panel that the box refused.
     pub refused_entries: Vec<String>,
+    /// What suggests inputs that are not connected.
+    pub unconnected: Vec<&'static str>,
 }
 
 /// The last sample that was taken.
@@ -123,7 +125,11 @@ impl Flight {
 
     /// The simulator and the box after the corrections, the interval that ends at `time_s` [s], and what is done at the panel.
     fn flown(&self, time_s: f64, values: &Values, is_set: &[bool; inputs::COUNT]) -> Result<Next, String> {
-        let mut sample = inputs::sample(time_s, &values.reals[..inputs::COUNT], is_set)?;
+        let mut sample = inputs::sample(time_s, values, is_set)?;
+        let unconnected = self
+            .taken
+            .as_ref()
+            .map_or(Vec::new(), |taken| inputs::unconnected(&sample, &taken.inputs, time_s - taken.time_s));
         let first_s = self.first_s.unwrap_or(time_s);
         let (mut simulator, mut unit) = (self.simulator.clone(), self.unit);
         let mut fly = || {
@@ -141,14 +147,14 @@ impl Flight {
         if let Some(taken) = &self.taken {
             let Some(unit) = &mut unit else {
                 refused_entries = panel::without_a_box(values, taken.entries);
-                return Ok(Next { simulator, unit, behind_gap, refused_entries });
+                return Ok(Next { simulator, unit, behind_gap, refused_entries, unconnected });
             };
             refused_entries = panel::act(values, taken.entries, unit)?;
             let updated = self.scene.update_unit(unit, &mut simulator, first_s);
             let updated = updated.and_then(|()| panel::push_fix(values, taken.entries, unit, &mut simulator));
             updated.map_err(sentence)?;
         }
-        Ok(Next { simulator, unit, behind_gap, refused_entries })
+        Ok(Next { simulator, unit, behind_gap, refused_entries, unconnected })
     }
 }
 
@@ -169,6 +175,7 @@ struct Next {
     unit: Option<Unit>,
     behind_gap: bool,
     refused_entries: Vec<String>,
+    unconnected: Vec<&'static str>,
 }
 
 /// An instance.
@@ -289,7 +296,7 @@ impl Instance {
             }
             _ => {}
         }
-        let Next { mut simulator, unit, behind_gap, refused_entries } =
+        let Next { mut simulator, unit, behind_gap, refused_entries, unconnected } =
             flight.flown(time_s, &self.values, &self.is_set).map_err(Refused::error)?;
         let turn_rad = flight.taken.as_ref().map_or(0.0, |before| inputs::turn_rad(&before.inputs, inputs));
         let taken = Taken {
@@ -304,6 +311,6 @@ impl Instance {
         flight.first_s = flight.first_s.or(Some(time_s));
         flight.taken = Some(taken);
         self.end_s = time_s + length_s;
-        Ok(Flown { behind_gap, turn_rad, refused_entries })
+        Ok(Flown { behind_gap, turn_rad, refused_entries, unconnected })
     }
 }

@@ -49,6 +49,8 @@ pub struct Component {
     pub(crate) texts: Vec<CString>,
     /// Whether the warning about a large turn was sent, which is sent once.
     pub(crate) has_said_turn: bool,
+    /// Whether the warnings about inputs that seem not to be connected were sent, which are sent once.
+    pub(crate) has_said_unconnected: bool,
 }
 
 pub(crate) type Outcome = Result<fmi2Status, Refused>;
@@ -166,7 +168,13 @@ pub unsafe extern "C-unwind" fn fmi2Instantiate(
     });
     let refused = match made {
         Some(Ok(instance)) => {
-            let component = Component { instance, logger, texts: Vec::new(), has_said_turn: false };
+            let component = Component {
+                instance,
+                logger,
+                texts: Vec::new(),
+                has_said_turn: false,
+                has_said_unconnected: false,
+            };
             return Box::into_raw(Box::new(component));
         }
         Some(Err(refused)) => refused.text,

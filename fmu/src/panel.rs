@@ -37,6 +37,9 @@ const FIXES: usize = 5;
 /// Place of the test in the row of booleans.
 const TEST: usize = 0;
 
+/// Place behind it: that of the first parameter that turns a group of inputs off.
+pub const SWITCHES: usize = TEST + 1;
+
 /// Numbers of entries and of fixes that the master has counted.
 pub type Counts = [i32; 3];
 

@@ -25,7 +25,7 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
     unsafe {
         on(component, "fmi2DoStep", |component| {
             let time_s = current_communication_point;
-            let Flown { behind_gap, turn_rad, refused_entries } =
+            let Flown { behind_gap, turn_rad, refused_entries, unconnected } =
                 component.instance.step(time_s, communication_step_size)?;
             if behind_gap {
                 let text = format!("the sample at {time_s} s closes a gap in the truth");
@@ -33,6 +33,12 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
             }
             for text in refused_entries {
                 component.logger.say(Category::Warning, fmi2Warning, &text);
+            }
+            if !unconnected.is_empty() && !component.has_said_unconnected {
+                component.has_said_unconnected = true;
+                for text in unconnected {
+                    component.logger.say(Category::Warning, fmi2Warning, text);
+                }
             }
             if turn_rad > LARGE_TURN_RAD && !component.has_said_turn {
                 component.has_said_turn = true;

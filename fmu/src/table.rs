@@ -37,7 +37,8 @@ impl Table {
 
     fn new() -> Self {
         let mut start = Values::default();
-        let inputs = inputs::variables().chain(corrections::inputs()).chain(panel::inputs());
+        let inputs =
+            inputs::variables().chain(corrections::inputs()).chain(panel::inputs()).chain(inputs::switches());
         let all = inputs.chain(parameters::variables()).chain(outputs::variables());
         let variables: Vec<(Variable, usize)> = all
             .map(|variable| {

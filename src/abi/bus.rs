@@ -6,7 +6,7 @@ use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Array, Output, interface_struct, put, read};
 use super::text::chars;
 use super::unit_status::{sins_unit_navigation, sins_unit_status};
-use crate::bus::{Inputs, LABELS, WordStatus, decode, reversed};
+use crate::bus::{Inputs, LABELS, WordStatus, decode, decode_reversed, reversed};
 use crate::error::{Error, Rule};
 use crate::state::BodyAxes;
 use core::ffi::c_char;
@@ -18,7 +18,10 @@ pub type sins_bus_flags = u32;
 pub const SINS_BUS_WIND: sins_bus_flags = 1;
 /// The field magnetic_variation_rad holds a value.
 pub const SINS_BUS_MAGNETIC_VARIATION: sins_bus_flags = 2;
-/// The label bits of the words are in the order in which most cards take them: the first bit of the label is the highest of the byte.
+/// The bits of the label are reversed: the lowest byte of 310 is hexadecimal 13. ARINC 429 sends the most significant bit of the label
+/// first, and calls it bit 1. Without this flag that bit is the highest of the lowest byte, which is then the number of the label, c8;
+/// with it, that bit is the lowest of the word. The manual of a card says which order it takes. 45 degrees of latitude are e40000c8,
+/// reversed e4000013.
 pub const SINS_BUS_REVERSED_LABEL: sins_bus_flags = 4;
 
 /// What a host knows beside the unit. All zero, or NULL: nothing; the words that need it say "no computed data".
@@ -55,7 +58,8 @@ pub struct sins_bus_word {
     pub struct_size: u32,
     /// Number of the label: 200 is the octal 310.
     pub label: u32,
-    /// The word. Bit 1, the first bit of the label, is the lowest bit.
+    /// The word: the label in the lowest byte, in the order of SINS_BUS_REVERSED_LABEL. From bit 9 of ARINC 429 on, bit n is bit n - 1 of
+    /// the integer, from 0.
     pub word: u32,
     /// 0
     pub reserved: u32,
@@ -83,17 +87,22 @@ pub struct sins_bus_label {
     pub resolution: f64,
     /// Time from one word to the next [s]; 0: an input, which the unit does not send.
     pub interval_s: f64,
-    /// Value of a decoded word, in the unit; 0 from sins_bus_get_label().
+    /// Value of a decoded word, in the unit; 0 from sins_bus_get_label(); NaN if the data are no value of the label.
     pub value: f64,
-    /// Status of a decoded word, of enum sins_bus_word_status.
+    /// Status of a decoded word, of enum sins_bus_word_status. The value counts only with SINS_BUS_NORMAL.
     pub status: i32,
     /// 0
     pub reserved: u32,
+    /// Least value that a word of the label may have, in the unit.
+    pub minimum: f64,
+    /// Greatest value that a word of the label may have, in the unit.
+    pub maximum: f64,
 }
 
-interface_struct!(sins_bus_label, "label", 88);
+interface_struct!(sins_bus_label, "label", 104);
 
 fn label_of(label: &crate::bus::Label) -> sins_bus_label {
+    let (minimum, maximum) = label.least_and_greatest();
     sins_bus_label {
         struct_size: size_of::<sins_bus_label>() as u32,
         label: label.number.into(),
@@ -104,6 +113,8 @@ fn label_of(label: &crate::bus::Label) -> sins_bus_label {
         value: 0.0,
         status: SINS_BUS_NORMAL,
         reserved: 0,
+        minimum,
+        maximum,
     }
 }
 
@@ -128,10 +139,11 @@ impl sins_bus_inputs {
     }
 }
 
-/// Gives the words that are due after from_s and not after to_s, in the order of their times, into words[0] to words[*count - 1]; at
-/// most 10 s at a time. status and navigation are those of sins_unit_get_status() and sins_unit_get_navigation(). Each label is sent
-/// at the multiples of its interval. A unit that is off sends nothing. A value beyond the range of its word is the end of the range;
-/// angles wrap.
+/// Gives the words that are due after from_s and not after to_s, in the order of their times, into words[0] to words[*count - 1].
+/// from_s is from -1e10 to 1e10 s, to_s from from_s to 10 s later. A time that is before a multiple of a millisecond by no more than
+/// four roundings, 4 * DBL_EPSILON times itself, counts as the multiple. status and navigation are those of sins_unit_get_status()
+/// and sins_unit_get_navigation(). Each label is sent at the multiples of its interval. A unit that is off sends nothing. A value
+/// beyond the range of its label is the end of the range; angles of any direction wrap.
 ///
 /// The words show what navigation holds. A real unit is some 80 ms late: a host that wants that keeps status and navigation for this
 /// time. A simulator without a panel sends words too, with a unit that was created with SINS_UNIT_NAV.
@@ -154,9 +166,9 @@ impl sins_bus_inputs {
 /// bus_status.state = SINS_UNIT_STATE_NAVIGATION;
 /// bus_navigation.validity = SINS_UNIT_VALID_POSITION;
 /// bus_navigation.latitude_rad = 45.0 * SINS_DEG;
-/// sins_bus_words(&bus_status, &bus_navigation, NULL, 0.0, 0.1, &word, 1, &word_count);
+/// sins_bus_words(&bus_status, &bus_navigation, NULL, 0.09, 0.1, &word, 1, &word_count);
 /// sins_bus_decode(word.word, 0, &label);
-/// printf("label %o: %08lx, %g %s\n", (unsigned)label.label, (unsigned long)word.word, label.value, label.unit);  // label 312: 200000ca, 0 kt
+/// printf("label %o: %08lx, %g %s\n", (unsigned)label.label, (unsigned long)word.word, label.value, label.unit);  // label 310: e40000c8, 45 deg
 /// ```
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_bus_words(
@@ -220,10 +232,14 @@ pub unsafe extern "C-unwind" fn sins_bus_get_label(index: usize, label: *mut sin
     })
 }
 
-/// Decodes a word of the table: its label, its value and its status. The host gives the value of an input, set latitude (041), set
-/// longitude (042) or set heading (043), to sins_unit_enter_position() or sins_unit_enter_heading(). flags is 0, or SINS_BUS_REVERSED_LABEL.
+/// Decodes a word of the table: its label, its value and its status. The status is SINS_BUS_ILLEGAL_VALUE and the value NaN if the status
+/// bits say normal, but the data are no value of the label: a decimal digit above 9, 75 minutes, 99 degrees of latitude, a minus sign
+/// where the range begins at 0. If the status is SINS_BUS_NORMAL, the host may give the value of an input, set latitude (041), set
+/// longitude (042) or set heading (043), to sins_unit_enter_position() or sins_unit_enter_heading(); these do not accept NaN. flags is 0,
+/// or SINS_BUS_REVERSED_LABEL.
 ///
-/// SINS_ERROR_INVALID_ARGUMENT: the parity of the word is even, or the table does not have its label.
+/// SINS_ERROR_INVALID_ARGUMENT: the parity of the word is even, or the table does not have its label. sins_last_error() says which, and
+/// whether there is a label with the bits in the other order.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_bus_decode(
     word: u32,
@@ -237,11 +253,7 @@ pub unsafe extern "C-unwind" fn sins_bus_decode(
             let rule = Rule::Sentence("must be 0 or SINS_BUS_REVERSED_LABEL");
             return Err(Error::invalid("flags", flags, rule).into());
         }
-        let bits = if flags == 0 { word } else { reversed(word) };
-        let Some(decoded) = decode(bits) else {
-            let rule = Rule::Sentence("has an even parity, or a label that the table does not have");
-            return Err(Error::invalid("word", word, rule).into());
-        };
+        let decoded = if flags == 0 { decode(word)? } else { decode_reversed(word)? };
         Ok(output.write(&sins_bus_label {
             value: decoded.value,
             status: decoded.status.code(),

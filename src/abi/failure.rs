@@ -168,10 +168,12 @@ impl From<Error> for Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(&self.error, f)?;
-        match (self.error.field, self.error.kind, self.error.value) {
-            ("sample.time_s", ErrorKind::Discontinuity, _) => {
-                f.write_str("; after a pause call sins_move_time()")?
-            }
+        let Error { field, kind, value, rule, .. } = self.error;
+        match (field, kind, value) {
+            ("sample.time_s", ErrorKind::Discontinuity, _) => f.write_str(match rule {
+                Rule::GapWithJump(..) => "; after a jump call sins_move_truth()",
+                _ => "; after a pause call sins_move_time(); samples that were rejected in the gap said why",
+            })?,
             ("sample.temperature_c", _, None) => {
                 f.write_str("; set SINS_SAMPLE_TEMPERATURE in sample.flags")?
             }

@@ -70,7 +70,7 @@ pub struct sins_flight_sample {
     pub temperature_c: f64,
 }
 
-interface_struct!(sins_flight_sample, "sample", 136);
+interface_struct!(sins_flight_sample, "sample", 144);
 
 impl sins_flight_sample {
     pub(super) fn to_sample(self) -> Result<FlightSample, Failure> {

@@ -1,4 +1,4 @@
-//! Confidence intervals of Allan variances and of the coefficients. `tests/allan/estimator.rs` counts how often intervals of 95 %
+//! Confidence intervals of Allan variances and of the coefficients. `tests/analysis/allan/estimator.rs` counts how often intervals of 95 %
 //! hold the truth: 93 to 98.5 % for normal noises, more often with a ramp.
 
 use nalgebra::SVector;

@@ -3,15 +3,17 @@
 //! The encoder is a function of the status and the navigation of a [`Unit`](crate::unit::Unit): it has no state. A real unit shows the values of
 //! some 80 ms ago: a host that wants this delay keeps status and navigation for that time.
 
+mod label;
 mod source;
 mod table;
 mod word;
 
+pub use label::Label;
 pub use source::Inputs;
-pub use table::{LABELS, Label};
-pub use word::{Format, WordStatus, reversed};
+pub use table::LABELS;
+pub use word::{Digit, Format, WordStatus, reversed};
 
-use crate::error::{Error, check_range};
+use crate::error::{Error, Rule, Value, check_range};
 use crate::unit::{State, Status, UnitNavigation};
 use source::Source;
 
@@ -20,7 +22,7 @@ use source::Source;
 pub struct Word {
     /// Time of the word [s].
     pub time_s: f64,
-    /// The word: bit 1 is its lowest bit.
+    /// The word: its lowest byte is the number of the label.
     pub word: u32,
     /// Number of the label.
     pub label: u8,
@@ -31,16 +33,12 @@ pub struct Word {
 pub struct Decoded {
     /// Its label.
     pub label: &'static Label,
-    /// The value, in the unit of the label.
+    /// The value, in the unit of the label; NaN if the data are no value of the label.
     pub value: f64,
     /// Its status.
     pub status: WordStatus,
-}
-
-impl PartialEq for Label {
-    fn eq(&self, other: &Self) -> bool {
-        self.number == other.number
-    }
+    /// Why the value is not legal, if the status says so. A digit is counted from 0, the highest.
+    pub illegal: Option<Error>,
 }
 
 impl Inputs {
@@ -55,7 +53,12 @@ impl Inputs {
     }
 }
 
-/// Gives each word that is due after `from_s` and not after `to_s` [s] to `take`, in the order of time. A unit that is off sends none.
+/// Share of a time that its rounding may have: a product of two rounded numbers.
+const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
+
+/// Gives each word that is due after `from_s` and not after `to_s` [s] to `take`, in the order of time. `from_s` is from -1e10 to 1e10,
+/// `to_s` from `from_s` to 10 s later. A time that is before a multiple of a millisecond by no more than four roundings counts as the
+/// multiple. A unit that is off sends no word.
 pub fn words(
     status: &Status,
     shown: &UnitNavigation,
@@ -70,8 +73,7 @@ pub fn words(
         return Ok(());
     }
     let source = Source::new(shown, status, inputs);
-    // A thousandth of a millisecond for the rounding of times.
-    let milliseconds = |time_s: f64| (time_s * 1e3 + 1e-3).floor() as i64;
+    let milliseconds = |time_s: f64| (time_s * 1e3 + (time_s * 1e3).abs() * ROUNDINGS).floor() as i64;
     for time_ms in milliseconds(from_s) + 1..=milliseconds(to_s) {
         for label in LABELS
             .iter()
@@ -87,22 +89,33 @@ pub fn words(
     Ok(())
 }
 
-/// Label, value and status of a word. `None`: its parity is even, or the table does not have its label.
-pub fn decode(word: u32) -> Option<Decoded> {
-    let label = LABELS.iter().find(|label| u32::from(label.number) == word & 0xff)?;
-    let (steps, status) = word::decode(&label.format, word)?;
-    Some(Decoded { label, value: steps * label.resolution, status })
+/// Label, value and status of a word. The error says why the word cannot be decoded: its parity is even, or the table does not have its
+/// label.
+pub fn decode(word: u32) -> Result<Decoded, Error> {
+    decode_either(word, false)
 }
 
-impl Label {
-    fn word(&self, source: &Source, identifier: u32) -> u32 {
-        let status = source.status_of(self.group);
-        let steps = if status == WordStatus::Normal { (self.of)(source) / self.resolution } else { 0.0 };
-        word::encode(self.number, &self.format, identifier, steps, status)
-    }
+/// The same of a word whose label bits are reversed.
+pub fn decode_reversed(word: u32) -> Result<Decoded, Error> {
+    decode_either(word, true)
+}
 
-    /// The word that says `value`, in the unit of the label, with a normal status.
-    pub fn encode(&self, value: f64, source: u32) -> u32 {
-        word::encode(self.number, &self.format, source, value / self.resolution, WordStatus::Normal)
+fn decode_either(given: u32, is_reversed: bool) -> Result<Decoded, Error> {
+    let word = if is_reversed { reversed(given) } else { given };
+    let reject = |rule| Error::invalid("word", Value::Word(given), rule);
+    if word::has_even_parity(word) {
+        return Err(reject(Rule::Sentence("has an even parity; words of ARINC 429 have an odd one")));
     }
+    let Some(label) = Label::of(word) else {
+        let other = Label::of(reversed(word)).map(|label| (label.number, label.name));
+        return Err(reject(Rule::Label(word as u8, is_reversed, other)));
+    };
+    let status = word::status(&label.format, word);
+    Ok(match label.read(word) {
+        Ok(value) => Decoded { label, value, status, illegal: None },
+        Err(why) if status == WordStatus::Normal => {
+            Decoded { label, value: f64::NAN, status: WordStatus::IllegalValue, illegal: Some(why) }
+        }
+        Err(_) => Decoded { label, value: f64::NAN, status, illegal: None },
+    })
 }

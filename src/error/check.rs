@@ -14,6 +14,7 @@ pub(crate) fn check_integer(
     let is_within = match value {
         Value::Signed(value) => u64::try_from(value).is_ok_and(|value| (low..=high).contains(&value)),
         Value::Unsigned(value) => (low..=high).contains(&value),
+        Value::Word(value) => (low..=high).contains(&value.into()),
         Value::Real(_) => false,
     };
     if is_within { Ok(()) } else { Err(Error::invalid(field, value, Rule::BetweenIntegers(low, high))) }

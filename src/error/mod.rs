@@ -144,6 +144,18 @@ impl fmt::Display for Error {
             | Rule::AtMost(words, number)
             | Rule::Exactly(words, number)
             | Rule::SentenceWith(words, number) => write!(f, "{words} {number}"),
+            Rule::GapWithJump(limit_s, moved_m) => write!(
+                f,
+                "the gap after the last accepted sample must be at most options.max_gap_s = {}; in the gap the position jumped by {} m",
+                Number(limit_s),
+                Number(moved_m)
+            ),
+            Rule::Label(number, is_reversed, other) => {
+                write!(f, "label {number:03o} is not in the table")?;
+                let Some((other, name)) = other else { return Ok(()) };
+                let not = if is_reversed { "not " } else { "" };
+                write!(f, "; label bits {not}reversed? {other:03o} would be {name}")
+            }
         }
     }
 }

@@ -33,13 +33,22 @@ pub enum Rule {
     Sentence(&'static str),
     /// A sentence that ends with a number. The number is not itself the limit of the value.
     SentenceWith(&'static str, Value),
+    /// The gap after the last accepted sample is longer than the limit [s], and the position jumped in it [m].
+    GapWithJump(f64, f64),
+    /// The label of a word is not in the table: its number, whether its bits are reversed, and, if there is one, the label with the bits in
+    /// the other order, by number and name.
+    Label(u8, bool, Option<(u8, &'static str)>),
 }
 
 impl Rule {
     /// The smallest and the largest value, if the rule has them. The limit of [`Rule::Below`] itself is not allowed.
     pub fn limits(&self) -> (Option<f64>, Option<f64>) {
         match *self {
-            Self::Finite | Self::Sentence(_) | Self::SentenceWith(..) => (None, None),
+            Self::Finite
+            | Self::Sentence(_)
+            | Self::SentenceWith(..)
+            | Self::Label(..)
+            | Self::GapWithJump(..) => (None, None),
             Self::Between(low, high)
             | Self::OffOr(low, high)
             | Self::DefaultOr(low, high)
@@ -64,6 +73,8 @@ pub enum Value {
     Signed(i64),
     /// Value of an unsigned integer field.
     Unsigned(u64),
+    /// A word of 32 bits, displayed as eight hexadecimal digits.
+    Word(u32),
 }
 
 impl Value {
@@ -78,6 +89,7 @@ impl Value {
             Self::Real(value) => value,
             Self::Signed(value) => value as f64,
             Self::Unsigned(value) => value as f64,
+            Self::Word(value) => value.into(),
         }
     }
 }
@@ -107,6 +119,7 @@ impl fmt::Display for Value {
             Self::Real(number) => Number(number).fmt(f),
             Self::Signed(integer) => integer.fmt(f),
             Self::Unsigned(integer) => integer.fmt(f),
+            Self::Word(bits) => write!(f, "{bits:08x}"),
         }
     }
 }

@@ -1,19 +1,19 @@
-//! Pair numbers, and two vectors, that go through the same formula at once. The compiler computes both with one instruction where
+//! Two numbers, and two vectors, that go through the same formula at once. The compiler computes both with one instruction where
 //! the processor has such instructions (SSE2, NEON). The bits are everywhere the same as with the plain formula.
 
 use core::ops::{Add, AddAssign, BitAnd, BitXor, Div, Mul, Sub};
 
 use nalgebra::{Matrix3, Vector3};
 
-/// Pair numbers side by side.
+/// Two numbers side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair(pub [f64; 2]);
 
 impl Pair {
-    /// Pair of two zeros.
+    /// Two zeros.
     pub const ZERO: Self = Self([0.0; 2]);
 
-    /// Pair of which both numbers are `x`.
+    /// Twice the number `x`.
     #[inline(always)]
     pub fn both(x: f64) -> Self {
         Self([x; 2])
@@ -155,17 +155,17 @@ pub struct VectorPair {
 }
 
 impl VectorPair {
-    /// Pair of two zero vectors.
+    /// Two zero vectors.
     pub const ZERO: Self = Self { x: Pair::ZERO, y: Pair::ZERO, z: Pair::ZERO };
 
-    /// Pair of the vectors `first` and `second`.
+    /// The vectors `first` and `second`.
     #[inline(always)]
     pub fn new(first: &Vector3<f64>, second: &Vector3<f64>) -> Self {
         let pair = |i: usize| Pair([first[i], second[i]]);
         Self { x: pair(0), y: pair(1), z: pair(2) }
     }
 
-    /// Pair of which both vectors are `v`.
+    /// Twice the vector `v`.
     #[inline(always)]
     pub fn both(v: &Vector3<f64>) -> Self {
         Self::new(v, v)

@@ -51,6 +51,7 @@ pub use crate::surroundings::{AltimeterParameters, GravityDisturbanceParameters,
 pub use alignment::{Aligned, Sensed, level, level_and_gyrocompass};
 pub use altimeter::Altimeter;
 pub use draw::StandardNormal;
+pub use effects::EffectPlace;
 pub(crate) use effects::{FLICKER_PROCESSES, SharedInput, StateRows};
 pub(crate) use failing::FailingTriad;
 pub use failure::{Axis, Failure, SensorOutput};

@@ -4,7 +4,9 @@ use core::slice::{from_mut, from_ref};
 
 use nalgebra::Vector3;
 
-use super::effects::{BatchOutputs, Conditions, Count, Effects, From, Into, Outputs, SharedInput, StateRows};
+use super::effects::{
+    BatchOutputs, Conditions, Count, EffectPlace, Effects, From, Into, Outputs, SharedInput, StateRows,
+};
 use super::failing::FailingTriad;
 use super::failure::{Axis, Failure, SensorOutput};
 use super::kept::Kept;
@@ -112,6 +114,11 @@ impl Triad {
         self.failing.keep();
         self.failing.begin_interval(t);
         self.effects.begin_interval(&Conditions { ends_c, turning });
+    }
+
+    /// Where its active effects act, in order.
+    pub fn effect_places(&self) -> impl Iterator<Item = EffectPlace> {
+        self.effects.places()
     }
 
     /// Whether nothing changes the increments.

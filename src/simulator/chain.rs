@@ -118,7 +118,15 @@ impl Chain {
         Extension { block, disturbance, sensors_state }: Extension,
     ) -> Self {
         let closed_loop = options.closed_loop_time_s.map(|time_constant_s| {
-            let at_truth = || Mechanization::new(earth, options.frame, options.scheme, &sensors_state);
+            // To the bit the start of a navigator without errors: runs of an ensemble with errors and without share the trim.
+            let at_truth = || {
+                let truth = match &block {
+                    Some(_) => sensors_state.navigation(&earth, options.axes),
+                    None => first.navigation(&earth, options.axes),
+                };
+                let state = with_errors(&earth, options, &truth, &StateErrors::NONE).earth_fixed(&earth);
+                Mechanization::new(earth, options.frame, options.scheme, &state)
+            };
             ClosedLoop::new(time_constant_s, first.time_s, with_shadow.then(at_truth))
         });
         let error_model = options.error_model.then(|| {

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::limits::{IntakeLimits, MAX_GAP_S, MIN_INTERVAL_S, OFF_PERIOD, STAMP_ROUNDING};
 use super::ring::Ring;
-use super::steps::Steps;
+use super::steps::{POSITION_SLACK_M, Steps};
 use super::{FlightSample, QUEUE_CAPACITY, Recent, TruthPoint};
 use crate::earth::Earth;
 use crate::error::{Error, ErrorKind, Rule, check_range};
@@ -184,7 +184,7 @@ impl Intake {
             self.restart(sample)?;
             return Ok(Pushed::Regular);
         };
-        let (time_s, interval_s, ticks) = self.place_in_time(last, sample.time_s)?;
+        let (time_s, interval_s, ticks) = self.place_in_time(last, sample)?;
         let mut point = TruthPoint::new(&self.earth, self.axes, sample, time_s, interval_s);
         if sample.v_n.is_none() {
             point.set_velocity(&self.earth, self.velocity_from_positions(&point));
@@ -218,7 +218,8 @@ impl Intake {
     }
 
     /// Time on the time base, interval to the point before, ticks since the first sample.
-    fn place_in_time(&self, last: &TruthPoint, stamp_s: f64) -> Result<(f64, f64, f64), Error> {
+    fn place_in_time(&self, last: &TruthPoint, sample: &FlightSample) -> Result<(f64, f64, f64), Error> {
+        let stamp_s = sample.time_s;
         let order = |rule| Err(Error::of(ErrorKind::TimeOrder, "sample.time_s", stamp_s, rule));
         let (time_s, ticks) = self.on_time_base(stamp_s);
         let interval_s = match self.limits.period_s {
@@ -241,13 +242,28 @@ impl Intake {
             ));
         }
         if interval_s > self.limits.max_gap_s + rounding {
-            let rule = Rule::SentenceWith(
-                "the gap after the previous sample must be at most options.max_gap_s =",
-                self.limits.max_gap_s.into(),
-            );
-            return Err(Error::of(ErrorKind::Discontinuity, "sample.time_s", stamp_s, rule));
+            return Err(self.too_long_a_gap(last, sample, interval_s));
         }
         Ok((time_s, interval_s, ticks))
+    }
+
+    /// The error of a sample that is more than `max_gap_s` after the last accepted one. If the position moved farther than the faster of
+    /// both velocities explains, the samples in between were not missing, but rejected for a jump.
+    #[cold]
+    fn too_long_a_gap(&self, last: &TruthPoint, sample: &FlightSample, interval_s: f64) -> Error {
+        let point = TruthPoint::new(&self.earth, self.axes, sample, sample.time_s, interval_s);
+        let moved_m = (point.state.r_e - last.state.r_e).norm_squared().sqrt();
+        let speed2 = point.state.v_e.norm_squared().max(last.state.v_e.norm_squared());
+        let max_gap_s = self.limits.max_gap_s;
+        let rule = if moved_m > POSITION_SLACK_M + speed2.sqrt() * interval_s {
+            Rule::GapWithJump(max_gap_s, moved_m.round())
+        } else {
+            Rule::SentenceWith(
+                "the gap after the last accepted sample must be at most options.max_gap_s =",
+                max_gap_s.into(),
+            )
+        };
+        Error::of(ErrorKind::Discontinuity, "sample.time_s", sample.time_s, rule)
     }
 
     /// Velocity at `point` [m/s]: the derivative of the polynomial through its position and up to three before it. After a gap only

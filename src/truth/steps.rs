@@ -9,7 +9,7 @@ use crate::math::{atan2, relative_rotation, rotation_vector};
 
 /// Displacement by which a coarse position may contradict the velocity before it is a jump [m]: longitudes in degrees of single
 /// precision are 0.85 m apart.
-const POSITION_SLACK_M: f64 = 10.0;
+pub(super) const POSITION_SLACK_M: f64 = 10.0;
 
 /// |q0·q1| of two attitudes 170° apart.
 const HALF_TURN_COSINE: f64 = 0.087_155_742_747_658_17;

@@ -38,7 +38,17 @@ impl Unit {
         check_range("latitude_rad", latitude_rad, -QUARTER, QUARTER)?;
         check_range("longitude_rad", longitude_rad, -WHOLE, WHOLE)?;
         if !self.aligns() && self.state != State::Ready {
-            return Err(Error::bad_state("a position can be entered during an alignment"));
+            return Err(Error::bad_state(match self.state {
+                State::Off | State::PowerDown => {
+                    "a position can be entered during an alignment; the unit is off"
+                }
+                State::Test => "a position can be entered during an alignment; the power-up test is not over",
+                State::Navigation => "a position can be entered during an alignment; the unit navigates",
+                State::Erection | State::Attitude => {
+                    "a position can be entered during an alignment; the unit is in ATT"
+                }
+                _ => "a position can be entered during an alignment; the unit has failed",
+            }));
         }
         let longitude_rad = crate::math::wrap_angle(longitude_rad);
         let position = (latitude_rad, longitude_rad);
@@ -60,7 +70,15 @@ impl Unit {
     pub fn enter_heading(&mut self, heading_rad: f64) -> Result<(), Error> {
         check_range("heading_rad", heading_rad, -WHOLE, WHOLE)?;
         if self.state != State::Attitude {
-            return Err(Error::bad_state("a heading can be entered when the attitude of ATT is valid"));
+            return Err(Error::bad_state(match self.state {
+                State::Test => {
+                    "a heading can be entered when the attitude of ATT is valid; the power-up test is not over"
+                }
+                State::Erection => {
+                    "a heading can be entered when the attitude of ATT is valid; the erection is not over"
+                }
+                _ => "a heading can be entered when the attitude of ATT is valid",
+            }));
         }
         self.turn_to(heading_rad);
         self.heading_entered = true;

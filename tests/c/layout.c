@@ -539,7 +539,7 @@ AT(sins_bus_word, word, 8);
 AT(sins_bus_word, reserved, 12);
 AT(sins_bus_word, time_s, 16);
 
-SIZE(sins_bus_label, SINS_SIZEOF_BUS_LABEL, 88);
+SIZE(sins_bus_label, SINS_SIZEOF_BUS_LABEL, 104);
 AT(sins_bus_label, struct_size, 0);
 AT(sins_bus_label, label, 4);
 AT(sins_bus_label, name, 8);
@@ -549,6 +549,8 @@ AT(sins_bus_label, interval_s, 64);
 AT(sins_bus_label, value, 72);
 AT(sins_bus_label, status, 80);
 AT(sins_bus_label, reserved, 84);
+AT(sins_bus_label, minimum, 88);
+AT(sins_bus_label, maximum, 96);
 
 SIZE(sins_statistics, SINS_SIZEOF_STATISTICS, 14920);
 AT(sins_statistics, struct_size, 0);

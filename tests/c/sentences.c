@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "sins.h"
+#include "sins_unit.h"
 
 /* Parameters that are 0 except for element `index` of the field at `offset`, which is `value`. */
 static const sins_gyro_params *gyro_with(size_t offset, int index, double value)
@@ -58,7 +58,7 @@ static void failures(void)
     sins_imu imu = {.struct_size = sizeof imu};
     sins_navigation navigation = {.struct_size = sizeof navigation};
     int32_t axis;
-    char text[256];
+    char text[400];
 
     CHECK(sins_create(NULL, &sim) == SINS_OK);
     bad_failure(sim, 3, 0, &failure, "sensor = 3: must be of enum sins_sensor, 0 to 2");
@@ -93,7 +93,16 @@ static void failures(void)
     CHECK(sins_push_sample(sim, &sample) == SINS_OK);
     sample.time_s = 60.0;
     CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_DISCONTINUITY && sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
-    CHECK(strcmp(text, "sample.time_s = 60: the gap after the previous sample must be at most options.max_gap_s = 2.5; after a pause call sins_move_time()") == 0);
+    CHECK(strcmp(text, "sample.time_s = 60: the gap after the last accepted sample must be at most options.max_gap_s = 2.5; after a pause call "
+                       "sins_move_time(); samples that were rejected in the gap said why") == 0);
+    sample.latitude_rad = 0.1; /* a jump that the host does not notice */
+    for (sample.time_s = 0.5; sample.time_s < 1e4; sample.time_s += 0.5) {
+        const char *reason = sample.time_s > 2.5 ? "sample.time_s = " : "sample position: displacement that the velocity";
+        CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_DISCONTINUITY && sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+        CHECK(strstr(text, reason) == text && strstr(text, "pause") == NULL);
+    }
+    CHECK(strstr(text, "options.max_gap_s = 2.5; in the gap the position jumped by 633") != NULL);
+    CHECK(strstr(text, " m; after a jump call sins_move_truth()") != NULL);
     sample.time_s = 0.01;
     sample.latitude_rad = 47.5;
     CHECK(sins_push_sample(sim, &sample) == SINS_ERROR_INVALID_ARGUMENT && sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
@@ -118,6 +127,39 @@ static void failures(void)
     CHECK(sins_get_navigation(sim, &navigation) == SINS_OK);
     CHECK(navigation.flags == SINS_NAVIGATION_VERTICAL_UNAIDED);
     CHECK(sins_destroy(sim) == SINS_OK);
+}
+
+/* Decodes a word, which is rejected with `sentence`; the output stays as it was. */
+static void bad_word(uint32_t word, uint32_t flags, const char *sentence)
+{
+    sins_bus_label label = {.struct_size = sizeof label, .value = 7.0};
+    char text[200];
+
+    CHECK(sins_bus_decode(word, flags, &label) == SINS_ERROR_INVALID_ARGUMENT && label.value == 7.0);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK);
+    CHECK(strcmp(text, sentence) == 0);
+}
+
+/* Words that are rejected, and words that are decoded but say what they cannot mean. */
+static void words(void)
+{
+    static const uint32_t illegal[] = {0x04f30021u, 0x00bc000au, 0x84575021u};
+    sins_bus_label label = {.struct_size = sizeof label};
+    sins_error_info info = {.struct_size = sizeof info};
+    size_t k;
+
+    bad_word(0xe40000c9u, 0, "word = e40000c9: has an even parity; words of ARINC 429 have an odd one");
+    CHECK(sins_last_error_info(NULL, &info) == SINS_OK && info.value == 0xe40000c9u && (info.flags & SINS_ERROR_INFO_INTEGER) != 0);
+    bad_word(0x00000001u, 0, "word = 00000001: label 001 is not in the table");
+    bad_word(0xe4000013u, 0, "word = e4000013: label 023 is not in the table; label bits reversed? 310 would be latitude");
+    bad_word(0xe40000c8u, SINS_BUS_REVERSED_LABEL,
+             "word = e40000c8: label 023 is not in the table; label bits not reversed? 310 would be latitude");
+    CHECK(sins_bus_decode(0xe4000013u, SINS_BUS_REVERSED_LABEL, &label) == SINS_OK && label.label == 0310 && label.value == 45.0);
+    CHECK(label.minimum == -90.0 && label.maximum == 90.0 && label.status == SINS_BUS_NORMAL);
+    for (k = 0; k < sizeof illegal / sizeof *illegal; k++) {
+        CHECK(sins_bus_decode(illegal[k], 0, &label) == SINS_OK && label.status == SINS_BUS_ILLEGAL_VALUE);
+        CHECK(label.value != label.value);
+    }
 }
 
 /* A sample without the temperature flag, although a sensor needs the temperature. */
@@ -303,6 +345,7 @@ int main(void)
     CHECK(sins_create(NULL, &sim) == SINS_OK);
     sentences(sim);
     failures();
+    words();
     temperatures();
     before_the_first_step();
     CHECK(sins_destroy(sim) == SINS_OK);

@@ -43,7 +43,7 @@ static void every_moment(void)
     int k;
     fly(straight, 0, 0);
     for (k = 0; k < COUNT; k++) {
-        unsigned char bytes[SINS_SNAPSHOT_MAX_SIZE];
+        static unsigned char bytes[SINS_SNAPSHOT_MAX_SIZE];
         size_t size = 0, written = 0;
         sins_sim *fresh = NULL;
         sins_options options = {.struct_size = sizeof options};

@@ -19,13 +19,13 @@ static void *stating(size_t size, int filling)
 }
 
 /* A struct shorter than in the first release is an error. A longer one than this release knows is valid if the tail is zero. */
-#define INPUT_SIZES_SINCE(first, type, call)                                                 \
+#define INPUT_SIZES(type, call)                                                              \
     do {                                                                                     \
         uint32_t garbage = 0xffffffffu;                                                      \
         size_t size;                                                                         \
         for (size = 0; size <= 2 * sizeof(struct type); size++) {                            \
             struct type *pointer = stating(size, 0);                                         \
-            int fits = size >= (first) && size % 8 == 0;                                     \
+            int fits = size >= sizeof(struct type) && size % 8 == 0;                         \
             sins_status status = (call);                                                     \
             CHECK((status == SINS_ERROR_STRUCT_SIZE) == !fits);                              \
             if (fits && size > sizeof(struct type)) {                                        \
@@ -40,15 +40,13 @@ static void *stating(size_t size, int filling)
         }                                                                                    \
     } while (0)
 
-#define INPUT_SIZES(type, call) INPUT_SIZES_SINCE(sizeof(struct type), type, call)
-
 /* Fields that fit into the host's struct are written. struct_size and the bytes unknown to this release are not changed. */
-#define OUTPUT_SIZES_SINCE(first, type, call)                                                \
+#define OUTPUT_SIZES(type, call)                                                             \
     do {                                                                                     \
         size_t size, i;                                                                      \
         for (size = 0; size <= 2 * sizeof(struct type); size++) {                            \
             struct type *pointer = stating(size, 0xa5);                                      \
-            int fits = size >= (first) && size % 8 == 0;                                     \
+            int fits = size >= sizeof(struct type) && size % 8 == 0;                         \
             size_t known = size < sizeof(struct type) ? size : sizeof(struct type);          \
             CHECK((call) == (fits ? SINS_OK : SINS_ERROR_STRUCT_SIZE));                      \
             CHECK(pointer->struct_size == size);                                             \
@@ -58,11 +56,6 @@ static void *stating(size_t size, int filling)
             free(pointer);                                                                   \
         }                                                                                    \
     } while (0)
-
-#define OUTPUT_SIZES(type, call) OUTPUT_SIZES_SINCE(sizeof(struct type), type, call)
-
-/* Sizes in the first release of structs that have grown. */
-enum { FIRST_FLIGHT_SAMPLE = 136 };
 
 /* The line of a record; NULL stands for a valid argument. */
 static sins_status line_of(const sins_record *record, const sins_covariance *covariance)
@@ -219,8 +212,8 @@ static void struct_sizes_of_scenes(sins_sim *sim)
     OUTPUT_SIZES(sins_scene_key, sins_scene_get_key(0, pointer));
     OUTPUT_SIZES(sins_scene_samples, sins_scene_get_samples(scene, log, pointer));
     OUTPUT_SIZES(sins_log_info, sins_log_get_info(log, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_log_get_sample(log, 0, pointer, NULL));
-    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_scene_prepare(scene, sim, 0.0, pointer));
+    OUTPUT_SIZES(sins_flight_sample, sins_log_get_sample(log, 0, pointer, NULL));
+    INPUT_SIZES(sins_flight_sample, sins_scene_prepare(scene, sim, 0.0, pointer));
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_scene_destroy(faulty) == SINS_OK);
     scene = scene_of_text();
     OUTPUT_SIZES(sins_planned_failure, sins_scene_get_failure(scene, 0, pointer));
@@ -239,13 +232,13 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     INPUT_SIZES(sins_initial_errors, sins_set_initial_errors(fresh, pointer));
     INPUT_SIZES(sins_mounting, sins_set_mounting(fresh, pointer));
     INPUT_SIZES(sins_gravity_params, sins_set_gravity_disturbance(fresh, pointer));
-    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_reposition(fresh, pointer));
-    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_move_truth(fresh, pointer));
+    INPUT_SIZES(sins_flight_sample, sins_reposition(fresh, pointer));
+    INPUT_SIZES(sins_flight_sample, sins_move_truth(fresh, pointer));
     CHECK(sins_reset(fresh) == SINS_OK);
     INPUT_SIZES(sins_navigation, sins_start_navigation(fresh, pointer));
     INPUT_SIZES(sins_imu_increment, sins_push_imu(fresh, pointer));
-    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, push_first(fresh, pointer));
-    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, run_first(fresh, pointer));
+    INPUT_SIZES(sins_flight_sample, push_first(fresh, pointer));
+    INPUT_SIZES(sins_flight_sample, run_first(fresh, pointer));
     INPUT_SIZES(sins_flight_start, create_flight(pointer, NULL));
     INPUT_SIZES(sins_manoeuvre, create_flight(NULL, pointer));
     INPUT_SIZES(sins_requirement, recommend(pointer, NULL, NULL));
@@ -283,7 +276,7 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_gyro_params, sins_gyro_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES(sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES(sins_initial_errors, sins_initial_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
-    OUTPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
+    OUTPUT_SIZES(sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
     strides(fresh);
     CHECK(sins_destroy(fresh) == SINS_OK);
 }
@@ -335,10 +328,10 @@ static void struct_sizes_of_ensembles(void)
     sins_ensemble *ensemble = scene_ensemble();
     sins_scene *scene = scene_of_text();
     SINS_INIT(statistics);
-    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, push_first_of_ensemble(ensemble, pointer));
-    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, run_first_of_ensemble(ensemble, pointer));
-    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample, sins_ensemble_reposition(ensemble, pointer));
-    INPUT_SIZES_SINCE(FIRST_FLIGHT_SAMPLE, sins_flight_sample,
+    INPUT_SIZES(sins_flight_sample, push_first_of_ensemble(ensemble, pointer));
+    INPUT_SIZES(sins_flight_sample, run_first_of_ensemble(ensemble, pointer));
+    INPUT_SIZES(sins_flight_sample, sins_ensemble_reposition(ensemble, pointer));
+    INPUT_SIZES(sins_flight_sample,
                       sins_scene_prepare_ensemble(scene, ensemble, 0.0, pointer));
     CHECK(sins_ensemble_reset(ensemble) == SINS_OK);
     INPUT_SIZES(sins_failure, sins_ensemble_set_failure(ensemble, SINS_SENSOR_ACCEL, 2, pointer));

@@ -8,26 +8,17 @@
 use nalgebra::{Matrix3, Vector3};
 use sins::mechanization::VerticalMode;
 use sins::sensors::{
-    Altimeter, AltimeterParameters, InitialErrorParameters, PARAMETERS, Parameter, Sensor, StreamKey, Triad,
-    TriadParameters,
+    Altimeter, AltimeterParameters, EffectPlace, InitialErrorParameters, PARAMETERS, Parameter, Sensor,
+    StreamKey, Triad, TriadParameters,
 };
 use sins::signal::Increment;
 use sins::{Options, Simulator};
 
-use crate::support::{one_unit_of_each, options_at, patrol};
+use EffectPlace::{Added, OfOutput, OfSignal};
+
+use crate::support::{one_unit_of, one_unit_of_each, options_at, patrol};
 
 const KEY: StreamKey = StreamKey { seed: 20140601, run: 3 };
-
-/// Groups of effects, in the order in which a sensor adds them.
-#[derive(Clone, Copy, PartialEq)]
-enum Group {
-    OfTheSignal,
-    Additive(usize),
-    OfTheOutput,
-}
-const ADDITIVE_GROUPS: usize = 6;
-
-use Group::{Additive, OfTheOutput, OfTheSignal};
 
 /// Rows of the table whose parameters are one effect each, except for temperature: `temperature.rs` tests it.
 fn effects() -> impl Iterator<Item = usize> {
@@ -38,19 +29,15 @@ fn effects() -> impl Iterator<Item = usize> {
     (0..PARAMETERS.len()).filter(has_effect)
 }
 
-/// Group of an effect. The table does not contain it.
-fn group(effect: usize) -> Group {
-    match PARAMETERS[effect].name {
-        // Both are one constant.
-        "bias" | "bias_sigma" => Additive(0),
-        "markov_sigma" => Additive(1),
-        "flicker" => Additive(2),
-        "rate_random_walk" => Additive(3),
-        "ramp" => Additive(4),
-        "random_walk" => Additive(5),
-        "dead_zone" | "range" | "quantization" => OfTheOutput,
-        _ => OfTheSignal,
-    }
+/// Where the effect of a row acts. The bias and the one that is drawn are one constant.
+fn group(effect: usize) -> EffectPlace {
+    let row = &PARAMETERS[effect];
+    let sensor = if row.gyro.is_some() { Sensor::Gyro } else { Sensor::Accelerometer };
+    let mut triad = Triad::new(KEY, sensor);
+    triad.set(&one_unit_of(sensor, 1.0, |other| other.name == row.name || other.is_time_of(row.name)));
+    let places: Vec<EffectPlace> = triad.effect_places().collect();
+    assert_eq!(places.len(), 1, "{}", row.name);
+    places[0]
 }
 
 /// Copies the parameters of one effect.
@@ -102,7 +89,7 @@ fn everything(sensor: Sensor, scale: f64) -> TriadParameters {
 }
 
 /// The parameters of the effects of `group` alone.
-fn of_group(parameters: &TriadParameters, group: Group) -> TriadParameters {
+fn of_group(parameters: &TriadParameters, group: EffectPlace) -> TriadParameters {
     let mut part = TriadParameters::default();
     effects()
         .filter(|effect| self::group(*effect) == group)
@@ -120,27 +107,28 @@ fn without(parameters: &TriadParameters, effect: usize) -> TriadParameters {
 struct Parts {
     sensor: Sensor,
     of_the_signal: Triad,
-    additive: [Triad; ADDITIVE_GROUPS],
+    additive: Vec<Triad>,
     of_the_output: Triad,
 }
 
 impl Parts {
     fn new(sensor: Sensor) -> Self {
         let triad = || Triad::new(KEY, sensor);
-        let additive = std::array::from_fn(|_| triad());
+        let is_added = |effect: &usize| matches!(group(*effect), Added(_));
+        let additive = effects().filter(is_added).map(|_| triad()).collect();
         Self { sensor, of_the_signal: triad(), additive, of_the_output: triad() }
     }
 
     /// Sets only the parts whose parameters change.
     fn set(&mut self, from: &TriadParameters, to: &TriadParameters) {
-        let set = |triad: &mut Triad, group: Group| {
+        let set = |triad: &mut Triad, group: EffectPlace| {
             if of_group(from, group) != of_group(to, group) {
                 triad.set(&of_group(to, group));
             }
         };
-        set(&mut self.of_the_signal, OfTheSignal);
-        self.additive.iter_mut().enumerate().for_each(|(index, triad)| set(triad, Additive(index)));
-        set(&mut self.of_the_output, OfTheOutput);
+        set(&mut self.of_the_signal, OfSignal);
+        self.additive.iter_mut().enumerate().for_each(|(index, triad)| set(triad, Added(index)));
+        set(&mut self.of_the_output, OfOutput);
     }
 
     fn sense(&mut self, ideal: &Increment, dt: f64) -> Vector3<f64> {

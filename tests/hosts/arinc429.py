@@ -55,6 +55,29 @@ def decoded(label, word):
     return -value if status == 3 else value, resolution
 
 
+# Range of the quantity, where it is not that of the number. 041 to 043 are inputs, with the digits of 010, 011 and 016.
+DECIMAL |= {"041": PLACE, "042": PLACE, "043": WHOLE}
+INPUT_LABELS = {"041", "042", "043"}
+RANGE = {
+    **{label: (-90, 90) for label in ("310", "322", "324", "010", "041")}, "011": (-180, 180), "042": (-180, 180),
+    **{label: (0, 360) for label in ("013", "014", "044", "016", "043")}, **{label: (0, math.inf) for label in ("312", "315", "012", "015", "007", "351", "126")},
+}
+
+
+def legal(label, word):
+    """Whether a word with a normal status says what the quantity can be."""
+    if label in BINARY:
+        # A number without a sign has 0 in bit 29.
+        value, is_legal = decoded(label, word)[0], BINARY[label][3] or field(word, 29, 1) == 0
+    else:
+        digits = [field(word, lowest, bits) for lowest, bits, _ in DECIMAL[label][1]]
+        if max(digits) > 9 or (DECIMAL[label] is PLACE and digits[3] > 5):
+            return False
+        value, is_legal = decoded(label, word)[0], True
+    low, high = RANGE.get(label, (-math.inf, math.inf))
+    return is_legal and low <= value <= high
+
+
 DEGREES = math.degrees(1.0)
 GRAVITY = 9.80665
 
@@ -197,7 +220,7 @@ def of_flight(words_path, *paths):
         if state and (state["navigates"] or label in TIMES):
             comparison.add(label, value, resolution, quantities(state)[label])
     assert not seen & INPUTS, "the program has no wind and no magnetic variation"
-    comparison.report((set(BINARY) | set(DECIMAL)) - INPUTS)
+    comparison.report((set(BINARY) | set(DECIMAL)) - INPUTS - INPUT_LABELS)
 
 
 def of_states():
@@ -237,10 +260,32 @@ def of_states():
             if label != "270":
                 value, resolution = decoded(label, word.word)
                 comparison.add(label, value, resolution, expected[label])
-    comparison.report(set(BINARY) | set(DECIMAL))
+    comparison.report((set(BINARY) | set(DECIMAL)) - INPUT_LABELS)
+
+
+def of_words():
+    """Random words of every label: legal or not, and the value of those that are."""
+    import sins
+
+    draw, found, illegal = random.Random(310), sins.bus_label(), 0
+    labels = sorted(set(BINARY) | set(DECIMAL))
+    for trial in range(40_000):
+        label = labels[trial % len(labels)]
+        status = 3 if label in BINARY else draw.choice((0, 3))
+        word = draw.getrandbits(31) & ~0x600000FF | status << 29 | int(label, 8)
+        word |= (bin(word).count("1") + 1) % 2 << 31
+        sins.bus_decode(word, 0, found)
+        if legal(label, word):
+            value, resolution = decoded(label, word)
+            assert found.status == sins.BUS_NORMAL and abs(found.value - value) < 1e-6 * resolution, (label, hex(word), found.value)
+        else:
+            assert found.status == sins.BUS_ILLEGAL_VALUE and math.isnan(found.value), (label, hex(word), found.value)
+            illegal += 1
+    print(f"arinc429: {trial + 1} random words, {illegal} of them illegal")
 
 
 if len(sys.argv) > 1:
     of_flight(*sys.argv[1:])
 else:
     of_states()
+    of_words()

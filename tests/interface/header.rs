@@ -152,6 +152,60 @@ fn the_library_needs_no_mathematics_of_the_platform() {
     assert!(text.contains("[libc.so") && !text.contains("[libm.so"), "{text}");
 }
 
+/// The files of the project with this extension, without what is built.
+fn files_with(extension: &str, folder: &std::path::Path, found: &mut Vec<std::path::PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if path.is_dir() && name != "target" && !name.starts_with('.') && name != "node_modules" {
+            files_with(extension, &path, found);
+        } else if path.extension().is_some_and(|of_file| of_file == extension) {
+            found.push(path);
+        }
+    }
+}
+
+/// Pages, and the first lines of sources, name files that exist.
+#[test]
+fn files_that_pages_and_sources_name_exist() {
+    const FOLDERS: [&str; 10] = [
+        "src/",
+        "tests/",
+        "cli/",
+        "build/",
+        "benches/",
+        "c_examples/",
+        "docs/",
+        "fmu/",
+        "release/",
+        "include/",
+    ];
+    let root = project_file("");
+    let (mut pages, mut sources) = (Vec::new(), Vec::new());
+    files_with("md", &root, &mut pages);
+    files_with("rs", &root, &mut sources);
+    let mut count = 0;
+    for file in pages.iter().chain(&sources) {
+        let text = std::fs::read_to_string(file).unwrap();
+        let is_source = sources.contains(file);
+        let lines = text.lines().filter(|line| !is_source || line.starts_with("//!"));
+        let text: String = lines.flat_map(|line| [line, "\n"]).collect();
+        for named in text.split(['`', '(', ')', ' ', '\n']) {
+            let named = named.split(['#', ',', ':']).next().unwrap().trim_end_matches(['.', ';']);
+            let is_path = FOLDERS.iter().any(|folder| named.starts_with(folder))
+                && std::path::Path::new(named).extension().is_some_and(|end| end.len() <= 4)
+                && !named.contains(['*', '{', '$', '<', '[']);
+            // A package has the header as pages.
+            if is_path && !named.contains("NAME") && !named.starts_with("docs/sins.h/") {
+                let exists = file.ancestors().skip(1).any(|folder| folder.join(named).exists());
+                assert!(exists, "{}: {named}", file.display());
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 150, "{count}");
+}
+
 /// The claims of the crate name tests that exist.
 #[test]
 fn tests_that_the_crate_names_exist() {

@@ -167,3 +167,34 @@ fn a_gap_of_exactly_the_limit_passes_whatever_its_rounding() {
         }
     }
 }
+
+/// A slew that the host did not announce: whatever the time since, and whatever the speed, the sentence speaks of the jump. Where the
+/// vehicle may have flown in the gap, it speaks of the gap alone.
+#[test]
+fn a_gap_with_a_jump_says_jump() {
+    let jumped = |metres: f64, time_s: f64, speed: f64| {
+        let mut simulator = Simulator::new(&Options::default()).unwrap();
+        let mut sample = FlightSample { v_n: Some(Vector3::new(speed, 0.0, 0.0)), ..resting_sample(0.0) };
+        simulator.push_sample(&sample).unwrap();
+        let start = sample.place.latitude_rad;
+        sample.time_s = time_s;
+        sample.place.latitude_rad = start + metres / 6_361_800.0;
+        let error = simulator.push_sample(&sample).unwrap_err();
+        assert_eq!((error.kind, error.field), (ErrorKind::Discontinuity, "sample.time_s"), "{error}");
+        error.to_string()
+    };
+    let gap = "the gap after the last accepted sample must be at most options.max_gap_s = 2.5";
+    for time_s in [2.6, 60.0, 3600.0, 1e6] {
+        let said = jumped(111e3, time_s, 0.0);
+        let (before, after) = said.split_once("; in the gap the position jumped by ").unwrap();
+        assert_eq!(before, format!("sample.time_s = {time_s}: {gap}"));
+        let metres: f64 = after.strip_suffix(" m").unwrap().parse().unwrap();
+        assert!((metres - 111e3).abs() < 1e3, "{said}");
+        assert_eq!(jumped(0.0, time_s, 0.0), format!("sample.time_s = {time_s}: {gap}"));
+        assert_eq!(jumped(0.0, time_s, 250.0), format!("sample.time_s = {time_s}: {gap}"));
+    }
+    // A quarter of an hour at 250 m/s is farther than 111 km, five minutes are not.
+    assert!(
+        jumped(111e3, 300.0, 250.0).contains("jumped") && !jumped(111e3, 900.0, 250.0).contains("jumped")
+    );
+}

@@ -114,7 +114,7 @@ fn digests_are_the_pinned_ones() {
     assert_eq!(found, PINNED);
 }
 
-const PINNED_REPLAY: &str = "a303c90c1d2613f1";
+const PINNED_REPLAY: &str = "92fee1521e36ac23";
 
 /// A snapshot was saved in mid-flight on another machine, with samples in the queue. This machine saves the same bytes, and the
 /// rest of the run has the same digest with and without a load. `SINS_WRITE_SNAPSHOT=1 cargo test --test state determinism::`

@@ -112,10 +112,32 @@ fn a_position_far_from_the_stored_one_must_be_entered_twice() {
 #[test]
 fn entries_at_the_wrong_moment_and_out_of_range_are_rejected() {
     let mut aircraft = Aircraft::ideal(10.0);
-    let error = aircraft.unit.enter_position(0.1, 0.3).unwrap_err();
-    assert_eq!(error.to_string(), "a position can be entered during an alignment");
-    let error = aircraft.unit.enter_heading(0.1).unwrap_err();
-    assert_eq!(error.to_string(), "a heading can be entered when the attitude of ATT is valid");
+    let refused = |aircraft: &mut Aircraft, state: State, why: &str| {
+        assert_eq!(aircraft.unit.status().state, state);
+        let error = aircraft.unit.enter_position(0.1, 0.3).unwrap_err();
+        assert_eq!(error.to_string(), format!("a position can be entered during an alignment; {why}"));
+        if state != State::Attitude {
+            let error = aircraft.unit.enter_heading(0.1).unwrap_err().to_string();
+            let why = match state {
+                State::Test => "; the power-up test is not over",
+                State::Erection => "; the erection is not over",
+                _ => "",
+            };
+            assert_eq!(error, format!("a heading can be entered when the attitude of ATT is valid{why}"));
+        }
+    };
+    refused(&mut aircraft, State::Off, "the unit is off");
+    aircraft.unit.select(Mode::Attitude);
+    aircraft.stand(1.0);
+    refused(&mut aircraft, State::Test, "the power-up test is not over");
+    aircraft.until(Motion::Rest, State::Erection, 60.0);
+    refused(&mut aircraft, State::Erection, "the unit is in ATT");
+    aircraft.until(Motion::Rest, State::Attitude, 300.0);
+    refused(&mut aircraft, State::Attitude, "the unit is in ATT");
+    aircraft.unit.select(Mode::Off);
+    aircraft.stand(1.0);
+    refused(&mut aircraft, State::PowerDown, "the unit is off");
+    let mut aircraft = Aircraft::ideal(10.0);
     aircraft.unit.select(Mode::Align);
     aircraft.stand(10.0);
     let error = aircraft.unit.enter_position(47.5, 0.3).unwrap_err();

@@ -7,6 +7,7 @@ mod aircraft;
 mod alignment;
 mod attitude;
 mod bus;
+mod bus_values;
 mod faults;
 mod in_flight;
 mod monkey;

@@ -9,7 +9,7 @@ use super::configuration::Configuration;
 use super::front::front;
 use super::survey::{Measured, Point, Survey};
 use super::table::{rounded, short};
-use crate::drawing::axis::Axis;
+use crate::drawing::axis::{Axis, Scale};
 use crate::drawing::figure::Legend;
 use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
 use crate::drawing::pen::Pen;
@@ -118,7 +118,7 @@ fn drawing(survey: &Survey) -> Drawing {
 fn accuracy((low, high): (f64, f64)) -> Axis {
     let rising = Axis::decades(low.log10() - 0.4, high.log10() + 0.4, 20);
     let ticks = rising.ticks.into_iter().rev().map(|(at, text)| (-at, text)).collect();
-    Axis { low: -rising.high, high: -rising.low, ticks }
+    Axis { low: -rising.high, high: -rising.low, ticks, scale: Scale::NegativeLogarithm }
 }
 
 fn place(measured: &Measured) -> (f64, f64) {

@@ -8,6 +8,22 @@ pub struct Axis {
     pub low: f64,
     pub high: f64,
     pub ticks: Vec<(f64, String)>,
+    pub scale: Scale,
+}
+
+/// What the positions of an axis are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Scale {
+    /// The quantity itself.
+    Linear,
+    /// Its decimal logarithm.
+    Logarithm,
+    /// The negative of that.
+    NegativeLogarithm,
+    /// Names, one at each tick.
+    Names,
+    /// Time since the start of the run, in units of this length [s].
+    Time(f64),
 }
 
 /// Axis of time, and its unit.
@@ -48,7 +64,7 @@ impl Axis {
             .filter(|exponent| exponent.rem_euclid(every) == 0)
             .map(|exponent| (f64::from(exponent), units::power_of_ten(exponent)))
             .collect();
-        Self { low, high, ticks }
+        Self { low, high, ticks, scale: Scale::Logarithm }
     }
 
     /// Axis of periods in minutes and hours; positions are logarithms of seconds. `room` is the smallest distance of two ticks.
@@ -70,7 +86,7 @@ impl Axis {
                 ticks.push((at, text));
             }
         }
-        Self { low, high, ticks }
+        Self { low, high, ticks, scale: Scale::Logarithm }
     }
 
     /// Axis of time from 0 to `duration_s`, in seconds, minutes or hours, with at most `most` ticks.
@@ -88,23 +104,31 @@ impl Axis {
             Some(step) => Self::with_step(0.0, high, *step),
             None => Self::linear(0.0, high, most),
         };
-        TimeAxis { axis, unit, seconds }
+        TimeAxis { axis: Self { scale: Scale::Time(seconds), ..axis }, unit, seconds }
     }
 
-    /// The text of the tick at `place`.
-    pub fn text(&self, place: f64) -> String {
-        let tolerance = (self.high - self.low) * 1e-9;
-        self.ticks
-            .iter()
-            .find(|(at, _)| (at - place).abs() <= tolerance)
-            .map_or_else(String::new, |(_, text)| text.clone())
+    /// Where `value` is between low, 0, and high, 1.
+    pub fn share(&self, value: f64) -> f64 {
+        (value - self.low) / (self.high - self.low)
+    }
+
+    /// Range and scale for the script of a page.
+    pub fn data(&self) -> String {
+        let scale = match self.scale {
+            Scale::Linear => "1".to_owned(),
+            Scale::Logarithm => "log".to_owned(),
+            Scale::NegativeLogarithm => "-log".to_owned(),
+            Scale::Names => "names".to_owned(),
+            Scale::Time(seconds) => format!("t{seconds}"),
+        };
+        format!("{} {} {scale}", self.low, self.high)
     }
 
     fn with_step(low: f64, high: f64, step: f64) -> Self {
         // The epsilon keeps a tick that rounding puts just outside.
         let (first, last) = ((low / step - 1e-9).ceil() as i64, (high / step + 1e-9).floor() as i64);
         let ticks = (first..=last).map(|k| (k as f64 * step, tick_text(k, step))).collect();
-        Self { low, high, ticks }
+        Self { low, high, ticks, scale: Scale::Linear }
     }
 }
 

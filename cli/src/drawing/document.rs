@@ -3,6 +3,7 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::figure::Figure;
+use super::foot::foot;
 use super::pen::Pen;
 
 const STYLE: &str = concat!(include_str!("plot.css"), include_str!("page.css"));
@@ -25,7 +26,7 @@ pub fn document(title: &str, body: &Markup) -> String {
             }
             body {
                 (body)
-                footer { p { "Written by sins " (env!("CARGO_PKG_VERSION")) "." } }
+                (foot())
             }
         }
     };

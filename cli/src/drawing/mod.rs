@@ -5,6 +5,7 @@ pub mod document;
 pub mod failures;
 pub mod figure;
 pub mod file;
+mod foot;
 pub mod pen;
 pub mod plot;
 pub mod scales;

@@ -1,8 +1,6 @@
 //! Pens are named after the meaning of their lines and have no colours. Each pen is a CSS class of the drawings, so that the page's
 //! style sheet chooses the colours for light, dark and print.
 
-use plotters::style::RGBColor;
-
 /// The pens, each with its class in the style sheet, and whether it draws dots.
 macro_rules! pens {
     ($($(#[$doc:meta])* $pen:ident $class:literal $($dot:ident)?,)*) => {
@@ -13,6 +11,7 @@ macro_rules! pens {
         }
 
         impl Pen {
+            #[cfg(test)]
             pub const ALL: &[Self] = &[$(Self::$pen),*];
 
             /// Class of the pen in the style sheet.
@@ -76,13 +75,6 @@ pens! {
     Limit "limit",
     /// End of one run of an ensemble, and number of runs in a bar of the histogram.
     Run "run" dot, Count "count",
-}
-
-impl Pen {
-    /// Number of the pen, counted from 1, as a colour for `plotters`.
-    pub fn colour(self) -> RGBColor {
-        RGBColor(0, 0, self as u8 + 1)
-    }
 }
 
 #[cfg(test)]

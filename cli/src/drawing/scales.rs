@@ -35,23 +35,22 @@ pub fn panel(caption: String, height: f64, ticks: usize, traces: Vec<Trace>) -> 
     Panel::new(caption, Axis::around(low.min(0.0), high.max(0.0), 0.0, ticks), height, traces)
 }
 
-/// Axes in `unit` with equal scales around `east` and `north`, each from low to high [m], and the height of the panel. An axis
-/// covers at least `least` [m].
-pub fn equal_axes(east: (f64, f64), north: (f64, f64), least: f64, unit: Unit) -> (Axis, Axis, f64) {
+/// Axes in `unit` with equal scales around `east` and `north`, each from low to high [m], for a panel of `height` [drawing units]. An
+/// axis covers at least `least` [m].
+pub fn equal_axes(east: (f64, f64), north: (f64, f64), least: f64, unit: Unit, height: f64) -> (Axis, Axis) {
     let span = |(low, high): (f64, f64)| (high - low).max(least);
-    let (width, height, scale) = equal_scale(span(east), span(north));
+    let scale = equal_scale(span(east), span(north), height);
     let centred = |(low, high): (f64, f64), units: f64| {
         let (middle, half) = ((low + high) / 2.0 / unit.si, units / scale / 2.0 / unit.si);
         Axis::linear(middle - half, middle + half, 6)
     };
-    (centred(east, width), centred(north, height), height)
+    (centred(east, PANEL_WIDTH), centred(north, height))
 }
 
-/// Width and height of the panel and the drawing units for one plotted unit, the same on both axes.
-fn equal_scale(east: f64, north: f64) -> (f64, f64, f64) {
+/// Drawing units for one metre, the same on both axes of a panel of `height`.
+fn equal_scale(east: f64, north: f64, height: f64) -> f64 {
     let margin = 1.12;
-    let height = (PANEL_WIDTH * north / east).clamp(0.35 * PANEL_WIDTH, 0.75 * PANEL_WIDTH);
-    (PANEL_WIDTH, height, (PANEL_WIDTH / (east * margin)).min(height / (north * margin)))
+    (PANEL_WIDTH / (east * margin)).min(height / (north * margin))
 }
 
 #[cfg(test)]
@@ -61,8 +60,8 @@ mod tests {
     #[test]
     fn axes_are_equal_and_hold_the_track() {
         for (east, north) in [(10.0, 1.0), (1.0, 10.0), (3.0, 3.0)] {
-            let (width, height, scale) = equal_scale(east, north);
-            assert!(width / scale >= east && height / scale >= north);
+            let scale = equal_scale(east, north, 300.0);
+            assert!(PANEL_WIDTH / scale >= east && 300.0 / scale >= north);
         }
     }
 }

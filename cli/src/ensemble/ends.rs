@@ -16,6 +16,9 @@ use crate::units::{LENGTH, fitting};
 /// Largest number of dots; the first runs have dots.
 const MOST_DOTS: usize = 2000;
 
+/// Height of the axes [drawing units].
+const HEIGHT: f64 = 320.0;
+
 /// Number of corners of a drawn ellipse.
 const CORNERS: usize = 120;
 
@@ -83,11 +86,11 @@ pub fn scatter(study: &Study) -> Result<Option<Figure>, Failure> {
     let size = (east.1 - east.0).max(north.1 - north.0);
     let unit = fitting(size, LENGTH);
     // Ellipses without width, and equal runs, still have axes.
-    let (x, y, height) = equal_axes(east, north, size.max(1e-9) * 1e-3, unit);
+    let (x, y) = equal_axes(east, north, size.max(1e-9) * 1e-3, unit, HEIGHT);
     let scaled = |(east, north): (f64, f64)| (east / unit.si, north / unit.si);
     let traces = ellipses.map(|(pen, points)| Trace::new(pen, points.into_iter().map(scaled).collect()));
     let caption = format!("north [{}]", unit.name);
-    let mut panel = Panel::new(caption, y, height, traces.into());
+    let mut panel = Panel::new(caption, y, HEIGHT, traces.into());
     let dot = |place: &[f64; 2]| Dot { at: scaled((place[0], place[1])), pen: Pen::Run, radius: 2.5 };
     panel.dots.extend(dots.iter().map(dot));
     panel.dots.push(Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 5.0 });
@@ -136,7 +139,7 @@ pub fn histogram(study: &Study) -> Result<Option<Figure>, Failure> {
     outline.extend([(edge(bars), 0.0), (0.0, 0.0)]);
     let most = counts.iter().copied().max().unwrap_or(1);
     let y = Axis::linear(0.0, 1.08 * f64::from(most), 6);
-    let mut panel = Panel::new("runs", y, 300.0, vec![Trace::new(Pen::Count, outline)]);
+    let mut panel = Panel::new("runs", y, HEIGHT, vec![Trace::new(Pen::Count, outline)]);
     let (cep50, r95) = (row.figures.cep50_m, row.figures.r95_m);
     let mark = |at: f64, pen, text: &str| Mark { at: at / unit.si, pen, text: text.to_owned() };
     panel.marks.extend([mark(cep50, Pen::Computed, "CEP50"), mark(r95, Pen::Fit, "R95")]);

@@ -63,7 +63,7 @@ impl Bus {
 
 /// The line of a word.
 pub fn line(word: &Word) -> Option<String> {
-    let found = decode(word.word)?;
+    let found = decode(word.word).ok()?;
     let (time, label) = (records::line([word.time_s]), found.label);
     let value = bus::value(label, found.value);
     let status = bus::status(found.status);

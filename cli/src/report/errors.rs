@@ -58,7 +58,16 @@ pub const POSITION: Quantity = Quantity {
 pub fn figure(run: &Run, quantity: &Quantity) -> Result<Figure, Failure> {
     let axes = axes(run, quantity);
     let note = note(run, quantity, axes);
-    Figure::new(title(run, quantity), " over time", legend(run, quantity), &drawing(run, quantity), note)
+    let drawing = drawing(run, quantity).of_height(height(run));
+    Figure::new(title(run, quantity), " over time", legend(run, quantity), &drawing, note)
+}
+
+/// Height of the figures of the three errors of `run` [drawing units]: that of the one with the most panels.
+pub fn height(run: &Run) -> f64 {
+    [&ATTITUDE, &VELOCITY, &POSITION]
+        .map(|quantity| drawing(run, quantity).height())
+        .into_iter()
+        .fold(0.0, f64::max)
 }
 
 /// Title of the figure; a simulation of the paper has the number of the paper's figure.

@@ -7,12 +7,18 @@ use crate::report::run::Run;
 use crate::report::{radial, sensors, spectrum, trajectory};
 use crate::units;
 
-/// All figures of `run` in reading order, except for empty figures.
-pub fn figures(run: &Run) -> Result<Vec<Figure>, Failure> {
-    let mut figures = vec![trajectory::figure(run)?];
-    for quantity in [&ATTITUDE, &VELOCITY, &POSITION] {
-        figures.push(errors::figure(run, quantity)?);
-    }
+/// Height of the figures below those of the errors [drawing units].
+pub const LOWER: f64 = 440.0;
+
+/// The trajectory and the position errors of `run`, side by side.
+pub fn first(run: &Run) -> Result<[Figure; 2], Failure> {
+    let height = errors::height(run);
+    Ok([trajectory::figure(run, height)?, errors::figure(run, &POSITION)?])
+}
+
+/// The other figures of `run` in reading order, except for empty figures. Two that stand side by side have one height.
+pub fn others(run: &Run) -> Result<Vec<Figure>, Failure> {
+    let mut figures = vec![errors::figure(run, &VELOCITY)?, errors::figure(run, &ATTITUDE)?];
     figures.push(radial::figure(run)?);
     figures.extend(spectrum::figure(run)?);
     figures.extend(sensors::figure(run, "Gyro errors", &run.gyro_error_rad_s, units::DEG_PER_HOUR)?);
@@ -26,7 +32,8 @@ mod tests {
     use crate::report::run::tests::made;
 
     fn titles(run: &Run) -> Vec<String> {
-        figures(run).unwrap().into_iter().map(|figure| figure.title).collect()
+        let figures = first(run).unwrap().into_iter().chain(others(run).unwrap());
+        figures.map(|figure| figure.title).collect()
     }
 
     #[test]

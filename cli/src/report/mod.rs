@@ -1,21 +1,24 @@
 //! `sins report`: recorded runs as one page that needs nothing from outside.
 //!
-//! The data flow is `run`, `summary` → `trajectory`, `errors`, `radial`, `spectrum`, `sensors` → `figures` → `overview`, `comparison`,
-//! `page`, `picture`.
+//! The data flow is `run`, `summary` → `path` → `trajectory`, `errors`, `radial`, `spectrum`, `sensors` → `figures`, `sentence`,
+//! `warnings` → `overview`, `comparison`, `page`, `picture`.
 
 mod comparison;
 mod errors;
 mod figures;
 mod overview;
 mod page;
+mod path;
 mod picture;
 mod radial;
 mod run;
 mod sensors;
+mod sentence;
 mod spectrum;
 mod summary;
 mod trajectory;
 mod unit;
+mod warnings;
 
 use std::path::{Path, PathBuf};
 

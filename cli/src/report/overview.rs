@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use crate::drawing::document::table;
 use crate::report::run::Run;
+use crate::report::sentence::is_rounding;
 use crate::report::spectrum::SCHULER_S;
 use crate::units::{self, time_text, with_unit};
 
@@ -22,8 +23,11 @@ const COLUMNS: [Column; 10] = [
     Column { title: "Time flown", value: |run| Some(time_text(run.duration_s())) },
     Column { title: SENSORS, value: sensors },
     Column { title: FAILURES, value: failures },
-    Column { title: "Largest position error", value: |run| text(run, "max_position_m") },
-    Column { title: "Largest velocity error", value: |run| text(run, "max_velocity_m_s") },
+    Column { title: "Largest position error", value: position },
+    Column {
+        title: "Largest velocity error",
+        value: |run| text(run, "max_velocity_m_s").filter(|_| !is_rounding(run)),
+    },
     Column { title: "R50", value: radial_error_rate },
     Column { title: "Largest difference from the error equations, position", value: model_difference },
     Column { title: "Simulator’s own error", value: own_error },
@@ -37,12 +41,15 @@ pub fn overview(runs: &[Run]) -> Markup {
     let heads = ["Run"].into_iter().chain(columns.iter().map(|column| column.title));
     let heads = heads.map(str::to_owned).collect();
     let row = |(place, run): (usize, &Run)| {
-        let name = html! { a href={ "#run-" (place + 1) } { (run.name) } };
+        let name = html! {
+            a href={ "#run-" (place + 1) } { (run.title()) }
+            @if run.title() != run.name { " " code { (run.name) } }
+        };
         (name, html! { @for column in &columns { (cell(column, run)) } })
     };
     html! {
         section {
-            h2 { "The runs" }
+            h2 { @if runs.len() > 1 { "The runs" } @else { "In figures" } }
             div.table tabindex="0" {
                 (table(Some("runs"), heads, runs.iter().enumerate().map(row)))
             }
@@ -83,13 +90,17 @@ pub fn failures(run: &Run) -> Option<String> {
     text(run, "failures_text").filter(|text| text != "none")
 }
 
+fn position(run: &Run) -> Option<String> {
+    if is_rounding(run) { Some("no error beyond rounding".to_owned()) } else { text(run, "max_position_m") }
+}
+
 fn radial_error_rate(run: &Run) -> Option<String> {
-    text(run, "r50_nmi_h").filter(|_| run.duration_s() > SCHULER_S)
+    text(run, "r50_nmi_h").filter(|_| run.duration_s() > SCHULER_S && !is_rounding(run))
 }
 
 fn model_difference(run: &Run) -> Option<String> {
     run.model.as_ref()?;
-    text(run, "max_model_difference_position_m")
+    text(run, "max_model_difference_position_m").filter(|_| !is_rounding(run))
 }
 
 /// Horizontal closure less the part of the flight data; `None` if there are other errors.
@@ -116,7 +127,8 @@ mod tests {
     use crate::report::summary::Row;
 
     fn with(rows: &[(&str, &str, &str)]) -> Run {
-        let mut run = made(3, |_, _| 0.0);
+        let mut run =
+            made(3, |name, _| if name.starts_with("navigation_error_position") { 1.0 } else { 0.0 });
         run.summary.rows.extend(rows.iter().map(|(key, value, unit)| Row::made(key, value, unit)));
         run
     }
@@ -158,5 +170,14 @@ mod tests {
             !html.contains("Failures") && !html.contains("error equations, position"),
             "columns without a value"
         );
+    }
+
+    #[test]
+    fn rounding_is_not_reported_as_figures() {
+        let mut run = made(3, |_, _| 1e-9);
+        run.summary.rows.push(Row::made("max_velocity_m_s", "1e-9", "m/s"));
+        let html = overview(&[run]).into_string();
+        assert!(html.contains("no error beyond rounding") && !html.contains("1.234 km"));
+        assert!(!html.contains("m/s"), "{html}");
     }
 }

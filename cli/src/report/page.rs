@@ -3,51 +3,87 @@
 use maud::{Markup, html};
 
 use crate::drawing::document::{document, figure};
+use crate::drawing::figure::Figure;
 use crate::failure::Failure;
 use crate::report::comparison::{comparison, list};
 use crate::report::figures;
 use crate::report::overview;
 use crate::report::run::Run;
+use crate::report::sentence::{is_rounding, most_telling, sentence};
+use crate::report::warnings::warnings;
 use crate::units::time_text;
 
-/// The whole page.
+/// The whole page: the run that says most in a sentence and two figures, all runs as a table, then run by run.
 pub fn page(runs: &[Run]) -> Result<String, Failure> {
+    let first = most_telling(runs);
+    let telling = &runs[first];
     let title = match runs {
-        [run] => format!("Inertial navigation: {}", run.name),
+        [run] => run.title().to_owned(),
         _ => format!("Inertial navigation: {} runs", runs.len()),
     };
-    let sections =
-        runs.iter().enumerate().map(|(place, run)| section(place, run)).collect::<Result<Vec<_>, _>>()?;
+    let pictures = pictures(telling)?;
+    let sections = (0..runs.len()).map(|place| section(runs, place, first)).collect::<Result<Vec<_>, _>>()?;
     let body = html! {
         header {
             h1 { (title) }
-            p { "Errors of a simulated strapdown inertial navigation system, compared with its true flight." }
+            p.lead {
+                @if runs.len() > 1 { a href={ "#run-" (first + 1) } { (telling.title()) } ". " }
+                (sentence(telling))
+            }
+            @if runs.len() == 1 { p { (sensors(telling)) } }
+            (remarks(telling))
         }
         main {
-            (overview::overview(runs))
+            div.figures data-run=(first + 1) { @for drawn in &pictures { (figure(drawn)) } }
+            @if runs.len() > 1 { (overview::overview(runs)) }
             @for section in &sections { (section) }
+            @if let [run] = runs { (overview::overview(std::slice::from_ref(run))) }
             @if runs.len() > 1 { (comparison(runs)) }
         }
     };
     Ok(document(&title, &body))
 }
 
-fn section(place: usize, run: &Run) -> Result<Markup, Failure> {
-    let figures = figures::figures(run)?;
+/// Trajectory and position errors; of a run without errors, the trajectory alone.
+fn pictures(run: &Run) -> Result<Vec<Figure>, Failure> {
+    let [trajectory, position] = figures::first(run)?;
+    Ok(if is_rounding(run) { vec![trajectory] } else { vec![trajectory, position] })
+}
+
+fn remarks(run: &Run) -> Markup {
+    html! { @for remark in warnings(run) { p.remark { (remark) } } }
+}
+
+/// The run at `place`. The pictures of the `first` one stand at the top of the page.
+fn section(runs: &[Run], place: usize, first: usize) -> Result<Markup, Failure> {
+    let run = &runs[place];
+    let mut drawn = if place == first { Vec::new() } else { pictures(run)? };
+    if is_rounding(run) {
+        drawn.clear();
+    } else {
+        drawn.extend(figures::others(run)?);
+    }
     let rows: Vec<_> = run.summary.rows.iter().collect();
     let (flown, measured) = rows.split_at(rows.iter().position(|row| row.is_error()).unwrap_or(rows.len()));
     Ok(html! {
-        section.run id={ "run-" (place + 1) } {
+        section.run id={ "run-" (place + 1) } data-run=(place + 1) {
             div.intro {
-                h2 { (run.name) }
-                p { (scene(run)) }
+                @if runs.len() > 1 {
+                    h2 { (run.title()) }
+                    p {
+                        (sentence(run)) " " (sensors(run))
+                        @if place == first { "Trajectory and position errors stand at the top of the page." }
+                    }
+                    (remarks(run))
+                } @else {
+                    h2 { "Velocity, attitude, sensors" }
+                }
                 p.source {
-                    "From " code { (run.file) } ", " (run.time_s.len()) " records over "
+                    (run.name) ", from " code { (run.file) } ": " (run.time_s.len()) " records over "
                     (time_text(run.duration_s())) ", one each " ((run.spacing_s() * 1e4).round() / 1e4) " s."
                 }
-                @for remark in remarks(run) { p.remark { (remark) } }
             }
-            div.figures { @for drawn in &figures { (figure(drawn)) } }
+            div.figures { @for drawn in &drawn { (figure(drawn)) } }
             details {
                 summary { "Settings and all figures of this run" }
                 div.tables {
@@ -59,36 +95,9 @@ fn section(place: usize, run: &Run) -> Result<Markup, Failure> {
     })
 }
 
-/// The flight, the sensors and their failures in one line.
-fn scene(run: &Run) -> String {
-    let flight = run.summary.value("scene_text").or(run.summary.value("motion")).map(str::to_owned);
-    let sensors = overview::sensors(run).map(|text| format!("Sensor errors: {text}"));
-    let failures = overview::failures(run).map(|text| format!("Failures: {text}"));
-    let sentences = [flight, sensors, failures].into_iter().flatten();
-    sentences.map(|text| text.trim_end_matches('.').to_owned() + ". ").collect()
-}
-
-/// Remarks that a reader of the figures needs.
-fn remarks(run: &Run) -> Vec<String> {
-    let mut remarks: Vec<String> =
-        run.summary.findings().map(|finding| format!("Flight data: {finding}.")).collect();
-    let span = |(from, to): (f64, f64)| format!("between {} and {}", time_text(from), time_text(to));
-    if run.model.is_none() && run.is_of_paper() {
-        remarks.push("The error differential equations (error data 1) were off.".to_owned());
-    }
-    if let Some(times) = run.model_invalid_s() {
-        remarks.push(format!(
-            "The error differential equations were outside their validity {}: misalignment above 2 degrees or displacement above 100 km.",
-            span(times)
-        ));
-    }
-    if let Some(times) = run.near_pole_s() {
-        remarks.push(format!(
-            "Near a pole {}: the up misalignment, and the east and north velocity errors, have no meaning there.",
-            span(times)
-        ));
-    }
-    remarks
+fn sensors(run: &Run) -> String {
+    let text = overview::sensors(run).map(|text| text.trim_end_matches('.').to_owned());
+    text.map_or(String::new(), |text| format!("Sensor errors: {text}. "))
 }
 
 #[cfg(test)]
@@ -131,11 +140,55 @@ mod tests {
     }
 
     #[test]
-    fn the_runs_come_first_and_the_figures_before_the_settings() {
-        let html = page(&[made(3, |_, _| 0.0), made(3, |_, _| 0.0)]).unwrap();
-        let order = ["<h1>", "class=\"runs\"", "id=\"run-1\"", "<figure>", "<details>", "id=\"comparison\""];
-        let places = order.map(|what| html.find(what).unwrap());
-        assert!(places.is_sorted(), "{places:?}");
-        assert_eq!(html.matches("<details>").count(), 3);
+    fn the_run_that_says_most_comes_first_then_all_runs_and_their_figures() {
+        let runs = [made(3, |_, _| 0.0), made(3, |_, t| t), made(3, |_, t| 0.5 * t)];
+        let html = page(&runs).unwrap();
+        let order = [
+            "<h1>",
+            "After 20 s the INS is",
+            "<div class=\"figures\" data-run=\"2\"><figure><h3>Trajectory",
+            "<h3>Position errors",
+            "class=\"runs\"",
+            "id=\"run-1\"",
+            "no error beyond rounding",
+            "id=\"run-2\"",
+            "<h3>Velocity errors",
+            "<details>",
+            "id=\"run-3\"",
+            "<h3>Trajectory",
+            "id=\"comparison\"",
+        ];
+        let mut rest = html.as_str();
+        for what in order {
+            let (_, behind) = rest.split_once(what).unwrap_or_else(|| panic!("{what}"));
+            rest = behind;
+        }
+        let (_, first) = html.split_once("id=\"run-1\"").unwrap();
+        let (first, _) = first.split_once("id=\"run-2\"").unwrap();
+        assert!(!first.contains("<figure>"), "no figure of a run without errors");
+        assert_eq!(html.matches("<details>").count(), 4);
+    }
+
+    #[test]
+    fn remarks_stand_above_the_curves() {
+        let mut run = made(3, |_, t| t);
+        run.summary.rows.push(crate::report::summary::Row::made("inconsistent_samples", "8", ""));
+        let html = page(std::slice::from_ref(&run)).unwrap();
+        let (above, _) = html.split_once("<figure>").unwrap();
+        assert!(above.contains("<p class=\"remark\">In 8 samples of the truth"));
+        let html = page(&[made(3, |_, t| 2.0 * t), run]).unwrap();
+        let (_, section) = html.split_once("id=\"run-2\"").unwrap();
+        let (above, _) = section.split_once("<figure>").unwrap();
+        assert!(above.contains("<p class=\"remark\">In 8 samples of the truth"));
+    }
+
+    #[test]
+    fn the_order_of_runs_is_that_of_the_user() {
+        let html = page(&[made(3, |_, t| t), made(3, |_, t| 2.0 * t)]).unwrap();
+        let order = ["class=\"runs\"", "href=\"#run-1\"", "href=\"#run-2\"", "id=\"run-1\""];
+        let (_, mut rest) = html.split_once("</header>").unwrap();
+        for what in order {
+            (_, rest) = rest.split_once(what).unwrap_or_else(|| panic!("{what}"));
+        }
     }
 }

@@ -7,6 +7,7 @@ use crate::drawing::plot::Trace;
 use crate::drawing::scales::{line, over_time, panel, scaled, time_axis};
 use crate::drawing::series::{magnitude, mean, straight_line};
 use crate::failure::Failure;
+use crate::report::figures::LOWER;
 use crate::report::run::Run;
 use crate::units::{self, fitting, significant, time_text, with_unit};
 
@@ -74,7 +75,13 @@ pub fn figure(run: &Run) -> Result<Figure, Failure> {
     let mut panels = [panel(format!("radial position error [{}]", unit.name), 260.0, 6, traces)];
     failures::mark(&run.failures_s, &time, &mut panels);
     legend.extend(failures::legend(&run.failures_s));
-    Figure::new("Radial position error", " over time", legend, &over_time(time, panels.into()), note)
+    Figure::new(
+        "Radial position error",
+        " over time",
+        legend,
+        &over_time(time, panels.into()).of_height(LOWER),
+        note,
+    )
 }
 
 #[cfg(test)]

@@ -45,6 +45,8 @@ pub struct Places {
     pub latitude_rad: Vec<f64>,
     pub longitude_rad: Vec<f64>,
     pub height_m: Vec<f64>,
+    /// Velocity east, north, up [m/s].
+    pub velocity_m_s: [Vec<f64>; 3],
 }
 
 /// Errors, each east, north, up.
@@ -99,6 +101,12 @@ impl Run {
         })
     }
 
+    /// What was flown, in words; the name, if the words say nothing.
+    pub fn title(&self) -> &str {
+        let words = self.summary.value("scene_text").filter(|words| !["", "recorded flight"].contains(words));
+        words.unwrap_or(&self.name)
+    }
+
     /// Time from the first record to the last [s].
     pub fn duration_s(&self) -> f64 {
         self.time_s.last().copied().unwrap_or(0.0)
@@ -150,6 +158,7 @@ impl Places {
             latitude_rad: column(|motion| motion.latitude_rad),
             longitude_rad: column(|motion| motion.longitude_rad),
             height_m: column(|motion| motion.height_m),
+            velocity_m_s: std::array::from_fn(|axis| records.iter().map(|r| of(r).velocity[axis]).collect()),
         }
     }
 }

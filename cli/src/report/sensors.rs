@@ -7,6 +7,7 @@ use crate::drawing::plot::Trace;
 use crate::drawing::scales::{line, over_time, panel, scaled, time_axis};
 use crate::drawing::series::{block_means, magnitude, mean};
 use crate::failure::Failure;
+use crate::report::figures::LOWER;
 use crate::report::run::Run;
 use crate::units::{Unit, significant, time_text};
 
@@ -37,7 +38,7 @@ pub fn figure(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Res
         })
         .collect();
     failures::mark(&run.failures_s, &time, &mut panels);
-    let drawing = over_time(time, panels);
+    let drawing = over_time(time, panels).of_height(LOWER);
     let stretch = time_text(run.duration_s() / MEANS as f64);
     let mut legend = vec![
         (Pen::Record, "measured minus ideal, each record".to_owned()),

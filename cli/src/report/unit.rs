@@ -2,7 +2,7 @@
 
 use sins::unit::State;
 
-use crate::drawing::axis::{Axis, TimeAxis};
+use crate::drawing::axis::{Axis, Scale, TimeAxis};
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Panel, Trace};
 use crate::report::run::Run;
@@ -28,7 +28,7 @@ pub fn band(run: &Run, time: &TimeAxis) -> Option<Panel> {
         [from_s, until_s].map(|at_s| (at_s / time.seconds, level(state) as f64))
     });
     let ticks = LEVELS[..=highest].iter().enumerate().map(|(at, word)| (at as f64, (*word).to_owned()));
-    let y = Axis { low: -0.3, high: highest as f64 + 0.3, ticks: ticks.collect() };
+    let y = Axis { low: -0.3, high: highest as f64 + 0.3, ticks: ticks.collect(), scale: Scale::Names };
     let trace = Trace::new(Pen::Computed, steps.collect());
     Some(Panel::new("unit", y, 22.0 * (highest as f64 + 1.0), vec![trace]))
 }

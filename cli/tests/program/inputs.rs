@@ -142,7 +142,7 @@ fn a_bad_sample_is_reported_in_the_words_of_the_log() {
         ("2,39,116,50,0,1e6,0", "log.csv:4: velocity_north_m_s = 1000000: must be from -20000 to 20000\n"),
         (
             "9,39,116,50,0,0,0",
-            "log.csv:4: time_s = 9: the gap after the previous sample must be at most options.max_gap_s = 2.5\n",
+            "log.csv:4: time_s = 9: the gap after the last accepted sample must be at most options.max_gap_s = 2.5\n",
         ),
     ] {
         flight(["0,39,116,50,0,0,0", "1,39,116,50,0,0,0", last]);

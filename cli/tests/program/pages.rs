@@ -1,6 +1,6 @@
 //! What the page of a flight says and marks.
 
-use crate::support::{done, folder, read};
+use crate::support::{done, folder, read, sins};
 
 /// Flies a built-in scene with settings, and returns its page.
 fn page(name: &str, scene: &str, settings: &[&str]) -> String {
@@ -24,14 +24,14 @@ fn failures_are_named_and_marked() {
     let page = read(folder.join("sins_out/report.html"));
     assert_eq!(page.matches("gyro z bias step 60 s to 90 s").count(), 3, "overview, heading, settings");
     // Begin and end in three panels of three errors, in the radial error and in the three panels of the gyros.
-    let marks = page.matches("<polyline class=\"failure\"").count();
+    let marks = page.matches("<path class=\"failure\"").count();
     assert_eq!(marks, 2 * (3 * 3 + 1 + 3));
     assert!(page.contains("<circle class=\"end\""));
     done(&folder, &["ensemble", "scene.toml", "--preset", "tactical", "--runs", "16", "--quiet"]);
     let page = read(folder.join("sins_out/scene_ensemble.html"));
     assert!(page.contains("Failures: gyro z bias step 60 s to 90 s."));
     // In the panels of three errors, of the error along and across the track, and of the horizontal error.
-    assert_eq!(page.matches("<polyline class=\"failure\"").count(), 2 * (3 * 3 + 2 + 1));
+    assert_eq!(page.matches("<path class=\"failure\"").count(), 2 * (3 * 3 + 2 + 1));
 }
 
 #[test]
@@ -70,4 +70,21 @@ fn the_page_of_an_ensemble_names_its_errors() {
     let (_, body) = page.split_once("</style>").unwrap();
     assert!(body.contains("RMS, navigation") && body.contains("RMS, model"));
     assert!(!body.to_lowercase().contains("data 2") && !body.contains("the paper"));
+}
+
+/// The foot says when, by which command, by which version and on which machine the page was written.
+#[test]
+fn the_foot_of_a_page_says_how_it_was_written() {
+    let folder = folder("foot");
+    done(&folder, &["fly", "rest", "--quiet", "--set", "flight.hours=0.01"]);
+    let mut order = sins(&folder, &["report", "sins_out/rest.csv", "-o", "a page.html"]);
+    assert!(order.env("SOURCE_DATE_EPOCH", "951782400").status().unwrap().success());
+    let page = read(folder.join("a page.html"));
+    let (_, foot) = page.split_once("<footer>").unwrap();
+    let version = env!("CARGO_PKG_VERSION");
+    let line = format!(
+        "Written on 2000-02-29 00:00 UTC by sins {version}: <code>sins report sins_out/rest.csv -o &quot;a page.html&quot;</code>"
+    );
+    assert!(foot.contains(&line), "{foot}");
+    assert!(foot.contains(std::env::consts::ARCH) && foot.contains(" thread"), "{foot}");
 }

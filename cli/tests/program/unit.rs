@@ -143,7 +143,20 @@ fn the_labels_are_those_of_the_page_and_words_are_decoded() {
         done(&folder, &["bus", "decode", "--reversed", "e4000013"]),
         "310 latitude 45.0000 deg normal\n"
     );
-    for (word, reason) in [("e40000c9", "even parity"), ("bus", "hexadecimal")] {
+    let illegal = done(&folder, &["bus", "decode", "04f30021", "00bc000a", "84575021"]);
+    let lines = "041 set latitude - deg illegal-value: digit[2] = 15: must be from 0 to 9\n\
+                 012 ground speed - kt illegal-value: digit[2] = 15: must be from 0 to 9\n\
+                 041 set latitude - deg illegal-value: digit[3] = 7: must be from 0 to 5\n";
+    assert_eq!(illegal, lines);
+    let reversed = rejected(&folder, &["bus", "decode", "--reversed", "e40000c8"]);
+    assert!(reversed.contains("label bits not reversed? 310 would be latitude"), "{reversed}");
+    let reasons = [
+        ("e40000c9", "word = e40000c9: has an even parity"),
+        ("e4000013", "label 023 is not in the table; label bits reversed? 310 would be latitude"),
+        ("00000001", "word = 00000001: label 001 is not in the table\n"),
+        ("bus", "hexadecimal"),
+    ];
+    for (word, reason) in reasons {
         let errors = rejected(&folder, &["bus", "decode", word]);
         assert!(errors.contains(reason), "{errors}");
     }

@@ -113,6 +113,71 @@ fn a_group_of_inputs_is_complete_or_off() {
     assert!(sentence(&unit).contains("truth.velocity_east_m_s is not connected: the velocity is incomplete"));
 }
 
+/// References of all inputs of the truth: the first reals.
+fn truth() -> Vec<u32> {
+    variables()
+        .iter()
+        .filter(|variable| variable.name.starts_with("truth."))
+        .map(|variable| variable.reference)
+        .collect()
+}
+
+/// A tool that sets every input: position and attitude of a flight of 200 m/s to the east in a turn of 1 °/s, and 0 for what is not
+/// connected. Position and attitude errors at its end, and the messages.
+fn flown_with_zeros(switches: &[(&str, bool)]) -> (Vec<f64>, Vec<String>) {
+    let unit = Unit::flying(|unit| {
+        for &(name, is_on) in switches {
+            let status = unsafe { fmi2SetBoolean(unit.component, &reference(name), 1, &c_int::from(is_on)) };
+            assert_eq!(status, fmi2OK);
+        }
+    });
+    let (radius_m, rate_rad_s) = (200.0 / 1_f64.to_radians(), 1_f64.to_radians());
+    for k in 0..3000 {
+        let turned = rate_rad_s * 0.01 * f64::from(k);
+        let (east_m, north_m) = (radius_m * turned.sin(), radius_m * (1.0 - turned.cos()));
+        let mut inputs = vec![0.0; truth().len()];
+        inputs[0] = north_m / 6_335_439.3;
+        inputs[1] = east_m / 6_378_137.0;
+        inputs[5] = core::f64::consts::FRAC_PI_2 - turned;
+        assert_eq!(unit.set_reals(&truth(), &inputs), fmi2OK);
+        assert_eq!(step(&unit, 0.01 * f64::from(k)), fmi2OK, "{:?}", unit.messages());
+    }
+    let errors =
+        ["errors.position_east_m", "errors.position_north_m", "errors.misalignment_up_rad"].map(reference);
+    (unit.reals(&errors), unit.messages().into_iter().map(|message| message.2).collect())
+}
+
+/// Inputs that are not connected and are set to 0 do not count where their parameter says so; where they count, there are warnings.
+#[test]
+fn zeros_of_inputs_that_are_not_connected() {
+    let off = ["use_velocity", "use_rates", "use_forces", "use_temperature"].map(|name| (name, false));
+    let (errors, said) = flown_with_zeros(&off);
+    assert!(errors.iter().all(|error| error.abs() < 1e-3), "{errors:?}");
+    assert!(said.is_empty(), "{said:?}");
+    let (wrong, said) = flown_with_zeros(&[]);
+    for (text, name) in said.iter().zip(["use_velocity", "use_rates", "use_forces"]) {
+        assert!(
+            text.ends_with(&format!("if it is not connected, set {name} to false"))
+                || text.ends_with(&format!("if they are not connected, set {name} to false")),
+            "{text}"
+        );
+    }
+    assert_eq!(said.len(), 3, "{said:?}");
+    assert!(wrong[0].abs() > 1e3, "{wrong:?}");
+    println!("off {errors:?}, on {wrong:?}");
+    for at in 0..off.len() {
+        let others: Vec<_> =
+            off.iter().enumerate().filter(|(k, _)| *k != at).map(|(_, switch)| *switch).collect();
+        let (_, said) = flown_with_zeros(&others);
+        assert_eq!(
+            said.iter().filter(|text| text.contains(off[at].0)).count(),
+            usize::from(at < 3),
+            "{said:?}"
+        );
+        assert_eq!(said.len(), usize::from(at < 3), "{said:?}");
+    }
+}
+
 #[test]
 fn categories_of_messages() {
     let unit = Unit::flying(|_| ());
@@ -285,5 +350,7 @@ fn refused_samples_have_their_names() {
     }
     unit.set_reals(&inputs(), &AT_REST);
     assert_eq!((step(&unit, 0.0), step(&unit, 9.0)), (fmi2OK, fmi2Error));
-    assert!(sentence(&unit).contains("currentCommunicationPoint = 9: the gap after the previous sample"));
+    assert!(
+        sentence(&unit).contains("currentCommunicationPoint = 9: the gap after the last accepted sample")
+    );
 }

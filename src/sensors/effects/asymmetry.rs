@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::effect::{Effect, Input, OfInput};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
+use super::effect::{Effect, Input, OfInput};
 use crate::snapshot::stored;
 
 /// δ = a/2 |s|: the scale factor of positive signals s exceeds the scale factor of negative signals by a. Their mean is

@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 
 use super::super::kept::Kept;
-use super::effect::{Effect, OnInput};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
+use super::effect::{Effect, OnInput};
 use crate::error::Error;
 use crate::math::{exp, sin_cos};
 use crate::snapshot::{Reader, SIGNALS, Stored, Writer, stored};

@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 
+use super::super::parameters::{Sensor, TriadParameters};
+use super::super::stream::StreamKey;
 use super::effect::{Effect, OnOutput};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::States;
 use crate::signal::RUNS;
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
 use crate::snapshot::stored;
 
 /// The output is 0 while the mean signal of an increment is within ±d. Outside ±d the effect changes nothing (dead band, IEEE Std

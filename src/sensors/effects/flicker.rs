@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
-use super::gauss_markov::MarkovStep;
 use super::super::kept::Kept;
-use super::effect::{Added, Effect};
-use super::outputs::{BatchOutputs, Outputs};
 use super::super::parameters::{Sensor, TriadParameters};
-use super::states::{States, Visitor};
 use super::super::stream::{Purpose, Stream, StreamKey};
+use super::effect::{Added, Effect};
+use super::gauss_markov::MarkovStep;
+use super::outputs::{BatchOutputs, Outputs};
+use super::states::{States, Visitor};
 use crate::signal::RUNS;
 use crate::snapshot::{WALKS, stored};
 

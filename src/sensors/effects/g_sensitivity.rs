@@ -2,9 +2,9 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::effect::{Effect, Input, OfInput};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
+use super::effect::{Effect, Input, OfInput};
 use crate::snapshot::stored;
 
 /// δω_i = Σ_j G_ij f_j + k_i f_i². The row of G is the gyro, its column is the axis of the force (mass unbalance and its cross

@@ -2,11 +2,11 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::super::parameters::{Sensor, TriadParameters};
+use super::super::stream::{Purpose, Stream, StreamKey};
 use super::effect::{DrawnOfInput, Effect, Input, OfInput};
 use super::outputs::BatchOutputs;
-use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
-use super::super::stream::{Purpose, Stream, StreamKey};
 use crate::signal::RUNS;
 use crate::snapshot::stored;
 

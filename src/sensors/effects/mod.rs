@@ -4,12 +4,28 @@
 //! effects follows from the table: the order in which they act, what is set, drawn, saved and undone, how a single run, the runs
 //! of an ensemble and an alignment sense.
 
+mod asymmetry;
+mod bandwidth;
+mod bias;
+mod dead_zone;
 mod effect;
+mod flicker;
+mod g_sensitivity;
+mod gauss_markov;
+mod linear;
 mod outputs;
 mod plan;
+mod quadratic;
+mod quantization;
+mod ramp;
+mod random_walk;
+mod range;
+mod rate_random_walk;
 mod rows;
 mod sense;
+mod size_effect;
 mod states;
+mod temperature;
 
 use nalgebra::Vector3;
 
@@ -20,6 +36,7 @@ use crate::snapshot::stored;
 use effect::{Added, DrawnOfInput, Effect, OfInput, OnInput, OnOutput};
 pub(super) use effect::{Conditions, Input};
 pub(super) use outputs::{BatchOutputs, Outputs};
+pub use plan::EffectPlace;
 use plan::{Plan, Stage};
 use rows::{effects, for_active};
 pub(crate) use sense::SharedInput;

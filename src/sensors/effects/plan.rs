@@ -14,6 +14,30 @@ pub(super) enum Stage {
     OnOutput,
 }
 
+/// Where an effect acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EffectPlace {
+    /// On the signal, or with an error that depends on it.
+    OfSignal,
+    /// With an error that does not depend on the signal: the place among the effects that do so.
+    Added(usize),
+    /// On the output.
+    OfOutput,
+}
+
+impl Name {
+    fn place(self) -> EffectPlace {
+        match self.stage() {
+            Stage::OnInput | Stage::DrawnOfInput | Stage::OfInput => EffectPlace::OfSignal,
+            Stage::Added => {
+                let before = Self::ALL.iter().take_while(|name| **name != self);
+                EffectPlace::Added(before.filter(|name| name.stage() == Stage::Added).count())
+            }
+            Stage::OnOutput => EffectPlace::OfOutput,
+        }
+    }
+}
+
 /// The active effects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Plan {
@@ -66,6 +90,11 @@ impl Plan {
     #[inline(always)]
     pub fn effect(&self, step: usize) -> Name {
         self.effects[step]
+    }
+
+    /// Where the active effects act, in order.
+    pub fn places(&self) -> impl Iterator<Item = EffectPlace> {
+        self.all().map(|step| self.effect(step).place())
     }
 
     /// An effect is among the steps of its own stage only.

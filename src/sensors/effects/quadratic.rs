@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::effect::{Effect, Input, OfInput};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
+use super::effect::{Effect, Input, OfInput};
 use crate::snapshot::stored;
 
 /// δ = c s|s| + k s². The first term is odd: the nonlinearity c is a scale factor that grows with the size of the

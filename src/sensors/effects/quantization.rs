@@ -3,10 +3,10 @@
 use nalgebra::Vector3;
 
 use super::super::kept::Kept;
-use super::effect::{Effect, OnOutput};
-use super::outputs::{BatchOutputs, Outputs};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
+use super::effect::{Effect, OnOutput};
+use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
 use crate::signal::RUNS;
 use crate::snapshot::{SIGNALS, stored};
@@ -50,7 +50,9 @@ impl OnOutput for Quantization {
         self.residual.keep();
         for axis in (0..3).filter(|&axis| self.pulse[axis] != 0.0) {
             let residual = &mut self.residual[axis];
-            outputs.iter_mut().for_each(|output| Self::quantize(self.pulse[axis], &mut output[axis], residual));
+            outputs
+                .iter_mut()
+                .for_each(|output| Self::quantize(self.pulse[axis], &mut output[axis], residual));
         }
     }
 

@@ -3,10 +3,10 @@
 use nalgebra::Vector3;
 
 use super::super::kept::Kept;
-use super::effect::{Added, Effect};
-use super::outputs::{BatchOutputs, Outputs};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
+use super::effect::{Added, Effect};
+use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
 use crate::signal::RUNS;
 use crate::snapshot::{WALKS, stored};

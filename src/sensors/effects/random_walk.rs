@@ -3,11 +3,11 @@
 use nalgebra::Vector3;
 
 use super::super::kept::Kept;
+use super::super::parameters::{Sensor, TriadParameters};
+use super::super::stream::{Purpose, Stream, StreamKey};
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
-use super::super::parameters::{Sensor, TriadParameters};
 use super::states::{States, Visitor};
-use super::super::stream::{Purpose, Stream, StreamKey};
 use crate::signal::RUNS;
 use crate::snapshot::stored;
 

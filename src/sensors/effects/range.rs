@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 
+use super::super::parameters::{Sensor, TriadParameters};
+use super::super::stream::StreamKey;
 use super::effect::{Effect, OnOutput};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::States;
 use crate::signal::RUNS;
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
 use crate::snapshot::stored;
 
 /// The mean signal of an increment is limited to ±r; r = 0 means no limit.

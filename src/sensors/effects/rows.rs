@@ -1,12 +1,9 @@
 //! What follows from the table of effects.
 
-/// Makes the modules of the effects, [`Effects`](super::Effects), and their names for a [`Plan`](super::Plan).
+/// Makes [`Effects`](super::Effects), and the names of the effects for a [`Plan`](super::Plan).
 macro_rules! effects {
     ($($stage:ident { $($field:ident: $Type:ident,)* })*) => {
-        $($(
-            mod $field;
-            use $field::$Type;
-        )*)*
+        $($(use $field::$Type;)*)*
 
         /// Names of the effects, in the order of the table.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use core::slice::from_mut;
 
 use nalgebra::Vector3;
 
-use super::{Aside, BatchOutputs, Effects, Input, Outputs, SHARED_ERRORS, Stage, States};
+use super::{Aside, BatchOutputs, EffectPlace, Effects, Input, Outputs, SHARED_ERRORS, Stage, States};
 use crate::error::Error;
 use crate::memory::room;
 use crate::sensors::Sensor;
@@ -26,6 +26,11 @@ impl SharedInput {
 }
 
 impl Effects {
+    /// Where the active effects act, in order.
+    pub fn places(&self) -> impl Iterator<Item = EffectPlace> {
+        self.plan.places()
+    }
+
     /// Whether no effect is active.
     pub fn are_none(&self) -> bool {
         self.plan.is_ideal()

@@ -3,9 +3,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::super::kept::Kept;
-use super::effect::{Conditions, Effect, OnInput};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
+use super::effect::{Conditions, Effect, OnInput};
 use crate::mounting::{centripetal, lever_arm_velocity};
 use crate::signal::{MAX_INCREMENTS, Turning};
 use crate::snapshot::{SIGNALS, stored};

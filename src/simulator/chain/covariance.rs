@@ -2,6 +2,7 @@
 
 use super::Chain;
 use crate::covariance::{NavigationCovariance, Propagation, StartErrors};
+use crate::errors::{NavigationErrors, VALID_DISPLACEMENT_M, VALID_MISALIGNMENT_RAD};
 use crate::mounting::Block;
 use crate::simulator::Imperfections;
 use crate::simulator::start::alignment;
@@ -46,7 +47,15 @@ impl Chain {
     ) -> Option<(f64, NavigationCovariance, bool)> {
         let covariance = self.covariance.first_mut()?;
         let matrix = covariance.read(truth, self.block.as_ref(), &imperfections.parameters());
-        let matrix = NavigationCovariance { without_corrections: self.is_corrected, ..matrix };
+        // The covariance is that about the mean. Where drop-outs lose a share of the signal, the mean itself is large.
+        let NavigationErrors { position_n, misalignment_n, .. } = self.navigation_errors(truth);
+        let is_small = position_n.norm_squared() < VALID_DISPLACEMENT_M * VALID_DISPLACEMENT_M
+            && misalignment_n.norm_squared() < VALID_MISALIGNMENT_RAD * VALID_MISALIGNMENT_RAD;
+        let matrix = NavigationCovariance {
+            outside_validity: matrix.outside_validity || !is_small,
+            without_corrections: self.is_corrected,
+            ..matrix
+        };
         Some((truth.time_s, matrix, truth.is_near_pole()))
     }
 }

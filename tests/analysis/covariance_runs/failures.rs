@@ -1,8 +1,9 @@
 //! The covariance with failures of sensors, against the scatter of many runs about their mean.
 
-use sins::ErrorParameters;
 use sins::ensemble::Ensemble;
+use sins::math::Euler;
 use sins::sensors::{Axis, Failure, InitialErrorParameters, SensorOutput};
+use sins::{ErrorParameters, Options, Simulator};
 
 use super::scenes::{Scene, everything};
 use super::{chi_square_bounds, quantile};
@@ -54,6 +55,30 @@ fn a_failure_changes_the_scatter_as_the_covariance_says() {
     ] {
         for (row, place) in compare(output, failure).into_iter().enumerate() {
             assert!(place.abs() <= 1.0, "{output:?} {failure:?}, error {row}: {place:.2} of the interval");
+        }
+    }
+}
+
+/// A vehicle that rolls at 1 deg/s loses a quarter of it: after 8 s the mean tilt is 2 degrees, beyond which the equations are not linear.
+/// The standard deviation of the tilt is far below that.
+#[test]
+fn a_mean_beyond_the_linear_equations_is_flagged() {
+    let mut simulator = Simulator::new(&Options { covariance: true, ..Options::default() }).unwrap();
+    let output = SensorOutput::Gyro(Axis::X);
+    for k in 0..=400 {
+        let mut sample = resting_sample(0.1 * f64::from(k));
+        sample.euler = Euler { roll: 0.1 * f64::from(k) * DEG, ..Euler::default() };
+        simulator.push_sample(&sample).unwrap();
+        if k == 1 {
+            simulator.set_failure(output, Some(Failure::RandomDropOuts { probability: 0.25 })).unwrap();
+        }
+        simulator.step().unwrap();
+        if k > 0 {
+            let (_, covariance, _) = simulator.covariance().unwrap().unwrap();
+            let tilt =
+                simulator.errors(sins::ErrorSource::Navigation).unwrap().unwrap().1.misalignment_n.norm();
+            assert_eq!(covariance.outside_validity, tilt >= 0.035, "{k}: {tilt}");
+            assert!(covariance.sigma()[6..].iter().all(|sigma| *sigma < 0.02));
         }
     }
 }

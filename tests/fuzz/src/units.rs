@@ -223,9 +223,14 @@ impl Host {
                     SINS_OK
                 );
                 assert!(label.value.is_finite() && label.label == word.label);
+                assert_ne!(label.status, SINS_BUS_ILLEGAL_VALUE);
             }
         }
-        call!(sins_bus_decode(self.input.word() as u32, 0, &mut label));
+        if call!(sins_bus_decode(self.input.word() as u32, 0, &mut label)) == SINS_OK {
+            let is_legal = (label.minimum..=label.maximum).contains(&label.value);
+            assert!(if label.status == SINS_BUS_NORMAL { is_legal } else { is_legal || label.value.is_nan() });
+            assert!(label.status != SINS_BUS_ILLEGAL_VALUE || label.value.is_nan());
+        }
         call!(sins_bus_get_label(self.input.below(64), &mut label));
     }
 }
