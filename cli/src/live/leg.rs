@@ -7,7 +7,7 @@ use std::time::Instant;
 use sins::records;
 use sins::scene::{FlightSource, Samples};
 use sins::truth::FlightSample;
-use sins::truth::judge::{Judge, Kind, Level};
+use sins::truth::judge::Judge;
 use sins::unit::Unit;
 
 use crate::failure::Failure;
@@ -22,9 +22,6 @@ use crate::terminal::say;
 
 /// Time between records that a scene does not set [s].
 const EVERY_S: f64 = 1.0;
-
-/// Samples until findings are reported: the first may be those of a few rows.
-const JUDGED: u64 = 200;
 
 /// The first line of a log.
 const LOG_MARK: &str = "# live flight";
@@ -114,8 +111,6 @@ pub struct Leg<'a> {
     first: FlightSample,
     last: FlightSample,
     judge: Box<Judge>,
-    /// Kinds of findings that were reported.
-    reported: Vec<Kind>,
     state: State<'a>,
 }
 
@@ -136,8 +131,7 @@ impl<'a> Leg<'a> {
         let spacing = Spacing::new(given.scene.output.every_s.unwrap_or(EVERY_S));
         let mut judge = Box::new(judge_of(&given.scene));
         judge.push(&first)?;
-        let reported = Vec::new();
-        Ok(Self { given, name, records, summary, log, spacing, first, last: first, judge, reported, state })
+        Ok(Self { given, name, records, summary, log, spacing, first, last: first, judge, state })
     }
 
     /// Flies the interval that `sample` ends.
@@ -166,13 +160,7 @@ impl<'a> Leg<'a> {
 
     /// What is doubtful in the samples, in sentences, and was not reported yet.
     pub fn doubts(&mut self) -> Vec<String> {
-        if self.judge.count() < JUDGED {
-            return Vec::new();
-        }
-        let findings = self.judge.findings().filter(|finding| finding.level >= Level::Doubtful);
-        let new: Vec<_> = findings.filter(|finding| !self.reported.contains(&finding.kind)).collect();
-        self.reported.extend(new.iter().map(|finding| finding.kind));
-        new.iter().map(sentence).collect()
+        self.judge.new_doubts(false).map(|finding| sentence(&finding)).collect()
     }
 
     /// Time stamp of the last sample [s].

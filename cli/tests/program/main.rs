@@ -10,6 +10,7 @@ mod ensemble;
 mod fly;
 mod increments;
 mod inputs;
+mod judged;
 mod live;
 mod numbers;
 mod outputs;

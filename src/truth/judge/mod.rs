@@ -36,6 +36,9 @@ use wrap::Wrap;
 /// Largest number of findings of a flight.
 pub const MAX_FINDINGS: usize = 24;
 
+/// Samples until doubts are given in flight: statistics of fewer are those of a few rows.
+const DOUBTS_FROM: u64 = 200;
+
 /// Differences until the noise of the positions is known.
 const KNOWN_NOISE: u64 = 8;
 
@@ -59,6 +62,8 @@ pub struct Judge {
     blocks: Blocks,
     wraps: [Wrap; 2],
     effect: Effect,
+    /// A bit for each kind of finding that [`Self::new_doubts`] has given.
+    given: u32,
 }
 
 impl Judge {
@@ -81,12 +86,29 @@ impl Judge {
             blocks: Blocks::new(),
             wraps: [const { Wrap::new() }; 2],
             effect: Effect::new(),
+            given: 0,
         }
     }
 
     /// Number of samples that were pushed.
     pub fn count(&self) -> u64 {
         self.rows
+    }
+
+    /// The findings so far that are doubtful or worse, of the kinds that this function has not given before: for warnings in flight, and
+    /// `at_end` of it. In flight there are none among the first 200 samples.
+    pub fn new_doubts(&mut self, at_end: bool) -> impl Iterator<Item = Finding> + use<> {
+        let mut doubts = [None; MAX_FINDINGS];
+        if at_end || self.rows >= DOUBTS_FROM {
+            for (place, finding) in doubts.iter_mut().zip(self.findings()) {
+                let bit = 1 << finding.kind as u32;
+                if finding.level >= Level::Doubtful && self.given & bit == 0 {
+                    self.given |= bit;
+                    *place = Some(finding);
+                }
+            }
+        }
+        doubts.into_iter().flatten()
     }
 
     /// Adds a sample. An error says which value is out of its range; then the sample is not added.
