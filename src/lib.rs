@@ -45,6 +45,7 @@
 //! | [`recommend`] | finds the cheapest options that meet a required accuracy |
 //! | [`budget`] | finds the contribution of each effect to the errors |
 //! | [`truth::judge`] | finds what is wrong with a flight before an INS flies it |
+//! | [`truth::smooth`] | makes a path that an INS can fly from the rows of a log |
 //! | [`allan`] | estimates the noise of a sensor from its record |
 //! | [`surroundings`] | has the tables of the parameters beside those of gyros and accelerometers |
 //! | [`bus`] | words of ARINC 429 of a unit |

@@ -12,5 +12,6 @@ mod error_budget;
 #[cfg(feature = "scenes")]
 mod judge;
 mod recommend;
+mod smooth;
 mod statistics;
 mod truth_summary;

@@ -20,8 +20,8 @@ use sins::{Error, ErrorKind};
 
 pub use arguments::SceneArguments;
 pub use gaps::Gaps;
-pub use judged::{Trust, judge_of, sentence};
-pub use log::open;
+pub use judged::{Trust, judge, judge_of, sentence};
+pub use log::{Reading, open, read_log_as};
 pub use settings::Settings;
 pub use text::is_log;
 pub use whole::whole;

@@ -8,10 +8,10 @@ use crate::support::{done, folder, read, rejected, run};
 const COLUMNS: &str = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg";
 
 /// A row of a level circle of 80 m/s, 3 °/s: time, latitude, longitude [deg], height, roll, pitch, heading [deg], velocity east, north.
-type Row = [f64; 9];
+pub type Row = [f64; 9];
 
 /// The circle at a rate, over a time.
-fn circle(rate_hz: u32, seconds: u32) -> Vec<Row> {
+pub fn circle(rate_hz: u32, seconds: u32) -> Vec<Row> {
     let (speed, turn) = (80.0, 3_f64.to_radians());
     let row = |k: u32| {
         let t = f64::from(k) / f64::from(rate_hz);
@@ -34,7 +34,7 @@ fn circle(rate_hz: u32, seconds: u32) -> Vec<Row> {
     (0..=rate_hz * seconds).map(row).collect()
 }
 
-fn write(path: &Path, rows: &[Row], has_velocity: bool) {
+pub fn write(path: &Path, rows: &[Row], has_velocity: bool) {
     let mut text = COLUMNS.to_owned();
     text += if has_velocity { ",velocity_east_m_s,velocity_north_m_s,velocity_up_m_s\n" } else { "\n" };
     for [t, latitude, longitude, height, roll, pitch, heading, east, north] in rows {
@@ -46,7 +46,7 @@ fn write(path: &Path, rows: &[Row], has_velocity: bool) {
 }
 
 /// Each fault of a log, its words, and whether it is unusable.
-fn faulty(folder: &Path) -> [(&'static str, &'static str, bool); 8] {
+pub fn faulty(folder: &Path) -> [(&'static str, &'static str, bool); 8] {
     let save = |name: &str, has_velocity: bool, rate_hz: u32, damage: &dyn Fn(usize, &mut Row)| {
         let mut rows = circle(rate_hz, 150);
         rows.iter_mut().enumerate().for_each(|(k, row)| damage(k, row));

@@ -12,6 +12,7 @@ mod increments;
 mod inputs;
 mod judged;
 mod live;
+mod log;
 mod numbers;
 mod outputs;
 mod pages;

@@ -90,6 +90,11 @@ impl Judge {
         }
     }
 
+    /// The step of which all heights are multiples [m]; 0: none.
+    pub(crate) fn height_step_m(&self) -> f64 {
+        self.resolution.steps_m[2]
+    }
+
     /// Number of samples that were pushed.
     pub fn count(&self) -> u64 {
         self.rows

@@ -71,7 +71,8 @@ impl Noise {
             let (second, third) = (local(&second), local(&third));
             for axis in 0..3 {
                 self.third[axis].add(third[axis].abs());
-                self.above_half_step[axis] += u64::from(second[axis].abs() > 0.5 * steps[axis]);
+                self.above_half_step[axis] +=
+                    u64::from(steps[axis] > 0.0 && second[axis].abs() > 0.5 * steps[axis]);
             }
         }
         if known < 3 {

@@ -13,8 +13,9 @@ const HEIGHTS_M: [f64; 8] = [30.48, 10.0, 7.62, 3.048, 1.0, 0.3048, 0.1, 0.01];
 /// A value is a multiple of a step if it is within this share of the step. A value agrees by chance with a probability of 0.04.
 const WITHIN: f64 = 0.02;
 
-/// Different values that must agree: by chance they do in 3 of a million logs.
+/// Different values that must agree, and steps over which they must extend: by chance they do in 3 of a million logs.
 const LEAST_VALUES: u32 = 4;
+const LEAST_STEPS: f64 = 2.9;
 
 /// The steps of which all values of a coordinate so far are multiples.
 #[derive(Debug, Clone)]
@@ -71,11 +72,14 @@ impl Steps {
         if self.extremes < LEAST_VALUES {
             return None;
         }
-        if self.fits != 0 {
-            return Some((steps[self.fits.trailing_zeros() as usize], false));
+        // Values that hardly differ are multiples of any step that one of them is.
+        let is_crossed = |step: f64| self.high - self.low >= LEAST_STEPS * step;
+        let fits = |bit: usize| self.fits & (1 << bit) != 0 && is_crossed(steps[bit]);
+        if let Some(bit) = (0..steps.len()).find(|bit| fits(*bit)) {
+            return Some((steps[bit], false));
         }
         let is = self.is_float32.iter().position(|is| *is)?;
-        Some((self.float32_step[is], true))
+        Some((self.float32_step[is], true)).filter(|(step, _)| self.fits == 0 && is_crossed(*step))
     }
 }
 

@@ -33,7 +33,7 @@ fn each(samples: &[FlightSample], mut damage: impl FnMut(usize, &mut FlightSampl
     damaged
 }
 
-fn move_by(sample: &mut FlightSample, east_m: f64, north_m: f64, up_m: f64) {
+pub fn move_by(sample: &mut FlightSample, east_m: f64, north_m: f64, up_m: f64) {
     sample.place.latitude_rad += north_m / RADIUS_M;
     sample.place.longitude_rad += east_m / (RADIUS_M * sample.place.latitude_rad.cos());
     sample.place.height_m += up_m;
@@ -56,7 +56,7 @@ pub fn noisy(samples: &[FlightSample], sigma_m: f64) -> Samples {
 }
 
 /// A receiver of a fifth of the rate, its fixes repeated.
-fn held(samples: &[FlightSample]) -> Samples {
+pub fn held(samples: &[FlightSample]) -> Samples {
     let mut last = samples[0].place;
     each(&without_velocities(samples), |k, sample| {
         if k % 5 == 0 {
@@ -67,7 +67,7 @@ fn held(samples: &[FlightSample]) -> Samples {
 }
 
 /// One fix in twenty repeats the one before.
-fn stale(samples: &[FlightSample]) -> Samples {
+pub fn stale(samples: &[FlightSample]) -> Samples {
     let mut last = samples[0].place;
     each(&without_velocities(samples), |k, sample| {
         if k % 20 == 7 {
@@ -236,7 +236,7 @@ fn attitudes_of_another_sign_or_unit_are_found() {
         sample.v_n = None;
         sample.place.height_m /= 0.3048;
     });
-    assert_eq!(feet, ["racetrack", "airliner_cruise"]);
+    assert_eq!(feet, ["racetrack", "airliner_cruise", "fighter_aerobatics"]);
 }
 
 /// The heading swings about north, and was interpolated by number from each fifth row.

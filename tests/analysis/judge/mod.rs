@@ -1,7 +1,7 @@
 //! Findings of the judge: none of level doubtful in good flights, and the faults of logs with their reasons.
 
-mod faults;
-mod flights;
+pub mod faults;
+pub mod flights;
 
 use sins::earth::Earth;
 use sins::truth::judge::{Finding, Judge, Level};
