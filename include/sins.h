@@ -449,8 +449,8 @@ typedef struct sins_options {
      */
     double max_gap_s;
     /**
-     * Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
-     * the truth.
+     * Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Velocities that need a larger one are
+     * rejected as a jump of the truth; without velocities, displacements that need a larger one and 10 m more.
      */
     double max_acceleration_m_s2;
     /** Summary of the true motion, of enum sins_summary. */

@@ -39,7 +39,7 @@
 //! |---|---|
 //! | `base` | what every block uses: mathematics, errors, tables of parameters, [`snapshot`] |
 //! | [`earth`] | ellipsoid, gravity; position, velocity and attitude in their two forms ([`earth::state`]) |
-//! | [`truth`] | the host's samples, checked; flights made from manoeuvres ([`truth::flight`]) |
+//! | [`truth`] | the host's samples, checked; judged before an INS flies them ([`truth::judge`]); a path that flies, made of the rows of a log ([`truth::smooth`]); flights made from manoeuvres ([`truth::flight`]) |
 //! | [`signal`] | the signal generator (inverse navigation); the block away from the reference point ([`signal::mounting`]) |
 //! | [`sensors`] | the errors of gyros and accelerometers, equations (1)-(3), and of the altimeter; gravity disturbance; errors at the start |
 //! | [`mechanization`] | navigation on measured increments, equations (7)-(24) |
@@ -109,6 +109,7 @@
 //! | run k of an ensemble gives the same bits as the simulator with this run number, also when other runs diverge | `tests/state/ensemble`, `tests/interface/c_side.rs` |
 //! | statistics have the same bits for any split of the runs, and are correct if means are large and the scatter is small | `tests/analysis/statistics.rs` |
 //! | a host's wrong units are obvious in the summary of the truth | `tests/analysis/truth_summary.rs` |
+//! | faults of logs are found with their reasons, and no good flight is found doubtful | `tests/analysis/judge` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/analysis/recommend` |
 //! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/analysis/covariance`, `tests/analysis/covariance_runs` |
 //! | contributions of effects equal their closed forms, and the effects that are marked can be left out | `tests/analysis/error_budget`, `tests/analysis/error_budget/mounting_and_gravity.rs` |

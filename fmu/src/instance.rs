@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use sins::scene::Scene;
 use sins::sensors::SensorOutput;
-use sins::truth::Pushed;
+use sins::truth::{FlightSample, Pushed};
 use sins::unit::Unit;
 use sins::{Error, Simulator};
 
@@ -64,6 +64,8 @@ pub struct Flown {
     pub refused_entries: Vec<String>,
     /// What suggests inputs that are not connected.
     pub unconnected: Vec<&'static str>,
+    /// The sample that was taken; `None`: the step takes none.
+    pub sample: Option<FlightSample>,
 }
 
 /// The last sample that was taken.
@@ -147,14 +149,14 @@ impl Flight {
         if let Some(taken) = &self.taken {
             let Some(unit) = &mut unit else {
                 refused_entries = panel::without_a_box(values, taken.entries);
-                return Ok(Next { simulator, unit, behind_gap, refused_entries, unconnected });
+                return Ok(Next { simulator, unit, behind_gap, refused_entries, unconnected, sample });
             };
             refused_entries = panel::act(values, taken.entries, unit)?;
             let updated = self.scene.update_unit(unit, &mut simulator, first_s);
             let updated = updated.and_then(|()| panel::push_fix(values, taken.entries, unit, &mut simulator));
             updated.map_err(sentence)?;
         }
-        Ok(Next { simulator, unit, behind_gap, refused_entries, unconnected })
+        Ok(Next { simulator, unit, behind_gap, refused_entries, unconnected, sample })
     }
 }
 
@@ -176,6 +178,7 @@ struct Next {
     behind_gap: bool,
     refused_entries: Vec<String>,
     unconnected: Vec<&'static str>,
+    sample: FlightSample,
 }
 
 /// An instance.
@@ -296,7 +299,7 @@ impl Instance {
             }
             _ => {}
         }
-        let Next { mut simulator, unit, behind_gap, refused_entries, unconnected } =
+        let Next { mut simulator, unit, behind_gap, refused_entries, unconnected, sample } =
             flight.flown(time_s, &self.values, &self.is_set).map_err(Refused::error)?;
         let turn_rad = flight.taken.as_ref().map_or(0.0, |before| inputs::turn_rad(&before.inputs, inputs));
         let taken = Taken {
@@ -311,6 +314,6 @@ impl Instance {
         flight.first_s = flight.first_s.or(Some(time_s));
         flight.taken = Some(taken);
         self.end_s = time_s + length_s;
-        Ok(Flown { behind_gap, turn_rad, refused_entries, unconnected })
+        Ok(Flown { behind_gap, turn_rad, refused_entries, unconnected, sample: Some(sample) })
     }
 }

@@ -100,8 +100,8 @@ pub struct sins_options {
     /// Even at rest the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with
     /// intervals of 10 s, and 91 m with intervals of 100 s.
     pub max_gap_s: f64,
-    /// Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
-    /// the truth.
+    /// Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Velocities that need a larger one are
+    /// rejected as a jump of the truth; without velocities, displacements that need a larger one and 10 m more.
     pub max_acceleration_m_s2: f64,
     /// Summary of the true motion, of enum sins_summary.
     pub truth_summary: i32,

@@ -28,7 +28,7 @@ use survey::Survey;
 /// Surveys the scenes of `order` and writes the files.
 pub fn run(order: &Order) -> Result<(), Failure> {
     let request = order.request()?;
-    let load = |name| Given::load(Some(name), None, &order.settings, command::FOR_LOGS);
+    let load = |name| Given::load(Some(name), None, &order.settings, &order.trust, command::FOR_LOGS);
     let given = order.scenes.iter().map(|name| load(name)).collect::<Result<Vec<_>, _>>()?;
     let inputs: Vec<PathBuf> = given.iter().flat_map(|given| given.inputs.clone()).collect();
     let scenes: Vec<Scene> = given.into_iter().map(|given| Scene::new(given, order.hours * 3600.0)).collect();

@@ -30,6 +30,8 @@ pub struct Survey {
     pub budget: Budget,
     /// Times of a step, if they are wanted.
     pub costs: Option<Costs>,
+    /// What is doubtful in the flight data, in sentences.
+    pub findings: Vec<String>,
 }
 
 /// Kind of a line of chart and table.
@@ -83,7 +85,8 @@ impl Survey {
             let budget = budget.map_err(refused)?;
             let costs = if time_steps { Some(costs(scene, &budget)?) } else { None };
             let (name, title) = (scene.name.clone(), scene.title.clone());
-            Ok(Self { name, title, request: *request, budget, costs })
+            let findings = scene.findings().to_vec();
+            Ok(Self { name, title, request: *request, budget, costs, findings })
         });
         surveyed.collect()
     }

@@ -39,7 +39,7 @@ use survey::Survey;
 /// Surveys the scenes of `order` and writes the files.
 pub fn run(order: &Order) -> Result<(), Failure> {
     let effort = order.effort();
-    let load = |name| Given::load(Some(name), None, &order.settings, FOR_LOGS);
+    let load = |name| Given::load(Some(name), None, &order.settings, &order.trust, FOR_LOGS);
     let given = order.given.iter().map(|name| load(name)).collect::<Result<Vec<_>, _>>()?;
     let instructions = match &order.instructions {
         Some(path) => Instructions::read(path)?,

@@ -43,6 +43,7 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
                         (study.runs()) ". Flown: " (time_text(study.given.duration_s)) ". A row of statistics each "
                         (time_text(study.plan.every_s)) "."
                     }
+                    @for finding in &study.given.findings { p.remark { "Flight data: " (finding) "." } }
                     @if !study.results.diverged.is_empty() {
                         p.remark { "Runs that diverged are left out of the statistics from that moment on." }
                     }

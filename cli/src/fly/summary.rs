@@ -119,6 +119,13 @@ fn flight(figures: &Figures, rows: &mut Rows) {
     rows.whole("records", flown.records, "records written");
     rows.whole("gaps", figures.given.gaps.count, "gaps in the log, which were bridged");
     rows.number("gap_longest_s", figures.given.gaps.longest_s, "s", "longest gap in the log");
+    for (number, finding) in (1..).zip(&figures.given.findings) {
+        rows.text(
+            &format!("finding_{number}_text"),
+            finding,
+            &format!("finding {number} in the flight data"),
+        );
+    }
     for (key, value, unit, label, time_s) in figures.truth() {
         rows.number(key, value, unit, &format!("truth: {label}, at {} s", six_digits(time_s)));
     }

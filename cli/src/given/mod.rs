@@ -3,6 +3,7 @@
 mod arguments;
 mod file;
 mod gaps;
+mod judged;
 mod log;
 mod settings;
 mod text;
@@ -21,6 +22,8 @@ use sins::{Error, ErrorKind};
 pub use arguments::SceneArguments;
 pub use file::{open_table, read_text};
 pub use gaps::{Gaps, unit_of_interval};
+pub use judged::{Trust, judge, judge_of, sentence};
+pub use log::{Reading, read_log_as};
 pub use settings::Settings;
 pub use text::is_log;
 pub use whole::whole;
@@ -53,6 +56,8 @@ pub struct Given {
     pub duration_s: f64,
     /// Gaps of the log, if the flight is one.
     pub gaps: Gaps,
+    /// What the judge found in the log, in sentences.
+    pub findings: Vec<String>,
     motion: Motion,
 }
 
@@ -71,6 +76,7 @@ impl Given {
         name: Option<&OsStr>,
         log: Option<&Path>,
         settings: &Settings,
+        trust: &Trust,
         for_logs: &str,
     ) -> Result<Self, Failure> {
         let (text, log) = match name {
@@ -138,15 +144,26 @@ impl Given {
             period_s,
             duration_s,
             gaps: Gaps::default(),
+            findings: Vec::new(),
             motion,
         };
-        if let Motion::Log(_, log) = &given.motion {
-            let found = gaps::find(&given.scene, log, count);
-            given.gaps = found.map_err(|(index, error)| {
-                let is_gap = error.kind == ErrorKind::Discontinuity && error.field == "sample.time_s";
-                let unit = if is_gap { gaps::unit_of_stamps(&given.scene, log) } else { "" };
-                Failure::new(format!("{}{unit}", given.failure_at(index, &error)))
-            })?;
+        if let Motion::Log(path, log) = &given.motion {
+            let findings = judged::judge(&given.scene, path, log, count);
+            let refused = trust.take(&findings).err();
+            match gaps::find(&given.scene, log, count) {
+                Ok(gaps) => given.gaps = gaps,
+                // The finding is the reason.
+                Err((index, error)) => {
+                    let is_gap = error.kind == ErrorKind::Discontinuity && error.field == "sample.time_s";
+                    let unit = if is_gap { gaps::unit_of_stamps(&given.scene, log) } else { "" };
+                    let failure = Failure::new(format!("{}{unit}", given.failure_at(index, &error)));
+                    return Err(Failure::all([failure].into_iter().chain(refused).collect()));
+                }
+            }
+            if let Some(refused) = refused {
+                return Err(refused);
+            }
+            given.findings = findings.into_iter().map(|(_, words)| words).collect();
         }
         Ok(given)
     }
@@ -178,6 +195,7 @@ impl Given {
             period_s: 0.0,
             duration_s: 0.0,
             gaps: Gaps::default(),
+            findings: Vec::new(),
             motion: Motion::Live,
         })
     }

@@ -6,12 +6,13 @@ use std::time::Instant;
 
 use sins::scene::Samples;
 use sins::truth::FlightSample;
+use sins::truth::judge::Judge;
 
 use super::blank::Blank;
 use super::log::Log;
 use crate::failure::Failure;
 use crate::fly::{Figures, Files, InFlight, Spacing, Stopped, finish, text};
-use crate::given::Given;
+use crate::given::{Given, judge_of, sentence};
 use crate::output::OutputFile;
 
 /// Time between records that a scene does not set [s].
@@ -26,6 +27,7 @@ pub struct Leg<'a> {
     spacing: Spacing,
     first: FlightSample,
     last: FlightSample,
+    judge: Box<Judge>,
     state: State<'a>,
 }
 
@@ -52,7 +54,9 @@ impl<'a> Leg<'a> {
         }
         let state = State::Begun(Some(Box::new(files)));
         let spacing = Spacing::new(given.scene.output.every_s.unwrap_or(EVERY_S));
-        Ok(Self { given, name, summary, log, spacing, first, last: first, state })
+        let mut judge = Box::new(judge_of(&given.scene));
+        judge.push(&first)?;
+        Ok(Self { given, name, summary, log, spacing, first, last: first, judge, state })
     }
 
     /// Flies the interval that `sample` ends.
@@ -72,11 +76,17 @@ impl<'a> Leg<'a> {
         flight.go_on(sample)?;
         flight.add_time(began.elapsed());
         self.last = sample;
+        self.judge.push(&sample)?;
         if let Some(log) = &mut self.log {
             log.sample(&sample)?;
             log.publish(self.given, self.spacing.every_s)?;
         }
         Ok(flight)
+    }
+
+    /// What is doubtful in the samples, in sentences, and was not reported yet.
+    pub fn doubts(&mut self) -> Vec<String> {
+        self.judge.new_doubts(false).map(|finding| sentence(&finding)).collect()
     }
 
     /// Time stamp of the last sample [s].
@@ -112,7 +122,8 @@ impl<'a> Leg<'a> {
         let period_s = duration_s / flown.steps as f64;
         let samples =
             Samples { count: flown.steps as usize + 1, start_s: self.first.time_s, period_s, duration_s };
-        let given = given.with_samples(&samples);
+        let mut given = given.with_samples(&samples);
+        given.findings = self.judge.findings().map(|finding| sentence(&finding)).collect();
         let records = files.records.path().to_owned();
         let figures = Figures::gather(&given, &self.name, every_s, &flown, is_stopped)?;
         let written = Failure::each([log, finish(&figures, files, self.summary)]);

@@ -237,6 +237,7 @@ impl<'a> Live<'a> {
             self.voice.print(&format!("{whole_s:>6} s  {}\n", line(shown, &progress.traffic)));
             if let Some(leg) = &mut progress.leg {
                 leg.check()?;
+                leg.doubts().iter().for_each(|words| self.voice.say(&format!("packets: {words}")));
             }
         }
         Ok(())

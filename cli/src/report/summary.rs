@@ -80,6 +80,11 @@ impl Summary {
         (1..).map_while(|number| Some((from_s(number)?, state(number)?))).collect()
     }
 
+    /// What was found in the flight data, in sentences.
+    pub fn findings(&self) -> impl Iterator<Item = &str> {
+        (1..).map_while(|number| self.value(&format!("finding_{number}_text")))
+    }
+
     /// The row `key`.
     pub fn row(&self, key: &str) -> Option<&Row> {
         self.rows.iter().find(|row| row.key == key)

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use csv::StringRecord;
 
-use super::{LogError, fault};
+use super::{LogError, Reading, fault};
 use crate::base::error::Error;
 use crate::base::units::DEG;
 use crate::scene::{excerpt, listed, nearest};
@@ -49,6 +49,9 @@ pub fn column_of(error: &Error) -> Option<&'static str> {
     quantity_of(error).map(name)
 }
 
+/// The quantities of the attitude.
+const ATTITUDE: [&str; 3] = ["roll_rad", "pitch_rad", "heading_rad"];
+
 /// The first of the quantities that a log may leave out.
 pub const VELOCITY: usize = 7;
 pub const RATE: usize = 10;
@@ -80,10 +83,17 @@ fn in_degrees(quantity: &str) -> Option<String> {
 }
 
 /// The columns of a header, by their quantities.
-pub fn columns(header: &StringRecord, line: u64) -> Result<[Option<Column>; COUNT], LogError> {
+pub fn columns(
+    header: &StringRecord,
+    line: u64,
+    reading: Reading,
+) -> Result<[Option<Column>; COUNT], LogError> {
     let mut columns = [None; COUNT];
     for (column, quantity) in columns.iter_mut().zip((0..COUNT).map(name)) {
         let degrees = in_degrees(quantity);
+        if reading == Reading::WithoutAttitude && ATTITUDE.contains(&quantity) {
+            continue;
+        }
         for (place, name) in header.iter().enumerate() {
             let si = match name {
                 _ if name == quantity => 1.0,
@@ -101,6 +111,9 @@ pub fn columns(header: &StringRecord, line: u64) -> Result<[Option<Column>; COUN
         let triple = TRIPLES.iter().find(|triple| triple.contains(&index));
         match triple {
             Some(triple) => columns[triple.clone()].iter().any(Option::is_some),
+            None if reading == Reading::WithoutAttitude => {
+                index < VELOCITY && !ATTITUDE.contains(&name(index))
+            }
             None => index < VELOCITY,
         }
     };

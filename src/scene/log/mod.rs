@@ -33,6 +33,15 @@ pub struct FlightLog {
     lines: Vec<u64>,
 }
 
+/// Columns that a log needs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reading {
+    /// Time, position and attitude.
+    Whole,
+    /// Time and position; columns of the attitude are not read, and the angles of the samples are 0.
+    WithoutAttitude,
+}
+
 /// Why a text is not a valid log.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LogError {
@@ -50,7 +59,12 @@ impl FlightLog {
     /// Reads the log in a text: at least two samples, in the order of time, with values in their ranges. How they follow each
     /// other is checked when they are pushed.
     pub fn parse(text: &[u8]) -> Result<Self, LogError> {
-        Self::parse_log(text).map_err(|error| match (&error, foreign(text)) {
+        Self::parse_as(text, Reading::Whole)
+    }
+
+    /// As [`FlightLog::parse`], of a log that has what `reading` needs.
+    pub fn parse_as(text: &[u8], reading: Reading) -> Result<Self, LogError> {
+        Self::parse_log(text, reading).map_err(|error| match (&error, foreign(text)) {
             (LogError::Fault(_), Some(what)) => {
                 fault(1, 1, format!("is {what}: expected a flight log, a table of comma-separated values"))
             }
@@ -58,7 +72,7 @@ impl FlightLog {
         })
     }
 
-    fn parse_log(text: &[u8]) -> Result<Self, LogError> {
+    fn parse_log(text: &[u8], reading: Reading) -> Result<Self, LogError> {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
         for (line, number) in text.split_inclusive(|byte| *byte == b'\n').zip(1..) {
             check_line(line).map_err(|sentence| fault(number, 1, sentence))?;
@@ -80,7 +94,7 @@ impl FlightLog {
         if row.len() > MAX_COLUMNS {
             return Err(fault(line, 1, format!("{} columns: a log has at most {MAX_COLUMNS}", row.len())));
         }
-        let columns = columns(&row, line)?;
+        let columns = columns(&row, line, reading)?;
         let width = row.len();
         let mut log = Self { title: title(text), samples: Vec::new(), lines: Vec::new() };
         while let Some(line) = next_row(&mut reader, text, &mut row)? {
