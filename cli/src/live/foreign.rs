@@ -96,7 +96,7 @@ fn native(packet: &[u8]) -> Option<(String, String)> {
             }
             (27, 744) | (20..=28, 500..=800) => "native controls (native-ctrls)",
             (8, 236) | (3..=8, 160..=260) => "native values for a panel (native-gui)",
-            (10..=25, 200..=560) => "the native FDM packet, of another version or length",
+            (10..=25, 200..=560) => "native FDM packet, of another version or length",
             _ => continue,
         };
         let change = if what.contains("FDM") {

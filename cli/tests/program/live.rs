@@ -318,12 +318,12 @@ fn wrong_packets_are_counted_and_never_flown() {
     let (clean, _, _) = flown("clean", false);
     let (records, said, errors) = flown("wrong", true);
     assert!(records == clean && records.lines().count() > 10);
-    let refused = "refused         10 from another address, 21 of another length, 10 of another version, \
+    let refused = "refused         10 from another address, 11 of another length, 20 of another kind, \
                    20 with NaN or infinity, 20 out of range, 10 late or repeated, 10 with a jump";
     assert!(said.contains(refused), "{said}");
     for words in [
         "of another length: 5 bytes: version 24 has 408",
-        "of another version: version 23 in 408 bytes: must be 24 or 25",
+        "of another kind: 407 bytes: FlightGear's native FDM packet, of another version or length, version 24; versions 24 with 408 bytes",
         "with NaN or infinity: latitude = NaN: must be a finite number",
         "out of range: latitude = 114.591559026165 deg: must be from -90 to 90 deg",
         "from another address: 127.0.0.1:",
