@@ -12,6 +12,7 @@
 #ifndef SINS_FUNCTIONS_H
 #define SINS_FUNCTIONS_H
 
+#include "sins_analysis.h"
 #include "sins_scene.h"
 
 #define SINS_FUNCTIONS_ENGINE(X) \

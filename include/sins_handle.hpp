@@ -120,9 +120,6 @@ template <class T> struct Destroyer;
 template <> struct Destroyer<sins_sim> {
     static void destroy(sins_sim *sim) noexcept { sins_destroy(sim); }
 };
-template <> struct Destroyer<sins_flight> {
-    static void destroy(sins_flight *flight) noexcept { sins_flight_destroy(flight); }
-};
 
 /* Owns a handle. It can be moved, but not copied. */
 template <class T> class Owner {

@@ -26,6 +26,7 @@
 #define SINS_SCENE_H
 
 #include "sins_ensemble.h"
+#include "sins_flight.h"
 #include "sins_unit.h"
 
 #ifdef __cplusplus

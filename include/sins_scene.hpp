@@ -4,6 +4,7 @@
 #define SINS_SCENE_HPP
 
 #include "sins_ensemble.hpp"
+#include "sins_flight.hpp"
 #include "sins_scene.h"
 #include "sins_unit.hpp"
 

@@ -15,8 +15,8 @@ SINS_WORK=target/release-manual
 export SINS_OUT SINS_VERSION SINS_WORK
 mkdir -p "$SINS_WORK"
 {
-    # The preamble; the subjects of sins_unit.h, sins_ensemble.h and sins_scene.h are among the groups.
-    printf '# sins.h, sins_unit.h, sins_ensemble.h, sins_scene.h\n\n```\n'
+    # The preamble; the subjects of the other headers are among the groups.
+    printf '# sins.h, sins_flight.h, sins_analysis.h, sins_unit.h, sins_ensemble.h, sins_scene.h\n\n```\n'
     sed -n '2,/^ \*\/$/{/^ \*\/$/!{s|^ \* ?||;s|^ \*$||;s|^ \* ||;p}}' include/sins.h
     printf '```\n\n## Data flow\n\n'
     sed -n '/^\/\/! ```text$/,/^\/\/! ```$/{s|^//! ?||;s|^//! ||;s|^```text|```|;p}' src/lib.rs

@@ -4,6 +4,7 @@
 #define SCENE_H
 
 #include "check.h"
+#include "sins_analysis.h"
 #include "sins_scene.h"
 
 /* 8 s at 128 Hz: times that are exact in binary. */

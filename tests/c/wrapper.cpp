@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "check.h"
+#include "sins_analysis.hpp"
 #include "sins_scene.hpp"
 
 template <class Call> sins::Error error_of(Call call) {
@@ -55,8 +56,8 @@ static void moved_objects() {
     CHECK(other.handle() != nullptr && sim.handle() == nullptr);
     rejects_no_handle([&] { sim.step(); });
     rejects_no_handle([&] { sim.options(); });
-    rejects_no_handle([&] { sim.recommend(samples, 2, requirement, options, cost); });
-    rejects_no_handle([&] { sim.error_budget(samples, 2, sins::make<sins_budget_request>(), rows); });
+    rejects_no_handle([&] { sins::recommend(sim, samples, 2, requirement, options, cost); });
+    rejects_no_handle([&] { sins::error_budget(sim, samples, 2, sins::make<sins_budget_request>(), rows); });
     rejects_no_handle([&] { scene.write(); });
     rejects_no_handle([&] { scene.faults(); });
     rejects_no_handle([&] { scene.set_values("gyro.preset = tactical"); });

@@ -16,8 +16,11 @@ import numpy
 import sins
 from pycparser import CParser, c_ast
 
-HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/sins_scene.h"
-DECLARATIONS = "".join((HEADER.parent / name).read_text() for name in ("sins.h", "sins_unit.h", "sins_ensemble.h", "sins_scene.h"))
+HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/sins_functions.h"  # includes all others
+DECLARATIONS = "".join(
+    (HEADER.parent / f"{name}.h").read_text()
+    for name in ("sins", "sins_flight", "sins_analysis", "sins_unit", "sins_ensemble", "sins_scene")
+)
 COMPILER = os.environ.get("CC", "cc")
 # Words of the system's headers that pycparser does not know; sins.h does not use them.
 GNU = ["__attribute__(x)", "__asm__(x)", "__extension__", "__restrict"]

@@ -171,7 +171,7 @@ fn the_examples_of_the_functions_print_what_they_say() {
     let blocks: String = examples.iter().map(|text| format!("    {{\n{text}    }}\n")).collect();
     let program = format!("{begin}{blocks}    return sins_destroy(sim);\n}}\n");
     let source = library_folder("header_examples").join("examples.c");
-    std::fs::write(&source, program.replace("\"sins.h\"", "\"sins_scene.h\"")).unwrap();
+    std::fs::write(&source, program.replace("\"sins.h\"", "\"sins_functions.h\"")).unwrap();
     let text = prints_alike("header_examples", &[source.to_str().unwrap()], &C_AND_CPP, &[]);
     let expected: Vec<&str> = examples
         .iter()

@@ -69,9 +69,10 @@ pub fn without_comments(source: &str) -> String {
     code.lines().flat_map(|line| [line.split("//").next().unwrap_or_default(), "\n"]).collect()
 }
 
-/// The three C headers, one after the other.
+/// The C headers, one after the other.
 pub fn headers() -> String {
-    let names = ["sins.h", "sins_unit.h", "sins_ensemble.h", "sins_scene.h"];
+    let names =
+        ["sins.h", "sins_flight.h", "sins_analysis.h", "sins_unit.h", "sins_ensemble.h", "sins_scene.h"];
     names.map(|name| std::fs::read_to_string(project_file("include").join(name)).unwrap()).concat()
 }
 
