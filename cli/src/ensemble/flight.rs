@@ -7,7 +7,6 @@ use std::time::Instant;
 use sins::earth::state::Navigation;
 use sins::ensemble::Ensemble;
 use sins::errors::NavigationErrors;
-use sins::truth::FlightSample;
 use sins::{Error, ErrorKind, ErrorSource};
 
 use super::checkpoint::Checkpoint;
@@ -99,9 +98,11 @@ impl<'a> Work<'a> {
         }
         let mut ensemble = Ensemble::new(&given.scene.simulator()?[0], first_run, runs as usize)?;
         let mut part = Part::new(plan, piece);
+        let mut course = given.course()?;
         let mut instants = plan.instants.iter().copied().peekable();
         for index in 0..given.count {
-            self.push(&mut ensemble, index, given.sample(index)?)?;
+            let taken = course.take(&mut ensemble, &given.sample(index)?);
+            taken.map_err(|error| given.stopped_at(index, &error))?;
             if index > 0 {
                 ensemble.step().map_err(|error| given.stopped_at(index, &error))?;
             }
@@ -121,14 +122,6 @@ impl<'a> Work<'a> {
         }
         part.diverged = ensemble.diverged().collect();
         Ok(part)
-    }
-
-    /// Pushes the sample `index`, with the failures and the temperature that are due.
-    fn push(&self, ensemble: &mut Ensemble, index: usize, mut sample: FlightSample) -> Result<(), Failure> {
-        let scene = &self.given.scene;
-        let prepared = scene.prepare(ensemble, self.given.start_s, &mut sample);
-        let pushed = prepared.and_then(|()| ensemble.push_sample(&sample));
-        pushed.map(|_| ()).map_err(|error| self.given.stopped_at(index, &error))
     }
 
     /// Takes the statistics of this instant, the errors of the runs that are drawn, and counts the runs within the limits that are
