@@ -44,6 +44,10 @@ extern "C" {
 
 @scene/log scene/samples
 
+/* Scenes in flight. */
+
+@scene/play
+
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_scene_sizeof {
 @sizes

@@ -41,6 +41,7 @@ pub use list::{KeyKind, KeyLine, key_of_field, keys, keys_text};
 pub(crate) use names::excerpt;
 pub use names::{listed, nearest};
 pub use panel::{Action, PlannedAction, UnitPlan};
+pub(crate) use play::shown;
 pub use play::{Course, Play, Shown, Source, Spacing, Stopped};
 pub(crate) use read::utf8;
 pub use samples::Samples;

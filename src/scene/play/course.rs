@@ -145,7 +145,7 @@ impl Course {
         self.place.spacing = spacing;
     }
 
-    /// Whether the last interval has a record: at the spacing of the records, and at the last sample of the scene.
+    /// Whether there is a record now: of the first sample, at the spacing of the records, and of the last sample of the scene.
     pub fn is_due(&self) -> bool {
         self.place.is_due
     }
@@ -192,6 +192,7 @@ impl Course {
     ) -> Result<Pushed, Stopped> {
         let pushed = self.take(simulator, sample).map_err(|error| self.stopped(error, sample.time_s))?;
         let flown = self.fly_waiting(simulator, unit);
+        self.place.is_due |= self.place.taken == 1;
         flown.map(|()| pushed).map_err(|error| self.stopped(error, sample.time_s))
     }
 
@@ -199,7 +200,11 @@ impl Course {
     pub fn take(&mut self, flown: &mut dyn FliesScene, sample: &FlightSample) -> Result<Pushed, Error> {
         let mut sample = *sample;
         let start_s = self.start_s().unwrap_or(sample.time_s);
-        if let Some(begin_s) = self.scene.begin(flown, start_s, &mut sample)? {
+        // A sample that is not later ends no interval, and is rejected.
+        let is_later = flown.last_sample_time_s().is_none_or(|last_s| sample.time_s > last_s);
+        if let Some(begin_s) = self.scene.begin(flown, start_s, &mut sample)?
+            && is_later
+        {
             let last_s = flown.last_interval_s();
             if self.place.updated_s != last_s {
                 self.scene.update(flown, start_s, begin_s)?;

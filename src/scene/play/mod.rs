@@ -58,7 +58,8 @@ impl Play {
         self.course.push(simulator, self.unit.as_mut(), sample)
     }
 
-    /// Flies until a record is due; false: the flight was over. The last sample of the scene has a record.
+    /// Flies until a record is due; false: the flight was over. The first sample and the last one have a
+    /// record.
     pub fn run(&mut self) -> Result<bool, Stopped> {
         while self.fly_next()?.is_some() {
             if self.course.is_due() {
