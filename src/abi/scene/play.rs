@@ -274,9 +274,8 @@ pub unsafe extern "C-unwind" fn sins_play_get_shown(
 ) -> sins_status {
     with_play(play, |_, simulator, unit| {
         // SAFETY: the host's promise.
-        let (status, navigation) = unsafe {
-            (Output::if_wanted(status, "status")?, Output::if_wanted(navigation, "navigation")?)
-        };
+        let (status, navigation) =
+            unsafe { (Output::if_wanted(status, "status")?, Output::if_wanted(navigation, "navigation")?) };
         let Some(found) = shown(&simulator[0], unit.as_deref())? else { return Ok(SINS_NEED_SAMPLE) };
         status.map(|output| output.write(&(&found.status).into()));
         navigation.map(|output| output.write(&(&found.navigation).into()));
