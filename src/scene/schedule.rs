@@ -7,7 +7,7 @@ use crate::errors::NavigationErrors;
 use crate::errors::correction::Correction;
 use crate::sensors::{Failure, SensorOutput, StreamKey};
 use crate::truth::{FlightSample, Pushed};
-use crate::{Simulator, Step};
+use crate::Simulator;
 
 impl Failing {
     /// Whether the two spans overlap.
@@ -59,8 +59,6 @@ pub(super) const ROUNDING: f64 = 1e-9;
 pub trait FliesScene {
     /// Takes a sample.
     fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error>;
-    /// Flies one interval.
-    fn step(&mut self) -> Result<Step, Error>;
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
     fn last_sample_time_s(&self) -> Option<f64>;
     /// Time stamps of the start and the end of the interval that was flown last [s]; `None`: none since the start or the last jump.
@@ -81,10 +79,6 @@ macro_rules! flies_scene {
         $(impl FliesScene for $type {
             fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
                 self.push_sample(sample)
-            }
-
-            fn step(&mut self) -> Result<Step, Error> {
-                self.step()
             }
 
             fn last_sample_time_s(&self) -> Option<f64> {
