@@ -104,11 +104,7 @@ pub fn variables() -> impl Iterator<Item = Variable> {
 }
 
 /// Writes the outputs to their places, the last reals, booleans and integers of the table. An error changes nothing.
-pub fn read(
-    play: &mut Play,
-    behind_gap: bool,
-    into: &mut Values,
-) -> Result<(), Error> {
+pub fn read(play: &mut Play, behind_gap: bool, into: &mut Values) -> Result<(), Error> {
     let simulator = play.simulator_mut();
     let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else {
         return Ok(());

@@ -8,8 +8,8 @@ use sins::errors::NavigationErrors;
 use sins::errors::correction::Correction;
 use sins::scene::{FliesScene, Scene};
 use sins::sensors::{Failure, SensorOutput, StreamKey};
-use sins::truth::{FlightSample, Pushed};
 use sins::truth::flight::Flight;
+use sins::truth::{FlightSample, Pushed};
 use sins::{Error, ErrorKind, ErrorSource, Simulator};
 
 use crate::support::errors;
