@@ -3,6 +3,7 @@
 mod arguments;
 mod file;
 mod gaps;
+mod left_out;
 mod log;
 mod settings;
 mod text;
@@ -187,6 +188,14 @@ impl Given {
     /// The scene before its first sample.
     pub fn play(&self) -> Result<Play, Error> {
         Play::new(Arc::new(self.scene.clone()), self.source.clone())
+    }
+
+    /// The same of another run, without what concerns the truth alone.
+    pub fn play_of_run(&self, run: u64) -> Result<Play, Error> {
+        let mut scene = self.scene.clone();
+        scene.options.key.run = run;
+        (scene.options.covariance, scene.options.truth_summary) = (false, false);
+        Play::new(Arc::new(scene), self.source.clone())
     }
 
     /// The same without a simulator.
