@@ -1,5 +1,5 @@
 //! Runs that are flown one by one, each by its own simulator and unit: ensembles of scenes with a unit, which the runs side by side cannot
-//! fly, and few runs, for which one simulator each is faster.
+//! fly, and a single run, which a simulator flies in half the time.
 
 use sins::errors::NavigationErrors;
 use sins::scene::Play;
@@ -12,12 +12,9 @@ use super::results::Part;
 use crate::failure::Failure;
 use crate::parallel::on_threads;
 
-/// Largest number of runs without a unit that are flown one by one: their step costs that of a simulator, side by side more.
-const FEW: u64 = 2;
-
 /// Whether the runs of a piece of work are flown one by one.
 pub fn is_single(plan: &Plan, runs: u64) -> bool {
-    plan.sources.contains(&Data::Shown) || runs <= FEW
+    plan.sources.contains(&Data::Shown) || runs == 1
 }
 
 impl Work<'_> {

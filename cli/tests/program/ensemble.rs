@@ -437,9 +437,9 @@ fn a_scene_with_a_unit_flies_each_run_with_its_unit() {
     assert_eq!(rows.iter().filter(|row| row["error_data"] == 3.0).count(), rows.len() / 2);
 }
 
-/// Few runs are flown one by one, many side by side: the bits are the same, with failures, updates and runs that diverge.
+/// A single run is flown by a simulator, several side by side: the bits are the same, with failures, updates and runs that diverge.
 #[test]
-fn few_runs_have_the_bits_of_many() {
+fn a_single_run_has_the_bits_of_many() {
     let folder = folder("few_runs");
     let resets = crate::support::project_file("c_examples/scenes/resets.toml");
     let resets = [resets.to_str().unwrap(), "--set", "flight.rate_hz=5", "--set", "options.error_model=rk4"];
