@@ -83,7 +83,11 @@ pub fn write(interface: &Interface) -> String {
             interface.functions.iter().filter(|one| is_call_of(one, handle)).collect();
         let noun = handle.trim_start_matches("sins_");
         let name = if noun == "sim" { "every_call".to_owned() } else { format!("every_{noun}_call") };
-        let other = if noun == "scene" || noun == "unit" { "sins_sim *sim, " } else { "" };
+        let other = match noun {
+            "scene" | "unit" => "sins_sim *sim, ",
+            "play" => "sins_scene *scene, ",
+            _ => "",
+        };
         let lines: String = of_handle
             .iter()
             .map(|one| format!("    EVERY_CALL({}({}));\n", one.name, arguments(interface, one, None)))

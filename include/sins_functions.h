@@ -117,6 +117,7 @@
     X(sins_status, sins_play_next, (sins_play *play)) \
     X(sins_status, sins_play_push, (sins_play *play, const sins_flight_sample *sample)) \
     X(sins_status, sins_play_run, (sins_play *play, sins_record *records, size_t capacity, size_t *written)) \
+    X(sins_status, sins_play_set_plan, (sins_play *play, const sins_scene *scene)) \
     X(sins_status, sins_play_get_simulator, (sins_play *play, sins_sim **sim)) \
     X(sins_status, sins_play_get_unit, (sins_play *play, sins_unit **unit)) \
     X(sins_status, sins_play_get_shown, (sins_play *play, sins_unit_status *status, sins_unit_navigation *navigation)) \

@@ -679,6 +679,16 @@ SINS_API sins_status SINS_CALL sins_play_push(sins_play *play, const sins_flight
 SINS_API sins_status SINS_CALL sins_play_run(sins_play *play, sins_record *records, size_t capacity, size_t *written);
 
 /**
+ * Takes over what another scene plans, from the next interval on: temperature, failures, updates, the panel, as an instructor changes them
+ * in flight. Failures that are no longer planned end. Flight, options, errors of the sensors and unit stay. The scene is copied. Not for
+ * a real-time frame: it allocates.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_HANDLE: play or scene is not a valid handle.
+ * SINS_ERROR_BAD_STATE: as sins_scene_parse(). After an error nothing has changed.
+ */
+SINS_API sins_status SINS_CALL sins_play_set_plan(sins_play *play, const sins_scene *scene);
+
+/**
  * Lends the simulator, for every read, and for corrections, repositions and what else a host does between two samples. The handle
  * belongs to play: it is destroyed with it. Do not push samples and make steps with it.
  */

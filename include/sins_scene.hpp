@@ -184,6 +184,21 @@ private:
  */
 class Play : public detail::Owner<sins_play> {
 public:
+    /* A handle of the play under the wrapper of its kind, which does not own it. */
+    template <class Wrapper> class Lent {
+    public:
+        template <class Handle> explicit Lent(Handle *handle) noexcept : wrapper_(handle) {}
+        Lent(const Lent &) = delete;
+        Lent &operator=(const Lent &) = delete;
+        ~Lent() { wrapper_.release(); }
+        Wrapper *operator->() noexcept { return &wrapper_; }
+        const Wrapper *operator->() const noexcept { return &wrapper_; }
+        Wrapper &operator*() noexcept { return wrapper_; }
+
+    private:
+        Wrapper wrapper_;
+    };
+
     /* log: if the flight of the scene is a log, that log, or nothing for samples of the host. */
     explicit Play(const Scene &scene, const sins_log *log = nullptr)
         : Owner(detail::given<sins_play *>(nullptr, sins_play_create, scene.handle(), log)) {}
@@ -194,6 +209,9 @@ public:
 
     /* Flies to a sample of the host: SINS_OK or SINS_GAP. */
     sins_status push(const sins_flight_sample &sample) { return checked(sins_play_push(handle_, &sample)); }
+
+    /* Takes over temperature, failures, updates and panel of another scene, from the next interval on. */
+    void set_plan(const Scene &scene) { checked(sins_play_set_plan(handle_, scene.handle())); }
 
     /* The next records, at most `most`; fewer, or none: the flight is over. */
     std::vector<sins_record> run(std::size_t most) {
@@ -207,7 +225,7 @@ public:
     /* Flies to the end without records. */
     void finish() { checked(sins_play_run(handle_, nullptr, 0, nullptr)); }
 
-    /* The handles that the object owns; they end with it. */
+    /* The handles that the object owns; they end with it. Play::Lent<Simulator> sim(play.simulator()); sim->get_record(record); */
     sins_sim *simulator() const { return detail::given<sins_sim *>(nullptr, sins_play_get_simulator, handle_); }
     sins_unit *unit() const { return detail::given<sins_unit *>(nullptr, sins_play_get_unit, handle_); }
 

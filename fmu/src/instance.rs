@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use sins::Error;
 use sins::scene::{Play, Scene, Source};
-use sins::sensors::SensorOutput;
 use sins::truth::Pushed;
 
 use crate::corrections;
@@ -94,7 +93,7 @@ impl Flight {
     }
 
     /// Replaces the sensor errors and failures by those of `scene`.
-    fn retune(&mut self, scene: Scene) -> Result<(), Error> {
+    fn retune(&mut self, scene: &Scene) -> Result<(), Error> {
         let mut play = self.play.clone();
         let before = self.play.course().scene();
         let simulator = play.simulator_mut();
@@ -107,14 +106,7 @@ impl Flight {
         if scene.errors.altimeter != before.errors.altimeter {
             simulator.set_altimeter(&scene.errors.altimeter)?;
         }
-        for output in SensorOutput::ALL {
-            let plans = |scene: &Scene| scene.failures.iter().any(|planned| planned.output == output);
-            // If the new scene still plans a failure of this output, the scene clears it.
-            if plans(before) && !plans(&scene) {
-                simulator.set_failure(output, None)?;
-            }
-        }
-        play.course_mut().set_scene(Arc::new(scene));
+        play.set_plan(&scene)?;
         self.play = play;
         Ok(())
     }
@@ -246,7 +238,7 @@ impl Instance {
         if is_tuned && let Some(flight) = &mut self.flight {
             let resources = self.resources.as_deref();
             let scene = scene::scene(&next, resources).map_err(Refused::discard)?;
-            flight.retune(scene).map_err(|error| Refused::discard(error.to_string()))?;
+            flight.retune(&scene).map_err(|error| Refused::discard(error.to_string()))?;
         }
         (self.values, self.is_set) = (next, is_set);
         Ok(())

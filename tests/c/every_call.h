@@ -315,7 +315,7 @@ static inline void every_log_call(sins_log *log, every_call_answer *answer, void
 }
 
 /* All functions of a sins_play, except those that destroy it and that read its last failure. */
-static inline void every_play_call(sins_play *play, every_call_answer *answer, void *context)
+static inline void every_play_call(sins_play *play, sins_scene *scene, every_call_answer *answer, void *context)
 {
     sins_flight_sample flight_sample[2];
     sins_record record[2];
@@ -337,6 +337,7 @@ static inline void every_play_call(sins_play *play, every_call_answer *answer, v
     EVERY_CALL(sins_play_next(play));
     EVERY_CALL(sins_play_push(play, flight_sample));
     EVERY_CALL(sins_play_run(play, record, 2, &size));
+    EVERY_CALL(sins_play_set_plan(play, scene));
     EVERY_CALL(sins_play_get_simulator(play, &made_sim));
     EVERY_CALL(sins_play_get_unit(play, &made_unit));
     EVERY_CALL(sins_play_get_shown(play, unit_status, unit_navigation));

@@ -199,7 +199,7 @@ static void fly_scene(results *found)
         CHECK(sins_play_next(play) == SINS_OK);
     }
     CHECK(sins_play_get_simulator(play, &of_play) == SINS_OK && sins_get_record(of_play, &found->of_play) == SINS_OK);
-    every_play_call(play, ignore, NULL);
+    every_play_call(play, scene, ignore, NULL);
     CHECK(sins_play_destroy(play) == SINS_OK);
     CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK);
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);

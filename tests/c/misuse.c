@@ -127,7 +127,7 @@ static void handles(sins_sim *living)
         every_log_call(wrong_logs[i], is_refused, NULL);
         every_ensemble_call(wrong_ensembles[i], is_refused, NULL);
         every_unit_call(wrong_units[i], living, is_refused, NULL);
-        every_play_call(wrong_plays[i], is_refused, NULL);
+        every_play_call(wrong_plays[i], scene, is_refused, NULL);
         is_refused("sins_play_destroy", sins_play_destroy(wrong_plays[i]), NULL);
         is_refused("sins_unit_update", sins_unit_update(unit, sim), NULL);
         is_refused("sins_unit_destroy", sins_unit_destroy(wrong_units[i]), NULL);

@@ -434,6 +434,7 @@ static void call_with_scenes(void)
     SINS_INIT(status);
     SINS_INIT(shown);
     MEASURE(sins_play_get_shown(play, &status, &shown));
+    MEASURE(sins_play_set_plan(play, scene));
     MEASURE(sins_play_get_simulator(play, &of_play));
     MEASURE(sins_play_get_unit(play, &unit));
     MEASURE(sins_play_snapshot_save(play, play_snapshot, sizeof play_snapshot, &count));

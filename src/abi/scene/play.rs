@@ -232,6 +232,32 @@ pub unsafe extern "C-unwind" fn sins_play_run(
     status
 }
 
+/// Takes over what another scene plans, from the next interval on: temperature, failures, updates, the panel, as an instructor changes them
+/// in flight. Failures that are no longer planned end. Flight, options, errors of the sensors and unit stay. The scene is copied. Not for
+/// a real-time frame: it allocates.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_HANDLE: play or scene is not a valid handle.
+/// SINS_ERROR_BAD_STATE: as sins_scene_parse(). After an error nothing has changed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_play_set_plan(
+    play: *mut sins_play,
+    scene: *const sins_scene,
+) -> sins_status {
+    let mut plan = None;
+    let status = with_scene(scene, |scene| {
+        scene.check()?;
+        plan = Some(scene.clone());
+        Ok(SINS_OK)
+    });
+    match plan {
+        None => status,
+        Some(plan) => with_play(play, |course, simulator, _| {
+            course.set_plan(&mut simulator[0], &plan)?;
+            Ok(SINS_OK)
+        }),
+    }
+}
+
 /// Lends the simulator, for every read, and for corrections, repositions and what else a host does between two samples. The handle
 /// belongs to play: it is destroyed with it. Do not push samples and make steps with it.
 #[unsafe(no_mangle)]

@@ -10,6 +10,7 @@ use super::super::{FliesScene, Scene};
 use super::{Source, Spacing};
 use crate::base::error::Error;
 use crate::base::snapshot::{CLOCK_S, COUNT, SIGNALS, stored};
+use crate::sensors::SensorOutput;
 use crate::truth::{FlightSample, Pushed};
 use crate::unit::Unit;
 use crate::{ImuInterval, Simulator, Step};
@@ -105,9 +106,19 @@ impl Course {
         &self.scene
     }
 
-    /// Replaces the scene, for its failures, updates and actions from now on. The samples stay those of the source.
-    pub fn set_scene(&mut self, scene: Arc<Scene>) {
-        self.scene = scene;
+    /// Takes over what another scene plans, from the next interval of `simulator` on: temperature, failures, updates, the panel. Failures
+    /// that are no longer planned end. Flight, options and unit stay. After an error nothing has changed.
+    pub fn set_plan(&mut self, simulator: &mut Simulator, scene: &Scene) -> Result<(), Error> {
+        let Scene { flight, duration_s, rate_hz, options, unit, .. } = (*self.scene).clone();
+        let planned = Scene { flight, duration_s, rate_hz, options, unit, ..scene.clone() };
+        for output in SensorOutput::ALL {
+            let plans = |scene: &Scene| scene.failures.iter().any(|planned| planned.output == output);
+            if plans(&self.scene) && !plans(&planned) {
+                simulator.set_failure(output, None)?;
+            }
+        }
+        self.scene = Arc::new(planned);
+        Ok(())
     }
 
     /// Where the samples come from.

@@ -79,6 +79,12 @@ impl Play {
         &mut self.course
     }
 
+    /// Takes over what another scene plans: [`Course::set_plan`].
+    pub fn set_plan(&mut self, scene: &Scene) -> Result<(), Error> {
+        let [simulator] = &mut *self.simulator;
+        self.course.set_plan(simulator, scene)
+    }
+
     /// The simulator, for every read.
     pub fn simulator(&self) -> &Simulator {
         &self.simulator[0]

@@ -206,6 +206,9 @@ impl Host {
                 break;
             }
             call!(sins_play_get_shown(play, &mut init(), &mut init()));
+            if self.input.one_in(4) {
+                assert_eq!(call!(sins_play_set_plan(play, self.scene)), SINS_OK);
+            }
         }
         let (mut bytes, mut size) = (vec![0_u8; SINS_PLAY_SNAPSHOT_MAX_SIZE], 0);
         let status = call!(sins_play_snapshot_save(play, bytes.as_mut_ptr().cast(), bytes.len(), &mut size));
