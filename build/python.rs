@@ -106,6 +106,10 @@ fn function(interface: &Interface, one: &Function) -> String {
         (Type::Const(target), false) if may_be_null(&one.name, &one.arguments[index].name) => {
             format!("_MayBeNone({})", pointer(interface, target))
         }
+        // A function that reads a handle lends it; the others make one.
+        (Type::Mut(target), false) if one.name.contains("_get_") => {
+            pointer(interface, target).replace("_New(", "_Lent(")
+        }
         (Type::Const(target) | Type::Mut(target), false) => pointer(interface, target),
         (kind, _) => value(kind),
     });

@@ -116,10 +116,13 @@ class _Struct(ctypes.Structure):
 
 
 class _Handle(ctypes.c_void_p):
-    """Stands for nothing until a call creates it. Destroyed by close(), at the end of a with statement, or when it is dropped."""
+    """Stands for nothing until a call creates it. Destroyed by close(), at the end of a with statement, or when it is dropped; one that
+    another object lends is not."""
+
+    is_lent = False
 
     def close(self):
-        if self:
+        if self and not self.is_lent:
             getattr(_library, self._destroy)(self)
             self.value = None
 
@@ -173,6 +176,15 @@ class _New(_Out):
         if value:
             raise ValueError("the handle stands for something already: close() it first")
         return self.pointer.from_param(value)
+
+
+class _Lent(_New):
+    """An argument that is a handle which belongs to another object: it is not destroyed here."""
+
+    def make(self):
+        made = self.kind()
+        made.is_lent = True
+        return made
 
 
 class _MayBeNone:

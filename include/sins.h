@@ -162,6 +162,8 @@ typedef enum sins_status_code {
      * vehicle stood still while the host's clock ran on, this is wrong: see sins_move_time().
      */
     SINS_GAP = 4,
+    /** sins_play_next(), sins_play_run(): the scene has no further sample. Nothing was flown, or all of it. */
+    SINS_PLAY_END = 5,
     /** A pointer is null where null is not allowed. */
     SINS_ERROR_NULL_POINTER = -1,
     /** The handle is null, made up, destroyed, or of another kind. */

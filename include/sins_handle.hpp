@@ -145,6 +145,13 @@ public:
     /* The handle, for functions of sins.h. This object still owns it. */
     T *handle() const noexcept { return handle_; }
 
+    /* Gives the handle up: the caller owns it. */
+    T *release() noexcept {
+        T *const handle = handle_;
+        handle_ = nullptr;
+        return handle;
+    }
+
 protected:
     T *handle_;
 };

@@ -51,6 +51,7 @@ const NO_LIMIT: &str =
 
 pub fn run(order: &Order) -> Result<(), Failure> {
     let given = order.scene.load(FOR_LOGS)?;
+    given.say_without_updates();
     let SolutionError { position_m, velocity_m_s, attitude_rad } = order.limits.errors();
     if [position_m, velocity_m_s, attitude_rad] == [0.0; 3] {
         return Err(Failure::new(NO_LIMIT));

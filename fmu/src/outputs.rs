@@ -2,8 +2,8 @@
 
 use sins::errors::correction::Compensation;
 use sins::record::{COLUMNS, Record};
-use sins::unit::Unit;
-use sins::{Error, ErrorSource, Simulator};
+use sins::scene::Play;
+use sins::{Error, ErrorSource};
 
 use crate::values::{Value, Values};
 use crate::variable::{Role, Variable};
@@ -104,12 +104,8 @@ pub fn variables() -> impl Iterator<Item = Variable> {
 }
 
 /// Writes the outputs to their places, the last reals, booleans and integers of the table. An error changes nothing.
-pub fn read(
-    simulator: &mut Simulator,
-    unit: Option<&Unit>,
-    behind_gap: bool,
-    into: &mut Values,
-) -> Result<(), Error> {
+pub fn read(play: &mut Play, behind_gap: bool, into: &mut Values) -> Result<(), Error> {
+    let simulator = play.simulator_mut();
     let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else {
         return Ok(());
     };
@@ -123,8 +119,9 @@ pub fn read(
         true => simulator.covariance()?,
         false => None,
     };
+    let simulator = play.simulator();
     let imu = simulator.imu().unwrap_or_default();
-    let report = panel::report(unit, simulator)?;
+    let report = panel::report(play.unit(), simulator)?;
     let ([updates, parts_per_update], increments) = parts::read(simulator);
 
     let from = into.reals.len() - COUNT;

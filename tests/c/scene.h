@@ -198,6 +198,17 @@ static inline sins_scene *scene_of_text(void)
     return scene;
 }
 
+/* The same with a unit that aligns. */
+static inline sins_play *scene_play(void)
+{
+    sins_scene *scene = scene_of_text();
+    sins_play *play = NULL;
+    CHECK(sins_scene_set_values(scene, "unit.start = \"off\"") == SINS_OK);
+    CHECK(sins_scene_set_items(scene, "panel", "[[panel]]\nkind = \"align\"\nat_s = 0.1\n") == SINS_OK);
+    CHECK(sins_play_create(scene, NULL, &play) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
+    return play;
+}
+
 static inline sins_log *scene_log(void)
 {
     sins_log *log = NULL;

@@ -20,6 +20,8 @@ pub mod closed_form;
 pub mod moments;
 pub mod orbits;
 pub mod patrol;
+#[cfg(feature = "scenes")]
+pub mod random_scenes;
 pub mod runs;
 
 pub const DEG: f64 = std::f64::consts::PI / 180.0;

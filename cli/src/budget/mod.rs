@@ -30,6 +30,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let request = order.request()?;
     let load = |name| Given::load(Some(name), None, &order.settings, &order.trust, command::FOR_LOGS);
     let given = order.scenes.iter().map(|name| load(name)).collect::<Result<Vec<_>, _>>()?;
+    given.iter().for_each(Given::say_left_out);
     let inputs: Vec<PathBuf> = given.iter().flat_map(|given| given.inputs.clone()).collect();
     let scenes: Vec<Scene> = given.into_iter().map(|given| Scene::new(given, order.hours * 3600.0)).collect();
     let mut outputs = Outputs::new(&inputs, order.force);

@@ -41,6 +41,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let effort = order.effort();
     let load = |name| Given::load(Some(name), None, &order.settings, &order.trust, FOR_LOGS);
     let given = order.given.iter().map(|name| load(name)).collect::<Result<Vec<_>, _>>()?;
+    given.iter().for_each(Given::say_without_updates);
     let instructions = match &order.instructions {
         Some(path) => Instructions::read(path)?,
         None => Instructions::default(),

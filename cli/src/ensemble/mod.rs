@@ -13,6 +13,7 @@ mod plan;
 mod print;
 mod requirement;
 mod results;
+mod single;
 mod specification;
 mod study;
 mod table;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::log::Log;
 use crate::drawing::document::PAGE_MARK;
 use crate::failure::Failure;
-use crate::fly::{Files, LONGEST, MARK, UNIT_COLUMNS, UnitInFlight};
+use crate::fly::{Files, LONGEST, MARK, UNIT_COLUMNS, UnitFiles};
 use crate::given::Given;
 use crate::output::{OutputFile, Outputs, numbered};
 use crate::places::below;
@@ -102,9 +102,9 @@ impl Blank {
         let Some(mut summary) = file("_summary.csv", MARK)? else { return Ok(None) };
         summary.reserve(LONGEST)?;
         let mut unit = None;
-        if let Some(own) = given.scene.unit()? {
+        if given.scene.unit.start.is_some() {
             let Some(file) = file("_unit.csv", &UNIT_COLUMNS.join(","))? else { return Ok(None) };
-            unit = Some(UnitInFlight::new(own, Some(file), None)?);
+            unit = Some(UnitFiles::new(Some(file), None)?);
         }
         let mut page = None;
         if with_page {

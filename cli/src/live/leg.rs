@@ -4,19 +4,16 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use sins::scene::Samples;
+use sins::scene::{Play, Samples};
 use sins::truth::FlightSample;
 use sins::truth::judge::Judge;
 
 use super::blank::Blank;
 use super::log::Log;
 use crate::failure::Failure;
-use crate::fly::{Figures, Files, InFlight, Spacing, Stopped, finish, text};
+use crate::fly::{Figures, Files, InFlight, Stopped, finish, text};
 use crate::given::{Given, judge_of, sentence};
 use crate::output::OutputFile;
-
-/// Time between records that a scene does not set [s].
-const EVERY_S: f64 = 1.0;
 
 /// A flight in progress.
 pub struct Leg<'a> {
@@ -24,16 +21,16 @@ pub struct Leg<'a> {
     name: String,
     summary: OutputFile,
     log: Option<Log>,
-    spacing: Spacing,
+    every_s: f64,
     first: FlightSample,
     last: FlightSample,
     judge: Box<Judge>,
-    state: State<'a>,
+    state: State,
 }
 
-enum State<'a> {
-    Begun(Option<Box<Files>>),
-    Flying(Box<InFlight<'a>>),
+enum State {
+    Begun(Option<Box<(Play, Files)>>),
+    Flying(Box<InFlight>),
 }
 
 /// A flight that has ended.
@@ -52,20 +49,21 @@ impl<'a> Leg<'a> {
         if let Some(log) = &mut log {
             log.begin(&first)?;
         }
-        let state = State::Begun(Some(Box::new(files)));
-        let spacing = Spacing::new(given.scene.output.every_s.unwrap_or(EVERY_S));
+        let play = given.play()?;
+        let every_s = play.course().every_s();
+        let state = State::Begun(Some(Box::new((play, files))));
         let mut judge = Box::new(judge_of(&given.scene));
         judge.push(&first)?;
-        Ok(Self { given, name, summary, log, spacing, first, last: first, judge, state })
+        Ok(Self { given, name, summary, log, every_s, first, last: first, judge, state })
     }
 
     /// Flies the interval that `sample` ends.
-    pub fn go_on(&mut self, sample: FlightSample) -> Result<&InFlight<'a>, Stopped> {
-        if let State::Begun(files) = &mut self.state
-            && let Some(files) = files.take()
+    pub fn go_on(&mut self, sample: FlightSample) -> Result<&InFlight, Stopped> {
+        if let State::Begun(ready) = &mut self.state
+            && let Some(ready) = ready.take()
         {
-            let scene = &self.given.scene;
-            let mut flight = InFlight::new(scene, self.spacing, self.first.time_s, *files)?;
+            let (play, files) = *ready;
+            let mut flight = InFlight::new(play, files)?;
             flight.begin(self.first)?;
             self.state = State::Flying(Box::new(flight));
         }
@@ -79,7 +77,7 @@ impl<'a> Leg<'a> {
         self.judge.push(&sample)?;
         if let Some(log) = &mut self.log {
             log.sample(&sample)?;
-            log.publish(self.given, self.spacing.every_s)?;
+            log.publish(self.given, self.every_s)?;
         }
         Ok(flight)
     }
@@ -109,7 +107,7 @@ impl<'a> Leg<'a> {
 
     /// Puts the files in place, as far as the disk has taken them; `None`: nothing was flown. `is_stopped`: an error has ended the flight.
     pub fn end(self, is_stopped: bool) -> Result<Option<Ended>, Failure> {
-        let (given, every_s) = (self.given, self.spacing.every_s);
+        let (given, every_s) = (self.given, self.every_s);
         let State::Flying(mut flight) = self.state else { return Ok(None) };
         // If the solution of the last step cannot be read, the records end before it. The files remember what the disk has refused.
         let _ = flight.record_last();

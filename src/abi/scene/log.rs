@@ -1,6 +1,7 @@
 //! `sins_log`: flight logs.
 
 use core::ffi::c_char;
+use std::sync::Arc;
 
 use super::fault::sins_fault;
 use crate::abi::boundary::handle::{hand_out, with_object};
@@ -76,7 +77,7 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
         probe(ROOM)?;
         match FlightLog::parse(text) {
             // SAFETY: the host's promise.
-            Ok(found) => unsafe { hand_out(&LOGS, log, "log", || Ok(found)) },
+            Ok(found) => unsafe { hand_out(&LOGS, log, "log", || Ok(Arc::new(found))) },
             Err(LogError::Memory(error)) => Err(error.into()),
             Err(LogError::Fault(found)) => {
                 if let Some(output) = output {

@@ -15,6 +15,8 @@ pub enum SnapshotOf {
     Ensemble,
     /// A snapshot of a unit.
     Unit,
+    /// A snapshot of a scene in flight.
+    Play,
 }
 
 impl SnapshotOf {
@@ -23,6 +25,7 @@ impl SnapshotOf {
             Self::Simulator => *b"SINSsnap",
             Self::Ensemble => *b"SINSruns",
             Self::Unit => *b"SINSunit",
+            Self::Play => *b"SINSplay",
         }
     }
 }
@@ -54,11 +57,12 @@ pub(super) fn open(snapshot: &[u8], of: SnapshotOf) -> Result<&[u8], Error> {
     };
     let number = |at: usize| u32::from_le_bytes(core::array::from_fn(|byte| header[at + byte]));
     if header[..8] != of.magic() {
-        let kinds = [SnapshotOf::Simulator, SnapshotOf::Ensemble, SnapshotOf::Unit];
+        let kinds = [SnapshotOf::Simulator, SnapshotOf::Ensemble, SnapshotOf::Unit, SnapshotOf::Play];
         let words = match kinds.into_iter().find(|kind| header[..8] == kind.magic()) {
             Some(SnapshotOf::Simulator) => "snapshot: it is one of a simulator",
             Some(SnapshotOf::Ensemble) => "snapshot: it is one of an ensemble",
             Some(SnapshotOf::Unit) => "snapshot: it is one of a unit",
+            Some(SnapshotOf::Play) => "snapshot: it is one of a scene in flight",
             None => "snapshot: these bytes are not a snapshot",
         };
         return Err(Error { kind: ErrorKind::Snapshot, ..Error::bad_state(words) });

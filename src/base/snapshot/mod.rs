@@ -1,7 +1,7 @@
 //! Snapshots: the state of a simulator, or of an ensemble, as bytes that mean the same on every machine.
 //!
 //! ```text
-//!  0   8  "SINSsnap", of an ensemble "SINSruns", of a unit "SINSunit"
+//!  0   8  "SINSsnap", of an ensemble "SINSruns", of a unit "SINSunit", of a scene in flight "SINSplay"
 //!  8   4  version of the format
 //! 12   4  length of the whole [bytes], its lowest 32 bits
 //! 16   8  checksum of all the other bytes

@@ -1,10 +1,15 @@
 //! Spacing of the records.
 
-use crate::failure::Failure;
-use crate::given::Given;
+use super::super::{Samples, Scene};
+use super::Source;
+use crate::base::error::Error;
+use crate::base::snapshot::{CLOCK_S, stored};
+
+/// Spacing of the records of a host's samples, if the scene does not set it [s].
+const OF_HOST_S: f64 = 1.0;
 
 /// Records at the first sample from each multiple of a time on. Intervals of a log may differ.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spacing {
     /// Time from one record to the next [s].
     pub every_s: f64,
@@ -12,19 +17,26 @@ pub struct Spacing {
     next_s: f64,
 }
 
+stored!(Spacing { every_s: CLOCK_S, next_s: CLOCK_S } then |spacing, from| {
+    from.require(spacing.every_s > 0.0, spacing.every_s, "is no time between records")
+});
+
 impl Spacing {
+    /// Records `every_s` [s] apart.
     pub fn new(every_s: f64) -> Self {
         Self { every_s, next_s: every_s }
     }
 
-    /// That of the scene, else the one for about 2000 records.
-    pub fn of(given: &Given) -> Result<Self, Failure> {
-        if let (Some(every_s), None) = (given.scene.output.every_s, given.flight()) {
-            return Ok(Self::new(every_s));
-        }
-        let every = given.scene.record_every(given.count, given.period_s);
-        let every = every.map_err(|error| Failure::new(format!("{}: {error}", given.origin)))?;
-        Ok(Self::new(every as f64 * given.period_s))
+    /// That of the scene, else the one for about 2000 records, of a host's samples one a second.
+    pub fn of(scene: &Scene, source: &Source, samples: Option<&Samples>) -> Result<Self, Error> {
+        let every_s = match (scene.output.every_s, source, samples) {
+            (Some(every_s), Source::Log(_) | Source::Host, _) => every_s,
+            (None, Source::Host, _) | (_, _, None) => OF_HOST_S,
+            (_, _, Some(samples)) => {
+                scene.record_every(samples.count, samples.period_s)? as f64 * samples.period_s
+            }
+        };
+        Ok(Self::new(every_s))
     }
 
     /// Whether the interval of `interval_s` [s] that ends at `time_s` [s] since the start has a record.
