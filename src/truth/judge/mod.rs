@@ -2,7 +2,7 @@
 //!
 //! The samples are pushed one after the other, and pass once, through memory of fixed size. Each statistic has a threshold that
 //! noise, steps and manoeuvres of the flight itself set, so that no good flight is found doubtful. Displacements are Earth-fixed: no
-//! statistic is singular at a pole or at the date line. Medians are those of [`histogram`]s.
+//! statistic is singular at a pole or at the date line. Medians are those of `histogram`s.
 
 mod attitude;
 mod blocks;

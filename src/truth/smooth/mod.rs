@@ -1,8 +1,8 @@
 //! Makes a path that an INS can fly from the rows of a log: noise, coarse steps, repeats, outliers and stamps that scatter are smoothed.
 //!
 //! The horizontal position is the unit normal of the ellipsoid, three numbers that are regular at the poles and at the date line; the
-//! attitude is the quaternion, which is regular at the zenith. Each is a quintic spline ([`spline`]) whose cut-off follows from the spectrum
-//! of the rows ([`spectrum`]), with weights against outliers ([`fit`]). The velocity is the exact derivative of the position, so that
+//! attitude is the quaternion, which is regular at the zenith. Each is a quintic spline (`spline`) whose cut-off follows from the spectrum
+//! of the rows (`spectrum`), with weights against outliers (`fit`). The velocity is the exact derivative of the position, so that
 //! nothing contradicts. All functions give the same bits on every platform.
 
 mod coordinated;
