@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The main job: builds the library, the program sins and the C and C++ examples; flies one scene with the C host; flies the paper's
-# two simulations and two logs of a flight simulator with the program; draws one page with all flights, and the errors of simulation
-# 2 as a separate picture. Needs Rust and a C and C++ compiler.
+# The main job: builds the library and the C and C++ examples, and flies one scene with the C host; builds the program sins, and flies
+# with it the paper's two simulations and two logs of a flight simulator, all at once; draws one page with all flights, and the errors of
+# simulation 2 as a separate picture. Needs Rust and a C and C++ compiler.
 # FLY_HOURS: duration of the simulations [h], default 48. Output: target/flights.
 set -eu
 
@@ -11,13 +11,15 @@ out=target/flights
 target=${CARGO_TARGET_DIR:-target}
 sins=$target/release/sins
 
-echo "building (some minutes, once)"
-c_examples/build.sh
-# The program is built in a separate folder. In the same folder of cargo, the library that is built for the program and the
-# shared library of build.sh would replace each other, and both would be built again each time. The program is not optimised
-# across crates, which would take as long again.
-cargo build --release --quiet -p sins-cli --target-dir "$target/program" --config profile.release.lto=false
-ln -f "$target/program/release/sins" "$sins"
+# Library and program, with the profile that is built in the shortest time. The dependencies have more features for the program than
+# for the library alone. So both builds name both packages, and the second takes the library of the first.
+build() {
+    cargo build --profile quick --package sins --package sins-cli "$@"
+}
+
+echo "building the library"
+build --lib
+SINS_LIB_DIR=$target/quick c_examples/build.sh
 
 rm -rf "$out"
 mkdir -p "$out"
@@ -28,10 +30,33 @@ head -n 4 "$out/harness.txt"
 echo ...
 tail -n 14 "$out/harness.txt"
 
+printf '\nbuilding the program\n'
+build --quiet
+mkdir -p "$target/release"
+ln -f "$target/quick/sins" "$sins"
+
+# Starts a flight; print_flights prints what it writes.
+flights=()
+trap 'kill "${flights[@]}" 2>/dev/null || true' EXIT
 fly() {
-    echo
-    "$sins" fly "$@" --out "$out"
+    "$sins" fly "$@" --out "$out" >"$out/flight${#flights[@]}.txt" 2>&1 &
+    flights+=($!)
 }
+
+# In the order of their starts, each when it has ended.
+print_flights() {
+    local status=0
+    for flight in "${!flights[@]}"; do
+        echo
+        wait "${flights[$flight]}" || status=$?
+        cat "$out/flight$flight.txt"
+        [ "$status" -eq 0 ] || exit "$status"
+        rm "$out/flight$flight.txt"
+    done
+    flights=()
+}
+
+printf '\nflying the six flights\n'
 rest="--set flight.builtin=rest"
 # A figure-eight of the patrol takes 560 s: these are enough records to draw it round.
 eights="--set output.every_s=10"
@@ -43,6 +68,7 @@ done
 paper="--set options.vertical=follow --set options.error_model=rk4"
 fly c_examples/flights/airliner_cruise.csv $paper
 fly c_examples/flights/fighter_aerobatics.csv $paper
+print_flights
 
 echo
 "$sins" report -o "$out/report.html" --picture "$out/simulation2.svg" \

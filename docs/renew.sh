@@ -108,7 +108,7 @@ for name in "$@"; do
     fi
 done
 mkdir -p "$figures"
-# In a folder of its own, as in c_examples/fly.sh: the builds of the program and of the shared library replace each other.
+# In a folder of its own: the builds of the program and of the shared library replace each other.
 cargo build --release -p sins-cli --target-dir target/program
 for name in ${*:-$all}; do
     echo "== $name: $figures/$name.txt ($SECONDS s)"

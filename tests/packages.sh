@@ -68,6 +68,31 @@ wheel() {
         fail "$1: the wheel does not fly"
 }
 
+# as_it_stands FOLDER SYSTEM PREFIX: each header compiles alone, in C and C++; the host of the README, built in the folder by the README's
+# command for the system, with the compilers whose names begin with PREFIX. Sets host to the program.
+as_it_stands() {
+    local folder=$1 header command
+    for header in "$folder"/include/*.h*; do
+        for language in c:c99:gcc c++:c++11:g++; do
+            IFS=: read -r language standard compiler <<<"$language"
+            [[ $header = *.hpp && $language = c ]] || "$3$compiler" -x "$language" -std="$standard" -Wall -Wextra -Wpedantic -Werror \
+                -I "$folder/include" -include "$header" -fsyntax-only /dev/null || fail "$header does not compile alone as $standard"
+        done
+    done
+    tr -d '\r' <"$folder/README.md" >"$out/README"
+    awk '/^```c$/ { inside = 1; next } /^```$/ && inside { exit } inside' "$out/README" >"$folder/host.c"
+    command=$(sed -nE "s/^    ((cc|gcc) host\.c .*[^ ]) +# $2\$/\1/p" "$out/README")
+    host=$folder/$(sed -E 's/.* -o ([^ ]+) .*/\1/' <<<"$command")
+    (cd "$folder" && eval "$3gcc ${command#* }") || fail "$folder: the README's host for $2 is not built by: $command"
+}
+
+# as_printed RUNNER... HOST: the README's host prints what stands beside its last line.
+as_printed() {
+    local expected
+    expected=$(sed -nE 's,.*printf\(.*/\* (.*) \*/$,\1,p' "$out/README" | head -n 1)
+    [ -n "$expected" ] && [ "$("$@" | tr -d '\r')" = "$expected" ] || fail "$*: not \"$expected\""
+}
+
 # linux NAME PROCESSOR RUNNER...
 linux() {
     local name=sins-$version-$1 compiler=$2-linux-gnu-gcc folder=$out/sins-$version-$1 file flags
@@ -100,6 +125,8 @@ linux() {
     "${runner[@]}" "$out/minimal" >"$out/minimal.txt"
     "${runner[@]}" "$out/minimal_static" | diff "$out/minimal.txt" - || fail "$folder: libsins.a gives another flight"
     flies "${runner[@]}" "$out/digests"
+    as_it_stands "$folder" Linux "$2-linux-gnu-"
+    as_printed "${runner[@]}" "$host"
     "${runner[@]}" "$folder/bin/sins" --version
     [ "$2" != "$(uname -m)" ] || wheel "$folder"
     echo "$name: $(cat "$out/newest"), exports, digests"
@@ -126,7 +153,9 @@ windows() {
     for file in README.md include/sins.h licences/LICENSE-MIT; do
         if grep -vq $'\r$' "$folder/$file"; then fail "$folder/$file: lines end without a carriage return"; fi
     done
+    as_it_stands "$folder" "Windows: .*" "$2-w64-mingw32-"
     have_wine "$2" || return 0
+    as_printed "$wine" "$host"
     for library in sins.lib libsins.dll.a; do
         "$compiler" $warnings c_examples/minimal.c -I "$folder/include" "$folder/lib/$library" -o "$folder/bin/minimal.exe"
         "$wine" "$folder/bin/minimal.exe" >"$out/$library.txt"
@@ -163,7 +192,7 @@ for package in "${packages[@]}"; do
     case $package in
         linux-x86_64) linux linux-x86_64 x86_64 env ;;
         linux-arm64)
-            need gcc-aarch64-linux-gnu aarch64-linux-gnu-gcc
+            need g++-aarch64-linux-gnu aarch64-linux-gnu-g++
             need libc6-dev-arm64-cross /usr/aarch64-linux-gnu/lib/libc.so
             need qemu-user qemu-aarch64
             linux linux-arm64 aarch64 qemu-aarch64 -L /usr/aarch64-linux-gnu
