@@ -62,13 +62,18 @@ fn random_scenes_end_alike_through_every_door() {
             std::fs::write(folder.join("random.csv"), log).unwrap();
         }
         let end = by_fly(&folder);
-        let bits = |end: Option<Vec<f64>>| end.map(|end| end.into_iter().map(f64::to_bits).collect::<Vec<_>>());
+        let bits =
+            |end: Option<Vec<f64>>| end.map(|end| end.into_iter().map(f64::to_bits).collect::<Vec<_>>());
         let expected = bits(end);
         assert_eq!(bits(by_host(&folder, &host)), expected, "C host, {seed}:\n{}", scene.text);
         for runs in ["1", "3"] {
             // Other runs may be ended where the first is not.
             let found = bits(by_ensemble(&folder, runs));
-            assert!(found == expected || runs == "3" && found.is_none(), "{runs} runs, {seed}:\n{}", scene.text);
+            assert!(
+                found == expected || runs == "3" && found.is_none(),
+                "{runs} runs, {seed}:\n{}",
+                scene.text
+            );
         }
         units += u32::from(scene.text.contains("[unit]"));
         logs += u32::from(scene.log.is_some());
