@@ -10,7 +10,7 @@ use sins::truth::FlightSample;
 use super::blank::Blank;
 use super::log::Log;
 use crate::failure::Failure;
-use crate::fly::{Figures, Files, InFlight, Stopped, finish, text};
+use crate::fly::{Figures, Files, InFlight, Stopped, finish, list, text};
 use crate::given::Given;
 use crate::output::OutputFile;
 
@@ -113,7 +113,8 @@ impl<'a> Leg<'a> {
         let given = given.with_samples(&samples);
         let records = files.records.path().to_owned();
         let figures = Figures::gather(&given, &self.name, every_s, &flown, is_stopped)?;
+        let paths = [files.paths(), vec![self.summary.path().to_owned()]].concat();
         let written = Failure::each([log, finish(&figures, files, self.summary)]);
-        Ok(Some(Ended { words: text(&figures, &records), records, written }))
+        Ok(Some(Ended { words: text(&figures, &records) + &list(&paths), records, written }))
     }
 }
