@@ -43,7 +43,7 @@ extern "C" {
 
 /* Scenes in flight. */
 
-@scene/play
+@scene/play scene/play_saved
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_scene_sizeof {

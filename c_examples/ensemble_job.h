@@ -104,6 +104,10 @@ static void open_job(uint64_t runs, const char *scene, size_t scene_size, const 
     } else {
         CHECK(sins_scene_create_flight(job.scene, &job.flight));
     }
+    CHECK(sins_scene_get_value(job.scene, "unit.start", place, sizeof place, NULL));
+    if (strcmp(place, "\"none\"") != 0) {
+        fail("unit.start", "the runs side by side have no unit; `sins ensemble` flies each run of this scene with its unit");
+    }
     CHECK(sins_scene_get_setup(job.scene, &job.setup));
     CHECK(sins_scene_get_options(job.scene, &job.options));
     job.samples = log != NULL ? (size_t)info.samples

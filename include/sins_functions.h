@@ -122,9 +122,9 @@
     X(sins_status, sins_play_get_simulator, (sins_play *play, sins_sim **sim)) \
     X(sins_status, sins_play_get_unit, (sins_play *play, sins_unit **unit)) \
     X(sins_status, sins_play_get_shown, (sins_play *play, sins_unit_status *status, sins_unit_navigation *navigation)) \
+    X(sins_status, sins_play_destroy, (sins_play *play)) \
     X(sins_status, sins_play_snapshot_save, (sins_play *play, void *buffer, size_t capacity, size_t *written)) \
-    X(sins_status, sins_play_snapshot_load, (sins_play *play, const void *snapshot, size_t size)) \
-    X(sins_status, sins_play_destroy, (sins_play *play))
+    X(sins_status, sins_play_snapshot_load, (sins_play *play, const void *snapshot, size_t size))
 
 #define SINS_FUNCTIONS_SCENES(X) \
     X(sins_status, sins_scene_create, (sins_scene **scene)) \

@@ -602,9 +602,6 @@ SINS_API sins_status SINS_CALL sins_scene_get_samples(const sins_scene *scene, c
 
 /* Scenes in flight. */
 
-/** A buffer of this size holds every snapshot of a scene in flight that this release saves. */
-#define SINS_PLAY_SNAPSHOT_MAX_SIZE 27648
-
 /**
  * A scene in flight: its simulator, its unit if the scene has one, its samples, and the place in its plan. A handle is a checked key,
  * like that of a sins_sim, and is never confused with one. sins_last_error(NULL, ...) on the same thread gives the failures of its
@@ -714,6 +711,16 @@ SINS_API sins_status SINS_CALL sins_play_get_shown(sins_play *play, sins_unit_st
     sins_unit_navigation *navigation);
 
 /**
+ * Destroys a scene in flight with its simulator and its unit.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_play_destroy(sins_play *play);
+
+/** A buffer of this size holds every snapshot of a scene in flight that this release saves. */
+#define SINS_PLAY_SNAPSHOT_MAX_SIZE 27648
+
+/**
  * Saves the whole: the simulator, the unit, and the place in the plan. written (may be NULL) gets the size. The same state gives the same
  * bytes, on every platform. No allocation, no system call.
  *
@@ -731,13 +738,6 @@ SINS_API sins_status SINS_CALL sins_play_snapshot_save(sins_play *play, void *bu
  * SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
  */
 SINS_API sins_status SINS_CALL sins_play_snapshot_load(sins_play *play, const void *snapshot, size_t size);
-
-/**
- * Destroys a scene in flight with its simulator and its unit.
- *
- * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
- */
-SINS_API sins_status SINS_CALL sins_play_destroy(sins_play *play);
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_scene_sizeof {

@@ -108,6 +108,12 @@ python() {
         "$out/python/fly" "$out/patrol.toml" -o "$out/patrol.$picture" >"$out/patrol.python"
         same_figures patrol python
     done
+    # A unit with its panel, updates, failures and temperature, a log.
+    for scene in day resets trainer fighter; do
+        target/c_examples/harness "c_examples/scenes/$scene.toml" >"$out/$scene.c"
+        "$out/python/fly" "c_examples/scenes/$scene.toml" >"$out/$scene.python"
+        same_figures "$scene" python
+    done
     /usr/bin/python3 tests/hosts/test_sins.py 2>"$out/test_sins" || { cat "$out/test_sins"; return 1; }
     echo "python: $(grep -o "^Ran .* tests" "$out/test_sins"); the patrol is drawn in target/hosts/patrol.png"
     /usr/bin/python3 tests/hosts/xplane.py

@@ -58,43 +58,36 @@ procedure Fly is
 
    procedure Fly_Scene (Name : String) is
       Scene   : sins_scene;
-      Sim     : sins_sim;
-      Flight  : sins_flight;
-      Setup   : sins_scene_setup;
-      Sample  : sins_flight_sample;
-      Row     : sins_record;
-      Samples : Natural;
-      Every   : Positive;
+      Play    : sins_play;
+      Samples : sins_scene_samples;
+      Row     : sins_record_array (1 .. 1);
+      Written : size_t := 0;
+      Status  : sins_status := SINS_OK;
    begin
       Check ("sins_scene_create_builtin", null, sins_scene_create_builtin (To_C (Name), Scene));
-      Check ("sins_scene_get_setup", null, sins_scene_get_setup (Scene, Setup));
-      Check ("sins_scene_create_flight", null, sins_scene_create_flight (Scene, Flight));
-      Check ("sins_scene_create_simulator", null, sins_scene_create_simulator (Scene, Sim));
+      Check ("sins_scene_get_samples", null, sins_scene_get_samples (Scene, null, Samples));
+      Check ("sins_scene_set_values", null,
+             sins_scene_set_values
+               (Scene, To_C ("output.every_s =" & double'Image (double'Max (Samples.duration_s / 20.0, Samples.period_s)))));
+      Check ("sins_play_create", null, sins_play_create (Scene, null, Play));
 
-      Samples := Natural (double'Floor (Setup.flown_s * Setup.rate_hz + 1.0e-6)) + 1;
-      Every := Positive'Max (Samples / 20, 1);
       Put_Line ("     time s     lat deg    long deg      east m     north m        up m");
-      for K in 0 .. Samples - 1 loop
-         Check ("sins_flight_sample_at", null,
-                sins_flight_sample_at (Flight, double'Min (double (K) / Setup.rate_hz, Setup.flown_s), Sample));
-         Check ("sins_scene_prepare", null, sins_scene_prepare (Scene, Sim, 0.0, Sample));
-         Check ("sins_push_sample", Sim, sins_push_sample (Sim, Sample));
-         Check ("sins_step", Sim, sins_step (Sim)); --  the first step returns SINS_NEED_SAMPLE, which is not an error
-         if K mod Every = 0 then
-            Check ("sins_get_record", Sim, sins_get_record (Sim, Row));
-            Put_Row (Row);
+      --  From record to record: with the temperature, the failures, the updates and the unit of the scene.
+      while Status = SINS_OK loop
+         Status := sins_play_run (Play, Row, 1, Written);
+         Check ("sins_play_run", null, Status);
+         if Written = 1 then
+            Put_Row (Row (1));
          end if;
       end loop;
 
-      Check ("sins_get_record", Sim, sins_get_record (Sim, Row));
       New_Line;
       Put_Line ("errors at the end, navigation - truth, east-north-up");
-      Put_Vector ("      position m", Row.navigation_errors.position_enu_m);
-      Put_Vector ("    velocity m/s", Row.navigation_errors.velocity_enu_m_s);
-      Put_Vector ("misalignment rad", Row.navigation_errors.misalignment_enu_rad);
+      Put_Vector ("      position m", Row (1).navigation_errors.position_enu_m);
+      Put_Vector ("    velocity m/s", Row (1).navigation_errors.velocity_enu_m_s);
+      Put_Vector ("misalignment rad", Row (1).navigation_errors.misalignment_enu_rad);
 
-      Check ("sins_destroy", null, sins_destroy (Sim));
-      Check ("sins_flight_destroy", null, sins_flight_destroy (Flight));
+      Check ("sins_play_destroy", null, sins_play_destroy (Play));
       Check ("sins_scene_destroy", null, sins_scene_destroy (Scene));
    end Fly_Scene;
 

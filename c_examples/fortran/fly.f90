@@ -4,13 +4,12 @@ program fly
   use sins
   implicit none
 
-  type(c_ptr) :: scene = c_null_ptr, sim = c_null_ptr, flight = c_null_ptr
-  type(sins_scene_setup) :: setup
-  type(sins_flight_sample) :: sample
-  type(sins_record) :: record
-  character(len=64) :: name
-  integer :: k, samples, every
-  real(c_double) :: time_s
+  type(c_ptr) :: scene = c_null_ptr, play = c_null_ptr
+  type(sins_scene_samples) :: samples
+  type(sins_record) :: record(1)
+  character(len=64) :: name, spacing
+  integer(c_int32_t) :: status
+  integer(c_size_t) :: written
 
   if (command_argument_count() /= 1) then
     write (error_unit, "(a)") "usage: fly NAME of a built-in scene"
@@ -23,48 +22,42 @@ program fly
     stop 1
   end if
 
-  call check("sins_scene_create_builtin", c_null_ptr, sins_scene_create_builtin(trim(name) // c_null_char, scene))
-  call check("sins_scene_get_setup", c_null_ptr, sins_scene_get_setup(scene, setup))
-  call check("sins_scene_create_flight", c_null_ptr, sins_scene_create_flight(scene, flight))
-  call check("sins_scene_create_simulator", c_null_ptr, sins_scene_create_simulator(scene, sim))
+  call check("sins_scene_create_builtin", sins_scene_create_builtin(trim(name) // c_null_char, scene))
+  call check("sins_scene_get_samples", sins_scene_get_samples(scene, c_null_ptr, samples))
+  write (spacing, "(a, es22.15)") "output.every_s = ", max(samples%duration_s / 20, samples%period_s)
+  call check("sins_scene_set_values", sins_scene_set_values(scene, trim(spacing) // c_null_char))
+  call check("sins_play_create", sins_play_create(scene, c_null_ptr, play))
 
-  samples = floor(setup%flown_s * setup%rate_hz + 1.0e-6_c_double) + 1
-  every = max(samples / 20, 1)
   print "(a10, 2a12, 3a12)", "time s", "lat deg", "long deg", "east m", "north m", "up m"
-  do k = 0, samples - 1
-    time_s = min(k / setup%rate_hz, setup%flown_s)
-    call check("sins_flight_sample_at", c_null_ptr, sins_flight_sample_at(flight, time_s, sample))
-    call check("sins_scene_prepare", c_null_ptr, sins_scene_prepare(scene, sim, 0.0_c_double, sample))
-    call check("sins_push_sample", sim, sins_push_sample(sim, sample))
-    call check("sins_step", sim, sins_step(sim)) ! the first step returns SINS_NEED_SAMPLE, which is not an error
-    if (mod(k, every) == 0) then
-      call check("sins_get_record", sim, sins_get_record(sim, record))
-      print "(f10.2, 2f12.6, 3f12.3)", record%time_s, record%navigation%latitude_rad / SINS_DEG, &
-        record%navigation%longitude_rad / SINS_DEG, record%navigation_errors%position_enu_m
+  do ! from record to record: with the temperature, the failures, the updates and the unit of the scene
+    status = sins_play_run(play, record, 1_c_size_t, written)
+    call check("sins_play_run", status)
+    if (written == 1) then
+      print "(f10.2, 2f12.6, 3f12.3)", record(1)%time_s, record(1)%navigation%latitude_rad / SINS_DEG, &
+        record(1)%navigation%longitude_rad / SINS_DEG, record(1)%navigation_errors%position_enu_m
     end if
+    if (status == SINS_PLAY_END) exit
   end do
 
-  call check("sins_get_record", sim, sins_get_record(sim, record))
   print "(/, a)", "errors at the end, navigation - truth, east-north-up"
-  print "(a16, 3es25.16e3)", "position m", record%navigation_errors%position_enu_m
-  print "(a16, 3es25.16e3)", "velocity m/s", record%navigation_errors%velocity_enu_m_s
-  print "(a16, 3es25.16e3)", "misalignment rad", record%navigation_errors%misalignment_enu_rad
+  print "(a16, 3es25.16e3)", "position m", record(1)%navigation_errors%position_enu_m
+  print "(a16, 3es25.16e3)", "velocity m/s", record(1)%navigation_errors%velocity_enu_m_s
+  print "(a16, 3es25.16e3)", "misalignment rad", record(1)%navigation_errors%misalignment_enu_rad
 
-  call check("sins_destroy", c_null_ptr, sins_destroy(sim))
-  call check("sins_flight_destroy", c_null_ptr, sins_flight_destroy(flight))
-  call check("sins_scene_destroy", c_null_ptr, sins_scene_destroy(scene))
+  call check("sins_play_destroy", sins_play_destroy(play))
+  call check("sins_scene_destroy", sins_scene_destroy(scene))
 
 contains
 
-  ! Ends the program if a call failed: errors are negative. The library keeps the sentence of a simulator's function with the
-  ! simulator. The sentences of other functions belong to the thread: argument of is c_null_ptr.
-  subroutine check(call, of, status)
+  ! Ends the program if a call failed: errors are negative. The sentences of scenes belong to the thread, so their simulator is
+  ! c_null_ptr.
+  subroutine check(call, status)
     character(len=*), intent(in) :: call
-    type(c_ptr), intent(in) :: of
     integer(c_int32_t), intent(in) :: status
 
     if (status >= 0) return
-    write (error_unit, "(6a)") "fly: ", call, ": ", sins_sentence(of), " ", "(" // sins_string(sins_status_string(status)) // ")"
+    write (error_unit, "(6a)") "fly: ", call, ": ", sins_sentence(c_null_ptr), " ", &
+      "(" // sins_string(sins_status_string(status)) // ")"
     stop 1
   end subroutine check
 

@@ -36,7 +36,7 @@ mod units;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, FromArgMatches, Parser};
 
 use failure::{EXIT_CODES, Failure};
@@ -116,6 +116,18 @@ fn run(command: &Command) -> Result<(), Failure> {
     }
 }
 
+/// Words for which there is no command, and the command that does what they say.
+const MEANT: [(&[&str], &str); 8] = [
+    (&["run", "simulate", "sim", "start"], "fly SCENE"),
+    (&["list", "ls", "scenes", "builtin"], "scene list"),
+    (&["check", "validate", "lint"], "scene check SCENE.toml"),
+    (&["new", "init", "write", "show"], "scene write NAME"),
+    (&["plot", "draw", "view", "page"], "report RECORDS.csv"),
+    (&["montecarlo", "monte-carlo", "runs", "mc"], "ensemble SCENE"),
+    (&["listen", "stream", "serve"], "live SCENE"),
+    (&["set", "params", "parameters", "options"], "keys"),
+];
+
 /// Help, the version, or what is wrong with the command line.
 fn answer(error: &clap::Error) -> ExitCode {
     let text = error.render().to_string();
@@ -127,6 +139,11 @@ fn answer(error: &clap::Error) -> ExitCode {
         };
     }
     terminal::say(text.trim_end());
+    if let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand)
+        && let Some((_, meant)) = MEANT.iter().find(|(words, _)| words.contains(&word.as_str()))
+    {
+        terminal::say(&format!("\n  tip: `sins {meant}`"));
+    }
     ExitCode::from(2)
 }
 

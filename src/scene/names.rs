@@ -1,15 +1,21 @@
 //! Words of a user in messages: the word that was probably meant, and the text as it can be quoted.
 
-/// The word of `words` that is nearest to `word`, if it is near enough to be meant.
+/// The word of `words` that is nearest to `word`, if it is near enough to be meant: one that begins with it, up to an underscore, as a key
+/// without its unit; else one with a third of its letters wrong.
 pub fn nearest<'w>(word: &str, words: impl Iterator<Item = &'w str>) -> Option<&'w str> {
     // Longer than any word of the library: the distance takes the product of both lengths.
     const LONGEST: usize = 64;
     if word.len() > LONGEST {
         return None;
     }
-    // A third of the letters may be wrong.
+    let words: Vec<&str> = words.collect();
+    let begins = |other: &&&str| other.strip_prefix(word).is_some_and(|rest| rest.starts_with('_'));
+    if let Some(whole) = words.iter().filter(begins).min_by_key(|other| other.len()) {
+        return Some(whole);
+    }
     let most = 1 + word.chars().count() / 3;
     words
+        .into_iter()
         .filter(|other| other.len() <= LONGEST)
         .map(|other| (strsim::osa_distance(word, other), other))
         .filter(|(distance, _)| *distance <= most)
@@ -43,4 +49,24 @@ pub fn listed<'w>(names: impl Iterator<Item = &'w str>) -> String {
 pub(super) fn unknown(what: &str, name: &str, near: Option<&str>) -> String {
     let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
     format!("no such {what}: {}{near}", excerpt(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_without_its_unit_means_the_shortest_that_begins_with_it() {
+        let names = ["bias_sigma_deg_h", "bias_deg_h", "bias_rad_s", "baud", "range_deg_s"];
+        for (word, meant) in [
+            ("bias", Some("bias_deg_h")),
+            ("bias_sigma", Some("bias_sigma_deg_h")),
+            ("bais_deg_h", Some("bias_deg_h")),
+            ("range", Some("range_deg_s")),
+            ("ran", None),
+            ("noise", None),
+        ] {
+            assert_eq!(nearest(word, names.into_iter()), meant, "{word}");
+        }
+    }
 }

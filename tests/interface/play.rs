@@ -8,9 +8,10 @@ use std::sync::Arc;
 use sins::abi::*;
 use sins::scene::log::FlightLog;
 use sins::scene::{BUILTIN_SCENES, FlightSource, Play, Scene, Source, builtin};
+use sins::snapshot::{SnapshotOf, seal};
 use sins::truth::FlightSample;
 use sins::unit::Unit;
-use sins::{Simulator, Step};
+use sins::{ErrorKind, Simulator, Step};
 
 use crate::scene_functions::parsed;
 use crate::support::init;
@@ -314,5 +315,52 @@ fn the_c_functions_fly_to_the_bits_of_the_calls() {
             assert_eq!(status < 0, error.is_some(), "{}: {status}", given.name);
             assert_eq!(sentence, error.as_ref().map_or("", |(_, sentence)| sentence.as_str()));
         }
+    }
+}
+
+#[test]
+fn a_snapshot_that_is_damaged_or_of_another_scene_is_rejected_and_changes_nothing() {
+    let given = Given::random((0..).find(|seed| random_scene(*seed, false).text.contains("[unit]")).unwrap());
+    let mut play = given.play();
+    (0..500).for_each(|_| assert!(play.fly_next().unwrap().is_some()));
+    let saved = |play: &Play| {
+        let mut bytes = vec![0; play.snapshot_size()];
+        play.save_snapshot(&mut bytes).unwrap();
+        bytes
+    };
+    let bytes = saved(&play);
+    assert!(play.save_snapshot(&mut vec![0; bytes.len() - 1]).is_err());
+    for at in (0..bytes.len()).step_by(7) {
+        let mut altered = bytes.clone();
+        altered[at] ^= 0x10;
+        for damaged in [&altered[..], &bytes[..at]] {
+            assert_eq!(play.load_snapshot(damaged).unwrap_err().kind, ErrorKind::Snapshot, "byte {at}");
+        }
+        // The numbers themselves, with a right checksum: rejected, or a scene in flight that can be saved and flown.
+        if at >= 24 {
+            seal(&mut altered, SnapshotOf::Play);
+            let mut other = given.play();
+            if other.load_snapshot(&altered).is_ok() {
+                let _ = other.fly_next();
+                saved(&other);
+            }
+        }
+    }
+    let mut of_simulator = vec![0; play.simulator().snapshot_size()];
+    play.simulator().save_snapshot(&mut of_simulator).unwrap();
+    assert!(play.load_snapshot(&of_simulator).unwrap_err().to_string().contains("one of a simulator"));
+    assert_eq!(saved(&play), bytes);
+    type Change = fn(&mut Scene);
+    let changes: [(Change, &str); 3] = [
+        (|scene| scene.options.key.run += 1, "other options, or of another run"),
+        (|scene| scene.unit.start = None, "is there or not"),
+        (|scene| scene.duration_s = Some(20.0), "more than the scene has"),
+    ];
+    for (change, words) in changes {
+        let mut scene = (*given.scene).clone();
+        change(&mut scene);
+        let mut other = Play::new(Arc::new(scene), given.source()).unwrap();
+        let error = other.load_snapshot(&bytes).unwrap_err();
+        assert!(error.kind == ErrorKind::Snapshot && error.to_string().contains(words), "{error}");
     }
 }

@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 
 use super::plan::MOST_RUNS;
-use crate::given::{SceneArguments, whole};
+use crate::given::{Hours, SceneArguments, whole};
 use crate::places::OutputArguments;
 
 /// Scene of a log that has no scene: the recommended simulator with sensors of navigation grade.
@@ -20,6 +20,8 @@ pub const FOR_LOGS: &str = crate::budget::FOR_LOGS;
 pub struct Order {
     #[command(flatten)]
     pub scene: SceneArguments,
+    #[command(flatten)]
+    pub hours: Hours,
     /// Number of runs
     #[arg(long, default_value_t = 1000, value_parser = whole(1, MOST_RUNS))]
     pub runs: u64,

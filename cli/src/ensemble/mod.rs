@@ -33,7 +33,7 @@ use results::Results;
 use study::Study;
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let mut given = order.scene.load(command::FOR_LOGS)?;
+    let mut given = order.scene.load_for(&order.hours, command::FOR_LOGS)?;
     let mut requirements = Vec::new();
     for name in &order.meets {
         let (read, path) = specification::load(name)?;

@@ -56,6 +56,11 @@ impl Bus {
         due.iter().filter_map(line).try_for_each(|line| write_line(&mut self.file, &line))
     }
 
+    /// Its file.
+    pub fn file(&self) -> &OutputFile {
+        &self.file
+    }
+
     /// Reports an error of the disk.
     pub fn check(&mut self) -> Result<(), Failure> {
         self.file.check()

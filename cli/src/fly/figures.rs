@@ -2,6 +2,7 @@
 
 use sins::errors::AccuracyFigures;
 use sins::scene::{PlannedUpdate, Scene, Updated};
+use sins::unit::{Mode, State};
 use sins::{ClosureFigures, TrimFigures};
 
 use super::flight::Flown;
@@ -51,9 +52,57 @@ impl<'a> Figures<'a> {
         1e9 * self.flown.seconds / self.flown.steps.max(1) as f64
     }
 
-    /// Whether there are rates of growth. They are computed from a fixed time on, which a short flight does not reach.
+    /// Whether there are rates of growth.
     pub fn has_rates(&self) -> bool {
-        self.accuracy.window_samples >= LEAST_SAMPLES
+        self.why_no_rates().is_none()
+    }
+
+    /// Why there are no rates of growth; `None`: there are. They are computed from a fixed time on, which a short flight does not reach.
+    /// They are errors over the time since the start: an alignment in flight and an update start the errors anew.
+    pub fn why_no_rates(&self) -> Option<String> {
+        let scene = self.scene();
+        if !scene.updates.is_empty() {
+            return Some("none: the updates start the errors anew".to_owned());
+        }
+        if scene.unit.start == Some(Mode::Off) {
+            return Some("none: they count from the start, and the unit aligns on the way".to_owned());
+        }
+        let from_s = self.accuracy.window_start_s;
+        (self.accuracy.window_samples < LEAST_SAMPLES).then(|| format!("none before {from_s} s of flight"))
+    }
+
+    /// How the start came about.
+    pub fn start(&self) -> String {
+        match self.scene().unit.start {
+            Some(Mode::Off) => "those that the alignment of the unit leaves".to_owned(),
+            _ => self.set_in("start"),
+        }
+    }
+
+    /// The states of the unit with their times, how long it aligned, and what it showed at the end; `None`: the scene has no unit.
+    pub fn unit(&self) -> Option<String> {
+        self.scene().unit.start?;
+        let (states, end_s) = (&self.flown.states, self.accuracy.duration_s);
+        let ends = states.iter().skip(1).map(|(from_s, _)| *from_s).chain([end_s]);
+        let aligns = |state: &State| {
+            matches!(state, State::CoarseAlignment | State::FineAlignment | State::Realignment)
+        };
+        let aligned_s: f64 = states
+            .iter()
+            .zip(ends)
+            .filter(|((_, state), _)| aligns(state))
+            .map(|((from_s, _), end_s)| end_s - from_s)
+            .sum();
+        let words: Vec<String> = states
+            .iter()
+            .map(|(from_s, state)| format!("{} {} s", state.word(), six_digits(*from_s)))
+            .collect();
+        let shown = self.flown.shown_at_end.as_deref().unwrap_or("nothing");
+        Some(format!(
+            "{}; {:.1} min of alignment; valid at the end: {shown}",
+            words.join(", "),
+            aligned_s / 60.0
+        ))
     }
 
     /// Extremes of the true motion: key, value, unit, label and time stamp of each. Empty unless the scene requests them.

@@ -1,6 +1,7 @@
 //! The flight: sample by sample through the simulator, with its records.
 
 use std::io::Write;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
@@ -30,6 +31,15 @@ pub struct Files {
     pub unit: Option<UnitFiles>,
 }
 
+impl Files {
+    /// Their paths, the records first.
+    pub fn paths(&self) -> Vec<PathBuf> {
+        let own = [Some(&self.records), self.imu.as_ref()].into_iter().flatten();
+        let of_unit = self.unit.iter().flat_map(UnitFiles::files);
+        own.chain(of_unit).map(|file| file.path().to_owned()).collect()
+    }
+}
+
 /// Results of a flight, or of a part of it.
 #[derive(Debug, Default)]
 pub struct Flown {
@@ -44,6 +54,8 @@ pub struct Flown {
     /// Largest |error data 1 - error data 2| of the records: position [m], velocity [m/s].
     pub largest_difference: [f64; 2],
     pub accuracy: Option<(AccuracyFigures, ClosureFigures, TrimFigures)>,
+    /// What the unit shows at the end: its valid outputs, and its reasons; empty: nothing.
+    pub shown_at_end: Option<String>,
     /// States of the unit, each with the time of its begin [s].
     pub states: Vec<(f64, State)>,
     /// Summary of the true motion, if the scene requests it.
@@ -239,6 +251,7 @@ impl InFlight {
         if let Ok(Some((_, accuracy, closure))) = simulator.accuracy() {
             self.flown.accuracy = Some((accuracy, closure, simulator.trim()?.unwrap_or_default()));
         }
+        self.flown.shown_at_end = self.play.unit().map(|unit| shown(&unit.status()));
         if self.play.course().scene().options.truth_summary {
             self.flown.truth = simulator.truth_summary()?;
         }
@@ -248,6 +261,16 @@ impl InFlight {
 
     fn keep(&mut self, record: &Record) -> Result<(), Failure> {
         keep(&mut self.flown, &mut self.files.records, record)
+    }
+}
+
+/// What a unit shows, in words.
+fn shown(status: &Status) -> String {
+    let valid = status.validity.words();
+    let valid = if valid.is_empty() { "nothing".to_owned() } else { valid.replace(' ', ", ") };
+    match status.reasons.words() {
+        reasons if reasons.is_empty() => valid,
+        reasons => format!("{valid} ({})", reasons.replace(' ', ", ")),
     }
 }
 

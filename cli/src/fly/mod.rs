@@ -10,14 +10,14 @@ mod print;
 mod summary;
 mod unit;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use sins::Error;
 use sins::scene::Play;
 use sins::unit::bus::Inputs;
 
 use crate::failure::{Failure, Kind};
-use crate::given::{Given, SceneArguments};
+use crate::given::{Given, Hours, SceneArguments};
 use crate::interrupt;
 use crate::output::{OutputFile, Outputs};
 use crate::places::{OutputArguments, below};
@@ -45,6 +45,8 @@ pub struct Order {
     #[command(flatten)]
     scene: SceneArguments,
     #[command(flatten)]
+    hours: Hours,
+    #[command(flatten)]
     output: OutputArguments,
     /// Also writes the measured increments on which the INS navigates into this file in DIR, a row for each part of an update
     #[arg(long, value_name = "FILE.csv")]
@@ -58,7 +60,7 @@ pub struct Order {
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let given = order.scene.load(FOR_LOGS)?;
+    let given = order.scene.load_for(&order.hours, FOR_LOGS)?;
     let (folder, name) = order.output.places(&given)?;
     let imu = order.imu.as_ref().or(Some(&given.scene.output.imu).filter(|imu| !imu.is_empty()));
     let imu = imu.map(|file| below(&folder, file, "output.imu", "--imu")).transpose()?;
@@ -91,8 +93,9 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     }
     let figures = Figures::gather(&given, &name, every_s, &flown, ended.is_err());
     let finished = figures.and_then(|figures| {
+        let paths = [files.paths(), vec![summary_file.path().to_owned()]].concat();
         let written = finish(&figures, files, summary_file);
-        written.and(if quiet { Ok(()) } else { print(&text(&figures, &file(".csv"))) })
+        written.and(if quiet { Ok(()) } else { print(&(text(&figures, &file(".csv")) + &list(&paths))) })
     });
     match ended {
         // The files say themselves what the disk did not take.
@@ -133,6 +136,28 @@ pub fn finish(figures: &Figures, files: Files, summary_file: OutputFile) -> Resu
         summary_file.finish(text),
         records.commit_lines(),
     ])
+}
+
+/// The files that were written, each with its size, and what to do with the first, the records.
+pub fn list(paths: &[PathBuf]) -> String {
+    let mut text = "\nwritten\n".to_owned();
+    for path in paths {
+        let size = std::fs::metadata(path).map_or(0, |file| file.len());
+        text += &format!("  {:<50} {}\n", path.display(), size_text(size));
+    }
+    match paths.first() {
+        Some(records) => text + &format!("next: `sins report {}` draws the flight\n", records.display()),
+        None => String::new(),
+    }
+}
+
+/// A size of a file in words.
+fn size_text(bytes: u64) -> String {
+    match bytes {
+        0..1000 => format!("{bytes} B"),
+        1000..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),
+        _ => format!("{:.1} MB", bytes as f64 / 1e6),
+    }
 }
 
 /// The files of the unit, if the scene has a unit or the words of one are wanted.

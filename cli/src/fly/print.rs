@@ -34,11 +34,14 @@ fn setting(figures: &Figures, records: &Path) -> String {
         ("gyros", "gyro"),
         ("accelerometers", "accelerometer"),
         ("altimeter", "altimeter"),
-        ("start errors", "start"),
         ("mounting", "mounting"),
         ("disturbance", "gravity"),
     ] {
         line(what, figures.set_in(section));
+    }
+    line("start errors", figures.start());
+    if let Some(unit) = figures.unit() {
+        line("unit", unit);
     }
     line("failures", planned::text(figures.scene()));
     line("updates", figures.updates());
@@ -134,9 +137,8 @@ fn accuracy(figures: &Figures) -> String {
             flown.near_pole, flown.records
         );
     }
-    if !figures.has_rates() {
-        let from_s = accuracy.window_start_s;
-        text += &format!("  radial error rates, R50, slope: none before {from_s} s of flight\n");
+    if let Some(why) = figures.why_no_rates() {
+        text += &format!("  radial error rates, R50, slope: {why}\n");
     }
     text
 }

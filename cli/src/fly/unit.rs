@@ -64,6 +64,11 @@ impl UnitFiles {
         Ok(new)
     }
 
+    /// The files.
+    pub fn files(&self) -> impl Iterator<Item = &OutputFile> {
+        self.file.iter().chain(self.bus.as_ref().map(Bus::file))
+    }
+
     /// Reports an error of the disk.
     pub fn check(&mut self) -> Result<(), Failure> {
         self.file.as_mut().map_or(Ok(()), OutputFile::check)?;

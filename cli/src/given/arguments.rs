@@ -21,7 +21,21 @@ pub struct SceneArguments {
     trust: Trust,
 }
 
+/// How long to fly the scene.
+#[derive(Debug, clap::Args)]
+pub struct Hours {
+    /// How long to fly, in place of what the scene sets (flight.hours)
+    #[arg(long, value_name = "HOURS")]
+    hours: Option<String>,
+}
+
 impl SceneArguments {
+    /// [`Self::load`], flown for `hours`.
+    pub fn load_for(&self, hours: &Hours, for_logs: &str) -> Result<Given, Failure> {
+        let settings = Settings { hours: hours.hours.clone(), ..self.settings.clone() };
+        Given::load(self.scene.as_deref(), self.log.as_deref(), &settings, for_logs)
+    }
+
     /// The scene; a log without a scene is flown by the simulator of the scene in the text `for_logs`.
     pub fn load(&self, for_logs: &str) -> Result<Given, Failure> {
         Given::load(self.scene.as_deref(), self.log.as_deref(), &self.settings, &self.trust, for_logs)

@@ -20,7 +20,7 @@ use sins::truth::FlightSample;
 use sins::truth::flight::Flight;
 use sins::{Error, ErrorKind};
 
-pub use arguments::SceneArguments;
+pub use arguments::{Hours, SceneArguments};
 pub use file::{open_table, read_text};
 pub use gaps::{Gaps, unit_of_interval};
 pub use judged::{Trust, judge, judge_of, sentence};

@@ -12,6 +12,9 @@ pub struct Settings {
     /// Sets a key of the scene, such as gyro.bias_deg_h=0.01; `sins keys` lists all keys. Can be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// `--hours` of the commands that have it: another `flight.hours`.
+    #[arg(skip)]
+    pub hours: Option<String>,
 }
 
 /// The keys that `--preset` sets.
@@ -27,18 +30,22 @@ impl Settings {
             };
             text.split_once('=').map(|(key, value)| (key.trim(), value.trim())).ok_or_else(expected)
         });
-        presets.map(Ok).chain(set).collect()
+        let hours = self.hours.iter().map(|hours| Ok(("flight.hours", hours.as_str())));
+        presets.map(Ok).chain(set).chain(hours).collect()
     }
 
     /// The argument of setting `number`, counted from 1.
     pub fn argument(&self, number: usize) -> String {
         let presets = self.preset.iter().flat_map(|grade| PRESETS.map(|_| format!("--preset {grade}")));
         let set = self.set.iter().map(|text| format!("--set {text}"));
-        presets.chain(set).nth(number.saturating_sub(1)).unwrap_or_default()
+        let hours = self.hours.iter().map(|hours| format!("--hours {hours}"));
+        presets.chain(set).chain(hours).nth(number.saturating_sub(1)).unwrap_or_default()
     }
 
     /// Whether the command line sets `key`.
     pub fn has(&self, key: &str) -> bool {
-        self.set.iter().any(|text| text.split('=').next().is_some_and(|name| name.trim() == key))
+        let is_set =
+            self.set.iter().any(|text| text.split('=').next().is_some_and(|name| name.trim() == key));
+        is_set || key == "flight.hours" && self.hours.is_some()
     }
 }

@@ -11,7 +11,7 @@ use sins::truth::judge::Judge;
 use super::blank::Blank;
 use super::log::Log;
 use crate::failure::Failure;
-use crate::fly::{Figures, Files, InFlight, Stopped, finish, text};
+use crate::fly::{Figures, Files, InFlight, Stopped, finish, list, text};
 use crate::given::{Given, judge_of, sentence};
 use crate::output::OutputFile;
 
@@ -124,7 +124,8 @@ impl<'a> Leg<'a> {
         given.findings = self.judge.findings().map(|finding| sentence(&finding)).collect();
         let records = files.records.path().to_owned();
         let figures = Figures::gather(&given, &self.name, every_s, &flown, is_stopped)?;
+        let paths = [files.paths(), vec![self.summary.path().to_owned()]].concat();
         let written = Failure::each([log, finish(&figures, files, self.summary)]);
-        Ok(Some(Ended { words: text(&figures, &records), records, written }))
+        Ok(Some(Ended { words: text(&figures, &records) + &list(&paths), records, written }))
     }
 }

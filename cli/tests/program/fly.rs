@@ -407,3 +407,65 @@ fn a_scene_written_elsewhere_finds_its_log() {
     done(&folder, &["scene", "check", "other.toml"]);
     assert_eq!(rejected(&folder, &write), "other.toml: exists already; --force replaces it\n");
 }
+
+#[test]
+fn hours_are_those_of_the_command_line_and_every_file_is_named() {
+    let folder = folder("hours_and_files");
+    let day = project_file("c_examples/scenes/day.toml");
+    let day = day.to_str().unwrap();
+    let said = done(&folder, &["fly", day, "--hours", "1.08", "--imu", "imu.csv", "--bus", "words.csv"]);
+    let (_, listed) = said.split_once("\nwritten\n").unwrap();
+    for file in ["day.csv", "imu.csv", "day_unit.csv", "words.csv", "day_summary.csv"] {
+        let path = format!("sins_out/{file}");
+        let line = listed
+            .lines()
+            .find(|line| line.trim_start().starts_with(&path))
+            .unwrap_or_else(|| panic!("{said}"));
+        let size = std::fs::metadata(folder.join(&path)).unwrap().len() as f64;
+        let words: Vec<&str> = line.split_whitespace().rev().take(2).collect();
+        let unit = match words[0] {
+            "B" => 1.0,
+            "kB" => 1e3,
+            _ => 1e6,
+        };
+        assert!((words[1].parse::<f64>().unwrap() * unit / size - 1.0).abs() < 0.05, "{line}: {size}");
+    }
+    assert!(said.ends_with("next: `sins report sins_out/day.csv` draws the flight\n"), "{said}");
+    // What is said of a flight with a unit, which navigates here at its end.
+    assert!(said.contains("  start errors    those that the alignment of the unit leaves\n"), "{said}");
+    assert!(
+        said.contains(
+            "; 10.0 min of alignment; valid at the end: rates, attitude, heading, position, velocity\n"
+        ),
+        "{said}"
+    );
+    assert!(
+        said.contains("none: they count from the start, and the unit aligns on the way")
+            && !said.contains("R50 ="),
+        "{said}"
+    );
+    let ended = numbers(&folder.join("sins_out/day.csv")).1.last().unwrap()[0];
+    assert_eq!(ended, 3888.0);
+    done(&folder, &["ensemble", "patrol", "--preset", "navigation", "--runs", "2", "--hours", "0.05", "-q"]);
+    let ended = read(folder.join("sins_out/patrol_ensemble.csv"));
+    assert!(ended.lines().last().unwrap().starts_with("180.000000,"));
+    for command in ["fly", "ensemble"] {
+        let errors = rejected(&folder, &[command, "patrol", "--hours", "60"]);
+        assert!(
+            errors.contains("--hours 60: ") && errors.contains("at most the duration of the flight: 48"),
+            "{errors}"
+        );
+    }
+}
+
+#[test]
+fn a_word_that_is_no_command_is_answered_with_the_command_that_does_it() {
+    let folder = folder("commands");
+    for (word, command) in [("run", "fly SCENE"), ("list", "scene list"), ("plot", "report RECORDS.csv")] {
+        let errors = rejected(&folder, &[word]);
+        assert!(errors.contains(&format!("tip: `sins {command}`")), "{errors}");
+    }
+    // A slip of the pen is answered with the nearest command alone.
+    let errors = rejected(&folder, &["flly"]);
+    assert!(errors.contains("'fly'") && !errors.contains("`sins"), "{errors}");
+}

@@ -6,6 +6,8 @@ mod budget;
 mod complete_files;
 mod conditions;
 mod curve;
+#[cfg(target_os = "linux")]
+mod doors;
 mod ensemble;
 mod fly;
 mod increments;
@@ -18,6 +20,9 @@ mod outputs;
 mod pages;
 #[cfg(target_os = "linux")]
 mod progress;
+#[cfg(target_os = "linux")]
+#[path = "../../../tests/support/random_scenes.rs"]
+mod random_scenes;
 #[cfg(target_os = "linux")]
 mod same_records;
 mod support;

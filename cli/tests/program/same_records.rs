@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 use crate::support::{done, folder, numbers, project_file, read};
 
 /// Builds a C program with the library that was built with this test; the library is beside the test's own program.
-fn link(name: &str, source: &str) -> PathBuf {
+pub fn link(name: &str, source: &str) -> PathBuf {
     let folder = folder(&format!("build_{name}"));
     let library = std::env::current_exe().unwrap().with_file_name("libsins.so");
     std::fs::copy(&library, folder.join("libsins.so")).unwrap();

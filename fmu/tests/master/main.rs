@@ -5,6 +5,9 @@ mod misuse;
 mod panel;
 mod parts;
 mod random_calls;
+#[path = "../../../tests/support/random_scenes.rs"]
+mod random_scenes;
+mod scenes;
 mod support;
 mod uri;
 mod watch;

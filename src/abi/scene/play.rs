@@ -1,6 +1,5 @@
 //! `sins_play`: a scene in flight.
 
-use core::ffi::c_void;
 use std::sync::Arc;
 
 use super::log::sins_log;
@@ -15,7 +14,6 @@ use crate::abi::record::{RecordView, sins_record};
 use crate::abi::sample::sins_flight_sample;
 use crate::abi::sentence::Sentence;
 use crate::abi::simulator::{pushed, sins_sim};
-use crate::abi::text::{bytes_of, put_saved};
 use crate::abi::unit::sins_unit;
 use crate::abi::unit_status::{sins_unit_navigation, sins_unit_status};
 use crate::base::error::Error;
@@ -32,11 +30,8 @@ pub struct sins_play {
     _opaque: [u8; 0],
 }
 
-/// A buffer of this size holds every snapshot of a scene in flight that this release saves.
-pub const SINS_PLAY_SNAPSHOT_MAX_SIZE: usize = 27648;
-
 /// Runs `body` on a scene in flight with its simulator and its unit, as the inside of an exported function.
-fn with_play(
+pub(super) fn with_play(
     play: *mut sins_play,
     body: impl FnOnce(&mut Course, &mut Box<[Simulator; 1]>, Option<&mut Unit>) -> Result<sins_status, Failure>,
 ) -> sins_status {
@@ -305,48 +300,6 @@ pub unsafe extern "C-unwind" fn sins_play_get_shown(
         let Some(found) = shown(&simulator[0], unit.as_deref())? else { return Ok(SINS_NEED_SAMPLE) };
         status.map(|output| output.write(&(&found.status).into()));
         navigation.map(|output| output.write(&(&found.navigation).into()));
-        Ok(SINS_OK)
-    })
-}
-
-/// Saves the whole: the simulator, the unit, and the place in the plan. written (may be NULL) gets the size. The same state gives the same
-/// bytes, on every platform. No allocation, no system call.
-///
-/// SINS_ERROR_BUFFER_TOO_SMALL: see SINS_PLAY_SNAPSHOT_MAX_SIZE; buffer and written are unchanged.
-#[unsafe(no_mangle)]
-pub unsafe extern "C-unwind" fn sins_play_snapshot_save(
-    play: *mut sins_play,
-    buffer: *mut c_void,
-    capacity: usize,
-    written: *mut usize,
-) -> sins_status {
-    with_play(play, |course, simulator, unit| {
-        let save = |bytes: &mut [u8]| course.save_snapshot(&simulator[0], unit.as_deref(), bytes);
-        // SAFETY: the host's promise.
-        unsafe { put_saved::<SINS_PLAY_SNAPSHOT_MAX_SIZE>(save, buffer.cast(), capacity, written) }
-    })
-}
-
-/// Continues from a snapshot, to the same bits. play was made of the same scene, and of the same log if the flight is one; it may have
-/// flown elsewhere. Handles that it lends stay valid. Not for a real-time frame: it allocates.
-///
-/// SINS_ERROR_SNAPSHOT: the bytes are not a snapshot of a scene in flight, or are cut off, altered, of a newer release, or of a scene with
-/// other options or another run; nothing has changed.
-/// SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
-#[unsafe(no_mangle)]
-pub unsafe extern "C-unwind" fn sins_play_snapshot_load(
-    play: *mut sins_play,
-    snapshot: *const c_void,
-    size: usize,
-) -> sins_status {
-    with_play(play, |course, simulator, unit| {
-        // SAFETY: the host's promise.
-        let snapshot = unsafe { bytes_of(snapshot.cast(), size, "snapshot")? };
-        let (loaded, loaded_unit) = course.load_snapshot(unit.is_some(), snapshot)?;
-        *simulator = loaded;
-        if let (Some(unit), Some(loaded)) = (unit, loaded_unit) {
-            *unit = loaded;
-        }
         Ok(SINS_OK)
     })
 }
