@@ -10,6 +10,7 @@ mod error_equations;
 mod invariants;
 mod logged_flights;
 mod mathematics;
+#[cfg(feature = "scenes")]
 mod misprints;
 mod reference_signals;
 mod savage;

@@ -324,7 +324,7 @@ fn live(seed: u64) -> [u64; 5] {
             (5, false) => Motion::Sway,
             (0..=2, true) => Motion::Drive { acceleration: 3.0, to: 0.0 },
             (3 | 4, true) => Motion::Turn(3.0 * DEG),
-            (5, true) => Motion::Turn(-1.0 * DEG),
+            (5, true) => Motion::Turn(-DEG),
             (6, _) => Motion::Drive { acceleration: 0.02, to: 2.0 },
             (7, _) => Motion::Drive { acceleration: 0.5, to: 6.0 },
             (8, _) => Motion::Drive { acceleration: 0.5, to: 1.0 },

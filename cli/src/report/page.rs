@@ -10,6 +10,7 @@ use crate::report::figures;
 use crate::report::overview;
 use crate::report::run::Run;
 use crate::report::sentence::{is_rounding, most_telling, sentence};
+use crate::report::unit;
 use crate::report::warnings::warnings;
 use crate::units::time_text;
 
@@ -44,10 +45,12 @@ pub fn page(runs: &[Run]) -> Result<String, Failure> {
     Ok(document(&title, &body))
 }
 
-/// Trajectory and position errors; of a run without errors, the trajectory alone.
+/// Trajectory and position errors; of a run without errors the trajectory, and the states of its unit, which otherwise stand below the
+/// errors.
 fn pictures(run: &Run) -> Result<Vec<Figure>, Failure> {
     let [trajectory, position] = figures::first(run)?;
-    Ok(if is_rounding(run) { vec![trajectory] } else { vec![trajectory, position] })
+    let beside = if is_rounding(run) { unit::figure(run)? } else { Some(position) };
+    Ok([trajectory].into_iter().chain(beside).collect())
 }
 
 fn remarks(run: &Run) -> Markup {
@@ -72,7 +75,7 @@ fn section(runs: &[Run], place: usize, first: usize) -> Result<Markup, Failure> 
                     h2 { (run.title()) }
                     p {
                         (sentence(run)) " " (sensors(run))
-                        @if place == first { "Trajectory and position errors stand at the top of the page." }
+                        @if place == first { "Its first figures stand at the top of the page." }
                     }
                     (remarks(run))
                 } @else {

@@ -3,8 +3,11 @@
 use sins::unit::State;
 
 use crate::drawing::axis::{Axis, Scale, TimeAxis};
+use crate::drawing::figure::{Figure, Legend};
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Panel, Trace};
+use crate::drawing::scales::{over_time, time_axis};
+use crate::failure::Failure;
 use crate::report::run::Run;
 
 /// The steps of the band, from below.
@@ -31,6 +34,14 @@ pub fn band(run: &Run, time: &TimeAxis) -> Option<Panel> {
     let y = Axis { low: -0.3, high: highest as f64 + 0.3, ticks: ticks.collect(), scale: Scale::Names };
     let trace = Trace::new(Pen::Computed, steps.collect());
     Some(Panel::new("unit", y, 22.0 * (highest as f64 + 1.0), vec![trace]))
+}
+
+/// The band as a figure; `None`: the run has no unit.
+pub fn figure(run: &Run) -> Result<Option<Figure>, Failure> {
+    let time = time_axis(run.duration_s());
+    let Some(band) = band(run, &time) else { return Ok(None) };
+    let drawing = over_time(time, vec![band]);
+    Figure::new("States of the unit", " over time", Legend::new(), &drawing, String::new()).map(Some)
 }
 
 #[cfg(test)]

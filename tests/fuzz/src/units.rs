@@ -228,7 +228,11 @@ impl Host {
         }
         if call!(sins_bus_decode(self.input.word() as u32, 0, &mut label)) == SINS_OK {
             let is_legal = (label.minimum..=label.maximum).contains(&label.value);
-            assert!(if label.status == SINS_BUS_NORMAL { is_legal } else { is_legal || label.value.is_nan() });
+            assert!(if label.status == SINS_BUS_NORMAL {
+                is_legal
+            } else {
+                is_legal || label.value.is_nan()
+            });
             assert!(label.status != SINS_BUS_ILLEGAL_VALUE || label.value.is_nan());
         }
         call!(sins_bus_get_label(self.input.below(64), &mut label));
