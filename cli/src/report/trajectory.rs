@@ -179,7 +179,7 @@ mod tests {
             height_m: 0.0,
         };
         let points: Vec<Point> = places.enumerate().map(point).collect();
-        Path { pieces: Vec::from_iter([0..points.len()]), points }
+        Path { pieces: std::iter::once(0..points.len()).collect(), points }
     }
 
     #[test]
