@@ -9,6 +9,8 @@ import { element, options, parts, shown, text } from "./texts.mjs";
 
 const PACES = [1, 10, 100, 1000, 0]; // in the order of the text "paces"
 const NMI_H = 1852 / 3600;
+/** Time for which a sentence stands in the place of the state of a flight [ms]. */
+const READ_MS = 5000;
 
 export class Display {
     /** pilot: the colleague that flies. */
@@ -88,10 +90,10 @@ export class Display {
     }
 
     /** An action at the panel now, which becomes part of the scene. */
-    async act(kind, values) {
+    async act(kind, values = () => ({})) {
         try {
             if (!this.now || this.now.state > PAUSED) throw new Error(text("nothing_flown"));
-            const lines = Object.entries({ kind: `"${kind}"`, ...values }).map(([name, value]) => `${name} = ${value}\n`);
+            const lines = Object.entries({ kind: `"${kind}"`, ...values() }).map(([name, value]) => `${name} = ${value}\n`);
             const items = this.scene.items("panel"), item = await this.pilot.ask("act", { lines: lines.join(""), items: items.join("\n") });
             this.keep_plan("panel", [...items, item]);
         } catch (error) {
@@ -120,6 +122,7 @@ export class Display {
 
     /** The state of the flight, and sometimes its curves. */
     take(now, points) {
+        if (now.state !== this.now?.state) this.said = null;
         this.now = now;
         if (points) this.points = points;
         cancelAnimationFrame(this.frame);
@@ -129,7 +132,7 @@ export class Display {
     }
 
     say(sentence, is_fault = false) {
-        this.said = sentence ? { sentence, is_fault } : null;
+        this.said = sentence ? { sentence, is_fault, until_ms: performance.now() + READ_MS } : null;
         this.show_state();
     }
 
@@ -146,7 +149,7 @@ export class Display {
 
     refresh(with_curves = true) {
         const { now } = this, is_flying = now?.state === FLYING, is_paused = now?.state === PAUSED;
-        if (is_flying) this.said = null;
+        if (is_flying && performance.now() > this.said?.until_ms) this.said = null;
         [this.start.disabled, this.pause.disabled, this.stop.disabled] = [is_flying, !is_flying && !is_paused, !is_flying && !is_paused];
         this.pause.setAttribute("aria-pressed", String(is_paused));
         this.show_state();

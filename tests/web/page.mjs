@@ -40,7 +40,7 @@ async function opened(context, { hash = "", ...options } = {}) {
 }
 
 const state = (page) => page.evaluate(() => document.getElementById("state").value);
-const until = (page, pattern) => page.waitForFunction((source) => new RegExp(source).test(document.getElementById("state").value), pattern.source, { timeout: 600000, polling: 50 });
+const until = (page, pattern) => page.waitForFunction((source) => new RegExp(source).test(document.getElementById("state").value), pattern.source, { timeout: 60000, polling: 50 });
 const press = (page, name) => page.click(`[data-do="${name}"]`);
 const field = (path) => `[data-path="${path}"]`;
 const tab = (page, place) => page.click(`#tab${place}`);
@@ -76,7 +76,7 @@ async function fly(page) {
 
 /** Saves scene and records, and compares the records with those of the program for this scene. */
 async function same_as_program(page, name) {
-    const [scene, records] = [await downloaded(page, "scene"), await downloaded(page, "records")];
+    const [scene, records] = [await downloaded(page, "save"), await downloaded(page, "records")];
     writeFileSync(`${out}/flown/${name}.toml`, scene);
     execFileSync(SINS, ["fly", `${out}/flown/${name}.toml`, "--out", `${out}/flown/expected`, "--quiet", "--force"]);
     const expected = readFileSync(`${out}/flown/expected/${name}.csv`);
@@ -234,7 +234,7 @@ test("wrong input is marked at its field, told, and not flown", async (context) 
     const before = await text(page);
     await page.fill("#text", '[flight]\nbuiltin = "rest"\n[gyro]\nbais_deg_h = 1\nbias_sigma_deg_h = -1\n');
     await page.waitForSelector("#text_faults li");
-    assert.deepEqual(await page.locator("#text_faults li").allInnerTexts(), ["4:1: no such key: bais_deg_h; did you mean bias_deg_h?", "5:1: gyro.bias_sigma_deg_h = -1: must be from 0 to 2.06264e7"]);
+    assert.deepEqual(await page.locator("#text_faults li").allInnerTexts(), ["4:1: no such key: bais_deg_h; did you mean bias_deg_h?", "5:1: gyro.bias_sigma_deg_h[0] = -1: must be from 0 to 2.06264e7"]);
     await page.locator("#text_faults button").nth(1).click();
     assert.equal(await page.evaluate(() => { const own = document.activeElement; return own.value.slice(own.selectionStart, own.selectionEnd); }), "bias_sigma_deg_h = -1");
     await press(page, "start");
