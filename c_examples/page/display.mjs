@@ -115,8 +115,12 @@ export class Display {
         if (this.planned === failures) return;
         this.planned = failures;
         if (!this.now || this.now.state > PAUSED || this.scene.faults.length) return;
-        await this.pilot.ask("plan", { list: "failure", items: failures });
-        this.flown_text = this.scene.text;
+        const { items, is_as_planned } = await this.pilot.ask("plan", { list: "failure", items: failures });
+        if (is_as_planned) this.flown_text = with_failures(this.scene.sins, this.flown_text, items);
+        if (items !== failures && this.planned === failures) {
+            this.planned = items;
+            this.scene.set_items("failure", [items]);
+        }
         this.refresh();
     }
 
@@ -209,6 +213,15 @@ export class Display {
 function duration(time_s) {
     const [unit, size] = unit_of("time", time_s);
     return `${shown(time_s / size, 4)} ${unit}`;
+}
+
+/** The text of a scene with other failures. */
+function with_failures(sins, written, items) {
+    const scene = sins.scene_parse(written);
+    sins.scene_set_items(scene, "failure", items);
+    const changed = sins.scene_write(scene);
+    scene.close();
+    return changed;
 }
 
 /** The table of values: the name, then the solution and the truth; or one value. */

@@ -40,7 +40,7 @@ async function opened(context, { hash = "", ...options } = {}) {
 }
 
 const state = (page) => page.evaluate(() => document.getElementById("state").value);
-const until = (page, pattern) => page.waitForFunction((source) => new RegExp(source).test(document.getElementById("state").value), pattern.source, { timeout: 60000, polling: 50 });
+const until = (page, pattern) => page.waitForFunction((source) => new RegExp(source).test(document.getElementById("state").value), pattern.source, { timeout: 600000, polling: 50 });
 const press = (page, name) => page.click(`[data-do="${name}"]`);
 const field = (path) => `[data-path="${path}"]`;
 const tab = (page, place) => page.click(`#tab${place}`);
@@ -394,6 +394,7 @@ test("a failure that is planned in flight is in the scene", async (context) => {
     await page.selectOption("#pace", "0");
     await until(page, /^Finished: /);
     assert.match(await same_as_program(page, "failure"), /\[\[failure\]\]/);
+    assert.doesNotMatch(await state(page), /changed/);
 });
 
 test("start, pause, pace, stop; closing in flight", async (context) => {
