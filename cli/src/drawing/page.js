@@ -115,7 +115,10 @@ all(document, '.panel').forEach((g, number) => {
   // Shows what the panel has of a part of its group.
   const fit = ends => {
     if (length(ends) === 1) draw(ends, ends);
-    else if (time) around([0, 1].map(k => extent(lines(), 2, k, ends)));
+    else if (time) {
+      const found = [0, 1].map(k => extent(lines(), 2, k, ends));
+      isFinite(found[0][0]) ? around(found) : draw([0, 1], [0, 1]);
+    }
     else if (isMap) around([ends, part[1].fill(middle(part[1]))]);
     else {
       const [low, high] = extent(lines(), 0, 1, ends), margin = .05 * (high - low) || .01;
