@@ -5,6 +5,12 @@
 
 #[path = "build/ada.rs"]
 mod ada;
+#[allow(dead_code, reason = "the crate uses the rest")]
+#[path = "src/base"]
+mod base {
+    pub mod parameter;
+    pub mod units;
+}
 #[path = "build/c_calls.rs"]
 mod c_calls;
 #[path = "build/c_functions.rs"]
@@ -30,21 +36,16 @@ mod javascript;
 mod model;
 #[path = "build/own.rs"]
 mod own;
-#[allow(dead_code, reason = "the crate uses the rest")]
-#[path = "src/parameter.rs"]
-mod parameter;
 #[path = "build/python.rs"]
 mod python;
 #[path = "build/read.rs"]
 mod read;
 #[path = "build/sensor_structs.rs"]
 mod sensor_structs;
-#[path = "src/surroundings/table.rs"]
-mod surroundings;
-#[path = "build/surroundings_structs.rs"]
-mod surroundings_structs;
-#[path = "src/sensors/table.rs"]
-mod table;
+#[path = "build/table_structs.rs"]
+mod table_structs;
+#[path = "build/tables.rs"]
+mod tables;
 #[cfg_attr(not(feature = "header"), allow(dead_code, reason = "c_header uses the rest"))]
 #[path = "build/template.rs"]
 mod template;
@@ -52,11 +53,6 @@ mod template;
 mod text;
 #[path = "build/typescript.rs"]
 mod typescript;
-#[path = "src/unit/table.rs"]
-mod unit_table;
-#[allow(dead_code, reason = "the crate uses the rest")]
-#[path = "src/units.rs"]
-mod units;
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -66,13 +62,13 @@ fn main() {
         "build.rs",
         "build",
         "src/abi",
-        "src/statistics/layout.rs",
-        "src/parameter.rs",
-        "src/sensors/table.rs",
-        "src/surroundings/table.rs",
-        "src/unit/table.rs",
-        "src/units.rs",
-    ] {
+        "src/ensemble/statistics/layout.rs",
+        "src/base/parameter.rs",
+        "src/base/units.rs",
+    ]
+    .iter()
+    .chain(&tables::FILES)
+    {
         println!("cargo:rerun-if-changed={source}");
     }
     println!("cargo:rerun-if-env-changed=SINS_WRITE_HEADER");
@@ -86,13 +82,11 @@ fn main() {
 
     let root = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
     let out = PathBuf::from(variable("OUT_DIR"));
-    let mut generated_sources = surroundings_structs::interface();
+    let mut generated_sources = table_structs::interface();
     generated_sources.push(("sensor_params".to_owned(), sensor_structs::interface()));
     generated_sources.extend(enumerations::interface(&root.join("src")));
     write(&out.join("triad_parameters.rs"), &sensor_structs::triad());
-    write(&out.join("surroundings.rs"), &surroundings_structs::own());
-    write(&out.join("unit.rs"), &surroundings_structs::own_of_unit());
-    for (name, text) in &generated_sources {
+    for (name, text) in table_structs::own().iter().chain(&generated_sources) {
         write(&out.join(format!("{name}.rs")), text);
     }
 

@@ -58,7 +58,7 @@ const TEXTS: [(&str, &str); 6] = [
 ];
 
 /// Pointers that may be null, of all functions or of one.
-const MAY_BE_NULL: [(&str, &[&str]); 13] = [
+const MAY_BE_NULL: [(&str, &[&str]); 15] = [
     ("", &["written", "needed"]),
     ("sins_create", &["options"]),
     ("sins_unit_create", &["params"]),
@@ -67,6 +67,8 @@ const MAY_BE_NULL: [(&str, &[&str]); 13] = [
     ("sins_error_budget", &["configured", "request", "budget"]),
     ("sins_record_line", &["record", "sensor_errors", "covariance"]),
     ("sins_scene_get_samples", &["log"]),
+    ("sins_play_create", &["log"]),
+    ("sins_play_get_shown", &["status", "navigation"]),
     ("sins_scene_get_manoeuvres", &["start", "repeat"]),
     ("sins_log_parse", &["fault"]),
     ("sins_ensemble_create", &["configured"]),
@@ -81,7 +83,11 @@ pub fn write(interface: &Interface) -> String {
             interface.functions.iter().filter(|one| is_call_of(one, handle)).collect();
         let noun = handle.trim_start_matches("sins_");
         let name = if noun == "sim" { "every_call".to_owned() } else { format!("every_{noun}_call") };
-        let other = if noun == "scene" || noun == "unit" { "sins_sim *sim, " } else { "" };
+        let other = match noun {
+            "scene" | "unit" => "sins_sim *sim, ",
+            "play" => "sins_scene *scene, ",
+            _ => "",
+        };
         let lines: String = of_handle
             .iter()
             .map(|one| format!("    EVERY_CALL({}({}));\n", one.name, arguments(interface, one, None)))
@@ -95,6 +101,11 @@ pub fn write(interface: &Interface) -> String {
         );
     }
     text + &null_calls(interface) + "\n#endif\n"
+}
+
+/// Whether this argument of this function may be null.
+pub fn may_be_null(function: &str, argument: &str) -> bool {
+    MAY_BE_NULL.iter().any(|(of, may)| (of.is_empty() || *of == function) && may.contains(&argument))
 }
 
 /// Whether a function is one of a handle that every state of the handle answers alike.
@@ -134,10 +145,7 @@ fn null_calls(interface: &Interface) -> String {
             let is_pointer = matches!(argument.kind, Type::Const(_) | Type::Mut(_));
             let is_handle =
                 pointee(&argument.kind).is_some_and(|name| interface.handles.iter().any(|one| one == name));
-            let may = |of: &str| {
-                MAY_BE_NULL.iter().any(|(name, may)| *name == of && may.contains(&&*argument.name))
-            };
-            if is_pointer && !is_handle && !may("") && !may(&function.name) {
+            if is_pointer && !is_handle && !may_be_null(&function.name, &argument.name) {
                 lines += &format!(
                     "    EVERY_CALL({}({}));\n",
                     function.name,
@@ -253,11 +261,11 @@ fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
     declared + &set
 }
 
-/// Destroys what the calls made.
+/// Destroys what the calls made, but for handles that they lend.
 fn end(functions: &[&Function]) -> String {
     let mut text = String::new();
-    for handle in functions.iter().flat_map(|one| &one.arguments).filter_map(|argument| made(&argument.kind))
-    {
+    let making = functions.iter().filter(|one| !one.name.contains("_get_"));
+    for handle in making.flat_map(|one| &one.arguments).filter_map(|argument| made(&argument.kind)) {
         let noun = handle.trim_start_matches("sins_");
         let destroy = if noun == "sim" { "sins_destroy".to_owned() } else { format!("{handle}_destroy") };
         text += &format!("    CHECK(made_{noun} == NULL || {destroy}(made_{noun}) == SINS_OK);\n");

@@ -18,6 +18,7 @@ const HEAD: &str = "\
 #ifndef SINS_FUNCTIONS_H
 #define SINS_FUNCTIONS_H
 
+#include \"sins_analysis.h\"
 #include \"sins_scene.h\"
 ";
 

@@ -8,6 +8,7 @@ const HEAD: &str = "\
  *
  * This file is written by build/ from the Rust sources; do not edit it. */
 
+#include \"sins_analysis.h\"
 #include \"sins_scene.h\"
 
 #ifdef __cplusplus

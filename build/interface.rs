@@ -10,9 +10,11 @@ use super::model::Interface;
 use super::template::{Source, Template};
 use super::{ada, c_calls, c_functions, c_layout, fortran, javascript, own, python, typescript};
 
-/// The headers, each of which includes those above it.
-const HEADERS: [(&str, &str); 4] = [
+/// The headers. Each includes those above it whose types it uses.
+const HEADERS: [(&str, &str); 6] = [
     ("include/sins.h", include_str!("sins.h")),
+    ("include/sins_flight.h", include_str!("sins_flight.h")),
+    ("include/sins_analysis.h", include_str!("sins_analysis.h")),
     ("include/sins_unit.h", include_str!("sins_unit.h")),
     ("include/sins_ensemble.h", include_str!("sins_ensemble.h")),
     ("include/sins_scene.h", include_str!("sins_scene.h")),

@@ -1,5 +1,6 @@
 //! `bindings/sins.py`: the fixed text `sins.py` of this folder, with all that the interface has at its marks.
 
+use super::c_calls::may_be_null;
 use super::model::{Constant, Enumeration, Function, Interface, Struct, Type, Unit};
 use super::text::{self, filled};
 
@@ -101,6 +102,13 @@ fn function(interface: &Interface, one: &Function) -> String {
         (Type::Const(target), false) if **target == Type::Char => "_Text".to_owned(),
         (Type::Mut(target), false) if !interface.is_handle(target) && !matches!(**target, Type::Mut(_)) => {
             format!("_Out({})", value(target))
+        }
+        (Type::Const(target), false) if may_be_null(&one.name, &one.arguments[index].name) => {
+            format!("_MayBeNone({})", pointer(interface, target))
+        }
+        // A function that reads a handle lends it; the others make one.
+        (Type::Mut(target), false) if one.name.contains("_get_") => {
+            pointer(interface, target).replace("_New(", "_Lent(")
         }
         (Type::Const(target) | Type::Mut(target), false) => pointer(interface, target),
         (kind, _) => value(kind),

@@ -1,8 +1,8 @@
 //! The structs that the table of sensor parameters makes, as Rust sources: `TriadParameters` of the crate, `sins_gyro_params` and
 //! `sins_accel_params` of the interface.
 
-use crate::parameter::{Field, Parameter, Range, Shape};
-use crate::table::PARAMETERS;
+use crate::base::parameter::{Field, Parameter, Range, Shape};
+use crate::tables::PARAMETERS;
 use crate::text;
 
 const TRIAD_DOC: &str = "\

@@ -51,8 +51,9 @@
  * Same bits. The same options, seed, samples and settings give the same outputs bit for bit on every platform, however the
  *   samples are split into calls (times excepted, as ns_per_step of sins_cost). Each random effect has its own stream.
  *
- * A unit with its modes is in sins_unit.h, ensembles of runs are in sins_ensemble.h, scenes and flight logs in sins_scene.h, classes for C++ in sins.hpp and its kin, a
- * table of all functions for hosts that look them up in sins_functions.h. build/ writes the *.h files; do not edit them.
+ * Beside it: sins_flight.h, embedded flights; sins_analysis.h, which options a flight needs, and which effects matter; sins_unit.h, the
+ * unit with its modes; sins_ensemble.h, ensembles of runs; sins_scene.h, scenes and flight logs; sins.hpp and its kin, classes for C++;
+ * sins_functions.h, a table of all functions for hosts that look them up. build/ writes the *.h files; do not edit them.
  */
 
 #ifndef SINS_H
@@ -179,14 +180,6 @@ extern "C" {
 /* Snapshots. */
 
 @snapshot
-
-/* Embedded flights: the library computes the samples from manoeuvres. */
-
-@manoeuvre flight
-
-/* Which options, which effects matter. */
-
-@recommend budget_answer budget
 
 /** Sizes of the structs in bytes, the same on every platform. In languages other than C, set struct_size to these values. */
 enum sins_sizeof {

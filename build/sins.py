@@ -3,7 +3,7 @@
     import sins
 
     gyro = sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0))    # fields that are not named are 0: off
-    with sins.create(None) as sim:                                         # destroyed at the end
+    with sins.create() as sim:                                             # destroyed at the end
         sins.set_gyro(sim, gyro)
         for second in range(3601):
             sins.push_sample(sim, sins.flight_sample(time_s=second, latitude_rad=39.9 * sins.DEG))
@@ -14,9 +14,12 @@
 sins_create() of the header is sins.create() here, and SINS_DEG is sins.DEG: names, arguments and their order are those of the
 header, but without the length after an array. NULL is None. Outputs at the end of the arguments may be left out: the call then
 returns them, one or a tuple, instead of its status: a struct, a handle, a number, a text; None if there is none yet
-(sins.NEED_SAMPLE). An output that is given is an object that the call fills: a struct, a handle, or a number as ctypes.c_size_t().
-A text is str or bytes, in a struct bytes. A status below 0 is raised as sins.Error; other statuses are returned. Whole numbers that
-are too large for their type in C are truncated, as everywhere in ctypes.
+(sins.NEED_SAMPLE). Inputs before these outputs may be left out too if they may be None: sins.create(). An output that is given is an
+object that the call fills: a struct, a handle, or a number as ctypes.c_size_t(). A text is str or bytes, in a struct bytes. Whole
+numbers that are too large for their type in C are truncated, as everywhere in ctypes.
+
+A status below 0 is raised as sins.Error, with the faults of a scene in `faults`. Other statuses are returned. If the outputs are left
+out, sins.SCENE_HAS_FAULTS and sins.REQUIREMENT_NOT_MET are raised too, the latter with the outputs in `outputs`.
 
 An array is one of ctypes, or of numpy: sins.array(sins.record, 1000). The library works in the memory of both, without copies. An
 array that the library reads may also be a list of structs or numbers.
@@ -65,12 +68,18 @@ _library = _load()
 
 
 class Error(Exception):
-    """A call that failed: its status, the library's sentence, and in info what that is made of."""
+    """A call that failed: its status, the library's sentence, and in info what that is made of.
 
-    def __init__(self, status, sentence, info):
+    faults: all faults of a scene whose text or whose change was rejected. outputs: the outputs of a call that did not fail, and whose
+    status is not OK.
+    """
+
+    def __init__(self, status, sentence, info, faults=(), outputs=()):
         super().__init__(sentence)
         self.status = status_code(status)
         self.info = info
+        self.faults = faults
+        self.outputs = outputs
 
 
 def _exported(enumeration):
@@ -107,10 +116,13 @@ class _Struct(ctypes.Structure):
 
 
 class _Handle(ctypes.c_void_p):
-    """Stands for nothing until a call creates it. Destroyed by close(), at the end of a with statement, or when it is dropped."""
+    """Stands for nothing until a call creates it. Destroyed by close(), at the end of a with statement, or when it is dropped; one that
+    another object lends is not."""
+
+    is_lent = False
 
     def close(self):
-        if self:
+        if self and not self.is_lent:
             getattr(_library, self._destroy)(self)
             self.value = None
 
@@ -166,6 +178,26 @@ class _New(_Out):
         return self.pointer.from_param(value)
 
 
+class _Lent(_New):
+    """An argument that is a handle which belongs to another object: it is not destroyed here."""
+
+    def make(self):
+        made = self.kind()
+        made.is_lent = True
+        return made
+
+
+class _MayBeNone:
+    """An argument that may be None: a struct or a handle. It may be left out if only outputs follow."""
+
+    def __init__(self, kind):
+        self.pointer = kind
+        self.from_param = kind.from_param
+
+    def make(self):
+        return None
+
+
 class _Array:
     """Two arguments: a pointer to elements, and their number."""
 
@@ -202,22 +234,50 @@ def _dtype(struct):
     return numpy.dtype(struct)
 
 
-def _fail(status, sim):
-    """Raises what the library says of the last call: of a simulator, or of this thread."""
+def _fail(status, sim, scene=None):
+    """Raises what the library says of the last call: of a simulator, or of this thread; and of a change of a scene, its first fault."""
     sentence, info = ctypes.create_string_buffer(1024), error_info()
     _library.sins_last_error_info(sim, ctypes.byref(info))
     if info.status == status:
         _library.sins_last_error(sim, sentence, c_size_t(ctypes.sizeof(sentence)), None)
-        raise Error(status, sentence.value.decode(errors="replace"), info)
+        text = sentence.value.decode(errors="replace")
+        if scene and "sins_scene_get_fault" in text:
+            _fail_of_faults(status, scene, info)
+        raise Error(status, text, info)
     # A call whose handle was rejected keeps no sentence.
     raise Error(status, status_string(status), error_info(status=status))
 
 
-def _make(described, missing):
-    """The outputs for arguments that were left out."""
-    if not all(isinstance(kind, _Out) for kind in missing):
-        raise TypeError(f"{described.__name__}(): an argument is missing that is no output of its own")
-    return [kind.make() for kind in missing]
+def _fail_of_faults(status, scene, info):
+    """Raises the first fault of a scene, with all of them."""
+    faults = []
+    try:
+        while True:
+            faults.append(scene_get_fault(scene, len(faults)))
+    except Error:
+        pass  # there are no more
+    first, more = faults[0], len(faults) - 1
+    more = f" (and {more} more: see faults)" if more else ""
+    raise Error(status, f"line {first.line}, column {first.column}: {first.sentence.decode()}{more}", info, faults)
+
+
+def _make(described, kinds, given):
+    """What stands for the arguments behind the first `given` that were left out: outputs, and None where that is allowed."""
+    for name, kind in list(zip(described.__code__.co_varnames, kinds))[given:]:
+        if not isinstance(kind, (_Out, _MayBeNone)):
+            raise TypeError(f"{described.__name__}(): missing argument: {name}")
+    return [kind.make() for kind in kinds[given:]]
+
+
+def _found(status, outputs, made):
+    """What is returned for outputs that were left out."""
+    found = tuple(kind.result(one) for kind, one in zip(outputs, made) if isinstance(kind, _Out))
+    if status == status_code.SCENE_HAS_FAULTS:
+        _fail_of_faults(status, found[0], error_info(status=status))
+    if status == status_code.REQUIREMENT_NOT_MET:
+        sentence = "no options meet the requirement; the outputs of this error are the options that come closest"
+        raise Error(status, sentence, error_info(status=status), outputs=found)
+    return None if status == status_code.NEED_SAMPLE else found[0] if len(found) == 1 else found
 
 
 def _function(result, *kinds):
@@ -244,16 +304,15 @@ def _function(result, *kinds):
             if is_text and len(arguments) == len(kinds) - 2:
                 return _text(call, arguments)
             outputs = kinds[len(arguments):]
-            made = _make(described, outputs) if outputs else ()
+            made = _make(described, kinds, len(arguments))
             given = []
             for kind, value in zip(kinds, (*arguments, *made)):
                 given += kind(value) if isinstance(kind, _Array) else (value,)
             answer = foreign(*given)
             if result is status and answer < 0:
-                _fail(answer, arguments[0] if first == ("sim",) else None)
+                _fail(answer, *(arguments[0] if first == (name,) else None for name in ("sim", "scene")))
             if outputs:
-                found = tuple(kind.result(one) for kind, one in zip(outputs, made))
-                return None if answer == status_code.NEED_SAMPLE else found[0] if len(found) == 1 else found
+                return _found(answer, outputs, made)
             return answer.decode() if isinstance(answer, bytes) else answer
 
         return call

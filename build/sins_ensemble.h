@@ -16,7 +16,7 @@ extern "C" {
 
 /* Ensembles. */
 
-@ensemble ../statistics/layout ensemble_read statistics ensemble_snapshot
+@ensemble ../ensemble/statistics/layout ensemble_read statistics ensemble_snapshot
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_ensemble_sizeof {

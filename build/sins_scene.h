@@ -6,16 +6,12 @@
  * bytes:
  *
  *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() gives each fault and its place
- *     sins_scene_create_simulator(scene, &sim);      options, sensor errors, initial errors, mounting, gravity disturbance
- *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
- *     while (...) {
- *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
- *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures; 0.0: time stamp of the first sample
- *         sins_push_sample(sim, &sample);
- *         sins_step(sim);
- *     }
+ *     sins_play_create(scene, log, &play);           log: sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names, or NULL
+ *     while (sins_play_run(play, records, 100, &written) == SINS_OK)   with temperature, failures, updates and unit of the scene;
+ *         ...                                                          SINS_PLAY_END: the flight is over
+ *     sins_play_get_simulator(play, &sim);           for every read
  *
- * A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_.... A program that
+ * A library that was built without the feature "scenes" lacks all functions sins_scene_..., sins_log_... and sins_play_.... A program that
  * calls them directly does not link with such a library, or does not start. A program that loads the library at run time looks
  * up sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
  *
@@ -26,6 +22,7 @@
 #define SINS_SCENE_H
 
 #include "sins_ensemble.h"
+#include "sins_flight.h"
 #include "sins_unit.h"
 
 #ifdef __cplusplus
@@ -43,6 +40,10 @@ extern "C" {
 /* Flight logs, and the samples of a scene. */
 
 @scene/log scene/samples
+
+/* Scenes in flight. */
+
+@scene/play
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_scene_sizeof {

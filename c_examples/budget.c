@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sins.h"
+#include "sins_analysis.h"
+#include "sins_flight.h"
 
 #define RATE_HZ 50
 #define FLIGHT_S 300

@@ -43,22 +43,13 @@ preset = "paper2"
 error_model = "rk4"
 )";
 
-void fly(const sins::Scene &scene, sins::Simulator &sim) {
-    const sins::Flight flight = scene.create_flight();
-    const sins_scene_setup setup = scene.setup();
-    const auto last = static_cast<long>(setup.flown_s * setup.rate_hz + 1e-6);
-    auto sample = sins::make<sins_flight_sample>();
-    auto truth = sins::make<sins_navigation>();
-    auto errors = sins::make<sins_errors>();
-
+void fly(sins::Play &play) {
     std::printf("%8s %10s %9s %10s %10s\n", "time s", "height m", "heading", "east m", "north m");
-    for (long k = 0; k <= last; k++) {
-        flight.sample_at(static_cast<double>(k) / setup.rate_hz, sample);
-        scene.prepare(sim, 0.0, sample);
-        sim.push_sample(sample);
-        if (sim.step() && k % 15000 == 0 && sim.get_truth(truth) && sim.get_errors(SINS_ERRORS_NAVIGATION, errors)) {
-            std::printf("%8.0f %10.1f %9.2f %10.2f %10.2f\n", truth.time_s, truth.height_m,
-                        truth.heading_rad / SINS_DEG, errors.position_enu_m[0], errors.position_enu_m[1]);
+    for (auto records = play.run(4); !records.empty(); records = play.run(4)) {
+        for (const sins_record &record : records) {
+            const double *const error_m = record.navigation_errors.position_enu_m;
+            std::printf("%8.0f %10.1f %9.2f %10.2f %10.2f\n", record.time_s, record.truth.height_m,
+                        record.truth.heading_rad / SINS_DEG, error_m[0], error_m[1]);
         }
     }
 }
@@ -72,19 +63,20 @@ int main() {
             std::printf("line %d: %s\n", static_cast<int>(fault.line), fault.sentence);
 
         sins::Scene scene{std::string(text)};
-        scene.set_values("altimeter.bias_m = 10"); /* the text sets no altimeter, so it was ideal */
+        scene.set_values("altimeter.bias_m = 10\noutput.every_s = 150"); /* the text sets no altimeter, so it was ideal */
         std::printf("%d bytes of TOML\n", static_cast<int>(scene.write().size()));
 
-        sins::Simulator sim = scene.create_simulator();
-        fly(scene, sim);
+        sins::Play play(scene);
+        fly(play);
+        sins::Play::Lent<sins::Simulator> sim(play.simulator());
         auto accuracy = sins::make<sins_accuracy>();
-        if (sim.get_accuracy(accuracy))
+        if (sim->get_accuracy(accuracy))
             std::printf("R50 = 0.8326 sqrt(mean RER^2) = %.3f nmi/h\n", accuracy.cep_rate_m_s / SINS_NMI_PER_HOUR);
 
         auto gyro = sins::make<sins_gyro_params>();
         gyro.markov_sigma_rad_s[1] = 0.01 * SINS_DEG_PER_HOUR; /* without its correlation time */
         try {
-            sim.set_gyro(gyro);
+            sim->set_gyro(gyro);
         } catch (const sins::Error &error) {
             std::printf("%s: %s\n", sins::status_string(error.status()), error.what());
         }

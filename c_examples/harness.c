@@ -4,8 +4,8 @@
  *     harness SCENE.toml [LOG.csv]     a file, as in c_examples/scenes; LOG.csv replaces the log that the scene names
  *     harness NAME                     a built-in scene: patrol, aerobatics, commuter, ...
  *
- * The calls have the order of every host: read the scene, open its flight, create its simulator; prepare, push, step and read for
- * each sample; destroy the handles. A flight simulator uses its own samples instead of get_sample().
+ * The calls have the order of every host: read the scene, open its log, make it ready, fly, destroy the handles. A flight simulator
+ * calls sins_play_push() with samples of its own instead of sins_play_run().
  */
 
 #include <errno.h>
@@ -16,17 +16,11 @@
 
 #include "sins_scene.h"
 
-/* Time stamps are rounded. A difference of less than this part of an interval is rounding. */
-#define ROUNDING 1e-6
-
 struct host {
     sins_scene *scene;
-    sins_sim *sim;
-    sins_flight *flight; /* if the flight is made of manoeuvres; else NULL */
-    sins_log *log;       /* if the flight is a log; else NULL */
-    sins_scene_setup setup;
-    size_t samples;
-    uint64_t line; /* line of the last sample in the log */
+    sins_log *log;   /* if the flight is a log; else NULL */
+    sins_play *play; /* the scene in flight */
+    sins_sim *sim;   /* its simulator, which ends with it */
 };
 
 /*
@@ -50,8 +44,7 @@ static int done(const sins_sim *sim, sins_status status, const char *call)
 /* Destroys all handles, in any order. A NULL handle is harmless: the library returns an error. */
 static void close_all(struct host *host)
 {
-    sins_destroy(host->sim);
-    sins_flight_destroy(host->flight);
+    sins_play_destroy(host->play);
     sins_log_destroy(host->log);
     sins_scene_destroy(host->scene);
 }
@@ -124,7 +117,6 @@ static int log_path(const struct host *host, const char *scene_path, char *path,
 
 static int open_log(struct host *host, const char *path)
 {
-    sins_log_info info;
     sins_fault fault;
     sins_status status;
     size_t size;
@@ -133,7 +125,6 @@ static int open_log(struct host *host, const char *path)
     if (text == NULL) {
         return 0;
     }
-    SINS_INIT(info);
     SINS_INIT(fault);
     status = sins_log_parse(text, size, &host->log, &fault);
     free(text);
@@ -141,40 +132,38 @@ static int open_log(struct host *host, const char *path)
         print_fault(path, &fault);
         return 0;
     }
-    if (!done(NULL, status, "sins_log_parse") || !DONE(NULL, sins_log_get_info(host->log, &info))) {
-        return 0;
-    }
-    host->samples = (size_t)info.samples;
-    host->setup.duration_s = host->setup.duration_s > 0 ? host->setup.duration_s : info.duration_s;
-    return 1;
+    return done(NULL, status, "sins_log_parse");
 }
 
+/* Opens the log if the flight is one, and makes the scene ready. A scene that does not say how far apart its records are gets 20. */
 static int open_flight(struct host *host, const char *scene_path, const char *log)
 {
-    char path[8192];
+    char path[8192], every[64];
+    sins_scene_setup setup;
+    sins_scene_samples samples;
 
-    SINS_INIT(host->setup);
+    SINS_INIT(setup);
+    SINS_INIT(samples);
     if ((log != NULL && !DONE(NULL, sins_scene_set_text(host->scene, SINS_SCENE_TEXT_LOG, log)))
-        || !DONE(NULL, sins_scene_get_setup(host->scene, &host->setup))) {
+        || !DONE(NULL, sins_scene_get_setup(host->scene, &setup))) {
         return 0;
     }
-    if (host->setup.flight == SINS_SCENE_FLIGHT_LOG) {
-        return log != NULL ? open_log(host, log)
-                           : log_path(host, scene_path, path, sizeof path) && open_log(host, path);
+    if (setup.flight == SINS_SCENE_FLIGHT_LOG
+        && !(log != NULL ? open_log(host, log)
+                         : log_path(host, scene_path, path, sizeof path) && open_log(host, path))) {
+        return 0;
     }
-    host->setup.duration_s = host->setup.flown_s;
-    host->samples = (size_t)floor(host->setup.flown_s * host->setup.rate_hz + ROUNDING) + 1;
-    return DONE(NULL, sins_scene_create_flight(host->scene, &host->flight));
-}
-
-/* Sample k of the flight. The library sets all fields of the sample, also struct_size. */
-static int get_sample(struct host *host, size_t k, sins_flight_sample *sample)
-{
-    if (host->log != NULL) {
-        return DONE(NULL, sins_log_get_sample(host->log, k, sample, &host->line));
+    if (!DONE(NULL, sins_scene_get_samples(host->scene, host->log, &samples))) {
+        return 0;
     }
-    return DONE(NULL, sins_flight_sample_at(host->flight, fmin((double)k / host->setup.rate_hz, host->setup.flown_s),
-                                            sample));
+    if (setup.every_s == 0) {
+        sprintf(every, "output.every_s = %.17g", fmax(samples.duration_s / 20, samples.period_s));
+        if (!DONE(NULL, sins_scene_set_values(host->scene, every))) {
+            return 0;
+        }
+    }
+    return DONE(NULL, sins_play_create(host->scene, host->log, &host->play))
+           && DONE(NULL, sins_play_get_simulator(host->play, &host->sim));
 }
 
 /* Prints the navigation and its errors: navigation minus truth, and by the error equations if the scene turns them on. */
@@ -191,46 +180,23 @@ static void print_row(const sins_record *record)
     printf("\n");
 }
 
+/* Flies to the end, from record to record: with the temperature, the failures, the updates and the unit of the scene. */
 static int fly(struct host *host)
 {
-    double every_s = host->setup.every_s > 0 ? host->setup.every_s : host->setup.duration_s / 20;
-    double start_s = 0, rows = 0;
-    sins_flight_sample sample;
+    sins_status status = SINS_OK;
     sins_record record;
-    size_t k;
+    size_t written;
 
     printf("%10s %11s %11s %9s %35s %35s\n", "time s", "lat deg", "long deg", "height m", "navigation - truth, ENU m",
            "by the error equations, ENU m");
-    SINS_INIT(sample);
     SINS_INIT(record);
-    for (k = 0; k < host->samples; k++) {
-        if (!get_sample(host, k, &sample)) {
-            return 0;
-        }
-        start_s = k == 0 ? sample.time_s : start_s;
-        if (sample.time_s - start_s > host->setup.duration_s * (1 + ROUNDING)) {
-            break; /* the scene ends before its log */
-        }
-        /* Prepare sets the scene's temperature in the sample, and makes sensors fail and recover. Push takes the sample, step
-         * flies one interval. The first step returns SINS_NEED_SAMPLE, which is not an error. */
-        if (!DONE(NULL, sins_scene_prepare(host->scene, host->sim, start_s, &sample))
-            || !DONE(host->sim, sins_push_sample(host->sim, &sample)) || !DONE(host->sim, sins_step(host->sim))) {
-            fprintf(stderr, "harness: at %.10g s", sample.time_s);
-            if (host->log != NULL) {
-                fprintf(stderr, ", line %llu of the log", (unsigned long long)host->line);
-            }
-            fprintf(stderr, "\n");
-            return 0;
-        }
-        if ((sample.time_s - start_s) / every_s + ROUNDING >= rows) {
-            if (!DONE(host->sim, sins_get_record(host->sim, &record))) {
-                return 0;
-            }
+    while (status == SINS_OK) {
+        status = sins_play_run(host->play, &record, 1, &written);
+        if (written == 1) {
             print_row(&record);
-            rows = floor((sample.time_s - start_s) / every_s + ROUNDING) + 1;
         }
     }
-    return 1;
+    return done(NULL, status, "sins_play_run");
 }
 
 /* Prints the errors at the end with all their digits, and the figures that the library collects during the flight. */
@@ -274,8 +240,7 @@ static int print_figures(const struct host *host)
 
 static int run(struct host *host, const char *scene, const char *log)
 {
-    return read_scene(host, scene) && open_flight(host, scene, log)
-           && DONE(NULL, sins_scene_create_simulator(host->scene, &host->sim)) && fly(host) && print_figures(host);
+    return read_scene(host, scene) && open_flight(host, scene, log) && fly(host) && print_figures(host);
 }
 
 int main(int count, char **arguments)

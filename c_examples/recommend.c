@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sins.h"
+#include "sins_analysis.h"
+#include "sins_flight.h"
 
 #define RATE_HZ 50
 #define PIECE_S 120

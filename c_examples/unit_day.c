@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "sins_flight.h"
 #include "sins_unit.h"
 
 #define RATE_HZ 20

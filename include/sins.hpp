@@ -20,8 +20,8 @@
  * also made of a text that has faults: see faults(). Structs and constants are those of sins.h.
  * The wrapper needs exceptions. A std::string with a NUL, where C takes a terminated text, throws SINS_ERROR_INVALID_ARGUMENT. If
  * two threads share a Simulator, its sentence is that of the last failure of either: lock around calls that may fail.
- * Units are in sins_unit.hpp, ensembles in sins_ensemble.hpp, scenes and logs in sins_scene.hpp. The wrapper is these headers only: each function makes the call and
- * checks its status.
+ * Beside it: sins_flight.hpp, sins_analysis.hpp, sins_unit.hpp, sins_ensemble.hpp, sins_scene.hpp, each for the C header of its name.
+ * The wrapper is these headers only: each function makes the call and checks its status.
  */
 
 #ifndef SINS_HPP
@@ -56,35 +56,6 @@ inline sins_initial_errors initial_preset(int32_t grade) {
     return errors;
 }
 
-/*
- * Recommends options for a simulator with default options and its sensors at the reference point. See Simulator::recommend().
- */
-inline bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
-                      sins_options &options, sins_cost &cost) {
-    return detail::done(sins_recommend(nullptr, samples, count, &requirement, &options, &cost), nullptr);
-}
-
-/* An embedded flight. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
-class Flight : public detail::Owner<sins_flight> {
-public:
-    Flight(const sins_flight_start &start, const sins_manoeuvre *manoeuvres, std::size_t count)
-        : Owner(detail::given<sins_flight *>(nullptr, sins_flight_create, &start, manoeuvres, count)) {}
-
-    /* Takes ownership of a handle that a function of sins.h made. */
-    explicit Flight(sins_flight *flight) noexcept : Owner(flight) {}
-
-    double duration() const { return detail::given<double>(nullptr, sins_flight_duration, handle_); }
-
-    sins_flight_sample sample_at(double time_s) const {
-        return detail::filled<sins_flight_sample>(nullptr, sins_flight_sample_at, handle_, time_s);
-    }
-
-    /* Reads the sample at time_s into a struct with struct_size set. */
-    void sample_at(double time_s, sins_flight_sample &sample) const {
-        detail::done(sins_flight_sample_at(handle_, time_s, &sample), nullptr);
-    }
-};
-
 /* A simulator. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
 class Simulator : public detail::Owner<sins_sim> {
 public:
@@ -95,33 +66,6 @@ public:
 
     /* Takes ownership of a handle that a function of sins.h made. */
     explicit Simulator(sins_sim *sim) noexcept : Owner(sim) {}
-
-    /*
-     * Recommends options for a simulator that is configured as this one. options and cost need struct_size. False: no options meet
-     * the requirement, and options and cost are those of the options that come closest.
-     */
-    bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
-                   sins_options &options, sins_cost &cost) const {
-        snapshot_size(); /* throws without a handle, for which sins_recommend() would use the recommended simulator */
-        return detail::done(sins_recommend(handle_, samples, count, &requirement, &options, &cost), nullptr);
-    }
-
-    /* Error budget of all errors of this simulator. rows gets the first row and one row for each effect. */
-    sins_budget error_budget(const sins_flight_sample *samples, std::size_t count, const sins_budget_request &request,
-                             std::vector<sins_budget_row> &rows) const {
-        snapshot_size(); /* throws without a handle, for which sins_error_budget() would use the recommended simulator */
-        sins_budget budget = make<sins_budget>();
-        std::size_t number = 0;
-        const auto ask = [&] {
-            return sins_error_budget(handle_, samples, count, &request, rows.empty() ? nullptr : rows.data(),
-                                     rows.size(), &number, &budget);
-        };
-        rows.clear();
-        if (ask() == SINS_ERROR_BUFFER_TOO_SMALL)
-            rows.assign(number, make<sins_budget_row>());
-        detail::done(ask(), nullptr);
-        return budget;
-    }
 
     void set_gyro(const sins_gyro_params &params) { done(sins_set_gyro(handle_, &params)); }
     void set_accel(const sins_accel_params &params) { done(sins_set_accel(handle_, &params)); }

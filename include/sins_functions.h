@@ -12,6 +12,7 @@
 #ifndef SINS_FUNCTIONS_H
 #define SINS_FUNCTIONS_H
 
+#include "sins_analysis.h"
 #include "sins_scene.h"
 
 #define SINS_FUNCTIONS_ENGINE(X) \
@@ -112,7 +113,18 @@
     X(sins_status, sins_meets, (const sins_statistics *statistics, double radius_m, double percent, sins_verdict *verdict)) \
     X(sins_status, sins_ensemble_snapshot_size, (sins_ensemble *ensemble, size_t *size)) \
     X(sins_status, sins_ensemble_snapshot_save, (sins_ensemble *ensemble, void *buffer, size_t capacity, size_t *written)) \
-    X(sins_status, sins_ensemble_snapshot_load, (sins_ensemble *ensemble, const void *snapshot, size_t size))
+    X(sins_status, sins_ensemble_snapshot_load, (sins_ensemble *ensemble, const void *snapshot, size_t size)) \
+    X(sins_status, sins_play_create, (const sins_scene *scene, const sins_log *log, sins_play **play)) \
+    X(sins_status, sins_play_next, (sins_play *play)) \
+    X(sins_status, sins_play_push, (sins_play *play, const sins_flight_sample *sample)) \
+    X(sins_status, sins_play_run, (sins_play *play, sins_record *records, size_t capacity, size_t *written)) \
+    X(sins_status, sins_play_set_plan, (sins_play *play, const sins_scene *scene)) \
+    X(sins_status, sins_play_get_simulator, (sins_play *play, sins_sim **sim)) \
+    X(sins_status, sins_play_get_unit, (sins_play *play, sins_unit **unit)) \
+    X(sins_status, sins_play_get_shown, (sins_play *play, sins_unit_status *status, sins_unit_navigation *navigation)) \
+    X(sins_status, sins_play_snapshot_save, (sins_play *play, void *buffer, size_t capacity, size_t *written)) \
+    X(sins_status, sins_play_snapshot_load, (sins_play *play, const void *snapshot, size_t size)) \
+    X(sins_status, sins_play_destroy, (sins_play *play))
 
 #define SINS_FUNCTIONS_SCENES(X) \
     X(sins_status, sins_scene_create, (sins_scene **scene)) \

@@ -120,9 +120,6 @@ template <class T> struct Destroyer;
 template <> struct Destroyer<sins_sim> {
     static void destroy(sins_sim *sim) noexcept { sins_destroy(sim); }
 };
-template <> struct Destroyer<sins_flight> {
-    static void destroy(sins_flight *flight) noexcept { sins_flight_destroy(flight); }
-};
 
 /* Owns a handle. It can be moved, but not copied. */
 template <class T> class Owner {
@@ -147,6 +144,13 @@ public:
 
     /* The handle, for functions of sins.h. This object still owns it. */
     T *handle() const noexcept { return handle_; }
+
+    /* Gives the handle up: the caller owns it. */
+    T *release() noexcept {
+        T *const handle = handle_;
+        handle_ = nullptr;
+        return handle;
+    }
 
 protected:
     T *handle_;

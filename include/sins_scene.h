@@ -6,16 +6,12 @@
  * bytes:
  *
  *     sins_scene_parse(text, size, &scene);          SINS_SCENE_HAS_FAULTS: sins_scene_get_fault() gives each fault and its place
- *     sins_scene_create_simulator(scene, &sim);      options, sensor errors, initial errors, mounting, gravity disturbance
- *     sins_scene_create_flight(scene, &flight);      or sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names
- *     while (...) {
- *         sins_flight_sample_at(flight, k / rate_hz, &sample);   or sins_log_get_sample()
- *         sins_scene_prepare(scene, sim, 0.0, &sample);          temperature and failures; 0.0: time stamp of the first sample
- *         sins_push_sample(sim, &sample);
- *         sins_step(sim);
- *     }
+ *     sins_play_create(scene, log, &play);           log: sins_log_parse() of the file that SINS_SCENE_TEXT_LOG names, or NULL
+ *     while (sins_play_run(play, records, 100, &written) == SINS_OK)   with temperature, failures, updates and unit of the scene;
+ *         ...                                                          SINS_PLAY_END: the flight is over
+ *     sins_play_get_simulator(play, &sim);           for every read
  *
- * A library that was built without the feature "scenes" lacks all functions sins_scene_... and sins_log_.... A program that
+ * A library that was built without the feature "scenes" lacks all functions sins_scene_..., sins_log_... and sins_play_.... A program that
  * calls them directly does not link with such a library, or does not start. A program that loads the library at run time looks
  * up sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
  *
@@ -26,6 +22,7 @@
 #define SINS_SCENE_H
 
 #include "sins_ensemble.h"
+#include "sins_flight.h"
 #include "sins_unit.h"
 
 #ifdef __cplusplus
@@ -602,6 +599,145 @@ typedef struct sins_scene_samples {
  */
 SINS_API sins_status SINS_CALL sins_scene_get_samples(const sins_scene *scene, const sins_log *log,
     sins_scene_samples *samples);
+
+/* Scenes in flight. */
+
+/** A buffer of this size holds every snapshot of a scene in flight that this release saves. */
+#define SINS_PLAY_SNAPSHOT_MAX_SIZE 27648
+
+/**
+ * A scene in flight: its simulator, its unit if the scene has one, its samples, and the place in its plan. A handle is a checked key,
+ * like that of a sins_sim, and is never confused with one. sins_last_error(NULL, ...) on the same thread gives the failures of its
+ * functions.
+ */
+typedef struct sins_play sins_play;
+
+/**
+ * Makes a scene ready for its flight. The scene is copied: later changes of it, and its end, change nothing. If the flight of the
+ * scene is made of manoeuvres or built in, log is NULL. If it is a log, log is that log, or NULL for a host that pushes all
+ * samples; the log may be destroyed after this call.
+ *
+ * A scene in flight is all that a host needs: sins_play_next() flies to the next sample, sins_play_run() to the end,
+ * sins_play_push() to a sample of the host. Each does what the scene plans: temperature, failures and updates, as
+ * sins_scene_prepare(), then push and step, then the panel and the unit, as sins_scene_update_unit().
+ *
+ * Not for a real-time frame: it allocates. SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 simulators, units or scenes in flight exist.
+ * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together; or as sins_scene_get_samples().
+ * SINS_ERROR_BAD_HANDLE: scene or log is not a valid handle. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ *
+ * ```c
+ * sins_scene *patrol = NULL;
+ * sins_play *play = NULL;
+ * sins_sim *flown = NULL;
+ * sins_record ends[3];
+ * size_t count = 0;
+ * SINS_INIT(ends[0]);
+ * sins_scene_create_builtin("patrol", &patrol);
+ * sins_scene_set_values(patrol, "flight.hours = 0.1\noutput.every_s = 180");
+ * sins_play_create(patrol, NULL, &play);
+ * sins_play_run(play, ends, 3, &count);
+ * printf("%d records, the last one at %.0f s\n", (int)count, ends[2].time_s);  // 3 records, the last one at 360 s
+ * sins_play_get_simulator(play, &flown);
+ * sins_get_navigation(flown, &navigation);
+ * printf("%.0f s\n", navigation.time_s);  // 360 s
+ * printf("%s\n", sins_status_string(sins_play_next(play)));  // SINS_PLAY_END
+ * sins_play_destroy(play);
+ * sins_scene_destroy(patrol);
+ * ```
+ */
+SINS_API sins_status SINS_CALL sins_play_create(const sins_scene *scene, const sins_log *log, sins_play **play);
+
+/**
+ * Flies to the next sample of the scene. The first call takes the first sample, which begins the first interval. No allocation, no
+ * system call.
+ *
+ * SINS_PLAY_END: there is no further sample; nothing was flown.
+ * SINS_GAP: as sins_push_sample().
+ * SINS_ERROR_BAD_STATE: the scene is flown on samples of the host, or an entry at the panel came at the wrong moment; the interval was
+ * flown. The errors of sins_push_sample() and sins_step(). The sentence of sins_last_error(NULL, ...) begins with the time stamp of the
+ * sample, and its line if the flight is a log. After an error of a push or a step the next call tries the same interval again.
+ * SINS_ERROR_BAD_HANDLE: play is not a valid handle, or its simulator or its unit was destroyed.
+ */
+SINS_API sins_status SINS_CALL sins_play_next(sins_play *play);
+
+/**
+ * Flies to a sample of the host, in place of the scene's next one: for a flight simulator, a cockpit, a stream of packets. The times of
+ * the scene count from the first sample. The simulator is that of sins_scene_create_simulator(): a scene whose flight is not a log states
+ * the period 1 / rate_hz. A sample that is rejected changes nothing of what later samples lead to. No allocation, no system call.
+ *
+ * SINS_GAP, and the errors: as sins_play_next().
+ */
+SINS_API sins_status SINS_CALL sins_play_push(sins_play *play, const sins_flight_sample *sample);
+
+/**
+ * Flies until the array of records is full, or to the end. There is a record of the first sample, of the last one, and in between as
+ * far apart as the scene says (sins_scene_samples.record_every), those of the files of the program sins. capacity 0: no records; the
+ * call flies to the end. A host that shows its progress, or that can be interrupted, calls the function again and again with a few
+ * records each. written (may be NULL) gets the number of records, also on an error. No allocation.
+ *
+ * SINS_OK: the array is full. SINS_PLAY_END: the flight is over. The errors of sins_play_next().
+ */
+SINS_API sins_status SINS_CALL sins_play_run(sins_play *play, sins_record *records, size_t capacity, size_t *written);
+
+/**
+ * Takes over what another scene plans, from the next interval on: temperature, failures, updates, the panel, as an instructor changes them
+ * in flight. Failures that are no longer planned end. Flight, options, errors of the sensors and unit stay. The scene is copied. Not for
+ * a real-time frame: it allocates.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: settings that do not go together. SINS_ERROR_BAD_HANDLE: play or scene is not a valid handle.
+ * SINS_ERROR_BAD_STATE: as sins_scene_parse(). After an error nothing has changed.
+ */
+SINS_API sins_status SINS_CALL sins_play_set_plan(sins_play *play, const sins_scene *scene);
+
+/**
+ * Lends the simulator, for every read, and for corrections, repositions and what else a host does between two samples. The handle
+ * belongs to play: it is destroyed with it. Do not push samples and make steps with it.
+ */
+SINS_API sins_status SINS_CALL sins_play_get_simulator(sins_play *play, sins_sim **sim);
+
+/**
+ * Lends the unit, for every read, and for a panel of the host. The handle belongs to play: it is destroyed with it. Do not call
+ * sins_unit_update() with it.
+ *
+ * SINS_ERROR_BAD_STATE: the scene has no unit.
+ */
+SINS_API sins_status SINS_CALL sins_play_get_unit(sins_play *play, sins_unit **unit);
+
+/**
+ * Reads what the INS shows: status and navigation of the unit, as sins_unit_get_status() and sins_unit_get_navigation(). Without a unit
+ * the INS navigates: the navigation is that of sins_get_navigation(), all valid but rates and forces. status (may be NULL) and
+ * navigation (may be NULL). No allocation, no system call.
+ *
+ * SINS_NEED_SAMPLE: no interval was flown. SINS_ERROR_SINGULAR, SINS_ERROR_DIVERGED: as sins_get_navigation().
+ */
+SINS_API sins_status SINS_CALL sins_play_get_shown(sins_play *play, sins_unit_status *status,
+    sins_unit_navigation *navigation);
+
+/**
+ * Saves the whole: the simulator, the unit, and the place in the plan. written (may be NULL) gets the size. The same state gives the same
+ * bytes, on every platform. No allocation, no system call.
+ *
+ * SINS_ERROR_BUFFER_TOO_SMALL: see SINS_PLAY_SNAPSHOT_MAX_SIZE; buffer and written are unchanged.
+ */
+SINS_API sins_status SINS_CALL sins_play_snapshot_save(sins_play *play, void *buffer, size_t capacity,
+    size_t *written);
+
+/**
+ * Continues from a snapshot, to the same bits. play was made of the same scene, and of the same log if the flight is one; it may have
+ * flown elsewhere. Handles that it lends stay valid. Not for a real-time frame: it allocates.
+ *
+ * SINS_ERROR_SNAPSHOT: the bytes are not a snapshot of a scene in flight, or are cut off, altered, of a newer release, or of a scene with
+ * other options or another run; nothing has changed.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory for a second simulator.
+ */
+SINS_API sins_status SINS_CALL sins_play_snapshot_load(sins_play *play, const void *snapshot, size_t size);
+
+/**
+ * Destroys a scene in flight with its simulator and its unit.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_play_destroy(sins_play *play);
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_scene_sizeof {

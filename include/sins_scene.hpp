@@ -4,6 +4,7 @@
 #define SINS_SCENE_HPP
 
 #include "sins_ensemble.hpp"
+#include "sins_flight.hpp"
 #include "sins_scene.h"
 #include "sins_unit.hpp"
 
@@ -12,6 +13,9 @@ namespace sins {
 namespace detail {
 template <> struct Destroyer<sins_scene> {
     static void destroy(sins_scene *scene) noexcept { sins_scene_destroy(scene); }
+};
+template <> struct Destroyer<sins_play> {
+    static void destroy(sins_play *play) noexcept { sins_play_destroy(play); }
 };
 template <> struct Destroyer<sins_log> {
     static void destroy(sins_log *log) noexcept { sins_log_destroy(log); }
@@ -172,6 +176,89 @@ private:
         sins_log *log = nullptr;
         detail::done(sins_log_parse(text.data(), text.size(), &log, nullptr), nullptr);
         return log;
+    }
+};
+
+/*
+ * A scene in flight: its simulator, its unit if the scene has one, its samples, and the place in its plan. It can be moved, but not
+ * copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. Errors have the time of the sample, and its line in the log.
+ */
+class Play : public detail::Owner<sins_play> {
+public:
+    /* A handle of the play under the wrapper of its kind, which does not own it. */
+    template <class Wrapper> class Lent {
+    public:
+        template <class Handle> explicit Lent(Handle *handle) noexcept : wrapper_(handle) {}
+        Lent(const Lent &) = delete;
+        Lent &operator=(const Lent &) = delete;
+        ~Lent() { wrapper_.release(); }
+        Wrapper *operator->() noexcept { return &wrapper_; }
+        const Wrapper *operator->() const noexcept { return &wrapper_; }
+        Wrapper &operator*() noexcept { return wrapper_; }
+
+    private:
+        Wrapper wrapper_;
+    };
+
+    /* log: if the flight of the scene is a log, that log, or nothing for samples of the host. */
+    explicit Play(const Scene &scene, const sins_log *log = nullptr)
+        : Owner(detail::given<sins_play *>(nullptr, sins_play_create, scene.handle(), log)) {}
+    Play(const Scene &scene, const Log &log) : Play(scene, log.handle()) {}
+
+    /* Flies to the next sample of the scene: SINS_OK, SINS_GAP, or SINS_PLAY_END. */
+    sins_status next() { return checked(sins_play_next(handle_)); }
+
+    /* Flies to a sample of the host: SINS_OK or SINS_GAP. */
+    sins_status push(const sins_flight_sample &sample) { return checked(sins_play_push(handle_, &sample)); }
+
+    /* Takes over temperature, failures, updates and panel of another scene, from the next interval on. */
+    void set_plan(const Scene &scene) { checked(sins_play_set_plan(handle_, scene.handle())); }
+
+    /* The next records, at most `most`; fewer, or none: the flight is over. */
+    std::vector<sins_record> run(std::size_t most) {
+        std::vector<sins_record> records(most, make<sins_record>());
+        std::size_t written = 0;
+        checked(sins_play_run(handle_, records.data(), most, &written));
+        records.resize(written);
+        return records;
+    }
+
+    /* Flies to the end without records. */
+    void finish() { checked(sins_play_run(handle_, nullptr, 0, nullptr)); }
+
+    /* The handles that the object owns; they end with it. Play::Lent<Simulator> sim(play.simulator()); sim->get_record(record); */
+    sins_sim *simulator() const { return detail::given<sins_sim *>(nullptr, sins_play_get_simulator, handle_); }
+    sins_unit *unit() const { return detail::given<sins_unit *>(nullptr, sins_play_get_unit, handle_); }
+
+    /* Truth, navigation and errors now. */
+    sins_record record() const {
+        sins_sim *const sim = simulator();
+        return detail::filled<sins_record>(sim, sins_get_record, sim);
+    }
+
+    /* What the INS shows; false: no interval was flown. */
+    bool shown(sins_unit_status &status, sins_unit_navigation &navigation) const {
+        status = make<sins_unit_status>();
+        navigation = make<sins_unit_navigation>();
+        return checked(sins_play_get_shown(handle_, &status, &navigation)) == SINS_OK;
+    }
+
+    /* The whole as bytes, and back into an object of the same scene on the same samples. */
+    std::vector<unsigned char> save() const {
+        std::vector<unsigned char> bytes(SINS_PLAY_SNAPSHOT_MAX_SIZE);
+        std::size_t size = 0;
+        checked(sins_play_snapshot_save(handle_, bytes.data(), bytes.size(), &size));
+        bytes.resize(size);
+        return bytes;
+    }
+    void load(const std::vector<unsigned char> &snapshot) {
+        checked(sins_play_snapshot_load(handle_, snapshot.data(), snapshot.size()));
+    }
+
+private:
+    static sins_status checked(sins_status status) {
+        detail::done(status, nullptr);
+        return status;
     }
 };
 

@@ -324,24 +324,10 @@ SINS_API sins_status SINS_CALL sins_unit_set_stored(sins_unit *unit, double lati
  * while the unit does not navigate, once a minute, so that the solution stays near the truth. Truth, modelled sensors and random
  * numbers do not change. No allocation, no system call.
  *
- * An alignment averages the specific force in the inertial axes that the gyros keep, over windows of at most coarse_alignment_s. The
- * motion of the vertical in these axes shows east. So a sway of the aircraft does no harm. With white noise N of the gyros the standard
- * deviation of the heading error after the time T is 1.02 N / (Omega cos(latitude) sqrt(T)), where Omega is the Earth rate. A gyro bias
- * b to the east adds b / (Omega cos(latitude)), one about the vertical -b T/2, an accelerometer bias B to the east
- * B tan(latitude) / g. Noise A of the accelerometers adds sqrt(3/a) A / (g Omega cos(latitude) T) with windows of the length a. Perfect
- * sensors leave no error. Height and vertical velocity begin without errors. Until there are two windows, 45 s with the defaults, the
- * vertical is that of the first: the Earth turns it by up to 3.3e-3 rad.
- *
- * Test for motion: an alignment stops if the velocity that the unit feels against its mean force is above motion_threshold_m_s, if the
- * aircraft is further than motion_distance_m from where it stood, or if its mean acceleration in a window is above 5e-4 m/s2. The last
- * two are those of the truth: a real unit cannot find a slow start or a constant velocity, and would show wrong outputs as valid. The
- * alignment starts anew after still_s at rest. A realignment of an aircraft that reaches realignment_speed_m_s loses the navigation.
- *
- * Test of the latitude: the speed of that motion gives the cosine of latitude. It must agree with that of the entered latitude to 0.004
- * and the errors of the sensors, or to latitude_tolerance_rad. These errors are all that is set, and 5 standard deviations of all that is
- * drawn, of the mean rate of the gyros and of the change of the accelerometers between the first and the last window. The north or south
- * of the entered latitude is tested to 0.2 in its sine and those of the gyros. After the first failure the position must be entered
- * again; after the second the unit fails.
+ * docs/unit.md, "The alignment", has the equations of the alignment, of its heading error, and of the tests of motion and latitude.
+ * An alignment that the test of motion stops starts anew after still_s at rest. After the first failure of the test of the latitude
+ * the position must be entered again; after the second the unit fails. A realignment of an aircraft that reaches
+ * realignment_speed_m_s loses the navigation.
  *
  * Signals: an interval in which a gyro or accelerometer has no signal shows no rates, and an alignment begins anew. When the sum of
  * such intervals since the alignment began is more than fault_s, the unit fails. Until then, attitude and heading are wrong by up to the
@@ -362,24 +348,13 @@ SINS_API sins_status SINS_CALL sins_unit_update(sins_unit *unit, sins_sim *sim);
  * In every other state, and for other kinds, the call changes nothing, so a host may push each fix, for instance one a second.
  * No allocation, no system call.
  *
- * The first fix begins a window. A window ends with the first fix at least coarse_alignment_s behind its begin, and the next one begins.
- * In each window the integral a of the measured specific force, in inertial axes that the gyros keep, belongs to the integral b by the
- * fixes: the change of the inertial velocity less the integral of the gravitation. The believed lever arm is taken into account. The
- * rotation R for which the sum of |b - R a|^2 over the windows is least is the attitude. From two windows on the unit shows roll and pitch, when their standard deviation is
- * below 0.5 deg.
- *
- * The standard deviation of the heading follows from what R leaves of that sum, from the motion, and from the gyros: all that is set
- * and one standard deviation of what is drawn. What few windows leave is no good estimate: it is multiplied by the ratio of the quantiles
- * of Student's and the normal distribution, 2.8 with two windows, 1.6 with three, 1.2 with six. Turns and changes of speed make it small. In straight flight it is at
- * least the drift of the gyros divided by the horizontal Earth rate. A window counts less the older it is: its weight falls by e in the
- * time in which the drift reaches in_flight_heading_rad.
- *
- * The alignment ends with the first window behind in_flight_alignment_s at whose end this standard deviation is at most
- * in_flight_heading_rad. Then attitude, position, height and velocity become those that the window and its last fix show, and the call
- * corrects the solution of the simulator, as sins_correct() does. Until then, after this time, the status has
- * SINS_UNIT_REASON_TURNS_NEEDED. A unit that waits at SINS_UNIT_ALIGN aligns on. A unit of this kind whose selector is turned from
- * SINS_UNIT_NAV to SINS_UNIT_ALIGN in flight aligns again. The unit does not judge fixes: a wrong one that bounds a window stays in the
- * sum, so that the alignment ends late or never, until it is begun anew.
+ * Roll and pitch are shown from the second window of coarse_alignment_s on, when their standard deviation is below 0.5 deg. The
+ * alignment ends with the first window behind in_flight_alignment_s at whose end the standard deviation of the heading is at most
+ * in_flight_heading_rad: docs/unit.md, "The alignment in flight", has the equations. Then attitude, position, height and velocity
+ * become those that the window and its last fix show, and the call corrects the solution of the simulator, as sins_correct() does.
+ * Until then, after this time, the status has SINS_UNIT_REASON_TURNS_NEEDED. A unit that waits at SINS_UNIT_ALIGN aligns on. A unit
+ * of this kind whose selector is turned from SINS_UNIT_NAV to SINS_UNIT_ALIGN in flight aligns again. The unit does not judge fixes:
+ * a wrong one that bounds a window stays in the sum, so that the alignment ends late or never, until it is begun anew.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range. SINS_ERROR_BAD_HANDLE: sim is not a simulator.
  * The errors of sins_correct(): the simulator rejects the correction; the unit has not taken the fix.

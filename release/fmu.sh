@@ -6,6 +6,7 @@
 #
 # FMI 2.0 names no folder for Linux on ARM: "aarch64-linux" is the name of FMI 3.0.
 set -euo pipefail
+[ $# -ge 1 ] || { echo "usage: $0 OUT [linux64] [win64] [win32] [aarch64-linux]" >&2; exit 2; }
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."

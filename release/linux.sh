@@ -4,6 +4,7 @@
 #
 #     release/linux.sh x86_64|aarch64 OUT
 set -euo pipefail
+[ $# -ge 2 ] || { echo "usage: $0 x86_64|aarch64 OUT" >&2; exit 2; }
 mkdir -p "$2" "$2-debug"
 out=$(cd "$2" && pwd)
 cd "$(dirname "$0")/.."

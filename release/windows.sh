@@ -8,6 +8,7 @@
 # Uses nightly Rust, because only its -Zbuild-std builds the standard library for Windows 7. The standard library of
 # *-pc-windows-gnu imports bcryptprimitives.dll and functions of Windows 10.
 set -euo pipefail
+[ $# -ge 2 ] || { echo "usage: $0 x86_64|i686 OUT [program|unit]" >&2; exit 2; }
 mkdir -p "$2"
 out=$(cd "$2" && pwd)
 cd "$(dirname "$0")/.."

@@ -33,31 +33,31 @@
 //!     [error data 2]       [error data 1, (4)-(6)]
 //! ```
 //!
-//! Each block is a module, and each arrow is a type. All blocks use [`earth`] (ellipsoid, gravity) and [`math`]. `simulator` connects
-//! the blocks. Other modules:
+//! Each block is a module, and each arrow is a type; the mounting is part of `signal`. `simulator` connects the blocks.
 //!
-//! | module | what it does |
+//! | module | what it holds |
 //! |---|---|
-//! | [`flight`] | makes samples from manoeuvres |
-//! | [`correction`] | errors that the host estimated are removed from the navigation and from the measured increments |
-//! | [`covariance`] | propagates the covariance of the errors along the same truth, with the equations of `errors::model` |
-//! | [`ensemble`], [`statistics`] | many runs of one simulator over the same samples, and the statistics of their errors |
-//! | [`recommend`] | finds the cheapest options that meet a required accuracy |
-//! | [`budget`] | finds the contribution of each effect to the errors |
-//! | [`allan`] | estimates the noise of a sensor from its record |
-//! | [`surroundings`] | has the tables of the parameters beside those of gyros and accelerometers |
-//! | [`bus`] | words of ARINC 429 of a unit |
-//! | [`unit`] | an INS as an aircraft knows it: modes, alignment, status |
-//! | [`snapshot`] | saves the state of all blocks |
-//! | `scene`, `log` | read and write a whole scene as text, make its failures and updates, and read flight logs (feature `scenes`) |
+//! | `base` | what every block uses: mathematics, errors, tables of parameters, [`snapshot`] |
+//! | [`earth`] | ellipsoid, gravity; position, velocity and attitude in their two forms ([`earth::state`]) |
+//! | [`truth`] | the host's samples, checked; judged before an INS flies them ([`truth::judge`]); a path that flies, made of the rows of a log ([`truth::smooth`]); flights made from manoeuvres ([`truth::flight`]) |
+//! | [`signal`] | the signal generator (inverse navigation); the block away from the reference point ([`signal::mounting`]) |
+//! | [`sensors`] | the errors of gyros and accelerometers, equations (1)-(3), and of the altimeter; gravity disturbance; errors at the start |
+//! | [`mechanization`] | navigation on measured increments, equations (7)-(24) |
+//! | [`errors`] | error data 2 (`difference`) and 1 (`model`, equations (4)-(6)); the covariance of the errors along the same truth ([`errors::covariance`]); errors that the host estimated, removed ([`errors::correction`]) |
+//! | `simulator` | the blocks of the paper's figure 1 put together |
+//! | [`ensemble`] | many runs of one simulator over the same samples; the statistics of their errors ([`ensemble::statistics`]) |
+//! | [`analysis`] | the cheapest options that meet an accuracy ([`analysis::recommend`]), the share of each effect in the errors ([`analysis::budget`]) |
+//! | [`unit`] | an INS as an aircraft knows it: modes, alignment, status; its words of ARINC 429 ([`unit::bus`]) |
+//! | `scene` | a whole scene as text, its failures and updates, and flight logs (`scene::log`; feature `scenes`) |
 //! | [`abi`] | the C interface |
+//! | [`allan`] | estimates the noise of a sensor from its record |
 //!
 //! # Notation
 //!
 //! | symbol | meaning |
 //! |---|---|
 //! | `_n` | navigation axes: east, north, up |
-//! | `_b` | sensor axes: right, forward, up; or forward, right, down ([`state::BodyAxes`]). With a mounting, the axes of the vehicle |
+//! | `_b` | sensor axes: right, forward, up; or forward, right, down ([`earth::state::BodyAxes`]). With a mounting, the axes of the vehicle |
 //! | `_s` | with a mounting, the axes of the sensor block |
 //! | `_e` | Earth-fixed axes: x to latitude 0, longitude 0; y to longitude 90° east; z to the north pole |
 //! | `_i` | inertial axes |
@@ -109,11 +109,13 @@
 //! | run k of an ensemble gives the same bits as the simulator with this run number, also when other runs diverge | `tests/state/ensemble`, `tests/interface/c_side.rs` |
 //! | statistics have the same bits for any split of the runs, and are correct if means are large and the scatter is small | `tests/analysis/statistics.rs` |
 //! | a host's wrong units are obvious in the summary of the truth | `tests/analysis/truth_summary.rs` |
+//! | faults of logs are found with their reasons, and no good flight is found doubtful | `tests/analysis/judge` |
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/analysis/recommend` |
 //! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/analysis/covariance`, `tests/analysis/covariance_runs` |
 //! | contributions of effects equal their closed forms, and the effects that are marked can be left out | `tests/analysis/error_budget`, `tests/analysis/error_budget/mounting_and_gravity.rs` |
 //! | geodetic conversions are accurate to a nanometre | `tests/physics/earth.rs` |
 //! | every getter returns what its setter was given | `tests/state/read_back.rs` |
+//! | a scene in flight gives the bits of the calls one by one, from any snapshot; a rejected sample changes nothing of what follows | `tests/interface/play.rs` |
 //! | a scene that is written reads back to the same bits, and every fault of a faulty scene is reported | `tests/interface/scene_text.rs`, `tests/interface/scene_settings.rs`, `tests/interface/scene_functions.rs`, logs `tests/interface/flight_log.rs` |
 //! | hard cases are correct, or reported as beyond a limit | `tests/robustness`, with their figures in `tests/README.md` |
 //! | the header agrees with the code, and no other function is exported | `tests/interface/header.rs` |
@@ -165,46 +167,16 @@
 
 pub mod abi;
 #[forbid(unsafe_code)]
-pub mod allan;
-#[forbid(unsafe_code)]
-pub mod budget;
-#[forbid(unsafe_code)]
-pub mod bus;
-#[forbid(unsafe_code)]
-mod checks;
-#[forbid(unsafe_code)]
-pub mod correction;
-#[forbid(unsafe_code)]
-pub mod covariance;
+pub mod analysis;
+mod base;
 #[forbid(unsafe_code)]
 pub mod earth;
 #[forbid(unsafe_code)]
 pub mod ensemble;
 #[forbid(unsafe_code)]
-mod error;
-#[forbid(unsafe_code)]
 pub mod errors;
 #[forbid(unsafe_code)]
-pub mod flight;
-mod instruction_set;
-#[forbid(unsafe_code)]
-mod joined;
-#[cfg(feature = "scenes")]
-#[forbid(unsafe_code)]
-pub mod log;
-#[forbid(unsafe_code)]
-pub mod math;
-#[forbid(unsafe_code)]
 pub mod mechanization;
-mod memory;
-#[forbid(unsafe_code)]
-pub mod mounting;
-#[forbid(unsafe_code)]
-mod parameter;
-#[forbid(unsafe_code)]
-pub mod recommend;
-#[forbid(unsafe_code)]
-pub mod records;
 #[cfg(feature = "scenes")]
 #[forbid(unsafe_code)]
 pub mod scene;
@@ -215,21 +187,16 @@ pub mod signal;
 #[forbid(unsafe_code)]
 mod simulator;
 #[forbid(unsafe_code)]
-pub mod snapshot;
-#[forbid(unsafe_code)]
-pub mod state;
-#[forbid(unsafe_code)]
-pub mod statistics;
-#[forbid(unsafe_code)]
-pub mod surroundings;
-#[forbid(unsafe_code)]
 pub mod truth;
 #[forbid(unsafe_code)]
 pub mod unit;
-#[forbid(unsafe_code)]
-pub mod units;
 
-pub use error::{Error, ErrorKind, Rule, Value};
+#[forbid(unsafe_code)]
+pub mod allan;
+
+pub use base::error::{Error, ErrorKind, Rule, Value};
+pub use base::{math, records, snapshot, units};
+pub use simulator::record;
 pub use simulator::{
     ClosureFigures, ErrorParameters, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator,
     Solution, Step, TrimFigures,

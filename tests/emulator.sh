@@ -194,6 +194,13 @@ check() {
     grep -q sigma_position_east_m "$folder/flown/expected/increments.csv" || fail "no standard deviations to compare"
     cmp "$folder/flown/expected/increments.csv" "$folder/flown/records/increments.csv"
     cmp "$folder/flown/expected/imu.csv" "$folder/flown/records/imu.csv"
+    # A unit with its panel, updates, failures and temperature, a log.
+    local name
+    for name in day resets trainer fighter; do
+        emulator /scene "$(path "c_examples/scenes/$name.toml")" /run /export "$(path "$folder/flown/records")" /quit
+        "$sins" fly "c_examples/scenes/$name.toml" --out "$folder/flown/expected" --quiet
+        cmp "$folder/flown/expected/$name.csv" "$folder/flown/records/$name.csv"
+    done
     if ! grep -qw "$2" <<<"$whole"; then
         echo "$2 bits: starts, rejects and exports"
         return

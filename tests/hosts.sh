@@ -27,7 +27,7 @@ c() {
         target/c_examples/harness "$scene" >"$out/$scene.c"
     done
     mkdir -p "$out/c"
-    awk -f tests/hosts/layout_c.awk include/sins.h include/sins_unit.h include/sins_ensemble.h include/sins_scene.h >"$out/c/layout.c"
+    awk -f tests/hosts/layout_c.awk include/sins.h include/sins_flight.h include/sins_analysis.h include/sins_unit.h include/sins_ensemble.h include/sins_scene.h >"$out/c/layout.c"
     for program in tests/hosts/calls.c "$out/c/layout.c"; do
         cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I include -o "$out/c/$(basename "$program" .c)" "$program" "${link[@]}"
     done

@@ -9,6 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 
+[ $# -ge 2 ] || { echo "usage: $0 COMPILER LIBRARY [RUNNER...]" >&2; exit 2; }
 compiler=$1 library=$(realpath "$2")
 runner=("${@:3}")
 machine=$($compiler -dumpmachine)

@@ -17,11 +17,11 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 use reference::Reference;
+use sins::earth::state::{BodyAxes, EarthFixedState};
 use sins::earth::{Earth, Ellipsoid, Geodetic, GravityModel};
 use sins::math::{relative_rotation, rotation_vector};
 use sins::mechanization::{BodyMotion, Frame, Mechanization, Scheme, VerticalAid};
 use sins::signal::Increment;
-use sins::state::{BodyAxes, EarthFixedState};
 use wander::Wander;
 
 /// One of the mechanizations.

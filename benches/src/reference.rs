@@ -5,10 +5,10 @@ use std::error::Error;
 use std::path::Path;
 
 use nalgebra::Vector3;
+use sins::earth::state::{BodyAxes, EarthFixedState, Navigation};
 use sins::earth::{Earth, Geodetic};
 use sins::math::{Euler, attitude_from_euler};
 use sins::signal::Increment;
-use sins::state::{BodyAxes, EarthFixedState, Navigation};
 
 /// A reference flight.
 pub struct Reference {

@@ -3,8 +3,8 @@
 #[path = "../../tests/support/patrol.rs"]
 mod patrol;
 
-use sins::flight::FlightStart;
 use sins::truth::FlightSample;
+use sins::truth::flight::FlightStart;
 
 pub const PERIOD_S: f64 = 0.01;
 

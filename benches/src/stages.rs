@@ -10,10 +10,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use sins::earth::Earth;
+use sins::earth::state::BodyAxes;
 use sins::mechanization::{Frame, Mechanization, Scheme, VerticalAid};
 use sins::sensors::{Sensor, StreamKey, Triad, paper_simulation2};
 use sins::signal::{Increment, SignalGenerator};
-use sins::state::BodyAxes;
 use sins::truth::{FlightSample, Intake, IntakeLimits};
 
 const SAMPLES: usize = 20_000;

@@ -5,13 +5,13 @@
 //! part, gravity, compensated sums and order of the Earth terms are as in the crate's Earth-fixed axes.
 
 use nalgebra::{Quaternion, Vector3};
+use sins::earth::state::EarthFixedState;
 use sins::earth::{Earth, navigation_axes};
 use sins::math::{
     Compensated, hypot, rotate, rotate_inverse, rotated_z, rotation_increment, rotation_matrix,
 };
 use sins::mechanization::{BodyMotion, VerticalLoop};
 use sins::signal::Increment;
-use sins::state::EarthFixedState;
 
 /// The navigator.
 #[derive(Debug, Clone, Copy)]

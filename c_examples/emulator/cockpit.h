@@ -8,10 +8,11 @@
 
 class Cockpit {
 public:
-    /* Begins where the flight of the scene begins. A scene without a unit navigates at once. */
+    /* Begins where the flight of the scene begins. A scene without a unit has one that navigates at once. */
     Cockpit(const Scene &scene, const fs::path &folder)
-        : scene_(scene), sim_(scene_.create_simulator()), unit_(box(scene_)), aircraft_(Samples(scene_, folder).get(0)) {
-        double period_s = sim_.options().sample_period_s;
+        : play_(with_unit(scene), Samples(scene, folder).log()), sim_(play_.simulator()), unit_(play_.unit()),
+          aircraft_(Samples(scene, folder).get(0)) {
+        double period_s = sim_->options().sample_period_s;
         step_s = period_s > 0 ? period_s : 0.02;
         stick.throttle = aircraft_.throttle();
         next();
@@ -23,9 +24,8 @@ public:
         count_++;
         next();
         sins_record record = sins::make<sins_record>();
-        if (!sim_.get_record(record))
+        if (!sim_->get_record(record))
             return;
-        scene_.update_unit(unit_, sim_, 0);
         errors = record.navigation_errors;
         curves.put(POSITION_ERROR, errors.position_enu_m);
         curves.put(VELOCITY_ERROR, errors.velocity_enu_m_s);
@@ -36,9 +36,9 @@ public:
     double time_s() const { return (double)count_ * step_s; }
     sins_flight_sample truth() const { return aircraft_.sample(time_s()); }
     double speed_m_s() const { return aircraft_.speed_m_s(); }
-    sins_unit_status status() const { return unit_.status(); }
-    sins_unit_navigation shown() const { return unit_.navigation(sim_); }
-    sins::Unit &unit() { return unit_; }
+    sins_unit_status status() const { return unit_->status(); }
+    sins_unit_navigation shown() const { return unit_->navigation(*sim_); }
+    sins::Unit &unit() { return *unit_; }
 
     Stick stick = {0, 0, 0};
     double step_s;
@@ -46,22 +46,18 @@ public:
     Curves curves;
 
 private:
-    static sins::Unit box(const Scene &scene) {
-        bool has_unit = scene.get("unit.start") != "\"none\"";
-        return has_unit ? scene.unit() : sins::Unit(sins::make<sins_unit_params>(), SINS_UNIT_NAV);
+    static Scene with_unit(Scene scene) {
+        if (scene.get("unit.start") == "\"none\"")
+            scene.set({{"unit.start", "\"nav\""}});
+        return scene;
     }
 
     /* Takes the truth now. */
-    void next() {
-        sins_flight_sample sample = truth();
-        scene_.prepare(sim_, 0, sample);
-        sim_.push_sample(sample);
-        sim_.step();
-    }
+    void next() { play_.push(truth()); }
 
-    Scene scene_;
-    sins::Simulator sim_;
-    sins::Unit unit_;
+    sins::Play play_;
+    mutable sins::Play::Lent<sins::Simulator> sim_;
+    sins::Play::Lent<sins::Unit> unit_;
     Aircraft aircraft_;
     uint64_t count_ = 0;
 };

@@ -25,8 +25,8 @@ public:
     /* Begins with the first sample. pace: speed as a multiple of real time; 0: as fast as possible. live: NULL, or the packets that
      * are flown instead of the flight of the scene. */
     Flight(const Scene &scene, const fs::path &folder, double pace, const LiveSource *live)
-        : scene_(scene), samples_(live == NULL ? Samples(scene, folder) : Samples()), sim_(scene.create_simulator()),
-          has_covariance_(sim_.options().covariance != 0), records_(sins::Simulator::record_head(has_covariance_)) {
+        : scene_(scene), samples_(live == NULL ? Samples(scene, folder) : Samples()), play_(scene, samples_.log()),
+          sim_(play_.simulator()), has_covariance_(sim_->options().covariance != 0), records_(sins::Simulator::record_head(has_covariance_)) {
         points_every_ = live != NULL ? 1 : (size_t)max((double)samples_.all.count / LEAST_POINTS, 1.0);
         if (!increments_name().empty())
             increments_.emplace(narrow(text("increments")));
@@ -34,7 +34,7 @@ public:
         start_.increments = increments_ ? increments_->size() : 0;
         set_pace(pace);
         if (live != NULL) {
-            live_.emplace(*live, sim_.options());
+            live_.emplace(*live, sim_->options());
             if (!live_->is_open())
                 throw refusal("cannot_listen", std::to_wstring(live->port));
         }
@@ -80,8 +80,8 @@ public:
         auto held = hold();
         sins_record record = sins::make<sins_record>();
         sins_accuracy accuracy = sins::make<sins_accuracy>();
-        bool has_record = sim_.get_record(record);
-        sim_.get_accuracy(accuracy);
+        bool has_record = sim_->get_record(record);
+        sim_->get_accuracy(accuracy);
         double time_s = has_record ? record.time_s - samples_.all.start_s : 0;
         Status status = {state_, time_s, live_ ? time_s : samples_.all.duration_s, saved_s_, record, accuracy, sentence_, {}};
         if (live_)
@@ -102,15 +102,8 @@ public:
     /* Takes over the current failures of the scene, which act from the next interval on. */
     void plan(const Scene &scene) {
         auto held = hold();
-        const std::vector<sins_planned_failure> planned = scene.failures();
-        for (const sins_planned_failure &own : scene_.failures()) {
-            bool stays = std::any_of(planned.begin(), planned.end(), [&own](const sins_planned_failure &other) {
-                return other.sensor == own.sensor && other.axis == own.axis;
-            });
-            if (!stays) /* prepare() does not clear an output without planned failures */
-                sim_.set_failure(own.sensor, own.axis, sins::make<sins_failure>());
-        }
         scene_.set_items("failure", scene.items("failure")); /* other settings are those of the start */
+        play_.set_plan(scene_);
     }
 
     bool is_live() const { return live_.has_value(); }
@@ -122,7 +115,7 @@ public:
 
     void save_snapshot() {
         auto held = hold();
-        snapshot_ = sim_.snapshot_save();
+        snapshot_ = play_.save();
         now_.records = records_.size();
         now_.increments = increments_ ? increments_->size() : 0;
         saved_ = now_;
@@ -133,7 +126,7 @@ public:
         auto held = hold();
         if (saved_s_ < 0)
             throw Refusal(text("no_snapshot"));
-        sim_.snapshot_load(snapshot_);
+        play_.load(snapshot_);
         return_to(saved_);
         state_ = state_ == FLYING ? FLYING : PAUSED;
         set_pace(pace_);
@@ -195,25 +188,22 @@ private:
     void step() {
         try {
             if (passed_ == Passed::BEGINS) { /* the first packet, or the aircraft was moved */
-                sim_.reset();
+                play_.load(begun_);
                 return_to(start_);
                 samples_.all.start_s = sample_.time_s;
             }
-            sins_flight_sample sample = live_ ? sample_ : samples_.get(now_.next);
-            scene_.prepare(sim_, samples_.all.start_s, sample);
-            sim_.push_sample(sample);
-            sim_.step();
+            live_ ? play_.push(sample_) : play_.next();
             keep(now_.next++);
             state_ = now_.next == samples_.all.count ? FINISHED : FLYING;
         } catch (const std::exception &error) {
-            sentence_ = (live_ ? shown(sample_.time_s, 10) + L" s: " : samples_.place(now_.next)) + told(error);
+            sentence_ = (live_ ? shown(sample_.time_s, 10) + L" s: " : samples_.place(now_.next)) + told_in_flight(error);
             state_ = FAILED;
         }
     }
 
     void keep(size_t index) {
         sins_imu imu = sins::make<sins_imu>();
-        if (index > 0 && sim_.get_imu(imu))
+        if (index > 0 && sim_->get_imu(imu))
             keep_interval(imu);
         if (live_ && index == 1) { /* without a wish of the scene, a record each second, as `sins live` */
             double every_s = scene_.setup().every_s > 0 ? scene_.setup().every_s : 1;
@@ -232,7 +222,7 @@ private:
 
     sins_record record() const {
         sins_record record = sins::make<sins_record>();
-        sim_.get_record(record);
+        sim_->get_record(record);
         return record;
     }
 
@@ -246,7 +236,7 @@ private:
         now_.curves.put(RATE, imu.measured_rate_rad_s);
         now_.curves.put(FORCE, imu.measured_force_m_s2);
         if (increments_)
-            add_increments(*increments_, sim_, imu.time_s);
+            add_increments(*increments_, *sim_, imu.time_s);
     }
 
     void keep_point(const sins_record &record) {
@@ -264,7 +254,7 @@ private:
 
     void keep_row(const sins_record &record) {
         sins_covariance covariance = sins::make<sins_covariance>();
-        bool has_covariance = has_covariance_ && sim_.get_covariance(covariance);
+        bool has_covariance = has_covariance_ && sim_->get_covariance(covariance);
         std::vector<double> means(now_.sums, now_.sums + 6);
         for (double &mean : means)
             mean /= now_.time_s > 0 ? now_.time_s : 1;
@@ -277,7 +267,9 @@ private:
 
     Scene scene_;
     Samples samples_;
-    sins::Simulator sim_;
+    sins::Play play_;
+    mutable sins::Play::Lent<sins::Simulator> sim_;
+    const std::vector<unsigned char> begun_ = play_.save(); /* before the first sample */
     bool has_covariance_;
     size_t points_every_; /* interval of points [samples] */
     Moment start_, now_, saved_;

@@ -12,4 +12,5 @@ SINS_FUNCTIONS(BY_LOADER)
 #undef BY_LOADER
 } // namespace sins
 
+#include "sins_analysis.hpp"
 #include "sins_scene.hpp"

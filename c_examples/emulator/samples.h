@@ -32,6 +32,9 @@ public:
         return log_ ? log_->sample(index) : flight_->sample_at((double)index / rate_hz_);
     }
 
+    /* The log, or NULL. */
+    const sins_log *log() const { return log_ ? log_->handle() : NULL; }
+
     /* The place of a sample for a sentence about it: its time, or its line in the log. */
     std::wstring place(size_t index) const {
         uint64_t line = 0;

@@ -99,6 +99,13 @@ inline std::wstring told(const std::exception &error) {
     return own == NULL ? wide(error.what()) : told(error.what(), own->info().field, own->info());
 }
 
+/* The same of a scene in flight, without the time and the line with which the sentence begins. */
+inline std::wstring told_in_flight(const std::exception &error) {
+    const sins::Error *own = dynamic_cast<const sins::Error *>(&error);
+    const std::string sentence = std::regex_replace(std::string(error.what()), std::regex("^at .*? s(, line \\d+ of the log)?: "), "");
+    return own == NULL ? wide(sentence) : told(sentence, own->info().field, own->info());
+}
+
 typedef std::vector<sins_fault> Faults;
 
 inline std::wstring told(const Faults &faults) { return faults.empty() ? L"" : told(faults[0]); }

@@ -27,7 +27,7 @@ inline Result find_options(const sins::Simulator &sim, const Piece &piece, sins_
     auto at = [](double value, const wchar_t *unit, double time_s) {
         return shown(value, 4) + unit + L" @ " + shown(time_s, 8) + L" s";
     };
-    bool is_met = sim.recommend(piece.data(), piece.size(), limits, options, cost);
+    bool is_met = sins::recommend(sim, piece.data(), piece.size(), limits, options, cost);
     Rows rows = rows_of("recommend_rows", {scheme.word_label(scheme.choices()[options.scheme]),
                                            std::to_wstring(options.subsamples),
                                            std::to_wstring(options.updates_per_sample),
@@ -61,7 +61,7 @@ inline Result find_shares(const sins::Simulator &sim, const Piece &piece, sins_r
     request.position_m = limits.position_m;
     request.velocity_m_s = limits.velocity_m_s;
     request.attitude_rad = limits.attitude_rad;
-    sins_budget budget = sim.error_budget(piece.data(), piece.size(), request, shares);
+    sins_budget budget = sins::error_budget(sim, piece.data(), piece.size(), request, shares);
     double largest = 1e-300;
     for (const sins_budget_row &row : shares)
         largest = max(largest, row.position_m);

@@ -4,7 +4,7 @@
  *     table = sins_fly(samples, scene)
  *
  * samples has a row for each instant: time s; latitude, longitude rad; height m; velocity east, north, up m/s; roll, pitch,
- * heading rad. scene, a text in TOML, sets options, sensors and failures; without it the options are the defaults and the sensors
+ * heading rad. scene, a text in TOML, sets options, sensors, failures, updates and the unit; without it the options are the defaults and the sensors
  * are ideal. table has a row for each row of samples: time; then the navigation in the same columns; then its errors: position m,
  * velocity m/s, misalignment rad, each east, north, up. If a call fails, the error has the identifier "sins:" with the name of
  * the status.
@@ -19,7 +19,7 @@
  * Destroys the handles and ends the MEX file with the library's sentence, or with the first fault of the scene. row: the faulty
  * row, from 1, or 0.
  */
-static void fail(sins_sim *sim, sins_scene *scene, sins_status status, size_t row)
+static void fail(sins_play *play, sins_scene *scene, sins_status status, size_t row)
 {
     char sentence[512] = "", identifier[64];
     int length = row > 0 ? sprintf(sentence, "row %d: ", (int)row) : 0;
@@ -29,10 +29,10 @@ static void fail(sins_sim *sim, sins_scene *scene, sins_status status, size_t ro
     if (status == SINS_SCENE_HAS_FAULTS && sins_scene_get_fault(scene, 0, &fault) == SINS_OK) {
         sprintf(sentence, "scene, line %d: %s", (int)fault.line, fault.sentence);
     } else {
-        sins_last_error(sim, sentence + length, sizeof sentence - (size_t)length, NULL);
+        sins_last_error(NULL, sentence + length, sizeof sentence - (size_t)length, NULL);
     }
     sprintf(identifier, "sins:%s", sins_status_string(status));
-    sins_destroy(sim); /* a NULL handle is harmless: the library returns an error */
+    sins_play_destroy(play); /* a NULL handle is harmless: the library returns an error */
     sins_scene_destroy(scene);
     mexErrMsgIdAndTxt(identifier, "%s", sentence);
 }
@@ -40,6 +40,7 @@ static void fail(sins_sim *sim, sins_scene *scene, sins_status status, size_t ro
 void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *input[])
 {
     sins_scene *scene = NULL;
+    sins_play *play = NULL;
     sins_sim *sim = NULL;
     sins_flight_sample sample;
     sins_record record;
@@ -75,7 +76,8 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
     text = inputs == 2 ? mxArrayToString(input[1]) : NULL;
     status = text != NULL ? sins_scene_parse(text, strlen(text), &scene) : sins_scene_create(&scene);
     mxFree(text);
-    status = status == SINS_OK ? sins_scene_create_simulator(scene, &sim) : status;
+    status = status == SINS_OK ? sins_play_create(scene, NULL, &play) : status;
+    status = status == SINS_OK ? sins_play_get_simulator(play, &sim) : status;
     if (status != SINS_OK) {
         fail(NULL, scene, status, 0);
     }
@@ -86,18 +88,13 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
         for (column = 0; column < inputs_of_row; column++) {
             *fields[column] = samples[k + column * rows];
         }
-        status = sins_scene_prepare(scene, sim, samples[0], &sample); /* sets the scene's temperature and failures */
-        if (status < 0) {
-            fail(NULL, scene, status, k + 1); /* the thread has the sentences of scenes */
-        }
-        if ((status = sins_push_sample(sim, &sample)) < 0 || (status = sins_step(sim)) < 0
-            || (status = sins_get_record(sim, &record)) < 0) {
-            fail(sim, scene, status, k + 1);
+        if ((status = sins_play_push(play, &sample)) < 0 || (status = sins_get_record(sim, &record)) < 0) {
+            fail(play, scene, status, k + 1);
         }
         for (column = 0; column < outputs_of_row; column++) {
             mxGetPr(output[0])[k + column * rows] = *values[column];
         }
     }
-    sins_destroy(sim);
+    sins_play_destroy(play);
     sins_scene_destroy(scene);
 }

@@ -1,53 +1,43 @@
 #!/usr/bin/env python3
 """Flies a scene and draws the errors of its navigation: fly.py c_examples/scenes/patrol.toml -o patrol.png
 
-The flight is built-in or made of manoeuvres. sins_run() flies it, ten minutes in each call: the
-samples of all 48 hours of the patrol would need 2.5 GB.
+The flight is built-in, made of manoeuvres, or a log. sins_play_run() flies it with all that the scene plans:
+temperature, failures, updates, the unit and its panel.
 """
 
 import argparse
+import os
 import sys
 
 import matplotlib
-import numpy
 import sins
 from matplotlib import pyplot
 
 matplotlib.use("Agg")  # draws into a file, without a window
-CALL_S = 600.0
 
 
 def open_scene(name, hours):
-    """The scene of a file, or a built-in one. `hours` replaces its duration."""
+    """The scene of a file, or a built-in one, and its log or None. `hours` replaces its duration."""
     if name.endswith(".toml"):
-        scene = sins.scene()
         with open(name, "rb") as file:
-            status = sins.scene_parse(file.read(), scene)
-        if status == sins.SCENE_HAS_FAULTS:
-            fault = sins.scene_get_fault(scene, 0)
-            sys.exit(f"{name}:{fault.line}:{fault.column}: {fault.sentence.decode()}")
+            scene = sins.scene_parse(file.read())
     else:
         scene = sins.scene_create_builtin(name)
-    setup = sins.scene_get_setup(scene)
     if hours is not None:
-        setup.duration_s = hours * 3600
-        sins.scene_set_setup(scene, setup)
-        setup = sins.scene_get_setup(scene)
-    failures = sins.scene_get_failure_count(scene)
-    if setup.flight == sins.SCENE_FLIGHT_LOG or setup.has_temperature or failures:
-        sys.exit(f"{name}: a log, a temperature or failures want sins.scene_prepare() before each sample: see harness.c")
-    return scene, setup
+        sins.scene_set_values(scene, f"flight.hours = {hours}")
+    if sins.scene_get_setup(scene).flight != sins.SCENE_FLIGHT_LOG:
+        return scene, None
+    log = os.path.join(os.path.dirname(name), sins.scene_get_text(scene, sins.SCENE_TEXT_LOG))
+    with open(log, "rb") as file:
+        return scene, sins.log_parse(file.read())[0]
 
 
-def fly(scene, setup):
-    """Flies the whole flight and returns the records as a numpy array, and the last record."""
-    count = int(setup.flown_s * setup.rate_hz + 1e-6) + 1  # 1e-6: rounding
-    every = max(1, round((setup.every_s or setup.flown_s / 1000) * setup.rate_hz))
-    times_s = numpy.minimum(numpy.arange(count) / setup.rate_hz, setup.flown_s)
-    with sins.scene_create_simulator(scene) as sim, sins.scene_create_flight(scene) as flight:
-        parts = numpy.array_split(times_s, int(setup.flown_s / CALL_S) + 1)
-        records = [sins.fly(sim, sins.samples_at(flight, part), every) for part in parts]
-        return numpy.concatenate(records), sins.get_record(sim)
+def fly(scene, log):
+    """Flies the whole flight and returns the records as a numpy array."""
+    samples = sins.scene_get_samples(scene, log)
+    records = sins.array(sins.record, samples.count // samples.record_every + 2)
+    with sins.play_create(scene, log) as play:
+        return records[: sins.play_run(play, records)]
 
 
 def draw(records, title, path):
@@ -75,8 +65,8 @@ def main():
     parser.add_argument("-o", "--output", help="the picture, .png or .svg")
     arguments = parser.parse_args()
     try:
-        scene, setup = open_scene(arguments.scene, arguments.hours)
-        records, last = fly(scene, setup)
+        scene, log = open_scene(arguments.scene, arguments.hours)
+        records = fly(scene, log)
         title = sins.scene_get_text(scene, sins.SCENE_TEXT_TITLE) or arguments.scene
         if arguments.output:
             draw(records, title, arguments.output)
@@ -84,11 +74,11 @@ def main():
         sys.exit(f"fly.py: {error} ({sins.status_string(error.status)})")
     except (OSError, ValueError) as error:  # ValueError: unknown picture format
         sys.exit(f"fly.py: {error}")
-    errors = last.navigation_errors
+    errors = records["navigation_errors"][-1]
     print("errors at the end, navigation - truth, east-north-up")
-    print("position m      ", *errors.position_enu_m)
-    print("velocity m/s    ", *errors.velocity_enu_m_s)
-    print("misalignment rad", *errors.misalignment_enu_rad)
+    print("position m      ", *errors["position_enu_m"].tolist())
+    print("velocity m/s    ", *errors["velocity_enu_m_s"].tolist())
+    print("misalignment rad", *errors["misalignment_enu_rad"].tolist())
 
 
 if __name__ == "__main__":

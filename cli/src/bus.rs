@@ -1,6 +1,6 @@
 //! `sins bus`: the words of ARINC 429 that `sins fly --bus` writes.
 
-use sins::bus::{Decoded, Format, LABELS, Label, WordStatus, decode, decode_reversed};
+use sins::unit::bus::{Decoded, Format, LABELS, Label, WordStatus, decode, decode_reversed};
 
 use crate::failure::Failure;
 use crate::terminal::print;

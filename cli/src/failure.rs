@@ -9,8 +9,10 @@ use std::process::ExitCode;
 pub enum Kind {
     /// A file or an option that cannot be used.
     Input,
-    /// The machine: a disk that is full, a folder that cannot be made; or a solution that left its range.
+    /// The machine: a folder that cannot be made; or a solution that left its range.
     Failed,
+    /// An output that cannot be written: the disk is full, or another program holds the file.
+    Unwritten,
     /// Stopped by Ctrl-C, SIGTERM or SIGHUP.
     Interrupted,
     /// No options, or not enough runs, meet the requirement.
@@ -22,12 +24,12 @@ pub enum Kind {
 /// The exit codes, for `--help`.
 pub const EXIT_CODES: &str = "\
 Exit codes:
-  0    done
-  1    failed: an output could not be written, or the solution diverged (what was flown until then is written)
-  2    an option or an input file cannot be used; nothing is written
+  0    done; live also after Ctrl-C
+  1    failed: the solution diverged, or an output cannot be written. What was flown until then is written
+  2    an option or an input file cannot be used, another run writes the same output, or live had no packet to fly; nothing is written
   3    not met: recommend found no options for the requirement and printed the best; or the runs of an ensemble do not meet --meets
   4    ensemble: the runs are too few to decide whether they meet --meets
-  130  interrupted by Ctrl-C, SIGTERM or SIGHUP: no temporary file is left, and all files are complete";
+  130  interrupted by Ctrl-C, SIGTERM or SIGHUP: no temporary file is left, and all files are complete. A second one ends at once";
 
 /// A failure: its kind and its sentences, one on each line.
 #[derive(Debug)]
@@ -64,7 +66,7 @@ impl Failure {
 
     /// Failure about an output that cannot be written.
     pub fn of_output(path: &Path, error: &dyn fmt::Display) -> Self {
-        Self::of_kind(Kind::Failed, format!("{}: cannot be written: {error}", path.display()))
+        Self::of_kind(Kind::Unwritten, format!("{}: cannot be written: {error}", path.display()))
     }
 
     /// One failure made of several: all sentences, and the kind of the first.
@@ -72,6 +74,17 @@ impl Failure {
         let kind = failures.first().map_or(Kind::Input, |failure| failure.kind);
         let sentences: Vec<String> = failures.into_iter().map(|failure| failure.sentence).collect();
         Self { kind, sentence: sentences.join("\n") }
+    }
+
+    /// The failures among `results`, as one.
+    pub fn each(results: impl IntoIterator<Item = Result<(), Self>>) -> Result<(), Self> {
+        let failures: Vec<Self> = results.into_iter().filter_map(Result::err).collect();
+        if failures.is_empty() { Ok(()) } else { Err(Self::all(failures)) }
+    }
+
+    /// The same failure with more about it.
+    pub fn with(self, more: &dyn fmt::Display) -> Self {
+        Self { sentence: format!("{}; {more}", self.sentence), ..self }
     }
 
     /// The kind of failure.
@@ -82,7 +95,7 @@ impl Failure {
     /// The exit code.
     pub fn code(&self) -> ExitCode {
         ExitCode::from(match self.kind {
-            Kind::Failed => 1,
+            Kind::Failed | Kind::Unwritten => 1,
             Kind::Input => 2,
             Kind::NotMet => 3,
             Kind::Undecided => 4,
@@ -98,8 +111,8 @@ impl fmt::Display for Failure {
     }
 }
 
-impl From<sins::recommend::Refusal> for Failure {
-    fn from(refusal: sins::recommend::Refusal) -> Self {
+impl From<sins::analysis::recommend::Refusal> for Failure {
+    fn from(refusal: sins::analysis::recommend::Refusal) -> Self {
         Self::new(refusal.to_string())
     }
 }

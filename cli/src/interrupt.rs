@@ -1,11 +1,12 @@
 //! Ctrl-C, SIGTERM and SIGHUP: no temporary file stays behind.
 //!
 //! The first signal asks a [`graceful`] command to end with complete files. A second signal, or a signal to any other command, ends
-//! the program at once.
+//! the program at once. Signals within [`AT_ONCE`] are one: when a terminal is closed, the system and the shell send one each.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::{Duration, Instant};
 
 use crate::failure::{Failure, Kind};
 
@@ -13,7 +14,11 @@ use crate::failure::{Failure, Kind};
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 static IS_GRACEFUL: AtomicBool = AtomicBool::new(false);
-static IS_ASKED: AtomicBool = AtomicBool::new(false);
+/// When the command was asked to end.
+static ASKED: OnceLock<Instant> = OnceLock::new();
+
+/// Longest time from a signal to another one that means the same.
+const AT_ONCE: Duration = Duration::from_secs(1);
 
 /// Catches the signals from now on.
 pub fn catch() -> Result<(), Failure> {
@@ -22,8 +27,8 @@ pub fn catch() -> Result<(), Failure> {
 }
 
 fn on_signal() {
-    let is_second = IS_ASKED.swap(true, Ordering::SeqCst);
-    if IS_GRACEFUL.load(Ordering::SeqCst) && !is_second {
+    let is_first = ASKED.get_or_init(Instant::now).elapsed() < AT_ONCE;
+    if IS_GRACEFUL.load(Ordering::SeqCst) && is_first {
         return;
     }
     let temporary = lock();
@@ -34,14 +39,14 @@ fn on_signal() {
     std::process::exit(130);
 }
 
-/// Sets whether the command ends with complete files when it is asked to end.
-pub fn graceful(is_graceful: bool) {
-    IS_GRACEFUL.store(is_graceful, Ordering::SeqCst);
+/// From now on, the command ends with complete files when it is asked to end.
+pub fn graceful() {
+    IS_GRACEFUL.store(true, Ordering::SeqCst);
 }
 
 /// Whether the command was asked to end.
 pub fn is_asked() -> bool {
-    IS_ASKED.load(Ordering::SeqCst)
+    ASKED.get().is_some()
 }
 
 /// Locked list of temporary files. The lock is held while a file is made, renamed or removed.

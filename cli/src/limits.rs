@@ -1,7 +1,7 @@
 //! Limits of errors on the command line.
 
 use sins::Error;
-use sins::recommend::SolutionError;
+use sins::analysis::recommend::SolutionError;
 use sins::units::ARCSEC;
 
 use crate::failure::Failure;

@@ -17,6 +17,7 @@ mod interrupt;
 mod limits;
 mod lines;
 mod live;
+mod log;
 mod output;
 mod parallel;
 #[cfg(test)]
@@ -25,7 +26,6 @@ mod places;
 mod planned;
 mod progress;
 mod recommend;
-mod record;
 mod report;
 mod rows;
 mod scene;
@@ -54,6 +54,7 @@ enum Command {
     Fly(fly::Order),
     Live(live::Order),
     Ensemble(ensemble::Order),
+    Log(log::Order),
     Report(report::Order),
     Allan(allan::Order),
     Budget(budget::Order),
@@ -100,6 +101,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Fly(order) => fly::run(order),
         Command::Live(order) => live::run(order),
         Command::Ensemble(order) => ensemble::run(order),
+        Command::Log(order) => log::run(order),
         Command::Report(order) => report::run(order),
         Command::Allan(order) => allan::run(order),
         Command::Budget(order) => budget::run(order),

@@ -35,18 +35,34 @@ impl OutputArguments {
             None if output.folder.is_empty() => PathBuf::from(OUTPUT_FOLDER),
             None => below(Path::new(""), &output.folder, "output.folder", "--out")?,
         };
-        let name = self.name.as_ref().or(Some(&output.name).filter(|name| !name.is_empty()));
-        let name = name.unwrap_or(&given.name).clone();
-        if name.is_empty() || name.contains(['/', '\\']) || name.chars().any(char::is_control) {
-            return Err(Failure::new(format!("--name \"{name}\": expected a name without a folder")));
-        }
-        Ok((folder, name))
+        let (name, key) = match &self.name {
+            Some(name) => (name, "--name"),
+            None if output.name.is_empty() => (&given.name, "the scene's name"),
+            None => (&output.name, "output.name"),
+        };
+        Ok((folder, base_name(name, key)?))
     }
 
     /// Whether neither progress nor summary is shown for `given`.
     pub fn is_quiet(&self, given: &Given) -> bool {
         self.quiet || given.scene.output.quiet
     }
+}
+
+/// `name`, if files can have it with an ending.
+pub fn base_name(name: &str, key: &str) -> Result<String, Failure> {
+    let is_of_folder = name.contains(['/', '\\']) || name.chars().any(char::is_control);
+    if is_of_folder || name.trim_matches(['.', ' ']).is_empty() {
+        let what =
+            format!("{key} \"{name}\": expected a name without a folder, with more than dots and spaces");
+        return Err(Failure::new(what));
+    }
+    Ok(name.to_owned())
+}
+
+/// Name of the picture of a scene.
+pub fn svg(scene: &str) -> Result<String, Failure> {
+    Ok(format!("{}.svg", base_name(scene, "the scene's name")?))
 }
 
 /// `file` below `folder`; refuses a path that leads out of the folder.
@@ -70,6 +86,16 @@ pub fn beside(path: &Path, ending: &str) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_have_more_than_dots() {
+        for name in [".", "..", "", " ", ". .", "a/b", "..\\b", "a\tb"] {
+            assert!(base_name(name, "--name").unwrap_err().to_string().starts_with("--name \""), "{name:?}");
+        }
+        for name in ["a", ".a", "a.", "a b", "é"] {
+            assert_eq!(base_name(name, "--name").unwrap(), name);
+        }
+    }
 
     #[test]
     fn files_of_a_scene_stay_below_the_folder() {

@@ -40,7 +40,7 @@ fn words(planned: &PlannedFailure) -> String {
         Failure::BiasStep { .. } => "bias step",
         Failure::Spikes { .. } => "spikes",
         Failure::Noise { .. } => "noise",
-        Failure::RandomDropOuts { .. } | Failure::PeriodicDropOuts { .. } => "drop-outs",
+        Failure::DropOuts { .. } => "drop-outs",
     };
     let until_s = planned.failing.until_s;
     let until = if until_s.is_finite() { format!("{until_s} s") } else { "the end".to_owned() };

@@ -1,11 +1,11 @@
 //! `sins recommend`: the cheapest options that meet a required accuracy on a scene.
 
 use nalgebra::Vector3;
-use sins::math::{attitude_from_euler, relative_rotation, rotate_inverse, rotation_vector};
-use sins::recommend::{
+use sins::analysis::recommend::{
     MAX_SAMPLES, Motion, Piece as Figures, Recommendation, Requirement, Setup, SolutionError, recommend_by,
     step_time_ns,
 };
+use sins::math::{attitude_from_euler, relative_rotation, rotate_inverse, rotation_vector};
 use sins::truth::FlightSample;
 use sins::units::STANDARD_GRAVITY;
 
@@ -51,6 +51,7 @@ const NO_LIMIT: &str =
 
 pub fn run(order: &Order) -> Result<(), Failure> {
     let given = order.scene.load(FOR_LOGS)?;
+    given.say_without_updates();
     let SolutionError { position_m, velocity_m_s, attitude_rad } = order.limits.errors();
     if [position_m, velocity_m_s, attitude_rad] == [0.0; 3] {
         return Err(Failure::new(NO_LIMIT));

@@ -3,6 +3,9 @@
 use csv::Writer;
 pub use sins::records::number;
 
+/// Axes of all errors except those of the sensors, in the order of the columns.
+pub const EAST_NORTH_UP: [&str; 3] = ["east", "north", "up"];
+
 use crate::failure::{Failure, Kind};
 
 /// Mark at the beginning of every table in Markdown, by which the program recognizes its own tables.

@@ -7,7 +7,7 @@ use sins::scene::{BUILTIN_SCENES, FlightSource, KeyLine, builtin, keys, keys_tex
 
 use crate::failure::Failure;
 use crate::fly::{self, FOR_LOGS};
-use crate::given::{Given, Settings, is_log, read_scene};
+use crate::given::{Given, Settings, Trust, is_log, read_scene};
 use crate::output::Outputs;
 use crate::rows::{self, number};
 use crate::terminal::print;
@@ -18,7 +18,7 @@ use crate::units::{six_digits, time_text};
 pub enum Order {
     /// Lists the built-in scenes
     List,
-    /// Reports every fault of scenes, and the first of a flight log, with its line, and summarizes those without faults. What shows only in
+    /// Reports every fault of scenes, the first of a flight log with its line, and what is doubtful in it, and summarizes those without faults. What shows only in
     /// flight, such as a mechanization at a pole, is reported by `sins fly`
     Check {
         /// Files SCENE.toml and LOG.csv, or built-in scenes
@@ -26,6 +26,8 @@ pub enum Order {
         scenes: Vec<OsString>,
         #[command(flatten)]
         settings: Settings,
+        #[command(flatten)]
+        trust: Trust,
     },
     /// Writes a scene in TOML: the keys that are set, each with its meaning and unit
     Write {
@@ -46,7 +48,7 @@ pub enum Order {
 pub fn run(order: &Order) -> Result<(), Failure> {
     match order {
         Order::List => list(),
-        Order::Check { scenes, settings } => check(scenes, settings),
+        Order::Check { scenes, settings, trust } => check(scenes, settings, trust),
         Order::Write { scene, settings, output, force } => {
             if is_log(scene) {
                 let what = format!("{}: is a flight log, not a scene", scene.display());
@@ -81,10 +83,10 @@ fn list() -> Result<(), Failure> {
 }
 
 /// Checks every scene, also after a scene with faults.
-fn check(scenes: &[OsString], settings: &Settings) -> Result<(), Failure> {
+fn check(scenes: &[OsString], settings: &Settings, trust: &Trust) -> Result<(), Failure> {
     let (mut good, mut bad) = (String::new(), Vec::new());
     for name in scenes {
-        let loaded = Given::load(Some(name), None, settings, FOR_LOGS);
+        let loaded = Given::load(Some(name), None, settings, trust, FOR_LOGS);
         match loaded.and_then(|given| fly::check(&given).map(|()| given)) {
             Ok(given) => {
                 let (duration, rate_hz) = (time_text(given.duration_s), six_digits(1.0 / given.period_s));

@@ -4,6 +4,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use csv::{ReaderBuilder, StringRecord};
+use sins::scene::listed;
 
 use crate::failure::Failure;
 use crate::lines::Lines;
@@ -94,12 +95,18 @@ impl Table {
         self.columns.iter().any(|(column, _)| column == name)
     }
 
+    /// The names of the columns, as a message can have them.
+    pub fn header(&self) -> String {
+        listed(self.columns.iter().map(|(name, _)| name.as_str()))
+    }
+
     /// Takes the column `name` out of the table.
     pub fn take(&mut self, name: &str) -> Result<Vec<f64>, Failure> {
         match self.columns.iter_mut().find(|(column, _)| column == name) {
             Some((_, values)) => Ok(std::mem::take(values)),
             None => {
-                Err(Failure::of_line(&self.path, 1, &format!("expected a column \"{name}\" in the header")))
+                let what = format!("expected a column \"{name}\" in the header, which has {}", self.header());
+                Err(Failure::of_line(&self.path, 1, &what))
             }
         }
     }
@@ -123,7 +130,7 @@ mod tests {
     #[test]
     fn a_missing_column_is_named() {
         let failure = read("t,x\n0,1\n").unwrap().take("y").unwrap_err().to_string();
-        assert_eq!(failure, "run.csv:1: expected a column \"y\" in the header");
+        assert_eq!(failure, "run.csv:1: expected a column \"y\" in the header, which has t, x");
     }
 
     #[test]

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use sins::Error;
-use sins::correction::{Compensation, Correction};
-use sins::state::StateErrors;
+use sins::earth::state::StateErrors;
+use sins::errors::correction::{Compensation, Correction};
 
 use crate::inputs;
 use crate::outputs::{ERRORS, Number};

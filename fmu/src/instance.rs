@@ -3,11 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use sins::scene::Scene;
-use sins::sensors::SensorOutput;
-use sins::truth::Pushed;
-use sins::unit::Unit;
-use sins::{Error, Simulator};
+use sins::Error;
+use sins::scene::{Play, Scene, Source};
+use sins::truth::{FlightSample, Pushed};
 
 use crate::corrections;
 use crate::inputs;
@@ -64,6 +62,8 @@ pub struct Flown {
     pub refused_entries: Vec<String>,
     /// What suggests inputs that are not connected.
     pub unconnected: Vec<&'static str>,
+    /// The sample that was taken; `None`: the step takes none.
+    pub sample: Option<FlightSample>,
 }
 
 /// The last sample that was taken.
@@ -79,15 +79,10 @@ pub struct Taken {
     pub entries: panel::Counts,
 }
 
-/// Scene and simulator made from the parameters, and the state of the flight.
+/// The scene of the parameters in flight, with its simulator and its box, and the last sample.
 #[derive(Debug, Clone)]
 pub struct Flight {
-    pub scene: Scene,
-    pub simulator: Box<Simulator>,
-    /// The box, if the scene has one.
-    pub unit: Option<Unit>,
-    /// Time stamp of the first sample [s].
-    pub first_s: Option<f64>,
+    pub play: Play,
     pub taken: Option<Taken>,
 }
 
@@ -95,66 +90,51 @@ impl Flight {
     /// The flight that the parameters define, before its first sample.
     pub fn new(values: &Values, resources: Option<&PathBuf>) -> Result<Self, String> {
         let scene = scene::scene(values, resources.map(PathBuf::as_path))?;
-        let [simulator] = *scene.simulator().map_err(|error| error.to_string())?;
-        let unit = scene.unit().map_err(|error| error.to_string())?;
-        Ok(Self { scene, simulator: Box::new(simulator), unit, first_s: None, taken: None })
+        let play = Play::new(Arc::new(scene), Source::Host).map_err(|error| error.to_string())?;
+        Ok(Self { play, taken: None })
     }
 
     /// Replaces the sensor errors and failures by those of `scene`.
-    fn retune(&mut self, scene: Scene) -> Result<(), Error> {
-        let mut simulator = self.simulator.clone();
-        if scene.errors.gyro != self.scene.errors.gyro {
+    fn retune(&mut self, scene: &Scene) -> Result<(), Error> {
+        let mut play = self.play.clone();
+        let before = self.play.course().scene();
+        let simulator = play.simulator_mut();
+        if scene.errors.gyro != before.errors.gyro {
             simulator.set_gyro(&scene.errors.gyro)?;
         }
-        if scene.errors.accel != self.scene.errors.accel {
+        if scene.errors.accel != before.errors.accel {
             simulator.set_accel(&scene.errors.accel)?;
         }
-        if scene.errors.altimeter != self.scene.errors.altimeter {
+        if scene.errors.altimeter != before.errors.altimeter {
             simulator.set_altimeter(&scene.errors.altimeter)?;
         }
-        for output in SensorOutput::ALL {
-            let plans = |scene: &Scene| scene.failures.iter().any(|planned| planned.output == output);
-            // If the new scene still plans a failure of this output, the scene clears it.
-            if plans(&self.scene) && !plans(&scene) {
-                simulator.set_failure(output, None)?;
-            }
-        }
-        (self.scene, self.simulator) = (scene, simulator);
+        play.set_plan(scene)?;
+        self.play = play;
         Ok(())
     }
 
-    /// The simulator and the box after the corrections, the interval that ends at `time_s` [s], and what is done at the panel.
+    /// The flight after the corrections, what is done at the panel, and the interval that ends at `time_s` [s].
     fn flown(&self, time_s: f64, values: &Values, is_set: &[bool; inputs::COUNT]) -> Result<Next, String> {
-        let mut sample = inputs::sample(time_s, values, is_set)?;
+        let sample = inputs::sample(time_s, values, is_set)?;
         let unconnected = self
             .taken
             .as_ref()
             .map_or(Vec::new(), |taken| inputs::unconnected(&sample, &taken.inputs, time_s - taken.time_s));
-        let first_s = self.first_s.unwrap_or(time_s);
-        let (mut simulator, mut unit) = (self.simulator.clone(), self.unit);
-        let mut fly = || {
-            if self.taken.as_ref().is_some_and(|taken| taken.corrections != corrections::count(values)) {
-                simulator.correct(&corrections::correction(values))?;
-            }
-            self.scene.prepare(&mut *simulator, first_s, &mut sample)?;
-            let pushed = simulator.push_sample(&sample)?;
-            simulator.step()?;
-            Ok(pushed == Pushed::BehindGap)
-        };
-        let behind_gap = fly().map_err(sentence)?;
-        let mut refused_entries = Vec::new();
-        // After the first sample there is no interval yet.
-        if let Some(taken) = &self.taken {
-            let Some(unit) = &mut unit else {
-                refused_entries = panel::without_a_box(values, taken.entries);
-                return Ok(Next { simulator, unit, behind_gap, refused_entries, unconnected });
-            };
-            refused_entries = panel::act(values, taken.entries, unit)?;
-            let updated = self.scene.update_unit(unit, &mut simulator, first_s);
-            let updated = updated.and_then(|()| panel::push_fix(values, taken.entries, unit, &mut simulator));
-            updated.map_err(sentence)?;
+        let mut play = self.play.clone();
+        if self.taken.as_ref().is_some_and(|taken| taken.corrections != corrections::count(values)) {
+            play.simulator_mut().correct(&corrections::correction(values)).map_err(sentence)?;
         }
-        Ok(Next { simulator, unit, behind_gap, refused_entries, unconnected })
+        // After the first sample there is no interval yet.
+        let refused_entries = match (&self.taken, play.unit_mut()) {
+            (None, _) => Vec::new(),
+            (Some(taken), None) => panel::without_a_box(values, taken.entries),
+            (Some(taken), Some((unit, _))) => panel::act(values, taken.entries, unit)?,
+        };
+        let pushed = play.push(&sample).map_err(|stopped| sentence(stopped.error))?;
+        if let (Some(taken), Some((unit, simulator))) = (&self.taken, play.unit_mut()) {
+            panel::push_fix(values, taken.entries, unit, simulator).map_err(sentence)?;
+        }
+        Ok(Next { play, behind_gap: pushed == Pushed::BehindGap, refused_entries, unconnected, sample })
     }
 }
 
@@ -171,11 +151,11 @@ fn sentence(error: Error) -> String {
 
 /// What a step leads to.
 struct Next {
-    simulator: Box<Simulator>,
-    unit: Option<Unit>,
+    play: Play,
     behind_gap: bool,
     refused_entries: Vec<String>,
     unconnected: Vec<&'static str>,
+    sample: FlightSample,
 }
 
 /// An instance.
@@ -261,7 +241,7 @@ impl Instance {
         if is_tuned && let Some(flight) = &mut self.flight {
             let resources = self.resources.as_deref();
             let scene = scene::scene(&next, resources).map_err(Refused::discard)?;
-            flight.retune(scene).map_err(|error| Refused::discard(error.to_string()))?;
+            flight.retune(&scene).map_err(|error| Refused::discard(error.to_string()))?;
         }
         (self.values, self.is_set) = (next, is_set);
         Ok(())
@@ -296,7 +276,7 @@ impl Instance {
             }
             _ => {}
         }
-        let Next { mut simulator, unit, behind_gap, refused_entries, unconnected } =
+        let Next { mut play, behind_gap, refused_entries, unconnected, sample } =
             flight.flown(time_s, &self.values, &self.is_set).map_err(Refused::error)?;
         let turn_rad = flight.taken.as_ref().map_or(0.0, |before| inputs::turn_rad(&before.inputs, inputs));
         let taken = Taken {
@@ -305,12 +285,10 @@ impl Instance {
             corrections: corrections::count(&self.values),
             entries: panel::counts(&self.values),
         };
-        outputs::read(&mut simulator, unit.as_ref(), behind_gap, &mut self.values)
+        outputs::read(&mut play, behind_gap, &mut self.values)
             .map_err(|error| Refused::error(error.to_string()))?;
-        (flight.simulator, flight.unit) = (simulator, unit);
-        flight.first_s = flight.first_s.or(Some(time_s));
-        flight.taken = Some(taken);
+        (flight.play, flight.taken) = (play, Some(taken));
         self.end_s = time_s + length_s;
-        Ok(Flown { behind_gap, turn_rad, refused_entries, unconnected })
+        Ok(Flown { behind_gap, turn_rad, refused_entries, unconnected, sample: Some(sample) })
     }
 }

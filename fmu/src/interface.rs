@@ -21,6 +21,7 @@ pub use crate::logger::LoggerFunction;
 use crate::logger::{Category, Logger};
 use crate::table::table;
 use crate::uri::folder;
+use crate::watch::Watch;
 
 pub type fmi2Status = c_int;
 pub const fmi2OK: fmi2Status = 0;
@@ -51,6 +52,7 @@ pub struct Component {
     pub(crate) has_said_turn: bool,
     /// Whether the warnings about inputs that seem not to be connected were sent, which are sent once.
     pub(crate) has_said_unconnected: bool,
+    pub(crate) watch: Watch,
 }
 
 pub(crate) type Outcome = Result<fmi2Status, Refused>;
@@ -174,6 +176,7 @@ pub unsafe extern "C-unwind" fn fmi2Instantiate(
                 texts: Vec::new(),
                 has_said_turn: false,
                 has_said_unconnected: false,
+                watch: Watch::default(),
             };
             return Box::into_raw(Box::new(component));
         }
@@ -245,7 +248,15 @@ pub unsafe extern "C-unwind" fn fmi2ExitInitializationMode(component: *mut Compo
 
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2Terminate(component: *mut Component) -> fmi2Status {
-    unsafe { go(component, "fmi2Terminate", Phase::Stepping, Phase::Terminated) }
+    unsafe {
+        on(component, "fmi2Terminate", |component| {
+            component.instance.go(Phase::Stepping, Phase::Terminated)?;
+            for text in component.watch.end() {
+                component.logger.say(Category::Warning, fmi2Warning, &text);
+            }
+            Ok(fmi2OK)
+        })
+    }
 }
 
 #[unsafe(no_mangle)]
@@ -253,6 +264,7 @@ pub unsafe extern "C-unwind" fn fmi2Reset(component: *mut Component) -> fmi2Stat
     unsafe {
         on(component, "fmi2Reset", |component| {
             component.instance.reset();
+            component.watch = Watch::default();
             Ok(fmi2OK)
         })
     }

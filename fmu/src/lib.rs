@@ -43,6 +43,7 @@ mod table;
 pub mod uri;
 mod values;
 mod variable;
+mod watch;
 
 /// The text of modelDescription.xml.
 pub fn model_description() -> String {

@@ -7,7 +7,7 @@ use std::ffi::{CString, c_char, c_int, c_void};
 pub enum Category {
     /// Refused calls, with the reason.
     Error,
-    /// Notes for the user: a gap or a large turn in the truth.
+    /// Notes for the user: a gap, a large turn or a doubt in the truth.
     Warning,
 }
 
@@ -24,7 +24,9 @@ impl Category {
     pub fn doc(self) -> &'static str {
         match self {
             Self::Error => "a call that was rejected: field, value and limit",
-            Self::Warning => "a gap in the truth, or a turn in one step that is too large to integrate",
+            Self::Warning => {
+                "a gap in the truth, a turn in one step that is too large to integrate, or a truth that is doubtful: its units, its noise, its steps"
+            }
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The outputs, which are read from the simulator after a step.
 
-use sins::correction::Compensation;
-use sins::state::Navigation;
-use sins::unit::Unit;
-use sins::{Error, ErrorSource, Simulator};
+use sins::errors::correction::Compensation;
+use sins::record::{COLUMNS, Record};
+use sins::scene::Play;
+use sins::{Error, ErrorSource};
 
 use crate::values::{Value, Values};
 use crate::variable::{Role, Variable};
@@ -104,12 +104,8 @@ pub fn variables() -> impl Iterator<Item = Variable> {
 }
 
 /// Writes the outputs to their places, the last reals, booleans and integers of the table. An error changes nothing.
-pub fn read(
-    simulator: &mut Simulator,
-    unit: Option<&Unit>,
-    behind_gap: bool,
-    into: &mut Values,
-) -> Result<(), Error> {
+pub fn read(play: &mut Play, behind_gap: bool, into: &mut Values) -> Result<(), Error> {
+    let simulator = play.simulator_mut();
     let (Some(truth), Some(navigation)) = (simulator.truth()?, simulator.navigation()?) else {
         return Ok(());
     };
@@ -123,8 +119,9 @@ pub fn read(
         true => simulator.covariance()?,
         false => None,
     };
+    let simulator = play.simulator();
     let imu = simulator.imu().unwrap_or_default();
-    let report = panel::report(unit, simulator)?;
+    let report = panel::report(play.unit(), simulator)?;
     let ([updates, parts_per_update], increments) = parts::read(simulator);
 
     let from = into.reals.len() - COUNT;
@@ -135,18 +132,15 @@ pub fn read(
     let mut put = |values: &[f64]| {
         values.iter().for_each(|value| places.next().into_iter().for_each(|to| *to = *value))
     };
-    put(&[truth.time_s]);
-    let Navigation { place, v_n, euler, .. } = &navigation.navigation;
-    put(&[place.latitude_rad, place.longitude_rad, place.height_m]);
-    put(v_n.as_slice());
-    put(&[euler.roll, euler.pitch, euler.heading]);
-    for errors in [&errors, &model] {
-        let errors = errors.unwrap_or_default();
-        [errors.position_n, errors.velocity_n, errors.misalignment_n]
-            .iter()
-            .for_each(|three| put(three.as_slice()));
-        put(&[errors.roll_rad, errors.pitch_rad, errors.heading_rad]);
-    }
+    let values = Record::of(&truth, &navigation, [errors, model]).values();
+    let mut put_columns = |first: &str, count: usize| {
+        let columns = COLUMNS.into_iter().zip(values).skip_while(|(column, _)| *column != first);
+        columns.take(count).for_each(|(_, value)| put(&[value]));
+    };
+    put_columns("time_s", 1);
+    put_columns("navigation_latitude_rad", SOLUTION.len() - 1);
+    put_columns("navigation_error_position_east_m", ERRORS.len());
+    put_columns("model_error_position_east_m", ERRORS.len());
     put(&[imu.interval_s]);
     put(imu.measured.angle.as_slice());
     put(imu.measured.velocity.as_slice());

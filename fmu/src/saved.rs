@@ -2,8 +2,6 @@
 
 use std::path::PathBuf;
 
-use sins::unit::Unit;
-
 use crate::inputs;
 use crate::instance::{Flight, Instance, Phase, Taken};
 use crate::table::table;
@@ -11,7 +9,7 @@ use crate::values::Values;
 use crate::variable::Role;
 
 /// Mark at the beginning of a state.
-const MARK: &[u8; 8] = b"SINSFMU1";
+const MARK: &[u8; 8] = b"SINSFMU2";
 
 const DAMAGED: &str = "no state of this unit, or a damaged one";
 
@@ -45,22 +43,15 @@ fn write(instance: &Instance) -> Result<Vec<u8>, String> {
     };
     to.push(1);
     to.push(u8::from(flight.taken.is_some()));
-    to.extend(flight.first_s.unwrap_or(0.0).to_le_bytes());
     if let Some(Taken { time_s, inputs, corrections, entries }) = &flight.taken {
         to.extend(time_s.to_le_bytes());
         inputs.iter().for_each(|value| to.extend(value.to_le_bytes()));
         to.extend(corrections.to_le_bytes());
         entries.iter().for_each(|count| to.extend(count.to_le_bytes()));
     }
-    if let Some(unit) = &flight.unit {
-        let mut snapshot = [0; Unit::SNAPSHOT_MAX_SIZE];
-        let size = unit.save_snapshot(&mut snapshot).map_err(|error| error.to_string())?;
-        to.extend((size as u64).to_le_bytes());
-        to.extend(&snapshot[..size]);
-    }
     let from = to.len();
-    to.resize(from + flight.simulator.snapshot_size(), 0);
-    flight.simulator.save_snapshot(&mut to[from..]).map_err(|error| error.to_string())?;
+    to.resize(from + flight.play.snapshot_size(), 0);
+    flight.play.save_snapshot(&mut to[from..]).map_err(|error| error.to_string())?;
     Ok(to)
 }
 
@@ -106,7 +97,6 @@ fn read(state: &[u8], resources: Option<PathBuf>, now: &Instance) -> Option<Resu
         return (from.rest.is_empty() && !is_flying).then_some(Ok(instance));
     }
     let has_taken = from.flag()?;
-    let first_s = from.number()?;
     let taken = match has_taken {
         true => Some(Taken {
             time_s: from.number()?,
@@ -116,27 +106,22 @@ fn read(state: &[u8], resources: Option<PathBuf>, now: &Instance) -> Option<Resu
         }),
         false => None,
     };
-    Some(with_flight(instance, has_taken.then_some(first_s), taken, from, now))
+    Some(with_flight(instance, taken, from, now))
 }
 
-/// The instance with its simulator, from a snapshot.
+/// The instance with its scene in flight, from a snapshot.
 fn with_flight(
     mut instance: Instance,
-    first_s: Option<f64>,
     taken: Option<Taken>,
-    mut from: Reader<'_>,
+    from: Reader<'_>,
     now: &Instance,
 ) -> Result<Instance, String> {
     let mut flight = match &now.flight {
         Some(flight) if have_same_parameters(&instance.values, &now.values) => flight.clone(),
         _ => Flight::new(&instance.values, instance.resources.as_ref())?,
     };
-    if let Some(unit) = &mut flight.unit {
-        let snapshot = from.part().ok_or(DAMAGED)?;
-        unit.load_snapshot(snapshot).map_err(|error| error.to_string())?;
-    }
-    flight.simulator.load_snapshot(from.rest).map_err(|error| error.to_string())?;
-    (flight.first_s, flight.taken) = (first_s, taken);
+    flight.play.load_snapshot(from.rest).map_err(|error| error.to_string())?;
+    flight.taken = taken;
     instance.flight = Some(flight);
     Ok(instance)
 }

@@ -25,7 +25,7 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
     unsafe {
         on(component, "fmi2DoStep", |component| {
             let time_s = current_communication_point;
-            let Flown { behind_gap, turn_rad, refused_entries, unconnected } =
+            let Flown { behind_gap, turn_rad, refused_entries, unconnected, sample } =
                 component.instance.step(time_s, communication_step_size)?;
             if behind_gap {
                 let text = format!("the sample at {time_s} s closes a gap in the truth");
@@ -33,6 +33,11 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
             }
             for text in refused_entries {
                 component.logger.say(Category::Warning, fmi2Warning, &text);
+            }
+            if let (Some(sample), Some(flight)) = (&sample, &component.instance.flight) {
+                for text in component.watch.push(flight.play.course().scene(), sample) {
+                    component.logger.say(Category::Warning, fmi2Warning, &text);
+                }
             }
             if !unconnected.is_empty() && !component.has_said_unconnected {
                 component.has_said_unconnected = true;
@@ -44,7 +49,7 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
                 component.has_said_turn = true;
                 let text = format!(
                     "the truth turned by {turn_rad:.2} rad in the step that ends at {time_s} s: above {LARGE_TURN_RAD} rad the \
-                     sampled truth does not define the motion; set a smaller step size (output_interval in FMPy)"
+                     sampled truth does not define the motion; connect an angle that is unwrapped before it is interpolated, or set a smaller step size (output_interval in FMPy)"
                 );
                 component.logger.say(Category::Warning, fmi2Warning, &text);
             }

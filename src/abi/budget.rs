@@ -6,11 +6,11 @@ use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Array, Output, interface_struct, put_if_wanted, read};
 use super::sample::sins_flight_sample;
 use super::simulator::{look_at, sins_sim};
-use crate::budget::{
+use crate::analysis::budget::{
     BudgetRequest, Costs, Effect, MAX_SAMPLES, MIN_SAMPLES, Scene, error_budget, step_costs_ns,
 };
-use crate::error::{Error, check_integer};
-use crate::recommend::SolutionError;
+use crate::analysis::recommend::SolutionError;
+use crate::base::error::{Error, check_integer};
 use crate::simulator::{ErrorParameters, Simulator};
 
 /// Request for an error budget. All zero is 16 runs and no limits.
@@ -36,42 +36,20 @@ interface_struct!(sins_budget_request, "request", 40);
 
 /// Computes the contribution of each effect to the errors of a flight of 2 to 1e9 samples: which effects matter, and which
 /// can be left out. samples[0].struct_size is the size in bytes of each element of samples, rows[0].struct_size that of each
-/// element of rows. struct_size of the other samples may be 0, that of the other rows anything.
+/// element of rows. struct_size of the other samples may be 0, that of the other rows anything. docs/effects.md, "Which effects
+/// matter", defines the contributions, their remainder, and what is left out.
 ///
 /// configured is a simulator as the host flies it, at any moment. The call uses its options and all its errors: those of
 /// gyros, accelerometers and altimeter, the initial errors, and those of mounting and gravity, but not its failures. The call
 /// reads them at the start, and neither steps nor changes the simulator. NULL is the recommended simulator without errors.
 /// NULL for request is 16 runs and no limits. written and budget may be NULL.
 ///
-/// Each field that sets an error is one effect. An effect is active, and has a row, if its field is not 0. These settings are
-/// not effects: the alignment, and lever_arm_m and boresight_rad of the mounting. The misalignment that
-/// an alignment leaves belongs to the effect that causes this misalignment. All runs use lever_arm_m
-/// and boresight_rad. The contribution of an effect is the error (navigation less truth) of a run with this effect alone,
-/// less the error of a run with no effect. For position, velocity and misalignment the row has two lengths of the
-/// contribution. One is the largest length at up to 1000 equally spaced instants. The other is the length at the last sample.
-/// The contribution of a random effect is one standard deviation, by the covariance of a flight with this effect alone
-/// (SINS_BUDGET_RANDOM; see sins_covariance), from linear error equations. All effects together are flown in several runs,
-/// with the random numbers of the runs sins_options.run, run + 1 and so on.
+/// rows[0] is the mechanization's own error. A row for each field that sets an error and is not 0 follows, ordered by position,
+/// then velocity, then misalignment, the largest first; with limits, by their share of a limit.
 ///
-/// rows[0] is the mechanization's own error, including contradictions within the samples. The effects follow, ordered by
-/// position, then velocity, then misalignment, the largest first; with limits, by their share of a limit. The remainder is
-/// the difference between the error with all effects and the sum of the rows, with the same random numbers. It comes from
-/// effects that act on each other, and is of second order in their sizes.
-///
-/// With limits, the call marks the effects that can be left out together (SINS_BUDGET_CAN_BE_LEFT_OUT). It goes through the
-/// effects in the order of their shares, the smallest first, and collects each effect that still fits. For position, velocity
-/// and misalignment separately, let D be the sum of the deterministic contributions of a collection, and R the root sum of
-/// squares of its random contributions. The collection fits if sqrt(D^2 + R^2) is at most the limit, for each limit that is
-/// given. Then the call flies all runs again without these effects. While the change (left_out) exceeds a limit, it puts back
-/// the largest of the effects that were left out.
-///
-/// The same samples give the same answer on every machine, except for the figures ns_per_step. Not for a real-time frame: it
-/// allocates, and flies the samples many times, each time in 0.8 to 1.8 us a sample with the recommended options, in 11 us with
-/// SINS_SCHEME_POLYNOMIAL, 5 subsamples and 16 updates. It flies them once with no effect, once for each effect,
-/// once in each run with all effects together, and, if there are random effects, once in each run with the random effects alone.
-/// With limits it flies them once more in each run, and further times if effects do not add up.
-/// time_steps adds 61 rounds of about 250 steps with no effect, with all, and without each effect: with three effects 0.05 s with
-/// the recommended options, 0.6 s with the others.
+/// Not for a real-time frame: it allocates, and flies the samples many times, each time in 0.8 to 1.8 us a sample with the
+/// recommended options, in 11 us with SINS_SCHEME_POLYNOMIAL, 5 subsamples and 16 updates. time_steps adds 0.05 to 0.6 s with
+/// three effects. The same samples give the same answer on every machine, except for the figures ns_per_step.
 ///
 /// SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of rows; written gets that number, and nothing is flown.
 /// (To ask for the number, give NULL for rows and a capacity of 0.)

@@ -5,8 +5,8 @@ use core::ffi::c_char;
 use super::choice::flag;
 use super::memory::interface_struct;
 use super::text::chars;
-use crate::budget::{Budget, BudgetRequest, BudgetRow, Costs};
-use crate::recommend::SolutionError;
+use crate::analysis::budget::{Budget, BudgetRequest, BudgetRow, Costs};
+use crate::analysis::recommend::SolutionError;
 
 /// Flags of a sins_budget_row.
 pub type sins_budget_flags = u32;

@@ -6,9 +6,9 @@ use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Array, Output, interface_struct, put, read};
 use super::text::chars;
 use super::unit_status::{sins_unit_navigation, sins_unit_status};
-use crate::bus::{Inputs, LABELS, WordStatus, decode, decode_reversed, reversed};
-use crate::error::{Error, Rule};
-use crate::state::BodyAxes;
+use crate::base::error::{Error, Rule};
+use crate::earth::state::BodyAxes;
+use crate::unit::bus::{Inputs, LABELS, WordStatus, decode, decode_reversed, reversed};
 use core::ffi::c_char;
 
 /// Flags of a sins_bus_inputs.
@@ -101,7 +101,7 @@ pub struct sins_bus_label {
 
 interface_struct!(sins_bus_label, "label", 104);
 
-fn label_of(label: &crate::bus::Label) -> sins_bus_label {
+fn label_of(label: &crate::unit::bus::Label) -> sins_bus_label {
     let (minimum, maximum) = label.least_and_greatest();
     sins_bus_label {
         struct_size: size_of::<sins_bus_label>() as u32,
@@ -194,7 +194,7 @@ pub unsafe extern "C-unwind" fn sins_bus_words(
         let place = unsafe { Array::new(words, capacity, "words")? };
         let ((inputs, is_reversed), mut due, mut written) = (inputs, 0, Ok(()));
         let (status, navigation) = (status.to_status()?, navigation.to_shown()?);
-        crate::bus::words(&status, &navigation, &inputs, (from_s, to_s), |word| {
+        crate::unit::bus::words(&status, &navigation, &inputs, (from_s, to_s), |word| {
             if due < capacity && written.is_ok() {
                 let bits = if is_reversed { reversed(word.word) } else { word.word };
                 written = place.write(

@@ -1,7 +1,7 @@
 //! Constants of the host: choices of an enumeration, flags, and reserved fields.
 
 use super::failure::Failure;
-use crate::error::{Error, Rule};
+use crate::base::error::{Error, Rule};
 
 /// A choice of the library that is an enumeration of the interface.
 pub(super) trait Choice: Copy + 'static {
@@ -48,6 +48,19 @@ pub(super) fn one_of<T: Copy>(
             let (first, last) = (codes().min().unwrap_or(0), codes().max().unwrap_or(0));
             Err(Error::invalid(field, value, Rule::OneOf(enumeration, first, last)).into())
         }
+    }
+}
+
+/// The number of one of `count` kinds, which a field holds as a constant of `enumeration`.
+pub(super) fn of_kinds(
+    field: &'static str,
+    value: i32,
+    count: usize,
+    enumeration: &'static str,
+) -> Result<usize, Failure> {
+    match usize::try_from(value) {
+        Ok(kind) if kind < count => Ok(kind),
+        _ => Err(Error::invalid(field, value, Rule::OneOf(enumeration, 0, count as i32 - 1)).into()),
     }
 }
 

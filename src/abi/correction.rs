@@ -6,8 +6,8 @@ use super::choice::check_reserved;
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
-use crate::correction::{Compensation, Correction};
-use crate::state::StateErrors;
+use crate::earth::state::StateErrors;
+use crate::errors::correction::{Compensation, Correction};
 
 /// Errors that the host estimated, for example with a Kalman filter or by a fix, and that the INS removes. All zero, the default,
 /// changes nothing.

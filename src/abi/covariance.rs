@@ -6,7 +6,7 @@ use super::errors::{SINS_ERRORS_NEAR_POLE, SINS_ERRORS_OUTSIDE_VALIDITY, SINS_ER
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use crate::covariance::NavigationCovariance;
+use crate::errors::covariance::NavigationCovariance;
 
 /// Covariance of the navigation errors over all runs of the flight, with its standard deviations and its error ellipse. The errors
 /// are those of sins_errors: east, north, up of position [m], velocity [m/s] and misalignment [rad], in this order.

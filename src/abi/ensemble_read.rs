@@ -9,7 +9,7 @@ use super::failure::{Failure, SINS_OK, sins_status};
 use super::imu::sins_imu;
 use super::memory::{Output, put, put_if_wanted, read};
 use super::solution::sins_navigation;
-use crate::error::{Error, Rule};
+use crate::base::error::{Error, Rule};
 use crate::simulator::ErrorSource;
 
 /// Reads the number of the first run, and how many runs there are; either pointer may be NULL.

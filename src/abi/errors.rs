@@ -6,6 +6,7 @@ use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
 use crate::errors::NavigationErrors;
+use crate::simulator::record::Errors;
 use crate::simulator::{ErrorSource, Moment, View};
 
 include!(concat!(env!("OUT_DIR"), "/sins_errors_source.rs"));
@@ -112,6 +113,18 @@ impl sins_record_errors {
             flags: flag(near_pole, SINS_ERRORS_NEAR_POLE)
                 | flag(errors.outside_validity, SINS_ERRORS_OUTSIDE_VALIDITY),
             reserved2: 0,
+        }
+    }
+}
+
+impl From<sins_record_errors> for Errors {
+    fn from(errors: sins_record_errors) -> Self {
+        Self {
+            position: errors.position_enu_m.into(),
+            velocity: errors.velocity_enu_m_s.into(),
+            misalignment: errors.misalignment_enu_rad.into(),
+            attitude: [errors.roll_rad, errors.pitch_rad, errors.heading_rad].into(),
+            flags: errors.flags as u32,
         }
     }
 }

@@ -3,7 +3,7 @@
 use core::ffi::{CStr, c_char};
 use core::fmt;
 
-use crate::error::{Error, ErrorKind, Rule};
+use crate::base::error::{Error, ErrorKind, Rule};
 
 /// Result of a call: SINS_OK is 0, a negative status is an error, a positive status is neither. After an error nothing has
 /// changed, with the exceptions under Statuses.
@@ -24,6 +24,8 @@ pub const SINS_SCENE_HAS_FAULTS: sins_status_code = 3;
 /// each of the two before it. The library assumes that the vehicle moved during the gap: 213 m in 1 s at 213 m/s. If the
 /// vehicle stood still while the host's clock ran on, this is wrong: see sins_move_time().
 pub const SINS_GAP: sins_status_code = 4;
+/// sins_play_next(), sins_play_run(): the scene has no further sample. Nothing was flown, or all of it.
+pub const SINS_PLAY_END: sins_status_code = 5;
 /// A pointer is null where null is not allowed.
 pub const SINS_ERROR_NULL_POINTER: sins_status_code = -1;
 /// The handle is null, made up, destroyed, or of another kind.

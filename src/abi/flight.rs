@@ -8,10 +8,10 @@ use super::manoeuvre::sins_manoeuvre;
 use super::memory::{Array, Output, put, read};
 use super::parameters::{Parameters, params};
 use super::sample::sins_flight_sample;
-use crate::error::check_integer;
-use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
-use crate::memory::room;
-use crate::surroundings::copy;
+use crate::base::error::check_integer;
+use crate::base::memory::room;
+use crate::base::rows::copy;
+use crate::truth::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 
 /// An embedded flight. A handle is a checked key, as that of sins_sim, and never taken for one.
 #[repr(C)]

@@ -9,7 +9,7 @@ use super::memory::{Output, interface_struct};
 use super::sentence::Sentence;
 use super::simulator::sins_sim;
 use super::text::{chars, put_text};
-use crate::error::Value;
+use crate::base::error::Value;
 
 /// Flags of a sins_error_info.
 pub type sins_error_info_flags = u32;

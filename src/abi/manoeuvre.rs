@@ -1,42 +1,17 @@
 //! `sins_manoeuvre`, of which embedded flights are made.
 
-use super::choice::{Choice, check_reserved, choices};
+use super::choice::{Choice, check_reserved, choices, of_kinds};
 use super::failure::Failure;
 use super::memory::interface_struct;
-use crate::error::{Error, Rule, Value, check_integer};
-use crate::flight::{
-    Channel, DEFAULT_RAMP_S, MANOEUVRE_KINDS, MAX_SINUSOIDS, Manoeuvre, ManoeuvreFields, Sinusoid,
-};
+use crate::base::error::{Error, Rule, Value, check_integer};
+use crate::truth::flight::{Channel, MAX_SINUSOIDS, Manoeuvre, ManoeuvreFields, Sinusoid, Sinusoids};
 
-/// Kinds of manoeuvre.
-pub type sins_manoeuvre_kind = i32;
-
-/// At rest for duration_s; the speed must be 0.
-pub const SINS_MANOEUVRE_REST: sins_manoeuvre_kind = 0;
-/// Along a geodesic at constant speed and height for duration_s.
-pub const SINS_MANOEUVRE_STRAIGHT: sins_manoeuvre_kind = 1;
-/// Changes the speed by speed_change_m_s in duration_s.
-pub const SINS_MANOEUVRE_ACCELERATE: sins_manoeuvre_kind = 2;
-/// Changes the height by height_change_m in duration_s. Uses ramp_s.
-pub const SINS_MANOEUVRE_CLIMB: sins_manoeuvre_kind = 3;
-/// Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
-/// duration follows from these.
-pub const SINS_MANOEUVRE_TURN: sins_manoeuvre_kind = 4;
-/// Whole rolls along a straight path in duration_s; the field turns is their number (positive: right wing down).
-pub const SINS_MANOEUVRE_ROLL: sins_manoeuvre_kind = 5;
-/// Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s.
-pub const SINS_MANOEUVRE_LOOP: sins_manoeuvre_kind = 6;
-/// The course swings by heading_change_rad to both sides, first to the right if it is positive. The field turns is the number
-/// of swings in duration_s. A swing is a full period: to one side, to the other side, and back. Uses ramp_s.
-pub const SINS_MANOEUVRE_S_TURN: sins_manoeuvre_kind = 7;
-/// Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s.
-pub const SINS_MANOEUVRE_SINUSOIDS: sins_manoeuvre_kind = 8;
-
+include!(concat!(env!("OUT_DIR"), "/sins_manoeuvre_kind.rs"));
 include!(concat!(env!("OUT_DIR"), "/sins_channel.rs"));
 
 /// One manoeuvre of an embedded flight; each begins and ends straight and level. Fields that its kind does not use must be 0.
 #[repr(C)]
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct sins_manoeuvre {
     /// sizeof(sins_manoeuvre); in an array it is enough to set it in the first element and 0 in the others.
     pub struct_size: u32,
@@ -75,99 +50,75 @@ pub struct sins_manoeuvre {
 
 interface_struct!(sins_manoeuvre, "manoeuvre", 240);
 
-const NOT_USED: Rule = Rule::Zero(": this manoeuvre does not use it");
-
-// A kind is its place in the table.
-const _: () =
-    assert!(SINS_MANOEUVRE_REST == 0 && SINS_MANOEUVRE_SINUSOIDS + 1 == MANOEUVRE_KINDS.len() as i32);
-
 impl sins_manoeuvre {
-    /// The quantities that a kind may use, under their names.
-    fn quantities(&mut self) -> [(&'static str, &mut f64); 7] {
-        [
-            ("manoeuvre.duration_s", &mut self.duration_s),
-            ("manoeuvre.ramp_s", &mut self.ramp_s),
-            ("manoeuvre.speed_change_m_s", &mut self.speed_change_m_s),
-            ("manoeuvre.height_change_m", &mut self.height_change_m),
-            ("manoeuvre.heading_change_rad", &mut self.heading_change_rad),
-            ("manoeuvre.bank_rad", &mut self.bank_rad),
-            ("manoeuvre.turns", &mut self.turns),
-        ]
+    /// The quantities, in the order of [`ManoeuvreFields`].
+    fn numbers_mut(&mut self) -> [&mut f64; 7] {
+        let Self {
+            duration_s,
+            ramp_s,
+            speed_change_m_s,
+            height_change_m,
+            heading_change_rad,
+            bank_rad,
+            turns,
+            ..
+        } = self;
+        [duration_s, ramp_s, speed_change_m_s, height_change_m, heading_change_rad, bank_rad, turns]
     }
 
     #[cfg(feature = "scenes")]
     pub(super) fn from_manoeuvre(manoeuvre: &Manoeuvre) -> Self {
-        let fields = ManoeuvreFields::from(manoeuvre);
-        let terms = &fields.sinusoids;
+        let mut fields = ManoeuvreFields::from(manoeuvre);
+        let terms = fields.sinusoids.terms();
+        let each =
+            |number: fn(&Sinusoid) -> f64| core::array::from_fn(|index| terms.get(index).map_or(0.0, number));
         let mut made = Self {
             struct_size: size_of::<Self>() as u32,
-            reserved: 0,
             kind: fields.kind as i32,
-            sinusoid_count: fields.sinusoid_count as i32,
-            duration_s: fields.duration_s,
-            ramp_s: fields.ramp_s,
-            speed_change_m_s: fields.speed_change_m_s,
-            height_change_m: fields.height_change_m,
-            heading_change_rad: fields.heading_change_rad,
-            bank_rad: fields.bank_rad,
-            turns: fields.turns,
-            channel: terms.map(|term| term.channel.code()),
-            amplitude: terms.map(|term| term.amplitude),
-            frequency_hz: terms.map(|term| term.frequency_hz),
-            phase_rad: terms.map(|term| term.phase_rad),
+            sinusoid_count: terms.len() as i32,
+            channel: core::array::from_fn(|index| terms.get(index).map_or(0, |term| term.channel.code())),
+            amplitude: each(|term| term.amplitude),
+            frequency_hz: each(|term| term.frequency_hz),
+            phase_rad: each(|term| term.phase_rad),
+            ..Self::default()
         };
-        let (_, uses) = MANOEUVRE_KINDS[fields.kind];
-        for (field, value) in made.quantities() {
-            if !uses.contains(&field) {
-                *value = 0.0;
-            }
-        }
+        fields.clear_unused();
+        made.numbers_mut().into_iter().zip(fields.numbers_mut()).for_each(|(to, from)| *to = *from);
         made
     }
 
     pub(super) fn to_manoeuvre(mut self) -> Result<Manoeuvre, Failure> {
         check_reserved("manoeuvre.reserved", self.reserved)?;
-        let kind = usize::try_from(self.kind).unwrap_or(usize::MAX);
-        let Some((_, uses)) = MANOEUVRE_KINDS.get(kind) else {
-            let rule = Rule::OneOf("sins_manoeuvre_kind", 0, MANOEUVRE_KINDS.len() as i32 - 1);
-            return Err(Error::invalid("manoeuvre.kind", self.kind, rule).into());
-        };
-        for (field, value) in self.quantities() {
-            if *value != 0.0 && !uses.contains(&field) {
-                return Err(Error::invalid(field, *value, NOT_USED).into());
-            }
-        }
-        let mut fields = ManoeuvreFields {
-            kind,
-            duration_s: self.duration_s,
-            ramp_s: if self.ramp_s == 0.0 { DEFAULT_RAMP_S } else { self.ramp_s },
-            speed_change_m_s: self.speed_change_m_s,
-            height_change_m: self.height_change_m,
-            heading_change_rad: self.heading_change_rad,
-            bank_rad: self.bank_rad,
-            turns: self.turns,
-            ..ManoeuvreFields::default()
-        };
-        self.set_sinusoids(&mut fields)?;
-        Ok(fields.to_manoeuvre())
+        let kind =
+            of_kinds("manoeuvre.kind", self.kind, ManoeuvreFields::KINDS.len(), "sins_manoeuvre_kind")?;
+        let numbers = self.numbers_mut().map(|number| *number);
+        let mut fields = ManoeuvreFields { kind, sinusoids: self.sinusoids()?, ..ManoeuvreFields::default() };
+        fields.check_unused(&numbers)?;
+        // 0 is what the library takes where nobody sets a quantity.
+        let set = fields.numbers_mut().into_iter().zip(numbers).filter(|(_, number)| *number != 0.0);
+        set.for_each(|(to, number)| *to = number);
+        Ok(fields.kind().unwrap_or(Manoeuvre::Rest { duration_s: self.duration_s }))
     }
 
-    fn set_sinusoids(&self, fields: &mut ManoeuvreFields) -> Result<(), Failure> {
+    fn sinusoids(&self) -> Result<Sinusoids, Failure> {
+        const NOT_USED: Rule = Rule::Zero(": this manoeuvre does not use it");
+        let mut sinusoids = Sinusoids::default();
+        let mut count = 0;
         if self.kind == SINS_MANOEUVRE_SINUSOIDS {
             check_integer("manoeuvre.sinusoid_count", self.sinusoid_count, 1, MAX_SINUSOIDS as u64)?;
-            fields.sinusoid_count = self.sinusoid_count as usize;
+            count = self.sinusoid_count as usize;
         } else if self.sinusoid_count != 0 {
             return Err(Error::invalid("manoeuvre.sinusoid_count", self.sinusoid_count, NOT_USED).into());
         }
-        for (i, term) in fields.sinusoids.iter_mut().enumerate().take(fields.sinusoid_count) {
-            *term = Sinusoid {
+        for i in 0..count {
+            sinusoids.push(Sinusoid {
                 channel: Channel::of("manoeuvre.channel", self.channel[i])?,
                 amplitude: self.amplitude[i],
                 frequency_hz: self.frequency_hz[i],
                 phase_rad: self.phase_rad[i],
-            };
+            });
         }
-        for i in fields.sinusoid_count..MAX_SINUSOIDS {
+        for i in count..MAX_SINUSOIDS {
             let unused: [(_, Value); 4] = [
                 ("manoeuvre.channel", self.channel[i].into()),
                 ("manoeuvre.amplitude", self.amplitude[i].into()),
@@ -178,6 +129,6 @@ impl sins_manoeuvre {
                 return Err(Error::invalid(field, value, NOT_USED).into());
             }
         }
-        Ok(())
+        Ok(sinusoids)
     }
 }

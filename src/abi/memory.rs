@@ -3,7 +3,7 @@
 use core::mem::MaybeUninit;
 
 use super::failure::{Failure, SINS_OK, sins_status};
-use crate::error::Rule;
+use crate::base::error::Rule;
 
 /// Largest struct size that a host may state; larger ones are garbage, not a later release.
 const MAX_STRUCT_SIZE: usize = 1 << 16;
@@ -285,5 +285,5 @@ pub(super) unsafe fn put_if_wanted<T: Copy>(pointer: *mut T, value: T) {
 #[cfg(feature = "scenes")]
 pub(super) fn element<'a, T>(list: &'a [T], index: usize, rule: &'static str) -> Result<&'a T, Failure> {
     let rule = Rule::SentenceWith(rule, list.len().into());
-    list.get(index).ok_or_else(|| crate::error::Error::invalid("index", index, rule).into())
+    list.get(index).ok_or_else(|| crate::base::error::Error::invalid("index", index, rule).into())
 }

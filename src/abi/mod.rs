@@ -3,8 +3,8 @@
 //! Everything behind is safe Rust.
 //!
 //! The doc comments of the public items are the documentation in the header. That of the fields of `sins_gyro_params` and
-//! `sins_accel_params` comes from `src/sensors/table.rs`, that of the other structs of parameters from
-//! `src/surroundings/table.rs`, and that of most enumerations from the enumerations of the crate that `build/enumerations.rs` lists.
+//! `sins_accel_params` comes from `src/sensors/table.rs`, that of the other structs of parameters from the
+//! tables that `build/tables.rs` lists, and that of most enumerations from the enumerations of the crate that `build/enumerations.rs` lists.
 //!
 //! # Safety
 //!
@@ -48,6 +48,7 @@ mod sample;
 mod scene;
 mod sensor_failure;
 mod sentence;
+mod settings;
 mod simulator;
 mod snapshot;
 mod solution;
@@ -78,7 +79,6 @@ pub use last_error::*;
 pub use manoeuvre::*;
 pub use navigator::*;
 pub use options::*;
-pub use parameters::*;
 pub use preset::*;
 pub use recommend::{sins_cost, sins_recommend, sins_requirement};
 pub use record::*;
@@ -87,6 +87,7 @@ pub use sample::*;
 #[cfg(feature = "scenes")]
 pub use scene::*;
 pub use sensor_failure::*;
+pub use settings::*;
 pub use simulator::*;
 pub use snapshot::*;
 pub use solution::*;

@@ -8,11 +8,11 @@ use super::failure::{SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_navigation;
+use crate::base::error::{Error, Rule, check_integer, check_range, check_ranges};
 use crate::earth::Geodetic;
-use crate::error::{Error, Rule, check_integer, check_range, check_ranges};
+use crate::earth::state::Navigation;
 use crate::mechanization::MAX_SUBSAMPLES;
 use crate::signal::Increment;
-use crate::state::Navigation;
 use crate::truth::{FlightSample, check_height};
 
 /// Increments of an inertial measurement unit over an interval. The interval is divided into parts of equal length; the

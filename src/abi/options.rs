@@ -4,12 +4,12 @@ use super::choice::{Choice, check_reserved, choices, switch};
 use super::failure::Failure;
 use super::memory::interface_struct;
 use super::parameters::Parameters;
+use crate::base::error::{Error, Rule, check_integer};
+use crate::earth::state::BodyAxes;
 use crate::earth::{Ellipsoid, GravityModel};
-use crate::error::{Error, Rule, check_integer};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
 use crate::sensors::StreamKey;
 use crate::simulator::Options;
-use crate::state::BodyAxes;
 use crate::truth::IntakeLimits;
 
 include!(concat!(env!("OUT_DIR"), "/sins_frame.rs"));
@@ -100,8 +100,8 @@ pub struct sins_options {
     /// Even at rest the position error grows with the third power of the interval: within 12 h it reaches 0.09 m with
     /// intervals of 10 s, and 91 m with intervals of 100 s.
     pub max_gap_s: f64,
-    /// Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. A larger one is rejected as a jump of
-    /// the truth.
+    /// Largest mean acceleration between two samples, 1e-3 to 1e6 [m/s2]; 0: 2000 m/s2. Velocities that need a larger one are
+    /// rejected as a jump of the truth; without velocities, displacements that need a larger one and 10 m more.
     pub max_acceleration_m_s2: f64,
     /// Summary of the true motion, of enum sins_summary.
     pub truth_summary: i32,

@@ -4,7 +4,8 @@ use super::boundary::enter_without_simulator;
 use super::choice::{Choice, choices};
 use super::failure::sins_status;
 use super::memory::Output;
-use super::parameters::{Parameters, sins_accel_params, sins_gyro_params, sins_initial_errors};
+use super::parameters::Parameters;
+use super::settings::{sins_accel_params, sins_gyro_params, sins_initial_errors};
 use crate::sensors::Grade;
 
 include!(concat!(env!("OUT_DIR"), "/sins_grade.rs"));

@@ -7,11 +7,11 @@ use super::options::sins_options;
 use super::parameters::Parameters;
 use super::sample::sins_flight_sample;
 use super::simulator::{look_at, sins_sim};
-use crate::error::check_integer;
-use crate::memory::room;
-use crate::recommend::{
+use crate::analysis::recommend::{
     MAX_SAMPLES, MIN_SAMPLES, Recommendation, Refusal, Requirement, Setup, recommend, step_time_ns,
 };
+use crate::base::error::check_integer;
+use crate::base::memory::room;
 use crate::truth::FlightSample;
 
 /// Largest error that the algorithm itself may cause, in addition to those of the sensors, at any time within a duration.
@@ -115,31 +115,16 @@ impl From<Refusal> for Failure {
 }
 
 /// Finds the cheapest algorithm that meets a requirement on a piece of the host's own flight, of 2 to 360000 samples.
-/// samples[0].struct_size is the size in bytes of each element of samples.
+/// samples[0].struct_size is the size in bytes of each element of samples. docs/accuracy.md, "Which options", says which piece to
+/// give, which error is judged, and how it is predicted beyond the piece.
 ///
 /// configured is a simulator as the host flies it, at any moment. The call uses only its options and its mounting, reads them at
 /// the start, and neither steps nor changes the simulator. NULL is the recommended simulator with its sensor block at the
 /// reference point. The output `options` gets the options of configured, ready for sins_create(). Only scheme, subsamples and
 /// updates_per_sample are replaced by the recommended values. The values of these three in configured do not matter.
 ///
-/// The piece must contain the hardest motion of the flight: its largest rates, specific forces and vibration, and its coning: two
-/// axes that oscillate together, however gently, for a long time. A calmer piece, such as the time on the ramp, gives an answer
-/// that is false for the flight. The plainest piece is the whole flight. cost returns the largest rate, specific force and
-/// vibration of the samples: if the flight has larger ones, the piece was too calm.
-///
-/// Each algorithm flies the piece with ideal sensors in the same mounting. Its solution is compared at every sample with a
-/// reference: a solution of SINS_SCHEME_POLYNOMIAL in Earth-fixed axes with 16 updates of 5 subsamples. The uncertainty of
-/// the reference (its difference from a solution with half as many updates) is added to the error. The error is that of the
-/// algorithm only. Errors of sensors, altimeter and believed mounting, initial errors, the gravity disturbance, and
-/// contradictions within the host's samples are left out, because they act on both solutions alike. The signals are without
-/// the trim of SINS_SIGNAL_CLOSED_LOOP, which would hide the error. If the duration is longer than the piece, the call
-/// assumes that the piece is repeated. Each repetition adds the same errors with the same sign. The call assumes the worst
-/// phase of the Schuler oscillation. If the flight continues like the piece, its errors are smaller than this prediction.
-/// With SINS_VERTICAL_FREE each error is taken as a height error, which grows e-fold every 569 s.
-///
-/// Algorithms are ordered by instructions_per_step, so the same samples give the same answer on every machine; only ns_per_step
-/// differs. Not for a real-time frame: it allocates, and takes about 18 to 70 us a sample, 0.1 to 0.4 ms if nothing meets the
-/// requirement. time_steps adds 5 to 100 ms.
+/// Not for a real-time frame: it allocates, and takes about 18 to 70 us a sample, 0.1 to 0.4 ms if nothing meets the requirement.
+/// time_steps adds 5 to 100 ms. The same samples give the same answer on every machine; only ns_per_step differs.
 ///
 /// SINS_REQUIREMENT_NOT_MET: no algorithm meets the requirement; options and cost are those of the algorithm that comes
 /// closest.

@@ -3,6 +3,8 @@
 use core::ffi::c_char;
 use core::fmt::{self, Write};
 
+use nalgebra::Vector3;
+
 use super::answer::fill_or_need;
 use super::boundary::enter_without_simulator;
 use super::covariance::sins_covariance;
@@ -12,8 +14,9 @@ use super::memory::{Output, interface_struct, read, read_numbers};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_record_solution;
 use super::text::put_text;
-use crate::error::{Error, Rule};
-use crate::records::{COLUMNS, Number, SIGMA_COLUMNS};
+use crate::base::error::{Error, Rule};
+use crate::base::records::Number;
+use crate::simulator::record::{Record, columns};
 use crate::simulator::{Moment, View};
 
 /// Truth, navigation and both errors at one instant.
@@ -137,8 +140,7 @@ unsafe fn line(
 ) -> Result<Line, Failure> {
     let mut line = Line { bytes: [0; LONGEST], length: 0 };
     if record.is_null() {
-        let sigmas = if covariance.is_null() { &[] } else { &SIGMA_COLUMNS[..] };
-        COLUMNS.iter().chain(sigmas).for_each(|column| line.add(column));
+        columns(!covariance.is_null()).for_each(|column| line.add(column));
         return Ok(line);
     }
     if count != 0 && count != SENSOR_ERRORS {
@@ -151,13 +153,13 @@ unsafe fn line(
     let mut sensors = [0.0; SENSOR_ERRORS];
     // SAFETY: as this function.
     unsafe { read_numbers(sensor_errors, &mut sensors[..count], "sensor_errors")? };
+    let record = Record {
+        gyro_error: Vector3::from_column_slice(&sensors[..3]),
+        accel_error: Vector3::from_column_slice(&sensors[3..]),
+        ..record.into()
+    };
     let mut add = |values: &[f64]| values.iter().for_each(|value| line.add(Number(*value)));
-    add(&[record.time_s]);
-    [&record.truth, &record.navigation].into_iter().for_each(|solution| add_solution(&mut add, solution));
-    [&record.navigation_errors, &record.model_errors]
-        .into_iter()
-        .for_each(|errors| add_errors(&mut add, errors));
-    add(&sensors);
+    add(&record.values());
     if !covariance.is_null() {
         // SAFETY: as this function.
         let covariance = unsafe { read(covariance, "covariance")? };
@@ -168,15 +170,15 @@ unsafe fn line(
     Ok(line)
 }
 
-fn add_solution(add: &mut impl FnMut(&[f64]), solution: &sins_record_solution) {
-    add(&[solution.latitude_rad, solution.longitude_rad, solution.height_m]);
-    add(&solution.velocity_enu_m_s);
-    add(&[solution.roll_rad, solution.pitch_rad, solution.heading_rad]);
-}
-
-fn add_errors(add: &mut impl FnMut(&[f64]), errors: &sins_record_errors) {
-    add(&errors.position_enu_m);
-    add(&errors.velocity_enu_m_s);
-    add(&errors.misalignment_enu_rad);
-    add(&[errors.roll_rad, errors.pitch_rad, errors.heading_rad, f64::from(errors.flags)]);
+impl From<sins_record> for Record {
+    fn from(record: sins_record) -> Self {
+        Self {
+            time_s: record.time_s,
+            truth: record.truth.into(),
+            navigation: record.navigation.into(),
+            navigation_error: record.navigation_errors.into(),
+            model_error: record.model_errors.into(),
+            ..Self::default()
+        }
+    }
 }

@@ -5,9 +5,9 @@ use nalgebra::Vector3;
 use super::choice::flag;
 use super::failure::Failure;
 use super::memory::{Array, interface_struct};
+use crate::base::error::{Error, Rule};
+use crate::base::math::Euler;
 use crate::earth::Geodetic;
-use crate::error::{Error, Rule};
-use crate::math::Euler;
 use crate::truth::FlightSample;
 
 /// Flags of a sins_flight_sample.

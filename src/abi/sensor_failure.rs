@@ -1,11 +1,11 @@
 //! `sins_failure`.
 
-use super::choice::check_reserved;
+use super::choice::{check_reserved, of_kinds};
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
-use crate::error::{Error, Rule};
-use crate::sensors::{self, FAILURE_KINDS, FailureFields, SensorOutput};
+use crate::base::error::{Error, Rule};
+use crate::sensors::{self, FailureFields, SensorOutput};
 
 /// Sensors that can fail.
 pub type sins_sensor = i32;
@@ -17,31 +17,7 @@ pub const SINS_SENSOR_ACCEL: sins_sensor = 1;
 /// The altimeter. Give 0 for the argument axis.
 pub const SINS_SENSOR_ALTIMETER: sins_sensor = 2;
 
-/// Kinds of failure.
-pub type sins_failure_kind = i32;
-
-/// No failure: clears the failure that is set.
-pub const SINS_FAILURE_NONE: sins_failure_kind = 0;
-/// The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
-/// its first value. It is not flagged, because it looks like valid data.
-pub const SINS_FAILURE_STUCK: sins_failure_kind = 1;
-/// No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
-/// altimeter nothing stabilizes the vertical channel of SINS_VERTICAL_DAMPED; this is flagged
-/// SINS_NAVIGATION_VERTICAL_UNAIDED.
-pub const SINS_FAILURE_DEAD: sins_failure_kind = 2;
-/// An additional bias; its value is in the field `size`. Not flagged.
-pub const SINS_FAILURE_BIAS_STEP: sins_failure_kind = 3;
-/// Rectangular pulses. The field `size` is their height, duration_s their length. A pulse starts every interval_s; the first
-/// starts immediately. A sample of the altimeter shows the mean of the pulses over the sample interval. A gyro or an
-/// accelerometer is flagged only if a pulse saturates it.
-pub const SINS_FAILURE_SPIKES: sins_failure_kind = 4;
-/// Additional white noise; its density is in the field `density`. A sample of the altimeter shows the mean of the noise over
-/// the sample interval. Not flagged.
-pub const SINS_FAILURE_NOISE: sins_failure_kind = 5;
-/// Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
-/// independently with the probability in the field `probability`, or one interval is lost every interval_s, the first
-/// immediately.
-pub const SINS_FAILURE_DROP_OUTS: sins_failure_kind = 6;
+include!(concat!(env!("OUT_DIR"), "/sins_failure_kind.rs"));
 
 /// What a sins_failure and a sins_planned_failure say of a failure.
 #[repr(C)]
@@ -80,46 +56,22 @@ pub struct sins_failure {
 
 interface_struct!(sins_failure, "failure", 56);
 
-// A kind is its place among the kinds.
-const _: () = assert!(SINS_FAILURE_NONE == 0 && SINS_FAILURE_DROP_OUTS + 1 == FAILURE_KINDS.len() as i32);
-
 impl sins_failure_fields {
     /// The fields of `failure`; without one SINS_FAILURE_NONE.
     pub(super) fn of(failure: Option<sensors::Failure>) -> Self {
-        let FailureFields { kind, size, density, interval_s, duration_s, probability } = failure.into();
+        let fields = failure.as_ref().map_or(FailureFields::default(), FailureFields::from);
+        let FailureFields { kind, size, density, interval_s, duration_s, probability } = fields;
         Self { kind: kind as i32, reserved2: 0, size, density, interval_s, duration_s, probability }
     }
 
     pub(super) fn to_failure(self) -> Result<Option<sensors::Failure>, Failure> {
         check_reserved("failure.reserved2", self.reserved2)?;
         let Self { size, density, interval_s, duration_s, probability, .. } = self;
-        let kind = usize::try_from(self.kind).unwrap_or(usize::MAX);
-        if kind >= FAILURE_KINDS.len() {
-            let rule = Rule::OneOf("sins_failure_kind", 0, FAILURE_KINDS.len() as i32 - 1);
-            return Err(Error::invalid("failure.kind", self.kind, rule).into());
-        }
-        let failure = FailureFields { kind, size, density, interval_s, duration_s, probability }.to_failure();
-        self.check_unused(&Self::of(failure))?;
-        Ok(failure)
-    }
-
-    /// Rejects values that the failure does not use, because the host must have meant something else. `used` has the values that
-    /// it uses.
-    fn check_unused(&self, used: &Self) -> Result<(), Failure> {
-        let fields = [
-            ("failure.size", self.size, used.size),
-            ("failure.density", self.density, used.density),
-            ("failure.interval_s", self.interval_s, used.interval_s),
-            ("failure.duration_s", self.duration_s, used.duration_s),
-            ("failure.probability", self.probability, used.probability),
-        ];
-        match fields.iter().find(|(_, value, used)| *value != 0.0 && *used == 0.0) {
-            Some(&(field, value, _)) => {
-                let rule = Rule::Zero(": this kind of failure does not use it");
-                Err(Error::invalid(field, value, rule).into())
-            }
-            None => Ok(()),
-        }
+        let kind = of_kinds("failure.kind", self.kind, FailureFields::KINDS.len(), "sins_failure_kind")?;
+        let mut fields = FailureFields { kind, size, density, interval_s, duration_s, probability };
+        let numbers = fields.numbers_mut().map(|number| *number);
+        fields.check_unused(&numbers)?;
+        Ok(fields.kind())
     }
 }
 

@@ -8,7 +8,7 @@ use super::memory::{Output, read};
 use super::options::sins_options;
 use super::parameters::Parameters;
 use super::sample::sins_flight_sample;
-use crate::error::Error;
+use crate::base::error::Error;
 use crate::simulator::{Options, Simulator, Step, heap_simulator};
 use crate::truth::{FlightSample, Pushed};
 

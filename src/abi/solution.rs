@@ -5,6 +5,7 @@ use super::choice::flag;
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
+use crate::simulator::record::Motion;
 use crate::simulator::{Moment, Solution, View};
 
 /// Flags of a sins_navigation.
@@ -89,6 +90,18 @@ impl sins_record_solution {
                 | flag(solution.inconsistent, SINS_NAVIGATION_INCONSISTENT)
                 | flag(solution.north_unknown, SINS_NAVIGATION_NORTH_UNKNOWN),
             reserved2: 0,
+        }
+    }
+}
+
+impl From<sins_record_solution> for Motion {
+    fn from(solution: sins_record_solution) -> Self {
+        Self {
+            latitude_rad: solution.latitude_rad,
+            longitude_rad: solution.longitude_rad,
+            height_m: solution.height_m,
+            velocity: solution.velocity_enu_m_s.into(),
+            attitude: [solution.roll_rad, solution.pitch_rad, solution.heading_rad].into(),
         }
     }
 }

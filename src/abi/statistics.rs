@@ -1,14 +1,14 @@
-//! `sins_statistics` and what they say. The struct itself is `src/statistics/layout.rs`.
+//! `sins_statistics` and what they say. The struct itself is `src/ensemble/statistics/layout.rs`.
 
 use super::boundary::enter_without_simulator;
 use super::choice::{Choice, choices};
 use super::ensemble::{sins_ensemble, with_ensemble};
 use super::failure::{SINS_NEED_SAMPLE, sins_status};
 use super::memory::{Output, interface_struct, read_into};
+use crate::ensemble::statistics::{Decision, Figures, Statistics, Verdict};
 use crate::simulator::ErrorSource;
-use crate::statistics::{Decision, Figures, Statistics, Verdict};
 
-pub use crate::statistics::Statistics as sins_statistics;
+pub use crate::ensemble::statistics::Statistics as sins_statistics;
 
 interface_struct!(sins_statistics, "statistics", 14920);
 

@@ -6,9 +6,9 @@ use core::ffi::c_char;
 
 use super::failure::{Failure, SINS_OK, sins_status};
 use super::memory::put_if_wanted;
-use crate::error::Error;
+use crate::base::error::Error;
 #[cfg(feature = "scenes")]
-use crate::error::Rule;
+use crate::base::error::Rule;
 
 /// Gives the host the bytes that `save` writes, at most N, and their number.
 ///

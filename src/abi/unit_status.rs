@@ -5,10 +5,10 @@ use super::failure::{Failure, sins_status};
 use super::memory::{Output, interface_struct};
 use super::simulator::{look_at, sins_sim};
 use super::unit::{sins_unit, with_unit};
+use crate::base::error::{Error, Rule, check_range, check_ranges};
+use crate::base::math::Euler;
+use crate::base::snapshot::CLOCK_S;
 use crate::earth::Geodetic;
-use crate::error::{Error, Rule, check_range, check_ranges};
-use crate::math::Euler;
-use crate::snapshot::CLOCK_S;
 use crate::unit::{Mode, Reasons, State, Status, UnitNavigation, Validity};
 
 include!(concat!(env!("OUT_DIR"), "/sins_unit_state.rs"));

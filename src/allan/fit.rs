@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::covariance::{Covariance, Form};
 use super::terms::{TERMS, Term, total};
-use crate::math::hypot;
+use crate::base::math::hypot;
 
 type Vector = SVector<f64, TERMS>;
 

@@ -6,7 +6,7 @@ use nalgebra::SVector;
 use super::covariance::Covariance;
 use super::fit::Fit;
 use super::terms::{TERMS, Term, total};
-use crate::math::{chi_square_quantile, normal_quantile};
+use crate::base::math::{chi_square_quantile, normal_quantile};
 
 /// Values from `low` to `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! Sums over the distances of two second differences of a record. Each distance counts as often as the record has it.
 
-use crate::math::GAUSS_8;
+use crate::base::math::GAUSS_8;
 
 /// Longest piece between two corners [samples] that is summed term by term.
 const SUMMED: i64 = 16;

@@ -22,7 +22,7 @@ pub use fit::Fit;
 pub use interval::{Interval, Point};
 pub use terms::{TERMS, Term, total};
 
-use crate::error::{Error, Rule, check_range, check_ranges};
+use crate::base::error::{Error, Rule, check_range, check_ranges};
 use covariance::Covariance;
 use deviation::{allan_variance, factors, integral};
 

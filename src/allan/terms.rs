@@ -2,7 +2,7 @@
 
 use core::f64::consts::{LN_2, PI};
 
-use crate::math::ln;
+use crate::base::math::ln;
 
 /// Term of the Allan variance: the square of its coefficient times [`Term::shape`] is its share of σ²(τ) (IEEE Std 952-1997,
 /// annex C). With u as the unit of the rate, \[rad/s\] or \[m/s²\]:

@@ -6,8 +6,8 @@ use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::Earth;
 use super::position::Direction;
-use crate::math::{Pair, atan2_of_two, hypot, sin_cos, sin_cos_each};
-use crate::snapshot::{ANY, stored};
+use crate::base::math::{Pair, atan2_of_two, hypot, sin_cos, sin_cos_each};
+use crate::base::snapshot::{ANY, stored};
 
 /// Geodetic coordinates of a place.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::Earth;
-use crate::snapshot::codes;
+use crate::base::snapshot::codes;
 
 /// Formulas of normal gravity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -5,12 +5,13 @@
 mod geodetic;
 mod gravity;
 mod position;
+pub mod state;
 
 pub(crate) use geodetic::navigation_axes_from_half_angles;
 pub use geodetic::{Geodetic, Vertical, VerticalTrack, navigation_axes};
 pub use gravity::GravityModel;
 
-use crate::snapshot::codes;
+use crate::base::snapshot::codes;
 use gravity::NormalField;
 
 /// Ellipsoids.

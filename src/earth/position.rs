@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{Earth, Geodetic};
-use crate::math::{Pair, sin_cos_each_inlined, two_product, two_sum};
+use crate::base::math::{Pair, sin_cos_each_inlined, two_product, two_sum};
 
 /// Cosine and sine of the latitude and of the longitude of a place.
 #[derive(Debug, Clone, Copy)]

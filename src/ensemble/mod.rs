@@ -5,12 +5,13 @@
 mod part;
 mod read;
 mod snapshot;
+pub mod statistics;
 
-use crate::correction::Correction;
-use crate::error::{Error, Rule, check_integer};
+use crate::base::error::{Error, Rule, check_integer};
+use crate::base::instruction_set::InstructionSet;
+use crate::base::memory::room;
 use crate::errors::NavigationErrors;
-use crate::instruction_set::InstructionSet;
-use crate::memory::room;
+use crate::errors::correction::Correction;
 use crate::sensors::{Failure, SensorOutput, StreamKey};
 use crate::simulator::{ErrorSource, Options, Simulator, Step, nothing_to_correct};
 use crate::truth::{FlightSample, Pushed};

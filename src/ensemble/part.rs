@@ -1,8 +1,8 @@
 //! Runs that are flown together: as many as fit into the cache of a core.
 
-use crate::correction::Correction;
-use crate::error::Error;
-use crate::instruction_set::InstructionSet;
+use crate::base::error::Error;
+use crate::base::instruction_set::InstructionSet;
+use crate::errors::correction::Correction;
 use crate::simulator::{Options, SideBySide, Simulator, Step, nothing_to_correct};
 use crate::truth::{FlightSample, Intake, Pushed};
 

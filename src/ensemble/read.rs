@@ -2,12 +2,12 @@
 
 use super::Ensemble;
 use super::part::{PART_RUNS, Part};
-use crate::correction::Compensation;
-use crate::error::{Error, ErrorKind, Rule};
+use crate::base::error::{Error, ErrorKind, Rule};
+use crate::ensemble::statistics::Statistics;
 use crate::errors::NavigationErrors;
+use crate::errors::correction::Compensation;
 use crate::sensors::{Failure, SensorOutput};
 use crate::simulator::{ErrorSource, ImuInterval, Solution, is_of_truth};
-use crate::statistics::Statistics;
 
 impl Ensemble {
     /// The truth, which all runs share; `None` before the first sample.

@@ -2,11 +2,11 @@
 
 use super::Ensemble;
 use super::part::{PART_RUNS, Part};
-use crate::error::Error;
-use crate::instruction_set::InstructionSet;
-use crate::memory::room;
+use crate::base::error::Error;
+use crate::base::instruction_set::InstructionSet;
+use crate::base::memory::room;
+use crate::base::snapshot::{ANY, COUNT, Numbers, Reader, SnapshotOf, Stored, Writer, fitting};
 use crate::simulator::{Options, SideBySide, Simulator};
-use crate::snapshot::{ANY, COUNT, Numbers, Reader, SnapshotOf, Stored, Writer, fitting};
 use crate::truth::Intake;
 
 impl Ensemble {

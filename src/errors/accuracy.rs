@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::NavigationErrors;
-use crate::snapshot::{CLOCK_S, COUNT, NO_SQUARE, moved_clock, stored};
+use crate::base::snapshot::{CLOCK_S, COUNT, NO_SQUARE, moved_clock, stored};
 
 /// R50 = 0.8326 √(mean RER²): half of the radial errors, circular normal distribution (√ln 2).
 const RADIAL_CEP: f64 = 0.832_554_611_157_697_8;
@@ -149,7 +149,7 @@ impl AccuracyFigures {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::NMI_PER_HOUR;
+    use crate::base::units::NMI_PER_HOUR;
 
     /// An error that grows by 1 nmi/h: every figure has its closed form.
     #[test]

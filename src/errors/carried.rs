@@ -2,9 +2,9 @@
 
 use nalgebra::{Quaternion, Vector3};
 
+use crate::base::math::{rotate, rotate_inverse, rotated_z};
+use crate::earth::state::{EarthFixedState, NEAR_POLE_M, Navigation};
 use crate::earth::{Earth, navigation_axes};
-use crate::math::{rotate, rotate_inverse, rotated_z};
-use crate::state::{EarthFixedState, NEAR_POLE_M, Navigation};
 
 /// Smallest cosine of the angle between two verticals at which a height along the other vertical is searched for: 84°.
 const LEAST_SLOPE: f64 = 0.1;

@@ -1,9 +1,9 @@
 //! Error data 2: navigation minus truth.
 
 use super::NavigationErrors;
+use crate::base::math::{rotation_vector, wrap_angle};
 use crate::earth::Earth;
-use crate::math::{rotation_vector, wrap_angle};
-use crate::state::Navigation;
+use crate::earth::state::Navigation;
 
 /// Errors of `navigation` against `truth`. Position is differenced in Earth-fixed axes and attitude as a rotation vector, so that
 /// no wrap of longitude or heading, no gimbal lock and no pole disturbs these errors.

@@ -3,6 +3,8 @@
 
 mod accuracy;
 mod carried;
+pub mod correction;
+pub mod covariance;
 mod difference;
 mod model;
 

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::Scheme;
 use super::branches::series;
-use crate::math::quarter_square;
+use crate::base::math::quarter_square;
 use crate::signal::Increment;
 
 /// Largest number of subsamples of an update.

@@ -7,8 +7,8 @@
 use nalgebra::Vector3;
 
 use super::norm::{correct_norm, lacks_much, renormalize};
+use crate::base::math::{Compensated, RotationSeries};
 use crate::earth::Earth;
-use crate::math::{Compensated, RotationSeries};
 
 /// The coefficients for the squared angle `n2` [rad²].
 #[inline(always)]

@@ -8,13 +8,13 @@ use super::limits::MAX_SPEED_M_S;
 use super::norm::{MAX_NORM_ERROR, renormalize};
 use super::scratch::{AxesRows, Sums};
 use super::{BodyMotion, StateDifference, VerticalCorrection};
-use crate::earth::{Earth, VerticalTrack};
-use crate::math::{
+use crate::base::math::{
     AxisTurn, Compensated, axis_cross, rotate, rotated_z, rotation_increment, rotation_increment_by,
     rotation_matrix,
 };
-use crate::snapshot::stored;
-use crate::state::EarthFixedState;
+use crate::base::snapshot::stored;
+use crate::earth::state::EarthFixedState;
+use crate::earth::{Earth, VerticalTrack};
 
 /// Position, velocity and attitude in Earth-fixed axes.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,11 +7,11 @@ use nalgebra::{Quaternion, Vector3};
 use super::norm::renormalize;
 use super::scratch::{AxesRows, Sums};
 use super::{BodyMotion, Mechanization, VerticalCorrection};
+use crate::base::error::{Error, ErrorKind, Rule};
+use crate::base::math::{Compensated, rotate, rotate_inverse, rotation_increment, sin_cos};
+use crate::base::snapshot::{NO_SQUARE, stored};
+use crate::earth::state::{BodyAxes, EarthFixedState, Navigation};
 use crate::earth::{Earth, Geodetic, navigation_axes};
-use crate::error::{Error, ErrorKind, Rule};
-use crate::math::{Compensated, rotate, rotate_inverse, rotation_increment, sin_cos};
-use crate::snapshot::{NO_SQUARE, stored};
-use crate::state::{BodyAxes, EarthFixedState, Navigation};
 
 /// Latitude, longitude, height, velocity and attitude in east-north-up.
 #[derive(Debug, Clone, Copy, PartialEq)]

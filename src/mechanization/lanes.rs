@@ -2,7 +2,7 @@
 //!
 //! A batch stores each number of up to [`RUNS`] navigators in a row. A loop over the row applies the formula of the single
 //! navigator to each element; the formula is inlined, and its rare branches are decided before the loop ([`super::branches`]). The compiler
-//! vectorizes such a loop with the widest instructions that the surrounding function may use ([`crate::instruction_set`]). The bits
+//! vectorizes such a loop with the widest instructions that the surrounding function may use ([`crate::base::instruction_set`]). The bits
 //! are those of the single navigator, because the compiler may not fuse or reorder operations in either.
 //!
 //! Evidence, for the update in Earth-fixed axes without its rare branches (Cascade Lake, ns a run with SSE2, AVX2 and AVX-512; the
@@ -34,8 +34,8 @@ use super::{
     AidOfEach, Frame, FrameState, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalCorrection,
     VerticalRows,
 };
+use crate::base::math::AxisTurn;
 use crate::earth::{Earth, GravityModel};
-use crate::math::AxisTurn;
 use crate::signal::{Increment, IncrementRows, RUNS, increment_of};
 
 /// Navigators of one frame that get the same intervals.

@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 
 use super::norm::MAX_NORM_ERROR;
+use crate::base::error::{Error, ErrorKind, Rule};
 use crate::earth::Earth;
-use crate::error::{Error, ErrorKind, Rule};
-use crate::state::EarthFixedState;
+use crate::earth::state::EarthFixedState;
 
 /// Heights above the ellipsoid [m] and speed [m/s] beyond which a solution counts as diverged: far beyond what a sample may have,
 /// and far below what the equations can represent.

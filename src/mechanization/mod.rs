@@ -27,12 +27,12 @@ pub(crate) use vertical_rows::{AidOfEach, VerticalRows};
 
 use nalgebra::{Quaternion, Vector3};
 
+use crate::base::error::Error;
+use crate::base::math::{relative_rotation, rotation_vector};
+use crate::base::snapshot::{codes, stored, variants};
 use crate::earth::Earth;
-use crate::error::Error;
-use crate::math::{relative_rotation, rotation_vector};
+use crate::earth::state::{BodyAxes, EarthFixedState, Navigation};
 use crate::signal::Increment;
-use crate::snapshot::{codes, stored, variants};
-use crate::state::{BodyAxes, EarthFixedState, Navigation};
 use earth_fixed::EarthFixed;
 use geographic::Geographic;
 

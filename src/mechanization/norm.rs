@@ -1,6 +1,6 @@
 //! The norm of an attitude's quaternion.
 
-use crate::math::Compensated;
+use crate::base::math::Compensated;
 
 /// Largest difference of the squared norm of an attitude's quaternion from 1.
 pub(super) const MAX_NORM_ERROR: f64 = 1e-12;

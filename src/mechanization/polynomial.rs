@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::body::{BodyMotion, FIRST_MOMENT, MAX_SUBSAMPLES, SECOND_MOMENT};
-use crate::math::{GAUSS_4, RotationSeries};
+use crate::base::math::{GAUSS_4, RotationSeries};
 use crate::signal::Increment;
 
 /// The polynomial of u = 0..1 over the update whose integrals over n equal parts are the increments. Row k has the weights of the

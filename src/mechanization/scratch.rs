@@ -3,7 +3,7 @@
 use nalgebra::{Vector3, Vector4};
 
 use super::{BodyMotion, MAX_SUBSAMPLES, Scheme};
-use crate::math::{Compensated, RotationSeries, quarter_square};
+use crate::base::math::{Compensated, RotationSeries, quarter_square};
 use crate::signal::{Increment, IncrementRows, RUNS, Row, increment_of, put_vectors, vectors_of};
 
 /// The numbers of the navigators of a batch: those of [`Sums`], then one or two of the frame's own.

@@ -1,9 +1,9 @@
 //! The vertical channel. A free channel is unstable (e-fold 569 s), so a barometric height damps it, or it is held to the truth.
 
+use crate::base::math::exp_m1;
+use crate::base::snapshot::{codes, stored};
 use crate::earth::Earth;
-use crate::math::exp_m1;
-use crate::snapshot::{codes, stored};
-use crate::state::EarthFixedState;
+use crate::earth::state::EarthFixedState;
 use crate::truth::INTERVALS_S;
 
 /// What stabilizes the vertical channel.

@@ -6,8 +6,8 @@ use super::fault::{Fault, Faults};
 use super::key::Section;
 use super::nesting::too_deep;
 use super::{FlightPath, FlightSource, Scene};
-use crate::flight::FlightStart;
 use crate::sensors::{InitialErrorParameters, TriadParameters};
+use crate::truth::flight::FlightStart;
 
 /// The lists whose items can be set.
 const LISTS: [Section; 4] = [Section::Manoeuvre, Section::Failure, Section::Update, Section::Panel];

@@ -4,7 +4,7 @@ use super::draft::Draft;
 use super::key::{Section, Target};
 use super::table::of_section;
 use super::{Output, Scene};
-use crate::error::{Error, Rule, check_range};
+use crate::base::error::{Error, Rule, check_range};
 use crate::mechanization::VerticalMode;
 use crate::sensors::{AltimeterParameters, Sensor, SensorOutput};
 

@@ -7,9 +7,9 @@ use super::{
     Updated,
 };
 use crate::Options;
-use crate::error::Error;
-use crate::flight::{Channel, FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
+use crate::base::error::Error;
 use crate::sensors::{FailureFields, SensorOutput};
+use crate::truth::flight::{FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
 
 /// A scene while it is read or written. A number that may be missing is NaN.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,10 +44,6 @@ pub struct FailureDraft {
     pub fields: FailureFields,
 }
 
-/// A sinusoid without motion.
-pub const NO_SINUSOID: Sinusoid =
-    Sinusoid { channel: Channel::Course, amplitude: 0.0, frequency_hz: 0.0, phase_rad: 0.0 };
-
 /// An update without its times.
 pub const NO_UPDATE: PlannedUpdate = PlannedUpdate {
     updated: Updated::Position,
@@ -69,7 +65,7 @@ impl FailureDraft {
 
     /// The planned failure, checked; `None` if it is switched off.
     pub fn to_planned(&self) -> Result<Option<PlannedFailure>, Error> {
-        let Some(failure) = self.fields.to_failure() else { return Ok(None) };
+        let Some(failure) = self.fields.kind() else { return Ok(None) };
         let until_s = if self.until_s.is_nan() { f64::INFINITY } else { self.until_s };
         PlannedFailure::new(self.output(), failure, self.from_s, until_s).map(Some)
     }
@@ -80,7 +76,7 @@ impl From<&PlannedFailure> for FailureDraft {
         let (sensor, axis) = planned.output.parts();
         let Failing { from_s, until_s } = planned.failing;
         let until_s = if until_s.is_infinite() { f64::NAN } else { until_s };
-        Self { sensor, axis, from_s, until_s, fields: Some(planned.failure).into() }
+        Self { sensor, axis, from_s, until_s, fields: (&planned.failure).into() }
     }
 }
 
@@ -122,7 +118,7 @@ impl From<&Scene> for Draft {
             sample_period_s: scene.options.intake.period_s.unwrap_or(f64::NAN),
             every_s: scene.output.every_s.unwrap_or(f64::NAN),
             manoeuvre: ManoeuvreFields::default(),
-            sinusoid: NO_SINUSOID,
+            sinusoid: Sinusoid::NONE,
             failure: FailureDraft::default(),
             update: NO_UPDATE,
             action: PlannedAction::default(),

@@ -2,13 +2,14 @@
 
 use super::draft::Draft;
 use super::fault::{About, Fault};
-use super::key::{Key, Section, Target};
+use super::key::{Section, Target};
 use super::names::{excerpt, nearest};
 use super::reader::{Item, Reader};
 use super::site::ValuePath;
 use super::table::KEYS;
+use super::value::put_back;
 use super::{BUILTIN_SCENES, Scene};
-use crate::error::{Error, ErrorKind, Value};
+use crate::base::error::{Error, ErrorKind, Value};
 
 impl Reader<'_> {
     /// Checks whether the keys go together.
@@ -102,7 +103,7 @@ impl Reader<'_> {
         // A value in SI may be beyond all numbers in a small unit.
         let value = error.value.map(Value::as_f64).filter(|value| value.is_finite());
         let about = About { path: path.to_string(), value, minimum, maximum, lacks_memory: false };
-        self.faults.add_about(span, sentence(&error, key), about);
+        self.faults.add_about(span, key.sentence_of(&error), about);
     }
 
     /// Checks the flight, without integrating it.
@@ -141,32 +142,4 @@ impl Reader<'_> {
         }
         if self.faults.is_empty() { Ok(*scene) } else { Err(self.faults.into_list()) }
     }
-}
-
-/// Puts the default in the place of the value of a key. Returns whether the value was another one.
-pub(super) fn put_back(draft: &mut Draft, key: &Key) -> bool {
-    let mut default = Draft::from(&Scene::default());
-    match key.target {
-        Target::Numbers { place, .. } => {
-            let mut has_changed = false;
-            for (number, default) in place.of(draft).zip(place.of(&mut default)) {
-                has_changed |= number.to_bits() != default.to_bits();
-                *number = *default;
-            }
-            has_changed
-        }
-        Target::Count { get, set, .. } => {
-            let has_changed = get(draft) != get(&default);
-            set(draft, get(&default));
-            has_changed
-        }
-        _ => false,
-    }
-}
-
-/// An error about `key`, in its unit, in its words.
-pub(super) fn sentence(error: &Error, key: &Key) -> String {
-    let Target::Numbers { .. } = key.target else { return error.to_string() };
-    let index = error.index.map_or(String::new(), |index| format!("[{index}]"));
-    error.sentence_about(&format!("{}{index}", key.path()))
 }

@@ -5,10 +5,11 @@ use nalgebra::Vector3;
 use super::draft::{Draft, FailureDraft};
 use super::table::of_sensor;
 use super::{Action, Scene, Updated};
-use crate::flight::{Channel, MANOEUVRE_KINDS};
-use crate::parameter::Shape;
-use crate::sensors::FAILURE_KINDS;
-use crate::surroundings::{START, of_path};
+use crate::base::error::Error;
+use crate::base::parameter::Shape;
+use crate::base::rows::of_path;
+use crate::sensors::FailureFields;
+use crate::truth::flight::{Channel, ManoeuvreFields, START};
 use crate::unit::UNIT;
 
 /// The sections, each with its name, as it stands in brackets, and what its keys set, in words.
@@ -185,7 +186,7 @@ impl Key {
     pub fn is_used(&self, draft: &Draft) -> bool {
         match (self.section, self.name) {
             (Section::Manoeuvre, "kind") => true,
-            (Section::Manoeuvre, _) => MANOEUVRE_KINDS[draft.manoeuvre.kind].1.contains(&self.field()),
+            (Section::Manoeuvre, _) => ManoeuvreFields::KINDS[draft.manoeuvre.kind].1.contains(&self.field()),
             (Section::Sinusoid, "amplitude_deg") => draft.sinusoid.channel != Channel::Speed,
             (Section::Sinusoid, "amplitude_m_s") => draft.sinusoid.channel == Channel::Speed,
             (Section::Failure, "axis") => draft.failure.sensor != 2,
@@ -215,10 +216,9 @@ impl Key {
 
     /// Whether this kind of failure uses the key.
     pub fn is_of_kind(&self, failure: &FailureDraft) -> bool {
-        let (_, uses) = FAILURE_KINDS[failure.fields.kind];
-        let field = self.field().strip_prefix("failure.");
+        let (_, uses) = FailureFields::KINDS[failure.fields.kind];
         let is_general = ["sensor", "axis", "kind", "from_s", "until_s"].contains(&self.name);
-        is_general || field.is_some_and(|field| uses.iter().any(|quantity| field.starts_with(quantity)))
+        is_general || uses.iter().any(|quantity| self.field().starts_with(quantity))
     }
 
     /// Whether only a flight of the scene's own manoeuvres has the value.
@@ -236,6 +236,13 @@ impl Key {
     /// Its name with that of its section: "gyro.bias_deg_h".
     pub fn path(&self) -> String {
         format!("{}.{}", self.section.name(), self.name)
+    }
+
+    /// An error about it, in its unit, in its words.
+    pub fn sentence_of(&self, error: &Error) -> String {
+        let Target::Numbers { .. } = self.target else { return error.to_string() };
+        let index = error.index.map_or(String::new(), |index| format!("[{index}]"));
+        error.sentence_about(&format!("{}{index}", self.path()))
     }
 }
 

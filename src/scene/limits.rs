@@ -1,14 +1,14 @@
 //! The limits of the numbers of a key. The checks of the library state them in their errors: a check is called with a number beyond
 //! every limit, and its error is read.
 
-use super::draft::{Draft, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
+use super::draft::{Draft, FailureDraft, NO_UPDATE, planned_update};
 use super::key::{Key, Section, Target};
 use super::table::{SENSORS, of_sensor};
 use super::value::{Value, put};
 use super::{PlannedUpdate, Scene, Updated};
-use crate::error::{Error, Rule};
-use crate::flight::{Channel, MANOEUVRE_KINDS, Manoeuvre, ManoeuvreFields, Sinusoid};
-use crate::sensors::{FAILURE_KINDS, FailureFields};
+use crate::base::error::{Error, Rule};
+use crate::sensors::FailureFields;
+use crate::truth::flight::{Channel, Manoeuvre, ManoeuvreFields, Sinusoid, Sinusoids};
 
 /// Least and greatest allowed number of a key, in its unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,7 +108,7 @@ fn some_manoeuvre(kind: usize) -> ManoeuvreFields {
         heading_change_rad: 1.0,
         bank_rad: 0.5,
         turns: 1.0,
-        sinusoid_count: 1,
+        sinusoids: Sinusoids::of(&[Sinusoid::NONE]),
         ..ManoeuvreFields::default()
     }
 }
@@ -118,21 +118,21 @@ fn of_manoeuvre(key: &Key) -> Vec<Option<Limits>> {
         let mut draft = Draft::from(&Scene::default());
         draft.manoeuvre = some_manoeuvre(kind);
         let is_used = key.is_used(&draft) && exceed(&mut draft, key);
-        if is_used { of_flight(key, &draft.manoeuvre.to_manoeuvre()) } else { None }
+        if is_used { of_flight(key, &draft.manoeuvre.kind()?) } else { None }
     };
-    (0..MANOEUVRE_KINDS.len()).map(of_kind).collect()
+    (0..ManoeuvreFields::KINDS.len()).map(of_kind).collect()
 }
 
 fn of_sinusoid(key: &Key) -> Vec<Option<Limits>> {
     let of_channel = |(_, channel): &(&str, _)| {
         let mut draft = Draft::from(&Scene::default());
-        draft.sinusoid = Sinusoid { channel: *channel, ..NO_SINUSOID };
+        draft.sinusoid = Sinusoid { channel: *channel, ..Sinusoid::NONE };
         if !key.is_used(&draft) || !exceed(&mut draft, key) {
             return None;
         }
-        let mut fields = some_manoeuvre(MANOEUVRE_KINDS.len() - 1);
-        fields.sinusoids[0] = draft.sinusoid;
-        of_flight(key, &fields.to_manoeuvre())
+        let mut fields = some_manoeuvre(ManoeuvreFields::KINDS.len() - 1);
+        fields.sinusoids = Sinusoids::of(&[draft.sinusoid]);
+        of_flight(key, &fields.kind()?)
     };
     Channel::WORDS.iter().map(of_channel).collect()
 }
@@ -140,7 +140,7 @@ fn of_sinusoid(key: &Key) -> Vec<Option<Limits>> {
 fn of_failure(key: &Key) -> Vec<Option<Limits>> {
     let mut all = Vec::new();
     for sensor in (0..SENSORS.len()).filter(|sensor| of_sensor(key, *sensor).is_none()) {
-        for kind in 1..FAILURE_KINDS.len() {
+        for kind in 1..FailureFields::KINDS.len() {
             let mut draft = Draft::from(&Scene::default());
             // Drop-outs are random without an interval.
             let interval_s = if key.name == "probability" { 0.0 } else { 1.0 };

@@ -11,12 +11,15 @@ mod check;
 mod draft;
 mod examine;
 mod fault;
+mod foreign;
 mod key;
 mod limits;
 mod list;
+pub mod log;
 mod names;
 mod nesting;
 mod panel;
+mod play;
 mod read;
 mod reader;
 mod samples;
@@ -31,24 +34,26 @@ mod written;
 
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub use fault::{About, Fault, MAX_FAULTS};
+pub use foreign::foreign;
 pub use limits::Limits;
 pub(crate) use list::key_line;
 pub use list::{KeyKind, KeyLine, key_of_field, keys, keys_text};
 pub(crate) use names::excerpt;
-pub use names::nearest;
+pub use names::{listed, nearest};
 pub use panel::{Action, PlannedAction, UnitPlan};
+pub(crate) use play::shown;
+pub use play::{Course, Play, Shown, Source, Spacing, Stopped};
 pub(crate) use read::utf8;
 pub use samples::Samples;
 pub use schedule::FliesScene;
-pub(crate) use table::first_words;
 pub use update::{PlannedUpdate, Updated};
 pub(crate) use value::MAX_TEXT_VALUE;
 pub use write::ChangedKey;
 
-use crate::error::{Error, Rule, check_integer};
-use crate::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
-use crate::memory::room;
+use crate::base::error::{Error, Rule, check_integer};
+use crate::base::memory::room;
 use crate::sensors::{Failure, SensorOutput};
+use crate::truth::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 use crate::{ErrorParameters, Options, Simulator};
 
 /// Largest size of a scene's text [bytes].

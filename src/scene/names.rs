@@ -28,6 +28,17 @@ pub fn excerpt(text: &str) -> String {
     short
 }
 
+/// Names of a user, as a message can list them.
+pub fn listed<'w>(names: impl Iterator<Item = &'w str>) -> String {
+    const MOST: usize = 12;
+    let mut names = names.map(excerpt);
+    let mut list: Vec<String> = names.by_ref().take(MOST).collect();
+    if names.next().is_some() {
+        list.push("...".to_owned());
+    }
+    list.join(", ")
+}
+
 /// The sentence about a name that there is not, and the `near`est that there is.
 pub(super) fn unknown(what: &str, name: &str, near: Option<&str>) -> String {
     let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));

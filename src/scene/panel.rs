@@ -3,7 +3,7 @@
 use super::Scene;
 use super::schedule::{LATEST_START_S, MAX_ITEMS, ROUNDING, TIMES_S};
 use crate::Simulator;
-use crate::error::{Error, Rule, check_range};
+use crate::base::error::{Error, Rule, check_range};
 use crate::unit::{AlignmentKind, Mode, Power, Unit, UnitParameters};
 
 /// The unit of a scene.

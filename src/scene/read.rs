@@ -4,8 +4,9 @@ use core::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-use super::draft::{Draft, FailureDraft, NO_SINUSOID, NO_UPDATE, planned_update};
+use super::draft::{Draft, FailureDraft, NO_UPDATE, planned_update};
 use super::fault::{About, Fault, Faults};
+use super::foreign::foreign;
 use super::key::Section;
 use super::names::{excerpt, nearest, unknown};
 use super::nesting::{MAX_NESTING, too_deep};
@@ -13,9 +14,9 @@ use super::reader::{Item, Reader};
 use super::setting::take_settings;
 use super::table::{self, KEYS};
 use super::{MAX_TEXT, PlannedAction, Scene, Updated};
-use crate::error::Error;
-use crate::flight::{Channel, MANOEUVRE_KINDS, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields};
-use crate::sensors::FAILURE_KINDS;
+use crate::base::error::Error;
+use crate::sensors::FailureFields;
+use crate::truth::flight::{Channel, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields, Sinusoid};
 
 type Span = Range<usize>;
 
@@ -42,7 +43,12 @@ impl Scene {
     /// "0.01")`, `("gyro.bias_deg_h[1]", "0.01")`, `("manoeuvre[3].bank_deg", "30")`. A value is written as in the text, but a string
     /// needs no quotes; an empty value is the default. If a key is set twice, the last value counts.
     pub fn parse_with(text: &[u8], settings: &[(&str, &str)]) -> Result<Self, Vec<Fault>> {
-        let text = utf8(text)?;
+        let file = text;
+        let is_foreign = || {
+            let sentence = format!("is {}: expected a scene, a text in TOML", foreign(file)?);
+            Some(vec![Fault { line: 1, column: 1, sentence, about: About::default() }])
+        };
+        let text = utf8(text).map_err(|faults| is_foreign().unwrap_or(faults))?;
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         if let Some(at) = too_deep(text) {
             let mut faults = Faults::new(text);
@@ -53,6 +59,9 @@ impl Scene {
             return Err(faults.into_list());
         }
         let (root, errors) = DeTable::parse_recoverable(text);
+        if let Some(faults) = (!errors.is_empty()).then(is_foreign).flatten() {
+            return Err(faults);
+        }
         let mut faults = Faults::new(text);
         let settings = take_settings(settings, &mut faults);
         let mut reader = Reader {
@@ -147,14 +156,14 @@ impl Reader<'_> {
                 }
             }
         }
-        let (kind, _) = MANOEUVRE_KINDS[self.draft.manoeuvre.kind];
+        let (kind, _) = ManoeuvreFields::KINDS[self.draft.manoeuvre.kind];
         if self.has_all(&item) {
             for (index, span) in &item.keys {
                 if !KEYS[*index].is_used(&self.draft) {
                     self.faults.add(span, format!("{}: {kind} does not use it", KEYS[*index].path()));
                 }
             }
-            if kind != "sinusoids" && self.draft.manoeuvre.sinusoid_count > 0 {
+            if kind != "sinusoids" && !self.draft.manoeuvre.sinusoids.terms().is_empty() {
                 self.faults.add(&head, format!("[[manoeuvre.sinusoid]]: {kind} has none"));
             }
         }
@@ -162,12 +171,12 @@ impl Reader<'_> {
             self.faults.add(&head, format!("[[manoeuvre]]: more than {MAX_MANOEUVRES}"));
             return;
         }
-        self.manoeuvres.push(self.draft.manoeuvre.to_manoeuvre());
+        self.manoeuvres.extend(self.draft.manoeuvre.kind());
         self.items.push(item);
     }
 
     fn read_sinusoid(&mut self, head: Span, section_table: &DeTable<'_>) {
-        self.draft.sinusoid = NO_SINUSOID;
+        self.draft.sinusoid = Sinusoid::NONE;
         let item = self.read_keys(Section::Sinusoid, head.clone(), section_table);
         let is_speed = self.draft.sinusoid.channel == Channel::Speed;
         let (own, other) =
@@ -183,14 +192,10 @@ impl Reader<'_> {
             let field = own.into_iter().find(|own| own.split('.').nth(1) == error.field.split('.').nth(1));
             self.add_error(&Error { field: field.unwrap_or(error.field), ..error }, &item);
         }
-        let manoeuvre = &mut self.draft.manoeuvre;
-        let Some(place) = manoeuvre.sinusoids.get_mut(manoeuvre.sinusoid_count) else {
+        if !self.draft.manoeuvre.sinusoids.push(sinusoid) {
             self.faults
                 .add(&head, format!("[[manoeuvre.sinusoid]]: more than {MAX_SINUSOIDS} in a manoeuvre"));
-            return;
-        };
-        *place = sinusoid;
-        manoeuvre.sinusoid_count += 1;
+        }
     }
 
     fn read_failure(&mut self, head: Span, section_table: &DeTable<'_>) {
@@ -203,7 +208,7 @@ impl Reader<'_> {
         if let (2, Some(span)) = (failure.sensor, item.key("axis")) {
             self.faults.add(span, "failure.axis: the altimeter has only one output");
         }
-        let (kind, _) = FAILURE_KINDS[failure.fields.kind];
+        let (kind, _) = FailureFields::KINDS[failure.fields.kind];
         for (index, span) in &item.keys {
             let name = KEYS[*index].name;
             if !KEYS[*index].is_of_kind(&failure) {

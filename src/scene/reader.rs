@@ -5,15 +5,14 @@ use core::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::draft::Draft;
-use super::examine::put_back;
 use super::fault::{About, Faults};
 use super::key::{Key, Section};
 use super::names::{nearest, unknown};
 use super::setting::Setting;
 use super::site::Site;
 use super::table::{self, KEYS, names_of};
-use super::value::{Value, put, put_element};
-use crate::flight::Manoeuvre;
+use super::value::{Value, put, put_back, put_element};
+use crate::truth::flight::Manoeuvre;
 
 type Span = Range<usize>;
 

@@ -1,8 +1,8 @@
 //! The samples that a scene flies.
 
 use super::{FlightSource, Scene};
-use crate::error::{Error, Rule};
-use crate::log::FlightLog;
+use crate::base::error::{Error, Rule};
+use crate::scene::log::FlightLog;
 
 /// Largest rounding error of a time [intervals]: it must not remove a sample.
 const ROUNDING: f64 = 1e-9;

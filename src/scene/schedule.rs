@@ -2,12 +2,12 @@
 
 use super::{Failing, PlannedFailure, Scene, Temperature};
 use crate::Simulator;
-use crate::correction::Correction;
+use crate::base::error::{Error, Rule, check_range};
 use crate::ensemble::Ensemble;
-use crate::error::{Error, Rule, check_range};
 use crate::errors::NavigationErrors;
+use crate::errors::correction::Correction;
 use crate::sensors::{Failure, SensorOutput, StreamKey};
-use crate::truth::FlightSample;
+use crate::truth::{FlightSample, Pushed};
 
 impl Failing {
     /// Whether the two spans overlap.
@@ -57,6 +57,8 @@ pub(super) const ROUNDING: f64 = 1e-9;
 
 /// What flies a scene: one simulator, or an ensemble of them.
 pub trait FliesScene {
+    /// Takes a sample.
+    fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error>;
     /// Time stamp of the sample that was pushed last [s]; `None`: none yet.
     fn last_sample_time_s(&self) -> Option<f64>;
     /// Time stamps of the start and the end of the interval that was flown last [s]; `None`: none since the start or the last jump.
@@ -75,6 +77,10 @@ pub trait FliesScene {
 macro_rules! flies_scene {
     ($($type:ty),*) => {
         $(impl FliesScene for $type {
+            fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
+                self.push_sample(sample)
+            }
+
             fn last_sample_time_s(&self) -> Option<f64> {
                 self.last_sample_time_s()
             }
@@ -113,16 +119,31 @@ impl Scene {
         start_s: f64,
         sample: &mut FlightSample,
     ) -> Result<(), Error> {
+        let Some(time_s) = self.begin(flown, start_s, sample)? else { return Ok(()) };
+        self.update(flown, start_s, time_s)?;
+        self.fail(flown, time_s)
+    }
+
+    /// Checks `sample` and gives it the scene's temperature. Returns the time since the start at which its interval begins [s], a rounding
+    /// late; `None`: it is the first sample, which ends no interval.
+    pub(super) fn begin(
+        &self,
+        flown: &dyn FliesScene,
+        start_s: f64,
+        sample: &mut FlightSample,
+    ) -> Result<Option<f64>, Error> {
         check_range("flight_start_s", start_s, -LATEST_START_S, LATEST_START_S)?;
         sample.validate()?;
         if let Some(temperature) = &self.temperature {
             sample.temperature_c = Some(temperature.at(sample.time_s - start_s));
         }
         // A flight's first sample ends no interval; its failures begin with the interval behind it.
-        let Some(begin_s) = flown.last_sample_time_s() else { return Ok(()) };
-        let late_s = |interval_s: f64| ROUNDING * interval_s;
-        let time_s = begin_s - start_s + late_s(sample.time_s - begin_s);
-        self.update(flown, start_s, time_s, late_s)?;
+        let begin_s = flown.last_sample_time_s();
+        Ok(begin_s.map(|begin_s| begin_s - start_s + ROUNDING * (sample.time_s - begin_s)))
+    }
+
+    /// Sets the failures of the interval that begins at `time_s` [s].
+    pub(super) fn fail(&self, flown: &mut dyn FliesScene, time_s: f64) -> Result<(), Error> {
         for output in SensorOutput::ALL {
             let mut planned = self.failures.iter().filter(|planned| planned.output == output).peekable();
             if planned.peek().is_none() {

@@ -5,13 +5,13 @@ use nalgebra::Vector3;
 use super::Scene;
 use super::schedule::{FliesScene, MAX_ITEMS, ROUNDING, TIMES_S};
 use crate::Simulator;
-use crate::correction::Correction;
+use crate::base::error::{Error, check_range, check_ranges};
+use crate::base::snapshot::codes;
 use crate::earth::Geodetic;
-use crate::error::{Error, check_range, check_ranges};
 use crate::errors::NavigationErrors;
+use crate::errors::correction::Correction;
 use crate::mechanization::VerticalMode;
 use crate::sensors::StreamKey;
-use crate::snapshot::codes;
 use crate::unit::Unit;
 
 /// What an update corrects. The numbers are part of the bit-for-bit guarantee: never reuse one.
@@ -129,21 +129,14 @@ impl Scene {
         Ok(())
     }
 
-    /// Makes the updates that are due at `time_s` [s] since the start of the flight, whose first time stamp is `start_s` [s]. `late_s`
-    /// is the allowance for the rounding of the stamps at the end of an interval.
-    pub(super) fn update(
-        &self,
-        flown: &mut dyn FliesScene,
-        start_s: f64,
-        time_s: f64,
-        late_s: impl Fn(f64) -> f64,
-    ) -> Result<(), Error> {
+    /// Makes the updates that are due at `time_s` [s] since the start of the flight, whose first time stamp is `start_s` [s].
+    pub(super) fn update(&self, flown: &mut dyn FliesScene, start_s: f64, time_s: f64) -> Result<(), Error> {
         if self.updates.is_empty() {
             return Ok(());
         }
         let Some([from_s, to_s]) = flown.last_interval_s() else { return Ok(()) };
         // To the bit the `time_s` of the call before, so that no update is lost or made twice.
-        let before_s = from_s - start_s + late_s(to_s - from_s);
+        let before_s = from_s - start_s + ROUNDING * (to_s - from_s);
         let due = |planned: &PlannedUpdate| planned.due_s(before_s, time_s);
         if self.updates.iter().all(|planned| due(planned).is_none()) {
             return Ok(());

@@ -2,15 +2,15 @@
 
 use toml::de::{DeInteger, DeTable, DeValue};
 
+use super::Scene;
 use super::draft::Draft;
-use super::examine::sentence;
 use super::key::{Key, Target};
 use super::limits::{Limits, limits};
 use super::names::excerpt;
 use super::nesting::too_deep;
 use super::written::number_text;
-use crate::error::{Error, Rule};
-use crate::parameter::Shape;
+use crate::base::error::{Error, Rule};
+use crate::base::parameter::Shape;
 
 /// Largest size of a text in a scene [bytes].
 pub const MAX_TEXT_VALUE: usize = 4096;
@@ -208,13 +208,34 @@ pub fn put_element(
     Ok(())
 }
 
+/// Puts the default in the place of the value of a key. Returns whether the value was another one.
+pub fn put_back(draft: &mut Draft, key: &Key) -> bool {
+    let mut default = Draft::from(&Scene::default());
+    match key.target {
+        Target::Numbers { place, .. } => {
+            let mut has_changed = false;
+            for (number, default) in place.of(draft).zip(place.of(&mut default)) {
+                has_changed |= number.to_bits() != default.to_bits();
+                *number = *default;
+            }
+            has_changed
+        }
+        Target::Count { get, set, .. } => {
+            let has_changed = get(draft) != get(&default);
+            set(draft, get(&default));
+            has_changed
+        }
+        _ => false,
+    }
+}
+
 /// What is wrong with a number that is infinite in SI.
 fn beyond_all(key: &Key, number: f64) -> String {
     let rule = match limits(key) {
         Some(Limits { low, high, .. }) => Rule::Between(low, high),
         None => Rule::Finite,
     };
-    sentence(&Error::invalid("", number, rule), key)
+    key.sentence_of(&Error::invalid("", number, rule))
 }
 
 /// All numbers of a shape, where a single one may stand for several.

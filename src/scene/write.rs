@@ -7,8 +7,8 @@ use super::site::{Site, ValuePath};
 use super::table::of_section;
 use super::written::{divided, shown, written};
 use super::{FlightSource, Scene};
-use crate::flight::ManoeuvreFields;
-use crate::sensors::FAILURE_KINDS;
+use crate::sensors::FailureFields;
+use crate::truth::flight::ManoeuvreFields;
 
 impl Scene {
     /// The scene in TOML with comments: all values that are not the default. [`Scene::parse`] reads the same scene from it, to the bit.
@@ -90,7 +90,7 @@ impl Scene {
             Section::Flight if key.name == "temperature_change_c_h" => !draft.temperature_c.is_nan(),
             Section::Flight if key.name == "rate_hz" => !self.is_log(),
             Section::Options if key.name == "closed_loop_time_s" => draft.closed_loop,
-            Section::Failure if FAILURE_KINDS[draft.failure.fields.kind].0 == "drop_outs" => {
+            Section::Failure if FailureFields::KINDS[draft.failure.fields.kind].0 == "drop_outs" => {
                 let is_random = draft.failure.fields.interval_s == 0.0;
                 key.is_used(draft) && key.name != if is_random { "interval_s" } else { "probability" }
             }
@@ -118,8 +118,8 @@ impl Scene {
         match section {
             Section::Manoeuvre => draft.manoeuvre = self.manoeuvres().get(index)?.into(),
             Section::Sinusoid => {
-                let ManoeuvreFields { sinusoids, sinusoid_count, .. } = self.manoeuvres().get(index)?.into();
-                draft.sinusoid = *sinusoids[..sinusoid_count].get(inner)?;
+                let manoeuvre = ManoeuvreFields::from(self.manoeuvres().get(index)?);
+                draft.sinusoid = *manoeuvre.sinusoids.terms().get(inner)?;
             }
             Section::Failure => draft.failure = self.failures.get(index)?.into(),
             Section::Update => draft.update = update_draft(self.updates.get(index)?),
@@ -146,8 +146,8 @@ impl Writer {
     fn item(&mut self, scene: &Scene, section: Section, index: usize) -> Option<()> {
         scene.load(&mut self.draft, Site { section, item: [index, 0] })?;
         self.section(section);
-        let ManoeuvreFields { sinusoids, sinusoid_count, .. } = self.draft.manoeuvre;
-        for sinusoid in sinusoids.iter().take(sinusoid_count).filter(|_| section == Section::Manoeuvre) {
+        let sinusoids = self.draft.manoeuvre.sinusoids;
+        for sinusoid in sinusoids.terms().iter().filter(|_| section == Section::Manoeuvre) {
             self.draft.sinusoid = *sinusoid;
             self.section(Section::Sinusoid);
         }

@@ -2,8 +2,8 @@
 
 use super::draft::Draft;
 use super::key::{Key, Target};
-use crate::parameter::Shape;
-use crate::records;
+use crate::base::parameter::Shape;
+use crate::base::records;
 
 /// The value of `key`, or one number of it, in TOML; empty: it has none. A number that has no equal in the key's unit is the
 /// nearest.

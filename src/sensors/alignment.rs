@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use nalgebra::{Quaternion, Vector3};
 
-use crate::math::{atan2, rotate, rotation_quaternion};
+use crate::base::math::{atan2, rotate, rotation_quaternion};
 
 /// Share of gravity below which a sensed force shows no vertical. Rounding leaves a force below it where the accelerometers show 0.
 const NO_FORCE: f64 = 1e-9;

@@ -1,13 +1,18 @@
 //! The barometric altimeter that damps the vertical channel.
 
-use super::AltimeterParameters;
+use super::altimeter_table::ALTIMETER;
 use super::effects::MarkovStep;
 use super::failing::FailingOutput;
 use super::failure::{Failure, SensorOutput};
 use super::kept::Kept;
 use super::stream::{Purpose, Source, Stream, StreamKey};
-use crate::math::exp_m1;
-use crate::snapshot::{SIGNALS, WALKS, stored};
+use crate::base::error::Error;
+use crate::base::math::exp_m1;
+use crate::base::rows::check;
+use crate::base::snapshot::{SIGNALS, WALKS, stored};
+
+// The parameters with their checks and numbers, which build.rs writes from the table.
+include!(concat!(env!("OUT_DIR"), "/altimeter.rs"));
 
 /// The altimeter.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,7 +5,7 @@ use rand::{Rng, RngExt};
 use rand_distr::Distribution;
 
 use super::xoshiro::Xoshiro256PlusPlus;
-use crate::math::{exp, ln};
+use crate::base::math::{exp, ln};
 use crate::signal::{RUNS, Row};
 
 /// Normal with mean 0 and variance 1: Doornik, "An Improved Ziggurat Method to Generate Normal Random Samples", 2005 (ZIGNOR),

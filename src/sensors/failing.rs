@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 
 use super::failure::{Axis, Failure, SensorOutput};
 use super::stream::{Purpose, Source, Stream, StreamKey};
-use crate::error::Error;
-use crate::snapshot::{Numbers, Reader, SIGNALS, Stored, Writer, stored};
+use crate::base::error::Error;
+use crate::base::snapshot::{Numbers, Reader, SIGNALS, Stored, Writer, stored};
 
 /// Share of a sample interval. A loss that is due this close before the end of an interval falls into the next
 /// interval, because sums of intervals have rounding errors.
@@ -108,7 +108,7 @@ impl FailingOutput {
     fn share(&self) -> f64 {
         match self.failure {
             Some(Failure::Stuck | Failure::Dead) => 0.0,
-            Some(Failure::RandomDropOuts { probability }) => 1.0 - probability,
+            Some(Failure::DropOuts { interval_s: 0.0, probability }) => 1.0 - probability,
             _ if self.is_silent => 0.0,
             _ => 1.0,
         }
@@ -125,11 +125,11 @@ impl FailingOutput {
     /// A sample interval of `t` [s] begins: drop-outs are decided.
     pub fn begin_interval(&mut self, t: f64) {
         match self.failure {
-            Some(Failure::RandomDropOuts { probability }) => {
+            Some(Failure::DropOuts { interval_s: 0.0, probability }) => {
                 self.has_drawn = true;
                 self.is_silent = self.stream.uniform() < probability;
             }
-            Some(Failure::PeriodicDropOuts { interval_s }) => {
+            Some(Failure::DropOuts { interval_s, .. }) => {
                 let left = t * (1.0 - SLACK) - self.phase_s;
                 self.is_silent = left > 0.0;
                 if self.is_silent {

@@ -1,8 +1,9 @@
 //! How a sensor can fail, as an instructor sets it.
 
-use crate::error::{Error, Rule, check_range};
+use crate::base::error::{Error, Rule, check_range};
+use crate::base::kinds::kinds;
+use crate::base::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 use crate::signal::Increment;
-use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 
 /// Axis of a triad, sensor axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,79 +64,69 @@ impl SensorOutput {
     }
 }
 
-/// A failure of one output. It lasts from the interval after it is set until it is cleared or replaced by another one.
-///
-/// Bias steps, spikes and noise are added to the signal before dead zone, range and quantization, so the output still looks like
-/// data. The other failures replace the output. Noise processes, filters and residuals continue during a failure.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Failure {
-    /// The output holds its mean over the interval before the failure. If there was no such interval, it holds its first value.
-    #[default]
-    Stuck,
-    /// No signal: gyros and accelerometers output 0, the altimeter outputs nothing. The built-in test detects this failure.
-    Dead,
-    /// An additional bias.
-    BiasStep {
-        /// Size of the bias [u].
-        size: f64,
-    },
-    /// A train of rectangular pulses. The first pulse begins at once.
-    Spikes {
-        /// Height of a pulse [u].
-        size: f64,
-        /// Time from the start of one pulse to the start of the next pulse [s].
-        interval_s: f64,
-        /// Length of a pulse [s].
-        duration_s: f64,
-    },
-    /// Additional white noise.
-    Noise {
+kinds! {
+    /// A failure of one output. It lasts from the interval after it is set until it is cleared or replaced by another one.
+    ///
+    /// Bias steps, spikes and noise are added to the signal before dead zone, range and quantization, so the output still looks like
+    /// data. The other failures replace the output. Noise processes, filters and residuals continue during a failure.
+    Failure of "failure", flat FailureFields none "none" {
+        /// Size of a bias step, height of a pulse [u].
+        size = 0.0,
         /// Density N of the noise [u √s].
-        density: f64,
-    },
-    /// Each sample interval is lost with the same probability, independently of the others. A lost interval is as with
-    /// [`Self::Dead`].
-    RandomDropOuts {
+        density = 0.0,
+        /// Time from the start of one pulse or loss to the start of the next [s].
+        interval_s = 0.0,
+        /// Length of a pulse [s].
+        duration_s = 0.0,
         /// Probability that an interval is lost [1].
-        probability: f64,
-    },
-    /// One sample interval is lost in each period of `interval_s`. The first loss comes at once.
-    PeriodicDropOuts {
-        /// Time from one loss to the next [s]. If it is shorter than a sample interval, each interval is lost.
-        interval_s: f64,
-    },
+        probability = 0.0,
+    } {
+        /// The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
+        /// its first value. It is not flagged, because it looks like valid data.
+        Stuck = 1 "stuck",
+        /// No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
+        /// altimeter nothing stabilizes the vertical channel of SINS_VERTICAL_DAMPED; this is flagged
+        /// SINS_NAVIGATION_VERTICAL_UNAIDED.
+        Dead = 2 "dead",
+        /// An additional bias; its value is in the field `size`. Not flagged.
+        BiasStep = 3 "bias_step" { size },
+        /// Rectangular pulses. The field `size` is their height, duration_s their length. A pulse starts every interval_s; the first
+        /// starts immediately. A sample of the altimeter shows the mean of the pulses over the sample interval. A gyro or an
+        /// accelerometer is flagged only if a pulse saturates it.
+        Spikes = 4 "spikes" { size, interval_s, duration_s },
+        /// Additional white noise; its density is in the field `density`. A sample of the altimeter shows the mean of the noise over
+        /// the sample interval. Not flagged.
+        Noise = 5 "noise" { density },
+        /// Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
+        /// independently with the probability in the field `probability`, or one interval is lost every interval_s, the first
+        /// immediately.
+        DropOuts = 6 "drop_outs" { interval_s, probability },
+    }
 }
 
-/// Stored as a number for the kind and three further numbers. The numbers of the kinds are part of the format.
+impl Default for Failure {
+    /// The one that needs no quantity and no interval before it.
+    fn default() -> Self {
+        Self::Dead
+    }
+}
+
+/// Stored as the number of the kind with the quantities that it uses.
 impl Stored for Failure {
     fn save(&self, to: &mut Writer<'_>) {
-        let (kind, numbers) = match *self {
-            Self::Stuck => (0, [0.0; 3]),
-            Self::Dead => (1, [0.0; 3]),
-            Self::BiasStep { size } => (2, [size, 0.0, 0.0]),
-            Self::Spikes { size, interval_s, duration_s } => (3, [size, interval_s, duration_s]),
-            Self::Noise { density } => (4, [density, 0.0, 0.0]),
-            Self::RandomDropOuts { probability } => (5, [probability, 0.0, 0.0]),
-            Self::PeriodicDropOuts { interval_s } => (6, [interval_s, 0.0, 0.0]),
-        };
-        to.count(kind);
-        Numbers::save(&numbers, to);
+        let mut fields = FailureFields::from(self);
+        to.count(fields.kind);
+        Numbers::save(&fields.numbers_mut().map(|number| *number), to);
     }
 
     fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
-        let kind = from.count(6)?;
-        let mut numbers = [0.0; 3];
+        let mut fields =
+            FailureFields { kind: from.count(FailureFields::KINDS.len() - 1)?, ..Default::default() };
+        let mut numbers = [0.0; 5];
         Numbers::load(&mut numbers, from, ANY)?;
-        let [first, second, third] = numbers;
-        *self = match kind {
-            0 => Self::Stuck,
-            1 => Self::Dead,
-            2 => Self::BiasStep { size: first },
-            3 => Self::Spikes { size: first, interval_s: second, duration_s: third },
-            4 => Self::Noise { density: first },
-            5 => Self::RandomDropOuts { probability: first },
-            _ => Self::PeriodicDropOuts { interval_s: first },
-        };
+        fields.numbers_mut().into_iter().zip(numbers).for_each(|(to, number)| *to = number);
+        let rule = Rule::Sentence("is not a failure");
+        *self = fields.kind().ok_or_else(|| from.refused(fields.kind as u64, rule))?;
         Ok(())
     }
 }
@@ -164,71 +155,23 @@ impl Failure {
                 Ok(())
             }
             Self::Noise { density } => check_range("failure.density", density, 0.0, limit),
-            Self::RandomDropOuts { probability } => check_range("failure.probability", probability, 0.0, 1.0),
-            Self::PeriodicDropOuts { interval_s } => check_interval(interval_s),
+            Self::DropOuts { interval_s: 0.0, probability } => {
+                check_range("failure.probability", probability, 0.0, 1.0)
+            }
+            Self::DropOuts { interval_s, probability } => {
+                check_interval(interval_s)?;
+                let rule = Rule::Zero(": drop-outs with failure.interval_s do not use it");
+                if probability == 0.0 {
+                    Ok(())
+                } else {
+                    Err(Error::invalid("failure.probability", probability, rule))
+                }
+            }
         }
     }
 
     /// Whether it is added before the output electronics.
     pub(super) fn is_added(&self) -> bool {
         matches!(self, Self::BiasStep { .. } | Self::Spikes { .. } | Self::Noise { .. })
-    }
-}
-
-/// The kinds of failures, and the quantities that each of them uses. Drop-outs use one of the two.
-pub(crate) const FAILURE_KINDS: [(&str, &[&str]); 7] = [
-    ("none", &["size", "density", "interval_s", "duration_s", "probability"]),
-    ("stuck", &[]),
-    ("dead", &[]),
-    ("bias_step", &["size"]),
-    ("spikes", &["size", "interval_s", "duration_s"]),
-    ("noise", &["density"]),
-    ("drop_outs", &["interval_s", "probability"]),
-];
-
-/// A failure of any kind, or none. It has the quantities of all kinds; those that its kind does not use are 0.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct FailureFields {
-    /// Index in [`FAILURE_KINDS`].
-    pub kind: usize,
-    pub size: f64,
-    pub density: f64,
-    pub interval_s: f64,
-    pub duration_s: f64,
-    pub probability: f64,
-}
-
-impl FailureFields {
-    /// The failure; `None` for kind 0. Quantities that the kind does not use are ignored. Drop-outs with an interval are periodic.
-    pub fn to_failure(self) -> Option<Failure> {
-        let Self { kind, size, density, interval_s, duration_s, probability } = self;
-        match kind {
-            0 => None,
-            1 => Some(Failure::Stuck),
-            2 => Some(Failure::Dead),
-            3 => Some(Failure::BiasStep { size }),
-            4 => Some(Failure::Spikes { size, interval_s, duration_s }),
-            5 => Some(Failure::Noise { density }),
-            _ if interval_s != 0.0 => Some(Failure::PeriodicDropOuts { interval_s }),
-            _ => Some(Failure::RandomDropOuts { probability }),
-        }
-    }
-}
-
-impl From<Option<Failure>> for FailureFields {
-    fn from(failure: Option<Failure>) -> Self {
-        let none = Self::default();
-        let Some(failure) = failure else { return none };
-        match failure {
-            Failure::Stuck => Self { kind: 1, ..none },
-            Failure::Dead => Self { kind: 2, ..none },
-            Failure::BiasStep { size } => Self { kind: 3, size, ..none },
-            Failure::Spikes { size, interval_s, duration_s } => {
-                Self { kind: 4, size, interval_s, duration_s, ..none }
-            }
-            Failure::Noise { density } => Self { kind: 5, density, ..none },
-            Failure::PeriodicDropOuts { interval_s } => Self { kind: 6, interval_s, ..none },
-            Failure::RandomDropOuts { probability } => Self { kind: 6, probability, ..none },
-        }
     }
 }

@@ -3,12 +3,12 @@
 use nalgebra::Vector3;
 
 use super::effects::MarkovStep;
+use super::gravity_parameters::GravityDisturbanceParameters;
 use super::kept::Kept;
 use super::stream::{Purpose, Source, Stream, StreamKey};
+use crate::base::error::Error;
+use crate::base::snapshot::{Numbers, Reader, Stored, WALKS, Writer, stored};
 use crate::earth::Earth;
-use crate::error::Error;
-use crate::snapshot::{Numbers, Reader, Stored, WALKS, Writer, stored};
-use crate::surroundings::GravityDisturbanceParameters;
 use crate::truth::TruthPoint;
 
 /// The disturbance along the track of a flight: first-order Gauss-Markov fields, stationary at the start and discretised

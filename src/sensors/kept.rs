@@ -2,8 +2,8 @@
 
 use core::ops::{Deref, DerefMut};
 
-use crate::error::Error;
-use crate::snapshot::{Numbers, Reader, Stored, Writer};
+use crate::base::error::Error;
+use crate::base::snapshot::{Numbers, Reader, Stored, Writer};
 
 /// A state that can go back by one interval. Reads and writes go to the current state.
 #[derive(Debug, Clone, Copy)]

@@ -6,9 +6,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::stream::Source;
 use super::table::PARAMETERS;
-use crate::parameter::{Field, Parameter};
+use crate::base::parameter::{Field, Parameter};
+use crate::base::snapshot::{ANY, stored};
 use crate::signal::Increment;
-use crate::snapshot::{ANY, stored};
 
 const COUNT: usize = PARAMETERS.len();
 

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::initial::{Alignment, InitialErrorParameters};
 use super::parameters::TriadParameters;
-use crate::units::{DEG, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, STANDARD_GRAVITY as G};
+use crate::base::units::{DEG, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, STANDARD_GRAVITY as G};
 
 const FOOT_M: f64 = 0.3048;
 /// The flat part of the Allan deviation of flicker noise of B = 1.
@@ -17,21 +17,21 @@ pub enum Grade {
     /// ends of the grade), angle random walk 0.0002 deg/sqrt(h), scale factor 20 ppm (Airbus Astrix 200). The table states 30 to 100 m/h
     /// for this grade, which holds in straight flight. In turns the scale factor dominates. From a perfect start, the CEP after an hour is
     /// 190 m on the built-in racetrack, and 35 m without the scale factor error. On the built-in patrol it is 1.6 km and 38 m.
-    Strategic, // submarines, ballistic missiles
+    Strategic = 1, // submarines, ballistic missiles
     /// Navigation: Honeywell HG9900, brochure N61-1638. It states no accelerometer noise, so the preset has none: set your own.
-    Navigation, // airliners: a nautical mile an hour
+    Navigation = 2, // airliners: a nautical mile an hour
     /// Tactical: Honeywell HG1700, brochure N61-1619. No scale factor or misalignment is stated.
-    Tactical, // guided weapons, aided navigation
+    Tactical = 3, // guided weapons, aided navigation
     /// Industrial: Analog Devices ADIS16475-1, page 1 of its data sheet, rev. D. It states no accelerometer noise, so the preset
     /// has none: set your own. The range of the sensors is 125 deg/s and 8 g; the angle between two axes differs from 90 deg by
     /// 0.1 deg, 1 sigma.
-    Industrial, // calibrated micromechanics: drones, machines
+    Industrial = 4, // calibrated micromechanics: drones, machines
     /// Consumer: InvenSense MPU-6050, uncalibrated, product specification rev. 3.4. Its tolerances are taken as 3 sigma.
-    Consumer, // uncalibrated micromechanics: telephones
+    Consumer = 5, // uncalibrated micromechanics: telephones
     /// The paper's simulation 2: constant gyro bias 0.01 deg/h and angle random walk 0.005 deg/sqrt(h), constant accelerometer
     /// bias 1e-5 g and white noise 5e-6 g, taken as a density of 5e-6 g/sqrt(Hz) (for a bandwidth of 1 Hz, because the paper
     /// states none).
-    PaperSimulation2,
+    PaperSimulation2 = 6,
 }
 
 impl Grade {

@@ -5,8 +5,8 @@ use rand::{RngExt, SeedableRng};
 
 use super::draw::normal;
 use super::xoshiro::Xoshiro256PlusPlus;
-use crate::math::mix;
-use crate::snapshot::{ANY, stored};
+use crate::base::math::mix;
+use crate::base::snapshot::{ANY, stored};
 
 /// Source of draws: the sensor or model that draws. The numbers are part of the bit-for-bit guarantee: never reuse one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,10 +8,10 @@
 //! release on, structs of the interface grow only at their ends: a new row is then the last one, and each struct keeps its first
 //! size.
 
-use crate::parameter::Range::{OffOr, TimeOf, Within};
-use crate::parameter::Shape::{Axes, Diagonal, Matrix, Number, OffDiagonal};
-use crate::parameter::{CORRELATION_TIMES_S, Parameter, Range, defined, field};
-use crate::units::{
+use crate::base::parameter::Range::{OffOr, TimeOf, Within};
+use crate::base::parameter::Shape::{Axes, Diagonal, Matrix, Number, OffDiagonal};
+use crate::base::parameter::{CORRELATION_TIMES_S, Parameter, Range, defined, field};
+use crate::base::units::{
     ARCSEC, DEG, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G, PPM, STANDARD_GRAVITY, TEMPERATURE_RANGE_C,
 };
 

@@ -12,9 +12,9 @@ use super::failure::{Axis, Failure, SensorOutput};
 use super::kept::Kept;
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::StreamKey;
-use crate::error::Error;
+use crate::base::error::Error;
+use crate::base::snapshot::{Reader, Stored, stored};
 use crate::signal::{Increment, IncrementRows, MAX_INCREMENTS, RUNS, Turning};
-use crate::snapshot::{Reader, Stored, stored};
 use crate::truth::INTERVALS_S;
 
 /// A triad of gyros or accelerometers. An ideal triad does not change a bit of the increments.

@@ -2,9 +2,9 @@
 
 use super::parameters::{Sensor, TriadParameters};
 use super::table::PARAMETERS;
-use crate::checks::check_numbers;
-use crate::error::{Error, Rule};
-use crate::parameter::Parameter;
+use crate::base::checks::check_numbers;
+use crate::base::error::{Error, Rule};
+use crate::base::parameter::Parameter;
 
 impl TriadParameters {
     /// Checks every field.

@@ -5,9 +5,9 @@ use core::convert::Infallible;
 use rand::rand_core::utils::{fill_bytes_via_next_word, read_words};
 use rand::{SeedableRng, TryRng};
 
-use crate::error::Rule;
-use crate::math::{SPLIT_MIX_STEP, mix};
-use crate::snapshot::{ANY, stored};
+use crate::base::error::Rule;
+use crate::base::math::{SPLIT_MIX_STEP, mix};
+use crate::base::snapshot::{ANY, stored};
 
 /// xoshiro256++ 1.0 (Blackman and Vigna 2019), a generator of `rand`. It gives the same numbers on every machine and in every release.
 ///

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use crate::math::{end_derivative_weights, relative_rotation, rotation_vector};
-use crate::snapshot::stored;
+use crate::base::math::{end_derivative_weights, relative_rotation, rotation_vector};
+use crate::base::snapshot::stored;
 use crate::truth::TruthPoint;
 
 /// Derivatives of the motion at a sample.

@@ -4,11 +4,11 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::derivatives::{Derivatives, Neighbour, derivatives_at, given, neighbours_behind};
 use super::motion::IntervalMotion;
-use crate::math::{
+use crate::base::math::{
     end_derivative_weights, inverse_right_jacobian, relative_rotation, rotated_z, rotation_increment,
     rotation_vector,
 };
-use crate::snapshot::stored;
+use crate::base::snapshot::stored;
 use crate::truth::{Recent, TruthPoint};
 
 /// Total rotation over a stencil beyond which the rotation vectors from its end are ambiguous [rad] (150°).

@@ -10,6 +10,7 @@
 mod derivatives;
 mod generator;
 mod motion;
+pub mod mounting;
 mod rows;
 
 pub(crate) use derivatives::DERIVATIVES;
@@ -19,7 +20,7 @@ pub(crate) use rows::{IncrementRows, RUNS, Row, increment_of, put_increment, put
 
 use nalgebra::Vector3;
 
-use crate::snapshot::{SIGNALS, stored};
+use crate::base::snapshot::{SIGNALS, stored};
 
 /// Largest number of sub-increments of an interval: 5 subsamples of 16 updates.
 pub const MAX_INCREMENTS: usize = 80;

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::Increment;
 use super::derivatives::Derivatives;
-use crate::math::{
+use crate::base::math::{
     GAUSS_2, GAUSS_3, GAUSS_5, Pair, RotationSeries, VectorPair, axis_cross, inverse_right_jacobian,
     right_jacobian, rotation_matrix, rotation_quaternion,
 };

@@ -2,7 +2,7 @@
 
 use crate::earth::Earth;
 use crate::mechanization::{Mechanization, VerticalAid, VerticalMode, VerticalState};
-use crate::mounting::Belief;
+use crate::signal::mounting::Belief;
 use crate::truth::TruthPoint;
 
 /// Aid of the vertical channel at the sample `next`. `sense` gives the indicated height for the true height, if there is an

@@ -3,12 +3,12 @@
 
 use nalgebra::Vector3;
 
-use crate::error::Error;
-use crate::math::rotate_inverse;
+use crate::base::error::Error;
+use crate::base::math::rotate_inverse;
+use crate::base::snapshot::{CLOCK_S, Numbers, Reader, Stored, Writer, moved_clock, stored};
+use crate::earth::state::EarthFixedState;
 use crate::mechanization::Mechanization;
 use crate::signal::Increment;
-use crate::snapshot::{CLOCK_S, Numbers, Reader, Stored, Writer, moved_clock, stored};
-use crate::state::EarthFixedState;
 
 /// Damping of the position loop.
 const DAMPING: f64 = 0.8;

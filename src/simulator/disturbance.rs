@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
+use crate::base::math::GAUSS_2;
+use crate::base::snapshot::{SIGNALS, stored};
 use crate::earth::Earth;
 use crate::errors::SensorErrors;
-use crate::math::GAUSS_2;
-use crate::mounting::Block;
 use crate::sensors::GravityDisturbance;
+use crate::signal::mounting::Block;
 use crate::signal::{Increment, IntervalMotion};
-use crate::snapshot::{SIGNALS, stored};
 use crate::truth::Recent;
 
 /// True less normal gravity δg along the flight.

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::Simulator;
-use crate::covariance::{Signals, Variances};
+use crate::errors::covariance::{Signals, Variances};
 use crate::sensors::{PARAMETERS, Sensor, Triad, TriadParameters};
 
 /// A bound of an error: the size of what is set, and the standard deviation of what is drawn.
@@ -21,7 +21,7 @@ impl Bound {
 
     /// The bound of the sum of two independent errors.
     pub fn plus(&self, other: &Self) -> Self {
-        Self { set: self.set + other.set, sigma: crate::math::hypot(self.sigma, other.sigma) }
+        Self { set: self.set + other.set, sigma: crate::base::math::hypot(self.sigma, other.sigma) }
     }
 }
 

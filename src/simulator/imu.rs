@@ -1,7 +1,7 @@
 //! The interval flown last, and what is reported of its signals.
 
+use crate::base::snapshot::{CLOCK_S, stored};
 use crate::signal::Increment;
-use crate::snapshot::{CLOCK_S, stored};
 use crate::truth::INTERVALS_S;
 
 /// Ideal and measured signals of an interval.

@@ -13,6 +13,7 @@ mod navigator;
 mod options;
 mod parameters;
 mod read;
+pub mod record;
 mod settings;
 mod signals;
 mod snapshot;
@@ -27,22 +28,24 @@ pub use imu::{ImuFlags, ImuInterval};
 pub(crate) use moment::{Moment, View};
 pub use options::{MAX_UPDATES, Options};
 pub use parameters::ErrorParameters;
+#[cfg(test)]
+pub(crate) use parameters::rows;
 pub(crate) use parameters::with_time;
 pub use solution::Solution;
 pub(crate) use start::is_of_truth;
 
 use nalgebra::Vector3;
 
-use crate::correction::Correction;
-use crate::covariance::Propagation;
+use crate::base::error::{Error, ErrorKind, Rule};
+use crate::base::instruction_set::InstructionSet;
+use crate::base::memory::{only, room};
 use crate::earth::Earth;
-use crate::error::{Error, ErrorKind, Rule};
+use crate::earth::state::Navigation;
 use crate::errors::NavigationErrors;
-use crate::instruction_set::InstructionSet;
-use crate::memory::{only, room};
+use crate::errors::correction::Correction;
+use crate::errors::covariance::Propagation;
 use crate::sensors::StreamKey;
 use crate::signal::Increment;
-use crate::state::Navigation;
 use crate::truth::{FlightSample, Intake, Pushed, TruthPoint, TruthSummary};
 use chain::Chain;
 use imperfections::Imperfections;
@@ -54,9 +57,9 @@ use signals::Signals;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorSource {
     /// Navigation minus truth: the paper's error data 2.
-    Navigation,
+    Navigation = 0,
     /// The error differential equations: the paper's error data 1 (sins_options.error_model).
-    Model,
+    Model = 1,
 }
 
 /// Whether a step was made.

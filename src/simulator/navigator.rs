@@ -2,14 +2,14 @@
 
 use super::imperfections::IntervalConditions;
 use super::{Imperfections, ImuInterval, Options, Solution};
-use crate::correction::{Compensation, Correction};
+use crate::base::error::{Error, Rule, check_range, check_ranges};
+use crate::base::math::two_sum;
+use crate::base::snapshot::{CLOCK_S, stored};
 use crate::earth::Earth;
-use crate::error::{Error, Rule, check_range, check_ranges};
-use crate::math::two_sum;
+use crate::earth::state::{BodyAxes, Navigation, StateErrors};
+use crate::errors::correction::{Compensation, Correction};
 use crate::mechanization::{MAX_SUBSAMPLES, Mechanization};
 use crate::signal::Increment;
-use crate::snapshot::{CLOCK_S, stored};
-use crate::state::{BodyAxes, Navigation, StateErrors};
 
 /// A mechanization without a truth: its vertical channel is free.
 #[derive(Debug, Clone)]

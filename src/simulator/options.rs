@@ -1,14 +1,14 @@
 //! Options with which a simulator is made.
 
 use super::{ErrorSource, singular};
+use crate::base::error::{Error, Rule, check_range};
+use crate::base::math::sin_cos;
+use crate::base::snapshot::{ANY, stored};
+use crate::earth::state::BodyAxes;
 use crate::earth::{Earth, Ellipsoid, GravityModel};
-use crate::error::{Error, Rule, check_range};
-use crate::math::sin_cos;
 use crate::mechanization::{Frame, MAX_SUBSAMPLES, Mechanization, Scheme, VerticalMode};
 use crate::sensors::StreamKey;
 use crate::signal::MAX_INCREMENTS;
-use crate::snapshot::{ANY, stored};
-use crate::state::BodyAxes;
 use crate::truth::{IntakeLimits, MAX_GAP_S, MIN_INTERVAL_S, TruthPoint};
 
 /// Largest number of mechanization updates in a sample interval.

@@ -1,14 +1,14 @@
 //! All that makes an INS err, as a host sets it.
 
 use super::{Options, Simulator, heap_simulator};
-use crate::error::Error;
-use crate::mounting::MountingParameters;
-use crate::parameter::{Field, Parameter};
+use crate::base::error::Error;
+use crate::base::parameter::{Field, Parameter, Row};
+use crate::base::rows::of_path;
 use crate::sensors::{
-    AltimeterParameters, GravityDisturbanceParameters, InitialErrorParameters, PARAMETERS, Sensor,
-    TriadParameters,
+    ALTIMETER, AltimeterParameters, GRAVITY, GravityDisturbanceParameters, INITIAL, InitialErrorParameters,
+    PARAMETERS, Sensor, TriadParameters,
 };
-use crate::surroundings::{self, of_path};
+use crate::signal::mounting::{MOUNTING, MountingParameters};
 
 /// Settings of the sensors, of the start, of the mounting and of gravity. The default is ideal.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -80,8 +80,13 @@ impl ErrorParameters {
         let of_accel = accel.numbers_mut().into_iter().skip(row(Sensor::Accelerometer)).take(1);
         let numbers = altimeter.numbers_mut().into_iter().chain(initial.numbers_mut());
         let numbers = numbers.chain(mounting.numbers_mut()).chain(gravity.numbers_mut());
-        of_gyro.chain(of_accel).flatten().chain(of_path(surroundings::rows(), numbers, path))
+        of_gyro.chain(of_accel).flatten().chain(of_path(rows(), numbers, path))
     }
+}
+
+/// Every row of an error beside those of the triads.
+pub(crate) fn rows() -> impl Iterator<Item = &'static Row> {
+    [ALTIMETER.as_slice(), &INITIAL, &MOUNTING, &GRAVITY].into_iter().flatten()
 }
 
 /// The row of the sensor parameter with the field `path` of the interface.
@@ -98,7 +103,7 @@ pub(crate) fn with_time(path: &str) -> impl Iterator<Item = &'static str> {
         PARAMETERS.iter().filter(belongs).filter_map(move |row| row.of(sensor))
     };
     let belongs = move |field: &Field| field.path == path || field.range.needed_by() == Some(path);
-    let fields = surroundings::rows().map(|row| row.field).filter(belongs);
+    let fields = rows().map(|row| row.field).filter(belongs);
     let triads = [Sensor::Gyro, Sensor::Accelerometer].into_iter().flat_map(of_triad);
     fields.chain(triads).map(|field| field.path)
 }
@@ -109,9 +114,7 @@ mod tests {
 
     #[test]
     fn each_number_beyond_its_range_is_rejected_with_field_and_element() {
-        for (row, value) in
-            surroundings::rows().flat_map(|row| [-1e300, 1e300, f64::NAN].map(|value| (row, value)))
-        {
+        for (row, value) in rows().flat_map(|row| [-1e300, 1e300, f64::NAN].map(|value| (row, value))) {
             for index in 0..row.shape.count() {
                 let mut errors = ErrorParameters::default();
                 *errors.numbers_of(row.field.path).nth(index).unwrap() = value;

@@ -1,11 +1,11 @@
 //! Reads of a simulator: the truth, the navigation, its signals and errors.
 
 use super::{ClosureFigures, ErrorSource, ImuInterval, Mode, Moment, Simulator, Solution, TrimFigures, View};
-use crate::correction::Compensation;
-use crate::covariance::{NavigationCovariance, Propagation};
-use crate::error::Error;
+use crate::base::error::Error;
+use crate::base::instruction_set::InstructionSet;
+use crate::errors::correction::Compensation;
+use crate::errors::covariance::{NavigationCovariance, Propagation};
 use crate::errors::{AccuracyFigures, NavigationErrors};
-use crate::instruction_set::InstructionSet;
 use crate::signal::Increment;
 use crate::truth::{TruthPoint, TruthSummary};
 
@@ -205,11 +205,11 @@ mod tests {
     use nalgebra::Vector3;
 
     use super::*;
+    use crate::base::math::{Euler, mix};
     use crate::earth::Geodetic;
-    use crate::math::{Euler, mix};
+    use crate::earth::state::BodyAxes;
     use crate::sensors::InitialErrorParameters;
     use crate::simulator::{Options, Step};
-    use crate::state::BodyAxes;
     use crate::truth::FlightSample;
 
     struct Everything;

@@ -2,13 +2,13 @@
 //! loaded snapshot.
 
 use super::{Mode, Simulator};
-use crate::error::Error;
-use crate::mounting::MountingParameters;
+use crate::base::error::Error;
 use crate::sensors::{
     AltimeterParameters, Failure, GravityDisturbanceParameters, InitialErrorParameters, Sensor, SensorOutput,
     TriadParameters,
 };
 use crate::signal::Increment;
+use crate::signal::mounting::MountingParameters;
 use crate::truth::TruthPoint;
 
 pub(super) const INCREMENTS_HAVE_NO_TEMPERATURE: &str =

@@ -2,9 +2,9 @@
 
 use core::ops::Range;
 
-use crate::correction::Compensation;
-use crate::error::Error;
-use crate::memory::filled;
+use crate::base::error::Error;
+use crate::base::memory::filled;
+use crate::errors::correction::Compensation;
 use crate::signal::{Increment, MAX_INCREMENTS};
 
 /// Ideal increments and, unless the INS navigated on these, the increments on which it navigated: measured ones, after the

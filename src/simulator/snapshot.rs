@@ -5,10 +5,10 @@ use nalgebra::{Quaternion, Vector3};
 use super::chain::Chain;
 use super::navigator::Navigator;
 use super::{Imperfections, Mode, Options, Simulator, heap_simulator};
+use crate::base::error::{Error, Rule};
+use crate::base::snapshot::{Reader, SnapshotOf, Stored, Writer, fitting};
 use crate::earth::Geodetic;
-use crate::error::{Error, Rule};
-use crate::snapshot::{Reader, SnapshotOf, Stored, Writer, fitting};
-use crate::state::Navigation;
+use crate::earth::state::Navigation;
 use crate::truth::Intake;
 
 /// Numbers of the modes in a snapshot.
@@ -149,7 +149,7 @@ impl Simulator {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::error::ErrorKind;
+    use crate::base::error::ErrorKind;
     use crate::truth::FlightSample;
 
     /// States that the simulator refuses to enter.

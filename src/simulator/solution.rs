@@ -2,7 +2,7 @@
 
 use super::Options;
 use crate::earth::Earth;
-use crate::state::{NEAR_POLE_M, Navigation};
+use crate::earth::state::{NEAR_POLE_M, Navigation};
 use crate::truth::TruthPoint;
 
 /// Latitude [rad] up to which no solution is near a pole. At the lowest possible height, -500 km, the axis is 63 km away.

@@ -3,16 +3,16 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{Imperfections, Options, singular};
-use crate::covariance::Alignment;
-use crate::earth::Earth;
-use crate::error::Error;
-use crate::math::{
+use crate::base::error::Error;
+use crate::base::math::{
     relative_rotation, rotate, rotate_inverse, rotation_matrix, rotation_quaternion, rotation_vector, sin_cos,
 };
+use crate::earth::Earth;
+use crate::earth::state::{EarthFixedState, Navigation, StateErrors};
+use crate::errors::covariance::Alignment;
 use crate::mechanization::VerticalMode;
-use crate::mounting::{Block, MountingParameters};
 use crate::sensors::{self, Aligned, Sensed, Triad, level, level_and_gyrocompass};
-use crate::state::{EarthFixedState, Navigation, StateErrors};
+use crate::signal::mounting::{Block, MountingParameters};
 use crate::truth::{Recent, TruthPoint};
 
 /// Smallest cosine of latitude for gyrocompassing, which needs a horizontal Earth rate (0.6° from a pole).

@@ -6,10 +6,10 @@ use super::limits::{IntakeLimits, MAX_GAP_S, MIN_INTERVAL_S, OFF_PERIOD, STAMP_R
 use super::ring::Ring;
 use super::steps::{POSITION_SLACK_M, Steps};
 use super::{FlightSample, QUEUE_CAPACITY, Recent, TruthPoint};
+use crate::base::error::{Error, ErrorKind, Rule, check_range};
+use crate::base::math::end_derivative_weights;
 use crate::earth::Earth;
-use crate::error::{Error, ErrorKind, Rule, check_range};
-use crate::math::end_derivative_weights;
-use crate::state::BodyAxes;
+use crate::earth::state::BodyAxes;
 
 /// Earliest time that a sample can be moved to [s]: it leaves room for the samples before it, at most 18 intervals.
 const EARLIEST_MOVED_S: f64 = -FlightSample::LATEST_S + 20.0 * MAX_GAP_S;

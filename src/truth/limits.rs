@@ -1,7 +1,7 @@
 //! Limits of the samples: which intervals there can be, and what a vehicle can do in one.
 
 use super::sample::FlightSample;
-use crate::snapshot::{ANY, stored};
+use crate::base::snapshot::{ANY, stored};
 
 /// Shortest interval between samples, and longest that a host may allow [s].
 pub(crate) const MIN_INTERVAL_S: f64 = 5e-5;

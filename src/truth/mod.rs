@@ -1,14 +1,19 @@
 //! Truth: the samples of the flight simulator, checked on entry and converted to Earth-fixed axes.
 
+mod answer;
+pub mod flight;
 mod intake;
+pub mod judge;
 mod limits;
 mod point;
 mod ring;
 mod sample;
+pub mod smooth;
 mod snapshot;
 mod steps;
 mod summary;
 
+pub(crate) use answer::{Answer, SUMS_M};
 pub use intake::{Intake, Pushed};
 pub use limits::IntakeLimits;
 pub(crate) use limits::{INTERVALS_S, MAX_GAP_S, MIN_INTERVAL_S};

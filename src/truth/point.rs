@@ -5,9 +5,9 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 use super::FlightSample;
+use crate::base::math::{Euler, attitude_from_half_angles, rotate, rotated_z, rotation_matrix, sin_cos_each};
+use crate::earth::state::{BodyAxes, EarthFixedState, NEAR_POLE_M, Navigation};
 use crate::earth::{Earth, Geodetic, Vertical, navigation_axes_from_half_angles};
-use crate::math::{Euler, attitude_from_half_angles, rotate, rotated_z, rotation_matrix, sin_cos_each};
-use crate::state::{BodyAxes, EarthFixedState, NEAR_POLE_M, Navigation};
 
 /// An interval is a gap if it is more than this many times the interval before it. One lost sample is not a gap.
 const GAP: f64 = 2.5;

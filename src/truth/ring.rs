@@ -1,8 +1,8 @@
 //! The last points taken in: those that wait for a step, and those before them that a stencil still looks back to.
 
 use super::TruthPoint;
-use crate::error::Error;
-use crate::memory::filled;
+use crate::base::error::Error;
+use crate::base::memory::filled;
 
 /// Samples that may wait for a step.
 pub const QUEUE_CAPACITY: usize = 16;

@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
+use crate::base::error::{Error, check_range, check_ranges, check_temperature};
+use crate::base::math::Euler;
+use crate::base::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 use crate::earth::Geodetic;
-use crate::error::{Error, check_range, check_ranges, check_temperature};
-use crate::math::Euler;
-use crate::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 
 /// True position, velocity and attitude at an instant, as a flight simulator gives them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -6,8 +6,8 @@ use super::limits::{INTERVALS_S, OFF_PERIOD, STAMP_ROUNDING};
 use super::ring::LOOK_BACK;
 use super::steps::Steps;
 use super::{FlightSample, Intake, QUEUE_CAPACITY, TruthPoint};
-use crate::error::{Error, ErrorKind, Rule, check_range};
-use crate::snapshot::{Numbers, Reader, Stored, Writer};
+use crate::base::error::{Error, ErrorKind, Rule, check_range};
+use crate::base::snapshot::{Numbers, Reader, Stored, Writer};
 
 /// Stores the samples that the ring keeps. When they are read, their points are computed again, and checked as if the host had
 /// pushed them.

@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 
 use super::TruthPoint;
 use super::limits::IntakeLimits;
-use crate::error::{Error, ErrorKind, Rule};
-use crate::math::{atan2, relative_rotation, rotation_vector};
+use crate::base::error::{Error, ErrorKind, Rule};
+use crate::base::math::{atan2, relative_rotation, rotation_vector};
 
 /// Displacement by which a coarse position may contradict the velocity before it is a jump [m]: longitudes in degrees of single
 /// precision are 0.85 m apart.

@@ -3,10 +3,10 @@
 use nalgebra::Vector3;
 
 use super::{Recent, TruthPoint};
+use crate::base::math::{atan2, relative_rotation, rotation_vector};
+use crate::base::snapshot::{ANY, CLOCK_S, COUNT, moved_clock, stored};
 use crate::earth::Earth;
-use crate::math::{atan2, relative_rotation, rotation_vector};
-use crate::snapshot::{ANY, CLOCK_S, COUNT, moved_clock, stored};
-use crate::state::BodyAxes;
+use crate::earth::state::BodyAxes;
 
 /// A value and its time.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

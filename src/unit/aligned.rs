@@ -5,15 +5,15 @@ use nalgebra::{Quaternion, Vector3};
 use super::alignment::{EarthAtRest, North, shortest_rotation};
 use super::states::{correct, remove_errors};
 use super::{AlignmentKind, Mode, State, Unit, UnitParameters};
-use crate::covariance::Signals;
+use crate::base::error::Error;
+use crate::base::math::{rotate_inverse, rotation_quaternion};
+use crate::base::units::STANDARD_GRAVITY as GRAVITY;
+use crate::earth::state::Navigation;
 use crate::earth::{Earth, Geodetic};
-use crate::error::Error;
+use crate::errors::covariance::Signals;
 use crate::errors::navigation_minus_truth;
-use crate::math::{rotate_inverse, rotation_quaternion};
 use crate::simulator::{Bound, Simulator};
-use crate::state::Navigation;
 use crate::truth::TruthPoint;
-use crate::units::STANDARD_GRAVITY as GRAVITY;
 
 /// Failed tests of the latitude after which the unit fails.
 const LATITUDE_FAILURES: usize = 2;
@@ -122,7 +122,7 @@ impl Unit {
         let EarthAtRest { rate_rad_s: earth_rate, sin, cos, .. } = *at_rest;
         let cos_found = north.horizontal_rad_s / earth_rate;
         self.found_latitude_rad =
-            Some(crate::math::atan2((1.0 - cos_found * cos_found).max(0.0).sqrt(), cos_found));
+            Some(crate::base::math::atan2((1.0 - cos_found * cos_found).max(0.0).sqrt(), cos_found));
         let (of_cos, of_sin) = if parameters.latitude_tolerance_rad != 0.0 {
             (parameters.latitude_tolerance_rad * sin.abs() + COSINE_TOLERANCE, SINE_TOLERANCE)
         } else {

@@ -13,9 +13,9 @@
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 use super::in_flight::InFlight;
+use crate::base::math::{atan2, rotate, rotation_quaternion, rotation_vector, sin_cos};
+use crate::base::snapshot::{SIGNALS, stored};
 use crate::earth::{Earth, Geodetic};
-use crate::math::{atan2, rotate, rotation_quaternion, rotation_vector, sin_cos};
-use crate::snapshot::{SIGNALS, stored};
 
 /// Mean acceleration in a window up to which the aircraft rests \[m/s²\]. It tilts the vertical by 5e-5 rad. Departure: as in the test for
 /// motion, a real unit does not know it.

@@ -1,7 +1,7 @@
 //! The panel: what the crew and the aircraft do.
 
 use super::{AlignmentKind, Mode, Power, State, Stored, Unit};
-use crate::error::{Error, check_range};
+use crate::base::error::{Error, check_range};
 
 const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
 const WHOLE: f64 = core::f64::consts::TAU;
@@ -50,11 +50,11 @@ impl Unit {
                 _ => "a position can be entered during an alignment; the unit has failed",
             }));
         }
-        let longitude_rad = crate::math::wrap_angle(longitude_rad);
+        let longitude_rad = crate::base::math::wrap_angle(longitude_rad);
         let position = (latitude_rad, longitude_rad);
         let tolerance = self.limits.position_tolerance_rad;
         let is_far = self.stored.is_some_and(|stored| {
-            let east = crate::math::wrap_angle(longitude_rad - stored.longitude_rad);
+            let east = crate::base::math::wrap_angle(longitude_rad - stored.longitude_rad);
             (latitude_rad - stored.latitude_rad).abs() > tolerance || east.abs() > tolerance
         });
         self.reasons.position_disagrees = is_far && self.refused != Some(position);

@@ -20,14 +20,14 @@
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 use super::{AlignmentKind, State, Unit, UnitParameters};
-use crate::covariance::Signals;
+use crate::base::error::{Error, check_range, check_ranges};
+use crate::base::math::{exp, rotate, rotate_inverse, rotation_quaternion};
+use crate::base::snapshot::{CLOCK_S, SIGNALS, stored};
+use crate::base::units::DEG;
 use crate::earth::{Earth, Geodetic, navigation_axes};
-use crate::error::{Error, check_range, check_ranges};
-use crate::math::{exp, rotate, rotate_inverse, rotation_quaternion};
+use crate::errors::covariance::Signals;
 use crate::simulator::Simulator;
-use crate::snapshot::{CLOCK_S, SIGNALS, stored};
 use crate::truth::TruthPoint;
-use crate::units::DEG;
 
 /// Iterations of the orthogonal factor, for matrices whose singular values differ by up to 1e12.
 const ITERATIONS: usize = 60;

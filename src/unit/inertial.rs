@@ -3,9 +3,9 @@
 use nalgebra::{Quaternion, Vector3};
 
 use super::UnitParameters;
-use crate::math::{rotate, rotation_quaternion};
+use crate::base::math::{rotate, rotation_quaternion};
+use crate::base::snapshot::{CLOCK_S, SIGNALS, stored};
 use crate::signal::Increment;
-use crate::snapshot::{CLOCK_S, SIGNALS, stored};
 
 /// Time over which the force at rest is averaged, and after which a change of velocity is forgotten \[s\]. In it the Earth turns gravity
 /// so little that the velocity stays below 0.05 m/s at rest.

@@ -13,6 +13,7 @@
 
 mod aligned;
 mod alignment;
+pub mod bus;
 mod enter;
 mod in_flight;
 mod inertial;
@@ -30,10 +31,10 @@ pub use table::UNIT;
 
 use nalgebra::{Quaternion, Vector3};
 
-use crate::error::Error;
+use crate::base::error::Error;
+use crate::earth::state::BodyAxes;
 use crate::signal::Increment;
 use crate::simulator::{ImuInterval, Simulator};
-use crate::state::BodyAxes;
 use alignment::Alignment;
 use inertial::{Inertial, Motion};
 

@@ -4,11 +4,11 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::alignment::{EarthAtRest, shortest_rotation};
 use super::{AlignmentKind, Mode, Power, Reasons, State, Status, Unit, Validity};
+use crate::base::error::Error;
+use crate::base::math::{Euler, rotate};
 use crate::earth::Geodetic;
-use crate::error::Error;
-use crate::math::{Euler, rotate};
+use crate::earth::state::Navigation;
 use crate::simulator::Simulator;
-use crate::state::Navigation;
 use crate::truth::TruthPoint;
 
 /// What the unit shows. What is not valid is 0.

@@ -1,7 +1,9 @@
 //! What a unit has to the outside: its panel, and the words for its state.
 
-use crate::error::{Error, check_range};
-use crate::snapshot::codes;
+use crate::base::error::{Error, check_range};
+#[cfg(feature = "scenes")]
+use crate::base::joined::first_words;
+use crate::base::snapshot::codes;
 
 /// The mode selector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -94,7 +96,7 @@ codes!(State {
 #[cfg(feature = "scenes")]
 impl State {
     /// The words of all states, in the order of their codes.
-    pub const ALL_WORDS: [&'static str; Self::WORDS.len()] = crate::scene::first_words(Self::WORDS);
+    pub const ALL_WORDS: [&'static str; Self::WORDS.len()] = first_words(Self::WORDS);
 }
 
 /// Makes a struct of flags: each with its name, its meaning and its bit, the bits from 1 on in the order given.
@@ -106,7 +108,7 @@ macro_rules! flags {
             $(#[doc = $meaning] pub $flag: bool,)*
         }
 
-        crate::snapshot::stored!($type { $($flag),* });
+        crate::base::snapshot::stored!($type { $($flag),* });
 
         impl $type {
             /// Name and meaning of each flag, in the order of the bits.
@@ -189,7 +191,7 @@ pub struct Stored {
     pub heading_rad: f64,
 }
 
-crate::snapshot::stored!(Stored { latitude_rad: 1.6, longitude_rad: 3.2, heading_rad: 6.3 } then |stored, _| stored.validate());
+crate::base::snapshot::stored!(Stored { latitude_rad: 1.6, longitude_rad: 3.2, heading_rad: 6.3 } then |stored, _| stored.validate());
 
 impl Stored {
     /// Checks every field.

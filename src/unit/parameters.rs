@@ -1,10 +1,10 @@
 //! Times and limits of a unit, from their table.
 
 use super::table::UNIT;
-use crate::error::Error;
-use crate::parameter::Range;
-use crate::snapshot::stored;
-use crate::surroundings::check;
+use crate::base::error::Error;
+use crate::base::parameter::Range;
+use crate::base::rows::check;
+use crate::base::snapshot::stored;
 
 // The struct with its checks and numbers, which build.rs writes from the table.
 include!(concat!(env!("OUT_DIR"), "/unit.rs"));

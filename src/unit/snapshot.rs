@@ -1,8 +1,8 @@
 //! A unit as a snapshot, and back.
 
 use super::{Mode, Unit, UnitParameters};
-use crate::error::Error;
-use crate::snapshot::{CLOCK_S, Reader, SIGNALS, SnapshotOf, Stored as _, Writer, fitting, stored};
+use crate::base::error::Error;
+use crate::base::snapshot::{CLOCK_S, Reader, SIGNALS, SnapshotOf, Stored as _, Writer, fitting, stored};
 
 stored!(Unit {
     parameters, kind, selector, power, state, state_s: CLOCK_S, time_s: CLOCK_S, entered: 6.3, refused: 6.3, stored, switched_on_e: SIGNALS, q_bs: 2.0, axes,

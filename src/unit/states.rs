@@ -2,11 +2,11 @@
 
 use super::alignment::Alignment;
 use super::{AlignmentKind, KEEP_S, Mode, Power, Reasons, State, Stored, Unit, UnitParameters};
-use crate::correction::Correction;
-use crate::error::Error;
+use crate::base::error::Error;
+use crate::earth::state::StateErrors;
 use crate::errors::NavigationErrors;
+use crate::errors::correction::Correction;
 use crate::simulator::{ErrorSource, ImuInterval, Simulator};
-use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 /// Least number of windows of an alignment.

@@ -2,10 +2,10 @@
 //!
 //! `build.rs` makes from the table `UnitParameters` and `sins_unit_params`; the keys of a scene's section `[unit]` read it.
 
-use crate::parameter::Range::{OffOr, OrDefault};
-use crate::parameter::Shape::Number;
-use crate::parameter::{Range, Row, own_field, row};
-use crate::units::DEG;
+use crate::base::parameter::Range::{OffOr, OrDefault};
+use crate::base::parameter::Shape::Number;
+use crate::base::parameter::{Range, Row, own_field, row};
+use crate::base::units::DEG;
 
 const KNOT: f64 = 1852.0 / 3600.0;
 

@@ -9,6 +9,10 @@ mod covariance;
 #[cfg(feature = "scenes")]
 mod covariance_runs;
 mod error_budget;
+#[cfg(feature = "scenes")]
+mod judge;
 mod recommend;
+#[cfg(feature = "scenes")]
+mod smooth;
 mod statistics;
 mod truth_summary;

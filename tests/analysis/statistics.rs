@@ -3,10 +3,10 @@
 
 use nalgebra::{SMatrix, SVector, Vector3};
 use sins::ensemble::Ensemble;
+use sins::ensemble::statistics::{Decision, MAX_RUNS, RADIAL_ERROR, Statistics, Verdict};
 use sins::errors::NavigationErrors;
 use sins::mechanization::VerticalMode;
 use sins::sensors::{InitialErrorParameters, TriadParameters, paper_simulation2};
-use sins::statistics::{Decision, MAX_RUNS, RADIAL_ERROR, Statistics, Verdict};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
 use crate::support::any_use::Draws;

@@ -1,8 +1,8 @@
 //! The motion of the truth in figures: the figures of a good host, and the figures in which a host's wrong units stand out.
 
 use nalgebra::Vector3;
+use sins::earth::state::BodyAxes;
 use sins::sensors::paper_simulation2;
-use sins::state::BodyAxes;
 use sins::truth::{FlightSample, TruthSummary};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "sins.h"
+#include "sins_analysis.h"
 #include "small_stack.h"
 
 enum { COUNT = 201, ROWS = 10 };

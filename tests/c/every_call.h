@@ -244,6 +244,7 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     sins_sim *made_sim = NULL;
     sins_flight *made_flight = NULL;
     sins_unit *made_unit = NULL;
+    sins_play *made_play = NULL;
     sins_ensemble *ensemble = scene_ensemble();
     sins_unit *unit = scene_unit();
     unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
@@ -290,9 +291,11 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     EVERY_CALL(sins_scene_set_values(scene, "gyro.bias_deg_h[1] = 0.5"));
     EVERY_CALL(sins_scene_set_items(scene, "failure", ""));
     EVERY_CALL(sins_scene_get_samples(scene, NULL, scene_samples));
+    EVERY_CALL(sins_play_create(scene, NULL, &made_play));
     CHECK(made_sim == NULL || sins_destroy(made_sim) == SINS_OK);
     CHECK(made_flight == NULL || sins_flight_destroy(made_flight) == SINS_OK);
     CHECK(made_unit == NULL || sins_unit_destroy(made_unit) == SINS_OK);
+    CHECK(made_play == NULL || sins_play_destroy(made_play) == SINS_OK);
     CHECK(sins_ensemble_destroy(ensemble) == SINS_OK && sins_unit_destroy(unit) == SINS_OK);
 }
 
@@ -311,8 +314,39 @@ static inline void every_log_call(sins_log *log, every_call_answer *answer, void
     EVERY_CALL(sins_log_get_sample(log, 0, flight_sample, &word));
 }
 
+/* All functions of a sins_play, except those that destroy it and that read its last failure. */
+static inline void every_play_call(sins_play *play, sins_scene *scene, every_call_answer *answer, void *context)
+{
+    sins_flight_sample flight_sample[2];
+    sins_record record[2];
+    sins_unit_status unit_status[2];
+    sins_unit_navigation unit_navigation[2];
+    sins_sim *made_sim = NULL;
+    sins_unit *made_unit = NULL;
+    unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
+    size_t size = 0;
+    SINS_INIT(flight_sample[0]);
+    SINS_INIT(flight_sample[1]);
+    flight_sample[1].time_s = 0.01;
+    SINS_INIT(record[0]);
+    SINS_INIT(record[1]);
+    SINS_INIT(unit_status[0]);
+    SINS_INIT(unit_status[1]);
+    SINS_INIT(unit_navigation[0]);
+    SINS_INIT(unit_navigation[1]);
+    EVERY_CALL(sins_play_next(play));
+    EVERY_CALL(sins_play_push(play, flight_sample));
+    EVERY_CALL(sins_play_run(play, record, 2, &size));
+    EVERY_CALL(sins_play_set_plan(play, scene));
+    EVERY_CALL(sins_play_get_simulator(play, &made_sim));
+    EVERY_CALL(sins_play_get_unit(play, &made_unit));
+    EVERY_CALL(sins_play_get_shown(play, unit_status, unit_navigation));
+    EVERY_CALL(sins_play_snapshot_save(play, bytes, sizeof bytes, &size));
+    EVERY_CALL(sins_play_snapshot_load(play, bytes, size));
+}
+
 /* Every function with null for each pointer that may not be null. */
-static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *unit, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, every_call_answer *answer, void *context)
+static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *unit, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, sins_play *play, every_call_answer *answer, void *context)
 {
     sins_options options[2];
     sins_flight_sample flight_sample[2];
@@ -511,6 +545,13 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     EVERY_CALL(sins_log_get_info(log, NULL));
     EVERY_CALL(sins_log_get_sample(log, 0, NULL, &word));
     EVERY_CALL(sins_scene_get_samples(scene, NULL, NULL));
+    EVERY_CALL(sins_play_create(scene, NULL, NULL));
+    EVERY_CALL(sins_play_push(play, NULL));
+    EVERY_CALL(sins_play_run(play, NULL, 2, &size));
+    EVERY_CALL(sins_play_get_simulator(play, NULL));
+    EVERY_CALL(sins_play_get_unit(play, NULL));
+    EVERY_CALL(sins_play_snapshot_save(play, NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_play_snapshot_load(play, NULL, size));
 }
 
 #endif

@@ -145,7 +145,7 @@ typedef struct {
     sins_scene_key key;
     char line[2048];
     char value[128];
-    sins_record of_scene;
+    sins_record of_scene, of_play;
     sins_statistics statistics, model_statistics;
     sins_figures figures;
     sins_verdict verdict;
@@ -163,7 +163,8 @@ static void fly_scene(results *found)
 {
     sins_scene *scene = scene_of_text(), *other = NULL;
     sins_log *log = scene_log();
-    sins_sim *sim = NULL;
+    sins_play *play = scene_play();
+    sins_sim *sim = NULL, *of_play = NULL;
     sins_flight *flight = NULL;
     sins_flight_sample sample = {.struct_size = sizeof sample};
     int k;
@@ -192,6 +193,14 @@ static void fly_scene(results *found)
     CHECK(sins_log_get_sample(log, 2, &found->of_log, NULL) == SINS_OK);
     every_log_call(log, ignore, NULL);
     every_scene_call(scene, sim, ignore, NULL);
+    SINS_INIT(found->of_play);
+    CHECK(sins_play_run(play, &found->of_play, 1, NULL) == SINS_OK);
+    for (k = 0; k < COUNT; k++) {
+        CHECK(sins_play_next(play) == SINS_OK);
+    }
+    CHECK(sins_play_get_simulator(play, &of_play) == SINS_OK && sins_get_record(of_play, &found->of_play) == SINS_OK);
+    every_play_call(play, scene, ignore, NULL);
+    CHECK(sins_play_destroy(play) == SINS_OK);
     CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK);
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
 }

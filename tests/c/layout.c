@@ -3,6 +3,7 @@
  *
  * This file is written by build/ from the Rust sources; do not edit it. */
 
+#include "sins_analysis.h"
 #include "sins_scene.h"
 
 #ifdef __cplusplus

@@ -16,6 +16,7 @@ static sins_scene *wrong_scenes[WRONG_HANDLES];
 static sins_log *wrong_logs[WRONG_HANDLES];
 static sins_ensemble *wrong_ensembles[WRONG_HANDLES];
 static sins_unit *wrong_units[WRONG_HANDLES];
+static sins_play *wrong_plays[WRONG_HANDLES];
 
 static sins_flight *make_flight(void)
 {
@@ -54,6 +55,10 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
     wrong_units[STALE] = scene_unit();
     wrong_units[MADE_UP] = (sins_unit *)(uintptr_t)0xfffffff6;
     wrong_units[OTHER_KIND] = (sins_unit *)(void *)sim;
+    wrong_plays[STALE] = scene_play();
+    wrong_plays[MADE_UP] = (sins_play *)(uintptr_t)0xfffffff7;
+    wrong_plays[OTHER_KIND] = (sins_play *)(void *)sim;
+    CHECK(sins_play_destroy(wrong_plays[STALE]) == SINS_OK);
     CHECK(sins_unit_destroy(wrong_units[STALE]) == SINS_OK);
     CHECK(sins_ensemble_destroy(wrong_ensembles[STALE]) == SINS_OK);
     CHECK(sins_scene_destroy(wrong_scenes[STALE]) == SINS_OK);
@@ -122,6 +127,8 @@ static void handles(sins_sim *living)
         every_log_call(wrong_logs[i], is_refused, NULL);
         every_ensemble_call(wrong_ensembles[i], is_refused, NULL);
         every_unit_call(wrong_units[i], living, is_refused, NULL);
+        every_play_call(wrong_plays[i], scene, is_refused, NULL);
+        is_refused("sins_play_destroy", sins_play_destroy(wrong_plays[i]), NULL);
         is_refused("sins_unit_update", sins_unit_update(unit, sim), NULL);
         is_refused("sins_unit_destroy", sins_unit_destroy(wrong_units[i]), NULL);
         wrong_template(sim);
@@ -147,6 +154,26 @@ static void handles(sins_sim *living)
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_unit_destroy(unit) == SINS_OK);
 }
 
+/* A scene in flight whose simulator or unit the host destroyed names it, and can be destroyed. */
+static void lent_handles(void)
+{
+    sins_play *play = scene_play();
+    sins_sim *sim = NULL;
+    sins_unit *unit = NULL;
+    char text[100];
+    CHECK(sins_play_next(play) == SINS_OK);
+    CHECK(sins_play_get_simulator(play, &sim) == SINS_OK && sins_play_get_unit(play, &unit) == SINS_OK);
+    CHECK(sins_unit_destroy(unit) == SINS_OK && sins_play_next(play) == SINS_ERROR_BAD_HANDLE);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "unit of the scene in flight") == text);
+    CHECK(sins_play_destroy(play) == SINS_OK && sins_destroy(sim) == SINS_ERROR_BAD_HANDLE);
+    play = scene_play();
+    CHECK(sins_play_get_simulator(play, &sim) == SINS_OK && sins_play_get_unit(play, &unit) == SINS_OK);
+    CHECK(sins_destroy(sim) == SINS_OK && sins_play_next(play) == SINS_ERROR_BAD_HANDLE);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK
+          && strstr(text, "simulator of the scene in flight") == text);
+    CHECK(sins_play_destroy(play) == SINS_OK && sins_unit_destroy(unit) == SINS_ERROR_BAD_HANDLE);
+}
+
 /* Each call leaves its own failure: on the simulator that `sim` points to, or on this thread. */
 static void is_null_pointer(const char *call, sins_status status, void *sim)
 {
@@ -164,15 +191,17 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     sins_log *log = scene_log();
     sins_ensemble *ensemble = scene_ensemble();
     sins_unit *unit = scene_unit();
+    sins_play *play = scene_play();
     sins_record record = {.struct_size = sizeof record};
     char text[16];
     plant(sim);
     /* Null only with a count of 0. */
     is_null_pointer("sins_record_line", sins_record_line(&record, NULL, 6, NULL, text, sizeof text, NULL), sim);
-    null_calls(sim, flight, unit, ensemble, scene, log, is_null_pointer, sim);
+    null_calls(sim, flight, unit, ensemble, scene, log, play, is_null_pointer, sim);
     CHECK(sins_last_error(sim, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_last_error_info(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
+    CHECK(sins_play_destroy(play) == SINS_OK);
     CHECK(sins_ensemble_destroy(ensemble) == SINS_OK && sins_unit_destroy(unit) == SINS_OK);
 }
 
@@ -195,6 +224,7 @@ int main(void)
     make_wrong_handles(sim, flight);
     handles(sim);
     null_pointers(sim, flight);
+    lent_handles();
 
     CHECK(sins_get_navigation(sim, &after) == SINS_OK);
     CHECK(memcmp(&before, &after, sizeof before) == 0);

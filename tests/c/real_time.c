@@ -233,6 +233,30 @@ static void fly_scene_frames(sins_scene *scene, sins_sim *sim, sins_flight *flig
     }
 }
 
+/* The same by one object, which has a unit too. */
+static void fly_play_frames(sins_play *play, sins_flight *flight)
+{
+    static unsigned char snapshot[SINS_PLAY_SNAPSHOT_MAX_SIZE];
+    static sins_record play_records[4];
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_unit_status status = {.struct_size = sizeof status};
+    sins_unit_navigation shown = {.struct_size = sizeof shown};
+    size_t written;
+    int k;
+    SINS_INIT(play_records[0]);
+    for (k = 0; k < 65; k++) {
+        FRAME_CHECK(sins_play_next(play) == SINS_OK);
+        FRAME_CHECK(sins_play_get_shown(play, &status, &shown) == (k == 0 ? SINS_NEED_SAMPLE : SINS_OK));
+    }
+    for (; k < 129; k++) {
+        FRAME_CHECK(sins_flight_sample_at(flight, scene_time(k), &sample) == SINS_OK);
+        FRAME_CHECK(sins_play_push(play, &sample) == SINS_OK);
+        FRAME_CHECK(sins_play_push(play, &sample) == SINS_ERROR_TIME_ORDER);
+    }
+    FRAME_CHECK(sins_play_run(play, play_records, 4, &written) == SINS_OK && written == 4);
+    FRAME_CHECK(sins_play_snapshot_save(play, snapshot, sizeof snapshot, &written) == SINS_OK);
+}
+
 /* An ensemble with every effect: all calls except for those that create or load one. */
 static void fly_ensemble_frames(sins_ensemble *ensemble, sins_scene *scene)
 {
@@ -336,6 +360,7 @@ int main(void)
     sins_ensemble *ensemble = scene_ensemble();
     sins_sim *of_scene = NULL, *of_unit = scene_simulator(NULL, 3);
     sins_unit *unit = scene_unit();
+    sins_play *play = scene_play();
     sins_flight *flight = NULL;
     sins_navigation start = {.struct_size = sizeof start};
     pthread_t others[2];
@@ -385,6 +410,7 @@ int main(void)
         fly_frames(sims[i], stale);
     }
     fly_scene_frames(scene, of_scene, flight, log);
+    fly_play_frames(play, flight);
     fly_ensemble_frames(ensemble, scene);
     fly_unit_frames(of_unit, unit);
     for (i = 0; i < navigator_count; i++) {

@@ -5,7 +5,8 @@
 #include <string.h>
 
 #include "check.h"
-#include "sins.h"
+#include "sins_analysis.h"
+#include "sins_flight.h"
 #include "small_stack.h"
 
 enum { COUNT = 501 };

@@ -4,6 +4,7 @@
 #define SCENE_H
 
 #include "check.h"
+#include "sins_analysis.h"
 #include "sins_scene.h"
 
 /* 8 s at 128 Hz: times that are exact in binary. */
@@ -195,6 +196,17 @@ static inline sins_scene *scene_of_text(void)
     sins_scene *scene = NULL;
     CHECK(sins_scene_parse(scene_text, sizeof scene_text - 1, &scene) == SINS_OK);
     return scene;
+}
+
+/* The same with a unit that aligns. */
+static inline sins_play *scene_play(void)
+{
+    sins_scene *scene = scene_of_text();
+    sins_play *play = NULL;
+    CHECK(sins_scene_set_values(scene, "unit.start = \"off\"") == SINS_OK);
+    CHECK(sins_scene_set_items(scene, "panel", "[[panel]]\nkind = \"align\"\nat_s = 0.1\n") == SINS_OK);
+    CHECK(sins_play_create(scene, NULL, &play) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
+    return play;
 }
 
 static inline sins_log *scene_log(void)

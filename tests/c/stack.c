@@ -9,7 +9,7 @@
 #include "scene.h"
 #include "small_stack.h"
 
-enum { DEEPEST = 48 * 1024, FUNCTIONS = 160, PAINT = 0x5a, SAMPLES = 8 };
+enum { DEEPEST = 48 * 1024, FUNCTIONS = 180, PAINT = 0x5a, SAMPLES = 8 };
 
 static struct {
     char name[40];
@@ -19,7 +19,7 @@ static struct {
 static sins_flight_sample samples[SCENE_COUNT];
 static sins_record records[SAMPLES];
 static sins_budget_row rows[64];
-static unsigned char snapshot[SINS_SNAPSHOT_MAX_SIZE];
+static unsigned char snapshot[SINS_SNAPSHOT_MAX_SIZE], play_snapshot[SINS_PLAY_SNAPSHOT_MAX_SIZE];
 static char text[65536];
 static char *bottom;
 
@@ -377,6 +377,11 @@ static void call_with_scenes(void)
     sins_scene_key key = {.struct_size = sizeof key};
     sins_scene_samples scene_samples = {.struct_size = sizeof scene_samples};
     sins_log_info info = {.struct_size = sizeof info};
+    sins_play *play = NULL;
+    sins_sim *of_play = NULL;
+    sins_unit *unit = NULL;
+    sins_unit_status status;
+    sins_unit_navigation shown;
     sins_flight_sample sample = {.struct_size = sizeof sample};
     sins_scene *scene = NULL, *other = NULL;
     sins_log *log = NULL;
@@ -417,6 +422,24 @@ static void call_with_scenes(void)
         CHECK(sins_push_sample(sim, &sample) == SINS_OK);
         TRY(sins_step(sim));
     }
+    MEASURE(sins_scene_set_values(scene, "unit.start = \"off\""));
+    MEASURE(sins_play_create(scene, NULL, &play));
+    MEASURE(sins_play_run(play, records, 1, &count));
+    MEASURE(sins_play_next(play));
+    for (k = 2; k < 18; k++) {
+        MEASURE(sins_flight_sample_at(flight, scene_time(k), &sample));
+        MEASURE(sins_play_push(play, &sample));
+    }
+    CHECK(TRY(sins_play_push(play, &sample)) == SINS_ERROR_TIME_ORDER);
+    SINS_INIT(status);
+    SINS_INIT(shown);
+    MEASURE(sins_play_get_shown(play, &status, &shown));
+    MEASURE(sins_play_set_plan(play, scene));
+    MEASURE(sins_play_get_simulator(play, &of_play));
+    MEASURE(sins_play_get_unit(play, &unit));
+    MEASURE(sins_play_snapshot_save(play, play_snapshot, sizeof play_snapshot, &count));
+    MEASURE(sins_play_snapshot_load(play, play_snapshot, count));
+    MEASURE(sins_play_destroy(play));
     MEASURE(sins_scene_get_options(scene, &options));
     MEASURE(sins_scene_get_setup(scene, &setup));
     MEASURE(sins_scene_get_manoeuvres(scene, &start, manoeuvres, 4, &count, NULL));

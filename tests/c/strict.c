@@ -1,6 +1,7 @@
 /* A program that includes the headers, for compilers with the warnings of strict projects. Compiled, not run. */
 
 #if defined(__cplusplus) && __cplusplus >= 201103L
+#include "sins_analysis.hpp"
 #include "sins_scene.hpp"
 #endif
 #include "../../c_examples/sins_loader.h"

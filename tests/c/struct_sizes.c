@@ -198,6 +198,7 @@ static sins_status get_manoeuvres(sins_scene *scene, sins_flight_start *start, s
 static void struct_sizes_of_scenes(sins_sim *sim)
 {
     sins_scene *scene = NULL, *faulty = NULL;
+    sins_play *play = NULL;
     sins_log *log = scene_log();
     CHECK(sins_scene_create(&scene) == SINS_OK);
     CHECK(sins_scene_parse("[", 1, &faulty) == SINS_SCENE_HAS_FAULTS);
@@ -217,6 +218,12 @@ static void struct_sizes_of_scenes(sins_sim *sim)
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_scene_destroy(faulty) == SINS_OK);
     scene = scene_of_text();
     OUTPUT_SIZES(sins_planned_failure, sins_scene_get_failure(scene, 0, pointer));
+    play = scene_play();
+    CHECK(sins_play_next(play) == SINS_OK && sins_play_next(play) == SINS_OK);
+    OUTPUT_SIZES(sins_unit_status, sins_play_get_shown(play, pointer, NULL));
+    OUTPUT_SIZES(sins_unit_navigation, sins_play_get_shown(play, NULL, pointer));
+    OUTPUT_SIZES(sins_record, sins_play_run(play, pointer, 1, NULL));
+    CHECK(sins_play_destroy(play) == SINS_OK);
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
 }
 

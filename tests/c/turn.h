@@ -4,7 +4,7 @@
 #define TURN_H
 
 #include "check.h"
-#include "sins.h"
+#include "sins_flight.h"
 
 static void make_samples(sins_flight_sample *samples, int count)
 {

@@ -1,11 +1,13 @@
 /* sins.hpp: what it adds to sins.h. Ownership, errors as exceptions with the right sentence, positive statuses as false. */
 
+#include <cstring>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "check.h"
+#include "sins_analysis.hpp"
 #include "sins_scene.hpp"
 
 template <class Call> sins::Error error_of(Call call) {
@@ -55,8 +57,8 @@ static void moved_objects() {
     CHECK(other.handle() != nullptr && sim.handle() == nullptr);
     rejects_no_handle([&] { sim.step(); });
     rejects_no_handle([&] { sim.options(); });
-    rejects_no_handle([&] { sim.recommend(samples, 2, requirement, options, cost); });
-    rejects_no_handle([&] { sim.error_budget(samples, 2, sins::make<sins_budget_request>(), rows); });
+    rejects_no_handle([&] { sins::recommend(sim, samples, 2, requirement, options, cost); });
+    rejects_no_handle([&] { sins::error_budget(sim, samples, 2, sins::make<sins_budget_request>(), rows); });
     rejects_no_handle([&] { scene.write(); });
     rejects_no_handle([&] { scene.faults(); });
     rejects_no_handle([&] { scene.set_values("gyro.preset = tactical"); });
@@ -137,7 +139,42 @@ static void snapshots() {
     CHECK(error.status() == SINS_ERROR_SNAPSHOT && other.snapshot_save() == saved);
 }
 
+static bool same_navigation(const sins::Play &one, const sins::Play &other) {
+    const sins_record_solution navigation = one.record().navigation, found = other.record().navigation;
+    return std::memcmp(&navigation, &found, sizeof navigation) == 0;
+}
+
+/* A scene in flight: samples of its own and of the host, what it shows, snapshots, a new plan, lent handles. */
+static void plays() {
+    sins::Scene scene("[flight]\nbuiltin = \"patrol\"\nrate_hz = 10\nhours = 0.01\n[unit]\nstart = \"nav\"\n"
+                      "[output]\nevery_s = 9\n[gyro]\npreset = \"tactical\"\n");
+    sins::Play play(scene), other(scene);
+    sins_unit_status status;
+    sins_unit_navigation shown;
+    CHECK(!play.shown(status, shown) && play.next() == SINS_OK && play.next() == SINS_OK);
+    CHECK(play.shown(status, shown) && status.state == SINS_UNIT_STATE_NAVIGATION && shown.time_s == 0.1);
+    other.load(play.save());
+    CHECK(play.run(2).size() == 2 && play.run(9).size() == 2 && play.next() == SINS_PLAY_END);
+    other.finish();
+    CHECK(same_navigation(play, other));
+    CHECK(error_of([&] { other.push(at(1)); }).status() == SINS_ERROR_TIME_ORDER);
+    {
+        sins::Play::Lent<sins::Simulator> sim(other.simulator());
+        sins::Play::Lent<sins::Unit> unit(other.unit());
+        CHECK(sim->options().run == 0 && unit->status().state == SINS_UNIT_STATE_NAVIGATION);
+    }
+    CHECK(other.record().time_s == 36); /* the handles that it lent are alive */
+
+    sins::Scene failing;
+    CHECK(failing.set_items("failure", "[[failure]]\nsensor = \"gyro\"\naxis = \"x\"\nkind = \"dead\"\nfrom_s = 0\n"));
+    sins::Play planned(scene);
+    planned.set_plan(failing);
+    planned.finish();
+    CHECK(!same_navigation(play, planned));
+}
+
 int main() {
+    plays();
     moved_objects();
     texts_of_scenes();
     errors();

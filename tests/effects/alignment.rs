@@ -7,11 +7,11 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use sins::earth::{Earth, Geodetic};
 use sins::math::{Euler, rotation_quaternion, wrap_angle};
 use sins::mechanization::VerticalMode;
-use sins::mounting::MountingParameters;
 use sins::sensors::{
     Alignment, Grade, GravityDisturbanceParameters, GravityField, InitialErrorParameters, StreamKey,
     TriadParameters,
 };
+use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator, Solution};
 

@@ -4,11 +4,11 @@
 
 use nalgebra::Vector3;
 use sins::ensemble::Ensemble;
-use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::mechanization::VerticalMode;
 use sins::sensors::{InitialErrorParameters, PARAMETERS, Parameter, Sensor, StreamKey, TriadParameters};
 use sins::signal::Increment;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorKind, Options, Simulator, Step};
 
 use crate::support::{DEG, one_unit_of};

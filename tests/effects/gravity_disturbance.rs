@@ -2,14 +2,14 @@
 
 use nalgebra::Vector3;
 use sins::earth::{Earth, Geodetic};
-use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::math::{Euler, rotate};
 use sins::mechanization::{Frame, VerticalMode};
-use sins::mounting::MountingParameters;
 use sins::sensors::{
     Alignment, GravityDisturbanceParameters, GravityField, InitialErrorParameters, StreamKey, TriadParameters,
 };
+use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
 use crate::support::{ARCSEC, DEG, MILLIGAL, options_at, patrol, resting_sample, step};

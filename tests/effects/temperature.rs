@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
+use sins::earth::state::{BodyAxes, Navigation};
 use sins::math::Euler;
 use sins::sensors::{Alignment, InitialErrorParameters, Sensor, StreamKey, Triad, TriadParameters};
 use sins::signal::Increment;
-use sins::state::{BodyAxes, Navigation};
 use sins::truth::FlightSample;
 use sins::{ErrorKind, Options, Simulator};
 

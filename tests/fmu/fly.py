@@ -175,7 +175,7 @@ for how in ("set", "serialized", "another instance"):
         check(unit.step(sample) == 0, f"a step behind a state ({how})")
     check(unit.read(COLUMNS.values()) == end, f"the same bits behind a state ({how})")
 in_snapshot = len(image) - 100
-for damaged in (image[:-1], image[:5000], b"", b"SINSFMU1", image[:in_snapshot] + bytes([image[in_snapshot] ^ 1]) + image[in_snapshot + 1:]):
+for damaged in (image[:-1], image[:5000], b"", b"SINSFMU2", image[:in_snapshot] + bytes([image[in_snapshot] ^ 1]) + image[in_snapshot + 1:]):
     said = len(MESSAGES)
     refused = unit.status(lambda: unit.slave.deSerializeFMUstate(damaged))
     check(refused == 3 and len(MESSAGES) == said + 1, f"a damaged state of {len(damaged)} bytes is refused by one sentence")

@@ -5,7 +5,7 @@ function show(label, value) {
 }
 
 BEGIN {
-    print "#include <stdio.h>\n#include \"sins_scene.h\"\n\nint main(void)\n{"
+    print "#include <stdio.h>\n#include \"sins_analysis.h\"\n#include \"sins_scene.h\"\n\nint main(void)\n{"
 }
 /^typedef struct .* \{$/ {
     name = $3

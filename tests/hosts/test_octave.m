@@ -28,7 +28,7 @@ refused('sins:usage', 'columns');
 refused('sins:SINS_SCENE_HAS_FAULTS', 'line 2: ', rest, "[flight]\nbuiltin = \"petrol\"\n");
 south = rest;
 south(3, 2) = -2;
-refused('sins:SINS_ERROR_INVALID_ARGUMENT', 'row 3: sample.latitude_rad', south);
+refused('sins:SINS_ERROR_INVALID_ARGUMENT', 'row 3: at 2 s: sample.latitude_rad', south);
 late = rest;
 late(5:end, 1) = late(5:end, 1) + 100;
 for k = 1:5000 % more handles than can exist at once

@@ -16,8 +16,11 @@ import numpy
 import sins
 from pycparser import CParser, c_ast
 
-HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/sins_scene.h"
-DECLARATIONS = "".join((HEADER.parent / name).read_text() for name in ("sins.h", "sins_unit.h", "sins_ensemble.h", "sins_scene.h"))
+HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/sins_functions.h"  # includes all others
+DECLARATIONS = "".join(
+    (HEADER.parent / f"{name}.h").read_text()
+    for name in ("sins", "sins_flight", "sins_analysis", "sins_unit", "sins_ensemble", "sins_scene")
+)
 COMPILER = os.environ.get("CC", "cc")
 # Words of the system's headers that pycparser does not know; sins.h does not use them.
 GNU = ["__attribute__(x)", "__asm__(x)", "__extension__", "__restrict"]
@@ -47,7 +50,7 @@ def of_header(kind):
 
 def of_module(kind):
     """A type of ctypes as a word of the same form."""
-    if isinstance(kind, sins._Out):
+    if isinstance(kind, (sins._Out, sins._MayBeNone)):
         return of_module(kind.pointer)
     if issubclass(kind, ctypes.Array):
         return f"{of_module(kind._type_)}[{kind._length_}]"
@@ -147,7 +150,7 @@ class Calls(unittest.TestCase):
         self.assertEqual(sins.scene_get_failure_count(sins.scene_create_builtin("patrol")), 0)
         self.assertEqual(sins.scene_builtin_name(0), sins._text(sins.scene_builtin_name, (0,)))
         self.assertEqual(sins.last_error(self.sim), "no error")
-        self.assertRaisesRegex(TypeError, "an argument is missing", sins.get_errors, self.sim)
+        self.assertRaisesRegex(TypeError, r"get_errors\(\): missing argument: source", sins.get_errors, self.sim)
         self.assertRaisesRegex(sins.Error, "options.frame = 7", sins.create, sins.options(frame=7))
 
     def test_lists_are_arrays_that_the_library_reads(self):
@@ -221,6 +224,37 @@ class Calls(unittest.TestCase):
         sins.scene_get_fault(scene, 0, fault)
         self.assertEqual(fault.line, 4)
         self.assertRaises(ctypes.ArgumentError, sins.scene_create_builtin, "patrol\0", sins.scene())
+
+    def test_a_faulty_scene_is_raised(self):
+        faulty = '[flight]\nbuiltin = "rest"\n[gyro]\nbais_deg_h = 1\nbias_deg_h = "x"\n'
+        with self.assertRaises(sins.Error) as caught:
+            sins.scene_parse(faulty)
+        error = caught.exception
+        self.assertEqual(str(error), "line 4, column 1: no such key: bais_deg_h; did you mean bias_deg_h? (and 1 more: see faults)")
+        self.assertEqual((error.status, [fault.line for fault in error.faults]), (sins.SCENE_HAS_FAULTS, [4, 5]))
+        scene = sins.scene_parse(faulty.split("[gyro]")[0])
+        for change, line in (("gyro.bais_deg_h = 1", 1), ("gyro.bias_deg_h = 1\n\nflight.hours = 1e9", 3)):
+            with self.assertRaisesRegex(sins.Error, f"^line {line}, column 1: ") as caught:
+                sins.scene_set_values(scene, change)
+            self.assertEqual((caught.exception.status, len(caught.exception.faults)), (sins.ERROR_INVALID_ARGUMENT, 1))
+        # The faults of a change are not those of a later call.
+        with self.assertRaisesRegex(sins.Error, "^index = 3: must be less than the number of failures") as caught:
+            sins.scene_get_failure(scene, 3)
+        self.assertEqual(caught.exception.faults, ())
+
+    def test_inputs_that_may_be_none_may_be_left_out(self):
+        with sins.create() as sim, sins.create(None) as other:
+            self.assertEqual(bytes(sins.get_gyro(sim)), bytes(sins.get_gyro(other)))
+        with self.assertRaisesRegex(TypeError, r"unit_create\(\): missing argument: mode"):
+            sins.unit_create()
+
+    def test_a_requirement_that_is_not_met_is_raised(self):
+        with self.assertRaises(sins.Error) as caught:
+            sins.recommend(self.sim, self.samples, sins.requirement(position_m=1e-12))
+        options, cost = caught.exception.outputs
+        self.assertEqual(caught.exception.status, sins.REQUIREMENT_NOT_MET)
+        self.assertGreater(cost.share, 1)
+        self.assertIn(options.subsamples, range(1, 9))
 
     def test_a_snapshot_goes_on(self):
         sins.fly(self.sim, self.samples[:50])

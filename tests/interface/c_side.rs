@@ -20,7 +20,15 @@ fn structs_are_laid_out_alike_under_every_packing_and_language() {
 
 #[test]
 fn each_header_alone_is_c90_and_cpp98() {
-    for name in ["sins.h", "sins_unit.h", "sins_ensemble.h", "sins_scene.h", "sins_functions.h"] {
+    for name in [
+        "sins.h",
+        "sins_flight.h",
+        "sins_analysis.h",
+        "sins_unit.h",
+        "sins_ensemble.h",
+        "sins_scene.h",
+        "sins_functions.h",
+    ] {
         let header = project_file("include").join(name);
         for standard in ["c90", "c99", "c11", "c++98", "c++17"] {
             let (mut compiler, language) = compiler_of(standard);

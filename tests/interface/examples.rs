@@ -171,7 +171,7 @@ fn the_examples_of_the_functions_print_what_they_say() {
     let blocks: String = examples.iter().map(|text| format!("    {{\n{text}    }}\n")).collect();
     let program = format!("{begin}{blocks}    return sins_destroy(sim);\n}}\n");
     let source = library_folder("header_examples").join("examples.c");
-    std::fs::write(&source, program.replace("\"sins.h\"", "\"sins_scene.h\"")).unwrap();
+    std::fs::write(&source, program.replace("\"sins.h\"", "\"sins_functions.h\"")).unwrap();
     let text = prints_alike("header_examples", &[source.to_str().unwrap()], &C_AND_CPP, &[]);
     let expected: Vec<&str> = examples
         .iter()
@@ -255,7 +255,7 @@ fn the_harness_names_every_fault_and_its_place() {
         (&["none.toml"], &["none.toml: No such file"]),
         (&["no_log.toml"], &["none.csv: No such file"]),
         (&["patrol", "bad.csv"], &["bad.csv:3:3: ", "\"x\""]),
-        (&["gap.toml"], &["sins_push_sample: ", "SINS_ERROR_DISCONTINUITY", "at 9 s, line 4 of the log"]),
+        (&["gap.toml"], &["sins_play_run: at 9 s, line 4 of the log: ", "SINS_ERROR_DISCONTINUITY"]),
     ] {
         let output = Command::new(&harness).args(arguments).current_dir(&folder).output().unwrap();
         assert_eq!(output.status.code(), Some(1), "{arguments:?}");

@@ -1,7 +1,7 @@
 //! Flight logs: the values that are read, and the faults of a text.
 
 use nalgebra::Vector3;
-use sins::log::{FlightLog, LogError};
+use sins::scene::log::{FlightLog, LogError};
 
 const HEADER: &str = "time_s, latitude_deg,longitude_rad,height_m,roll_rad,pitch_rad,heading_deg";
 
@@ -48,7 +48,14 @@ fn triples_come_whole_and_a_temperature_alone() {
     assert_eq!(samples[0].v_n, Some(Vector3::new(1.0, 2.0, 3.0)));
     assert_eq!((samples[1].temperature_c, samples[1].f_b), (Some(21.0), None));
     let (line, _, sentence) = fault(text.replace("velocity_up_m_s", "velocity_u_m_s").as_bytes());
-    assert_eq!((line, sentence.as_str()), (1, "missing columns: velocity_up_m_s (found velocity_u_m_s)"));
+    assert_eq!(
+        (line, sentence.as_str()),
+        (
+            1,
+            "missing columns: velocity_up_m_s (found velocity_u_m_s); the header has time_s, latitude_deg, longitude_rad, \
+             height_m, roll_rad, pitch_rad, heading_deg, velocity_east_m_s, velocity_north_m_s, velocity_u_m_s, temperature_c"
+        )
+    );
 }
 
 #[test]

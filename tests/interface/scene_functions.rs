@@ -13,7 +13,7 @@ fn file(name: &str) -> Vec<u8> {
     fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("c_examples").join(name)).unwrap()
 }
 
-fn parsed(text: &[u8]) -> (sins_status, *mut sins_scene) {
+pub fn parsed(text: &[u8]) -> (sins_status, *mut sins_scene) {
     let mut scene = null_mut();
     // SAFETY: a text with its size, and a place for a handle.
     (unsafe { sins_scene_parse(text.as_ptr().cast(), text.len(), &mut scene) }, scene)

@@ -3,11 +3,11 @@
 //! The exact integrals of the references are added up to longer subsamples, so every step has exact increments.
 
 use nalgebra::{Quaternion, Vector3};
+use sins::earth::state::BodyAxes;
 use sins::earth::{Earth, Ellipsoid, GravityModel};
 use sins::math::{rotate, rotation_quaternion, rotation_vector};
 use sins::mechanization::{BodyMotion, Frame, Mechanization, Scheme};
 use sins::signal::Increment;
-use sins::state::BodyAxes;
 
 use crate::support::{Reference, state_of};
 

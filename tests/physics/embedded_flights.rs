@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use sins::earth::Earth;
-use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
 use sins::truth::FlightSample;
+use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid, Sinusoids};
 
 use crate::support::{DEG, G, patrol};
 
@@ -20,11 +20,13 @@ fn start() -> FlightStart {
 
 fn every_manoeuvre() -> Vec<Manoeuvre> {
     let none = Sinusoid { channel: Channel::Roll, amplitude: 0.01, frequency_hz: 1.0, phase_rad: 0.3 };
-    let mut terms = [none; 6];
-    terms[1] = Sinusoid { channel: Channel::Pitch, phase_rad: 1.8, ..none };
-    terms[2] = Sinusoid { channel: Channel::Course, amplitude: 0.2, frequency_hz: 0.05, phase_rad: 0.0 };
-    terms[3] = Sinusoid { channel: Channel::Speed, amplitude: 2.0, frequency_hz: 0.2, phase_rad: 0.0 };
-    terms[4] = Sinusoid { channel: Channel::Climb, amplitude: 0.02, frequency_hz: 0.1, phase_rad: 0.0 };
+    let terms = [
+        none,
+        Sinusoid { channel: Channel::Pitch, phase_rad: 1.8, ..none },
+        Sinusoid { channel: Channel::Course, amplitude: 0.2, frequency_hz: 0.05, phase_rad: 0.0 },
+        Sinusoid { channel: Channel::Speed, amplitude: 2.0, frequency_hz: 0.2, phase_rad: 0.0 },
+        Sinusoid { channel: Channel::Climb, amplitude: 0.02, frequency_hz: 0.1, phase_rad: 0.0 },
+    ];
     vec![
         Manoeuvre::Straight { duration_s: 20.0 },
         Manoeuvre::Accelerate { duration_s: 30.0, speed_change_m_s: 50.0 },
@@ -32,8 +34,8 @@ fn every_manoeuvre() -> Vec<Manoeuvre> {
         Manoeuvre::Turn { heading_change_rad: -120.0 * DEG, bank_rad: 40.0 * DEG, ramp_s: 4.0 },
         Manoeuvre::Roll { duration_s: 6.0, turns: 1.0 },
         Manoeuvre::Loop { duration_s: 25.0, turns: 1.0, ramp_s: 5.0 },
-        Manoeuvre::STurn { duration_s: 60.0, heading_amplitude_rad: 0.5, cycles: 2.0, ramp_s: 8.0 },
-        Manoeuvre::Sinusoids { duration_s: 40.0, ramp_s: 5.0, terms, count: 5 },
+        Manoeuvre::STurn { duration_s: 60.0, heading_change_rad: 0.5, turns: 2.0, ramp_s: 8.0 },
+        Manoeuvre::Sinusoids { duration_s: 40.0, ramp_s: 5.0, sinusoids: Sinusoids::of(&terms) },
         Manoeuvre::Accelerate { duration_s: 60.0, speed_change_m_s: -200.0 },
         Manoeuvre::Rest { duration_s: 10.0 },
     ]
@@ -244,7 +246,8 @@ fn heights_that_no_sample_may_have_are_refused_with_their_manoeuvre() {
 
     let (amplitude, frequency_hz) = (0.1, 1e-3);
     let term = Sinusoid { channel: Channel::Climb, amplitude, frequency_hz, phase_rad: 0.0 };
-    let manoeuvre = Manoeuvre::Sinusoids { duration_s: 3000.0, ramp_s: 1e-3, terms: [term; 6], count: 1 };
+    let manoeuvre =
+        Manoeuvre::Sinusoids { duration_s: 3000.0, ramp_s: 1e-3, sinusoids: Sinusoids::of(&[term]) };
     let speed_m_s = 1000.0;
     let swing_m =
         speed_m_s / (std::f64::consts::TAU * frequency_hz) * 2.0 * (amplitude - amplitude.powi(3) / 9.0);

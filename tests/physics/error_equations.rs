@@ -3,9 +3,9 @@
 use nalgebra::{SVector, Vector3};
 use sins::earth::GravityModel;
 use sins::errors::NavigationErrors;
-use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::mechanization::{Frame, VerticalMode};
 use sins::sensors::{InitialErrorParameters, TriadParameters};
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorSource, Options, Simulator};
 
 use crate::support::{DEG, options_at};

@@ -3,11 +3,11 @@
 //! The references are analytic trajectories, differentiated and integrated in 50-digit arithmetic; see tests/data.
 
 use nalgebra::Vector3;
+use sins::earth::state::{BodyAxes, EarthFixedState};
 use sins::earth::{Earth, Ellipsoid, GravityModel};
 use sins::math::rotation_vector;
 use sins::mechanization::{Frame, Mechanization, Scheme, VerticalAid, VerticalMode};
 use sins::signal::Increment;
-use sins::state::{BodyAxes, EarthFixedState};
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{Options, Simulator};
 

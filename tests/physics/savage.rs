@@ -6,10 +6,10 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
 use sins::Simulator;
+use sins::earth::state::EarthFixedState;
 use sins::math::{rotate, rotation_quaternion, rotation_vector};
 use sins::mechanization::{BodyMotion, Scheme};
 use sins::signal::Increment;
-use sins::state::EarthFixedState;
 
 use crate::support::options_at;
 use crate::support::orbits::{Apart, Circle, about, apart_on_the_way, sample_of};

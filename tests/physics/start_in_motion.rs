@@ -4,12 +4,12 @@
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
-use sins::flight::{Channel, Flight, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 use sins::math::{euler_from_attitude, rotate_inverse};
 use sins::mechanization::Scheme;
-use sins::mounting::MountingParameters;
 use sins::sensors::TriadParameters;
+use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid, Sinusoids};
 use sins::{ErrorSource, ImuInterval, Options, Simulator};
 
 use crate::support::{self, DEG, EARTH_RATE, options_at, resting_sample};
@@ -79,16 +79,14 @@ fn light_aircraft(rate_hz: f64) -> impl Fn(i32) -> FlightSample {
         frequency_hz,
         phase_rad,
     };
-    let used = [
+    let terms = [
         wave(Channel::Roll, 1.0, 0.7, 0.3),
         wave(Channel::Roll, 0.05, 2.3, 1.0),
         wave(Channel::Pitch, 0.5, 0.5, 2.0),
         wave(Channel::Pitch, 0.05, 1.7, 0.1),
         wave(Channel::Heading, 0.3, 0.9, 1.5),
     ];
-    let mut terms = [used[0]; MAX_SINUSOIDS];
-    terms[..used.len()].copy_from_slice(&used);
-    let turbulence = Manoeuvre::Sinusoids { duration_s: 40.0, ramp_s: 5.0, terms, count: used.len() };
+    let turbulence = Manoeuvre::Sinusoids { duration_s: 40.0, ramp_s: 5.0, sinusoids: Sinusoids::of(&terms) };
     let flight = Flight::new(&start, &[turbulence]).unwrap();
     move |k| flight.sample_at(20.0 + f64::from(k) / rate_hz).unwrap()
 }

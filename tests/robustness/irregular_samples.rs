@@ -4,9 +4,9 @@
 use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
-use sins::flight::{Channel, Flight, FlightStart, MAX_SINUSOIDS, Manoeuvre, Sinusoid};
 use sins::sensors::{TriadParameters, paper_simulation2};
 use sins::truth::FlightSample;
+use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid, Sinusoids};
 use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
 
 use crate::support::{Worst, fly, options_at, patrol, resting_sample};
@@ -222,11 +222,9 @@ fn jumps_of_the_clock_from_1_ms_to_an_hour() {
 #[test]
 fn a_gap_in_a_weave_leaves_what_its_interpolation_missed() {
     let (speed_m_s, swing_rad, frequency_hz) = (250.0, 0.19, 0.125);
-    let mut terms =
-        [Sinusoid { channel: Channel::Roll, amplitude: 0.0, frequency_hz, phase_rad: 0.0 }; MAX_SINUSOIDS];
-    terms[0] = Sinusoid { channel: Channel::Course, amplitude: swing_rad, ..terms[0] };
+    let terms = [Sinusoid { channel: Channel::Course, amplitude: swing_rad, frequency_hz, phase_rad: 0.0 }];
     let start = FlightStart { speed_m_s, height_m: 3000.0, ..FlightStart::default() };
-    let weave = Manoeuvre::Sinusoids { duration_s: 200.0, ramp_s: 10.0, terms, count: 1 };
+    let weave = Manoeuvre::Sinusoids { duration_s: 200.0, ramp_s: 10.0, sinusoids: Sinusoids::of(&terms) };
     let flight = Flight::new(&start, &[weave]).unwrap();
     let errors = |lost: core::ops::Range<u32>| {
         let mut simulator = Simulator::new(&own_stamps()).unwrap();

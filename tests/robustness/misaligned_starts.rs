@@ -2,10 +2,10 @@
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use sins::earth::Earth;
+use sins::earth::state::{BodyAxes, EarthFixedState, Navigation};
 use sins::math::rotation_quaternion;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::sensors::InitialErrorParameters;
-use sins::state::{BodyAxes, EarthFixedState, Navigation};
 use sins::{ErrorSource, Options, Simulator};
 
 use crate::support::orbits::{Apart, navigated};

@@ -3,9 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{UnitQuaternion, Vector3};
-use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::mechanization::Frame;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorSource, Options, Simulator};
 
 use crate::support::orbits::{Apart, Circle, about, apart_on_the_way, sample_of};
@@ -63,7 +63,7 @@ fn turns_in_the_hosts_angles_are_nothing() {
         let circle = Circle::past(on_the_equator(-0.5, 0.3), 0.0);
         let mut simulator = Simulator::new(&options_at(50.0)).unwrap();
         let mut reported = 0;
-        let sample = |time_s: f64, state: &sins::state::EarthFixedState| {
+        let sample = |time_s: f64, state: &sins::earth::state::EarthFixedState| {
             let mut sample = sample_of(time_s, state);
             reported += 1;
             if reported % 2 == 0 {
@@ -100,7 +100,7 @@ fn turns_in_the_hosts_angles_are_nothing() {
 #[test]
 fn heading_errors_are_wrapped() {
     let start = FlightStart { latitude_rad: 0.5, speed_m_s: 200.0, ..Default::default() };
-    let swings = Manoeuvre::STurn { duration_s: 120.0, heading_amplitude_rad: 0.3, cycles: 6.0, ramp_s: 5.0 };
+    let swings = Manoeuvre::STurn { duration_s: 120.0, heading_change_rad: 0.3, turns: 6.0, ramp_s: 5.0 };
     let flight = Flight::new(&start, &[swings]).unwrap();
     let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
     let samples: Vec<FlightSample> =

@@ -4,11 +4,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::{UnitQuaternion, Vector3};
 use sins::earth::Earth;
-use sins::flight::{Flight, FlightStart, Manoeuvre};
+use sins::earth::state::EarthFixedState;
 use sins::mechanization::{Frame, VerticalMode};
 use sins::sensors::InitialErrorParameters;
-use sins::state::EarthFixedState;
 use sins::truth::IntakeLimits;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
 use crate::support::orbits::{Apart, Circle, about, apart_on_the_way, navigated, sample_at, sample_of};

@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 use sins::math::mix;
-use sins::mounting::MountingParameters;
+use sins::signal::mounting::MountingParameters;
 use sins::snapshot::{SnapshotOf, seal};
 use sins::{ErrorKind, Options, Simulator};
 

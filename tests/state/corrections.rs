@@ -1,13 +1,13 @@
 //! Corrections by the host: errors that are fed back disappear, zeros change no bit, and both error data agree afterwards.
 
 use nalgebra::Vector3;
-use sins::correction::{Compensation, Correction};
+use sins::earth::state::StateErrors;
 use sins::ensemble::Ensemble;
 use sins::errors::NavigationErrors;
+use sins::errors::correction::{Compensation, Correction};
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::mounting::MountingParameters;
 use sins::sensors::{GravityDisturbanceParameters, GravityField, InitialErrorParameters, TriadParameters};
-use sins::state::StateErrors;
+use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 

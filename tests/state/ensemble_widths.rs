@@ -9,10 +9,10 @@ use sins::earth::GravityModel;
 use sins::ensemble::Ensemble;
 use sins::math::Euler;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::mounting::MountingParameters;
 use sins::sensors::{
     Failure, GravityDisturbanceParameters, GravityField, SensorOutput, StreamKey, TriadParameters,
 };
+use sins::signal::mounting::MountingParameters;
 use sins::truth::{FlightSample, Pushed};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
@@ -226,8 +226,8 @@ fn failures(draw: &mut Draws) -> Vec<(usize, SensorOutput, Option<Failure>)> {
         Failure::BiasStep { size: 1e-4 },
         Failure::Spikes { size: 1e-3, interval_s: 0.05, duration_s: 0.012 },
         Failure::Noise { density: 1e-5 },
-        Failure::RandomDropOuts { probability: 0.3 },
-        Failure::PeriodicDropOuts { interval_s: 0.045 },
+        Failure::DropOuts { interval_s: 0.0, probability: 0.3 },
+        Failure::DropOuts { interval_s: 0.045, probability: 0.0 },
     ];
     let mut failures = Vec::new();
     for at in [0, 3, 14, 25, 36, 47] {

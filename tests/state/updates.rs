@@ -3,13 +3,13 @@
 use std::sync::OnceLock;
 
 use nalgebra::Vector3;
-use sins::correction::Correction;
 use sins::ensemble::Ensemble;
 use sins::errors::NavigationErrors;
-use sins::flight::Flight;
+use sins::errors::correction::Correction;
 use sins::scene::{FliesScene, Scene};
 use sins::sensors::{Failure, SensorOutput, StreamKey};
-use sins::truth::FlightSample;
+use sins::truth::flight::Flight;
+use sins::truth::{FlightSample, Pushed};
 use sins::{Error, ErrorKind, ErrorSource, Simulator};
 
 use crate::support::errors;
@@ -107,6 +107,11 @@ struct Asked {
 }
 
 impl FliesScene for Asked {
+    fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
+        self.stamps.push(sample.time_s);
+        Ok(Pushed::Regular)
+    }
+
     fn last_sample_time_s(&self) -> Option<f64> {
         self.stamps.last().copied()
     }
@@ -140,7 +145,9 @@ fn an_update_is_made_once_at_its_time() {
         let every_s = scene.updates[0].every_s;
         for start_s in [0.0, -7.3, 1000.1, 123_456.7, 1e5 / 3.0] {
             let mut asked = Asked { stamps: Vec::new(), corrected_s: Vec::new() };
-            fly(&scene, start_s, 0..2001, &mut asked, |asked, sample| asked.stamps.push(sample.time_s));
+            fly(&scene, start_s, 0..2001, &mut asked, |asked, sample| {
+                asked.push_sample(sample).unwrap();
+            });
             // At the last sample, at 100 s, there is no interval behind an update.
             let due = (0..).map(|k| at_s + f64::from(k) * if k > 0 { every_s } else { 0.0 });
             let due: Vec<f64> = due.take_while(|due_s| *due_s < 99.99).collect();

@@ -3,17 +3,17 @@
 
 use nalgebra::{Matrix3, Vector3};
 use sins::Options;
-use sins::correction::{Compensation, Correction};
 use sins::earth::Geodetic;
+use sins::earth::state::{BodyAxes, Navigation, StateErrors};
+use sins::errors::correction::{Compensation, Correction};
 use sins::math::{Euler, mix};
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::mounting::MountingParameters;
 use sins::sensors::{
     AltimeterParameters, Axis, Failure, GravityDisturbanceParameters, GravityField, InitialErrorParameters,
     SensorOutput, TriadParameters,
 };
 use sins::signal::Increment;
-use sins::state::{BodyAxes, Navigation, StateErrors};
+use sins::signal::mounting::MountingParameters;
 use sins::truth::{FlightSample, IntakeLimits};
 
 use super::moments::Call;
@@ -342,8 +342,8 @@ impl Host {
             2 => Failure::BiasStep { size },
             3 => Failure::Spikes { size, interval_s, duration_s: draws.of(&[1e-9, 1e-4]) },
             4 => Failure::Noise { density: size },
-            5 => Failure::RandomDropOuts { probability: 0.3 },
-            6 => Failure::PeriodicDropOuts { interval_s },
+            5 => Failure::DropOuts { interval_s: 0.0, probability: 0.3 },
+            6 => Failure::DropOuts { interval_s, probability: 0.0 },
             _ => return Call::Failure(output, None),
         };
         Call::Failure(output, Some(failure))

@@ -2,9 +2,9 @@
 
 use nalgebra::{ComplexField, Vector3};
 use sins::Options;
-use sins::budget::{Budget, BudgetRequest, BudgetRow, ErrorParameters, Scene, error_budget};
+use sins::analysis::budget::{Budget, BudgetRequest, BudgetRow, ErrorParameters, Scene, error_budget};
+use sins::analysis::recommend::SolutionError;
 use sins::earth::Earth;
-use sins::recommend::SolutionError;
 use sins::truth::FlightSample;
 
 use super::closed_form::AtRest;

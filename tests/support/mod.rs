@@ -5,12 +5,12 @@ use std::borrow::Borrow;
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
+use sins::earth::state::{BodyAxes, EarthFixedState};
 use sins::earth::{Earth, Geodetic};
 use sins::errors::NavigationErrors;
 use sins::math::Euler;
 use sins::sensors::{PARAMETERS, Parameter, ParameterShape, Sensor, TriadParameters};
 use sins::signal::Increment;
-use sins::state::{BodyAxes, EarthFixedState};
 use sins::truth::{FlightSample, Intake, IntakeLimits};
 
 pub mod any_use;
@@ -20,6 +20,8 @@ pub mod closed_form;
 pub mod moments;
 pub mod orbits;
 pub mod patrol;
+#[cfg(feature = "scenes")]
+pub mod random_scenes;
 pub mod runs;
 
 pub const DEG: f64 = std::f64::consts::PI / 180.0;
@@ -69,9 +71,10 @@ pub fn without_comments(source: &str) -> String {
     code.lines().flat_map(|line| [line.split("//").next().unwrap_or_default(), "\n"]).collect()
 }
 
-/// The three C headers, one after the other.
+/// The C headers, one after the other.
 pub fn headers() -> String {
-    let names = ["sins.h", "sins_unit.h", "sins_ensemble.h", "sins_scene.h"];
+    let names =
+        ["sins.h", "sins_flight.h", "sins_analysis.h", "sins_unit.h", "sins_ensemble.h", "sins_scene.h"];
     names.map(|name| std::fs::read_to_string(project_file("include").join(name)).unwrap()).concat()
 }
 
@@ -205,8 +208,8 @@ pub fn resting_sample(time_s: f64) -> FlightSample {
 }
 
 /// The patrol of the tests: from Beijing's meridian, heading a little east of north.
-pub fn patrol(duration_s: f64) -> sins::flight::Flight {
-    let start = sins::flight::FlightStart {
+pub fn patrol(duration_s: f64) -> sins::truth::flight::Flight {
+    let start = sins::truth::flight::FlightStart {
         latitude_rad: 40.0 * DEG,
         longitude_rad: 116.4 * DEG,
         height_m: 8000.0,

@@ -1,14 +1,14 @@
 //! The calls of a host as a list, and everything that it can read after each call.
 
 use nalgebra::{Matrix3, Vector3};
-use sins::correction::Correction;
-use sins::mounting::MountingParameters;
+use sins::earth::state::Navigation;
+use sins::errors::correction::Correction;
 use sins::sensors::{
     Alignment, AltimeterParameters, Failure, GravityDisturbanceParameters, InitialErrorParameters, Sensor,
     SensorOutput, TriadParameters,
 };
 use sins::signal::Increment;
-use sins::state::Navigation;
+use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Simulator};
 

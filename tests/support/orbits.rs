@@ -2,9 +2,9 @@
 //! in these axes.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use sins::earth::state::EarthFixedState;
 use sins::earth::{Earth, navigation_axes};
 use sins::math::{euler_from_attitude, rotate_inverse, rotation_vector};
-use sins::state::EarthFixedState;
 use sins::truth::FlightSample;
 
 /// A circle about the Earth's centre, flown at a constant speed with a constant tilt of the body.

@@ -1,7 +1,7 @@
 //! The patrol of the paper's simulations, with added angular oscillations.
 
 use sins::Error;
-use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
+use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid, Sinusoids};
 
 /// Figure-eights of sums of sinusoids, at 200 m/s with banks to 30°, in which the aircraft rolls, pitches and yaws within seconds.
 /// It is livelier than the built-in scene `patrol`, which climbs, gains speed and rocks more slowly.
@@ -21,5 +21,8 @@ pub fn patrol_from(start: &FlightStart, duration_s: f64) -> Result<Flight, Error
         term(Channel::Pitch, 0.002, 2.3),
         term(Channel::Heading, 0.002, 4.7),
     ];
-    Flight::new(start, &[Manoeuvre::Sinusoids { duration_s, ramp_s: 600.0, terms, count: 6 }])
+    Flight::new(
+        start,
+        &[Manoeuvre::Sinusoids { duration_s, ramp_s: 600.0, sinusoids: Sinusoids::of(&terms) }],
+    )
 }

@@ -3,16 +3,16 @@
 
 use nalgebra::Vector3;
 use sins::Options;
+use sins::earth::state::{BodyAxes, Navigation};
 use sins::earth::{Ellipsoid, GravityModel};
 use sins::math::Euler;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::mounting::MountingParameters;
 use sins::sensors::{
     Axis, Failure, GravityDisturbanceParameters, GravityField, InitialErrorParameters, SensorOutput,
     StreamKey, TriadParameters,
 };
 use sins::signal::Increment;
-use sins::state::{BodyAxes, Navigation};
+use sins::signal::mounting::MountingParameters;
 use sins::truth::{FlightSample, IntakeLimits};
 
 use super::moments::{Call, altimeter, every_effect, flown, loops, samples, setting};
@@ -243,8 +243,8 @@ fn troubled_block() -> Vec<Call> {
     let failures = [
         Failure::Noise { density: 1e-5 },
         Failure::Spikes { size: 1e-3, interval_s: 0.05, duration_s: 0.013 },
-        Failure::RandomDropOuts { probability: 0.3 },
-        Failure::PeriodicDropOuts { interval_s: 0.07 },
+        Failure::DropOuts { interval_s: 0.0, probability: 0.3 },
+        Failure::DropOuts { interval_s: 0.07, probability: 0.0 },
         Failure::Stuck,
         Failure::Dead,
         Failure::BiasStep { size: 1e-4 },

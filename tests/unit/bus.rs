@@ -1,12 +1,12 @@
 //! Words of ARINC 429.
 
-use sins::bus::{Format, Inputs, LABELS, Word, WordStatus, decode, reversed, words};
+use sins::unit::bus::{Format, Inputs, LABELS, Word, WordStatus, decode, reversed, words};
 use sins::unit::{Mode, State, Status, UnitNavigation, Validity};
 
 use crate::aircraft::{Aircraft, Motion, papers_sensors};
 use crate::support::DEG;
 
-fn label(number: u8) -> &'static sins::bus::Label {
+fn label(number: u8) -> &'static sins::unit::bus::Label {
     LABELS.iter().find(|label| label.number == number).unwrap()
 }
 

@@ -1,6 +1,6 @@
 //! Words of ARINC 429 that say what no unit can mean, and the reasons why a word is rejected.
 
-use sins::bus::{Format, LABELS, Label, WordStatus, decode, decode_reversed, reversed};
+use sins::unit::bus::{Format, LABELS, Label, WordStatus, decode, decode_reversed, reversed};
 use sins::unit::{Mode, State};
 
 use crate::aircraft::{Aircraft, Motion};
@@ -178,7 +178,7 @@ fn an_illegal_value_says_which_digit_or_which_range() {
 
 #[test]
 fn a_rejected_word_says_why() {
-    let sentence = |found: Result<sins::bus::Decoded, sins::Error>| found.unwrap_err().to_string();
+    let sentence = |found: Result<sins::unit::bus::Decoded, sins::Error>| found.unwrap_err().to_string();
     let parity = "has an even parity; words of ARINC 429 have an odd one";
     assert_eq!(sentence(decode(0xe400_00c9)), format!("word = e40000c9: {parity}"));
     assert_eq!(sentence(decode_reversed(0x1)), "word = 00000001: label 200 is not in the table");

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use sins::math::wrap_angle;
-use sins::mounting::MountingParameters;
 use sins::sensors::TriadParameters;
+use sins::signal::mounting::MountingParameters;
 use sins::unit::{AlignmentKind, Mode, State, Status, UnitParameters};
 
 use crate::aircraft::{Aircraft, Motion, Receiver, papers_sensors};

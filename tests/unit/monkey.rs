@@ -6,10 +6,10 @@
 use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus as Random;
+use sins::earth::state::Navigation;
 use sins::earth::{Earth, Geodetic};
 use sins::math::{Euler, rotate, wrap_angle};
 use sins::sensors::{Axis, Failure, Grade, SensorOutput, TriadParameters};
-use sins::state::Navigation;
 use sins::unit::{AlignmentKind, Mode, Power, State, Stored, UnitNavigation, Validity};
 
 use crate::aircraft::{Aircraft, Motion, Receiver, papers_sensors};

@@ -9,7 +9,7 @@ use super::command::Order;
 use super::quantity::{Quantity, Sensor, TIMES, choose};
 use crate::drawing::series::mean;
 use crate::failure::Failure;
-use crate::given::open;
+use crate::given::open_table;
 use crate::progress::Progress;
 use crate::table::Table;
 
@@ -36,9 +36,7 @@ impl Log {
     /// Reads the log of `order`.
     pub fn read(order: &Order) -> Result<Self, Failure> {
         let path = &order.log;
-        let input = open(path)?;
-        // A pipe has no length.
-        let length = input.metadata().map_or(0, |metadata| metadata.len());
+        let (input, length) = open_table(path)?;
         let what = format!("reading {}", path.display());
         let progress = match length {
             0 => Progress::working(what),
@@ -89,7 +87,13 @@ fn interval(
     rate_hz: Option<f64>,
 ) -> Result<f64, Failure> {
     let Some((name, unit)) = time else {
-        let missing = || Failure::of_line(path, 1, &"expected a column \"time_s\" in the header, or --rate");
+        let missing = || {
+            let what = format!(
+                "expected a column \"time_s\" in the header, or --rate; the header has {}",
+                table.header()
+            );
+            Failure::of_line(path, 1, &what)
+        };
         return rate_hz.map(|rate_hz| 1.0 / rate_hz).ok_or_else(missing);
     };
     let stamps = table.take(name)?;

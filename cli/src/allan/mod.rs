@@ -33,16 +33,13 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;
     let log = Log::read(order)?;
     let analyses = Analysis::of_log(&log)?;
-    drawn_file.finish(if is_page {
-        document::page(&log, &analyses)?
-    } else {
-        document::picture(&log, &analyses)?
-    })?;
-    if let Some(file) = points {
-        file.finish(records::points(&analyses)?)?;
-    }
-    if let Some(file) = fit {
-        file.finish(records::coefficients(&analyses)?)?;
-    }
-    print(&table::table(&log, &analyses))
+    let drawn = match is_page {
+        true => document::page(&log, &analyses)?,
+        false => document::picture(&log, &analyses)?,
+    };
+    let tables = [(points, records::points(&analyses)?), (fit, records::coefficients(&analyses)?)];
+    let tables = tables.map(|(file, text)| file.map_or(Ok(()), |file| file.finish(text)));
+    Failure::each(
+        [drawn_file.finish(drawn)].into_iter().chain(tables).chain([print(&table::table(&log, &analyses))]),
+    )
 }

@@ -3,6 +3,8 @@
 use sins::units::{ARCSEC, DEG, DEG_PER_HOUR, MICRO_G, STANDARD_GRAVITY};
 
 use super::command::Wanted;
+use sins::scene::listed;
+
 use crate::failure::Failure;
 
 /// Sensor of a column.
@@ -76,9 +78,12 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
     };
     match chosen.len() {
         1..=MOST => Ok(chosen),
-        0 => Err(Failure::new(
-            "no name of a column ends with the unit of a rate or force; choose columns with --columns",
-        )),
+        0 => {
+            let header = listed(names.iter().map(String::as_str));
+            Err(Failure::new(format!(
+                "no name of a column ends with the unit of a rate or force; choose columns with --columns: {header}"
+            )))
+        }
         count => {
             let names: Vec<&str> = chosen.iter().map(|(name, _)| name.as_str()).collect();
             let names = names.join(", ");
@@ -92,7 +97,8 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
 fn find(names: &[String], wanted: &Wanted) -> Result<(String, Quantity), Failure> {
     let Wanted { name, unit } = wanted;
     if !names.contains(name) {
-        return Err(Failure::new(format!("expected a column \"{name}\" in the header")));
+        let header = listed(names.iter().map(String::as_str));
+        return Err(Failure::new(format!("expected a column \"{name}\" in the header, which has {header}")));
     }
     let quantity = match unit {
         Some(unit) => QUANTITIES.into_iter().find(|quantity| quantity.unit == unit),

@@ -3,10 +3,10 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use sins::budget::BudgetRequest;
+use sins::analysis::budget::BudgetRequest;
 
 use crate::failure::Failure;
-use crate::given::{Settings, whole};
+use crate::given::{Settings, Trust, whole};
 use crate::limits::{LimitArguments, of_option};
 
 /// Scene of a log that has no scene: the recommended simulator with sensors of navigation grade.
@@ -33,6 +33,8 @@ pub struct Order {
     pub scenes: Vec<OsString>,
     #[command(flatten)]
     pub settings: Settings,
+    #[command(flatten)]
+    pub trust: Trust,
     /// Folder of all outputs
     #[arg(short, long, value_name = "DIR", default_value = "sins_out/budget")]
     pub out: PathBuf,

@@ -41,6 +41,7 @@ pub fn page(surveys: &[Survey]) -> String {
                 section {
                     h2 { (survey.name) }
                     p { (survey.title) "." }
+                    @for finding in &survey.findings { p.remark { "Flight data: " (finding) "." } }
                     div.figures.wide { (page::figure(&figure(survey))) }
                     div.table { (figures(survey)) }
                 }
@@ -83,8 +84,8 @@ fn figures(survey: &Survey) -> Markup {
 
 #[cfg(test)]
 mod tests {
-    use sins::budget::{Budget, BudgetRequest, BudgetRow, Costs, EFFECTS, SigmaInterval};
-    use sins::recommend::SolutionError;
+    use sins::analysis::budget::{Budget, BudgetRequest, BudgetRow, Costs, EFFECTS, SigmaInterval};
+    use sins::analysis::recommend::SolutionError;
 
     use super::*;
 
@@ -116,6 +117,7 @@ mod tests {
                 flights: 51,
             },
             costs: Some(Costs { own_ns: 600.0, total_ns: 640.0, saved_ns: vec![30.0, 10.4] }),
+            findings: Vec::new(),
         }
     }
 

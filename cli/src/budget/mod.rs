@@ -19,6 +19,7 @@ use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
 use crate::given::Given;
 use crate::output::Outputs;
+use crate::places::svg;
 use crate::rows::TABLE_MARK;
 use crate::terminal::print;
 use scene::Scene;
@@ -27,8 +28,9 @@ use survey::Survey;
 /// Surveys the scenes of `order` and writes the files.
 pub fn run(order: &Order) -> Result<(), Failure> {
     let request = order.request()?;
-    let load = |name| Given::load(Some(name), None, &order.settings, command::FOR_LOGS);
+    let load = |name| Given::load(Some(name), None, &order.settings, &order.trust, command::FOR_LOGS);
     let given = order.scenes.iter().map(|name| load(name)).collect::<Result<Vec<_>, _>>()?;
+    given.iter().for_each(Given::say_left_out);
     let inputs: Vec<PathBuf> = given.iter().flat_map(|given| given.inputs.clone()).collect();
     let scenes: Vec<Scene> = given.into_iter().map(|given| Scene::new(given, order.hours * 3600.0)).collect();
     let mut outputs = Outputs::new(&inputs, order.force);
@@ -37,16 +39,18 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let page = file("budget.html", PAGE_MARK)?;
     let rows = file("budget.csv", &records::COLUMNS.join(","))?;
     let table = file("table.md", TABLE_MARK)?;
-    let pictures = scenes.iter().map(|scene| file(&format!("{}.svg", scene.name), PICTURE_MARK));
+    let pictures = scenes.iter().map(|scene| file(&svg(&scene.name)?, PICTURE_MARK));
     let pictures = pictures.collect::<Result<Vec<_>, _>>()?;
 
     let surveys = Survey::of_all(&scenes, &request, order.time_steps)?;
-    for (survey, picture) in surveys.iter().zip(pictures) {
-        picture.finish(document::picture(survey))?;
-    }
-    page.finish(document::page(&surveys))?;
-    rows.finish(records::records(&surveys)?)?;
     let tables = table::tables(&surveys);
-    table.finish(format!("{TABLE_MARK}\n\n{tables}"))?;
-    print(&tables)
+    let text = records::records(&surveys)?;
+    let drawn =
+        surveys.iter().zip(pictures).map(|(survey, picture)| picture.finish(document::picture(survey)));
+    Failure::each(drawn.chain([
+        page.finish(document::page(&surveys)),
+        rows.finish(text),
+        table.finish(format!("{TABLE_MARK}\n\n{tables}")),
+        print(&tables),
+    ]))
 }

@@ -1,6 +1,6 @@
 //! The budgets as CSV.
 
-use sins::recommend::SolutionError;
+use sins::analysis::recommend::SolutionError;
 
 use super::survey::{Kind, Line, Survey};
 use crate::failure::Failure;

@@ -56,6 +56,11 @@ impl Scene {
         Ok(sample)
     }
 
+    /// What the judge found in the flight data, in sentences.
+    pub fn findings(&self) -> &[String] {
+        &self.given.findings
+    }
+
     /// Place of a refused sample; without an index, the origin of the scene.
     pub fn place(&self, index: Option<usize>) -> String {
         index.map_or_else(|| self.given.origin.clone(), |index| self.given.place(index))

@@ -1,7 +1,7 @@
 //! The budgets of the scenes.
 
-use sins::budget::{Budget, BudgetRequest, Costs, Effect, error_budget, step_costs_ns};
-use sins::recommend::{Refusal, SolutionError};
+use sins::analysis::budget::{Budget, BudgetRequest, Costs, Effect, error_budget, step_costs_ns};
+use sins::analysis::recommend::{Refusal, SolutionError};
 
 use super::scene::Scene;
 use crate::failure::Failure;
@@ -30,6 +30,8 @@ pub struct Survey {
     pub budget: Budget,
     /// Times of a step, if they are wanted.
     pub costs: Option<Costs>,
+    /// What is doubtful in the flight data, in sentences.
+    pub findings: Vec<String>,
 }
 
 /// Kind of a line of chart and table.
@@ -72,7 +74,7 @@ impl Survey {
                 }
                 scene.sample(index)
             };
-            let flown = sins::budget::Scene { count: scene.count, sample: &sample };
+            let flown = sins::analysis::budget::Scene { count: scene.count, sample: &sample };
             error_budget(&scene.options, &flown, &scene.parameters, request)
         });
         drop(progress);
@@ -83,7 +85,8 @@ impl Survey {
             let budget = budget.map_err(refused)?;
             let costs = if time_steps { Some(costs(scene, &budget)?) } else { None };
             let (name, title) = (scene.name.clone(), scene.title.clone());
-            Ok(Self { name, title, request: *request, budget, costs })
+            let findings = scene.findings().to_vec();
+            Ok(Self { name, title, request: *request, budget, costs, findings })
         });
         surveyed.collect()
     }
@@ -121,7 +124,7 @@ impl Survey {
 /// Times of a step of `scene` with and without the effects of its budget.
 fn costs(scene: &Scene, budget: &Budget) -> Result<Costs, Failure> {
     let sample = |index| scene.sample(index);
-    let flown = sins::budget::Scene { count: scene.count, sample: &sample };
+    let flown = sins::analysis::budget::Scene { count: scene.count, sample: &sample };
     let _timing = Progress::working(format!("timing a step of {}", scene.name));
     let effects = budget.rows.iter().map(|row| row.effect);
     Ok(step_costs_ns(&scene.options, &flown, &scene.parameters, effects)?)

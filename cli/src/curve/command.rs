@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 
 use super::embedded::{self, Embedded};
-use crate::given::Settings;
+use crate::given::{Settings, Trust};
 
 /// Measures what accuracy costs: computing time and error of each scheme, number of subsamples, sample rate and choice of axes,
 /// without sensor errors
@@ -22,6 +22,8 @@ pub struct Order {
     flights: Vec<Choice>,
     #[command(flatten)]
     pub settings: Settings,
+    #[command(flatten)]
+    pub trust: Trust,
     /// Folder of all outputs
     #[arg(short, long, value_name = "DIR", default_value = "sins_out/curve")]
     pub out: PathBuf,

@@ -1,8 +1,8 @@
 //! The configurations of the matrix: schemes, subsamples and axes.
 
 use sins::Options;
+use sins::analysis::recommend::Rung;
 use sins::mechanization::{Frame, Scheme};
-use sins::recommend::Rung;
 
 /// Numbers of subsamples of each scheme. With more than two, the error of the paper's scheme stays the same or grows by 2 %.
 const SCHEMES: [(Scheme, std::ops::RangeInclusive<usize>); 3] =

@@ -2,7 +2,7 @@
 
 use sins::Options;
 use sins::earth::Earth;
-use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
+use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid, Sinusoids};
 
 use super::reference::Judge;
 use super::scene::{Rate, Scene};
@@ -110,13 +110,13 @@ fn cruise(duration_s: f64) -> (FlightStart, Vec<Manoeuvre>) {
         term(Channel::Heading, 0.003, 1.0 / 6.0, 1.3),
     ];
     let start = FlightStart { heading_rad: 1.0, ..start(50.0, 10e3, CRUISE_M_S) };
-    (start, vec![Manoeuvre::Sinusoids { duration_s, ramp_s: 30.0, terms, count: 6 }])
+    (start, vec![Manoeuvre::Sinusoids { duration_s, ramp_s: 30.0, sinusoids: Sinusoids::of(&terms) }])
 }
 
 /// Two minutes of manoeuvres, repeated: rolls of up to 160 °/s, loops and turns of 4 to 5 g.
 fn aerobatics(duration_s: f64) -> (FlightStart, Vec<Manoeuvre>) {
     let pass = [
-        Manoeuvre::STurn { duration_s: 30.0, heading_amplitude_rad: 0.6, cycles: 2.0, ramp_s: 6.0 },
+        Manoeuvre::STurn { duration_s: 30.0, heading_change_rad: 0.6, turns: 2.0, ramp_s: 6.0 },
         Manoeuvre::Roll { duration_s: 5.0, turns: 1.0 },
         Manoeuvre::Loop { duration_s: 35.0, turns: 1.0, ramp_s: 5.0 },
         Manoeuvre::Turn { heading_change_rad: 3.6, bank_rad: 1.35, ramp_s: 3.0 },
@@ -142,9 +142,7 @@ fn vibration(duration_s: f64) -> (FlightStart, Vec<Manoeuvre>) {
         term(Channel::Speed, 0.05, VIBRATION_HZ, 0.0),
         term(Channel::Course, 0.2, 1.0 / 300.0, 0.0),
     ];
-    let padded = std::array::from_fn(|k| terms[k.min(terms.len() - 1)]);
-    let count = terms.len();
-    let sum = Manoeuvre::Sinusoids { duration_s, ramp_s: 10.0, terms: padded, count };
+    let sum = Manoeuvre::Sinusoids { duration_s, ramp_s: 10.0, sinusoids: Sinusoids::of(&terms) };
     (start(40.0, 3e3, 100.0), vec![sum])
 }
 

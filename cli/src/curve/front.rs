@@ -87,8 +87,8 @@ pub mod tests {
     use super::*;
     use crate::curve::configuration::Configuration;
     use crate::curve::reference::Judgement;
+    use sins::analysis::recommend::SolutionError;
     use sins::mechanization::Frame;
-    use sins::recommend::SolutionError;
 
     /// A point of the configuration `index` of the matrix.
     pub fn made(index: usize, cost_ns: f64, position_m: f64) -> Point {

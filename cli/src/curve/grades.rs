@@ -1,6 +1,6 @@
 //! Position errors that real sensors cause on a scene, whatever the mechanization.
 
-use sins::recommend::{Refusal, Track};
+use sins::analysis::recommend::{Refusal, Track};
 use sins::sensors::{self, StreamKey, TriadParameters};
 use sins::{Options, Simulator};
 
@@ -47,7 +47,7 @@ pub fn effects(scene: &Scene, runs: u64) -> Result<[f64; 2], Refusal> {
         let mut simulator = Simulator::new(&rate.applied_to(&Options { key, ..scene.base }))?;
         simulator.set_gyro(&grade.gyro)?;
         simulator.set_accel(&grade.accel)?;
-        let track = sins::recommend::track(&mut simulator, &samples, &instants);
+        let track = sins::analysis::recommend::track(&mut simulator, &samples, &instants);
         progress.fly(samples.len(), 1.0 / rate.hz);
         track
     });

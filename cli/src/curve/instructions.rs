@@ -4,10 +4,11 @@ use std::io::Read;
 use std::path::Path;
 
 use csv::{ReaderBuilder, Trim};
+use sins::scene::listed;
 
 use super::configuration::Configuration;
 use crate::failure::Failure;
-use crate::given::open;
+use crate::given::open_table;
 
 const HEADER: [&str; 5] = ["scheme", "subsamples", "updates_per_sample", "frame", "instructions_per_step"];
 
@@ -19,14 +20,16 @@ pub struct Instructions {
 
 impl Instructions {
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        Self::from_csv(path, open(path)?)
+        Self::from_csv(path, open_table(path)?.0)
     }
 
     fn from_csv(path: &Path, input: impl Read) -> Result<Self, Failure> {
         let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(input);
         let header = reader.headers().map_err(|error| Failure::of_file(path, &error))?;
         if header != HEADER.as_slice() {
-            return Err(Failure::of_line(path, 1, &format!("expected the header {}", HEADER.join(","))));
+            let what =
+                format!("expected the header {}; the header has {}", HEADER.join(","), listed(header.iter()));
+            return Err(Failure::of_line(path, 1, &what));
         }
         let mut rows = Vec::new();
         for row in reader.records() {

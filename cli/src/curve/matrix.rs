@@ -1,7 +1,7 @@
 //! The errors of the matrix: every configuration at every rate.
 
 use sins::Simulator;
-use sins::recommend::{Refusal, track};
+use sins::analysis::recommend::{Refusal, track};
 
 use super::configuration::Configuration;
 use super::reference::Judgement;

@@ -29,6 +29,7 @@ use crate::failure::Failure;
 use crate::fly::FOR_LOGS;
 use crate::given::Given;
 use crate::output::Outputs;
+use crate::places::svg;
 use crate::rows::TABLE_MARK;
 use crate::terminal::{print, say};
 use instructions::Instructions;
@@ -38,8 +39,9 @@ use survey::Survey;
 /// Surveys the scenes of `order` and writes the files.
 pub fn run(order: &Order) -> Result<(), Failure> {
     let effort = order.effort();
-    let load = |name| Given::load(Some(name), None, &order.settings, FOR_LOGS);
+    let load = |name| Given::load(Some(name), None, &order.settings, &order.trust, FOR_LOGS);
     let given = order.given.iter().map(|name| load(name)).collect::<Result<Vec<_>, _>>()?;
+    given.iter().for_each(Given::say_without_updates);
     let instructions = match &order.instructions {
         Some(path) => Instructions::read(path)?,
         None => Instructions::default(),
@@ -55,7 +57,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let table_file = file("table.md", TABLE_MARK)?;
     let names =
         embedded.iter().map(|embedded| embedded.name).chain(given.iter().map(|given| given.name.as_str()));
-    let pictures = names.map(|name| file(&format!("{name}.svg"), PICTURE_MARK));
+    let pictures = names.map(|name| file(&svg(name)?, PICTURE_MARK));
     let pictures = pictures.collect::<Result<Vec<_>, _>>()?;
 
     let (mut surveys, mut courses) = (Vec::new(), Vec::new());
@@ -68,20 +70,22 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         courses.push(course);
     }
     let costs = timing::costs(&courses, effort.rounds)?;
+    let mut written = Vec::new();
     for ((survey, costs), picture) in surveys.iter_mut().zip(costs).zip(pictures) {
         survey.set_costs(&costs);
         front::mark(&mut survey.points);
-        picture.finish(diagram::diagram(survey)?)?;
+        written.push(picture.finish(diagram::diagram(survey)?));
     }
-    points_file.finish(records::points(&surveys, &instructions)?)?;
-    scenes_file.finish(records::scenes(&surveys)?)?;
     let table = table::table(&surveys);
-    table_file.finish(format!("{TABLE_MARK}\n\n{table}"))?;
-    print(&table)?;
-    print(
-        &front::costlier_and_less_accurate(&surveys)
-            .iter()
-            .map(|line| format!("{line}\n"))
-            .collect::<String>(),
-    )
+    let notes = front::costlier_and_less_accurate(&surveys)
+        .iter()
+        .map(|line| format!("{line}\n"))
+        .collect::<String>();
+    written.extend([
+        points_file.finish(records::points(&surveys, &instructions)?),
+        scenes_file.finish(records::scenes(&surveys)?),
+        table_file.finish(format!("{TABLE_MARK}\n\n{table}")),
+        print(&(table + &notes)),
+    ]);
+    Failure::each(written)
 }

@@ -1,10 +1,10 @@
 //! Scenes of the user: flights in closed form, and flight logs.
 
 use sins::Options;
-use sins::flight::Manoeuvre;
-use sins::recommend::Refusal;
+use sins::analysis::recommend::Refusal;
 use sins::scene::{FlightSource, builtin};
 use sins::truth::FlightSample;
+use sins::truth::flight::Manoeuvre;
 
 use super::embedded;
 use super::reference::Judge;
@@ -71,8 +71,8 @@ fn highest_hz(source: &FlightSource) -> f64 {
         FlightSource::Log(_) => Vec::new(),
     };
     let of = |manoeuvre: &Manoeuvre| match manoeuvre {
-        Manoeuvre::Sinusoids { terms, count, .. } => {
-            let moving = terms[..*count].iter().filter(|term| term.amplitude != 0.0);
+        Manoeuvre::Sinusoids { sinusoids, .. } => {
+            let moving = sinusoids.terms().iter().filter(|term| term.amplitude != 0.0);
             moving.fold(0.0, |most: f64, term| most.max(term.frequency_hz))
         }
         _ => 0.0,

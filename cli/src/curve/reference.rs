@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 use sins::Options;
+use sins::analysis::recommend::{Reference, Refusal, SolutionError, Track};
 use sins::earth::Earth;
-use sins::flight::Flight;
+use sins::earth::state::{BodyAxes, EarthFixedState, Navigation};
 use sins::math::{Compensated, GAUSS_5, attitude_from_euler};
-use sins::recommend::{Reference, Refusal, SolutionError, Track};
-use sins::state::{BodyAxes, EarthFixedState, Navigation};
 use sins::truth::FlightSample;
+use sins::truth::flight::Flight;
 
 use crate::failure::Failure;
 
@@ -120,7 +120,7 @@ fn velocity(earth: &Earth, sample: &FlightSample) -> Vector3<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sins::flight::{FlightStart, Manoeuvre};
+    use sins::truth::flight::{FlightStart, Manoeuvre};
 
     #[test]
     fn nothing_below_the_floor_is_claimed() {

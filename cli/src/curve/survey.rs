@@ -1,6 +1,6 @@
 //! The results of a scene: cost and error of each configuration.
 
-use sins::recommend::SolutionError;
+use sins::analysis::recommend::SolutionError;
 
 use super::command::Effort;
 use super::configuration::Configuration;

@@ -1,9 +1,8 @@
 //! The errors over time: their mean, the bands of 1 and 3 sigma, some of the runs, and the limits of requirements; the radial error
 //! in quantiles.
 
-use sins::ErrorSource;
-
 use super::flight::LEAST_SPEED;
+use super::plan::Data;
 use super::requirement::{Measure, along_cross};
 use super::results::State;
 use super::study::{Quantity, Study};
@@ -17,7 +16,7 @@ use crate::drawing::scales::{over_time, panel, scaled, time_axis};
 use crate::drawing::series::Points;
 use crate::failure::Failure;
 use crate::planned;
-use crate::record::EAST_NORTH_UP;
+use crate::rows::EAST_NORTH_UP;
 use crate::units::{Family, LENGTH, Unit, fitting, fitting_axis, with_unit};
 
 /// Mean and bands of one quantity, a panel for each axis.
@@ -133,7 +132,7 @@ impl Lines {
         figures: impl Fn(&Row) -> (f64, f64),
         value: impl Fn(&State, f64) -> f64,
     ) -> Self {
-        let rows = study.of(ErrorSource::Navigation);
+        let rows = study.of(Data::Navigation);
         let time_s: Vec<f64> = rows.iter().map(|row| row.time_s - study.given.start_s).collect();
         let (mean, sigma) = rows.iter().map(|row| figures(row)).unzip();
         let run = |path: &Vec<State>| {
@@ -180,7 +179,7 @@ impl Lines {
 /// Distances from the truth within which half, 95 % and all of the runs are.
 pub fn radial(study: &Study) -> Result<Figure, Failure> {
     let time = time_axis(study.given.duration_s);
-    let rows = study.of(ErrorSource::Navigation);
+    let rows = study.of(Data::Navigation);
     let largest = rows.iter().map(|row| row.figures.largest_radial_m).fold(0.0, f64::max);
     let limits = Limits::of(study, Measure::Horizontal(0)).visible(largest);
     let unit = fitting(limits.size().max(largest), LENGTH);

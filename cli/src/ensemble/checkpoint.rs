@@ -8,14 +8,15 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use sins::ensemble::statistics::Statistics;
 use sins::scene::{Output, Scene};
-use sins::statistics::Statistics;
 
 use super::plan::{BLOCK, Plan};
 use super::results::{Results, State};
 use crate::failure::Failure;
 use crate::given::Given;
 use crate::output::Outputs;
+use crate::terminal::say;
 
 /// First line of the file. Its number is the version of the layout.
 const MARK: &str = "sins ensemble checkpoint 1";
@@ -33,12 +34,15 @@ pub struct Checkpoint {
     force: bool,
     /// Time of the next write.
     next: Instant,
+    /// Whether the disk has refused it.
+    is_refused: bool,
 }
 
 impl Checkpoint {
     pub fn new(path: PathBuf, given: &Given, plan: &Plan, force: bool) -> Result<Self, Failure> {
         let head = head(given, plan)?;
-        Ok(Self { path, head, inputs: given.inputs.clone(), force, next: Instant::now() })
+        let (inputs, next) = (given.inputs.clone(), Instant::now());
+        Ok(Self { path, head, inputs, force, next, is_refused: false })
     }
 
     pub fn path(&self) -> &Path {
@@ -82,9 +86,23 @@ impl Checkpoint {
         results.ok_or_else(damaged)
     }
 
-    /// Writes the checkpoint if the time of the next write has come.
-    pub fn write_in_time(&mut self, plan: &Plan, results: &Results) -> Result<(), Failure> {
-        if Instant::now() < self.next { Ok(()) } else { self.write(plan, results) }
+    /// Writes the checkpoint if the time of the next write has come. If the disk does not take it, the runs go on.
+    pub fn write_in_time(&mut self, plan: &Plan, results: &Results) {
+        if Instant::now() < self.next {
+            return;
+        }
+        if let Err(failure) = self.write(plan, results) {
+            self.next = Instant::now() + RENEWED;
+            if !std::mem::replace(&mut self.is_refused, true) {
+                say(&format!("warning: {failure}; the runs go on"));
+            }
+        }
+    }
+
+    /// What the checkpoint has, in words.
+    pub fn kept(&self, plan: &Plan, results: &Results) -> String {
+        let (runs, path) = (results.runs(plan), self.path.display());
+        format!("{runs} of {} runs are in {path}: the same command continues from there", plan.runs)
     }
 
     pub fn write(&mut self, plan: &Plan, results: &Results) -> Result<(), Failure> {

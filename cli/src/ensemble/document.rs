@@ -1,10 +1,10 @@
 //! The HTML page of an ensemble.
 
 use maud::{Markup, html};
-use sins::ErrorSource;
+use sins::ensemble::statistics::Figures;
 use sins::scene::ChangedKey;
-use sins::statistics::Figures;
 
+use super::plan::Data;
 use super::study::{QUANTITIES, Quantity, Study};
 use super::table::Row;
 use super::verdict::{self, Judged};
@@ -12,7 +12,7 @@ use super::{bands, ends};
 use crate::drawing::document::{document, figure, table};
 use crate::failure::Failure;
 use crate::planned;
-use crate::record::EAST_NORTH_UP;
+use crate::rows::EAST_NORTH_UP;
 use crate::units::{LENGTH, time_text, with_unit};
 
 /// The whole page.
@@ -43,6 +43,7 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
                         (study.runs()) ". Flown: " (time_text(study.given.duration_s)) ". A row of statistics each "
                         (time_text(study.plan.every_s)) "."
                     }
+                    @for finding in &study.given.findings { p.remark { "Flight data: " (finding) "." } }
                     @if !study.results.diverged.is_empty() {
                         p.remark { "Runs that diverged are left out of the statistics from that moment on." }
                     }
@@ -54,7 +55,7 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
                 div.table { (radii(study)) }
                 p.source {
                     "Navigation: navigation minus truth. "
-                    @if study.end(ErrorSource::Model).is_some() { "Model: error differential equations. " }
+                    @if study.end(Data::Model).is_some() { "Model: error differential equations. " }
                     "CEP50 and R95: the radii about the truth within which 50 % and 95 % of the runs are."
                 }
                 details {
@@ -69,8 +70,10 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
 
 /// The last row of each of the error data that is on.
 fn ends_by_data<'a>(study: &'a Study) -> Vec<(&'static str, &'a Row)> {
-    let sources = [(ErrorSource::Navigation, "navigation"), (ErrorSource::Model, "model")];
-    sources.into_iter().filter_map(|(source, name)| Some((name, study.end(source)?))).collect()
+    let sources =
+        [(Data::Navigation, "navigation"), (Data::Model, "model"), (Data::Shown, "shown by the unit")];
+    let ends = sources.into_iter().filter_map(|(source, name)| Some((name, study.end(source)?)));
+    ends.filter(|(_, row)| row.source != Data::Shown || row.good() > 0).collect()
 }
 
 /// Mean, sigma and root mean square of each error at the end, by each of the error data that is on.

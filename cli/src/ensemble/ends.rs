@@ -1,7 +1,6 @@
 //! Errors at the end of the runs: scatter of the positions with the ellipses of 50 and 95 %, histogram of the radial error.
 
-use sins::ErrorSource;
-
+use super::plan::Data;
 use super::study::Study;
 use super::table::radial;
 use crate::drawing::axis::Axis;
@@ -69,7 +68,7 @@ fn within(share: f64) -> f64 {
 /// The scatter; `None` if every run diverged.
 pub fn scatter(study: &Study) -> Result<Option<Figure>, Failure> {
     let places: Vec<[f64; 2]> = study.ends().map(|end| [end[0], end[1]]).collect();
-    let Some(row) = study.end(ErrorSource::Navigation).filter(|_| !places.is_empty()) else {
+    let Some(row) = study.end(Data::Navigation).filter(|_| !places.is_empty()) else {
         return Ok(None);
     };
     let (mean, sigma) = (row.mean(), row.sigma());
@@ -121,7 +120,7 @@ pub fn scatter(study: &Study) -> Result<Option<Figure>, Failure> {
 pub fn histogram(study: &Study) -> Result<Option<Figure>, Failure> {
     let radii: Vec<f64> = study.ends().map(radial).collect();
     let largest = radii.iter().copied().fold(0.0, f64::max);
-    let Some(row) = study.end(ErrorSource::Navigation).filter(|_| largest > 0.0) else {
+    let Some(row) = study.end(Data::Navigation).filter(|_| largest > 0.0) else {
         return Ok(None);
     };
     let unit = fitting(largest, LENGTH);

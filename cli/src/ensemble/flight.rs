@@ -4,15 +4,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
+use sins::earth::state::Navigation;
 use sins::ensemble::Ensemble;
 use sins::errors::NavigationErrors;
-use sins::state::Navigation;
-use sins::truth::FlightSample;
 use sins::{Error, ErrorKind, ErrorSource};
 
 use super::checkpoint::Checkpoint;
-use super::plan::{Piece, Plan};
+use super::plan::{Data, Piece, Plan};
 use super::results::{Part, Results, State};
+use super::single::is_single;
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
 use crate::interrupt;
@@ -20,7 +20,7 @@ use crate::parallel::on_threads;
 use crate::progress::Progress;
 
 /// Number of intervals between two checks of the signals and of the state of other threads.
-const CHUNK: usize = 64;
+pub const CHUNK: usize = 64;
 
 /// Steps and time of this execution of the program, for the speed.
 pub struct Flown {
@@ -30,10 +30,12 @@ pub struct Flown {
 }
 
 /// Data that all threads share.
-struct Work<'a> {
-    given: &'a Given,
-    plan: &'a Plan,
-    progress: Progress,
+pub struct Work<'a> {
+    pub given: &'a Given,
+    pub plan: &'a Plan,
+    pub progress: Progress,
+    /// Threads for each piece of work.
+    threads: usize,
     results: Mutex<(&'a mut Results, &'a mut Checkpoint)>,
     /// A thread has failed, or the user has asked for the end.
     is_over: AtomicBool,
@@ -54,7 +56,8 @@ pub fn fly(
     let steps = runs * (given.count as u64 - 1);
     let progress = Progress::flying(format!("flying {runs} runs"), steps as usize, quiet);
     let results = Mutex::new((results, checkpoint));
-    let work = Work { given, plan, progress, results, is_over: AtomicBool::new(false) };
+    let of_piece = (threads / pieces.len().max(1)).max(1);
+    let work = Work { given, plan, progress, threads: of_piece, results, is_over: AtomicBool::new(false) };
     let began = Instant::now();
     let ended = on_threads(threads, &pieces, |piece| work.piece(piece));
     let seconds = began.elapsed().as_secs_f64();
@@ -82,7 +85,8 @@ impl<'a> Work<'a> {
         let done = self.fly(piece).and_then(|part| {
             let (results, checkpoint) = &mut *self.results();
             results.add(piece, part)?;
-            checkpoint.write_in_time(self.plan, results)
+            checkpoint.write_in_time(self.plan, results);
+            Ok(())
         });
         if done.is_err() {
             self.is_over.store(true, Ordering::Relaxed);
@@ -96,11 +100,16 @@ impl<'a> Work<'a> {
         if self.must_stop() {
             return Err(interrupted());
         }
+        if is_single(plan, runs) {
+            return self.fly_singly(piece, self.threads);
+        }
         let mut ensemble = Ensemble::new(&given.scene.simulator()?[0], first_run, runs as usize)?;
         let mut part = Part::new(plan, piece);
+        let mut course = given.course()?;
         let mut instants = plan.instants.iter().copied().peekable();
         for index in 0..given.count {
-            self.push(&mut ensemble, index, given.sample(index)?)?;
+            let taken = course.take(&mut ensemble, &given.sample(index)?);
+            taken.map_err(|error| given.stopped_at(index, &error))?;
             if index > 0 {
                 ensemble.step().map_err(|error| given.stopped_at(index, &error))?;
             }
@@ -122,19 +131,15 @@ impl<'a> Work<'a> {
         Ok(part)
     }
 
-    /// Pushes the sample `index`, with the failures and the temperature that are due.
-    fn push(&self, ensemble: &mut Ensemble, index: usize, mut sample: FlightSample) -> Result<(), Failure> {
-        let scene = &self.given.scene;
-        let prepared = scene.prepare(ensemble, self.given.start_s, &mut sample);
-        let pushed = prepared.and_then(|()| ensemble.push_sample(&sample));
-        pushed.map(|_| ()).map_err(|error| self.given.stopped_at(index, &error))
-    }
-
     /// Takes the statistics of this instant, the errors of the runs that are drawn, and counts the runs within the limits that are
     /// due.
     fn read(&self, ensemble: &Ensemble, index: usize, part: &mut Part) -> Result<(), Error> {
         for source in &self.plan.sources {
-            part.statistics.push(ensemble.statistics(*source)?);
+            let source = match source {
+                Data::Model => ErrorSource::Model,
+                Data::Navigation | Data::Shown => ErrorSource::Navigation,
+            };
+            part.statistics.push(ensemble.statistics(source)?);
         }
         for (path, run) in part.drawn.iter_mut().zip(ensemble.first_run()..=u64::MAX) {
             path.extend(state(ensemble, run)?);
@@ -153,7 +158,7 @@ impl<'a> Work<'a> {
         Ok(())
     }
 
-    fn must_stop(&self) -> bool {
+    pub fn must_stop(&self) -> bool {
         self.is_over.load(Ordering::Relaxed) || interrupt::is_asked()
     }
 }
@@ -162,25 +167,27 @@ impl<'a> Work<'a> {
 pub const LEAST_SPEED: f64 = 1.0;
 
 /// Direction of the track from north to east [rad]: that of the horizontal velocity, or the heading below [`LEAST_SPEED`].
-fn track(truth: &Navigation) -> f64 {
+pub fn track(truth: &Navigation) -> f64 {
     let (east, north) = (truth.v_n.x, truth.v_n.y);
     if east.hypot(north) < LEAST_SPEED { truth.euler.heading } else { east.atan2(north) }
 }
 
 /// Current errors of a run; `None` if the statistics count the run as diverged.
 fn state(ensemble: &Ensemble, run: u64) -> Result<Option<State>, Error> {
-    let of = |errors: &NavigationErrors| {
-        let parts = [errors.position_n, errors.velocity_n, errors.misalignment_n];
-        std::array::from_fn(|k| parts[k / 3][k % 3])
-    };
     match ensemble.errors(run, ErrorSource::Navigation) {
-        Ok(errors) => Ok(errors.map(|(_, errors)| of(&errors))),
+        Ok(errors) => Ok(errors.map(|(_, errors)| state_of(&errors))),
         Err(error) if matches!(error.kind, ErrorKind::Diverged | ErrorKind::Singular) => Ok(None),
         Err(error) => Err(error),
     }
 }
 
+/// The numbers of errors.
+pub fn state_of(errors: &NavigationErrors) -> State {
+    let parts = [errors.position_n, errors.velocity_n, errors.misalignment_n];
+    std::array::from_fn(|k| parts[k / 3][k % 3])
+}
+
 /// Failure of a thread that was stopped. The flag stops the other threads; the user reads only the first of all failures.
-fn interrupted() -> Failure {
+pub fn interrupted() -> Failure {
     Failure::of_kind(Kind::Interrupted, "")
 }

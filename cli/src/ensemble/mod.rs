@@ -13,6 +13,7 @@ mod plan;
 mod print;
 mod requirement;
 mod results;
+mod single;
 mod specification;
 mod study;
 mod table;
@@ -28,6 +29,7 @@ use crate::parallel::cores;
 use crate::terminal;
 use checkpoint::Checkpoint;
 use plan::Plan;
+use results::Results;
 use study::Study;
 
 pub fn run(order: &Order) -> Result<(), Failure> {
@@ -44,9 +46,10 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     // The outputs are opened before the flight, so that one that cannot be written is reported at once.
     outputs.folder(&folder)?;
     let file = |ending: &str| folder.join(format!("{name}_ensemble{ending}"));
+    // It reserves the name of the ensemble, the checkpoint too.
+    let statistics_file = outputs.file(&file(".csv"), table::MARK)?;
     let mut checkpoint = Checkpoint::new(file(".checkpoint"), &given, &plan, order.output.force)?;
     let mut results = checkpoint.read(&plan)?;
-    let statistics_file = outputs.file(&file(".csv"), table::MARK)?;
     let mut runs_file = outputs.file(&file("_runs.csv"), table::RUNS_MARK)?;
     let page_file = outputs.file(&file(".html"), PAGE_MARK)?;
     let verdicts_file = match order.meets[..] {
@@ -60,41 +63,49 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     if before > 0 && !quiet {
         terminal::say(&format!("{}: {before} of {} runs are flown", checkpoint.path().display(), plan.runs));
     }
-    interrupt::graceful(true);
+    interrupt::graceful();
     let flown = flight::fly(&given, &plan, threads, &mut results, &mut checkpoint, quiet);
     let flown = flown.map_err(|failure| match failure.kind() {
-        Kind::Interrupted => {
-            Failure::of_kind(Kind::Interrupted, interrupted(&plan, results.runs(&plan), &checkpoint))
-        }
+        Kind::Interrupted => Failure::of_kind(Kind::Interrupted, interrupted(&plan, &results, &checkpoint)),
         _ => failure,
     })?;
-    interrupt::graceful(false);
 
     let rows = table::rows(&given, &plan, &results)?;
-    statistics_file.finish(table::statistics(&rows))?;
-    table::write_runs(&plan, &results, &mut runs_file)
-        .map_err(|error| Failure::of_output(runs_file.path(), &error))?;
-    runs_file.commit()?;
     let study = Study { given: &given, name: &name, plan: &plan, results: &results, rows };
     let judged = verdict::verdicts(&study)?;
-    page_file.finish(document::page(&study, &judged)?)?;
-    if let Some(file) = verdicts_file {
-        file.finish(verdict::file(&judged)?)?;
+    let (page, verdicts) = (document::page(&study, &judged)?, verdict::file(&judged)?);
+    let runs = table::write_runs(&plan, &results, &mut runs_file);
+    let written = Failure::each([
+        statistics_file.finish(table::statistics(&study.rows)),
+        runs.map_err(|error| Failure::of_output(runs_file.path(), &error)).and_then(|()| runs_file.commit()),
+        page_file.finish(page),
+        verdicts_file.map_or(Ok(()), |file| file.finish(verdicts)),
+    ]);
+    let printed = match quiet {
+        true => Ok(()),
+        false => terminal::print(&print::text(&study, &judged, &flown, threads, &file(".html"))),
+    };
+    match written {
+        Ok(()) => checkpoint.remove()?,
+        // The runs are not lost.
+        Err(failure) => {
+            let kept = checkpoint.write(&plan, &results);
+            return Err(match kept {
+                Ok(()) => failure.with(&checkpoint.kept(&plan, &results)),
+                Err(_) => failure,
+            });
+        }
     }
-    checkpoint.remove()?;
-    if !quiet {
-        terminal::print(&print::text(&study, &judged, &flown, threads, &file(".html")))?;
-    }
+    printed?;
     if results.diverged.len() as u64 == plan.runs {
         return Err(Failure::of_kind(Kind::Failed, "every run diverged before the end"));
     }
     verdict::failure(&judged).map_or(Ok(()), Err)
 }
 
-fn interrupted(plan: &Plan, runs: u64, checkpoint: &Checkpoint) -> String {
-    if runs == 0 {
-        return "interrupted before the first runs were flown".to_owned();
+fn interrupted(plan: &Plan, results: &Results, checkpoint: &Checkpoint) -> String {
+    match results.runs(plan) {
+        0 => "interrupted before the first runs were flown".to_owned(),
+        _ => format!("interrupted; {}", checkpoint.kept(plan, results)),
     }
-    let path = checkpoint.path().display();
-    format!("interrupted; {runs} of {} runs are in {path}: the same command continues from there", plan.runs)
 }

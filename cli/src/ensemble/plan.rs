@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use sins::ErrorSource;
 use sins::mechanization::VerticalMode;
 
 use super::command::Order;
@@ -33,6 +32,17 @@ pub const DRAWN_RUNS: u64 = 8;
 /// Neighbouring blocks, which one thread flies at once.
 pub type Piece = Range<usize>;
 
+/// Data of which there are statistics.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Data {
+    /// Error data 1, the error differential equations.
+    Model,
+    /// Error data 2, navigation minus truth.
+    Navigation,
+    /// Error data 2 of the runs whose unit shows position, velocity, attitude and heading as valid.
+    Shown,
+}
+
 /// Plan of an ensemble.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
@@ -43,7 +53,7 @@ pub struct Plan {
     pub instants: Vec<usize>,
     /// Time between two rows [s].
     pub every_s: f64,
-    pub sources: Vec<ErrorSource>,
+    pub sources: Vec<Data>,
     /// The requirements that apply to the flight.
     pub requirements: Vec<Due>,
 }
@@ -90,9 +100,12 @@ impl Plan {
         instants.extend(requirements.iter().map(|due| due.index));
         instants.sort_unstable();
         instants.dedup();
-        let mut sources = vec![ErrorSource::Navigation];
+        let mut sources = vec![Data::Navigation];
         if given.scene.options.error_model {
-            sources.push(ErrorSource::Model);
+            sources.push(Data::Model);
+        }
+        if given.scene.unit.start.is_some() {
+            sources.push(Data::Shown);
         }
         let first_run = order.first_run.unwrap_or(given.scene.options.key.run);
         if first_run.checked_add(order.runs - 1).is_none() {

@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use sins::ErrorSource;
-
 use super::flight::Flown;
+use super::plan::Data;
 use super::study::{QUANTITIES, Study};
 use super::verdict::{self, Judged};
 use crate::units::{LENGTH, brief, time_text, usual, with_unit};
@@ -16,11 +15,11 @@ pub fn text(study: &Study, judged: &[Judged], flown: &Flown, threads: usize, pag
         format!("{}: {}\n  {}; {}\n", study.name, given.title, study.runs(), time_text(given.duration_s));
     text += &format!("  errors of: {}\n\n", errors(study));
     text += &format!("  {:<30}{:>12}{:>12}{:>12}\n", "at the end", "east", "north", "up");
-    if let Some(row) = study.end(ErrorSource::Navigation)
+    if let Some(row) = study.end(Data::Navigation)
         && row.good() == 0
     {
         text += "  none: no run reached the end\n";
-    } else if let Some(row) = study.end(ErrorSource::Navigation) {
+    } else if let Some(row) = study.end(Data::Navigation) {
         let is_one = row.good() == 1;
         let figures = &row.figures;
         for quantity in &QUANTITIES {
@@ -43,6 +42,12 @@ pub fn text(study: &Study, judged: &[Judged], flown: &Flown, threads: usize, pag
         let [cep50, r95, largest] =
             [figures.cep50_m, figures.r95_m, figures.largest_radial_m].map(|size| brief(size, LENGTH));
         text += &format!("  horizontal position error: CEP50 {cep50}, R95 {r95}, largest {largest}\n");
+        if let Some(shown) = study.end(Data::Shown) {
+            let (valid, all) = (shown.figures.runs - shown.figures.diverged, figures.runs);
+            let [cep50, r95] = [shown.figures.cep50_m, shown.figures.r95_m].map(|size| brief(size, LENGTH));
+            let sizes = if shown.good() > 0 { format!(": CEP50 {cep50}, R95 {r95}") } else { String::new() };
+            text += &format!("  shown as valid by the unit in {valid} of {all} runs{sizes}\n");
+        }
         if !is_one {
             let [along, cross] = [0, 1].map(|axis| with_unit(row.track_sigma()[axis], LENGTH));
             text += &format!("  1 sigma along the track {along}, across the track {cross}\n");

@@ -1,6 +1,6 @@
 //! Results of the runs: statistics over time, the errors of each run at the end, and the errors of a few runs over time.
 
-use sins::statistics::Statistics;
+use sins::ensemble::statistics::Statistics;
 
 use super::plan::{BLOCK, Piece, Plan};
 use crate::failure::{Failure, Kind};
@@ -54,6 +54,26 @@ impl Part {
             tracks: Vec::with_capacity(plan.instants.len()),
             inside: vec![0; plan.requirements.len()],
         }
+    }
+
+    /// Adds the runs of `next`, which follow those of this part, in the same piece.
+    pub fn append(&mut self, next: Self) -> Result<(), Failure> {
+        for (sum, more) in self.statistics.iter_mut().zip(&next.statistics) {
+            sum.merge(more).map_err(|error| Failure::of_kind(Kind::Failed, error.to_string()))?;
+        }
+        self.ends.extend(next.ends);
+        for (path, more) in self.drawn.iter_mut().zip(next.drawn) {
+            path.extend(more);
+        }
+        self.diverged.extend(next.diverged);
+        // A run that diverged early knows less of the truth.
+        for (track, other) in self.tracks.iter_mut().zip(next.tracks) {
+            *track = if *track == 0.0 { other } else { *track };
+        }
+        for (sum, more) in self.inside.iter_mut().zip(next.inside) {
+            *sum += more;
+        }
+        Ok(())
     }
 }
 

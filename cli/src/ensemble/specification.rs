@@ -1,14 +1,14 @@
 //! The files of requirements: their text in TOML, and those that are built in.
 
 use std::ffi::OsStr;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use sins::scene::{MAX_TEXT, nearest};
+use sins::scene::nearest;
 use toml::de::{DeTable, DeValue};
 
 use super::requirement::{HOUR_S, LIMITS, QUANTITIES, Requirement};
 use crate::failure::Failure;
+use crate::given::read_text;
 
 /// The built-in requirements: name and text.
 pub const BUILTIN: [(&str, &str); 3] = [
@@ -33,11 +33,7 @@ pub fn load(given: &OsStr) -> Result<(Vec<Requirement>, Option<PathBuf>), Failur
         };
         return Err(Failure::of_file(path, &format!("no such requirement; {hint}")));
     }
-    let mut text = String::new();
-    // A device may have no end.
-    let read =
-        std::fs::File::open(path).and_then(|file| file.take(MAX_TEXT as u64).read_to_string(&mut text));
-    read.map_err(|error| Failure::of_input(path, &error))?;
+    let text = String::from_utf8(read_text(path)?).map_err(|error| Failure::of_input(path, &error))?;
     Ok((parse(&text, path)?, Some(path.to_owned())))
 }
 
@@ -180,6 +176,20 @@ mod tests {
         assert_eq!(read[1].limit_at(HOUR_S), 20.0 * NMI);
         let applies = |hours: f64| [&read[0], &read[1]].map(|one| one.applies(hours * HOUR_S));
         assert_eq!((applies(10.0), applies(10.1)), ([true, false], [false, true]));
+    }
+
+    /// A text that is too long is no requirement: its end could have another one.
+    #[test]
+    fn no_requirement_is_left_out() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("long.toml");
+        let item = "[[requirement]]\nquantity = \"position_up\"\npercent = 95\nlimit_m = 1\n";
+        let filled = |length: usize| format!("{item}#{}\n{item}", " ".repeat(length - 2 - 2 * item.len()));
+        std::fs::write(&path, filled(1 << 20)).unwrap();
+        assert_eq!(load(path.as_os_str()).unwrap().0.len(), 2);
+        std::fs::write(&path, filled((1 << 20) + 1)).unwrap();
+        let failure = load(path.as_os_str()).unwrap_err().to_string();
+        assert!(failure.ends_with("long.toml: a text has at most 1048576 bytes, and this one has more"));
     }
 
     #[test]

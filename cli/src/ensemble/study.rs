@@ -1,8 +1,6 @@
 //! Data that the page and the terminal show.
 
-use sins::ErrorSource;
-
-use super::plan::Plan;
+use super::plan::{Data, Plan};
 use super::results::{Results, State};
 use super::table::Row;
 use crate::given::Given;
@@ -34,12 +32,12 @@ pub struct Study<'a> {
 
 impl<'a> Study<'a> {
     /// The rows of one of the error data, one for each instant; empty if these data are off.
-    pub fn of(&self, source: ErrorSource) -> Vec<&Row> {
+    pub fn of(&self, source: Data) -> Vec<&Row> {
         self.rows.iter().filter(|row| row.source == source).collect()
     }
 
     /// The last row of one of the error data.
-    pub fn end(&self, source: ErrorSource) -> Option<&Row> {
+    pub fn end(&self, source: Data) -> Option<&Row> {
         self.rows.iter().rfind(|row| row.source == source)
     }
 

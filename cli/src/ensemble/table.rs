@@ -2,15 +2,14 @@
 
 use std::io::Write;
 
-use sins::ErrorSource;
-use sins::statistics::Figures;
+use sins::ensemble::statistics::Figures;
 
-use super::plan::Plan;
+use super::plan::{Data, Plan};
 use super::requirement::along_cross;
 use super::results::{Results, State};
 use crate::failure::Failure;
 use crate::given::Given;
-use crate::record::EAST_NORTH_UP;
+use crate::rows::EAST_NORTH_UP;
 use crate::rows::number;
 
 /// The three errors and their units, as in the names of columns.
@@ -24,7 +23,7 @@ pub const RUNS_MARK: &str = "run,diverged,";
 #[derive(Debug, Clone)]
 pub struct Row {
     pub time_s: f64,
-    pub source: ErrorSource,
+    pub source: Data,
     pub figures: Figures,
     /// Direction of the truth's track [rad].
     pub track_rad: f64,
@@ -92,8 +91,9 @@ pub fn statistics(rows: &[Row]) -> String {
     for row in rows {
         let figures = &row.figures;
         let data = match row.source {
-            ErrorSource::Navigation => 2,
-            ErrorSource::Model => 1,
+            Data::Navigation => 2,
+            Data::Model => 1,
+            Data::Shown => 3,
         };
         let counts = [figures.runs, figures.diverged, figures.out_of_range].map(|count| count.to_string());
         text += &format!("{:.6},{data},{}", row.time_s, counts.join(","));

@@ -1,7 +1,7 @@
 //! The verdicts on the requirements: for the terminal, the page and a file.
 
 use maud::{Markup, html};
-use sins::statistics::{Decision, Verdict};
+use sins::ensemble::statistics::{Decision, Verdict};
 
 use super::plan::Due;
 use super::study::Study;

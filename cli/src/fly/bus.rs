@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::io::Write;
 
-use sins::bus::{Inputs, Word, decode, words};
+use sins::unit::bus::{Inputs, Word, decode, words};
 use sins::unit::{Status, Unit, UnitNavigation};
 use sins::{Error, Simulator, records};
 
@@ -56,8 +56,13 @@ impl Bus {
         due.iter().filter_map(line).try_for_each(|line| write_line(&mut self.file, &line))
     }
 
+    /// Reports an error of the disk.
+    pub fn check(&mut self) -> Result<(), Failure> {
+        self.file.check()
+    }
+
     pub fn commit(self) -> Result<(), Failure> {
-        self.file.commit()
+        self.file.commit_lines()
     }
 }
 

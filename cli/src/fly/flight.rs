@@ -6,21 +6,19 @@ use std::time::{Duration, Instant};
 use nalgebra::Vector3;
 use sins::errors::AccuracyFigures;
 use sins::records;
-use sins::scene::Scene;
-use sins::state::Navigation;
+use sins::scene::{self, Play};
 use sins::truth::{FlightSample, TruthSummary};
-use sins::unit::{State, Status, UnitNavigation, Validity};
-use sins::{ClosureFigures, Error, ErrorSource, ImuInterval, Simulator, Solution, TrimFigures};
+use sins::unit::{Mode, State, Status, Unit, UnitNavigation, UnitParameters};
+use sins::{ClosureFigures, Error, ErrorSource, TrimFigures};
 
 use super::imu;
-use super::spacing::Spacing;
-use super::unit::UnitInFlight;
+use super::unit::UnitFiles;
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
 use crate::interrupt;
 use crate::output::OutputFile;
 use crate::progress::Progress;
-use crate::record::{NEAR_POLE, NOT_COMPUTED, Record};
+use sins::record::{self, NEAR_POLE, NOT_COMPUTED, Record};
 
 /// Number of samples between two checks of the clock, the signals and the disk.
 const CHUNK: usize = 4096;
@@ -29,7 +27,7 @@ const CHUNK: usize = 4096;
 pub struct Files {
     pub records: OutputFile,
     pub imu: Option<OutputFile>,
-    pub unit: Option<UnitInFlight>,
+    pub unit: Option<UnitFiles>,
 }
 
 /// Results of a flight, or of a part of it.
@@ -59,37 +57,15 @@ impl Flown {
     }
 }
 
-/// Errors of the sensors since the last record: integrals [rad], [m/s], and the time of integration [s].
-#[derive(Default)]
-struct SensorSum {
-    angle: Vector3<f64>,
-    velocity: Vector3<f64>,
-    time_s: f64,
-}
-
-impl SensorSum {
-    fn add(&mut self, imu: &ImuInterval) {
-        self.angle += imu.measured.angle - imu.ideal.angle;
-        self.velocity += imu.measured.velocity - imu.ideal.velocity;
-        self.time_s += imu.interval_s;
-    }
-
-    /// Returns the mean errors and resets the sum.
-    fn take(&mut self) -> [Vector3<f64>; 2] {
-        let Self { angle, velocity, time_s } = std::mem::take(self);
-        [angle / time_s, velocity / time_s]
-    }
-}
-
 /// Flies all of `given`. After an error or a request to stop, the files and the results
 /// are those up to then.
 pub fn fly(
     given: &Given,
-    spacing: Spacing,
+    play: Play,
     files: Files,
     quiet: bool,
 ) -> Result<(Files, Flown, Result<(), Failure>), Failure> {
-    let mut flight = InFlight::new(&given.scene, spacing, given.start_s, files)?;
+    let mut flight = InFlight::new(play, files)?;
     let ended = flight.fly(given, quiet);
     let (files, flown) = flight.end()?;
     Ok((files, flown, ended))
@@ -109,6 +85,12 @@ impl From<Error> for Stopped {
     }
 }
 
+impl From<scene::Stopped> for Stopped {
+    fn from(stopped: scene::Stopped) -> Self {
+        Self::Sample(stopped.error)
+    }
+}
+
 impl From<Failure> for Stopped {
     fn from(failure: Failure) -> Self {
         Self::Output(failure)
@@ -123,49 +105,34 @@ pub struct Shown {
     pub position_error_n: Vector3<f64>,
 }
 
-/// A flight in progress: for each sample a push and a step.
-pub struct InFlight<'a> {
-    scene: &'a Scene,
-    simulator: Box<[Simulator; 1]>,
-    /// When records are due.
-    spacing: Spacing,
-    /// Time stamp of the first sample [s].
-    start_s: f64,
+/// A flight in progress, with its files.
+pub struct InFlight {
+    play: Play,
     files: Files,
     flown: Flown,
-    sensor_errors: SensorSum,
     /// Whether the last interval has its record, and its row of the unit.
     is_recorded: [bool; 2],
 }
 
-impl<'a> InFlight<'a> {
-    /// A flight whose first sample is at `start_s` [s].
-    pub fn new(scene: &'a Scene, spacing: Spacing, start_s: f64, mut files: Files) -> Result<Self, Failure> {
-        write_line(&mut files.records, &records::head(scene.options.covariance))?;
+impl InFlight {
+    /// `play` before its first sample. A bus without a unit has one that navigates.
+    pub fn new(mut play: Play, mut files: Files) -> Result<Self, Failure> {
+        write_line(&mut files.records, &record::head(play.course().scene().options.covariance))?;
         if let Some(file) = &mut files.imu {
             write_line(file, &imu::COLUMNS.join(","))?;
         }
-        let (simulator, flown, sensor_errors) = (scene.simulator()?, Flown::default(), SensorSum::default());
-        Ok(Self { scene, simulator, spacing, start_s, files, flown, sensor_errors, is_recorded: [true; 2] })
+        if files.unit.is_some() && play.unit().is_none() {
+            play.set_unit(Unit::new(&UnitParameters::default(), Mode::Navigate)?);
+        }
+        Ok(Self { play, files, flown: Flown::default(), is_recorded: [true; 2] })
     }
 
     /// What the INS shows after the last interval. Without a unit, it navigates.
     pub fn shown(&self) -> Result<Shown, Error> {
-        let [simulator] = &*self.simulator;
-        let errors = simulator.errors(ErrorSource::Navigation)?;
+        let errors = self.play.simulator().errors(ErrorSource::Navigation)?;
         let position_error_n = errors.map(|(_, errors)| errors.position_n).unwrap_or_default();
-        if let Some(unit) = &self.files.unit {
-            let (status, navigation) = unit.shown(simulator)?;
-            return Ok(Shown { status, navigation, position_error_n });
-        }
-        let Some(Solution { time_s, navigation, .. }) = simulator.navigation()? else {
-            return Err(Error::bad_state("no interval was flown"));
-        };
-        let validity =
-            Validity { rates: false, attitude: true, heading: true, position: true, velocity: true };
-        let Navigation { place, v_n, euler, .. } = navigation;
-        let navigation = UnitNavigation { time_s, validity, place, v_n, euler, ..UnitNavigation::default() };
-        let status = Status { state: State::Navigation, validity, ..Status::default() };
+        let shown = self.play.shown()?.ok_or_else(|| Error::bad_state("no interval was flown"))?;
+        let scene::Shown { status, navigation } = shown;
         Ok(Shown { status, navigation, position_error_n })
     }
 
@@ -186,9 +153,6 @@ impl<'a> InFlight<'a> {
             let began = Instant::now();
             for (index, sample) in (first..last).zip(samples) {
                 self.go_on(sample).map_err(stopped(index))?;
-                if index + 1 == given.count {
-                    self.record_last().map_err(stopped(index))?;
-                }
             }
             self.add_time(began.elapsed());
             self.check()?;
@@ -202,9 +166,8 @@ impl<'a> InFlight<'a> {
 
     /// Takes the first sample.
     pub fn begin(&mut self, sample: FlightSample) -> Result<(), Stopped> {
-        self.push(sample)?;
-        let [simulator] = &mut *self.simulator;
-        if let Some(start) = Record::now(simulator)? {
+        self.play.push(&sample)?;
+        if let Some(start) = Record::now(self.play.simulator_mut())? {
             self.keep(&start)?;
         }
         Ok(())
@@ -212,35 +175,20 @@ impl<'a> InFlight<'a> {
 
     /// Takes the next sample, and flies the interval that it ends.
     pub fn go_on(&mut self, sample: FlightSample) -> Result<(), Stopped> {
-        self.push(sample)?;
-        self.step()
-    }
-
-    /// Pushes a sample, with the failures and the temperature that are due.
-    fn push(&mut self, mut sample: FlightSample) -> Result<(), Error> {
-        let [simulator] = &mut *self.simulator;
-        self.scene.prepare(simulator, self.start_s, &mut sample)?;
-        simulator.push_sample(&sample).map(|_| ())
-    }
-
-    fn step(&mut self) -> Result<(), Stopped> {
-        let [simulator] = &mut *self.simulator;
-        simulator.step()?;
+        self.play.push(&sample)?;
         self.flown.steps += 1;
+        let simulator = self.play.simulator();
         let Some(interval) = simulator.imu() else { return Ok(()) };
-        self.sensor_errors.add(&interval);
         if let Some(file) = &mut self.files.imu {
             let written = imu::write_rows(file, simulator, interval.time_s);
             written.map_err(|error| Failure::of_output(file.path(), &error))?;
         }
-        let is_due = self.spacing.take(interval.time_s - self.start_s, interval.interval_s);
-        if let Some(unit) = &mut self.files.unit {
-            unit.update(self.scene, simulator, self.start_s)?;
-            let words = unit.send(simulator, &interval)?;
-            unit.write(&words)?;
+        if let (Some(files), Some(unit)) = (&mut self.files.unit, self.play.unit()) {
+            let words = files.send(unit, simulator, &interval)?;
+            files.write(&words)?;
         }
         self.is_recorded = [false; 2];
-        self.record(is_due)
+        self.record(self.play.course().is_due())
     }
 
     /// Records the last interval of the flight, if it has no record yet.
@@ -250,24 +198,24 @@ impl<'a> InFlight<'a> {
 
     /// Writes what the last interval lacks: its record and the row of the unit if they are due, and a new state of the unit.
     fn record(&mut self, is_due: bool) -> Result<(), Stopped> {
-        let [simulator] = &mut *self.simulator;
         let [has_record, has_row] = &mut self.is_recorded;
-        if let Some(unit) = &mut self.files.unit
-            && let Some(interval) = simulator.imu()
+        let start_s = self.play.course().start_s().unwrap_or_default();
+        if let (Some(files), Some(unit)) = (&mut self.files.unit, self.play.unit())
+            && let Some(interval) = self.play.simulator().imu()
             && !*has_row
         {
-            let new = unit.record(interval.time_s, is_due)?;
+            let new = files.record(unit, interval.time_s, is_due)?;
             *has_row = is_due || new.is_some();
             if let Some(state) = new {
-                self.flown.states.push((interval.time_s - self.start_s, state));
+                self.flown.states.push((interval.time_s - start_s, state));
             }
         }
         if is_due
             && !*has_record
-            && let Some(mut record) = Record::now(simulator)?
+            && let Some(mut record) = Record::now(self.play.simulator_mut())?
         {
             *has_record = true;
-            [record.gyro_error, record.accel_error] = self.sensor_errors.take();
+            [record.gyro_error, record.accel_error] = self.play.course_mut().take_sensor_errors();
             self.keep(&record)?;
         }
         Ok(())
@@ -281,18 +229,20 @@ impl<'a> InFlight<'a> {
     /// Reports an error of the disk.
     pub fn check(&mut self) -> Result<(), Failure> {
         self.files.records.check()?;
-        self.files.imu.as_mut().map_or(Ok(()), OutputFile::check)
+        self.files.imu.as_mut().map_or(Ok(()), OutputFile::check)?;
+        self.files.unit.as_mut().map_or(Ok(()), UnitFiles::check)
     }
 
     /// The files and the results of the flight.
     pub fn end(mut self) -> Result<(Files, Flown), Failure> {
-        let [simulator] = &mut *self.simulator;
+        let simulator = self.play.simulator();
         if let Ok(Some((_, accuracy, closure))) = simulator.accuracy() {
             self.flown.accuracy = Some((accuracy, closure, simulator.trim()?.unwrap_or_default()));
         }
-        if self.scene.options.truth_summary {
+        if self.play.course().scene().options.truth_summary {
             self.flown.truth = simulator.truth_summary()?;
         }
+        self.flown.records = self.flown.records.saturating_sub(self.files.records.settle());
         Ok((self.files, self.flown))
     }
 

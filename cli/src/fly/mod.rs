@@ -1,37 +1,36 @@
 //! `sins fly`: flies a scene, writes its records and figures, and prints a summary.
 //!
-//! The data flow is `crate::given` → `flight` → `crate::record`, `imu` → `figures` → `summary` (file), `print` (terminal).
+//! The data flow is `crate::given` → `flight` → `sins::record`, `imu` → `figures` → `summary` (file), `print` (terminal).
 
 mod bus;
 mod figures;
 mod flight;
 mod imu;
 mod print;
-mod spacing;
 mod summary;
 mod unit;
 
 use std::path::Path;
 
-use sins::bus::Inputs;
-use sins::unit::{Mode, Unit, UnitParameters};
+use sins::Error;
+use sins::scene::Play;
+use sins::unit::bus::Inputs;
 
 use crate::failure::{Failure, Kind};
 use crate::given::{Given, SceneArguments};
 use crate::interrupt;
 use crate::output::{OutputFile, Outputs};
 use crate::places::{OutputArguments, below};
-use crate::record::COLUMNS;
 use crate::terminal::print;
 use bus::Bus;
+use sins::record::COLUMNS;
 
 pub use bus::line as bus_line;
 pub use figures::Figures;
 pub use flight::{Files, InFlight, Shown, Stopped};
 pub use print::text;
-pub use spacing::Spacing;
-pub use summary::MARK;
-pub use unit::{COLUMNS as UNIT_COLUMNS, UnitInFlight};
+pub use summary::{LONGEST, MARK};
+pub use unit::{COLUMNS as UNIT_COLUMNS, UnitFiles};
 
 /// Scene of a log that has no scene: the recommended simulator with ideal sensors.
 pub const FOR_LOGS: &str = "[flight]\nfile = \"log\"\n";
@@ -63,19 +62,19 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let (folder, name) = order.output.places(&given)?;
     let imu = order.imu.as_ref().or(Some(&given.scene.output.imu).filter(|imu| !imu.is_empty()));
     let imu = imu.map(|file| below(&folder, file, "output.imu", "--imu")).transpose()?;
-    let spacing = Spacing::of(&given)?;
+    let play = ready(&given)?;
+    let every_s = play.course().every_s();
     let mut outputs = Outputs::new(&given.inputs, order.output.force);
     // The outputs are opened before the flight, so that one that cannot be written is reported at once.
     outputs.folder(&folder)?;
     let file = |ending: &str| folder.join(format!("{name}{ending}"));
-    let summary_file = outputs.file(&file("_summary.csv"), summary::MARK)?;
+    let mut summary_file = outputs.file(&file("_summary.csv"), summary::MARK)?;
+    summary_file.reserve(summary::LONGEST)?;
     let files = Files {
         records: outputs.file(&file(".csv"), &COLUMNS.join(","))?,
         imu: match &imu {
             Some(path) => {
-                if let Some(folder) = path.parent() {
-                    outputs.folder(folder)?;
-                }
+                outputs.folder_of(path)?;
                 Some(outputs.file(path, &imu::COLUMNS.join(","))?)
             }
             None => None,
@@ -83,20 +82,24 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         unit: unit(order, &given, &mut outputs, &folder, &file("_unit.csv"))?,
     };
     let quiet = order.output.is_quiet(&given);
-    interrupt::graceful(true);
-    let (files, flown, ended) = flight::fly(&given, spacing, files, quiet)?;
+    interrupt::graceful();
+    let (files, flown, ended) = flight::fly(&given, play, files, quiet)?;
     if let Err(failure) = &ended
         && (failure.kind() == Kind::Input || flown.records == 0)
     {
         return ended.map(|_| ());
     }
-    let figures = Figures::gather(&given, &name, spacing.every_s, &flown, ended.is_err());
+    let figures = Figures::gather(&given, &name, every_s, &flown, ended.is_err());
     let finished = figures.and_then(|figures| {
-        finish(&figures, files, summary_file)?;
-        if quiet { Ok(()) } else { print(&text(&figures, &file(".csv"))) }
+        let written = finish(&figures, files, summary_file);
+        written.and(if quiet { Ok(()) } else { print(&text(&figures, &file(".csv"))) })
     });
-    // A failure of the flight has priority.
-    ended.and(finished)
+    match ended {
+        // The files say themselves what the disk did not take.
+        Err(failure) if failure.kind() == Kind::Unwritten => finished.and(Err(failure)),
+        // A failure of the flight has priority.
+        _ => ended.and(finished),
+    }
 }
 
 /// What `sins fly` would refuse before the flight and in its first interval.
@@ -106,43 +109,42 @@ pub fn check(given: &Given) -> Result<(), Failure> {
     if !output.imu.is_empty() {
         below(&folder, &output.imu, "output.imu", "--imu")?;
     }
-    Spacing::of(given)?;
-    let [mut simulator] = *given.scene.simulator()?;
-    let mut fly = |index| {
-        let mut sample = given.sample(index)?;
-        given.scene.prepare(&mut simulator, given.start_s, &mut sample)?;
-        simulator.push_sample(&sample)?;
-        simulator.step()
+    let mut play = ready(given)?;
+    let mut fly = |index| -> Result<(), Error> {
+        let sample = given.sample(index)?;
+        play.push(&sample).map(|_| ()).map_err(|stopped| stopped.error)
     };
-    (0..given.count.min(2))
-        .try_for_each(|index| fly(index).map(|_| ()).map_err(|error| given.failure_at(index, &error)))
+    (0..given.count.min(2)).try_for_each(|index| fly(index).map_err(|error| given.failure_at(index, &error)))
 }
 
-/// Puts all files in place. The records are last, because the report looks for the summary beside the records.
+/// The scene before its first sample.
+fn ready(given: &Given) -> Result<Play, Failure> {
+    given.play().map_err(|error| Failure::new(format!("{}: {error}", given.origin)))
+}
+
+/// Puts all files in place, each as far as the disk has taken it. The records are last, because the report looks for the summary beside
+/// the records.
 pub fn finish(figures: &Figures, files: Files, summary_file: OutputFile) -> Result<(), Failure> {
     let Files { records, imu, unit } = files;
     let text = summary::text(figures)?;
-    if let Some(imu) = imu {
-        imu.commit()?;
-    }
-    if let Some(unit) = unit {
-        unit.commit()?;
-    }
-    summary_file.finish(text)?;
-    records.commit()
+    Failure::each([
+        imu.map_or(Ok(()), OutputFile::commit_lines),
+        unit.map_or(Ok(()), UnitFiles::commit),
+        summary_file.finish(text),
+        records.commit_lines(),
+    ])
 }
 
-/// The unit in flight, with its files, if the scene has a unit or the words of one are wanted.
+/// The files of the unit, if the scene has a unit or the words of one are wanted.
 fn unit(
     order: &Order,
     given: &Given,
     outputs: &mut Outputs,
     folder: &Path,
     path: &Path,
-) -> Result<Option<UnitInFlight>, Failure> {
-    let failed = |error: sins::Error| Failure::new(error.to_string());
-    let own = given.scene.unit().map_err(failed)?;
-    let file = own.map(|_| outputs.file(path, &unit::COLUMNS.join(","))).transpose()?;
+) -> Result<Option<UnitFiles>, Failure> {
+    let has_unit = given.scene.unit.start.is_some();
+    let file = has_unit.then(|| outputs.file(path, &unit::COLUMNS.join(","))).transpose()?;
     let bus = match &order.bus {
         None => None,
         Some(_) if !(0.0..=200.0).contains(&order.bus_delay) => {
@@ -150,15 +152,14 @@ fn unit(
         }
         Some(name) => {
             let path = below(folder, name, "--bus", "--bus")?;
+            outputs.folder_of(&path)?;
             let inputs = Inputs { axes: given.scene.options.axes, ..Inputs::default() };
             let file = outputs.file(&path, &bus::COLUMNS.join(","))?;
             Some(Bus::new(file, order.bus_delay / 1e3, inputs)?)
         }
     };
-    let unit = match own {
-        None if bus.is_none() => return Ok(None),
-        Some(unit) => unit,
-        None => Unit::new(&UnitParameters::default(), Mode::Navigate).map_err(failed)?,
-    };
-    UnitInFlight::new(unit, file, bus).map(Some)
+    if !has_unit && bus.is_none() {
+        return Ok(None);
+    }
+    UnitFiles::new(file, bus).map(Some)
 }

@@ -6,12 +6,15 @@ use sins::units::NMI_PER_HOUR;
 use super::figures::Figures;
 use crate::failure::{Failure, printable};
 use crate::planned;
-use crate::record::EAST_NORTH_UP;
 use crate::rows;
+use crate::rows::EAST_NORTH_UP;
 use crate::units::six_digits;
 
 /// Beginning of every summary.
 pub const MARK: &str = "key,value,unit,label\nname,";
+
+/// Number of bytes that no summary exceeds, unless its scene has hundreds of failures and updates.
+pub const LONGEST: usize = 1 << 15;
 
 /// Text of the file. A figure that does not exist has the value "none".
 pub fn text(figures: &Figures) -> Result<String, Failure> {
@@ -116,6 +119,13 @@ fn flight(figures: &Figures, rows: &mut Rows) {
     rows.whole("records", flown.records, "records written");
     rows.whole("gaps", figures.given.gaps.count, "gaps in the log, which were bridged");
     rows.number("gap_longest_s", figures.given.gaps.longest_s, "s", "longest gap in the log");
+    for (number, finding) in (1..).zip(&figures.given.findings) {
+        rows.text(
+            &format!("finding_{number}_text"),
+            finding,
+            &format!("finding {number} in the flight data"),
+        );
+    }
     for (key, value, unit, label, time_s) in figures.truth() {
         rows.number(key, value, unit, &format!("truth: {label}, at {} s", six_digits(time_s)));
     }

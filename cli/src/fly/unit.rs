@@ -1,11 +1,10 @@
-//! The unit of a scene in flight: its file has a row at each record and at each change of its state.
+//! The files of a unit in flight: its own has a row at each record and at each change of its state.
 
 use std::io::Write;
 
-use sins::bus::Word;
 use sins::records;
-use sins::scene::Scene;
-use sins::unit::{State, Status, Unit, UnitNavigation};
+use sins::unit::bus::Word;
+use sins::unit::{State, Unit};
 use sins::{Error, ImuInterval, Simulator};
 
 use super::bus::Bus;
@@ -15,32 +14,31 @@ use crate::output::OutputFile;
 /// Columns of the file.
 pub const COLUMNS: [&str; 5] = ["time_s", "state", "to_go_s", "valid", "reasons"];
 
-/// The unit, its file if it is the scene's, and its bus.
-pub struct UnitInFlight {
-    unit: Unit,
+/// The file of a unit, if it is the scene's, and its bus.
+pub struct UnitFiles {
     file: Option<OutputFile>,
     bus: Option<Bus>,
     written: Option<State>,
 }
 
-impl UnitInFlight {
-    pub fn new(unit: Unit, mut file: Option<OutputFile>, bus: Option<Bus>) -> Result<Self, Failure> {
+impl UnitFiles {
+    pub fn new(mut file: Option<OutputFile>, bus: Option<Bus>) -> Result<Self, Failure> {
         if let Some(file) = &mut file {
             write_line(file, &COLUMNS.join(","))?;
         }
-        Ok(Self { unit, file, bus, written: None })
-    }
-
-    /// What it reports and shows after the last step of `simulator`.
-    pub fn shown(&self, simulator: &Simulator) -> Result<(Status, UnitNavigation), Error> {
-        Ok((self.unit.status(), self.unit.navigation(simulator)?))
+        Ok(Self { file, bus, written: None })
     }
 
     /// Sends the words that are due in the last interval.
-    pub fn send(&mut self, simulator: &Simulator, interval: &ImuInterval) -> Result<Vec<Word>, Error> {
+    pub fn send(
+        &mut self,
+        unit: &Unit,
+        simulator: &Simulator,
+        interval: &ImuInterval,
+    ) -> Result<Vec<Word>, Error> {
         let from_s = interval.time_s - interval.interval_s;
         match &mut self.bus {
-            Some(bus) => bus.due(&self.unit, simulator, from_s, interval.time_s),
+            Some(bus) => bus.due(unit, simulator, from_s, interval.time_s),
             None => Ok(Vec::new()),
         }
     }
@@ -50,15 +48,10 @@ impl UnitInFlight {
         self.bus.as_mut().map_or(Ok(()), |bus| bus.write(words))
     }
 
-    /// Takes the last step: first what is planned at the panel, then the unit.
-    pub fn update(&mut self, scene: &Scene, simulator: &mut Simulator, start_s: f64) -> Result<(), Error> {
-        scene.update_unit(&mut self.unit, simulator, start_s)
-    }
-
     /// Writes a row if the state has changed, or if it `is_due`. Returns a state that is new.
-    pub fn record(&mut self, time_s: f64, is_due: bool) -> Result<Option<State>, Failure> {
+    pub fn record(&mut self, unit: &Unit, time_s: f64, is_due: bool) -> Result<Option<State>, Failure> {
         let Some(file) = &mut self.file else { return Ok(None) };
-        let status = self.unit.status();
+        let status = unit.status();
         let new = (self.written != Some(status.state)).then_some(status.state);
         if !is_due && new.is_none() {
             return Ok(None);
@@ -71,9 +64,18 @@ impl UnitInFlight {
         Ok(new)
     }
 
+    /// Reports an error of the disk.
+    pub fn check(&mut self) -> Result<(), Failure> {
+        self.file.as_mut().map_or(Ok(()), OutputFile::check)?;
+        self.bus.as_mut().map_or(Ok(()), Bus::check)
+    }
+
+    /// Puts its files in place, as far as the disk has taken them.
     pub fn commit(self) -> Result<(), Failure> {
-        self.file.map_or(Ok(()), OutputFile::commit)?;
-        self.bus.map_or(Ok(()), Bus::commit)
+        Failure::each([
+            self.file.map_or(Ok(()), OutputFile::commit_lines),
+            self.bus.map_or(Ok(()), Bus::commit),
+        ])
     }
 }
 

@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use super::{Given, Settings};
+use super::{Given, Settings, Trust};
 use crate::failure::Failure;
 
 /// The scene to fly.
@@ -17,11 +17,13 @@ pub struct SceneArguments {
     log: Option<PathBuf>,
     #[command(flatten)]
     settings: Settings,
+    #[command(flatten)]
+    trust: Trust,
 }
 
 impl SceneArguments {
     /// The scene; a log without a scene is flown by the simulator of the scene in the text `for_logs`.
     pub fn load(&self, for_logs: &str) -> Result<Given, Failure> {
-        Given::load(self.scene.as_deref(), self.log.as_deref(), &self.settings, for_logs)
+        Given::load(self.scene.as_deref(), self.log.as_deref(), &self.settings, &self.trust, for_logs)
     }
 }

@@ -1,8 +1,8 @@
 //! The samples of a log, one after the other: what a simulator would refuse, and the gaps that it bridges.
 
 use sins::Error;
-use sins::log::FlightLog;
 use sins::scene::Scene;
+use sins::scene::log::FlightLog;
 use sins::truth::{Intake, Pushed};
 
 /// Gaps of a log: intervals of more than 2.5 times each of the two before, which are bridged; also a first interval of more than
@@ -38,4 +38,22 @@ pub fn find(scene: &Scene, log: &FlightLog, count: usize) -> Result<Gaps, (usize
         (last_s, before_s) = (sample.time_s, length_s);
     }
     Ok(gaps)
+}
+
+/// What the stamps of a log may be whose usual interval is longer than a gap may be; empty: they are in seconds.
+pub fn unit_of_stamps(scene: &Scene, log: &FlightLog) -> &'static str {
+    let samples = log.samples();
+    let mut intervals: Vec<f64> = samples.windows(2).map(|pair| pair[1].time_s - pair[0].time_s).collect();
+    let middle = (intervals.len() - 1) / 2;
+    let usual_s = *intervals.select_nth_unstable_by(middle, f64::total_cmp).1;
+    if usual_s > scene.options.intake.max_gap_s { unit_of_interval(usual_s) } else { "" }
+}
+
+/// What an interval that is too long for one in seconds [s] may be in.
+pub fn unit_of_interval(interval_s: f64) -> &'static str {
+    match interval_s {
+        ..5e3 => "; are the stamps in ms?",
+        ..5e6 => "; are the stamps in microseconds?",
+        _ => "; are the stamps in nanoseconds?",
+    }
 }

@@ -1,7 +1,10 @@
 //! The scene that the command line names, and its flight sample by sample.
 
 mod arguments;
+mod file;
 mod gaps;
+mod judged;
+mod left_out;
 mod log;
 mod settings;
 mod text;
@@ -10,16 +13,18 @@ mod words;
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use sins::flight::Flight;
-use sins::log::FlightLog;
-use sins::scene::{FlightSource, Samples, Scene};
+use sins::scene::{Course, FlightSource, Play, Samples, Scene, Source};
 use sins::truth::FlightSample;
+use sins::truth::flight::Flight;
 use sins::{Error, ErrorKind};
 
 pub use arguments::SceneArguments;
-pub use gaps::Gaps;
-pub use log::open;
+pub use file::{open_table, read_text};
+pub use gaps::{Gaps, unit_of_interval};
+pub use judged::{Trust, judge, judge_of, sentence};
+pub use log::{Reading, read_log_as};
 pub use settings::Settings;
 pub use text::is_log;
 pub use whole::whole;
@@ -52,15 +57,11 @@ pub struct Given {
     pub duration_s: f64,
     /// Gaps of the log, if the flight is one.
     pub gaps: Gaps,
-    motion: Motion,
-}
-
-#[derive(Debug, Clone)]
-enum Motion {
-    Flight(Flight),
-    Log(PathBuf, FlightLog),
-    /// The samples come from outside.
-    Live,
+    /// What the judge found in the log, in sentences.
+    pub findings: Vec<String>,
+    source: Source,
+    /// The file of the log, if the flight is one.
+    log: Option<PathBuf>,
 }
 
 impl Given {
@@ -70,6 +71,7 @@ impl Given {
         name: Option<&OsStr>,
         log: Option<&Path>,
         settings: &Settings,
+        trust: &Trust,
         for_logs: &str,
     ) -> Result<Self, Failure> {
         let (text, log) = match name {
@@ -102,7 +104,7 @@ impl Given {
             }
             name = name_of(log);
         }
-        let motion = match &scene.flight {
+        let (source, log) = match &scene.flight {
             FlightSource::Log(file) => {
                 let path = match log {
                     Some(path) => path.to_owned(),
@@ -114,18 +116,18 @@ impl Given {
                     return Err(text.at("flight", "temperature_c", what));
                 }
                 inputs.push(path.clone());
-                Motion::Log(path, log)
+                (Source::Log(Arc::new(log)), Some(path))
             }
-            _ => Motion::Flight(scene.flight()?),
+            _ => (Source::flight_of(&scene)?, None),
         };
-        let samples = match &motion {
-            Motion::Flight(_) | Motion::Live => scene.samples(None)?,
-            Motion::Log(path, log) => {
-                scene.samples(Some(log)).map_err(|error| Failure::of_file(path, &error))?
+        let samples = match (&source, &log) {
+            (Source::Log(samples), Some(path)) => {
+                scene.samples(Some(samples)).map_err(|error| Failure::of_file(path, &error))?
             }
+            _ => scene.samples(None)?,
         };
         let Samples { count, start_s, period_s, duration_s } = samples;
-        let title = title(&scene, &motion);
+        let title = title(&scene, &source);
         let mut given = Self {
             scene,
             name,
@@ -137,11 +139,27 @@ impl Given {
             period_s,
             duration_s,
             gaps: Gaps::default(),
-            motion,
+            findings: Vec::new(),
+            source,
+            log,
         };
-        if let Motion::Log(_, log) = &given.motion {
-            let found = gaps::find(&given.scene, log, count);
-            given.gaps = found.map_err(|(index, error)| given.failure_at(index, &error))?;
+        if let (Source::Log(log), Some(path)) = (&given.source, &given.log) {
+            let findings = judged::judge(&given.scene, path, log, count);
+            let refused = trust.take(&findings).err();
+            match gaps::find(&given.scene, log, count) {
+                Ok(gaps) => given.gaps = gaps,
+                // The finding is the reason.
+                Err((index, error)) => {
+                    let is_gap = error.kind == ErrorKind::Discontinuity && error.field == "sample.time_s";
+                    let unit = if is_gap { gaps::unit_of_stamps(&given.scene, log) } else { "" };
+                    let failure = Failure::new(format!("{}{unit}", given.failure_at(index, &error)));
+                    return Err(Failure::all([failure].into_iter().chain(refused).collect()));
+                }
+            }
+            if let Some(refused) = refused {
+                return Err(refused);
+            }
+            given.findings = findings.into_iter().map(|(_, words)| words).collect();
         }
         Ok(given)
     }
@@ -173,7 +191,9 @@ impl Given {
             period_s: 0.0,
             duration_s: 0.0,
             gaps: Gaps::default(),
-            motion: Motion::Live,
+            findings: Vec::new(),
+            source: Source::Host,
+            log: None,
         })
     }
 
@@ -183,31 +203,42 @@ impl Given {
         Self { count, start_s, period_s, duration_s, ..self.clone() }
     }
 
+    /// The scene before its first sample.
+    pub fn play(&self) -> Result<Play, Error> {
+        Play::new(Arc::new(self.scene.clone()), self.source.clone())
+    }
+
+    /// The same of another run, without what concerns the truth alone.
+    pub fn play_of_run(&self, run: u64) -> Result<Play, Error> {
+        let mut scene = self.scene.clone();
+        scene.options.key.run = run;
+        (scene.options.covariance, scene.options.truth_summary) = (false, false);
+        Play::new(Arc::new(scene), self.source.clone())
+    }
+
+    /// The same without a simulator.
+    pub fn course(&self) -> Result<Course, Error> {
+        Course::new(Arc::new(self.scene.clone()), self.source.clone())
+    }
+
     /// The sample `index`.
     pub fn sample(&self, index: usize) -> Result<FlightSample, Error> {
-        match &self.motion {
-            // Rounding must not move the last time past the end.
-            Motion::Flight(flight) => {
-                flight.sample_at((index as f64 / self.scene.rate_hz).min(flight.duration_s()))
-            }
-            Motion::Log(_, log) => Ok(log.samples()[index]),
-            Motion::Live => Err(Error::bad_state("the samples come from outside")),
-        }
+        self.source.sample(index, self.scene.rate_hz)
     }
 
     /// Time of the sample `index` since the first one [s].
     pub fn time_s(&self, index: usize) -> f64 {
-        match &self.motion {
-            Motion::Log(_, log) => log.samples()[index].time_s - self.start_s,
-            Motion::Flight(_) | Motion::Live => index as f64 * self.period_s,
+        match &self.source {
+            Source::Log(log) => log.samples()[index].time_s - self.start_s,
+            Source::Flight(_) | Source::Host => index as f64 * self.period_s,
         }
     }
 
     /// Index of the sample nearest to a time since the first one [s], one of the `count`.
     pub fn index_at(&self, time_s: f64) -> usize {
         let last = self.count.saturating_sub(1);
-        match &self.motion {
-            Motion::Log(_, log) => {
+        match &self.source {
+            Source::Log(log) => {
                 let samples = &log.samples()[..self.count];
                 let behind =
                     samples.partition_point(|sample| sample.time_s - self.start_s < time_s).min(last);
@@ -215,27 +246,23 @@ impl Given {
                 let is_nearer = time_s - self.time_s(before) < self.time_s(behind) - time_s;
                 if is_nearer { before } else { behind }
             }
-            Motion::Flight(_) | Motion::Live => ((time_s / self.period_s).round() as usize).min(last),
+            Source::Flight(_) | Source::Host => ((time_s / self.period_s).round() as usize).min(last),
         }
     }
 
     /// Flight in closed form; `None` for a log.
     pub fn flight(&self) -> Option<&Flight> {
-        match &self.motion {
-            Motion::Flight(flight) => Some(flight),
-            Motion::Log(..) | Motion::Live => None,
+        match &self.source {
+            Source::Flight(flight) => Some(flight),
+            Source::Log(_) | Source::Host => None,
         }
     }
 
     /// Place of the sample `index`: the line of a log, or the time.
     pub fn place(&self, index: usize) -> String {
-        match &self.motion {
-            Motion::Flight(_) | Motion::Live => {
-                format!("{}: at {} s", self.origin, rounded(index as f64 * self.period_s, 10))
-            }
-            Motion::Log(path, log) => {
-                format!("{}:{}", path.display(), log.line(index).unwrap_or_default())
-            }
+        match (&self.log, self.source.line(index)) {
+            (Some(path), line) => format!("{}:{}", path.display(), line.unwrap_or_default()),
+            (None, _) => format!("{}: at {} s", self.origin, rounded(index as f64 * self.period_s, 10)),
         }
     }
 
@@ -271,12 +298,12 @@ pub fn read_scene(name: &OsStr, settings: &Settings) -> Result<Scene, Failure> {
 }
 
 /// Title of the scene: its own title, otherwise a title made from its flight.
-fn title(scene: &Scene, motion: &Motion) -> String {
+fn title(scene: &Scene, source: &Source) -> String {
     let own = scene.title.clone();
-    match (motion, &scene.flight) {
+    match (source, &scene.flight) {
         _ if !own.is_empty() => own,
-        (Motion::Log(_, log), _) if log.title.is_empty() => "recorded flight".to_owned(),
-        (Motion::Log(_, log), _) => log.title.clone(),
+        (Source::Log(log), _) if log.title.is_empty() => "recorded flight".to_owned(),
+        (Source::Log(log), _) => log.title.clone(),
         (_, FlightSource::Builtin(name)) => {
             sins::scene::builtin(name).map_or_else(String::new, |scene| scene.title)
         }

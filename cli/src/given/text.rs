@@ -1,11 +1,11 @@
 //! Text of a scene, and its origin.
 
 use std::ffi::OsStr;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use sins::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, nearest};
+use sins::scene::{BUILTIN_SCENES, Fault, Scene, foreign, nearest};
 
+use super::file::read_text;
 use super::settings::Settings;
 use crate::failure::Failure;
 
@@ -38,11 +38,7 @@ impl Text {
             };
             return Err(Failure::of_file(path, &format!("no such scene; {hint}")));
         }
-        let mut bytes = Vec::new();
-        // A device may have no end.
-        let most = MAX_TEXT as u64 + 1;
-        let read = std::fs::File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes));
-        read.map_err(|error| Failure::of_input(path, &error))?;
+        let bytes = read_text(path)?;
         if is_header(&bytes) {
             return Err(Failure::of_file(path, &"is a flight log: the name of its file must end in .csv"));
         }
@@ -68,7 +64,20 @@ impl Text {
             }
             Fault { line, column, sentence, .. } => format!("{}:{line}:{column}: {sentence}", self.origin),
         };
-        Failure::all(faults.iter().map(|fault| Failure::new(sentence(fault))).collect())
+        let mut failures: Vec<Failure> = faults.iter().map(|fault| Failure::new(sentence(fault))).collect();
+        let has_ending = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "toml");
+        if let Some(path) = self.path.as_ref().filter(|path| !has_ending(path)) {
+            let what = match foreign(&self.bytes) {
+                Some(_) => {
+                    "a flight of your own is a log in a file .csv; docs/your_log.md says what a log has"
+                }
+                None => {
+                    "is read as a scene in TOML, because its name does not end in .csv; docs/your_log.md says what a log has"
+                }
+            };
+            failures.push(Failure::of_file(path, &what));
+        }
+        Failure::all(failures)
     }
 
     pub fn folder(&self) -> &Path {

@@ -1,7 +1,7 @@
 //! What the INS believes, as datagrams.
 
 use sins::Error;
-use sins::bus::{Inputs, words};
+use sins::unit::bus::{Inputs, words};
 
 use super::{json, native, nmea};
 use crate::fly::{Shown, bus_line};

@@ -6,7 +6,7 @@ use sins::truth::{FlightSample, Intake, Pushed};
 
 use super::packet::{Refused, Why};
 use super::ticks::{After, LEAST_SPEED_M_S, Ticks};
-use crate::given::of_sample;
+use crate::given::{of_sample, unit_of_interval};
 
 /// So many jumps in a row are no wrong packet: the flight simulator has moved the aircraft.
 const JUMPS: u32 = 3;
@@ -121,6 +121,12 @@ impl Gate {
                 Ok(Passed::GoOn(flown, pushed == Pushed::BehindGap))
             }
             Err(error) => match error.kind {
+                ErrorKind::Discontinuity if error.field == "sample.time_s" => {
+                    // The first interval of a flight shows the unit of the stamps.
+                    let is_first = self.intake.behind()[1].is_none();
+                    let unit = if is_first { unit_of_interval(packet.time_s - last.time_s) } else { "" };
+                    self.jumped(packet, &(of_sample(&error) + unit))
+                }
                 ErrorKind::Discontinuity => self.jumped(packet, &of_sample(&error)),
                 ErrorKind::TimeOrder => Err(refused(Why::Period, &error)),
                 _ => Err(refused(Why::Range, &error)),
@@ -234,6 +240,22 @@ mod tests {
             assert_eq!(flown(&mut end, [at(0.0), at(0.1), far(0.2), far(0.3)]).len(), 2);
             assert_eq!(end.take(far(0.4)), Ok(Passed::End));
         }
+    }
+
+    /// Stamps in another unit than seconds make each packet a jump.
+    #[test]
+    fn the_unit_of_stamps_is_asked_for() {
+        for (unit, words) in [(1e3, "in ms?"), (1e6, "in microseconds?"), (1e9, "in nanoseconds?")] {
+            let mut gate = gate(None, Pause::Cut, Jump::Restart);
+            let packet = |tick: f64| FlightSample { time_s: tick * 0.02 * unit, ..at(tick * 0.02) };
+            assert!(matches!(gate.take(packet(0.0)), Ok(Passed::Begin(_))));
+            let refused = gate.take(packet(1.0)).unwrap_err();
+            assert!(refused.why == Why::Jump && refused.sentence.ends_with(words), "{refused:?}");
+        }
+        // A gap in a flight whose intervals are known.
+        let mut gate = gate(None, Pause::Cut, Jump::Restart);
+        flown(&mut gate, [0.0, 0.1, 0.2].map(at));
+        assert!(!gate.take(at(60.0)).unwrap_err().sentence.contains("are the stamps"));
     }
 
     /// The clock of a flight that was loaded again starts anew.

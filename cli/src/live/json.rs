@@ -1,6 +1,7 @@
 //! A sample, and what an INS shows, as an object in JSON.
 
 use sins::records::number;
+use sins::scene::listed;
 use sins::unit::UnitNavigation;
 use sins::units::DEG;
 
@@ -8,25 +9,30 @@ use super::packet::{Refused, Why};
 use super::text::{self, COLUMNS};
 use sins::truth::FlightSample;
 
-/// The sample in an object with the keys of [`COLUMNS`]. Other keys may have numbers, words or texts, and are ignored.
+/// The sample in an object with the keys of [`COLUMNS`]. Other keys may have any value, and are ignored.
 pub fn decode(datagram: &[u8]) -> Result<FlightSample, Refused> {
     let mut values = [None; COLUMNS.len()];
+    let mut others = Vec::new();
     let mut rest = expect(text::utf8(datagram)?, '{')?;
     loop {
-        let (key, after) = quoted(rest)?;
+        let (key, after) = quoted(rest).ok_or_else(|| syntax("expected a key in quotation marks", rest))?;
         let after = expect(after, ':')?;
-        let (value, after) = value(after)?;
-        if let Some(place) = COLUMNS.iter().position(|column| *column == key) {
-            if values[place].is_some() {
+        let (value, after) =
+            value(after).map_err(|what| syntax(&format!("{key}: expected {what}"), after))?;
+        match COLUMNS.iter().position(|column| *column == key) {
+            Some(place) if values[place].is_some() => {
                 return Err(Refused::new(Why::Syntax, format!("{key}: stands twice")));
             }
-            values[place] = Some(text::number(key, value)?);
+            Some(place) => values[place] = Some(text::number(key, value)?),
+            None => others.push(key),
         }
         let after = after.trim_start();
         match after.strip_prefix(',') {
             Some(next) => rest = next,
             None => {
-                rest = expect(after, '}')?.trim();
+                let end = after.strip_prefix('}');
+                rest =
+                    end.ok_or_else(|| syntax(&format!("{key}: expected , or }} behind it"), after))?.trim();
                 break;
             }
         }
@@ -37,42 +43,69 @@ pub fn decode(datagram: &[u8]) -> Result<FlightSample, Refused> {
     let missing: Vec<&str> =
         COLUMNS.into_iter().zip(&values).filter(|(_, value)| value.is_none()).map(|(name, _)| name).collect();
     if !missing.is_empty() {
-        return Err(Refused::new(Why::Length, format!("missing keys: {}", missing.join(", "))));
+        let found =
+            if others.is_empty() { String::new() } else { format!("; found {}", listed(others.into_iter())) };
+        return Err(Refused::new(Why::Length, format!("missing keys: {}{found}", missing.join(", "))));
     }
     Ok(text::sample(&values.map(Option::unwrap_or_default)))
 }
 
 fn expect(text: &str, letter: char) -> Result<&str, Refused> {
     let text = text.trim_start();
-    text.strip_prefix(letter).ok_or_else(|| syntax(&letter.to_string(), text))
+    text.strip_prefix(letter).ok_or_else(|| syntax(&format!("expected {letter}"), text))
 }
 
 fn syntax(expected: &str, text: &str) -> Refused {
-    let found: String = text.chars().take(20).collect();
-    Refused::new(Why::Syntax, format!("expected {expected}, found \"{found}\""))
+    let found: String = text.trim_start().chars().take(20).collect();
+    Refused::new(Why::Syntax, format!("{expected}, found \"{found}\""))
 }
 
-/// The text in quotation marks at the beginning, and what follows. No key or word needs an escape.
-fn quoted(text: &str) -> Result<(&str, &str), Refused> {
-    let inside = expect(text, '"')?;
-    match inside.split_once('"') {
-        Some((word, after)) if !word.contains('\\') => Ok((word, after)),
-        _ => Err(syntax("a text without \\ in quotation marks", text.trim_start())),
-    }
+/// The text in quotation marks at the beginning, with its escapes, and what follows.
+fn quoted(text: &str) -> Option<(&str, &str)> {
+    let inside = text.trim_start().strip_prefix('"')?;
+    let mut is_escaped = false;
+    let end = inside.find(|letter: char| {
+        let is_end = letter == '"' && !is_escaped;
+        is_escaped = letter == '\\' && !is_escaped;
+        is_end
+    })?;
+    Some((&inside[..end], &inside[end + 1..]))
 }
 
-/// The value at the beginning, and what follows.
-fn value(text: &str) -> Result<(&str, &str), Refused> {
+/// The value at the beginning, and what follows; or what was expected.
+fn value(text: &str) -> Result<(&str, &str), &'static str> {
     let text = text.trim_start();
-    if text.starts_with('"') {
-        return quoted(text);
+    match text.chars().next() {
+        Some('"') => quoted(text).ok_or("a text that ends with a quotation mark"),
+        Some('{' | '[') => nested(text).ok_or("a value whose brackets are closed"),
+        _ => {
+            let end = text.find([',', '}']).unwrap_or(text.len());
+            if text[..end].trim().is_empty() { Err("a value") } else { Ok(text.split_at(end)) }
+        }
     }
-    let end = text.find([',', '}']).unwrap_or(text.len());
-    let (value, after) = text.split_at(end);
-    if value.starts_with(['{', '[']) || value.is_empty() {
-        return Err(syntax("a number or a text", text));
+}
+
+/// The object or the array at the beginning, and what follows.
+fn nested(text: &str) -> Option<(&str, &str)> {
+    let mut open = Vec::new();
+    let mut rest = text;
+    loop {
+        rest = &rest[rest.find(['{', '[', '}', ']', '"'])?..];
+        if rest.starts_with('"') {
+            rest = quoted(rest)?.1;
+            continue;
+        }
+        match rest.as_bytes()[0] {
+            b'{' => open.push(b'}'),
+            b'[' => open.push(b']'),
+            bracket if open.pop() == Some(bracket) => {}
+            _ => return None,
+        }
+        rest = &rest[1..];
+        if open.is_empty() {
+            return Some(text.split_at(text.len() - rest.len()));
+        }
     }
-    Ok((value, after))
 }
 
 /// What an INS in `state` shows; null is not valid. The keys are those of a sample.
@@ -115,6 +148,60 @@ mod tests {
         let sample = decode(text.as_bytes()).unwrap();
         assert_eq!((sample.time_s, sample.v_n), (-15.0, Some(Vector3::new(4.0, 5.0, 6.0))));
         assert_eq!(sample.euler.heading, 9.0 * DEG);
+    }
+
+    /// Whatever stands under a key that is not ours, before, between and behind ours.
+    #[test]
+    fn keys_of_others_have_any_value() {
+        let plain = decode(format!("{{\"time_s\":1,{SAMPLE}}}").as_bytes()).unwrap();
+        for value in [
+            "0",
+            "-1.5e-3",
+            "NaN",
+            "-Infinity",
+            "true",
+            "null",
+            "\"\"",
+            "\"a, b}\"",
+            r#""with \" and \\""#,
+            r#""\u00e9\n""#,
+            "[]",
+            "{}",
+            "[ 1 , [2,{}], \"]\" ]",
+            r#"{"gyro":[0.1,-0.2],"name":"}\"{","deep":{"a":{"b":[[[]]]}}}"#,
+            "{ \"time_s\" : 7 }",
+        ] {
+            for (begin, end) in [
+                (format!("{{\"imu\":{value},\"time_s\":1,"), "}".to_owned()),
+                ("{\"time_s\":1,".to_owned(), format!(",\"a \\\" b\" : {value} \n}}")),
+            ] {
+                let text = format!("{begin}{SAMPLE}{end}");
+                assert_eq!(decode(text.as_bytes()), Ok(plain), "{text}");
+            }
+        }
+        let deep = format!("{{\"a\":{}{},\"time_s\":1,{SAMPLE}}}", "[".repeat(30_000), "]".repeat(30_000));
+        assert_eq!(decode(deep.as_bytes()), Ok(plain));
+    }
+
+    #[test]
+    fn messages_name_the_key() {
+        for (begin, words) in [
+            ("{\"imu\":{\"gyro\":0,", "imu: expected , or } behind it, found \"\""),
+            (
+                "{\"imu\":{\"gyro\":[0,",
+                "imu: expected a value whose brackets are closed, found \"{\"gyro\":[0",
+            ),
+            ("{\"imu\":[},", "imu: expected a value whose brackets are closed"),
+            ("{\"note\":\"a,", "note: expected , or } behind it, found"),
+            ("{\"note\":,", "note: expected a value, found"),
+            ("{\"time_s\":{\"s\":1},", "time_s: expected a number, found \"{\"s\":1}\""),
+            ("{\"time_s\":[1,2],", "time_s: expected a number, found \"[1,2]\""),
+            ("{\"time_s\":null,", "time_s: expected a number, found \"null\""),
+            ("{\"time\":1,\"attitude\":{},", "missing keys: time_s; found time, attitude"),
+        ] {
+            let refused = decode(format!("{begin}{SAMPLE}}}").as_bytes()).unwrap_err();
+            assert!(refused.sentence.starts_with(words), "{begin}: {refused:?}");
+        }
     }
 
     #[test]

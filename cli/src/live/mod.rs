@@ -1,14 +1,17 @@
 //! `sins live`: flies the INS of a scene on the packets of a flight simulator, and sends back what the INS believes.
 //!
-//! The data flow is `link` → `packet` (`native`, `text`, `json`) → `gate` (`ticks`) → `leg` → `answer` (`native`, `json`, `nmea`) →
-//! `link`; `traffic` counts, `run` connects. What the gate passes does not depend on any clock of this machine.
+//! The data flow is `link` → `packet` (`native`, `text`, `json`, `foreign`) → `gate` (`ticks`) → `leg` → `answer` (`native`, `json`, `nmea`) →
+//! `link`; `blank` and `log` have the files, `traffic` counts, `voice` speaks, `run` connects. What the gate passes does not depend on any clock of this machine.
 
 mod answer;
+mod blank;
 mod delays;
+mod foreign;
 mod gate;
 mod json;
 mod leg;
 mod link;
+mod log;
 mod native;
 mod nmea;
 mod packet;
@@ -16,11 +19,12 @@ mod run;
 mod text;
 mod ticks;
 mod traffic;
+mod voice;
 
 use std::ffi::OsString;
 
-use sins::bus::Inputs;
 use sins::truth::Intake;
+use sins::unit::bus::Inputs;
 
 use crate::failure::Failure;
 use crate::fly::FOR_LOGS;
@@ -29,11 +33,13 @@ use crate::interrupt;
 use crate::output::Outputs;
 use crate::places::OutputArguments;
 use answer::{Answers, Send};
+use blank::Names;
 use gate::{Gate, Jump, Pause};
 use link::{Source, Target};
 use packet::Format;
 use run::Live;
 use ticks::Ticks;
+use voice::Voice;
 
 /// Flies the INS of a scene live on the packets of a flight simulator (FlightGear, JSBSim, X-Plane): docs/live.md
 ///
@@ -72,7 +78,7 @@ pub struct Order {
     /// Ends after this time of flight [s]
     #[arg(long, value_name = "S")]
     seconds: Option<f64>,
-    /// Ends when no packet could be flown for this time [s], once one was flown
+    /// Ends when no packet came, or every one was refused, for this time [s], once one was flown. A pause does not count
     #[arg(long, value_name = "S")]
     silence_s: Option<f64>,
     #[command(flatten)]
@@ -102,8 +108,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     // An invalid option of the scene is reported before the first packet.
     given.scene.simulator()?;
     let (folder, name) = order.output.places(&given)?;
-    let outputs = Outputs::new(&given.inputs, order.output.force);
-    outputs.folder(&folder)?;
+    let names = Names::new(folder, name, order.record.as_deref())?;
     let target = order.to.as_deref().map(Target::open).transpose()?;
     let inputs = Inputs { axes: given.scene.options.axes, ..Inputs::default() };
     let live = Live {
@@ -111,17 +116,14 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         answers: target.map(|target| (target, Answers::new(order.send, inputs))),
         source: Source::open(&order.from)?,
         format: order.format,
-        record: order.record.as_deref(),
         seconds: order.seconds.unwrap_or(f64::INFINITY),
         silence_s: order.silence_s.unwrap_or(f64::INFINITY),
-        is_quiet: order.output.is_quiet(&given),
-        force: order.output.force,
+        voice: Voice::new(order.output.is_quiet(&given)),
+        outputs: Outputs::new(&given.inputs, order.output.force),
         given: &given,
-        folder,
-        name,
-        outputs,
+        names,
     };
-    interrupt::graceful(true);
+    interrupt::graceful();
     live.run()
 }
 

@@ -52,6 +52,11 @@ pub fn decode(packet: &[u8]) -> Result<FlightSample, Refused> {
         let sentence = format!("version {version} in {} bytes: must be 24 or 25", packet.len());
         return Err(Refused::new(Why::Version, sentence));
     }
+    if is_swapped(packet) {
+        let sentence = "the version is big-endian, and longitude, latitude and altitude are little-endian; send every number in network \
+            byte order, the highest byte first";
+        return Err(Refused::new(Why::Foreign, sentence));
+    }
     let double = |name: &str, at: usize| finite(name, f64::from_be_bytes(bytes(packet, at)));
     let float = |name: &str, at: usize| finite(name, f32::from_be_bytes(bytes(packet, at)).into());
     let velocity = |name: &str, at: usize| Ok(FOOT_M * float(name, at)?);
@@ -107,6 +112,15 @@ pub fn encode(shown: &UnitNavigation, received: Option<&[u8]>) -> Vec<u8> {
         packet[at..at + 4].copy_from_slice(&(value as f32).to_be_bytes());
     }
     packet
+}
+
+/// Whether the doubles are numbers of an aircraft in the other byte order alone.
+fn is_swapped(packet: &[u8]) -> bool {
+    let is_usual = |value: f64| value == 0.0 || (1e-9..1e8).contains(&value.abs());
+    let all = |read: fn([u8; 8]) -> f64| {
+        [LONGITUDE, LATITUDE, ALTITUDE].into_iter().all(|at| is_usual(read(bytes(packet, at))))
+    };
+    !all(f64::from_be_bytes) && all(f64::from_le_bytes)
 }
 
 fn bytes<const N: usize>(packet: &[u8], at: usize) -> [u8; N] {
@@ -186,8 +200,12 @@ mod tests {
             packet
         };
         assert_eq!(why(&with(0, &25_u32.to_be_bytes())).1, "version 25 in 408 bytes: must be 24 or 25");
-        // A little-endian sender.
+        // A little-endian sender, of all numbers or of the doubles alone.
         assert_eq!(why(&with(0, &24_u32.to_le_bytes())).0, Why::Version);
+        let mut swapped = good.clone();
+        [8, 16, 24].into_iter().for_each(|at| swapped[at..at + 8].reverse());
+        let (kind, sentence) = why(&swapped);
+        assert!(kind == Why::Foreign && sentence.contains("altitude are little-endian"), "{sentence}");
         for (name, at) in [("longitude", 8), ("latitude", 16), ("altitude", 24)] {
             let found = why(&with(at, &f64::NAN.to_be_bytes()));
             assert_eq!(found, (Why::NotANumber, format!("{name} = NaN: must be a finite number")));

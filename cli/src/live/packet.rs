@@ -2,7 +2,7 @@
 
 use sins::truth::FlightSample;
 
-use super::{json, native, text};
+use super::{foreign, json, native, text};
 
 /// Formats of a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -29,8 +29,22 @@ impl Format {
         }
     }
 
+    /// Whether a datagram has this format.
+    pub fn is(self, datagram: &[u8]) -> bool {
+        self.parse(datagram).is_ok()
+    }
+
     /// The sample in a datagram. Its time stamp is 0 if packets carry none.
     pub fn decode(self, datagram: &[u8]) -> Result<FlightSample, Refused> {
+        self.parse(datagram).map_err(|refused| match refused.why {
+            Why::Length | Why::Version | Why::Syntax => {
+                foreign::recognized(datagram, self).unwrap_or(refused)
+            }
+            _ => refused,
+        })
+    }
+
+    fn parse(self, datagram: &[u8]) -> Result<FlightSample, Refused> {
         match self {
             Self::Fgfs => native::decode(datagram),
             Self::Generic => text::decode(datagram),
@@ -46,6 +60,7 @@ pub enum Why {
     Length,
     Version,
     Syntax,
+    Foreign,
     NotANumber,
     Range,
     Late,
@@ -54,11 +69,12 @@ pub enum Why {
 }
 
 impl Why {
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Address,
         Self::Length,
         Self::Version,
         Self::Syntax,
+        Self::Foreign,
         Self::NotANumber,
         Self::Range,
         Self::Late,
@@ -72,6 +88,7 @@ impl Why {
             Self::Length => "of another length",
             Self::Version => "of another version",
             Self::Syntax => "not of the format",
+            Self::Foreign => "of another kind",
             Self::NotANumber => "with NaN or infinity",
             Self::Range => "out of range",
             Self::Late => "late or repeated",

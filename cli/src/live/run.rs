@@ -2,26 +2,30 @@
 
 use std::net::SocketAddr;
 use std::path::PathBuf;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use super::answer::Answers;
+use super::blank::{Blank, Names};
 use super::gate::{Gate, Passed};
-use super::leg::{Blank, Leg};
+use super::leg::{Ended, Leg};
 use super::link::{LARGEST, Source, Target};
 use super::packet::{Format, Refused};
 use super::traffic::Traffic;
+use super::voice::Voice;
 use crate::failure::{Failure, Kind};
 use crate::fly::{Shown, Stopped};
 use crate::given::{Given, of_sample};
 use crate::interrupt;
-use crate::output::Outputs;
+use crate::output::{OutputFile, Outputs};
 use crate::report;
-use crate::terminal::{print, say};
 use crate::units::six_digits;
 
 /// Number of samples after which the period of packets without a time is compared with the motion, and the largest deviation.
 const COMPARED: u64 = 200;
 const OFF_PERIOD: f64 = 0.02;
+
+/// Time without a packet after which the program says where it listens.
+const SILENCE: Duration = Duration::from_secs(5);
 
 /// A live run before its first packet.
 pub struct Live<'a> {
@@ -30,13 +34,10 @@ pub struct Live<'a> {
     pub source: Source,
     pub gate: Gate,
     pub answers: Option<(Target, Answers)>,
-    pub record: Option<&'a str>,
     pub seconds: f64,
     pub silence_s: f64,
-    pub is_quiet: bool,
-    pub force: bool,
-    pub folder: PathBuf,
-    pub name: String,
+    pub voice: Voice,
+    pub names: Names,
     pub outputs: Outputs,
 }
 
@@ -45,62 +46,94 @@ struct Progress<'a> {
     /// The flight, or the files of the one to come.
     leg: Option<Leg<'a>>,
     blank: Option<Blank>,
+    /// The number of the newest flight, in the names of its files.
+    number: u64,
+    page: Option<OutputFile>,
     traffic: Traffic,
     began: Instant,
-    last_flown: Option<Instant>,
+    /// When the last packet that was not refused came.
+    last_good: Option<Instant>,
+    /// When the last packet came, and whether it is said that none has come since.
+    last: (Instant, bool),
     /// Flown before this flight [s].
     flown_s: f64,
     /// Whole seconds that were shown.
     shown_s: u64,
     is_compared: bool,
     records: Vec<PathBuf>,
+    /// Failures of files: the session goes on.
+    failures: Vec<Failure>,
 }
 
 impl<'a> Live<'a> {
     pub fn run(mut self) -> Result<(), Failure> {
+        let mut blank = self.blank(1, !self.voice.is_quiet())?;
+        let now = Instant::now();
         let mut progress = Progress {
             leg: None,
-            blank: Some(self.blank(1)?),
+            number: blank.number,
+            page: blank.page.take(),
+            blank: Some(blank),
             traffic: Traffic::default(),
-            began: Instant::now(),
-            last_flown: None,
+            began: now,
+            last_good: None,
+            last: (now, false),
             flown_s: 0.0,
             shown_s: 0,
             is_compared: false,
             records: Vec::new(),
+            failures: Vec::new(),
         };
-        self.print(&format!("listening at udp:{} for {}\n", self.source.place()?, self.format.name()))?;
+        self.voice.print(&format!("listening at {}\n", self.place()?));
         let ended = self.listen(&mut progress);
-        let finished = self.finish(progress);
-        ended.and(finished)
+        self.finish(progress, ended)
     }
 
-    fn print(&self, text: &str) -> Result<(), Failure> {
-        if self.is_quiet { Ok(()) } else { print(text) }
+    /// Where it listens, and for what.
+    fn place(&self) -> Result<String, Failure> {
+        Ok(format!("udp:{} for {}", self.source.place()?, self.format.name()))
     }
 
-    fn blank(&mut self, number: u64) -> Result<Blank, Failure> {
-        Blank::open(self.given, &mut self.outputs, &self.folder, &self.name, self.record, number)
+    /// The files of the next flight.
+    fn blank(&mut self, first: u64, with_page: bool) -> Result<Blank, Failure> {
+        let blank = Blank::open(self.given, &mut self.outputs, &self.names, first, with_page)?;
+        if blank.number != first {
+            self.voice.say(&format!("there are files of earlier flights; this one is {}", blank.name));
+        }
+        Ok(blank)
     }
 
     fn listen(&mut self, progress: &mut Progress<'a>) -> Result<(), Failure> {
         let mut buffer = vec![0; LARGEST];
         while !interrupt::is_asked() && progress.run_s() < self.seconds {
+            let silence_s = progress.last_good.map_or(0.0, |last| last.elapsed().as_secs_f64());
+            if silence_s > self.silence_s {
+                self.voice.print(&format!("no packet that can be flown for {} s\n", self.silence_s));
+                return Ok(());
+            }
             let Some((length, sender)) = self.source.receive(&mut buffer)? else {
-                let silence = progress.last_flown.map_or(0.0, |last| last.elapsed().as_secs_f64());
-                if silence > self.silence_s {
-                    return self.print(&format!("no packet that can be flown for {} s\n", self.silence_s));
-                }
+                self.say_silence(progress)?;
                 continue;
             };
             let came = Instant::now();
+            progress.last = (came, false);
             progress.traffic.received += 1;
             match self.pass(&buffer[..length], sender) {
-                Ok(Passed::End) => return self.print("the aircraft was moved\n"),
-                Ok(passed) => self.fly(progress, passed, came, &buffer[..length])?,
+                Ok(Passed::End) => {
+                    self.voice.print("the aircraft was moved\n");
+                    return Ok(());
+                }
+                Ok(passed) => {
+                    progress.last_good = Some(came);
+                    self.fly(progress, passed, came, &buffer[..length])?;
+                }
                 Err(refused) => {
-                    if progress.traffic.refuse(refused.why) && !self.is_quiet {
-                        say(&format!("first packet {}: {}", refused.why.words(), refused.sentence));
+                    if progress.traffic.refuse(refused.why) {
+                        self.voice.say(&format!(
+                            "first packet {}: {}",
+                            refused.why.words(),
+                            refused.sentence
+                        ));
                     }
                 }
             }
@@ -108,12 +141,31 @@ impl<'a> Live<'a> {
         Ok(())
     }
 
+    /// Says where it listens when no packet has come for [`SILENCE`].
+    fn say_silence(&mut self, progress: &mut Progress<'a>) -> Result<(), Failure> {
+        let (last, is_said) = &mut progress.last;
+        if *is_said || last.elapsed() < SILENCE {
+            return Ok(());
+        }
+        *is_said = true;
+        let machines = match self.source.place()?.ip() {
+            ip if ip.is_loopback() => ", from this machine alone (--from udp:0.0.0.0:PORT: from others too)",
+            _ => "",
+        };
+        self.voice.say(&format!(
+            "no packet for {} s; listening at {}{machines}",
+            SILENCE.as_secs(),
+            self.place()?
+        ));
+        Ok(())
+    }
+
     /// What becomes of a datagram.
     fn pass(&mut self, datagram: &[u8], sender: SocketAddr) -> Result<Passed, Refused> {
         self.source.check(sender)?;
         let passed = self.gate.take(self.format.decode(datagram)?)?;
-        if self.source.hold(sender) && !self.is_quiet {
-            say(&format!("packets come from {sender}"));
+        if self.source.hold(sender) {
+            self.voice.say(&format!("packets come from {sender}"));
         }
         Ok(passed)
     }
@@ -131,14 +183,15 @@ impl<'a> Live<'a> {
             Passed::Standing => progress.traffic.stand(arrival_s),
             Passed::Begin(sample) => {
                 if progress.leg.is_some() {
-                    self.print("the aircraft was moved: another flight begins\n")?;
+                    self.voice.print("the aircraft was moved: another flight begins\n");
                     progress.flown_s = progress.run_s();
-                    self.end_leg(progress)?;
+                    self.end_leg(progress, false);
                 }
                 let blank = match progress.blank.take() {
                     Some(blank) => blank,
-                    None => self.blank(progress.traffic.flights + 1)?,
+                    None => self.blank(progress.number + 1, false)?,
                 };
+                progress.number = blank.number;
                 progress.leg = Some(Leg::new(self.given, blank, sample)?);
                 progress.traffic.begin(sample.time_s, arrival_s);
             }
@@ -167,14 +220,11 @@ impl<'a> Live<'a> {
                 self.show(progress, &shown)?;
             }
         }
-        if matches!(passed, Passed::Begin(_) | Passed::GoOn(..)) {
-            progress.last_flown = Some(came);
-        }
         Ok(())
     }
 
     /// Prints a line for each second of flight.
-    fn show(&self, progress: &mut Progress<'a>, shown: &Shown) -> Result<(), Failure> {
+    fn show(&mut self, progress: &mut Progress<'a>, shown: &Shown) -> Result<(), Failure> {
         let run_s = progress.run_s();
         if !progress.is_compared && progress.traffic.flown >= COMPARED {
             progress.is_compared = true;
@@ -184,16 +234,17 @@ impl<'a> Live<'a> {
         let whole_s = (run_s + 1e-6) as u64;
         if whole_s > progress.shown_s {
             progress.shown_s = whole_s;
+            self.voice.print(&format!("{whole_s:>6} s  {}\n", line(shown, &progress.traffic)));
             if let Some(leg) = &mut progress.leg {
                 leg.check()?;
+                leg.doubts().iter().for_each(|words| self.voice.say(&format!("packets: {words}")));
             }
-            self.print(&format!("{whole_s:>6} s  {}\n", line(shown, &progress.traffic)))?;
         }
         Ok(())
     }
 
     /// Warns of a stated rate that the motion contradicts.
-    fn compare(&self) {
+    fn compare(&mut self) {
         let (Some(stated_s), Some(measured_s)) =
             (self.given.scene.options.intake.period_s, self.gate.measured_s())
         else {
@@ -201,39 +252,53 @@ impl<'a> Live<'a> {
         };
         if (measured_s / stated_s - 1.0).abs() > OFF_PERIOD {
             let [measured, stated] = [measured_s, stated_s].map(|period_s| format!("{:.2}", 1.0 / period_s));
-            say(&format!(
+            self.voice.say(&format!(
                 "warning: between packets the aircraft moves as at {measured} Hz, and {stated} Hz were stated (--rate-hz)"
             ));
         }
     }
 
-    /// Ends the flight with its files.
-    fn end_leg(&self, progress: &mut Progress<'a>) -> Result<(), Failure> {
-        let Some(leg) = progress.leg.take() else { return Ok(()) };
-        if let Some((records, words)) = leg.end()? {
-            progress.records.push(records);
-            self.print(&format!("\n{words}\n"))?;
+    /// Ends the flight with its files. `is_stopped`: by an error.
+    fn end_leg(&mut self, progress: &mut Progress<'a>, is_stopped: bool) {
+        let Some(leg) = progress.leg.take() else { return };
+        match leg.end(is_stopped) {
+            Ok(None) => {}
+            Ok(Some(Ended { records, words, written })) => {
+                progress.records.push(records);
+                progress.failures.extend(written.err());
+                self.voice.print(&format!("\n{words}\n"));
+            }
+            Err(failure) => progress.failures.push(failure),
         }
-        Ok(())
     }
 
-    fn finish(self, mut progress: Progress<'a>) -> Result<(), Failure> {
-        self.end_leg(&mut progress)?;
-        let traffic = progress.traffic.text();
-        if progress.records.is_empty() {
+    /// Ends the session with all its files, whatever has ended it.
+    fn finish(mut self, mut progress: Progress<'a>, ended: Result<(), Failure>) -> Result<(), Failure> {
+        self.end_leg(&mut progress, ended.is_err());
+        let Progress { traffic, records, page, mut failures, .. } = progress;
+        // The files say themselves what the disk did not take.
+        let is_said = |failure: &Failure| failure.kind() == Kind::Unwritten && !failures.is_empty();
+        if let Some(failure) = ended.err().filter(|failure| !is_said(failure)) {
+            failures.insert(0, failure);
+        }
+        if records.is_empty() && failures.is_empty() {
             let kind = if interrupt::is_asked() { Kind::Interrupted } else { Kind::Input };
-            return Err(Failure::of_kind(kind, format!("no interval was flown\n{}", traffic.trim_end())));
+            let sentence = format!("no interval was flown\n{}", traffic.text().trim_end());
+            return Err(Failure::of_kind(kind, sentence));
         }
-        if self.is_quiet {
-            return Ok(());
+        self.voice.print(&traffic.text());
+        if let Some(page) = page.filter(|_| !records.is_empty()) {
+            let path = page.path().to_owned();
+            match report::draw(&records, page, None) {
+                Ok(()) => self.voice.print(&format!("{}\n", path.display())),
+                Err(failure) => {
+                    let hint = format!("`sins report {}` draws the flight", records[0].display());
+                    failures.push(failure.with(&hint));
+                }
+            }
         }
-        print(&traffic)?;
-        report::run(&report::Order {
-            runs: progress.records,
-            output: Some(self.folder.join(format!("{}.html", self.name))),
-            picture: None,
-            force: self.force,
-        })
+        failures.extend(self.voice.end());
+        Failure::each(failures.into_iter().map(Err))
     }
 }
 

@@ -179,6 +179,6 @@ mod tests {
         assert_eq!(traffic.refused(), "none");
         assert!(traffic.refuse(Why::Length) && !traffic.refuse(Why::Length) && traffic.refuse(Why::Late));
         assert_eq!(traffic.refused(), "2 of another length, 1 late or repeated");
-        assert_eq!(Why::ALL.map(|why| why as usize), [0, 1, 2, 3, 4, 5, 6, 7, 8]);
+        assert_eq!(Why::ALL.map(|why| why as usize), [0, 1, 2, 3, 4, 5, 6, 7, 8, 9]);
     }
 }

@@ -79,14 +79,113 @@ fn files_of_others_need_force_and_own_ones_do_not() {
     Outputs::new(&[], false).write(&empty, MARK, "time_s,own\n").unwrap();
 }
 
+/// A file that cannot have its name at the end has a free one: nothing that was computed is lost.
 #[test]
 fn what_comes_in_between_is_not_replaced() {
     let (folder, _) = folder();
     let path = folder.path().join("out.csv");
-    let file = Outputs::new(&[], false).file(&path, MARK).unwrap();
-    std::fs::write(&path, "somebody's").unwrap();
-    assert!(file.finish("time_s,own\n").unwrap_err().to_string().contains("--force"));
-    assert_eq!((read(&path).as_str(), names(folder.path()).len()), ("somebody's", 2));
+    for (own, expected) in [("out_2.csv", 3), ("out_3.csv", 4)] {
+        let file = Outputs::new(&[], false).file(&path, MARK);
+        let file = file.unwrap();
+        std::fs::write(&path, "somebody's").unwrap();
+        let words = file.finish("time_s,own\n").unwrap_err().to_string();
+        assert!(words.contains("--force") && words.ends_with(own), "{words}");
+        assert_eq!((read(&path).as_str(), names(folder.path()).len()), ("somebody's", expected));
+        assert_eq!(read(&folder.path().join(own)), "time_s,own\n");
+        std::fs::remove_file(&path).unwrap();
+    }
+    // A folder cannot be replaced by a file.
+    let file = Outputs::new(&[], true).file(&path, MARK).unwrap();
+    std::fs::create_dir(&path).unwrap();
+    assert!(file.finish("time_s,own\n").unwrap_err().to_string().ends_with("out_4.csv"));
+}
+
+#[test]
+fn a_new_file_takes_the_place_of_no_other() {
+    let (folder, log) = folder();
+    let path = folder.path().join("out.csv");
+    std::fs::write(&path, "time_s,own\n1\n").unwrap();
+    let mut outputs = Outputs::new(&[], false);
+    assert!(outputs.new_file(&path, MARK).unwrap().is_none(), "its own mark does not matter");
+    let other = folder.path().join("other.csv");
+    let file = outputs.new_file(&other, MARK).unwrap().unwrap();
+    assert!(Outputs::new(&[], true).new_file(&other, MARK).unwrap().is_none(), "another run writes it");
+    assert!(outputs.new_file(&other, MARK).unwrap().is_none(), "the same run writes it");
+    // Also if the file has appeared in the meantime.
+    std::fs::write(&other, "time_s,own\n2\n").unwrap();
+    assert!(file.finish("time_s,own\n3\n").unwrap_err().to_string().ends_with("other_2.csv"));
+    assert_eq!(read(&other), "time_s,own\n2\n");
+    let mut forced = Outputs::new(std::slice::from_ref(&log), true);
+    forced.new_file(&path, MARK).unwrap().unwrap().finish("time_s,own\n4\n").unwrap();
+    assert_eq!(read(&path), "time_s,own\n4\n");
+    assert!(forced.new_file(&log, MARK).unwrap_err().to_string().contains("is the input"));
+}
+
+/// A published file has its name while it is still written.
+#[test]
+fn a_file_grows_in_its_place() {
+    let (folder, _) = folder();
+    let path = folder.path().join("out.csv");
+    for long in [true, false] {
+        let mut file = Outputs::new(&[], true).file(&path, MARK).unwrap();
+        let begin = if long { "time_s,own and more than the signature of a part\n" } else { "a\n" };
+        file.write_all(begin.as_bytes()).unwrap();
+        file.publish().unwrap();
+        assert_eq!((read(&path).as_str(), names(folder.path()).len()), (begin, 2));
+        writeln!(file, "1").unwrap();
+        file.check().unwrap();
+        assert_eq!(read(&path), format!("{begin}1\n"));
+        writeln!(file, "2").unwrap();
+        if long {
+            file.commit_lines().unwrap();
+        } else {
+            drop(file);
+        }
+        assert_eq!(read(&path), format!("{begin}1\n2\n"));
+    }
+}
+
+/// The first bytes are those of the output, however short it is, and reserved room is given back.
+#[test]
+fn a_part_has_its_signature_until_it_is_whole() {
+    let (folder, _) = folder();
+    let path = folder.path().join("out.csv");
+    for length in [0, 1, 27, 28, 29, 100_000] {
+        let content: String = "0123456789".chars().cycle().take(length).collect();
+        let mut outputs = Outputs::new(&[], true);
+        let mut file = outputs.file(&path, MARK).unwrap();
+        file.reserve(1000).unwrap();
+        let part = read(&folder.path().join(".sins-out.csv.part"));
+        assert!(part.starts_with("# unfinished output of sins\n") && part.len() == 1028, "{part}");
+        file.finish(&content).unwrap();
+        assert!(read(&path) == content && names(folder.path()).len() == 2, "{length}");
+    }
+}
+
+/// Files whose names look like those of parts, and are none, stay; so does a part that is being written.
+#[test]
+fn only_parts_that_nobody_writes_are_removed() {
+    let (folder, _) = folder();
+    let place = |name: &str| folder.path().join(name);
+    let of_others =
+        [(".sins-notes.part", "somebody's"), (".sins-.part", ""), (".sins-AbCdEf.part", "# unfinished")];
+    for (name, text) in of_others {
+        std::fs::write(place(name), text).unwrap();
+    }
+    std::fs::create_dir(place(".sins-folder.part")).unwrap();
+    std::fs::write(place(".sins-killed.csv.part"), "# unfinished output of sins\n1,2\n3,").unwrap();
+    let written = Outputs::new(&[], false).file(&place("written.csv"), MARK).unwrap();
+    Outputs::new(&[], false).write(&place("out.csv"), MARK, "time_s,own\n").unwrap();
+    let left = names(folder.path());
+    assert!(left.contains(&".sins-written.csv.part".to_owned()) && left.len() == 7, "{left:?}");
+    for (name, text) in of_others {
+        assert_eq!(read(&place(name)), text);
+    }
+    written.finish("time_s,own\n").unwrap();
+    // An output whose part would have the name of such a file is refused.
+    let words = rejected(&mut Outputs::new(&[], true), &place("notes"));
+    assert!(words.contains(".sins-notes.part is in the way"), "{words}");
+    assert_eq!(read(&place(".sins-notes.part")), "somebody's");
 }
 
 #[test]
@@ -130,14 +229,12 @@ fn two_outputs_of_one_name_are_rejected() {
 fn two_runs_of_one_name_do_not_mix() {
     let (folder, _) = folder();
     let path = folder.path().join("out.csv");
-    let mut files = [0, 1].map(|_| Outputs::new(&[], false).file(&path, MARK).unwrap());
-    for line in 0..1000 {
-        for (k, file) in files.iter_mut().enumerate() {
-            writeln!(file, "{}", if line == 0 { MARK.to_owned() } else { format!("{k},{line}") }).unwrap();
-        }
+    let file = Outputs::new(&[], false).file(&path, MARK).unwrap();
+    for force in [false, true] {
+        let words = rejected(&mut Outputs::new(&[], force), &path);
+        assert!(words.contains("another run of sins is writing it"), "{words}");
     }
-    files.into_iter().for_each(|file| file.commit().unwrap());
-    let text = read(&path);
-    assert_eq!(text.lines().count(), 1000);
-    assert!(text.lines().skip(1).all(|line| line.starts_with("1,")), "of one run alone");
+    file.finish("time_s,own\n1\n").unwrap();
+    Outputs::new(&[], false).write(&path, MARK, "time_s,own\n2\n").unwrap();
+    assert_eq!(read(&path), "time_s,own\n2\n");
 }

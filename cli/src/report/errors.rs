@@ -7,9 +7,9 @@ use crate::drawing::plot::{Drawing, Panel, Trace};
 use crate::drawing::scales::{line, over_time, panel, time_axis};
 use crate::drawing::series::{difference, magnitude};
 use crate::failure::Failure;
-use crate::record::EAST_NORTH_UP;
 use crate::report::run::{Errors, Run};
 use crate::report::unit;
+use crate::rows::EAST_NORTH_UP;
 use crate::units::{self, Family, Unit, fitting, fitting_axis, in_unit, usual, with_unit};
 
 /// Pens of the differences.

@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 use crate::drawing::document::PAGE_MARK;
 use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
-use crate::output::Outputs;
+use crate::output::{OutputFile, Outputs};
 use crate::places::OUTPUT_FOLDER;
 use crate::progress::Progress;
 use crate::terminal::print;
@@ -37,16 +37,16 @@ pub struct Order {
     /// Records that `sins fly` wrote, each with its RUN_summary.csv in the same folder. Arguments that end in _summary.csv or
     /// _unit.csv are ignored: *.csv means all runs of a folder
     #[arg(required = true, value_name = "RUN.csv")]
-    pub runs: Vec<PathBuf>,
+    runs: Vec<PathBuf>,
     /// The page [default: sins_out/report.html]
     #[arg(short, long, value_name = "FILE.html")]
-    pub output: Option<PathBuf>,
+    output: Option<PathBuf>,
     /// Also draws velocity and position errors of the first run into this file
     #[arg(long, value_name = "FILE.svg")]
-    pub picture: Option<PathBuf>,
+    picture: Option<PathBuf>,
     /// Also replaces files that this program did not write
     #[arg(long)]
-    pub force: bool,
+    force: bool,
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
@@ -70,14 +70,20 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     };
     let page_file = outputs.file(&output, PAGE_MARK)?;
     let picture_file = order.picture.as_ref().map(|path| outputs.file(path, PICTURE_MARK)).transpose()?;
+    draw(&paths, page_file, picture_file)?;
+    print(&format!("{}\n", output.display()))
+}
+
+/// Draws recorded runs on a page, and the first one as a picture.
+pub fn draw(
+    paths: &[impl AsRef<Path>],
+    page_file: OutputFile,
+    picture_file: Option<OutputFile>,
+) -> Result<(), Failure> {
     let working = Progress::working("reading and drawing");
-    let runs = paths.into_iter().map(|path| Run::read(path)).collect::<Result<Vec<_>, _>>()?;
+    let runs = paths.iter().map(|path| Run::read(path.as_ref())).collect::<Result<Vec<_>, _>>()?;
     let page = page::page(&runs)?;
     let picture = picture_file.map(|file| picture::picture(&runs[0]).map(|text| (file, text))).transpose()?;
     drop(working);
-    page_file.finish(page)?;
-    if let Some((file, text)) = picture {
-        file.finish(text)?;
-    }
-    print(&format!("{}\n", output.display()))
+    Failure::each([page_file.finish(page), picture.map_or(Ok(()), |(file, text)| file.finish(text))])
 }

@@ -8,10 +8,11 @@ use sins::unit::State;
 
 use crate::drawing::failures::Span;
 use crate::failure::Failure;
+use crate::given::open_table;
 use crate::places::beside;
-use crate::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
 use crate::report::summary::Summary;
 use crate::table::Table;
+use sins::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
 
 /// All recorded data of a run. All columns have one entry for each record.
 pub struct Run {
@@ -62,7 +63,10 @@ impl Run {
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let summary_path = summary_path(path);
-        // The summary is opened first: a pipe in the place of the records has no summary, and opening the pipe would wait.
+        if path.is_file() {
+            open_table(path)?; // a file of another kind has no summary
+        }
+        // The summary is opened before the records: a pipe in the place of the records has no summary, and opening the pipe would wait.
         let summary = File::open(&summary_path).map_err(|error| {
             let what = format!(
                 "the summary of {}, which must be in the same folder, cannot be read: {error}",
@@ -71,7 +75,7 @@ impl Run {
             Failure::of_file(&summary_path, &what)
         })?;
         let summary = Summary::read(&summary_path, summary)?;
-        let input = File::open(path).map_err(|error| Failure::of_input(path, &error))?;
+        let (input, _) = open_table(path)?;
         Self::from_table(path, &stem, Table::read(path, input)?, summary)
     }
 

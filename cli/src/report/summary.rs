@@ -6,6 +6,7 @@ use std::path::Path;
 use csv::ReaderBuilder;
 
 use crate::drawing::failures::Span;
+use sins::scene::listed;
 use sins::unit::State;
 
 use crate::failure::Failure;
@@ -33,7 +34,9 @@ impl Summary {
         let mut reader = ReaderBuilder::new().flexible(true).from_reader(input);
         let header = reader.headers().map_err(|error| Failure::of_file(path, &error))?;
         if header != ["key", "value", "unit", "label"].as_slice() {
-            return Err(Failure::of_line(path, 1, &"expected the header \"key,value,unit,label\""));
+            let found = listed(header.iter());
+            let what = format!("expected the header \"key,value,unit,label\"; the header has {found}");
+            return Err(Failure::of_line(path, 1, &what));
         }
         let mut rows = Vec::new();
         for row in reader.records() {
@@ -75,6 +78,11 @@ impl Summary {
         let from_s = |number: u32| self.number(&format!("unit_{number}_from_s"));
         let state = |number: u32| State::of_word(self.value(&format!("unit_{number}_state"))?);
         (1..).map_while(|number| Some((from_s(number)?, state(number)?))).collect()
+    }
+
+    /// What was found in the flight data, in sentences.
+    pub fn findings(&self) -> impl Iterator<Item = &str> {
+        (1..).map_while(|number| self.value(&format!("finding_{number}_text")))
     }
 
     /// The row `key`.

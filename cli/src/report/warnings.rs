@@ -12,7 +12,8 @@ const HARD_M_S2: f64 = 200.0;
 
 /// The remarks of `run`, each a sentence or two.
 pub fn warnings(run: &Run) -> Vec<String> {
-    let mut said = Vec::new();
+    let mut said: Vec<String> =
+        run.summary.findings().map(|finding| format!("Flight data: {finding}.")).collect();
     let count = |key: &str| run.summary.number(key).filter(|count| *count > 0.0);
     let text = |key: &str| run.summary.row(key).map(Row::text).unwrap_or_default();
     if count("interrupted").is_some() {

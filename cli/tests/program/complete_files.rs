@@ -1,4 +1,5 @@
-//! Files are complete or absent: after signals, with several runs of one name, on a full disk.
+//! Files are complete or absent: after signals, with several runs of one name. What was flown is kept: on a full disk, when the terminal
+//! is closed.
 
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -70,51 +71,142 @@ fn the_temporary_files_of_a_killed_program_are_removed() {
     let left = parts();
     assert!(!left.is_empty());
     std::fs::write(out.join("another.part"), "of another program").unwrap();
-    let mut living = sins(&folder, &long).spawn().unwrap();
+    std::fs::write(out.join(".sins-notes.part"), "of a user").unwrap();
+    let mut living = sins(&folder, &[&long[..5], &["--name", "living"]].concat()).spawn().unwrap();
+    let own = [".sins-living.csv.part", ".sins-living_summary.csv.part"];
+    let expected = [&own[..], &[".sins-notes.part", "another.part"]].concat();
     let deadline = Instant::now() + Duration::from_secs(60);
-    while parts().iter().any(|name| left.contains(name)) || parts().len() < 2 {
+    while parts() != expected {
         assert!(Instant::now() < deadline, "{:?}", parts());
         std::thread::sleep(Duration::from_millis(20));
     }
-    let own = parts();
     done(&folder, &["fly", "rest", "-q", "--set", "flight.hours=0.01"]);
-    assert_eq!(parts(), own, "files that are being written");
+    assert_eq!(parts(), expected, "files that are being written");
     signal(&living, "KILL");
     living.wait().unwrap();
     done(&folder, &["fly", "rest", "-q", "--set", "flight.hours=0.01"]);
-    assert_eq!(parts(), ["another.part"]);
+    assert_eq!(parts(), expected[2..]);
 }
 
+/// When a terminal is closed, the system and the shell send a signal each.
 #[test]
-fn two_runs_of_one_name_leave_whole_files() {
+fn two_signals_of_a_closed_terminal_are_one() {
+    let folder = folder("hung_up");
+    let out = folder.join("sins_out");
+    let child = sins(&folder, &["fly", "simulation2", "-q"]).stderr(Stdio::piped()).spawn().unwrap();
+    wait_for_part(&out);
+    std::thread::sleep(Duration::from_millis(300));
+    signal(&child, "HUP");
+    signal(&child, "HUP");
+    assert_eq!(child.wait_with_output().unwrap().status.code(), Some(130));
+    assert!(read(out.join("simulation2_summary.csv")).contains("interrupted,1,"));
+    assert_eq!(names(&out), ["simulation2.csv", "simulation2_summary.csv"]);
+}
+
+/// Of several runs of one name at the same time, one flies: the files of all were those of different runs otherwise.
+#[test]
+fn two_runs_of_one_name_do_not_mix() {
     let folder = folder("two_runs");
     let order = |seed: &str| {
         let seed = format!("options.seed={seed}");
         let scene = ["fly", "simulation2", "-q", "--set", "flight.hours=0.1", "--set", "output.every_s=0.1"];
-        sins(&folder, &[&scene[..], &["--set", &seed]].concat()).spawn().unwrap()
+        let mut run = sins(&folder, &[&scene[..], &["--set", &seed]].concat());
+        run.stderr(Stdio::piped()).spawn().unwrap()
     };
-    let runs = ["1", "2", "3"].map(order);
-    for mut run in runs {
-        assert!(run.wait().unwrap().success());
+    let runs = ["1", "2", "3"].map(order).map(|run| result(&run.wait_with_output().unwrap()));
+    assert!(runs.iter().any(|(code, ..)| *code == 0), "{runs:?}");
+    for (code, _, errors) in &runs {
+        let is_refused = *code == 2 && errors.contains("another run of sins is writing it");
+        assert!(*code == 0 || is_refused, "{code}: {errors}");
     }
     assert_eq!(names(&folder.join("sins_out")), ["simulation2.csv", "simulation2_summary.csv"]);
     let (columns, rows) = numbers(&folder.join("sins_out/simulation2.csv"));
     assert!(rows.len() == 3601 && rows.iter().all(|row| row.len() == columns.len()));
+    // The same holds for the other commands.
+    for (order, name) in [
+        (&["ensemble", "rest", "--runs", "8", "-q"][..], "rest_ensemble.csv"),
+        (&["report", "sins_out/simulation2.csv"], "report.html"),
+        (&["allan", "imu.csv", "--rate", "1", "-o", "sins_out/a.svg"], "a.svg"),
+        (&["budget", "rest", "-o", "sins_out"], "budget.html"),
+        (&["curve", "rest", "--quick", "-o", "sins_out"], "curve.csv"),
+        (&["scene", "write", "rest", "-o", "sins_out/rest.toml"], "rest.toml"),
+    ] {
+        let part = folder.join(format!("sins_out/.sins-{name}.part"));
+        let other = std::fs::File::create(&part).unwrap();
+        other.lock().unwrap();
+        let (code, _, errors) = result(&sins(&folder, order).output().unwrap());
+        assert!(code == 2 && errors.contains("another run of sins is writing it"), "{order:?}: {errors}");
+        std::fs::remove_file(&part).unwrap();
+    }
 }
 
-/// A limit on the size of files acts like a full disk.
+/// Rows from the start to the last whole one that the disk took.
+fn whole_rows(path: &Path) -> usize {
+    let (columns, rows) = numbers(path);
+    assert!(rows.iter().all(|row| row.len() == columns.len()) && read(path).ends_with('\n'));
+    rows.len()
+}
+
+/// A limit on the size of files acts like a full disk. What was flown until then is kept, in whole rows.
 #[test]
-fn a_full_disk_leaves_the_old_file() {
+fn a_full_disk_keeps_what_was_flown() {
     let folder = folder("full");
-    let order = ["fly", "rest", "-q", "--set", "output.every_s=1"];
-    done(&folder, &[&order[..], &["--set", "flight.hours=0.01"]].concat());
-    let before = read(folder.join("sins_out/rest.csv"));
     let program = env!("CARGO_BIN_EXE_sins");
     // 512 KiB if a block is 1 KiB, otherwise 256 KiB.
-    let script = format!("trap '' XFSZ; ulimit -f 512; exec '{program}' {}", order.join(" "));
+    let full = |arguments: &str| {
+        let script = format!("trap '' XFSZ; ulimit -f 512; exec '{program}' {arguments}");
+        result(&Command::new("sh").args(["-c", &script]).current_dir(&folder).output().unwrap())
+    };
+    for (file, more) in [
+        ("rest.csv", "--set output.every_s=0.1"),
+        ("imu.csv", "--imu imu.csv"),
+        ("bus.csv", "--bus bus.csv"),
+        ("rest_unit.csv", "--set unit.start=nav --set output.every_s=0.01"),
+    ] {
+        let (code, said, errors) = full(&format!("fly rest {more}"));
+        assert!(code == 1 && errors.contains("cannot be written"), "{more}: {errors}");
+        assert!(
+            errors.contains(": cannot be written: ") && errors.contains("what was written before is kept")
+        );
+        assert!(said.contains("stopped before the end"), "{said}");
+        let summary = read(folder.join("sins_out/rest_summary.csv"));
+        let rows = whole_rows(&folder.join("sins_out/rest.csv"));
+        assert!(
+            summary.contains("interrupted,1,") && summary.contains(&format!("records,{rows},")),
+            "{rows}"
+        );
+        assert!(read(folder.join("sins_out").join(file)).ends_with('\n'), "{file}");
+        std::fs::remove_dir_all(folder.join("sins_out")).unwrap();
+    }
+    // The table is printed although the file cannot be written.
+    let script = format!("trap '' XFSZ; ulimit -f 1; exec '{program}' budget rest --hours 0.01 --runs 8");
     let output = Command::new("sh").args(["-c", &script]).current_dir(&folder).output().unwrap();
-    let (code, _, errors) = result(&output);
-    assert!(code == 1 && errors.contains("sins_out/rest.csv: cannot be written"), "{errors}");
-    assert_eq!(read(folder.join("sins_out/rest.csv")), before);
-    assert_eq!(names(&folder.join("sins_out")), ["rest.csv", "rest_summary.csv"]);
+    let (code, said, errors) = result(&output);
+    assert!(code == 1 && errors.contains("cannot be written") && said.contains("| effect"), "{said}{errors}");
+}
+
+/// The runs of an ensemble whose results the disk does not take are in its checkpoint.
+#[test]
+fn a_full_disk_keeps_the_runs_of_an_ensemble() {
+    let folder = folder("full_ensemble");
+    let program = env!("CARGO_BIN_EXE_sins");
+    let order =
+        "ensemble simulation1 --set flight.hours=0.01 --every 36 --runs 4096 --set gyro.bias_deg_h=0.01";
+    // More than the checkpoint, less than the table of the runs.
+    let script = format!("trap '' XFSZ; ulimit -f 1000; exec '{program}' {order}");
+    let output = Command::new("sh").args(["-c", &script]).current_dir(&folder).output().unwrap();
+    let (code, said, errors) = result(&output);
+    assert!(code == 1 && errors.contains("_ensemble_runs.csv: cannot be written"), "{errors}");
+    assert!(
+        errors
+            .contains("4096 of 4096 runs are in sins_out/simulation1_ensemble.checkpoint: the same command")
+    );
+    assert!(said.contains("CEP50"), "what was computed is printed: {said}");
+    let (code, said, errors) =
+        result(&sins(&folder, &order.split(' ').collect::<Vec<_>>()).output().unwrap());
+    assert!(
+        code == 0 && errors.contains("4096 of 4096 runs are flown") && said.contains("CEP50"),
+        "{errors}"
+    );
+    assert!(!folder.join("sins_out/simulation1_ensemble.checkpoint").exists());
 }

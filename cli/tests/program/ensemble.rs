@@ -389,3 +389,91 @@ fn figures_that_do_not_exist_are_empty() {
         "{row:?}"
     );
 }
+
+/// The errors of run `run` of a scene at its end, by `sins fly`.
+fn end_of_fly(folder: &Path, scene: &[&str], run: u64) -> Vec<u64> {
+    let key = format!("options.run={run}");
+    done(folder, &[&["fly"], scene, &["-q", "--set", &key, "--name", "one", "--force"]].concat());
+    let (columns, rows) = numbers(&folder.join("sins_out/one.csv"));
+    let first = columns.iter().position(|name| name == "navigation_error_position_east_m").unwrap();
+    rows.last().unwrap()[first..first + 9].iter().map(|value| value.to_bits()).collect()
+}
+
+/// The errors of each run at the end of an ensemble, in its file.
+fn ends(folder: &Path, name: &str) -> Vec<Vec<u64>> {
+    let (_, rows) = numbers(&folder.join(format!("sins_out/{name}_ensemble_runs.csv")));
+    rows.iter().map(|row| row[2..11].iter().map(|value| value.to_bits()).collect()).collect()
+}
+
+#[test]
+fn a_scene_with_a_unit_flies_each_run_with_its_unit() {
+    let folder = folder("ensemble_unit");
+    let day = crate::support::project_file("c_examples/scenes/day.toml");
+    let scene = [day.to_str().unwrap(), "--set", "flight.rate_hz=5"];
+    for threads in ["1", "2", "3"] {
+        let name = format!("day{threads}");
+        let more = ["-q", "--runs", "3", "--every", "300", "--threads", threads, "--name", &name];
+        done(&folder, &[&["ensemble"], &scene[..], &more].concat());
+    }
+    let at = |ending: &str| {
+        [1, 2, 3].map(|threads| read(folder.join(format!("sins_out/day{threads}_ensemble{ending}"))))
+    };
+    for ending in [".csv", "_runs.csv"] {
+        let [one, two, three] = at(ending);
+        assert!(one == two && one == three, "{ending}");
+    }
+    let found = ends(&folder, "day1");
+    for (run, end) in (0..).zip(&found) {
+        assert_eq!(*end, end_of_fly(&folder, &scene, run), "run {run}");
+    }
+    // The unit aligns until 700 s, navigates until 3960 s, and is off at the end.
+    let rows = table(&folder.join("sins_out/day1_ensemble.csv"));
+    for row in &rows {
+        let navigates = (900.0..=3900.0).contains(&row["time_s"]);
+        let expected = if row["error_data"] == 3.0 && !navigates { 0.0 } else { 3.0 };
+        assert_eq!(row["runs"], expected, "{row:?}");
+        assert_eq!(row.contains_key("cep50_m"), expected > 0.0, "{row:?}");
+    }
+    assert_eq!(rows.iter().filter(|row| row["error_data"] == 3.0).count(), rows.len() / 2);
+}
+
+/// A single run is flown by a simulator, several side by side: the bits are the same, with failures, updates and runs that diverge.
+#[test]
+fn a_single_run_has_the_bits_of_many() {
+    let folder = folder("few_runs");
+    let resets = crate::support::project_file("c_examples/scenes/resets.toml");
+    let resets = [resets.to_str().unwrap(), "--set", "flight.rate_hz=5", "--set", "options.error_model=rk4"];
+    let falling =
+        ["rest", "--set", "options.vertical=free", "--set", "accelerometer.bias_sigma_micro_g=20000"];
+    let falling = [&falling[..], &["--set", "flight.rate_hz=1", "--set", "flight.hours=3"]].concat();
+    for (name, scene) in [("resets", &resets[..]), ("falling", &falling)] {
+        let mut apart = Vec::new();
+        for (first, runs) in [("0", "5"), ("0", "2"), ("2", "1"), ("3", "2")] {
+            let more = ["-q", "--runs", runs, "--first-run", first, "--name", name, "--force"];
+            run(&folder, &[&["ensemble"], scene, &more].concat());
+            let text = read(folder.join(format!("sins_out/{name}_ensemble_runs.csv")));
+            apart.extend(text.lines().skip(1).map(str::to_owned));
+        }
+        let (together, apart) = apart.split_at(5);
+        assert_eq!(together, apart, "{name}");
+        assert!(name == "resets" || together.iter().any(|line| line.contains(",1,,")), "{together:?}");
+    }
+}
+
+#[test]
+fn studies_say_what_they_leave_out() {
+    let folder = folder("left_out");
+    let scene = crate::support::project_file("c_examples/scenes/day.toml");
+    let scene = scene.to_str().unwrap();
+    let (_, _, errors) = run(&folder, &["recommend", scene, "--position", "100"]);
+    assert!(!errors.contains("without"), "{errors}");
+    let resets = crate::support::project_file("c_examples/scenes/resets.toml");
+    let (_, _, errors) =
+        run(&folder, &["recommend", resets.to_str().unwrap(), "--position", "100", "--hours", "0.1"]);
+    assert!(
+        errors.starts_with("resets: without its updates: ") && errors.contains("too large\n"),
+        "{errors}"
+    );
+    let (_, _, errors) = run(&folder, &["budget", scene, "--hours", "0.05"]);
+    assert!(errors.starts_with("day: without its unit: ") && errors.contains("too small\n"), "{errors}");
+}

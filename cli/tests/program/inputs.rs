@@ -1,5 +1,6 @@
 //! Inputs of the program: faulty files are rejected with the line, pipes are read, nothing in a file steers the terminal.
 
+use std::path::Path;
 #[cfg(unix)]
 use std::{
     io::Write,
@@ -165,6 +166,117 @@ fn a_bad_sample_is_reported_in_the_words_of_the_log() {
     ] {
         let errors = rejected(&folder, &["scene", "check", "patrol", "--set", set]);
         assert!(errors.ends_with(expected), "{errors}");
+    }
+}
+
+/// Files of other kinds are called what they are, wherever they are given.
+#[test]
+fn files_of_other_kinds_are_named() {
+    let folder = with_log("foreign");
+    let igc = "AXCS123\r\nHFDTE250726\r\nB1201014807038N01131000EA0054500580\r\n";
+    let long = format!("{{\"a\": \"{}\"}}", "x".repeat(2 << 20));
+    for (name, content, what) in [
+        ("flight.igc", igc.as_bytes(), "a flight record of a glider (IGC)"),
+        (
+            "flight.fdr",
+            b"A\n2\n\nCOMM, a flight\nACFT, Aircraft/x.acf\nDATA, 1,2\n",
+            "a flight record of X-Plane (FDR)",
+        ),
+        (
+            "flight.gpx",
+            b"<?xml version=\"1.0\"?>\n<gpx version=\"1.1\"></gpx>\n",
+            "a track of a receiver (GPX)",
+        ),
+        ("flight.kml", b"<?xml version=\"1.0\"?>\n<kml></kml>\n", "a map (KML)"),
+        ("flight.ulg", b"ULog\x01\x12\x35\x01\0\0\0\0", "a log of PX4 (ULog)"),
+        ("flight.xlsx", b"PK\x03\x04\x14\0\x06\0", "a compressed file (zip"),
+        ("flight.nmea", b"$GPGGA,123519,4807.038,N\n", "sentences of a receiver (NMEA 0183)"),
+        ("flight.json", long.as_bytes(), "a text in JSON"),
+        ("flight.txt", b"t\0i\0m\0e\0", "a binary file"),
+    ] {
+        let table = Path::new(name).with_extension("csv");
+        let table = table.to_str().unwrap();
+        std::fs::write(folder.join(name), content).unwrap();
+        std::fs::write(folder.join(table), content).unwrap();
+        for (order, file) in [
+            (&["fly", name][..], name),
+            (&["fly", table], table),
+            (&["scene", "check", name], name),
+            (&["live", name, "--from", "udp:0", "--rate-hz", "9"], name),
+            (&["report", table], table),
+            (&["allan", table, "--rate", "1"], table),
+            (&["curve", "rest", "--instructions", name], name),
+        ] {
+            let errors = rejected(&folder, order);
+            let line = errors.lines().next().unwrap();
+            assert!(line.starts_with(file) && line.contains(&format!("is {what}")), "{order:?}: {errors}");
+        }
+    }
+    let errors = rejected(&folder, &["fly", "flight.igc"]);
+    let advice = "a flight of your own is a log in a file .csv; docs/your_log.md says what a log has\n";
+    assert!(errors.ends_with(advice), "{errors}");
+    // What nobody knows is read as what its name says.
+    std::fs::write(folder.join("notes.txt"), "some words\n").unwrap();
+    let errors = rejected(&folder, &["fly", "notes.txt"]);
+    assert!(
+        errors.ends_with(
+            "notes.txt: is read as a scene in TOML, because its name does not end in .csv; \
+        docs/your_log.md says what a log has\n"
+        ),
+        "{errors}"
+    );
+}
+
+/// A table without the needed columns is answered with those that it has.
+#[test]
+fn a_header_is_quoted() {
+    let folder = folder("header");
+    let table = "Time,Lat (deg),Lon,Alt,v1,v2,v3,v4,v5,v6,v7,v8,v9\n0,1,2,3,4,5,6,7,8,9,10,11,12\n";
+    std::fs::write(folder.join("own.csv"), table).unwrap();
+    std::fs::write(folder.join("own_summary.csv"), table).unwrap();
+    std::fs::write(folder.join("run.csv"), table).unwrap();
+    std::fs::write(folder.join("run_summary.csv"), "key,value,unit,label\n").unwrap();
+    for order in [
+        &["fly", "own.csv"][..],
+        &["scene", "check", "own.csv"],
+        &["report", "own.csv"],
+        &["report", "run.csv"],
+        &["allan", "own.csv"],
+        &["allan", "own.csv", "--columns", "gyro_x_deg_h"],
+        &["curve", "rest", "--instructions", "own.csv"],
+    ] {
+        let errors = rejected(&folder, order);
+        assert!(
+            errors.ends_with(" Time, Lat (deg), Lon, Alt, v1, v2, v3, v4, v5, v6, v7, v8, ...\n"),
+            "{errors}"
+        );
+    }
+}
+
+/// Stamps in another unit than seconds are asked for; a gap in a log whose stamps are in seconds is not.
+#[test]
+fn the_unit_of_stamps_is_asked_for() {
+    let folder = folder("stamps");
+    let write = |stamp: &dyn Fn(u32) -> String| {
+        let rows: String = (0..20).map(|k| format!("{},0.7,2.0,50,0,0,1\n", stamp(k))).collect();
+        std::fs::write(folder.join("log.csv"), format!("{HEADER}\n{rows}")).unwrap();
+        rejected(&folder, &["fly", "log.csv"])
+    };
+    for (stamp, words) in [
+        (
+            (&|k: u32| (k * 20).to_string()) as &dyn Fn(u32) -> String,
+            "max_gap_s = 2.5; are the stamps in ms?\n",
+        ),
+        (&|k| (k * 20_000).to_string(), "max_gap_s = 2.5; are the stamps in microseconds?\n"),
+        (&|k| (u64::from(k) * 20_000_000).to_string(), "max_gap_s = 2.5; are the stamps in nanoseconds?\n"),
+        (
+            &|k| (1_760_000_000_000 + u64::from(k) * 20).to_string(),
+            "must be from -1e10 to 1e10; is it in ms?\n",
+        ),
+        (&|k| format!("{}", f64::from(k) + if k > 9 { 60.0 } else { 0.0 }), "max_gap_s = 2.5\n"),
+    ] {
+        let errors = write(stamp);
+        assert!(errors.ends_with(words), "{errors}");
     }
 }
 

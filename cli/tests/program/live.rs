@@ -100,6 +100,15 @@ fn generic(sample: &FlightSample) -> Vec<u8> {
     .into_bytes()
 }
 
+/// The packet of format json, with `more` members.
+fn json(sample: &FlightSample, more: &str) -> Vec<u8> {
+    let text = String::from_utf8(generic(sample)).unwrap();
+    let keys = "time_s,latitude_deg,longitude_deg,height_m,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,roll_deg,\
+        pitch_deg,heading_deg";
+    let members = keys.split(',').zip(text.split(',')).map(|(key, value)| format!("\"{key}\":{value}"));
+    format!("{{{}{more}}}", members.collect::<Vec<_>>().join(",")).into_bytes()
+}
+
 /// FlightGear's packet, from the layout of its header, not from the program.
 fn fgfs(sample: &FlightSample) -> Vec<u8> {
     let (place, v_n, euler) = (&sample.place, sample.v_n.unwrap(), &sample.euler);
@@ -309,12 +318,12 @@ fn wrong_packets_are_counted_and_never_flown() {
     let (clean, _, _) = flown("clean", false);
     let (records, said, errors) = flown("wrong", true);
     assert!(records == clean && records.lines().count() > 10);
-    let refused = "refused         10 from another address, 21 of another length, 10 of another version, \
+    let refused = "refused         10 from another address, 11 of another length, 20 of another kind, \
                    20 with NaN or infinity, 20 out of range, 10 late or repeated, 10 with a jump";
     assert!(said.contains(refused), "{said}");
     for words in [
         "of another length: 5 bytes: version 24 has 408",
-        "of another version: version 23 in 408 bytes: must be 24 or 25",
+        "of another kind: 407 bytes: FlightGear's native FDM packet, of another version or length, version 24; versions 24 with 408 bytes",
         "with NaN or infinity: latitude = NaN: must be a finite number",
         "out of range: latitude = 114.591559026165 deg: must be from -90 to 90 deg",
         "from another address: 127.0.0.1:",
@@ -493,19 +502,165 @@ fn a_unit_aligns_live() {
         "{said}"
     );
     assert_replayed(&folder, "box_live", "log");
+}
 
-    // The log of the next session takes the place of no other.
-    let first = read(folder.join("sins_out/log.csv"));
-    let peer = Peer::start(&folder, &arguments);
-    for _ in 0..3 {
-        peer.send(&fgfs(&rest));
+/// What a session writes.
+fn files_of(folder: &Path, number: &str) -> Vec<String> {
+    let endings = ["live#.csv", "live#_summary.csv", "log#.csv", "log#.toml"];
+    endings.map(|name| read(folder.join("sins_out").join(name.replace('#', number)))).to_vec()
+}
+
+/// Sends the beginning of the patrol and waits for the answers.
+fn send_patrol(peer: &Peer, ticks: u32) {
+    let truth = at("patrol");
+    for tick in 0..ticks {
+        peer.send(&generic(&truth(f64::from(tick) * 0.1)));
+        if tick > 0 {
+            peer.answer();
+        }
     }
-    peer.answer();
-    peer.answer();
-    peer.finish();
-    assert!(read(folder.join("sins_out/log.csv")) == first);
-    assert!(read(folder.join("sins_out/log_2.csv")).lines().count() >= 4);
-    assert!(read(folder.join("sins_out/log_2.toml")).contains("log_2.csv"));
+}
+
+/// No file of a session takes the place of a file of another one, whether it runs before or at the same time.
+#[test]
+fn sessions_do_not_replace_each_other() {
+    let folder = folder("sessions");
+    let arguments = ["--format", "generic", "--record", "log.csv"];
+    let first = Peer::start(&folder, &arguments);
+    let second = Peer::start(&folder, &arguments);
+    send_patrol(&first, 20);
+    // The log has its name from the first interval on: whatever ends a session, the log stays.
+    assert!(folder.join("sins_out/log.toml").exists() && folder.join("sins_out/log.csv").exists());
+    first.finish();
+    let of_first = files_of(&folder, "");
+    send_patrol(&second, 30);
+    let (_, said) = second.finish();
+    assert!(said.contains("sins_out/live_2.html"), "{said}");
+    let of_second = files_of(&folder, "_2");
+    let third = Peer::start(&folder, &arguments);
+    send_patrol(&third, 40);
+    let (_, _, errors) = third.end();
+    assert!(errors.contains("there are files of earlier flights; this one is live_3"), "{errors}");
+    assert!(files_of(&folder, "") == of_first && files_of(&folder, "_2") == of_second);
+    assert_eq!(read(folder.join("sins_out/log_3.csv")).lines().count(), 2 + 40);
+    for (live, log) in [("live", "log"), ("live_2", "log_2"), ("live_3", "log_3")] {
+        assert!(folder.join(format!("sins_out/{live}.html")).exists());
+        assert_replayed(&folder, live, log);
+    }
+    // With --force, the first names are taken again.
+    let forced = Peer::start(&folder, &[&arguments[..], &["--force"]].concat());
+    send_patrol(&forced, 50);
+    forced.finish();
+    assert_eq!(read(folder.join("sins_out/log.csv")).lines().count(), 2 + 50);
+    assert!(files_of(&folder, "_2") == of_second);
+}
+
+/// A session that is killed leaves its log and the scene that flies it.
+#[test]
+fn the_log_of_a_killed_session_stays() {
+    let folder = folder("killed");
+    let mut peer = Peer::start(&folder, &["--format", "generic", "--record", "log.csv"]);
+    send_patrol(&peer, 51);
+    peer.program.kill().unwrap();
+    peer.program.wait().unwrap();
+    // The lines of a second are written together.
+    assert!(read(folder.join("sins_out/log.csv")).lines().count() > 2 + 40);
+    done(&folder, &["fly", "sins_out/log.toml", "-q"]);
+    assert!(read(folder.join("sins_out/log_replay.csv")).lines().count() > 5);
+}
+
+/// A session whose disk is full, or whose standard output is gone, keeps what was flown.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_session_keeps_what_was_flown() {
+    let folder = folder("kept");
+    let program = env!("CARGO_BIN_EXE_sins");
+    let socket = UdpSocket::bind("127.0.0.1:0").unwrap();
+    let port = UdpSocket::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+    let live = format!("'{program}' live --from udp:{port} --format generic --silence-s 1 --record log.csv");
+    for (name, script, code, words, rows) in [
+        // A limit on the size of files acts like a full disk: 64 KiB or 128 KiB.
+        (
+            "full",
+            format!("trap '' XFSZ; ulimit -f 128; exec {live} --set output.every_s=0.1"),
+            1,
+            "live.csv: cannot be written: File too large",
+            20..300,
+        ),
+        ("gone", format!("exec {live} >/dev/full"), 1, "standard output cannot be written", 61..62),
+        ("closed", format!("exec {live} >&-"), 0, "packets come from", 61..62),
+    ] {
+        let out = folder.join(name);
+        std::fs::create_dir(&out).unwrap();
+        let mut shell = std::process::Command::new("sh");
+        shell.args(["-c", &script]).current_dir(&out).stdout(Stdio::null()).stderr(Stdio::piped());
+        let program = shell.spawn().unwrap();
+        let deadline = Instant::now() + Duration::from_secs(20);
+        while !out.join("sins_out/.sins-live.html.part").exists() {
+            assert!(Instant::now() < deadline, "{name}");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        std::thread::sleep(Duration::from_millis(200));
+        let truth = at("patrol");
+        for tick in 0..601 {
+            let packet = generic(&truth(f64::from(tick) * 0.1));
+            let _ = socket.send_to(&packet, ("127.0.0.1", port));
+            std::thread::sleep(Duration::from_micros(500));
+        }
+        let output = program.wait_with_output().unwrap();
+        let errors = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.code() == Some(code) && errors.contains(words), "{name}: {errors}");
+        let found = read(out.join("sins_out/live.csv"));
+        let lines = found.lines().count() - 1;
+        assert!(rows.contains(&lines) && found.ends_with('\n'), "{name}: {lines} rows");
+        let summary = read(out.join("sins_out/live_summary.csv"));
+        assert!(summary.contains(&format!("records,{lines},")), "{name}");
+        assert!(summary.contains(if name == "full" { "interrupted,1," } else { "interrupted,0," }), "{name}");
+        // The log has at least what the records show.
+        done(&out, &["fly", "sins_out/log.toml", "-q", "--name", "replay"]);
+        assert!(read(out.join("sins_out/replay.csv")).starts_with(&found), "{name}");
+    }
+}
+
+/// Silence is the time without a packet that could be flown: packets that are refused, and come all the time, do not matter; a pause
+/// is no silence.
+#[test]
+fn refused_packets_are_silence_and_a_pause_is_none() {
+    let folder = folder("silence");
+    let peer = Peer::start(&folder, &["--format", "generic"]);
+    send_patrol(&peer, 20);
+    let standing = generic(&at("patrol")(19.0 * 0.1));
+    let began = Instant::now();
+    while began.elapsed() < Duration::from_millis(1500) {
+        peer.send(&standing);
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let mut peer = peer;
+    assert!(peer.program.try_wait().unwrap().is_none(), "a pause ends no session");
+    let began = Instant::now();
+    while peer.program.try_wait().unwrap().is_none() {
+        assert!(began.elapsed() < Duration::from_secs(10), "refused packets kept the session alive");
+        let _ = peer.socket.send_to(b"nonsense", ("127.0.0.1", peer.port));
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    assert!(began.elapsed() > Duration::from_millis(900));
+    let (_, said) = peer.finish();
+    assert!(said.contains("no packet that can be flown for 1 s") && said.contains("20 flown"), "{said}");
+}
+
+/// Without a packet, the program says where it listens.
+#[test]
+fn silence_is_said() {
+    let folder = folder("nothing");
+    let peer = Peer::start(&folder, &["--format", "json"]);
+    std::thread::sleep(Duration::from_millis(5500));
+    let truth = at("patrol");
+    (0..2).for_each(|tick| peer.send(&json(&truth(f64::from(tick)), "")));
+    let port = peer.port;
+    let (code, _, errors) = peer.end();
+    let expected =
+        format!("no packet for 5 s; listening at udp:127.0.0.1:{port} for json, from this machine alone");
+    assert!(code == 0 && errors.contains(&expected), "{errors}");
 }
 
 /// What ends a run, and what cannot be begun.

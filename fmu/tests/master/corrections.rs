@@ -3,11 +3,11 @@
 use std::ffi::{CString, c_int};
 
 use nalgebra::Vector3;
-use sins::correction::{Compensation, Correction};
 use sins::earth::Geodetic;
+use sins::earth::state::StateErrors;
+use sins::errors::correction::{Compensation, Correction};
 use sins::math::Euler;
 use sins::scene::Scene;
-use sins::state::StateErrors;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Simulator};
 use sins_fmu::get_set::{fmi2SetInteger, fmi2SetString};

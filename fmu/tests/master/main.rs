@@ -1,4 +1,4 @@
-//! Calls of a master: corrections, parts of intervals, wrong calls, calls in random order, the URI of the resources.
+//! Calls of a master: corrections, parts of intervals, wrong calls, calls in random order, the URI of the resources, a doubtful truth.
 
 mod corrections;
 mod misuse;
@@ -7,3 +7,4 @@ mod parts;
 mod random_calls;
 mod support;
 mod uri;
+mod watch;

@@ -6,7 +6,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 #[cfg(target_family = "wasm")]
 use super::wasm::time_mark;
-use crate::math::SPLIT_MIX_STEP;
+use crate::base::math::SPLIT_MIX_STEP;
 
 /// Largest number of handles of a kind that exist at the same time.
 pub(in crate::abi) const SLOTS: usize = 4096;

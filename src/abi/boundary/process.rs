@@ -90,7 +90,7 @@ mod system {
     use windows_sys::Win32::System::Threading::{TLS_OUT_OF_INDEXES, TlsAlloc, TlsFree};
 
     use crate::abi::boundary::thread_locals::touch_thread_locals;
-    use crate::memory::room;
+    use crate::base::memory::room;
 
     /// Rust 1.95 needs one for the library's own variable, one for the current thread, one or two for its number, and one for the count
     /// of panics, which the first panic takes. The rest is for a later Rust.

@@ -8,7 +8,7 @@ use super::lock::{Guard, Lock};
 use crate::abi::failure::{
     Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
 };
-use crate::memory::{only, room};
+use crate::base::memory::{only, room};
 
 /// In place of the key of a slot: the slot is free. No key has this kind.
 const FREE: usize = 0;
@@ -20,7 +20,7 @@ const CLAIMED: usize = usize::MAX;
 /// never wait for each other. A nested call of one thread on one handle, and a call on a handle that an abandoned call
 /// holds, are `SINS_ERROR_BAD_STATE`.
 ///
-/// The kind (1 to 5) is no field: an empty table is all zeros, so its 128 KiB are not in the file of the library.
+/// The kind (1 to 7) is no field: an empty table is all zeros, so its 128 KiB are not in the file of the library.
 pub(in crate::abi) struct Registry<T, const KIND: usize> {
     slots: [Slot<T>; SLOTS],
     /// Slot at which the search for a free one begins.

@@ -1,24 +1,29 @@
 //! The tables of handles, one for each kind of object, and the functions that go through all of them.
 
+#[cfg(feature = "scenes")]
+use std::sync::Arc;
+
 use super::registry::Registry;
 use crate::ensemble::Ensemble;
-use crate::flight::Flight;
 #[cfg(feature = "scenes")]
-use crate::log::FlightLog;
+use crate::scene::log::FlightLog;
 #[cfg(feature = "scenes")]
-use crate::scene::{Fault, Scene};
+use crate::scene::{Course, Fault, Scene};
 use crate::simulator::Simulator;
+use crate::truth::flight::Flight;
 use crate::unit::Unit;
 
-/// Simulators, each made by [`crate::memory::only`], as memory for it can be missing.
+/// Simulators, each made by [`crate::base::memory::only`], as memory for it can be missing.
 pub(in crate::abi) static SIMULATORS: Registry<Box<[Simulator; 1]>, 1> = Registry::new();
 pub(in crate::abi) static FLIGHTS: Registry<Flight, 2> = Registry::new();
 #[cfg(feature = "scenes")]
 pub(in crate::abi) static SCENES: Registry<SceneText, 3> = Registry::new();
 #[cfg(feature = "scenes")]
-pub(in crate::abi) static LOGS: Registry<FlightLog, 4> = Registry::new();
+pub(in crate::abi) static LOGS: Registry<Arc<FlightLog>, 4> = Registry::new();
 pub(in crate::abi) static ENSEMBLES: Registry<Ensemble, 5> = Registry::new();
 pub(in crate::abi) static UNITS: Registry<Unit, 6> = Registry::new();
+#[cfg(feature = "scenes")]
+pub(in crate::abi) static PLAYS: Registry<PlayHandles, 7> = Registry::new();
 
 /// The result of reading a text: a scene, unless the text has faults.
 #[cfg(feature = "scenes")]
@@ -28,10 +33,28 @@ pub(in crate::abi) struct SceneText {
     pub faults: Vec<Fault>,
 }
 
+/// A scene in flight, whose simulator and unit have handles of their own, which the host may use too.
+#[cfg(feature = "scenes")]
+pub(in crate::abi) struct PlayHandles {
+    pub course: Course,
+    /// Key of the simulator.
+    pub sim: usize,
+    /// Key of the unit, if the scene has one.
+    pub unit: Option<usize>,
+}
+
+#[cfg(feature = "scenes")]
+impl Drop for PlayHandles {
+    fn drop(&mut self) {
+        SIMULATORS.remove(self.sim);
+        self.unit.map(|unit| UNITS.remove(unit));
+    }
+}
+
 /// Whether this thread is inside a call on a handle.
 pub(in crate::abi) fn is_inside_a_handle() -> bool {
     #[cfg(feature = "scenes")]
-    if SCENES.is_in_use_here() || LOGS.is_in_use_here() {
+    if SCENES.is_in_use_here() || LOGS.is_in_use_here() || PLAYS.is_in_use_here() {
         return true;
     }
     SIMULATORS.is_in_use_here()
@@ -51,5 +74,6 @@ pub(in crate::abi) fn lose_what_others_use() {
     {
         SCENES.lose_what_others_use();
         LOGS.lose_what_others_use();
+        PLAYS.lose_what_others_use();
     }
 }

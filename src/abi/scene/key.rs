@@ -6,8 +6,8 @@ use crate::abi::boundary::enter_without_simulator;
 use crate::abi::failure::sins_status;
 use crate::abi::memory::{Output, interface_struct};
 use crate::abi::text::chars;
-use crate::error::{Error, Rule};
-use crate::memory::probe;
+use crate::base::error::{Error, Rule};
+use crate::base::memory::probe;
 use crate::scene::{KeyKind, KeyLine, key_line};
 
 /// What kind of value a key of a scene takes.

@@ -1,6 +1,7 @@
 //! `sins_log`: flight logs.
 
 use core::ffi::c_char;
+use std::sync::Arc;
 
 use super::fault::sins_fault;
 use crate::abi::boundary::handle::{hand_out, with_object};
@@ -11,9 +12,9 @@ use crate::abi::memory::{Output, element, interface_struct, put_if_wanted};
 use crate::abi::sample::sins_flight_sample;
 use crate::abi::sentence::Sentence;
 use crate::abi::text::{bytes_of, chars};
-use crate::error::{Error, Rule};
-use crate::log::{FlightLog, LogError};
-use crate::memory::probe;
+use crate::base::error::{Error, Rule};
+use crate::base::memory::probe;
+use crate::scene::log::{FlightLog, LogError};
 
 /// A flight log in memory. A handle is a checked key, as that of sins_sim, and never taken for one.
 #[repr(C)]
@@ -76,7 +77,7 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
         probe(ROOM)?;
         match FlightLog::parse(text) {
             // SAFETY: the host's promise.
-            Ok(found) => unsafe { hand_out(&LOGS, log, "log", || Ok(found)) },
+            Ok(found) => unsafe { hand_out(&LOGS, log, "log", || Ok(Arc::new(found))) },
             Err(LogError::Memory(error)) => Err(error.into()),
             Err(LogError::Fault(found)) => {
                 if let Some(output) = output {

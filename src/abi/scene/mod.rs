@@ -5,6 +5,7 @@ mod fault;
 mod flight;
 mod key;
 mod log;
+mod play;
 mod prepare;
 mod samples;
 mod settings;
@@ -17,6 +18,7 @@ pub use fault::sins_fault;
 pub use flight::*;
 pub use key::*;
 pub use log::*;
+pub use play::*;
 pub use prepare::*;
 pub use samples::*;
 pub use settings::*;
@@ -34,8 +36,8 @@ use crate::abi::flight::sins_flight;
 use crate::abi::memory::{Output, element};
 use crate::abi::simulator::sins_sim;
 use crate::abi::text::{bad_text, bytes_of, put_text, text_of};
-use crate::error::{Error, check_integer};
-use crate::memory::{missing, probe};
+use crate::base::error::{Error, check_integer};
+use crate::base::memory::{missing, probe};
 use crate::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, builtin, keys_text};
 
 /// A scene. A handle is a checked key, as that of sins_sim, and never taken for one.

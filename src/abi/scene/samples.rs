@@ -5,8 +5,8 @@ use super::{sins_scene, with_scene};
 use crate::abi::boundary::tables::LOGS;
 use crate::abi::failure::{Failure, SINS_OK, sins_status};
 use crate::abi::memory::{Output, interface_struct};
-use crate::error::Error;
-use crate::log::FlightLog;
+use crate::base::error::Error;
+use crate::scene::log::FlightLog;
 use crate::scene::{Samples, Scene};
 
 /// The samples that a scene flies.

@@ -5,7 +5,7 @@ use core::ffi::c_char;
 use super::{NO_BUILTIN, sins_scene, with_scene};
 use crate::abi::failure::{Failure, SINS_OK, sins_status};
 use crate::abi::text::{bad_text, put_text, utf8_of};
-use crate::error::{Error, Rule, check_integer};
+use crate::base::error::{Error, Rule, check_integer};
 use crate::scene::{self, FlightSource, MAX_TEXT_VALUE, Scene};
 
 /// The texts of a scene: sins_scene_get_text(), sins_scene_set_text().

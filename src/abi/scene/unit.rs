@@ -6,7 +6,7 @@ use crate::abi::boundary::tables::UNITS;
 use crate::abi::failure::{Failure, SINS_OK, sins_status};
 use crate::abi::simulator::{sins_sim, work_with};
 use crate::abi::unit::sins_unit;
-use crate::error::Error;
+use crate::base::error::Error;
 
 /// Creates the unit of the scene ([unit]). Not for a real-time frame: it allocates.
 ///

@@ -5,12 +5,12 @@ use nalgebra::{SVector, Vector3};
 use super::earth_fixed::EarthFixedForm;
 use super::geometry::LocalGeometry;
 use super::{ErrorModel, Form, LARGEST};
+use crate::base::math::VectorPair;
+use crate::earth::state::StateErrors;
 use crate::earth::{Earth, Vertical};
-use crate::math::VectorPair;
 use crate::mechanization::{VerticalCorrection, VerticalLoop, VerticalMode};
-use crate::mounting::{Block, MountingErrors};
 use crate::signal::MotionNode;
-use crate::state::StateErrors;
+use crate::signal::mounting::{Block, MountingErrors};
 use crate::truth::TruthPoint;
 
 /// ψ [rad], δv [m/s], δr [m] in Earth-fixed axes, then the vertical loop's estimate [m/s²] and last residual [m].

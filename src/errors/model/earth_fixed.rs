@@ -4,12 +4,12 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::ERRORS;
 use super::geometry::LocalGeometry;
+use crate::base::math::VectorPair;
+use crate::base::snapshot::stored;
 use crate::earth::Earth;
-use crate::math::VectorPair;
+use crate::earth::state::StateErrors;
 use crate::mechanization::{VerticalCorrection, displaced_vertical};
 use crate::signal::MotionNode;
-use crate::snapshot::stored;
-use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 /// ψ' = -W×ψ - C eps, δv' = f×ψ + C nabla - 2 W×δv + G δr, δr' = δv, with computed C_eb = (I - [ψ×]) C_eb, G the gravity

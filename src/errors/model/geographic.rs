@@ -4,12 +4,12 @@ use nalgebra::Vector3;
 
 use super::ERRORS;
 use super::geometry::LocalGeometry;
+use crate::base::math::VectorPair;
+use crate::base::snapshot::stored;
 use crate::earth::Earth;
-use crate::math::VectorPair;
+use crate::earth::state::StateErrors;
 use crate::mechanization::VerticalCorrection;
 use crate::signal::MotionNode;
-use crate::snapshot::stored;
-use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 /// φ [rad], δv [m/s], (δL [rad], δλ [rad], δh [m]).

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
+use crate::base::math::Pair;
 use crate::earth::{Earth, Vertical};
-use crate::math::Pair;
 
 /// Lower limit of the cosine of latitude: tan L stays finite at a pole, where it has no meaning.
 const MIN_COS: f64 = 1e-9;

@@ -9,7 +9,7 @@ use super::sensor_errors::ErrorSums;
 use super::{ErrorModel, Form, SensorErrors, is_within};
 use crate::earth::Earth;
 use crate::mechanization::{AidOfEach, Frame, VerticalCorrection, VerticalRows};
-use crate::mounting::Block;
+use crate::signal::mounting::Block;
 use crate::signal::{
     Increment, IncrementRows, IntervalMotion, MotionNode, RUNS, Row, TurnToEarth, increment_of, put_vectors,
     vectors_of,

@@ -14,13 +14,13 @@ mod sensor_errors;
 use nalgebra::Vector3;
 
 use super::NavigationErrors;
+use crate::base::math::{euler_from_attitude, rotation_quaternion, wrap_angle};
+use crate::base::snapshot::{stored, variants};
+use crate::earth::state::{BodyAxes, Navigation, StateErrors};
 use crate::earth::{Earth, Vertical};
-use crate::math::{euler_from_attitude, rotation_quaternion, wrap_angle};
 use crate::mechanization::{Frame, VerticalAid, VerticalCorrection, VerticalLoop};
-use crate::mounting::Block;
+use crate::signal::mounting::Block;
 use crate::signal::{IntervalMotion, MotionNode};
-use crate::snapshot::{stored, variants};
-use crate::state::{BodyAxes, Navigation, StateErrors};
 use crate::truth::TruthPoint;
 use earth_fixed::EarthFixedForm;
 use geographic::GeographicForm;

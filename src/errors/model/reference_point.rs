@@ -6,9 +6,9 @@ use super::earth_fixed::EarthFixedForm;
 use super::geographic::GeographicForm;
 use super::geometry::LocalGeometry;
 use super::{ErrorModel, Form, states_of};
-use crate::math::axis_cross;
-use crate::mounting::{Block, MountingErrors};
-use crate::state::StateErrors;
+use crate::base::math::axis_cross;
+use crate::earth::state::StateErrors;
+use crate::signal::mounting::{Block, MountingErrors};
 use crate::truth::TruthPoint;
 
 impl ErrorModel {

@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
-use crate::math::{Pair, VectorPair};
-use crate::mounting::Block;
+use crate::base::math::{Pair, VectorPair};
 use crate::signal::Increment;
+use crate::signal::mounting::Block;
 
 /// Errors of gyros [rad/s] and accelerometers [m/s²] over an interval, measured less ideal, sensor axes: a straight line in
 /// u = 0..1, with the mean and the first moment of the errors that the mechanization receives. The moment matters: noise of the

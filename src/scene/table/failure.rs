@@ -1,10 +1,10 @@
 //! Failures of sensors: `[[failure]]`.
 
 use super::super::key::{Key, Place, Section, Target, one};
-use super::{PURE, first_words, number, si, unit, word};
-use crate::parameter::Shape;
-use crate::sensors::FAILURE_KINDS;
-use crate::units::{DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G};
+use super::{PURE, number, si, unit, word};
+use crate::base::parameter::Shape;
+use crate::base::units::{DEG_PER_HOUR, DEG_PER_SQRT_HOUR, MICRO_G};
+use crate::sensors::FailureFields;
 
 const F: Section = Section::Failure;
 const N: Shape = Shape::Number;
@@ -17,8 +17,6 @@ pub const BY_SENSOR: [[&str; 3]; 2] = [
 
 /// The sensors that can fail, in the order of [`BY_SENSOR`].
 pub const SENSORS: &[&str] = &["gyro", "accelerometer", "altimeter"];
-
-const KINDS: &[&str] = &first_words(FAILURE_KINDS);
 
 pub const FAILURE: &[Key] = &[
     word!(F, "sensor", "sensor that fails", "failure.sensor", SENSORS, failure.sensor),
@@ -35,7 +33,7 @@ pub const FAILURE: &[Key] = &[
         "kind",
         "kind of the failure; none: the failure is off",
         "failure.kind",
-        KINDS,
+        FailureFields::WORDS,
         failure.fields.kind
     ),
     number!(F, N, "from_s", si("s"), "start of the failure, from the start of the flight",

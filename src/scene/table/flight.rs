@@ -2,11 +2,10 @@
 
 use super::super::key::{Key, Place, Section, Target, one};
 use super::sensors::of_rows;
-use super::{PURE, choice, count, first_words, number, si, text, unit, word};
-use crate::flight::{Channel, MANOEUVRE_KINDS};
-use crate::parameter::Shape;
-use crate::surroundings;
-use crate::units::DEG;
+use super::{PURE, choice, count, number, si, text, unit, word};
+use crate::base::parameter::Shape;
+use crate::base::units::DEG;
+use crate::truth::flight::{self, Channel, ManoeuvreFields};
 
 const F: Section = Section::Flight;
 const M: Section = Section::Manoeuvre;
@@ -30,7 +29,7 @@ pub const FLIGHT: &[Key] = &[
 
 /// The keys of the start, without that of the ellipsoid, which is an option.
 pub const START: &[Key] = &{
-    let [keys @ .., _] = of_rows(F, &surroundings::START);
+    let [keys @ .., _] = of_rows(F, &flight::START);
     keys
 };
 
@@ -38,14 +37,7 @@ pub const REPEAT: &[Key] =
     &[count!(F, "repeat", "how many times all manoeuvres are flown", "flight.repeat" => repeat)];
 
 pub const MANOEUVRE: &[Key] = &[
-    word!(
-        M,
-        "kind",
-        "kind of the manoeuvre",
-        "manoeuvre.kind",
-        &first_words(MANOEUVRE_KINDS),
-        manoeuvre.kind
-    ),
+    word!(M, "kind", "kind of the manoeuvre", "manoeuvre.kind", ManoeuvreFields::WORDS, manoeuvre.kind),
     number!(M, N, "duration_s", si("s"), "duration; not for turn, whose duration follows from its bank",
         "manoeuvre.duration_s" => one(manoeuvre.duration_s)),
     number!(M, N, "ramp_s", si("s"), "time in which the manoeuvre builds up, and in which it dies out; default: 5",

@@ -1,18 +1,18 @@
 //! The keys of a scene, in the order in which they are read and written.
 
+mod errors;
 mod failure;
 mod flight;
 mod options;
 mod panel;
 mod sensors;
-mod surroundings;
 mod update;
 
 pub use failure::SENSORS;
 
 use super::draft::Draft;
 use super::key::{Key, Section, Target, Unit};
-use crate::joined::{joined, total};
+use crate::base::joined::{joined, total};
 
 /// Every key.
 pub const KEYS: &[Key] = &joined::<Key, { total(PARTS) }>(PARTS);
@@ -26,12 +26,12 @@ const PARTS: &[&[Key]] = &[
     options::OPTIONS,
     sensors::GYRO,
     sensors::ACCELEROMETER,
-    surroundings::ALTIMETER,
+    errors::ALTIMETER,
     &[sensors::START],
-    surroundings::START,
-    surroundings::ALIGNMENT,
-    surroundings::MOUNTING,
-    surroundings::GRAVITY,
+    errors::START,
+    errors::ALIGNMENT,
+    errors::MOUNTING,
+    errors::GRAVITY,
     failure::FAILURE,
     update::UPDATE,
     panel::START,
@@ -64,17 +64,6 @@ const fn unit(text: &'static str, si: f64, si_text: &'static str) -> Unit {
 /// A unit that the library has too.
 const fn si(text: &'static str) -> Unit {
     unit(text, 1.0, text)
-}
-
-/// The words of a table.
-pub(crate) const fn first_words<T: Copy, const N: usize>(table: [(&'static str, T); N]) -> [&'static str; N] {
-    let mut words = [""; N];
-    let mut index = 0;
-    while index < N {
-        words[index] = table[index].0;
-        index += 1;
-    }
-    words
 }
 
 const PURE: Unit = si("");
@@ -124,7 +113,7 @@ macro_rules! choice {
     ($section:expr, $name:literal, $doc:literal, $field:literal => $($place:ident).+, $words:expr) => {
         Key::new($section, $name, $doc, Target::Choice {
             field: $field,
-            words: &super::first_words($words),
+            words: &crate::base::joined::first_words($words),
             get: |draft| $words.iter().position(|(_, value)| *value == draft.$($place).+).unwrap_or(0),
             set: |draft, index| draft.$($place).+ = $words[index].1,
         })

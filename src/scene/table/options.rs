@@ -2,10 +2,10 @@
 
 use super::super::key::{Key, Place, Section, Target, one};
 use super::{choice, count, number, si, text};
+use crate::base::parameter::Shape;
+use crate::earth::state::BodyAxes;
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
-use crate::parameter::Shape;
-use crate::state::BodyAxes;
 
 const O: Section = Section::Options;
 const P: Section = Section::Output;
@@ -35,7 +35,7 @@ pub const OPTIONS: &[Key] = &[
     number!(O, N, "max_gap_s", si("s"), "longest interval between samples",
         "options.max_gap_s" => one(scene.options.intake.max_gap_s)),
     number!(O, N, "max_acceleration_m_s2", si("m/s2"),
-        "largest mean acceleration between two samples; more is rejected as a jump of the truth",
+        "largest mean acceleration between two samples, also of velocities derived from a log; more is rejected as a jump",
         "options.max_acceleration_m_s2" => one(scene.options.intake.max_acceleration_m_s2)),
 ];
 

@@ -4,9 +4,9 @@ use super::super::key::{Key, Place, Section, Target, one};
 use super::super::panel::Action;
 use super::sensors::of_rows;
 use super::{choice, number, si, unit};
-use crate::parameter::Shape;
+use crate::base::parameter::Shape;
+use crate::base::units::DEG;
 use crate::unit::{AlignmentKind, Mode, Power, UNIT};
-use crate::units::DEG;
 
 const U: Section = Section::Unit;
 const P: Section = Section::Panel;

@@ -2,8 +2,8 @@
 
 use super::super::draft::Draft;
 use super::super::key::{Key, Place, Section, Target, Unit};
-use super::first_words;
-use crate::parameter::{Row, Shape};
+use crate::base::joined::first_words;
+use crate::base::parameter::{Row, Shape};
 use crate::sensors::{Field, Grade, PARAMETERS, Sensor, TriadParameters};
 
 /// The words of a preset, and the grade of each; the first is none.

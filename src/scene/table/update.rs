@@ -3,7 +3,7 @@
 use super::super::Updated;
 use super::super::key::{Key, Place, Section, Target, one, vector};
 use super::{choice, number, si};
-use crate::parameter::Shape;
+use crate::base::parameter::Shape;
 
 const U: Section = Section::Update;
 

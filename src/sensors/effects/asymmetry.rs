@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
 use super::effect::{Effect, Input, OfInput};
-use crate::snapshot::stored;
+use crate::base::snapshot::stored;
 
 /// δ = a/2 |s|: the scale factor of positive signals s exceeds the scale factor of negative signals by a. Their mean is
 /// unchanged (K' of IEEE Std 1293). The error of an increment is exact if the signal keeps its sign.

@@ -6,9 +6,9 @@ use super::super::kept::Kept;
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
 use super::effect::{Effect, OnInput};
-use crate::error::Error;
-use crate::math::{exp, sin_cos};
-use crate::snapshot::{Reader, SIGNALS, Stored, Writer, stored};
+use crate::base::error::Error;
+use crate::base::math::{exp, sin_cos};
+use crate::base::snapshot::{Reader, SIGNALS, Stored, Writer, stored};
 
 /// y'' + 2 s y' + 2 s² y = 2 s² u, s = √2 π f: -3 dB at f, flat below, a delay of 1/s. The signal u is assumed constant over each
 /// increment, at its mean. For such a signal the step is exact at any length. With e = y - u, w = y'/s, E = exp(-s dt), and

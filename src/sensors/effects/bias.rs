@@ -7,8 +7,8 @@ use super::super::stream::{Purpose, Stream, StreamKey};
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
+use crate::base::snapshot::stored;
 use crate::signal::RUNS;
-use crate::snapshot::stored;
 
 /// ε_b = bias + σ z, z drawn once a run (the paper's random constant).
 ///

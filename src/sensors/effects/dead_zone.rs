@@ -7,8 +7,8 @@ use super::super::stream::StreamKey;
 use super::effect::{Effect, OnOutput};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::States;
+use crate::base::snapshot::stored;
 use crate::signal::RUNS;
-use crate::snapshot::stored;
 
 /// The output is 0 while the mean signal of an increment is within ±d. Outside ±d the effect changes nothing (dead band, IEEE Std
 /// 528).

@@ -7,8 +7,8 @@ use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
+use crate::base::snapshot::Stored;
 use crate::signal::Turning;
-use crate::snapshot::Stored;
 
 /// The input of a triad over an increment. For constant signals it is the input over 1 s.
 #[derive(Debug, Clone, Copy)]

@@ -9,8 +9,8 @@ use super::effect::{Added, Effect};
 use super::gauss_markov::MarkovStep;
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
+use crate::base::snapshot::{WALKS, stored};
 use crate::signal::RUNS;
-use crate::snapshot::{WALKS, stored};
 
 /// Correlation times of the processes [s], one process per decade.
 const TIMES_S: [f64; 6] = [1.0, 10.0, 100.0, 1e3, 1e4, 1e5];
@@ -140,7 +140,7 @@ impl Added for Flicker {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::exp;
+    use crate::base::math::exp;
 
     /// Allan variance of a Gauss-Markov process of unit variance over an average of `a` correlation times (IEEE Std 952,
     /// C.13).

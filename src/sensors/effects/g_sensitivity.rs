@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
 use super::effect::{Effect, Input, OfInput};
-use crate::snapshot::stored;
+use crate::base::snapshot::stored;
 
 /// δω_i = Σ_j G_ij f_j + k_i f_i². The row of G is the gyro, its column is the axis of the force (mass unbalance and its cross
 /// terms). k acts along each gyro's own axis (anisoelasticity; IEEE Std 528). The force is the true force at the block's own point.

@@ -8,9 +8,9 @@ use super::super::stream::{Purpose, Stream, StreamKey};
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
-use crate::math::{exp_m1, tanh};
+use crate::base::math::{exp_m1, tanh};
+use crate::base::snapshot::{WALKS, stored};
 use crate::signal::RUNS;
-use crate::snapshot::{WALKS, stored};
 
 /// Exact discretisation of x' = -x/τ + white noise, stationary variance 1, over a step of a = dt/τ:
 /// ```text
@@ -166,7 +166,7 @@ impl Added for GaussMarkov {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::exp;
+    use crate::base::math::exp;
 
     /// Variances and covariance of the step, compared with their textbook forms.
     #[test]

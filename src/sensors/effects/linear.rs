@@ -7,8 +7,8 @@ use super::super::stream::{Purpose, Stream, StreamKey};
 use super::effect::{DrawnOfInput, Effect, Input, OfInput};
 use super::outputs::BatchOutputs;
 use super::states::{States, Visitor};
+use crate::base::snapshot::stored;
 use crate::signal::RUNS;
-use crate::snapshot::stored;
 
 /// δ = K ideal, K = diag(scale factor) + misalignment (dKG, dKA of the paper's equations (2) and (3)). Each element has an
 /// additional σ z, with z drawn once a run.

@@ -31,8 +31,8 @@ use nalgebra::Vector3;
 
 use super::parameters::{Sensor, TriadParameters};
 use super::stream::StreamKey;
+use crate::base::snapshot::stored;
 use crate::signal::Increment;
-use crate::snapshot::stored;
 use effect::{Added, DrawnOfInput, Effect, OfInput, OnInput, OnOutput};
 pub(super) use effect::{Conditions, Input};
 pub(super) use outputs::{BatchOutputs, Outputs};

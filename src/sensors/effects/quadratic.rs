@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
 use super::effect::{Effect, Input, OfInput};
-use crate::snapshot::stored;
+use crate::base::snapshot::stored;
 
 /// δ = c s|s| + k s². The first term is odd: the nonlinearity c is a scale factor that grows with the size of the
 /// signal s. The second term is even: the vibration rectification k turns vibration of RMS r into a bias of k r² (K_oq

@@ -8,8 +8,8 @@ use super::super::stream::StreamKey;
 use super::effect::{Effect, OnOutput};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
+use crate::base::snapshot::{SIGNALS, stored};
 use crate::signal::RUNS;
-use crate::snapshot::{SIGNALS, stored};
 
 /// The output is rounded to a whole number of pulses of q [u s]. The remainder, at most q/2, is carried to the next increment, so
 /// that the integral is never wrong by more than q/2. The quantization noise of IEEE Std 952 is Q = q/√12.

@@ -8,8 +8,8 @@ use super::super::stream::StreamKey;
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
+use crate::base::snapshot::{WALKS, stored};
 use crate::signal::RUNS;
-use crate::snapshot::{WALKS, stored};
 
 /// b = R t, t since the run began or the ramp was set; ∫b dt over dt = (b + R dt/2) dt (IEEE Std 952, C.1.6).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,8 +8,8 @@ use super::super::stream::{Purpose, Stream, StreamKey};
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
+use crate::base::snapshot::stored;
 use crate::signal::RUNS;
-use crate::snapshot::stored;
 
 /// White noise w. Its integral over dt is N √dt n, where n is standard normal and independent from one increment to the
 /// next. The density N [u √s] does not depend on the sampling rate.

@@ -7,8 +7,8 @@ use super::super::stream::StreamKey;
 use super::effect::{Effect, OnOutput};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::States;
+use crate::base::snapshot::stored;
 use crate::signal::RUNS;
-use crate::snapshot::stored;
 
 /// The mean signal of an increment is limited to ±r; r = 0 means no limit.
 #[derive(Debug, Clone, Copy, PartialEq)]

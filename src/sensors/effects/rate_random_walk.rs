@@ -8,8 +8,8 @@ use super::super::stream::{Purpose, Stream, StreamKey};
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
+use crate::base::snapshot::{WALKS, stored};
 use crate::signal::RUNS;
-use crate::snapshot::{WALKS, stored};
 
 /// b' = K w, where w is white noise of density 1 [1/√s] and b = 0 at the start of a run. Over dt, with n1 and n2 standard normal:
 /// ```text
@@ -125,7 +125,7 @@ mod tests {
         for sign in [1.0, -1.0] {
             let mut value = sign * WALKS;
             let integral = RateRandomWalk::advance(&mut value, density * dt.sqrt(), dt, [sign * 100.0; 2]);
-            assert!(value == sign * WALKS && integral.abs() < crate::snapshot::SIGNALS);
+            assert!(value == sign * WALKS && integral.abs() < crate::base::snapshot::SIGNALS);
         }
     }
 }

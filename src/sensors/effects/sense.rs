@@ -5,8 +5,8 @@ use core::slice::from_mut;
 use nalgebra::Vector3;
 
 use super::{Aside, BatchOutputs, EffectPlace, Effects, Input, Outputs, SHARED_ERRORS, Stage, States};
-use crate::error::Error;
-use crate::memory::room;
+use crate::base::error::Error;
+use crate::base::memory::room;
 use crate::sensors::Sensor;
 use crate::signal::{Increment, MAX_INCREMENTS, RUNS};
 

@@ -6,9 +6,9 @@ use super::super::kept::Kept;
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
 use super::effect::{Conditions, Effect, OnInput};
-use crate::mounting::{centripetal, lever_arm_velocity};
+use crate::base::snapshot::{SIGNALS, stored};
+use crate::signal::mounting::{centripetal, lever_arm_velocity};
 use crate::signal::{MAX_INCREMENTS, Turning};
-use crate::snapshot::{SIGNALS, stored};
 use crate::truth::INTERVALS_S;
 
 /// Accelerometer i at r_i senses along its axis the force f_i of the block's own point plus (ω'×r_i + ω×(ω×r_i))_i (Savage 1998,

@@ -5,8 +5,8 @@ use core::mem::take;
 use super::super::draw::normal_each;
 use super::super::stream::Stream;
 use super::Name;
-use crate::error::Error;
-use crate::memory::filled;
+use crate::base::error::Error;
+use crate::base::memory::filled;
 use crate::signal::{RUNS, Row};
 
 /// One stream for each run of a batch. The words of the generators are in rows.

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::StreamKey;
 use super::effect::{Conditions, Effect, Input, OfInput};
-use crate::snapshot::stored;
+use crate::base::snapshot::stored;
 
 /// With θ = T - T_ref, bias b1 θ + b2 θ² and scale factor error s1 θ + s2 θ² (thermal coefficients, IEEE Std 952 and 1293).
 ///

@@ -1,12 +1,12 @@
 //! Corrections by the host in flight.
 
 use super::Chain;
-use crate::correction::{Compensation, Correction};
-use crate::error::Error;
+use crate::base::error::Error;
+use crate::earth::state::StateErrors;
+use crate::errors::correction::{Compensation, Correction};
 use crate::mechanization::Mechanization;
-use crate::mounting::Block;
+use crate::signal::mounting::Block;
 use crate::simulator::chain::view::Views;
-use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 impl Chain {

@@ -1,12 +1,12 @@
 //! The covariance of the errors along the chain's truth.
 
 use super::Chain;
-use crate::covariance::{NavigationCovariance, Propagation, StartErrors};
+use crate::earth::state::StateErrors;
+use crate::errors::covariance::{NavigationCovariance, Propagation, StartErrors};
 use crate::errors::{NavigationErrors, VALID_DISPLACEMENT_M, VALID_MISALIGNMENT_RAD};
-use crate::mounting::Block;
+use crate::signal::mounting::Block;
 use crate::simulator::Imperfections;
 use crate::simulator::start::alignment;
-use crate::state::StateErrors;
 use crate::truth::TruthPoint;
 
 impl Chain {

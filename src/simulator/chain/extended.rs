@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::Chain;
 use crate::mechanization::{VerticalAid, VerticalMode};
-use crate::mounting::Block;
+use crate::signal::mounting::Block;
 use crate::signal::{Increment, IntervalMotion};
 use crate::simulator::aid::{aid_vertical, vertical_aid};
 use crate::simulator::chain::view::Views;

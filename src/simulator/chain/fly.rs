@@ -3,9 +3,9 @@
 use core::ops::Range;
 
 use super::Chain;
-use crate::covariance::Flown;
-use crate::error::Error;
+use crate::base::error::Error;
 use crate::errors::SensorErrors;
+use crate::errors::covariance::Flown;
 use crate::mechanization::{VerticalAid, VerticalMode, check_state};
 use crate::signal::{IntervalMotion, MAX_INCREMENTS};
 use crate::simulator::aid::vertical_aid;

@@ -1,16 +1,16 @@
 //! Jumps of the host's time or of its truth, after which the INS continues with its errors.
 
 use super::Chain;
-use crate::error::{Error, ErrorKind, Rule};
+use crate::base::error::{Error, ErrorKind, Rule};
+use crate::earth::state::{EarthFixedState, Navigation};
 use crate::errors::CarriedErrors;
 use crate::mechanization::Mechanization;
-use crate::mounting::Block;
 use crate::signal::SignalGenerator;
+use crate::signal::mounting::Block;
 use crate::simulator::Imperfections;
 use crate::simulator::chain::view::Views;
 use crate::simulator::disturbance::Disturbance;
 use crate::simulator::start::rate_at_start;
-use crate::state::{EarthFixedState, Navigation};
 use crate::truth::TruthPoint;
 
 /// State of the sensors' own point before and after a jump. With a mounting, this point is the block's.

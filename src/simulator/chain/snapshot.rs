@@ -3,15 +3,15 @@
 use nalgebra::Vector3;
 
 use super::{Chain, Extension};
+use crate::base::error::Error;
+use crate::base::snapshot::{COUNT, Numbers, Reader, Stored, Writer};
 use crate::earth::Earth;
-use crate::error::Error;
 use crate::mechanization::Mechanization;
 use crate::signal::MAX_INCREMENTS;
 use crate::simulator::disturbance::Disturbance;
 use crate::simulator::imu::LastInterval;
 use crate::simulator::start::{Start, block_at_start};
 use crate::simulator::{Imperfections, ImuInterval, Options};
-use crate::snapshot::{COUNT, Numbers, Reader, Stored, Writer};
 use crate::truth::TruthPoint;
 
 /// The values are read into a chain that was made at the current point: the parts that it has are those of the snapshot. Of the last

@@ -3,10 +3,10 @@
 use core::cell::OnceCell;
 
 use super::Chain;
+use crate::base::instruction_set::{InstructionSet, Work};
+use crate::earth::state::Navigation;
 use crate::errors::{NavigationErrors, navigation_minus_truth};
-use crate::instruction_set::{InstructionSet, Work};
 use crate::simulator::{Moment, View};
-use crate::state::Navigation;
 use crate::truth::TruthPoint;
 
 /// Views of the current instant. Each view is computed when it is read for the first time. The chain drops both views as it moves on. Errors are computed at each

@@ -1,10 +1,10 @@
 //! Parameters and failures that a host sets, and reads back.
 
 use super::Imperfections;
-use crate::covariance::Parameters;
-use crate::mounting::MountingParameters;
+use crate::errors::covariance::Parameters;
 use crate::sensors::{FailingTriad, Failure, SensorOutput};
 use crate::signal::Increment;
+use crate::signal::mounting::MountingParameters;
 use crate::simulator::{ErrorParameters, Options};
 
 impl Imperfections {

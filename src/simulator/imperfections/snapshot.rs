@@ -1,11 +1,11 @@
 //! What a snapshot keeps of all that makes an INS err.
 
 use super::Imperfections;
-use crate::error::Error;
-use crate::mounting::MountingParameters;
+use crate::base::error::Error;
+use crate::base::snapshot::{Reader, Stored, Writer};
 use crate::sensors::Sensor;
+use crate::signal::mounting::MountingParameters;
 use crate::simulator::ErrorParameters;
-use crate::snapshot::{Reader, Stored, Writer};
 
 /// The parameters come first: they are set again, and then the states of the effects that they call for are read.
 impl Stored for Imperfections {

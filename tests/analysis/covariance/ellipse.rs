@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use sins::covariance::ErrorEllipse;
+use sins::errors::covariance::ErrorEllipse;
 
 #[test]
 fn circle_and_line_are_their_closed_forms() {

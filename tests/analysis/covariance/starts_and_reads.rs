@@ -1,8 +1,8 @@
 //! The effect of starts, reads, slews and resets on the covariance.
 
 use nalgebra::Vector3;
-use sins::mounting::MountingParameters;
 use sins::sensors::{InitialErrorParameters, TriadParameters};
+use sins::signal::mounting::MountingParameters;
 use sins::{Options, Simulator};
 
 use crate::support;

@@ -51,7 +51,7 @@ fn a_failure_changes_the_scatter_as_the_covariance_says() {
         (SensorOutput::Accelerometer(Axis::X), Failure::Dead),
         (SensorOutput::Accelerometer(Axis::Y), Failure::Noise { density: 1e-4 * G }),
         (SensorOutput::Gyro(Axis::X), Failure::Noise { density: 0.05 * DEG / 60.0 }),
-        (SensorOutput::Gyro(Axis::Y), Failure::RandomDropOuts { probability: 0.25 }),
+        (SensorOutput::Gyro(Axis::Y), Failure::DropOuts { interval_s: 0.0, probability: 0.25 }),
     ] {
         for (row, place) in compare(output, failure).into_iter().enumerate() {
             assert!(place.abs() <= 1.0, "{output:?} {failure:?}, error {row}: {place:.2} of the interval");
@@ -70,7 +70,9 @@ fn a_mean_beyond_the_linear_equations_is_flagged() {
         sample.euler = Euler { roll: 0.1 * f64::from(k) * DEG, ..Euler::default() };
         simulator.push_sample(&sample).unwrap();
         if k == 1 {
-            simulator.set_failure(output, Some(Failure::RandomDropOuts { probability: 0.25 })).unwrap();
+            simulator
+                .set_failure(output, Some(Failure::DropOuts { interval_s: 0.0, probability: 0.25 }))
+                .unwrap();
         }
         simulator.step().unwrap();
         if k > 0 {

@@ -11,8 +11,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use nalgebra::SMatrix;
 use scenes::{Scene, aligned_scenes, built_in, everything, scenes};
 use sins::ensemble::Ensemble;
+use sins::ensemble::statistics::Statistics;
 use sins::sensors::TriadParameters;
-use sins::statistics::Statistics;
 use sins::{ErrorParameters, ErrorSource};
 
 const INSTANTS: usize = 20;

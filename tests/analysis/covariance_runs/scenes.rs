@@ -1,11 +1,11 @@
 //! The scenes and their random errors.
 
 use nalgebra::{SMatrix, Vector3};
-use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::sensors::{
     Alignment, AltimeterParameters, GravityDisturbanceParameters, GravityField, InitialErrorParameters,
     StreamKey, TriadParameters,
 };
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorParameters, Options, Simulator};
 

@@ -6,7 +6,7 @@ use sins::abi::{
     sins_budget_request, sins_budget_row, sins_create, sins_destroy, sins_error_budget, sins_flight_sample,
     sins_gyro_params, sins_options, sins_set_gyro, sins_status,
 };
-use sins::budget::ErrorParameters;
+use sins::analysis::budget::ErrorParameters;
 use sins::truth::FlightSample;
 
 use super::{limits, triad, turning};

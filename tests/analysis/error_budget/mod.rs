@@ -4,13 +4,13 @@ mod interface;
 mod mounting_and_gravity;
 
 use nalgebra::{Complex, Vector3};
-use sins::budget::{BudgetRequest, BudgetRow, ErrorParameters, Scene, SigmaInterval, error_budget};
+use sins::analysis::budget::{BudgetRequest, BudgetRow, ErrorParameters, Scene, SigmaInterval, error_budget};
+use sins::analysis::recommend::SolutionError;
 use sins::errors::NavigationErrors;
-use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::mechanization::VerticalMode;
-use sins::recommend::SolutionError;
 use sins::sensors::{Alignment, Grade, StreamKey, TriadParameters};
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorSource, Options, Simulator};
 
 use crate::support::budget::{HOUR_S, LATITUDE, assert_like, at_rest, budget_of, row, sizes, sphere, worst};

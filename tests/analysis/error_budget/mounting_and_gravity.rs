@@ -1,13 +1,13 @@
 //! Errors in the mounting and the gravity that the INS assumes contribute their closed forms.
 
 use nalgebra::Vector3;
-use sins::budget::{BudgetRequest, ErrorParameters};
-use sins::flight::{Flight, FlightStart, Manoeuvre};
+use sins::analysis::budget::{BudgetRequest, ErrorParameters};
 use sins::math::Euler;
 use sins::mechanization::VerticalMode;
-use sins::mounting::MountingParameters;
 use sins::sensors::{GravityDisturbanceParameters, GravityField};
+use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorKind, Options};
 
 use crate::support::budget::{HOUR_S, assert_like, at_rest, budget_of, row, sizes, sphere, worst};

@@ -1,9 +1,9 @@
 //! Two minutes of a flight predict the errors of an hour.
 
-use sins::flight::{Channel, Flight, Manoeuvre};
+use sins::analysis::recommend::{Growth, Piece, SolutionError, ladder};
 use sins::mechanization::VerticalMode;
-use sins::recommend::{Growth, Piece, SolutionError, ladder};
 use sins::sensors::TriadParameters;
+use sins::truth::flight::{Channel, Flight, Manoeuvre};
 use sins::{Options, Simulator};
 
 use super::{CRUISE, REST, navigated, navigated_by, reference, samples, sinusoids, told, worst_difference};

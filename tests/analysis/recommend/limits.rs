@@ -1,10 +1,10 @@
 //! Requirements that nothing meets, margins, geographic axes beside a pole, and bad samples.
 
 use sins::abi::SINS_REQUIREMENT_NOT_MET;
-use sins::flight::{Flight, FlightStart, Manoeuvre};
+use sins::analysis::recommend::{Requirement, Rung, SolutionError, ladder, recommend};
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::recommend::{Requirement, Rung, SolutionError, ladder, recommend};
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorKind, Options, Simulator};
 
 use super::{

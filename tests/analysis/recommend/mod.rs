@@ -9,12 +9,12 @@ use sins::abi::{
     SINS_OK, sins_cost, sins_create, sins_destroy, sins_flight_sample, sins_mounting, sins_options,
     sins_recommend, sins_requirement, sins_set_mounting, sins_status,
 };
-use sins::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid};
+use sins::analysis::recommend::{Requirement, Rung, Setup, SolutionError, ladder, recommend, step_time_ns};
+use sins::earth::state::EarthFixedState;
 use sins::math::{relative_rotation, rotation_vector};
 use sins::mechanization::{Scheme, VerticalMode};
-use sins::recommend::{Requirement, Rung, Setup, SolutionError, ladder, recommend, step_time_ns};
-use sins::state::EarthFixedState;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid, Sinusoids};
 use sins::{Options, Simulator};
 
 use crate::support::{DEG, options_at};
@@ -32,12 +32,13 @@ const CRUISE: FlightStart = FlightStart {
 const REST: FlightStart = FlightStart { speed_m_s: 0.0, height_m: 100.0, pitch_rad: 0.1, ..CRUISE };
 
 fn sinusoids(duration_s: f64, moves: [(Channel, f64, f64, f64); 3]) -> Manoeuvre {
-    let mut terms =
-        [Sinusoid { channel: Channel::Roll, amplitude: 0.0, frequency_hz: 1.0, phase_rad: 0.0 }; 6];
-    for (term, (channel, amplitude, frequency_hz, phase_rad)) in terms.iter_mut().zip(moves) {
-        *term = Sinusoid { channel, amplitude, frequency_hz, phase_rad };
-    }
-    Manoeuvre::Sinusoids { duration_s, ramp_s: 2.0, terms, count: 3 }
+    let terms = moves.map(|(channel, amplitude, frequency_hz, phase_rad)| Sinusoid {
+        channel,
+        amplitude,
+        frequency_hz,
+        phase_rad,
+    });
+    Manoeuvre::Sinusoids { duration_s, ramp_s: 2.0, sinusoids: Sinusoids::of(&terms) }
 }
 
 fn samples(flight: &Flight, rate_hz: f64, duration_s: f64) -> Vec<FlightSample> {

@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 use sins::abi::SINS_OK;
-use sins::flight::{Flight, FlightStart, Manoeuvre};
+use sins::analysis::recommend::{Requirement, Rung, Setup, ladder, recommend};
 use sins::math::Euler;
 use sins::mechanization::{Scheme, VerticalMode};
-use sins::mounting::MountingParameters;
-use sins::recommend::{Requirement, Rung, Setup, ladder, recommend};
 use sins::sensors::{InitialErrorParameters, TriadParameters};
+use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorSource, Options, Simulator, Step};
 
 use super::{CRUISE, asked_through_the_interface, samples};

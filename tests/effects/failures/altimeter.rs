@@ -24,8 +24,8 @@ fn without_an_altimeter_the_vertical_channel_is_free() {
     assert!(damped != free && !is_unaided);
     for failure in [
         Failure::Dead,
-        Failure::RandomDropOuts { probability: 1.0 },
-        Failure::PeriodicDropOuts { interval_s: DT },
+        Failure::DropOuts { interval_s: 0.0, probability: 1.0 },
+        Failure::DropOuts { interval_s: DT, probability: 0.0 },
     ] {
         assert_eq!(fly_with(&options, Some(failure)), (free.clone(), true), "{failure:?}");
     }

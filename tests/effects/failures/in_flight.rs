@@ -1,10 +1,10 @@
 //! Failures in a flight: set, replaced and cleared, in both error data, through resets and divergence.
 
 use nalgebra::Vector3;
+use sins::earth::state::{BodyAxes, Navigation};
 use sins::math::{Euler, attitude_from_euler};
 use sins::sensors::{Axis, Failure, SensorOutput};
 use sins::signal::Increment;
-use sins::state::{BodyAxes, Navigation};
 use sins::{ErrorKind, ErrorSource, ImuFlags, Options, Simulator, Step};
 
 use super::{DT, EPS, INVALID_GYRO, in_flight, noisy_simulator, rest, simulator};
@@ -17,8 +17,8 @@ const EVERY_KIND: [Failure; 7] = [
     Failure::BiasStep { size: 1e-6 },
     Failure::Spikes { size: 1e-4, interval_s: 0.25, duration_s: 0.003 },
     Failure::Noise { density: 1e-6 },
-    Failure::RandomDropOuts { probability: 0.5 },
-    Failure::PeriodicDropOuts { interval_s: 0.05 },
+    Failure::DropOuts { interval_s: 0.0, probability: 0.5 },
+    Failure::DropOuts { interval_s: 0.05, probability: 0.0 },
 ];
 
 /// For each kind of failure the other axes never change. After the failure is cleared, the signals are those of sound
@@ -104,7 +104,7 @@ fn a_reset_clears_failures_and_a_reposition_keeps_them() {
         sensed(simulator, in_flight(0..50));
         let noise = Some(Failure::Noise { density: 1e-4 });
         simulator.set_failure(SensorOutput::Gyro(Axis::X), noise).unwrap();
-        let drop_outs = Some(Failure::RandomDropOuts { probability: 0.3 });
+        let drop_outs = Some(Failure::DropOuts { interval_s: 0.0, probability: 0.3 });
         simulator.set_failure(SensorOutput::Accelerometer(Axis::Z), drop_outs).unwrap();
         sensed(simulator, in_flight(50..100));
         bits(simulator)

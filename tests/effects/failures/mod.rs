@@ -196,12 +196,12 @@ fn found_with(outputs: &[SensorOutput], density: f64, intervals: u32) -> Vec<Imu
 fn drop_outs_lose_their_mass() {
     let n = 1000;
     for (failure, least, most) in [
-        (Failure::PeriodicDropOuts { interval_s: 0.25 }, 40, 40),
-        (Failure::PeriodicDropOuts { interval_s: 1e-3 }, n, n),
+        (Failure::DropOuts { interval_s: 0.25, probability: 0.0 }, 40, 40),
+        (Failure::DropOuts { interval_s: 1e-3, probability: 0.0 }, n, n),
         // 30 ± 5 √(1000 × 0.03 × 0.97)
-        (Failure::RandomDropOuts { probability: 0.03 }, 4, 56),
-        (Failure::RandomDropOuts { probability: 1.0 }, n, n),
-        (Failure::RandomDropOuts { probability: 0.0 }, 0, 0),
+        (Failure::DropOuts { interval_s: 0.0, probability: 0.03 }, 4, 56),
+        (Failure::DropOuts { interval_s: 0.0, probability: 1.0 }, n, n),
+        (Failure::DropOuts { interval_s: 0.0, probability: 0.0 }, 0, 0),
     ] {
         let mut simulator = simulator();
         simulator.set_failure(SensorOutput::Accelerometer(Axis::Z), Some(failure)).unwrap();
@@ -218,7 +218,7 @@ fn drop_outs_lose_their_mass() {
         }
         // Gravity at rest is the same in each interval, except for the rounding of the generator.
         assert!((velocity + lost as f64 * g_t).abs() < 1e-12 * n as f64 * g_t, "{failure:?}: {velocity}");
-        if failure == (Failure::PeriodicDropOuts { interval_s: 0.25 }) {
+        if failure == (Failure::DropOuts { interval_s: 0.25, probability: 0.0 }) {
             assert!(intervals.iter().enumerate().all(|(k, imu)| imu.flags.accel_invalid == (k % 25 == 0)));
         }
     }

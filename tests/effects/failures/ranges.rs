@@ -39,12 +39,12 @@ fn failures_have_ranges() {
         ),
         (
             gyro,
-            Failure::RandomDropOuts { probability: 1.5 },
+            Failure::DropOuts { interval_s: 0.0, probability: 1.5 },
             "failure.probability = 1.5: must be from 0 to 1",
         ),
         (
             gyro,
-            Failure::PeriodicDropOuts { interval_s: 1e10 },
+            Failure::DropOuts { interval_s: 1e10, probability: 0.0 },
             "failure.interval_s = 1e10: must be from 0.0001 to 1e9",
         ),
     ] {

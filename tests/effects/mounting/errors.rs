@@ -1,11 +1,11 @@
 //! Errors in the mounting that the INS assumes appear as in closed form, in both error data.
 
 use nalgebra::Vector3;
-use sins::flight::Manoeuvre;
 use sins::math::{Euler, rotate, rotate_inverse};
 use sins::mechanization::{Frame, VerticalMode};
-use sins::mounting::MountingParameters;
 use sins::sensors::{InitialErrorParameters, TriadParameters};
+use sins::signal::mounting::MountingParameters;
+use sins::truth::flight::Manoeuvre;
 use sins::{ErrorSource, Options};
 
 use super::{aerobatics, flight, mounted, samples, wrongly_believed};

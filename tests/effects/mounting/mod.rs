@@ -5,10 +5,10 @@ mod placement;
 mod truth;
 
 use nalgebra::Vector3;
-use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::math::Euler;
-use sins::mounting::MountingParameters;
+use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorKind, Options, Simulator};
 
 use crate::support::{DEG, resting_sample, step};
@@ -28,7 +28,7 @@ fn flight(manoeuvres: &[Manoeuvre]) -> Flight {
 /// Rolls of up to 160 °/s, a loop and a turn of 4 to 5 g.
 fn aerobatics() -> Flight {
     flight(&[
-        Manoeuvre::STurn { duration_s: 30.0, heading_amplitude_rad: 0.6, cycles: 2.0, ramp_s: 6.0 },
+        Manoeuvre::STurn { duration_s: 30.0, heading_change_rad: 0.6, turns: 2.0, ramp_s: 6.0 },
         Manoeuvre::Roll { duration_s: 5.0, turns: 1.0 },
         Manoeuvre::Loop { duration_s: 35.0, turns: 1.0, ramp_s: 5.0 },
         Manoeuvre::Turn { heading_change_rad: 3.6, bank_rad: 1.35, ramp_s: 3.0 },

@@ -1,9 +1,9 @@
 //! A place and an attitude in the vehicle.
 
 use nalgebra::{Quaternion, Vector3};
+use sins::earth::state::{BodyAxes, EarthFixedState};
 use sins::math::{Euler, attitude_from_euler, rotate, rotate_inverse, rotation_quaternion};
-use sins::mounting::{MountingParameters, Placement};
-use sins::state::{BodyAxes, EarthFixedState};
+use sins::signal::mounting::{MountingParameters, Placement};
 use sins::truth::FlightSample;
 
 const EARTH_RATE: f64 = 7.292_115e-5;

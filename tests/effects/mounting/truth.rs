@@ -1,12 +1,12 @@
 //! With perfect sensors an INS off the reference point navigates to the truth.
 
 use nalgebra::{Quaternion, Vector3};
-use sins::flight::Manoeuvre;
+use sins::earth::state::BodyAxes;
 use sins::math::{Euler, attitude_from_euler, rotate};
 use sins::mechanization::{Frame, Scheme, VerticalMode};
-use sins::mounting::MountingParameters;
 use sins::signal::Increment;
-use sins::state::BodyAxes;
+use sins::signal::mounting::MountingParameters;
+use sins::truth::flight::Manoeuvre;
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorSource, Options, Simulator, Step};
 

@@ -82,7 +82,13 @@ impl Host {
             // A text takes the time of about a hundred steps.
             217..219 if self.input.one_in(8) => self.make_scene(),
             219..221 if self.input.one_in(8) => self.change_scene(),
-            221 if self.input.one_in(8) => self.fly_scene(),
+            221 if self.input.one_in(8) => {
+                if self.input.one_in(2) {
+                    self.play_scene()
+                } else {
+                    self.fly_scene()
+                }
+            }
             222 if self.input.one_in(8) => self.log(),
             223 if self.input.one_in(8) => self.misuse_scene(),
             224 if self.input.one_in(4) => self.fly_ensemble(),

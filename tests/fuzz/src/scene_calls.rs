@@ -185,6 +185,43 @@ impl Host {
         assert_eq!(call!(sins_destroy(sim)), SINS_OK);
     }
 
+    /// Flies the scene as a whole for some samples, and goes on from a snapshot.
+    pub fn play_scene(&mut self) {
+        let (mut play, mut setup) = (null_mut(), init::<sins_scene_setup>());
+        if call!(sins_scene_get_setup(self.scene, &mut setup)) != SINS_OK
+            || setup.flown_s > LONG_S
+            || call!(sins_play_create(self.scene, null(), &mut play)) != SINS_OK
+        {
+            return;
+        }
+        let (mut sim, mut unit) = (null_mut(), null_mut());
+        assert_eq!(call!(sins_play_get_simulator(play, &mut sim)), SINS_OK);
+        call!(sins_play_get_unit(play, &mut unit));
+        for _ in 0..self.input.below(16) {
+            if self.input.one_in(3) {
+                let sample = self.sims[0].motion.sample();
+                call!(sins_play_push(play, &sample));
+            }
+            if call!(sins_play_next(play)) < 0 {
+                break;
+            }
+            call!(sins_play_get_shown(play, &mut init(), &mut init()));
+            if self.input.one_in(4) {
+                assert_eq!(call!(sins_play_set_plan(play, self.scene)), SINS_OK);
+            }
+        }
+        let (mut bytes, mut size) = (vec![0_u8; SINS_PLAY_SNAPSHOT_MAX_SIZE], 0);
+        let status = call!(sins_play_snapshot_save(play, bytes.as_mut_ptr().cast(), bytes.len(), &mut size));
+        assert_eq!(status, SINS_OK);
+        assert_eq!(call!(sins_play_snapshot_load(play, bytes.as_ptr().cast(), size)), SINS_OK);
+        let (mut records, mut written) = ([init::<sins_record>(); 2], 0);
+        if setup.flown_s * setup.rate_hz < 1e4 {
+            call!(sins_play_run(play, records.as_mut_ptr(), 2, &mut written));
+        }
+        assert_eq!(call!(sins_play_destroy(play)), SINS_OK);
+        assert_eq!(call!(sins_destroy(sim)), SINS_ERROR_BAD_HANDLE);
+    }
+
     /// Calls with invalid handles, and calls that need no handle.
     pub fn misuse_scene(&mut self) {
         let scene = without_provenance_mut(self.input.word() as usize);

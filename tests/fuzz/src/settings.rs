@@ -4,8 +4,8 @@ use std::mem::offset_of;
 use std::sync::LazyLock;
 
 use sins::abi::*;
-use sins::sensors::{PARAMETERS, ParameterRange, ParameterShape, Row, Sensor};
-use sins::surroundings;
+use sins::sensors::{self, PARAMETERS, ParameterRange, ParameterShape, Row, Sensor};
+use sins::signal::mounting;
 
 use crate::call;
 use crate::host::{Host, init};
@@ -63,9 +63,9 @@ fn ranges_of(rows: &[Row]) -> Vec<Range> {
     rows.iter().filter_map(range).collect()
 }
 
-static ALTIMETER: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&surroundings::ALTIMETER));
-static MOUNTING: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&surroundings::MOUNTING));
-static GRAVITY: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&surroundings::GRAVITY));
+static ALTIMETER: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&sensors::ALTIMETER));
+static MOUNTING: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&mounting::MOUNTING));
+static GRAVITY: LazyLock<Vec<Range>> = LazyLock::new(|| ranges_of(&sensors::GRAVITY));
 
 ranges!(CORRECTION, sins_correction,
     position_enu_m: 3, -1e6, 1e6;

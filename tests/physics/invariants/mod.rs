@@ -5,10 +5,10 @@ mod refusals;
 
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
+use sins::earth::state::BodyAxes;
 use sins::math::Euler;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::sensors::{Alignment, AltimeterParameters, InitialErrorParameters, TriadParameters};
-use sins::state::BodyAxes;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
 

@@ -2,8 +2,8 @@
 
 use nalgebra::{SMatrix, SVector, Vector3};
 use sins::earth::Earth;
-use sins::flight::Flight;
 use sins::sensors::TriadParameters;
+use sins::truth::flight::Flight;
 use sins::{ErrorSource, Options};
 
 use super::{Apart, assert_on_page, attitude, flights, gravity, radii, rates, samples, simulator};

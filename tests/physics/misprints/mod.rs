@@ -8,10 +8,10 @@ mod navigation;
 
 use nalgebra::Vector3;
 use sins::earth::{Earth, Geodetic};
-use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::math::attitude_from_euler;
 use sins::scene::builtin;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{Options, Simulator, mechanization};
 
 use crate::support::{DEG, project_file};

@@ -2,10 +2,10 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use sins::earth::{Earth, Geodetic};
-use sins::flight::Flight;
 use sins::mechanization::Scheme;
 use sins::signal::Increment;
 use sins::truth::FlightSample;
+use sins::truth::flight::Flight;
 use sins::{ErrorSource, Options};
 
 use super::{Apart, assert_on_page, attitude, flights, gravity, radii, rates, samples, simulator};

@@ -5,10 +5,10 @@ mod rocket;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::Vector3;
-use sins::flight::{Flight, FlightStart, Manoeuvre};
 use sins::math::{Euler, attitude_from_euler, rotation_vector};
 use sins::signal::Increment;
 use sins::truth::FlightSample;
+use sins::truth::flight::{Flight, FlightStart, Manoeuvre};
 use sins::{ErrorKind, ErrorSource, Options, Simulator, Step};
 
 use crate::support::orbits::about;

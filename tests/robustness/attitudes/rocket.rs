@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use nalgebra::{Complex, UnitQuaternion, Vector3};
+use sins::earth::state::EarthFixedState;
 use sins::earth::{Earth, Geodetic, navigation_axes};
 use sins::mechanization::{Scheme, VerticalMode};
-use sins::state::EarthFixedState;
 use sins::{Options, Simulator};
 
 use crate::support::orbits::{Apart, about, navigated, sample_of};

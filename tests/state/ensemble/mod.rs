@@ -212,7 +212,8 @@ fn in_every_scheme_frame_channel_and_signal_with_half_of_all_effects() {
         if draws.one_in(2) {
             let gyro = SensorOutput::Gyro(draws.of(&[Axis::X, Axis::Y, Axis::Z]));
             let noise = Failure::Noise { density: 1e-5 };
-            let failure = draws.of(&[Failure::Stuck, noise, Failure::RandomDropOuts { probability: 0.3 }]);
+            let failure =
+                draws.of(&[Failure::Stuck, noise, Failure::DropOuts { interval_s: 0.0, probability: 0.3 }]);
             calls.insert(before + 60, Call::Failure(gyro, Some(failure)));
             calls.insert(before + 150, Call::Failure(gyro, None));
             calls.insert(before + 100, Call::Failure(SensorOutput::Altimeter, Some(noise)));

@@ -1,8 +1,8 @@
 //! A saved ensemble continues to the same bits; a damaged snapshot is rejected.
 
 use nalgebra::Vector3;
-use sins::correction::{Compensation, Correction};
 use sins::ensemble::Ensemble;
+use sins::errors::correction::{Compensation, Correction};
 use sins::sensors::InitialErrorParameters;
 use sins::snapshot::{SnapshotOf, seal};
 use sins::truth::FlightSample;

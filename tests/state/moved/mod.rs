@@ -6,10 +6,10 @@ mod slew;
 
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
+use sins::earth::state::Navigation;
 use sins::math::Euler;
 use sins::mechanization::Frame;
 use sins::sensors::InitialErrorParameters;
-use sins::state::Navigation;
 use sins::truth::FlightSample;
 use sins::{ErrorKind, Options, Simulator};
 

@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 use sins::errors::NavigationErrors;
 use sins::math::Euler;
 use sins::mechanization::{Frame, VerticalMode};
-use sins::mounting::MountingParameters;
 use sins::sensors::InitialErrorParameters;
+use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator};
 

@@ -4,12 +4,12 @@ use core::ops::Range;
 
 use super::disturbed::Disturbed;
 use super::shared::LastGood;
-use crate::correction::Compensation;
+use crate::base::error::Error;
+use crate::base::memory::{filled, room};
 use crate::earth::Earth;
-use crate::error::Error;
+use crate::errors::correction::Compensation;
 use crate::errors::{ErrorModel, ModelBatch};
 use crate::mechanization::{Mechanization, NavigatorBatch, VerticalMode};
-use crate::memory::{filled, room};
 use crate::sensors::{Altimeter, FailingTriad, Failure, SensorOutput, StateRows, Triad};
 use crate::signal::{Increment, IncrementRows, RUNS, increment_of, put_increment};
 use crate::simulator::chain::Chain;

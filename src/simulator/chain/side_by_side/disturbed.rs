@@ -3,11 +3,11 @@
 use nalgebra::Vector3;
 
 use super::shared::Shared;
-use crate::correction::Compensation;
-use crate::error::Error;
+use crate::base::error::Error;
+use crate::base::memory::{filled, room};
 use crate::errors::SensorErrors;
+use crate::errors::correction::Compensation;
 use crate::mechanization::VerticalAid;
-use crate::memory::{filled, room};
 use crate::signal::{Increment, MAX_INCREMENTS, RUNS};
 use crate::simulator::chain::Chain;
 use crate::simulator::disturbance::Disturbance;

@@ -3,11 +3,11 @@
 use super::batch::{Batch, Report, State};
 use super::shared::Shared;
 use super::workspace::Workspace;
+use crate::base::instruction_set::{InstructionSet, Work};
 use crate::errors::SensorErrors;
-use crate::instruction_set::{InstructionSet, Work};
 use crate::mechanization::{AidOfEach, VerticalAid, check_state};
-use crate::mounting::Block;
 use crate::sensors::FailingTriad;
+use crate::signal::mounting::Block;
 use crate::signal::{Increment, RUNS, increment_of, put_increment};
 use crate::simulator::ImuFlags;
 use crate::simulator::aid::aid_vertical;

@@ -14,11 +14,11 @@ mod workspace;
 use core::cell::RefCell;
 
 use super::Chain;
-use crate::correction::{Compensation, Correction};
+use crate::base::error::Error;
+use crate::base::instruction_set::InstructionSet;
 use crate::earth::Earth;
-use crate::error::Error;
 use crate::errors::NavigationErrors;
-use crate::instruction_set::InstructionSet;
+use crate::errors::correction::{Compensation, Correction};
 use crate::sensors::{Failure, SensorOutput, SharedInput};
 use crate::signal::{RUNS, increment_of};
 use crate::simulator::chain::view::Views;

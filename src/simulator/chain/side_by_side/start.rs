@@ -6,10 +6,11 @@ use super::batch::Batch;
 use super::shared::LastGood;
 use super::workspace::Workspace;
 use super::{Chain, SideBySide};
-use crate::correction::Compensation;
-use crate::error::Error;
-use crate::instruction_set::InstructionSet;
-use crate::memory::room;
+use crate::base::error::Error;
+use crate::base::instruction_set::InstructionSet;
+use crate::base::memory::room;
+use crate::base::snapshot::Writer;
+use crate::errors::correction::Compensation;
 use crate::sensors::SharedInput;
 use crate::signal::RUNS;
 use crate::simulator::chain::view::Views;
@@ -17,7 +18,6 @@ use crate::simulator::signals::Signals;
 use crate::simulator::snapshot::save_flight;
 use crate::simulator::start::is_of_truth;
 use crate::simulator::{Imperfections, Mode, Options, Simulator};
-use crate::snapshot::Writer;
 use crate::truth::{Intake, Recent, TruthPoint};
 
 impl SideBySide {

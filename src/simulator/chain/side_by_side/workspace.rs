@@ -2,9 +2,9 @@
 
 use super::batch::State;
 use super::disturbed::DisturbedWorkspace;
-use crate::error::Error;
+use crate::base::error::Error;
+use crate::base::memory::{filled, room};
 use crate::mechanization::Scratch;
-use crate::memory::{filled, room};
 use crate::signal::{Increment, IncrementRows, MAX_INCREMENTS, RUNS, Row};
 use crate::simulator::{Imperfections, Options};
 

@@ -1,0 +1,67 @@
+//! What the judge finds in a log, and what is done about it.
+
+use std::path::Path;
+
+use sins::scene::Scene;
+use sins::scene::log::FlightLog;
+use sins::truth::judge::{Finding, Judge, Level};
+
+use crate::failure::Failure;
+use crate::terminal::say;
+
+/// What is done about findings in a log.
+#[derive(Debug, Clone, Copy, Default, clap::Args)]
+pub struct Trust {
+    /// Also refuses a log with a doubtful finding
+    #[arg(long)]
+    pub strict: bool,
+    /// Flies a log with an unusable finding
+    #[arg(long, conflicts_with = "strict")]
+    pub believe: bool,
+}
+
+/// A judge with the Earth and the limits of `scene`.
+pub fn judge_of(scene: &Scene) -> Judge {
+    let options = scene.simulator_options();
+    Judge::new(options.earth(), options.intake.max_acceleration_m_s2)
+}
+
+/// A finding in a sentence, with what to do about it.
+pub fn sentence(finding: &Finding) -> String {
+    let remedy = finding.remedy();
+    format!("{}: {finding}. Remedy: {remedy}", finding.level.word())
+}
+
+/// The findings in the first `count` samples of a log, each with its line.
+pub fn judge(scene: &Scene, path: &Path, log: &FlightLog, count: usize) -> Vec<(Level, String)> {
+    let mut judge = judge_of(scene);
+    for sample in &log.samples()[..count] {
+        // Each value of a log is in its range.
+        if judge.push(sample).is_err() {
+            break;
+        }
+    }
+    let place = |finding: &Finding| match log.line(finding.at.row as usize) {
+        Some(line) if finding.count > 0 => format!("{}:{line}", path.display()),
+        _ => path.display().to_string(),
+    };
+    let words = |finding: Finding| (finding.level, format!("{}: {}", place(&finding), sentence(&finding)));
+    judge.findings().map(words).collect()
+}
+
+impl Trust {
+    /// Refuses a log with these findings, or reports them on standard error.
+    pub fn take(&self, findings: &[(Level, String)]) -> Result<(), Failure> {
+        let worst = findings.iter().map(|(level, _)| *level).max();
+        let refusal = match worst {
+            Some(Level::Unusable) if !self.believe => "the log is refused; --believe flies it all the same",
+            Some(Level::Doubtful | Level::Unusable) if self.strict => "the log is refused (--strict)",
+            _ => {
+                findings.iter().for_each(|(_, words)| say(words));
+                return Ok(());
+            }
+        };
+        let lines: Vec<&str> = findings.iter().map(|(_, words)| words.as_str()).chain([refusal]).collect();
+        Err(Failure::new(lines.join("\n")))
+    }
+}

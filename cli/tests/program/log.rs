@@ -1,0 +1,80 @@
+//! `sins log`: what a log has, and a smooth path of it that flies.
+
+use crate::judged::{circle, faulty, write};
+use crate::support::{done, folder, read, rejected, run};
+
+#[test]
+fn a_log_is_looked_at() {
+    let folder = folder("look");
+    write(&folder.join("good.csv"), &circle(10, 60), true);
+    let said = done(&folder, &["log", "good.csv"]);
+    assert_eq!(said, "good.csv: 601 rows over 60 s, 10 Hz, with velocities\nnothing is doubtful\n");
+    faulty(&folder);
+    let said = done(&folder, &["log", "float32.csv"]);
+    assert!(said.contains("without velocities\nfloat32.csv: unusable: positions step by"), "{said}");
+    assert!(rejected(&folder, &["log", "good.csv", "--smooth"]).contains("--output"));
+}
+
+/// Each of the faults that smoothing is the remedy of: the path flies without a doubt, and near the circle.
+#[test]
+fn faulty_logs_fly_when_they_are_smoothed() {
+    let folder = folder("smooth");
+    faulty(&folder);
+    let truth = circle(50, 150);
+    for log in ["float32", "zeros", "spike", "held", "reversed"] {
+        let (file, smooth) = (format!("{log}.csv"), format!("{log}_smooth.csv"));
+        let (code, said, errors) = run(&folder, &["log", &file, "--smooth", "-o", &smooth]);
+        assert!(code == 0 && said.is_empty(), "{log}: {errors}");
+        assert!(
+            errors.contains("position: motion above ") && errors.contains(" Hz is lost; noise "),
+            "{errors}"
+        );
+        assert_eq!(errors.contains("the velocities of the log are not used"), log == "reversed", "{errors}");
+        assert!(read(folder.join(&smooth)).starts_with("# smoothed by sins log\ntime_s,latitude_deg,"));
+        let mut largest = 0.0_f64;
+        // At its ends a path is stiffer: 20 s are six times 1 / (2π f) of the lowest cut-off.
+        for row in rows_of(&folder.join(&smooth)).iter().filter(|row| (20.0..130.0).contains(&row[0])) {
+            let at = ((row[0] * 50.0).round() as usize).min(truth.len() - 1);
+            let north = (row[1] - truth[at][1]) * 111_200.0;
+            let east = (row[2] - truth[at][2]) * 111_200.0 * 0.682;
+            largest = largest.max(north.hypot(east));
+        }
+        println!("{log}: {largest:.3} m");
+        // A step of 32 bits here is 0.42 m.
+        assert!(largest < 1.0, "{log}: {largest} m");
+        done(&folder, &["fly", "-q", "--strict", &smooth]);
+    }
+    // The same bytes again; a log that the user wrote is not replaced.
+    let before = read(folder.join("spike_smooth.csv"));
+    run(&folder, &["log", "spike.csv", "--smooth", "-o", "spike_smooth.csv"]);
+    assert!(read(folder.join("spike_smooth.csv")) == before);
+    let errors = rejected(&folder, &["log", "spike.csv", "--smooth", "-o", "spike.csv"]);
+    assert!(errors.contains("is the input spike.csv"), "{errors}");
+}
+
+/// A log of positions alone.
+#[test]
+fn a_log_without_attitude_flies_with_a_coordinated_one() {
+    let folder = folder("coordinated");
+    let text: String = circle(5, 150)
+        .iter()
+        .map(|[t, latitude, longitude, height, ..]| format!("{t},{latitude},{longitude},{height}\n"))
+        .collect();
+    std::fs::write(folder.join("track.csv"), format!("time_s,latitude_deg,longitude_deg,height_m\n{text}"))
+        .unwrap();
+    assert!(rejected(&folder, &["log", "track.csv"]).contains("missing columns: roll_rad or roll_deg"));
+    let (code, _, errors) =
+        run(&folder, &["log", "track.csv", "--smooth", "-o", "truth.csv", "--coordinated", "2"]);
+    assert!(code == 0 && errors.contains("attitude: assumed, that of a coordinated flight"), "{errors}");
+    done(&folder, &["fly", "-q", "--strict", "truth.csv"]);
+    // atan(80 m/s 3 deg/s / g) = 23.1 deg; the nose points 2 deg above the path.
+    for row in rows_of(&folder.join("truth.csv")).iter().filter(|row| (20.0..130.0).contains(&row[0])) {
+        assert!((row[7] - 23.1).abs() < 0.3 && (row[8] - 2.0).abs() < 0.4, "{row:?}");
+    }
+}
+
+fn rows_of(path: &std::path::Path) -> Vec<Vec<f64>> {
+    let text = read(path);
+    let rows = text.lines().filter(|line| !line.starts_with('#')).skip(1);
+    rows.map(|line| line.split(',').map(|field| field.parse().unwrap()).collect()).collect()
+}

@@ -1,0 +1,46 @@
+/* sins.hpp for sins_analysis.h: which options a flight needs, and which effects matter. */
+
+#ifndef SINS_ANALYSIS_HPP
+#define SINS_ANALYSIS_HPP
+
+#include "sins.hpp"
+#include "sins_analysis.h"
+
+namespace sins {
+
+/*
+ * Recommends options for a simulator that is configured as sim. options and cost need struct_size. False: no options meet the
+ * requirement, and options and cost are those of the options that come closest.
+ */
+inline bool recommend(const Simulator &sim, const sins_flight_sample *samples, std::size_t count,
+                      const sins_requirement &requirement, sins_options &options, sins_cost &cost) {
+    sim.snapshot_size(); /* throws without a handle, for which sins_recommend() would use the recommended simulator */
+    return detail::done(sins_recommend(sim.handle(), samples, count, &requirement, &options, &cost), nullptr);
+}
+
+/* Recommends options for the recommended simulator with its sensors at the reference point, likewise. */
+inline bool recommend(const sins_flight_sample *samples, std::size_t count, const sins_requirement &requirement,
+                      sins_options &options, sins_cost &cost) {
+    return detail::done(sins_recommend(nullptr, samples, count, &requirement, &options, &cost), nullptr);
+}
+
+/* Error budget of all errors of a simulator. rows gets the first row and one row for each effect. */
+inline sins_budget error_budget(const Simulator &sim, const sins_flight_sample *samples, std::size_t count,
+                                const sins_budget_request &request, std::vector<sins_budget_row> &rows) {
+    sim.snapshot_size(); /* throws without a handle, for which sins_error_budget() would use the recommended simulator */
+    sins_budget budget = make<sins_budget>();
+    std::size_t number = 0;
+    const auto ask = [&] {
+        return sins_error_budget(sim.handle(), samples, count, &request, rows.empty() ? nullptr : rows.data(),
+                                 rows.size(), &number, &budget);
+    };
+    rows.clear();
+    if (ask() == SINS_ERROR_BUFFER_TOO_SMALL)
+        rows.assign(number, make<sins_budget_row>());
+    detail::done(ask(), nullptr);
+    return budget;
+}
+
+} // namespace sins
+
+#endif /* SINS_ANALYSIS_HPP */

@@ -1,0 +1,57 @@
+//! Where the samples of a scene in flight come from.
+
+use std::sync::Arc;
+
+use super::super::{Samples, Scene};
+use crate::base::error::Error;
+use crate::scene::log::FlightLog;
+use crate::truth::FlightSample;
+use crate::truth::flight::Flight;
+
+/// Where the samples come from.
+#[derive(Debug, Clone)]
+pub enum Source {
+    /// A flight that is built in or made of manoeuvres.
+    Flight(Arc<Flight>),
+    /// A flight log.
+    Log(Arc<FlightLog>),
+    /// The host, sample by sample.
+    Host,
+}
+
+impl Source {
+    /// The flight of `scene`, which is not a log.
+    pub fn flight_of(scene: &Scene) -> Result<Self, Error> {
+        Ok(Self::Flight(Arc::new(scene.flight()?)))
+    }
+
+    /// The samples that `scene` flies; `None`: those of the host have no end.
+    pub fn samples(&self, scene: &Scene) -> Result<Option<Samples>, Error> {
+        match self {
+            Self::Flight(_) => scene.samples(None).map(Some),
+            Self::Log(log) => scene.samples(Some(log)).map(Some),
+            Self::Host => Ok(None),
+        }
+    }
+
+    /// Sample `index`, from 0, of a flight sampled at `rate_hz` [Hz], or of the log.
+    pub fn sample(&self, index: usize, rate_hz: f64) -> Result<FlightSample, Error> {
+        match self {
+            // Rounding must not move the last time past the end.
+            Self::Flight(flight) => flight.sample_at((index as f64 / rate_hz).min(flight.duration_s())),
+            Self::Log(log) => {
+                let sample = log.samples().get(index).copied();
+                sample.ok_or_else(|| Error::bad_state("the log has no further sample"))
+            }
+            Self::Host => Err(Error::bad_state("the samples come from the host: push them")),
+        }
+    }
+
+    /// The line of the log on which sample `index` stands.
+    pub fn line(&self, index: usize) -> Option<u64> {
+        match self {
+            Self::Log(log) => log.line(index),
+            Self::Flight(_) | Self::Host => None,
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! The manoeuvres of which a flight is composed.
+
+use crate::base::error::{Error, Rule, check_range};
+use crate::base::kinds::kinds;
+use crate::base::snapshot::codes;
+
+/// Largest number of sinusoids in one manoeuvre.
+pub const MAX_SINUSOIDS: usize = 6;
+
+/// What a sinusoid of SINS_MANOEUVRE_SINUSOIDS moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Channel {
+    /// The sinusoid moves the course [rad], with the bank of a coordinated turn.
+    Course,
+    /// The sinusoid moves the climb angle [rad].
+    Climb,
+    /// The sinusoid moves the speed [m/s].
+    Speed,
+    /// The sinusoid moves roll alone [rad].
+    Roll,
+    /// The sinusoid moves pitch alone [rad].
+    Pitch,
+    /// The sinusoid moves heading alone [rad].
+    Heading,
+}
+
+codes!(Channel {
+    Course = 0 "course", Climb = 1 "climb", Speed = 2 "speed", Roll = 3 "roll", Pitch = 4 "pitch", Heading = 5 "heading",
+});
+
+/// amplitude · sin(2π frequency t + phase), with t since the start of the manoeuvre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sinusoid {
+    /// What it moves.
+    pub channel: Channel,
+    /// Amplitude [rad] or [m/s].
+    pub amplitude: f64,
+    /// Frequency [Hz].
+    pub frequency_hz: f64,
+    /// Phase [rad].
+    pub phase_rad: f64,
+}
+
+/// Sinusoids that act together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sinusoids {
+    terms: [Sinusoid; MAX_SINUSOIDS],
+    count: usize,
+}
+
+impl Default for Sinusoids {
+    fn default() -> Self {
+        Self { terms: [Sinusoid::NONE; MAX_SINUSOIDS], count: 0 }
+    }
+}
+
+impl Sinusoids {
+    /// Those of `terms`; beyond [`MAX_SINUSOIDS`] of them the rest is left out, and the manoeuvre is rejected.
+    pub fn of(terms: &[Sinusoid]) -> Self {
+        let mut all = Self { count: terms.len(), ..Self::default() };
+        all.terms.iter_mut().zip(terms).for_each(|(to, term)| *to = *term);
+        all
+    }
+
+    /// All of them.
+    pub fn terms(&self) -> &[Sinusoid] {
+        &self.terms[..self.count.min(MAX_SINUSOIDS)]
+    }
+
+    /// Adds one. Returns whether there was room for it.
+    pub(crate) fn push(&mut self, term: Sinusoid) -> bool {
+        let place = self.terms.get_mut(self.count);
+        let has_room = place.is_some();
+        if let Some(place) = place {
+            *place = term;
+            self.count += 1;
+        }
+        has_room
+    }
+}
+
+/// Default of the time in which a manoeuvre builds up [s].
+const DEFAULT_RAMP_S: f64 = 5.0;
+
+kinds! {
+    /// One manoeuvre; each begins and ends in straight and level flight. `ramp_s` is the time in which it builds up, and in which it
+    /// dies out, at most half of its duration.
+    Manoeuvre of "manoeuvre", flat ManoeuvreFields {
+        /// Duration [s].
+        duration_s = 0.0,
+        /// Time in which the manoeuvre builds up, and in which it dies out [s].
+        ramp_s = DEFAULT_RAMP_S,
+        /// Change of speed [m/s].
+        speed_change_m_s = 0.0,
+        /// Change of height [m].
+        height_change_m = 0.0,
+        /// Change of heading, right positive; of an S-turn the amplitude of the course [rad].
+        heading_change_rad = 0.0,
+        /// Bank of a turn, 0 to 1.5 [rad].
+        bank_rad = 0.0,
+        /// Number of rolls, of loops, or of swings.
+        turns = 0.0,
+    } with sinusoids: Sinusoids {
+        /// At rest for duration_s; the speed must be 0.
+        Rest = 0 "rest" { duration_s },
+        /// Along a geodesic at constant speed and height for duration_s.
+        Straight = 1 "straight" { duration_s },
+        /// Changes the speed by speed_change_m_s in duration_s.
+        Accelerate = 2 "accelerate" { duration_s, speed_change_m_s },
+        /// Changes the height by height_change_m in duration_s. Uses ramp_s.
+        Climb = 3 "climb" { duration_s, ramp_s, height_change_m },
+        /// Level coordinated turn by heading_change_rad (right positive) at bank_rad, with ramp_s to roll in and to roll out. The
+        /// duration follows from these.
+        Turn = 4 "turn" { ramp_s, heading_change_rad, bank_rad },
+        /// Whole rolls along a straight path in duration_s; the field turns is their number (positive: right wing down).
+        Roll = 5 "roll" { duration_s, turns },
+        /// Whole vertical loops at constant speed in duration_s; the field turns is their number (nose up positive). Uses ramp_s.
+        Loop = 6 "loop" { duration_s, ramp_s, turns },
+        /// The course swings by heading_change_rad to both sides, first to the right if it is positive. The field turns is the number
+        /// of swings in duration_s. A swing is a full period: to one side, to the other side, and back. Uses ramp_s.
+        STurn = 7 "s_turn" { duration_s, ramp_s, heading_change_rad, turns },
+        /// Sum of sinusoid_count sinusoids for duration_s: patrol patterns, rocking, coning, vibration. Uses ramp_s.
+        Sinusoids = 8 "sinusoids" { duration_s, ramp_s; sinusoids: Sinusoids },
+    }
+}
+
+#[cfg(feature = "scenes")]
+impl ManoeuvreFields {
+    /// Makes the quantities 0 that the kind does not use.
+    pub fn clear_unused(&mut self) {
+        let uses = Self::KINDS.get(self.kind).map_or(Self::QUANTITIES, |(_, uses)| uses);
+        let numbers = Self::QUANTITIES.iter().zip(self.numbers_mut());
+        numbers.filter(|(of, _)| !uses.contains(of)).for_each(|(_, number)| *number = 0.0);
+    }
+}
+
+impl Manoeuvre {
+    /// Checks every field, for a manoeuvre that begins at `speed_m_s`.
+    pub(crate) fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
+        let duration = |duration_s: f64| check_range("manoeuvre.duration_s", duration_s, 1e-3, 1e8);
+        let ramp = |ramp_s: f64| check_range("manoeuvre.ramp_s", ramp_s, 1e-3, 1e8);
+        let whole = |turns: f64| {
+            check_range("manoeuvre.turns", turns, -1e4, 1e4)?;
+            let rule = Rule::Sentence("must be a whole number other than 0");
+            if turns == 0.0 || turns != turns.round() {
+                Err(Error::invalid("manoeuvre.turns", turns, rule))
+            } else {
+                Ok(())
+            }
+        };
+        let moving = || {
+            let rule = Rule::Sentence("must be greater than 0 in this manoeuvre; accelerate first");
+            if speed_m_s > 0.0 { Ok(()) } else { Err(Error::invalid("speed_m_s", speed_m_s, rule)) }
+        };
+        match *self {
+            Self::Rest { duration_s } => {
+                let rule = Rule::Zero(" at rest; slow down first");
+                if speed_m_s != 0.0 {
+                    return Err(Error::invalid("speed_m_s", speed_m_s, rule));
+                }
+                duration(duration_s)
+            }
+            Self::Straight { duration_s } => duration(duration_s),
+            Self::Accelerate { duration_s, speed_change_m_s } => {
+                check_range("manoeuvre.speed_change_m_s", speed_change_m_s, -speed_m_s, 10e3 - speed_m_s)?;
+                duration(duration_s)
+            }
+            Self::Climb { duration_s, height_change_m, ramp_s } => {
+                moving()?;
+                duration(duration_s)?;
+                ramp(ramp_s)?;
+                // The climb angle stays below 64°.
+                let limit = 0.9 * speed_m_s * (duration_s - ramp_s.min(0.5 * duration_s));
+                check_range("manoeuvre.height_change_m", height_change_m, -limit, limit)
+            }
+            Self::Turn { heading_change_rad, bank_rad, ramp_s } => {
+                moving()?;
+                check_range("manoeuvre.heading_change_rad", heading_change_rad, -1e4, 1e4)?;
+                check_range("manoeuvre.bank_rad", bank_rad, 1e-3, 1.5)?;
+                ramp(ramp_s)
+            }
+            Self::Roll { duration_s, turns } => {
+                whole(turns)?;
+                duration(duration_s)
+            }
+            Self::Loop { duration_s, turns, ramp_s } => {
+                moving()?;
+                whole(turns)?;
+                ramp(ramp_s)?;
+                duration(duration_s)
+            }
+            Self::STurn { duration_s, heading_change_rad, turns, ramp_s } => {
+                moving()?;
+                check_range("manoeuvre.heading_change_rad", heading_change_rad, -10.0, 10.0)?;
+                check_range("manoeuvre.turns", turns, 0.0, 1e6)?;
+                ramp(ramp_s)?;
+                duration(duration_s)
+            }
+            Self::Sinusoids { duration_s, ramp_s, sinusoids } => {
+                check_range("manoeuvre.sinusoids", sinusoids.count as f64, 1.0, MAX_SINUSOIDS as f64)?;
+                for term in sinusoids.terms() {
+                    term.validate(speed_m_s)?;
+                }
+                let speeds = sinusoids.terms().iter().filter(|term| matches!(term.channel, Channel::Speed));
+                let together = speeds.map(|term| term.amplitude.abs()).sum();
+                check_range("manoeuvre.amplitude, those of the speed together", together, 0.0, speed_m_s)?;
+                ramp(ramp_s)?;
+                duration(duration_s)
+            }
+        }
+    }
+}
+
+impl Sinusoid {
+    /// One without motion.
+    pub(crate) const NONE: Self =
+        Self { channel: Channel::Course, amplitude: 0.0, frequency_hz: 0.0, phase_rad: 0.0 };
+
+    /// Checks every field, for a manoeuvre that begins at `speed_m_s`.
+    pub(crate) fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
+        let limit = match self.channel {
+            Channel::Climb => 1.5,
+            Channel::Speed => speed_m_s,
+            _ => 10.0,
+        };
+        check_range("manoeuvre.amplitude", self.amplitude, -limit, limit)?;
+        check_range("manoeuvre.frequency_hz", self.frequency_hz, 0.0, 1e3)?;
+        check_range("manoeuvre.phase_rad", self.phase_rad, -100.0, 100.0)
+    }
+}

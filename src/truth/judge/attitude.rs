@@ -1,0 +1,182 @@
+//! Attitude against the path: heading and track, roll and the bank of turns, pitch and climb.
+
+use nalgebra::Vector3;
+
+use super::blocks::{Block, Coarseness, End};
+use super::finding::Clue;
+use crate::base::math::{atan, atan2, hypot, sin_cos, wrap_angle};
+use crate::base::units::{DEG, STANDARD_GRAVITY as G};
+
+/// Blocks that a judgement needs.
+const LEAST: f64 = 9.0;
+
+/// What a heading may be instead: sign and factor.
+const HEADINGS: [(&str, f64); 4] = [
+    ("", 1.0),
+    ("anticlockwise, or the opposite sign", -1.0),
+    ("degrees taken for radians", DEG),
+    ("radians taken for degrees", 1.0 / DEG),
+];
+
+/// A sum of unit vectors in the plane.
+#[derive(Debug, Clone, Copy)]
+struct Direction {
+    cosine: f64,
+    sine: f64,
+}
+
+impl Direction {
+    const NONE: Self = Self { cosine: 0.0, sine: 0.0 };
+
+    fn add(&mut self, angle: f64) {
+        let (sine, cosine) = sin_cos(angle);
+        self.cosine += cosine;
+        self.sine += sine;
+    }
+
+    fn length(&self) -> f64 {
+        hypot(self.cosine, self.sine)
+    }
+}
+
+/// Sums of a regression of y on x.
+#[derive(Debug, Clone, Copy)]
+struct Regression {
+    count: f64,
+    x: f64,
+    y: f64,
+    xx: f64,
+    xy: f64,
+    yy: f64,
+}
+
+impl Regression {
+    const NONE: Self = Self { count: 0.0, x: 0.0, y: 0.0, xx: 0.0, xy: 0.0, yy: 0.0 };
+
+    fn add(&mut self, x: f64, y: f64) {
+        self.count += 1.0;
+        self.x += x;
+        self.y += y;
+        self.xx += x * x;
+        self.xy += x * y;
+        self.yy += y * y;
+    }
+
+    /// Standard deviation of x, slope, correlation.
+    fn figures(&self) -> (f64, f64, f64) {
+        let n = self.count;
+        let (xx, yy) = (self.xx / n - (self.x / n) * (self.x / n), self.yy / n - (self.y / n) * (self.y / n));
+        let xy = self.xy / n - self.x / n * self.y / n;
+        (xx.max(0.0).sqrt(), xy / xx, xy / (xx * yy).max(0.0).sqrt())
+    }
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct Attitudes {
+    count: f64,
+    track: Direction,
+    headings: [Direction; 4],
+    /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank².
+    turns: [f64; 4],
+    climb: Regression,
+}
+
+impl Attitudes {
+    pub const fn new() -> Self {
+        Self {
+            count: 0.0,
+            track: Direction::NONE,
+            headings: [Direction::NONE; 4],
+            turns: [0.0; 4],
+            climb: Regression::NONE,
+        }
+    }
+
+    /// Adds the attitude between two blocks, the one that ends at `end` and the next.
+    pub fn add(&mut self, blocks: [&Block; 2], end: &End, coarse: &Coarseness) {
+        let local = |block: &Block| {
+            let [east, north, up] = end.axes.map(|axis| axis.dot(&block.d_e));
+            Vector3::new(east, north, up)
+        };
+        let [first, second] = blocks.map(local);
+        let length_s = blocks[0].length_s + blocks[1].length_s;
+        let v = (first + second) / length_s;
+        let speed = hypot(v.x, v.y);
+        let least = (40.0 * coarse.horizontal_m / length_s).max(5.0);
+        if [first, second].iter().any(|d| hypot(d.x, d.y) < 0.5 * least * length_s) {
+            return;
+        }
+        self.count += 1.0;
+        let track = atan2(v.x, v.y);
+        self.track.add(track);
+        let (roll, pitch) = (wrap_angle(end.euler.roll), wrap_angle(end.euler.pitch));
+        for (sum, (_, factor)) in self.headings.iter_mut().zip(HEADINGS) {
+            sum.add(wrap_angle(end.euler.heading * factor - track));
+        }
+        let turn = wrap_angle(atan2(second.x, second.y) - atan2(first.x, first.y));
+        let bank = atan(speed * turn / (0.5 * length_s) / G);
+        if (5.0 * DEG..75.0 * DEG).contains(&bank.abs()) && sin_cos(pitch).1.abs() > 0.5 {
+            let has_sign = f64::from(u8::from((roll < 0.0) == (bank < 0.0) && roll != 0.0));
+            for (sum, term) in self.turns.iter_mut().zip([1.0, has_sign, roll * bank, bank * bank]) {
+                *sum += term;
+            }
+        }
+        let path = atan2(v.z, speed);
+        if speed > 15.0 && roll.abs() < 1.0 && path.abs() < 1.2 && coarse.up_m < 0.02 * speed * length_s {
+            self.climb.add(path, pitch);
+        }
+    }
+
+    /// Whether there are enough blocks for a judgement.
+    pub fn is_enough(&self) -> bool {
+        self.count >= LEAST
+    }
+
+    /// How well the heading follows the track, 0 to 1, if it does not, and as what it would.
+    pub fn heading_unit(&self) -> Option<(f64, Clue)> {
+        let [as_it_is, ..] = self.headings.map(|sum| sum.length() / self.count);
+        let turned = self.track.length() / self.count < 0.9;
+        if !self.is_enough() || !turned || as_it_is >= 0.8 {
+            return None;
+        }
+        let best = self.headings.iter().zip(HEADINGS).max_by(|a, b| a.0.length().total_cmp(&b.0.length()))?;
+        (best.0.length() / self.count > 0.9).then_some((as_it_is, Clue::Known(best.1.0)))
+    }
+
+    /// Angle of the heading off the track [rad], if it is constant and large.
+    pub fn heading_offset(&self) -> Option<f64> {
+        let sum = &self.headings[0];
+        let angle = atan2(sum.sine, sum.cosine);
+        let is_off = sum.length() / self.count > 0.9 && angle.abs() > 45.0 * DEG;
+        (self.is_enough() && is_off).then_some(angle)
+    }
+
+    /// Slope of the roll on the bank that the turns need, if it is wrong, and whether the sign is.
+    pub fn roll(&self) -> Option<(f64, bool)> {
+        let [count, with_sign, mixed, bank2] = self.turns;
+        if count < 6.0 {
+            return None;
+        }
+        let slope = mixed / bank2;
+        let is_opposite = slope < 0.0 && with_sign < 0.2 * count;
+        (is_opposite || !(0.1..=5.0).contains(&slope)).then_some((slope, is_opposite))
+    }
+
+    /// Slope of the pitch on the angle of the path, if the path varies: if the sign of pitch is wrong, or the height is in feet (true).
+    pub fn pitch(&self) -> Option<(f64, bool)> {
+        let (deviation, slope, correlation) = self.climb.figures();
+        if self.climb.count < LEAST || deviation < 2.0 * DEG {
+            return None;
+        }
+        let in_feet = correlation > 0.8 && (0.2..0.4).contains(&slope);
+        (in_feet || slope < -0.3 && correlation < -0.5).then_some((slope, in_feet))
+    }
+
+    /// Mean of pitch less angle of the path [rad], if it is below -1° and the path does not vary.
+    pub fn negative_attack(&self) -> Option<f64> {
+        let (deviation, ..) = self.climb.figures();
+        let mean = (self.climb.y - self.climb.x) / self.climb.count;
+        let is_negative = self.climb.count >= LEAST && deviation < 2.0 * DEG && mean < -DEG;
+        is_negative.then_some(mean)
+    }
+}

@@ -1,0 +1,168 @@
+//! Blocks of rows, of 1 s and of each power of two above it: long enough that noise is a small share of their displacement.
+
+use nalgebra::Vector3;
+
+use super::attitude::Attitudes;
+use super::finding::At;
+use super::row::Row;
+use super::velocity::Velocities;
+use crate::base::math::Euler;
+
+/// Lengths of blocks: 1 s to 512 s.
+const LEVELS: usize = 10;
+
+/// Sums over the rows of a block.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Block {
+    pub length_s: f64,
+    /// Displacement, Earth-fixed axes [m].
+    pub d_e: Vector3<f64>,
+    /// Climb [m].
+    pub climb_m: f64,
+    /// Integrals of e_i v_j, Earth-fixed axes [m]: unit vectors and velocities east east, north north, up up, east north, north east.
+    pub moved: [Vector3<f64>; 5],
+    /// Integral of the velocity up [m].
+    pub moved_up_m: f64,
+    /// First row.
+    pub begin: At,
+    /// Whether each row has a velocity.
+    pub has_velocity: bool,
+}
+
+impl Block {
+    fn joined(&self, next: &Self) -> Self {
+        let mut moved = self.moved;
+        for (sum, term) in moved.iter_mut().zip(&next.moved) {
+            *sum += term;
+        }
+        Self {
+            length_s: self.length_s + next.length_s,
+            d_e: self.d_e + next.d_e,
+            climb_m: self.climb_m + next.climb_m,
+            moved,
+            moved_up_m: self.moved_up_m + next.moved_up_m,
+            begin: self.begin,
+            has_velocity: self.has_velocity && next.has_velocity,
+        }
+    }
+
+    /// Displacement by the velocities as they are named [m].
+    pub fn moved_e(&self) -> Vector3<f64> {
+        self.moved[0] + self.moved[1] + self.moved[2]
+    }
+}
+
+/// The end of a block.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct End {
+    pub at: At,
+    pub euler: Euler,
+    pub axes: [Vector3<f64>; 3],
+}
+
+/// Upper limits of the noise now, and steps of the positions [m].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Coarseness {
+    pub horizontal_m: f64,
+    pub up_m: f64,
+    /// Usual interval [s].
+    pub usual_s: f64,
+    /// Whether noise and interval are known.
+    pub is_known: bool,
+}
+
+/// Blocks of one length.
+#[derive(Debug, Clone)]
+pub(super) struct Level {
+    /// The first half of a block of the next length.
+    half: Option<Block>,
+    /// The block before, and its end.
+    before: Option<(Block, End)>,
+    pub velocities: Velocities,
+    pub attitudes: Attitudes,
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct Blocks {
+    levels: [Level; LEVELS],
+    growing: Option<Block>,
+    /// Unit vector times velocity at the last row.
+    products: Option<[Vector3<f64>; 5]>,
+    up_m_s: f64,
+    last: Option<At>,
+}
+
+impl Blocks {
+    pub const fn new() -> Self {
+        const LEVEL: Level =
+            Level { half: None, before: None, velocities: Velocities::new(), attitudes: Attitudes::new() };
+        Self { levels: [LEVEL; LEVELS], growing: None, products: None, up_m_s: 0.0, last: None }
+    }
+
+    /// Adds a row.
+    pub fn add(&mut self, row: &Row, coarse: &Coarseness) {
+        let products = row.v_n.map(|v| {
+            let [east, north, up] = row.axes;
+            [east * v.x, north * v.y, up * v.z, east * v.y, north * v.x]
+        });
+        let up_m_s = row.v_n.map_or(0.0, |v| v.z);
+        let t = row.interval_s;
+        let mut moved = [Vector3::zeros(); 5];
+        if let (Some(now), Some(before)) = (&products, &self.products) {
+            moved = core::array::from_fn(|k| (now[k] + before[k]) * (0.5 * t));
+        }
+        let own = Block {
+            length_s: t,
+            d_e: row.d_e,
+            climb_m: row.d_n.z,
+            moved,
+            moved_up_m: 0.5 * (up_m_s + self.up_m_s) * t,
+            begin: self.last.unwrap_or(row.at),
+            has_velocity: products.is_some() && self.products.is_some(),
+        };
+        let had_row = self.last.is_some();
+        (self.products, self.up_m_s, self.last) = (products, up_m_s, Some(row.at));
+        // The first interval has no velocity at its start.
+        if row.v_n.is_some() && !had_row {
+            return;
+        }
+        let grown = self.growing.map_or(own, |growing| growing.joined(&own));
+        // Half an interval of tolerance keeps blocks of rows at whole seconds that long.
+        if grown.length_s < 1.0 - 0.5 * t.min(1.0) {
+            self.growing = Some(grown);
+            return;
+        }
+        self.growing = None;
+        let end = End { at: row.at, euler: row.euler, axes: row.axes };
+        self.complete(grown, &end, coarse);
+    }
+
+    fn complete(&mut self, mut block: Block, end: &End, coarse: &Coarseness) {
+        for level in &mut self.levels {
+            if coarse.is_known {
+                if block.has_velocity {
+                    level.velocities.add(&block, end, coarse);
+                }
+                if let Some((before, at)) = &level.before {
+                    level.attitudes.add([before, &block], at, coarse);
+                }
+            }
+            level.before = Some((block, *end));
+            match level.half.take() {
+                None => {
+                    level.half = Some(block);
+                    return;
+                }
+                Some(half) => block = half.joined(&block),
+            }
+        }
+    }
+
+    /// The shortest blocks from `least_s` [s] on that `fit`, or else those nearest below.
+    pub fn level(&self, least_s: f64, fit: impl Fn(&Level) -> bool) -> Option<&Level> {
+        let lengths = (0..LEVELS).map(|level| f64::from(1_u32 << level));
+        let first = lengths.filter(|length_s| *length_s < least_s).count().min(LEVELS - 1);
+        let up = self.levels[first..].iter();
+        up.chain(self.levels[..first].last()).find(|level| fit(level))
+    }
+}

@@ -1,0 +1,287 @@
+//! The findings that follow from the statistics.
+
+use super::blocks::Level as BlockLevel;
+use super::finding::{At, Clue, Finding, Kind, Level};
+use super::velocity::Wrong;
+use super::{Judge, MAX_FINDINGS};
+
+/// False acceleration above which a finding is a note, doubtful, unusable [m/s²]. An asymmetry of 100 ppm rectifies 1 m/s² to 8 µg;
+/// 50 m/s² saturates the sensors of many grades.
+const ACCELERATION_LEVELS: [f64; 3] = [1.0, 2.0, 50.0];
+
+/// Largest accelerations of vehicles: 15 g in manoeuvres, and 50 g when they touch the ground [m/s²].
+const MANOEUVRE_M_S2: f64 = 150.0;
+const JOLT_M_S2: f64 = 500.0;
+
+/// Share of the moving rows that may be held.
+const HELD_SHARE: f64 = 0.005;
+
+/// Unexplained share of the displacement above which velocities are unusable.
+const CONTRADICTION: f64 = 0.1;
+
+/// Findings as they are collected.
+struct Findings {
+    list: [Option<Finding>; MAX_FINDINGS],
+    count: usize,
+}
+
+impl Findings {
+    fn add(&mut self, finding: Finding) {
+        if let Some(place) = self.list.get_mut(self.count) {
+            *place = Some(finding);
+            self.count += 1;
+        }
+    }
+}
+
+/// A finding without further figures.
+fn finding(kind: Kind, level: Level, figure: f64) -> Finding {
+    Finding {
+        kind,
+        level,
+        at: At::default(),
+        count: 0,
+        figure,
+        acceleration_m_s2: 0.0,
+        ins_error_m: 0.0,
+        clue: Clue::None,
+    }
+}
+
+/// The level of a false acceleration [m/s²]; `None`: it does not matter.
+fn level_of(acceleration_m_s2: f64) -> Option<Level> {
+    let [note, doubtful, unusable] = ACCELERATION_LEVELS;
+    match acceleration_m_s2 {
+        a if a > unusable => Some(Level::Unusable),
+        a if a > doubtful => Some(Level::Doubtful),
+        a if a > note => Some(Level::Note),
+        _ => None,
+    }
+}
+
+impl Judge {
+    /// What is found in the samples so far, the worst first.
+    pub fn findings(&self) -> impl Iterator<Item = Finding> + use<> {
+        let mut found = Findings { list: [None; MAX_FINDINGS], count: 0 };
+        if self.rows > 1 {
+            self.find_in_stamps(&mut found);
+            self.find_in_positions(&mut found);
+            self.find_in_velocities(&mut found);
+            self.find_in_attitudes(&mut found);
+        }
+        let rank = |finding: &Option<Finding>| core::cmp::Reverse(finding.map(|finding| finding.level));
+        found.list.sort_by_key(rank);
+        found.list.into_iter().flatten()
+    }
+
+    /// The level of the worst finding.
+    pub fn worst(&self) -> Option<Level> {
+        self.findings().map(|finding| finding.level).max()
+    }
+
+    fn has_velocity(&self) -> bool {
+        self.last.is_some_and(|last| last.v_n.is_some())
+    }
+
+    /// The level of a false acceleration of positions [m/s²], which nobody flies if the samples have velocities.
+    fn of_positions(&self, acceleration_m_s2: f64) -> Option<Level> {
+        let level = level_of(acceleration_m_s2);
+        if self.has_velocity() { level.map(|_| Level::Note) } else { level }
+    }
+
+    fn find_in_stamps(&self, found: &mut Findings) {
+        let usual_s = self.stamps.usual_s();
+        if self.late > 0 {
+            let own = finding(Kind::TimeOrder, Level::Unusable, self.late as f64);
+            found.add(Finding { at: self.first_late, count: self.late, ..own });
+        }
+        if let Some((shortest_s, at)) = self.stamps.shortest {
+            let level = if self.has_velocity() { Level::Doubtful } else { Level::Unusable };
+            let own = finding(Kind::NearStamps, level, shortest_s);
+            found.add(Finding { at, count: self.stamps.near, ..own });
+        }
+        let step_m = self.resolution.horizontal_m();
+        if let Some(jitter_s) = self.stamps.jitter_s(step_m) {
+            let speed = self.positions.speed_m_s();
+            let acceleration = 6f64.sqrt() * speed * jitter_s / (usual_s * usual_s);
+            let level = self.of_positions(acceleration).unwrap_or(Level::Note);
+            let own = finding(Kind::StampJitter, level, jitter_s);
+            found.add(Finding { acceleration_m_s2: self.flown(acceleration), ..own });
+        }
+        let duration_s = self.last.map_or(0.0, |last| last.time_s) - self.first_s;
+        let (extent_m, mean) = (self.positions.extent_m(), self.positions.extent_m() / duration_s);
+        if extent_m > 100.0 && mean < 0.3 && usual_s >= 5.0 {
+            found.add(finding(Kind::TimeUnit, Level::Unusable, mean));
+        }
+    }
+
+    /// A false acceleration of positions, if it is flown.
+    fn flown(&self, acceleration_m_s2: f64) -> f64 {
+        if self.has_velocity() { 0.0 } else { acceleration_m_s2 }
+    }
+
+    fn find_in_positions(&self, found: &mut Findings) {
+        let usual_s = self.stamps.usual_s();
+        let per_metre = 6f64.sqrt() / (usual_s * usual_s);
+        let steps_m = self.resolution.steps_m;
+        let (mut coarse, mut noisy) = ((0.0, 0.0), 0.0_f64);
+        for (axis, &step_m) in steps_m.iter().enumerate() {
+            let rounding_m = self.noise.rounding(axis, step_m);
+            if rounding_m > coarse.0 {
+                coarse = (rounding_m, step_m);
+            }
+            // Rounding looks like noise: of a steady motion, up to half of the step.
+            let sigma_m = self.noise.sigma(axis);
+            if rounding_m == 0.0 || sigma_m > step_m {
+                noisy = noisy.max(sigma_m);
+            }
+        }
+        // Held rows, and wrong stamps, look like noise.
+        let is_explained =
+            self.find_held(found) || self.stamps.jitter_s(self.resolution.horizontal_m()).is_some();
+        let clue = if self.resolution.is_float32 { Clue::Float32 } else { Clue::None };
+        if let Some(level) = self.of_positions(per_metre * coarse.0).filter(|_| !is_explained) {
+            let own = finding(Kind::CoarsePositions, level, coarse.1);
+            found.add(Finding { acceleration_m_s2: self.flown(per_metre * coarse.0), clue, ..own });
+        }
+        if let Some(level) = self.of_positions(per_metre * noisy).filter(|_| !is_explained) {
+            let own = finding(Kind::NoisyPositions, level, noisy);
+            found.add(Finding { acceleration_m_s2: self.flown(per_metre * noisy), ..own });
+        }
+        let step_m = self.resolution.horizontal_m() + steps_m[2];
+        let spikes = self.positions.spikes(usual_s, step_m);
+        let zeros = self.positions.zeros();
+        if zeros > 0 {
+            let own = finding(Kind::ZerosAtStart, Level::Unusable, zeros as f64);
+            found.add(Finding { count: zeros, ..own });
+        } else if spikes > 0 {
+            let farthest = self.positions.farthest;
+            let acceleration = 2.0 * farthest.value / (usual_s * usual_s);
+            let level = self.of_positions(acceleration).unwrap_or(Level::Note);
+            let own = finding(Kind::Spike, level, farthest.value);
+            let acceleration_m_s2 = self.flown(acceleration);
+            found.add(Finding { at: farthest.at, count: spikes, acceleration_m_s2, ..own });
+        }
+        self.find_acceleration(found);
+    }
+
+    /// Finds accelerations, if no other finding explains them.
+    fn find_acceleration(&self, found: &mut Findings) {
+        let explains = |finding: &Finding| {
+            finding.kind == Kind::ZerosAtStart
+                || finding.acceleration_m_s2 > 0.0 && finding.level == Level::Unusable
+                || finding.kind == Kind::NearStamps
+        };
+        if found.list.iter().flatten().any(explains) {
+            return;
+        }
+        let (jump, flown) = (self.positions.acceleration, self.positions.flown);
+        let limit = self.max_acceleration_m_s2;
+        let (level, largest, clue) = if flown.value > limit {
+            (Level::Unusable, flown, Clue::Limit(limit))
+        } else if self.has_velocity() || jump.value < MANOEUVRE_M_S2 {
+            return;
+        } else {
+            (if jump.value > JOLT_M_S2 { Level::Doubtful } else { Level::Note }, jump, Clue::None)
+        };
+        let own = finding(Kind::Acceleration, level, largest.value);
+        found.add(Finding { at: largest.at, count: 1, clue, ..own });
+    }
+
+    /// Finds held rows; whether there are any.
+    fn find_held(&self, found: &mut Findings) -> bool {
+        let (moving, held) = (self.positions.moving, self.positions.held);
+        if held <= 1 || held as f64 <= HELD_SHARE * moving as f64 {
+            return false;
+        }
+        let share = held as f64 / moving as f64;
+        let usual_s = self.stamps.usual_s();
+        // A held row is a step of the distance of a row or more, and back.
+        let acceleration = 2.0 * self.positions.speed_m_s() / usual_s;
+        let level = self.of_positions(acceleration).unwrap_or(Level::Note);
+        let own = finding(Kind::HeldRows, level, share);
+        let at = self.positions.first_held.unwrap_or_default();
+        let acceleration_m_s2 = self.flown(acceleration);
+        found.add(Finding { at, count: held, acceleration_m_s2, ..own });
+        true
+    }
+
+    /// Time that blocks need, so that noise is 3 % of their displacement [s].
+    fn block_s(&self) -> f64 {
+        let noise_m = self.noise.recent().max(self.noise.recent_up()) + self.resolution.horizontal_m();
+        (30.0 * noise_m / self.positions.speed_m_s().max(0.1)).max(self.stamps.usual_s()).max(2.0)
+    }
+
+    fn find_in_velocities(&self, found: &mut Findings) {
+        if !self.has_velocity() {
+            return;
+        }
+        let usual_s = self.stamps.usual_s();
+        let sigma = (0..3).map(|axis| self.velocity_noise.sigma(axis)).fold(0.0, f64::max);
+        let acceleration_m_s2 = 2f64.sqrt() * sigma / usual_s;
+        if let Some(level) = level_of(acceleration_m_s2) {
+            found.add(Finding { acceleration_m_s2, ..finding(Kind::NoisyVelocities, level, sigma) });
+        }
+        let ins_error_m = self.effect.largest_m;
+        let enough = |level: &BlockLevel| level.velocities.is_enough();
+        let velocities = self.blocks.level(self.block_s(), enough).map(|level| &level.velocities);
+        let wrong = velocities.and_then(|velocities| velocities.wrong());
+        let vertical = velocities.and_then(|velocities| velocities.vertical());
+        let any = self.blocks.level(0.0, |_| true).map(|level| &level.velocities);
+        let outlier = any.and_then(|velocities| velocities.outlier());
+        match (wrong, vertical) {
+            // The signed exchanges include the vertical, if it is a large part of the motion.
+            (Some(Wrong { ratio, clue, .. }), _) if clue != Clue::None => {
+                let own = finding(Kind::VelocityUnit, Level::Unusable, ratio);
+                found.add(Finding { ins_error_m, clue, ..own });
+            }
+            (_, Some((slope, clue))) => {
+                let level = if clue == Clue::None { Level::Doubtful } else { Level::Unusable };
+                found.add(Finding { clue, ..finding(Kind::VerticalUnit, level, slope) });
+            }
+            (Some(Wrong { share, .. }), None) => {
+                let level = if share > CONTRADICTION { Level::Unusable } else { Level::Doubtful };
+                let own = finding(Kind::VelocityContradicts, level, share);
+                found.add(Finding { ins_error_m, ..own });
+            }
+            (None, None) => {
+                if let Some((apart_m, at, count)) = outlier {
+                    let own = finding(Kind::VelocityAtTimes, Level::Doubtful, apart_m);
+                    found.add(Finding { at, count, ins_error_m, ..own });
+                }
+            }
+        }
+    }
+
+    fn find_in_attitudes(&self, found: &mut Findings) {
+        for (wrap, name) in self.wraps.iter().zip(["heading", "roll"]) {
+            if wrap.count > 0 {
+                let own = finding(Kind::AngleThroughWrap, Level::Doubtful, wrap.fastest.value);
+                found.add(Finding { at: wrap.fastest.at, count: wrap.count, clue: Clue::Known(name), ..own });
+            }
+        }
+        let enough = |level: &BlockLevel| level.attitudes.is_enough();
+        let Some(attitudes) = self.blocks.level(self.block_s(), enough).map(|level| &level.attitudes) else {
+            return;
+        };
+        if let Some((follows, clue)) = attitudes.heading_unit() {
+            found.add(Finding { clue, ..finding(Kind::HeadingUnit, Level::Unusable, follows) });
+        } else if let Some(angle) = attitudes.heading_offset() {
+            found.add(finding(Kind::HeadingOffTrack, Level::Note, angle));
+        }
+        match attitudes.roll() {
+            Some((slope, true)) => found.add(finding(Kind::RollSign, Level::Unusable, slope)),
+            Some((slope, false)) => found.add(finding(Kind::RollUnexplained, Level::Note, slope)),
+            None => {}
+        }
+        match attitudes.pitch() {
+            Some((slope, true)) => found.add(finding(Kind::HeightUnit, Level::Doubtful, slope)),
+            Some((slope, false)) => found.add(finding(Kind::PitchSign, Level::Unusable, slope)),
+            None => {
+                if let Some(angle) = attitudes.negative_attack() {
+                    found.add(finding(Kind::AttackNegative, Level::Note, angle));
+                }
+            }
+        }
+    }
+}

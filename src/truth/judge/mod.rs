@@ -1,0 +1,175 @@
+//! Judges samples: finds what is wrong with a flight before an INS flies it.
+//!
+//! The samples are pushed one after the other, and pass once, through memory of fixed size. Each statistic has a threshold that
+//! noise, steps and manoeuvres of the flight itself set, so that no good flight is found doubtful. Displacements are Earth-fixed: no
+//! statistic is singular at a pole or at the date line. Medians are those of `histogram`s.
+
+mod attitude;
+mod blocks;
+mod conclude;
+mod effect;
+mod finding;
+mod histogram;
+mod noise;
+mod positions;
+mod resolution;
+mod row;
+mod sentence;
+mod stamps;
+mod velocity;
+mod wrap;
+
+pub use finding::{At, Finding, Kind, Level};
+
+use crate::base::error::Error;
+use crate::earth::Earth;
+use crate::truth::FlightSample;
+use blocks::{Blocks, Coarseness};
+use effect::Effect;
+use noise::Noise;
+use positions::Positions;
+use resolution::Resolution;
+use row::Row;
+use stamps::Stamps;
+use wrap::Wrap;
+
+/// Largest number of findings of a flight.
+pub const MAX_FINDINGS: usize = 24;
+
+/// Samples until doubts are given in flight: statistics of fewer are those of a few rows.
+const DOUBTS_FROM: u64 = 200;
+
+/// Differences until the noise of the positions is known.
+const KNOWN_NOISE: u64 = 8;
+
+/// Judges the samples of a flight. It has 50 KB, and allocates nothing.
+#[derive(Debug, Clone)]
+pub struct Judge {
+    earth: Earth,
+    max_acceleration_m_s2: f64,
+    /// Samples pushed.
+    rows: u64,
+    first_s: f64,
+    last: Option<FlightSample>,
+    /// Stamps that are not later than the one before, and the first of them.
+    late: u64,
+    first_late: At,
+    stamps: Stamps,
+    resolution: Resolution,
+    noise: Noise,
+    velocity_noise: Noise,
+    positions: Positions,
+    blocks: Blocks,
+    wraps: [Wrap; 2],
+    effect: Effect,
+    /// A bit for each kind of finding that [`Self::new_doubts`] has given.
+    given: u32,
+}
+
+impl Judge {
+    /// A judge of a flight on `earth`, in which a mean acceleration above `max_acceleration_m_s2` [m/s²] between two samples is unusable
+    /// ([`IntakeLimits::max_acceleration_m_s2`](super::IntakeLimits)).
+    pub fn new(earth: Earth, max_acceleration_m_s2: f64) -> Self {
+        Self {
+            earth,
+            max_acceleration_m_s2,
+            rows: 0,
+            first_s: 0.0,
+            last: None,
+            late: 0,
+            first_late: At::default(),
+            stamps: Stamps::new(),
+            resolution: Resolution::new(),
+            noise: Noise::new(),
+            velocity_noise: Noise::new(),
+            positions: Positions::new(),
+            blocks: Blocks::new(),
+            wraps: [const { Wrap::new() }; 2],
+            effect: Effect::new(),
+            given: 0,
+        }
+    }
+
+    /// The step of which all heights are multiples [m]; 0: none.
+    pub(crate) fn height_step_m(&self) -> f64 {
+        self.resolution.steps_m[2]
+    }
+
+    /// Number of samples that were pushed.
+    pub fn count(&self) -> u64 {
+        self.rows
+    }
+
+    /// The findings so far that are doubtful or worse, of the kinds that this function has not given before: for warnings in flight, and
+    /// `at_end` of it. In flight there are none among the first 200 samples.
+    pub fn new_doubts(&mut self, at_end: bool) -> impl Iterator<Item = Finding> + use<> {
+        let mut doubts = [None; MAX_FINDINGS];
+        if at_end || self.rows >= DOUBTS_FROM {
+            for (place, finding) in doubts.iter_mut().zip(self.findings()) {
+                let bit = 1 << finding.kind as u32;
+                if finding.level >= Level::Doubtful && self.given & bit == 0 {
+                    self.given |= bit;
+                    *place = Some(finding);
+                }
+            }
+        }
+        doubts.into_iter().flatten()
+    }
+
+    /// Adds a sample. An error says which value is out of its range; then the sample is not added.
+    pub fn push(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        sample.validate()?;
+        let number = self.rows;
+        self.rows += 1;
+        let Some(last) = self.last else {
+            self.positions.begin(sample);
+            (self.first_s, self.last) = (sample.time_s, Some(*sample));
+            return Ok(());
+        };
+        let at = At { row: number, time_s: sample.time_s };
+        let interval_s = sample.time_s - last.time_s;
+        if interval_s <= 0.0 {
+            if self.late == 0 {
+                self.first_late = at;
+            }
+            self.late += 1;
+            return Ok(());
+        }
+        // A near stamp is never divided by: its row is left out.
+        if !self.stamps.take(interval_s, at) {
+            self.add(&Row::new(&self.earth, number, sample, &last), sample, &last);
+            self.last = Some(*sample);
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, row: &Row, sample: &FlightSample, last: &FlightSample) {
+        let usual_s = self.stamps.usual_s();
+        self.resolution.add(&self.earth, row);
+        let steps_m = self.resolution.steps_m;
+        let step_m = self.resolution.horizontal_m();
+        // Differences of the rates of change: those of uneven samples are not noise.
+        let t = row.interval_s;
+        let fourth = self.noise.add(row.d_e / t, |v| row.local(v) * usual_s, &steps_m);
+        if let (Some(v_n), Some(before)) = (row.v_n, last.v_n) {
+            self.velocity_noise.add((v_n - before) / t, |v| v * usual_s, &[0.0; 3]);
+            self.effect.add(&self.earth, row);
+        }
+        self.positions.add(row, sample, usual_s, fourth);
+        if let Some((middle, mean_m)) = self.stamps.add(row) {
+            self.positions.add_window(middle, mean_m, usual_s, step_m);
+        }
+        let coarse = Coarseness {
+            horizontal_m: self.noise.recent() + step_m,
+            up_m: self.noise.recent_up() + steps_m[2],
+            usual_s,
+            is_known: self.noise.count() >= KNOWN_NOISE || usual_s >= 1.0,
+        };
+        self.blocks.add(row, &coarse);
+        let before = At { row: row.at.row - 1, time_s: last.time_s };
+        let (now, then) = (sample.euler, last.euler);
+        for (wrap, step) in self.wraps.iter_mut().zip([now.heading - then.heading, now.roll - then.roll]) {
+            wrap.add(step, row.interval_s, before);
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! Makes a path that an INS can fly from the rows of a log: noise, coarse steps, repeats, outliers and stamps that scatter are smoothed.
+//!
+//! The horizontal position is the unit normal of the ellipsoid, three numbers that are regular at the poles and at the date line; the
+//! attitude is the quaternion, which is regular at the zenith. Each is a quintic spline (`spline`) whose cut-off follows from the spectrum
+//! of the rows (`spectrum`), with weights against outliers (`fit`). The velocity is the exact derivative of the position, so that
+//! nothing contradicts. All functions give the same bits on every platform.
+
+mod coordinated;
+mod fit;
+mod rows;
+mod simplex;
+mod spectrum;
+mod spline;
+
+use core::f64::consts::{FRAC_1_SQRT_2, PI};
+
+use nalgebra::{Quaternion, Vector3};
+
+use crate::base::error::{Error, ErrorKind, Rule, check_range};
+use crate::base::math::{Euler, atan2, attitude_from_euler, euler_from_attitude, exp, hypot, ln, sin_cos};
+use crate::base::memory::room;
+use crate::earth::{Earth, Geodetic};
+use crate::truth::FlightSample;
+use fit::{Curve, Samples};
+use rows::Rows;
+
+/// Acceleration that the steps of the heights may leave [m/s²].
+const STEP_NOISE_M_S2: f64 = 1.0;
+
+/// How rows become a path.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SmoothOptions {
+    /// White noise of a horizontal component of the position [m]; `None`: it is found from the rows.
+    pub position_sigma_m: Option<f64>,
+    /// White noise of an angle of the attitude [rad]; `None`: it is found from the rows.
+    pub attitude_sigma_rad: Option<f64>,
+    /// Angle of attack of a coordinated flight [rad], whose attitude follows from the path; `None`: the attitude is that of the rows.
+    pub coordinated_attack_rad: Option<f64>,
+}
+
+/// What was found of a part of the path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SmoothedPart {
+    /// Motion above this frequency is lost [Hz].
+    pub cutoff_hz: f64,
+    /// Noise of a component [m or rad].
+    pub noise: f64,
+    /// Rows without weight: outliers.
+    pub outliers: u64,
+    /// Largest residual of the rows with weight [m or rad].
+    pub largest: f64,
+    /// Its time stamp [s].
+    pub largest_at_s: f64,
+}
+
+/// A smooth path.
+#[derive(Debug, Clone)]
+pub struct Smoothed {
+    earth: Earth,
+    normals: Curve<3>,
+    heights: Curve<1>,
+    attitudes: Curve<4>,
+    /// Times [s] and temperatures [°C] of the rows.
+    temperatures: Vec<(f64, f64)>,
+    span_s: [f64; 2],
+    /// Rows that were left out: zeros at the start, repeats, and rows too near to the row before.
+    pub left_out: u64,
+    /// Whether the stamps were replaced by those of a steady clock.
+    pub is_steady_clock: bool,
+    /// Whether the attitude was assumed, see [`SmoothOptions::coordinated_attack_rad`].
+    pub is_coordinated: bool,
+}
+
+impl Smoothed {
+    /// A path through `samples`. Their velocities, rates and forces are not used: those of the path follow from its derivatives.
+    pub fn new(earth: &Earth, samples: &[FlightSample], options: &SmoothOptions) -> Result<Self, Error> {
+        for (field, sigma) in [
+            ("position_sigma_m", options.position_sigma_m),
+            ("attitude_sigma_rad", options.attitude_sigma_rad),
+        ] {
+            sigma.map_or(Ok(()), |sigma| check_range(field, sigma, 1e-9, 1e4))?;
+        }
+        let rows = rows::rows(earth, samples)?;
+        let Rows { samples, times_s, .. } = &rows;
+        let middle = samples[samples.len() / 2].place;
+        let scale_m = earth.radii(sin_cos(middle.latitude_rad).0).transverse_m;
+        let mut normals = room(samples.len())?;
+        normals.extend(samples.iter().map(|sample| {
+            let up = earth.east_north_up(&sample.place).2 * scale_m;
+            [up.x, up.y, up.z]
+        }));
+        // A normal has two horizontal components in three numbers.
+        let sigma = options.position_sigma_m.map(|sigma| sigma * (2.0_f64 / 3.0).sqrt());
+        let normals = Curve::through(&Samples { times_s, values: &normals, sigma, cap_hz: f64::INFINITY })?;
+        let mut heights = room(samples.len())?;
+        heights.extend(samples.iter().map(|sample| [sample.place.height_m]));
+        let period_s = fit::median(times_s.windows(2).map(|two| two[1] - two[0]))?;
+        let cap_hz = step_cutoff_hz(rows.height_step_m, period_s);
+        let heights = Curve::through(&Samples { times_s, values: &heights, sigma: None, cap_hz })?;
+        let quaternions = match options.coordinated_attack_rad {
+            Some(_) => Vec::new(),
+            None => quaternions(samples)?,
+        };
+        let mut temperatures = room(samples.len())?;
+        temperatures.extend(
+            times_s.iter().zip(samples).filter_map(|(time_s, sample)| Some((*time_s, sample.temperature_c?))),
+        );
+        let span_s = [times_s[0], times_s[times_s.len() - 1]];
+        let path = coordinated::Path { earth, normals: &normals, heights: &heights };
+        let attitudes = match options.coordinated_attack_rad {
+            Some(attack_rad) => coordinated::attitudes(&path, span_s, attack_rad)?,
+            None => {
+                // A quaternion has half of the angle in four numbers.
+                let sigma = options.attitude_sigma_rad.map(|sigma| sigma * (0.75_f64 / 4.0).sqrt());
+                Curve::through(&Samples { times_s, values: &quaternions, sigma, cap_hz: f64::INFINITY })?
+            }
+        };
+        Ok(Self {
+            earth: *earth,
+            normals,
+            heights,
+            attitudes,
+            temperatures,
+            span_s,
+            left_out: rows.left_out,
+            is_steady_clock: rows.is_steady_clock,
+            is_coordinated: options.coordinated_attack_rad.is_some(),
+        })
+    }
+
+    /// Time stamps of the start and of the end [s].
+    pub fn span_s(&self) -> [f64; 2] {
+        self.span_s
+    }
+
+    /// The sample at a time stamp from the start to the end [s], with the velocity.
+    pub fn sample_at(&self, time_s: f64) -> Result<FlightSample, Error> {
+        check_range("time_s", time_s, self.span_s[0], self.span_s[1])?;
+        let path = coordinated::Path { earth: &self.earth, normals: &self.normals, heights: &self.heights };
+        let (place, v_n) = path.at(time_s);
+        let [w, x, y, z] = self.attitudes.at(time_s, 0);
+        let euler = euler_from_attitude(&Quaternion::new(w, x, y, z).normalize());
+        let temperature_c = self.temperature_at(time_s);
+        Ok(FlightSample { time_s, place, v_n: Some(v_n), euler, omega_ib_b: None, f_b: None, temperature_c })
+    }
+
+    /// What was found of the horizontal position [m].
+    pub fn position(&self) -> SmoothedPart {
+        part(&self.normals, (3.0_f64 / 2.0).sqrt())
+    }
+
+    /// What was found of the height [m].
+    pub fn height(&self) -> SmoothedPart {
+        part(&self.heights, 1.0)
+    }
+
+    /// What was found of the attitude [rad].
+    pub fn attitude(&self) -> SmoothedPart {
+        part(&self.attitudes, (4.0_f64 / 0.75).sqrt())
+    }
+
+    /// Temperature, linear between the rows [°C].
+    fn temperature_at(&self, time_s: f64) -> Option<f64> {
+        let list = &self.temperatures;
+        let behind = list.partition_point(|(at_s, _)| *at_s < time_s).min(list.len().checked_sub(1)?);
+        let before = behind.saturating_sub(1);
+        let ((t0, c0), (t1, c1)) = (list[before], list[behind]);
+        let share = if t1 > t0 { ((time_s - t0) / (t1 - t0)).clamp(0.0, 1.0) } else { 0.0 };
+        Some(c0 + share * (c1 - c0))
+    }
+}
+
+fn part<const N: usize>(curve: &Curve<N>, scale: f64) -> SmoothedPart {
+    let (largest, largest_at_s) = curve.largest;
+    SmoothedPart {
+        cutoff_hz: curve.cutoff_hz,
+        noise: curve.noise * scale,
+        outliers: curve.outliers,
+        largest: largest * scale,
+        largest_at_s,
+    }
+}
+
+/// The cut-off at which steps of `step_m` [m] leave the acceleration [`STEP_NOISE_M_S2`]: σ (2π)² f^2.5 √(π T/9), σ = step/√12. A staircase
+/// has the spectrum of motion.
+fn step_cutoff_hz(step_m: f64, period_s: f64) -> f64 {
+    if step_m == 0.0 {
+        return f64::INFINITY;
+    }
+    let noise = step_m / 12f64.sqrt() * 4.0 * PI * PI * (PI / 9.0 * period_s).sqrt();
+    exp(0.4 * ln(STEP_NOISE_M_S2 / noise))
+}
+
+/// The attitudes of rows as quaternions of continuous sign. Rows that turn by more than 90° each do not define the motion.
+fn quaternions(samples: &[FlightSample]) -> Result<Vec<[f64; 4]>, Error> {
+    let mut list: Vec<[f64; 4]> = room(samples.len())?;
+    for sample in samples {
+        let q = attitude_from_euler(&sample.euler);
+        let mut numbers = [q.w, q.i, q.j, q.k];
+        if let Some(last) = list.last() {
+            let cosine: f64 = last.iter().zip(&numbers).map(|(a, b)| a * b).sum();
+            if cosine.abs() < FRAC_1_SQRT_2 {
+                let rule = Rule::Sentence(
+                    "time of a row that turns by more than 90 degrees: the rows are too rare for this attitude",
+                );
+                return Err(Error::of(ErrorKind::Discontinuity, "sample.time_s", sample.time_s, rule));
+            }
+            if cosine < 0.0 {
+                numbers = numbers.map(|number| -number);
+            }
+        }
+        list.push(numbers);
+    }
+    Ok(list)
+}
+
+/// Geodetic position of a normal and a height, the normal of any length.
+fn place_of(normal: &Vector3<f64>, height_m: f64) -> Geodetic {
+    Geodetic {
+        latitude_rad: atan2(normal.z, hypot(normal.x, normal.y)),
+        longitude_rad: atan2(normal.y, normal.x),
+        height_m,
+    }
+}
+
+/// Euler angles as a quaternion's numbers.
+fn numbers_of(euler: &Euler) -> [f64; 4] {
+    let q = attitude_from_euler(euler);
+    [q.w, q.i, q.j, q.k]
+}

@@ -1,0 +1,122 @@
+//! The rows of a log that a path is fitted to.
+
+use crate::base::error::{Error, Rule};
+use crate::base::memory::room;
+use crate::earth::Earth;
+use crate::truth::FlightSample;
+use crate::truth::judge::{Judge, Kind};
+
+use super::fit::median;
+
+/// Rows that a fit needs.
+const LEAST: usize = 20;
+
+/// Share of the usual interval below which a row is too near to the row before.
+const NEAR: f64 = 0.2;
+
+/// Share of held rows above which the receiver is slower than the rows, and share of the mean speed below which a row does not move.
+const HELD: f64 = 0.03;
+const MOVING: f64 = 0.05;
+
+/// Rows that were kept, with the times of a steady clock if the stamps scatter about one.
+pub(super) struct Rows {
+    pub samples: Vec<FlightSample>,
+    pub times_s: Vec<f64>,
+    pub is_steady_clock: bool,
+    /// Rows that were left out: zeros at the start, repeats, and rows too near to the row before.
+    pub left_out: u64,
+    /// The step of the heights [m]; 0: none.
+    pub height_step_m: f64,
+}
+
+/// The rows of `samples`.
+pub(super) fn rows(earth: &Earth, samples: &[FlightSample]) -> Result<Rows, Error> {
+    let mut judge = Judge::new(*earth, f64::INFINITY);
+    for (index, sample) in samples.iter().enumerate() {
+        judge.push(sample).map_err(|error| error.at(index))?;
+    }
+    let count_of =
+        |kind: Kind| judge.findings().find(|finding| finding.kind == kind).map_or(0, |found| found.count);
+    let zeros = (count_of(Kind::ZerosAtStart) as usize).min(samples.len());
+    let is_steady_clock = judge.findings().any(|finding| finding.kind == Kind::StampJitter);
+    let kept = &samples[zeros..];
+    let mut list: Vec<FlightSample> = room(kept.len())?;
+    fresh(earth, kept, &mut list)?;
+    if list.len() < LEAST {
+        let rule = Rule::AtLeast("rows that are not repeats, to fit a path to them:", (LEAST as u64).into());
+        return Err(Error::invalid("samples", list.len() as u64, rule));
+    }
+    let mut times_s = room(list.len())?;
+    times_s.extend(list.iter().map(|sample| sample.time_s));
+    if is_steady_clock {
+        steady(&mut times_s)?;
+    }
+    let left_out = (samples.len() - list.len()) as u64;
+    Ok(Rows { samples: list, times_s, is_steady_clock, left_out, height_step_m: judge.height_step_m() })
+}
+
+/// Keeps the first row of each run of equal positions while the vehicle moves; at rest a row for each interval of the receiver; and none
+/// nearer to the row before than a fifth of the usual interval.
+fn fresh(earth: &Earth, samples: &[FlightSample], list: &mut Vec<FlightSample>) -> Result<(), Error> {
+    let count = samples.len();
+    let usual_s = median(samples.windows(2).map(|two| two[1].time_s - two[0].time_s))?;
+    let mut path_m: Vec<f64> = room(count)?;
+    let mut length_m = 0.0;
+    path_m.push(0.0);
+    for two in samples.windows(2) {
+        length_m += earth.displacement(&two[0].place, &two[1].place).0.norm_squared().sqrt();
+        path_m.push(length_m);
+    }
+    let is_held = |k: usize| {
+        let (before, now) = (&samples[k - 1].place, &samples[k].place);
+        before.latitude_rad == now.latitude_rad && before.longitude_rad == now.longitude_rad
+    };
+    let speed =
+        |from: usize, to: usize| (path_m[to] - path_m[from]) / (samples[to].time_s - samples[from].time_s);
+    let held = (1..count).filter(|&k| is_held(k)).count();
+    let is_slow = held as f64 > HELD * count as f64 && length_m > 0.0;
+    let mean = if count > 1 { speed(0, count - 1) } else { 0.0 };
+    let reach = (count / 200).max(1);
+    let moves =
+        |k: usize| !is_slow || speed(k.saturating_sub(reach), (k + reach).min(count - 1)) > MOVING * mean;
+    // The interval of the receiver.
+    let mut fresh_s: Vec<f64> = room(count)?;
+    if is_slow {
+        fresh_s.extend((1..count).filter(|&k| !is_held(k) && moves(k)).map(|k| samples[k].time_s));
+    }
+    let receiver_s = median(fresh_s.windows(2).map(|two| two[1] - two[0]))?;
+    let mut last_s = f64::NEG_INFINITY;
+    for (k, sample) in samples.iter().enumerate() {
+        let since_s = sample.time_s - last_s;
+        let is_fresh = k == 0 || !is_held(k);
+        if since_s >= NEAR * usual_s && (is_fresh || !moves(k) && since_s > 0.9 * receiver_s) {
+            list.push(*sample);
+            last_s = sample.time_s;
+        }
+    }
+    Ok(())
+}
+
+/// Replaces the stamps by those of a steady clock: the line through them over the number of usual intervals.
+fn steady(times_s: &mut [f64]) -> Result<(), Error> {
+    let usual_s = median(times_s.windows(2).map(|two| two[1] - two[0]))?;
+    let mut ticks = room(times_s.len())?;
+    let mut tick = 0.0;
+    ticks.push(tick);
+    for two in times_s.windows(2) {
+        tick += ((two[1] - two[0]) / usual_s).round().max(1.0);
+        ticks.push(tick);
+    }
+    let count = times_s.len() as f64;
+    let (middle, start_s) = (ticks.iter().sum::<f64>() / count, times_s[0]);
+    let mean_s = times_s.iter().map(|time_s| time_s - start_s).sum::<f64>() / count;
+    let (mut square, mut product) = (0.0, 0.0);
+    for (tick, time_s) in ticks.iter().zip(&*times_s) {
+        square += (tick - middle) * (tick - middle);
+        product += (tick - middle) * (time_s - start_s - mean_s);
+    }
+    for (tick, time_s) in ticks.iter().zip(times_s) {
+        *time_s = start_s + mean_s + (tick - middle) * (product / square);
+    }
+    Ok(())
+}

@@ -1,0 +1,259 @@
+//! Faults that logs have, put into good flights: each is found, with its reason.
+
+use nalgebra::Vector3;
+use sins::math::mix;
+use sins::truth::FlightSample;
+use sins::truth::judge::{Kind, Level};
+
+use super::flights::{self, Good, Samples, without_velocities};
+use super::judged;
+use crate::support::DEG;
+
+/// Radius of the Earth [m], for sizes of damage.
+const RADIUS_M: f64 = 6.37e6;
+
+/// Uniform numbers from -1 to 1.
+struct Draws(u64);
+
+impl Draws {
+    fn uniform(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(1);
+        (mix(self.0.wrapping_mul(0x9e37_79b9_7f4a_7c15)) >> 11) as f64 / 2f64.powi(52) - 1.0
+    }
+
+    /// Nearly normal, of deviation 1.
+    fn normal(&mut self) -> f64 {
+        (0..12).map(|_| self.uniform()).sum::<f64>() / 2.0
+    }
+}
+
+fn each(samples: &[FlightSample], mut damage: impl FnMut(usize, &mut FlightSample)) -> Samples {
+    let mut damaged = samples.to_vec();
+    damaged.iter_mut().enumerate().for_each(|(k, sample)| damage(k, sample));
+    damaged
+}
+
+pub fn move_by(sample: &mut FlightSample, east_m: f64, north_m: f64, up_m: f64) {
+    sample.place.latitude_rad += north_m / RADIUS_M;
+    sample.place.longitude_rad += east_m / (RADIUS_M * sample.place.latitude_rad.cos());
+    sample.place.height_m += up_m;
+}
+
+pub fn float32(samples: &[FlightSample]) -> Samples {
+    let single = |angle: f64| f64::from((angle / DEG) as f32) * DEG;
+    each(&without_velocities(samples), |_, sample| {
+        sample.place.latitude_rad = single(sample.place.latitude_rad);
+        sample.place.longitude_rad = single(sample.place.longitude_rad);
+    })
+}
+
+pub fn noisy(samples: &[FlightSample], sigma_m: f64) -> Samples {
+    let mut draws = Draws(1);
+    each(&without_velocities(samples), |_, sample| {
+        let [east, north, up] = [(); 3].map(|()| sigma_m * draws.normal());
+        move_by(sample, east, north, 1.5 * up);
+    })
+}
+
+/// A receiver of a fifth of the rate, its fixes repeated.
+pub fn held(samples: &[FlightSample]) -> Samples {
+    let mut last = samples[0].place;
+    each(&without_velocities(samples), |k, sample| {
+        if k % 5 == 0 {
+            last = sample.place;
+        }
+        sample.place = last;
+    })
+}
+
+/// One fix in twenty repeats the one before.
+pub fn stale(samples: &[FlightSample]) -> Samples {
+    let mut last = samples[0].place;
+    each(&without_velocities(samples), |k, sample| {
+        if k % 20 == 7 {
+            sample.place = last;
+        }
+        last = sample.place;
+    })
+}
+
+/// The flights that are damaged.
+fn moving() -> Vec<Good> {
+    let scenes = ["racetrack", "commuter", "aerobatics", "patrol"].map(|name| flights::scene(name, 50.0));
+    let logs = ["airliner_cruise", "fighter_aerobatics"].map(flights::log);
+    scenes.into_iter().chain(logs).collect()
+}
+
+/// Damages each flight at a rate, and looks for a finding of one of the `kinds`, at least of a level. The flights without.
+fn missed(
+    kinds: &[Kind],
+    least: Level,
+    rate_hz: f64,
+    damage: impl Fn(&[FlightSample]) -> Samples,
+) -> Vec<String> {
+    let mut missed = Vec::new();
+    for flight in moving() {
+        let findings = judged(&damage(&flight.at(rate_hz)));
+        for finding in &findings {
+            println!("{} {rate_hz} Hz: {:?} {:?}: {finding}", flight.name, finding.level, finding.kind);
+        }
+        if !findings.iter().any(|finding| kinds.contains(&finding.kind) && finding.level >= least) {
+            println!("{} {rate_hz} Hz: no {kinds:?}", flight.name);
+            missed.push(flight.name);
+        }
+    }
+    missed
+}
+
+const NONE: [&str; 0] = [];
+
+#[test]
+fn coarse_and_noisy_positions_are_found() {
+    use Level::{Doubtful, Unusable};
+    assert_eq!(missed(&[Kind::CoarsePositions], Unusable, 50.0, float32), NONE);
+    for (sigma_m, rate_hz, level) in [(2.5, 10.0, Unusable), (2.5, 1.0, Doubtful), (0.5, 10.0, Unusable)] {
+        let noisy = |samples: &[FlightSample]| noisy(samples, sigma_m);
+        assert_eq!(missed(&[Kind::NoisyPositions], level, rate_hz, noisy), NONE);
+    }
+    let coarse = |samples: &[FlightSample]| {
+        let round = |angle: f64| (angle / DEG * 1e5).round() / 1e5 * DEG;
+        each(&without_velocities(samples), |_, sample| {
+            sample.place.latitude_rad = round(sample.place.latitude_rad);
+            sample.place.longitude_rad = round(sample.place.longitude_rad);
+            sample.place.height_m = (sample.place.height_m / 7.62).round() * 7.62;
+        })
+    };
+    assert_eq!(missed(&[Kind::CoarsePositions], Doubtful, 10.0, coarse), NONE);
+}
+
+#[test]
+fn held_rows_spikes_and_zeros_are_found() {
+    use Level::{Doubtful, Unusable};
+    assert_eq!(missed(&[Kind::HeldRows], Unusable, 50.0, held), NONE);
+    assert_eq!(missed(&[Kind::HeldRows], Doubtful, 10.0, stale), NONE);
+    for metres in [100.0, 800.0] {
+        let spike = |samples: &[FlightSample]| {
+            let middle = samples.len() / 2;
+            each(&without_velocities(samples), |k, sample| {
+                move_by(sample, if k == middle { metres } else { 0.0 }, 0.0, 0.0);
+            })
+        };
+        assert_eq!(missed(&[Kind::Spike], Unusable, 1.0, spike), NONE);
+    }
+    let zeros = |samples: &[FlightSample]| {
+        each(&without_velocities(samples), |k, sample| {
+            sample.place.height_m = if k < 5 { 0.0 } else { sample.place.height_m + 2000.0 };
+        })
+    };
+    assert_eq!(missed(&[Kind::ZerosAtStart], Unusable, 1.0, zeros), NONE);
+}
+
+#[test]
+fn bad_time_stamps_are_found() {
+    let near = |samples: &[FlightSample]| {
+        let mut damaged = Vec::new();
+        for (k, sample) in without_velocities(samples).iter().enumerate() {
+            damaged.push(*sample);
+            if k % 50 == 20 {
+                damaged.push(FlightSample { time_s: sample.time_s + 60e-6, ..*sample });
+            }
+        }
+        damaged
+    };
+    assert_eq!(missed(&[Kind::NearStamps], Level::Unusable, 10.0, near), NONE);
+    let scatter = |samples: &[FlightSample]| {
+        let mut draws = Draws(2);
+        each(&without_velocities(samples), |_, sample| sample.time_s += 0.02 * draws.uniform())
+    };
+    assert_eq!(missed(&[Kind::StampJitter], Level::Unusable, 10.0, scatter), NONE);
+    let milliseconds =
+        |samples: &[FlightSample]| each(&without_velocities(samples), |_, sample| sample.time_s *= 1000.0);
+    assert_eq!(missed(&[Kind::TimeUnit], Level::Unusable, 10.0, milliseconds), NONE);
+    let late = |samples: &[FlightSample]| {
+        each(samples, |k, sample| {
+            if k == 100 {
+                sample.time_s -= 1.0;
+            }
+        })
+    };
+    assert_eq!(missed(&[Kind::TimeOrder], Level::Unusable, 10.0, late), NONE);
+}
+
+#[test]
+fn velocities_in_other_units_and_axes_are_found() {
+    let of_each = |change: &dyn Fn(Vector3<f64>) -> Vector3<f64>| {
+        let damage =
+            |samples: &[FlightSample]| each(samples, |_, sample| sample.v_n = sample.v_n.map(change));
+        missed(&[Kind::VelocityUnit, Kind::VerticalUnit], Level::Unusable, 10.0, damage)
+    };
+    for factor in [1.0 / 0.514444, 1.0 / 0.3048, 3.6, 1.0 / 0.44704] {
+        assert_eq!(of_each(&|v| v * factor), NONE);
+    }
+    assert_eq!(of_each(&|v| Vector3::new(v.y, v.x, v.z)), NONE);
+    assert_eq!(of_each(&|v| Vector3::new(v.x, -v.y, v.z)), NONE);
+    // The racetrack is level.
+    assert_eq!(of_each(&|v| Vector3::new(v.x, v.y, -v.z)), ["racetrack"]);
+    let feet = |samples: &[FlightSample]| each(samples, |_, sample| sample.place.height_m /= 0.3048);
+    assert_eq!(missed(&[Kind::VerticalUnit], Level::Unusable, 10.0, feet), ["racetrack"]);
+}
+
+#[test]
+fn two_reversed_velocities_are_found() {
+    for rate_hz in [50.0, 2.0] {
+        let reversed = |samples: &[FlightSample]| {
+            let middle = samples.len() / 2;
+            each(samples, |k, sample| {
+                if k == middle || k == middle + 7 {
+                    sample.v_n = sample.v_n.map(|v| -v);
+                }
+            })
+        };
+        assert_eq!(missed(&[Kind::VelocityAtTimes], Level::Doubtful, rate_hz, reversed), NONE);
+    }
+}
+
+#[test]
+fn attitudes_of_another_sign_or_unit_are_found() {
+    let of_each = |kind: Kind, least: Level, change: &dyn Fn(&mut FlightSample)| {
+        let damage = |samples: &[FlightSample]| each(samples, |_, sample| change(sample));
+        missed(&[kind], least, 10.0, damage)
+    };
+    // The airliner turns by 50° only: its heading can have an offset.
+    let heading = |change: fn(f64) -> f64| {
+        of_each(Kind::HeadingUnit, Level::Unusable, &move |sample| {
+            sample.euler.heading = change(sample.euler.heading);
+        })
+    };
+    assert_eq!(heading(|angle| -angle), ["airliner_cruise"]);
+    assert_eq!(heading(|angle| angle / DEG), ["airliner_cruise"]);
+    // The fighter is inverted half of its time: its roll does not explain the turns.
+    let roll = of_each(Kind::RollSign, Level::Unusable, &|sample| sample.euler.roll *= -1.0);
+    assert_eq!(roll, ["fighter_aerobatics"]);
+    // Those that are nearly level.
+    let pitch = of_each(Kind::PitchSign, Level::Unusable, &|sample| sample.euler.pitch *= -1.0);
+    assert_eq!(pitch, ["racetrack", "patrol", "airliner_cruise"]);
+    let feet = of_each(Kind::HeightUnit, Level::Doubtful, &|sample| {
+        sample.v_n = None;
+        sample.place.height_m /= 0.3048;
+    });
+    assert_eq!(feet, ["racetrack", "airliner_cruise", "fighter_aerobatics"]);
+}
+
+/// The heading swings about north, and was interpolated by number from each fifth row.
+#[test]
+fn headings_interpolated_through_north_are_found() {
+    let wrapped = |samples: &[FlightSample]| {
+        let turned = each(samples, |k, sample| {
+            sample.euler.heading = (0.06 * (k as f64 * 0.05).sin()).rem_euclid(360.0 * DEG);
+        });
+        each(&turned, |k, sample| {
+            let (before, after) = (k / 5 * 5, (k / 5 * 5 + 5).min(turned.len() - 1));
+            let share = (k - before) as f64 / (after - before).max(1) as f64;
+            let [first, second] = [before, after].map(|k| turned[k].euler.heading);
+            sample.euler.heading = first + share * (second - first);
+        })
+    };
+    for rate_hz in [50.0, 5.0] {
+        assert_eq!(missed(&[Kind::AngleThroughWrap], Level::Doubtful, rate_hz, wrapped), NONE);
+    }
+}

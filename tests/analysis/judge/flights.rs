@@ -1,0 +1,135 @@
+//! Good flights: embedded scenes, logs of a flight dynamics simulator, and vehicles that do not fly like aeroplanes.
+
+use nalgebra::Vector3;
+use sins::earth::{Earth, Geodetic};
+use sins::math::Euler;
+use sins::scene::{BUILTIN_SCENES, builtin};
+use sins::truth::FlightSample;
+
+use crate::support::{DEG, Table};
+
+pub type Samples = Vec<FlightSample>;
+
+/// A good flight at its own rate.
+pub struct Good {
+    pub name: String,
+    pub rate_hz: f64,
+    pub samples: Samples,
+}
+
+/// The most of a flight that is judged [s].
+const LONGEST_S: f64 = 1200.0;
+
+/// The embedded scene `name` at a rate, its first 20 minutes.
+pub fn scene(name: &str, rate_hz: f64) -> Good {
+    let scene = builtin(name).unwrap();
+    let flight = scene.flight().unwrap();
+    let count = (flight.duration_s().min(LONGEST_S) * rate_hz).floor() as usize + 1;
+    let samples = (0..count).map(|k| flight.sample_at(k as f64 / rate_hz).unwrap()).collect();
+    Good { name: name.to_owned(), rate_hz, samples }
+}
+
+/// A log of the examples.
+pub fn log(name: &str) -> Good {
+    let samples = Table::csv(&format!("c_examples/flights/{name}.csv")).samples(false);
+    let rate_hz = 1.0 / (samples[1].time_s - samples[0].time_s);
+    Good { name: name.to_owned(), rate_hz, samples }
+}
+
+/// Motion in a plane about a place: velocity, height and attitude of a time.
+pub fn vehicle(name: &str, rate_hz: f64, motion: impl Fn(f64) -> (Vector3<f64>, Euler)) -> Good {
+    let earth = Earth::default();
+    let mut place = Geodetic { latitude_rad: 48.0 * DEG, longitude_rad: 11.0 * DEG, height_m: 500.0 };
+    // Simpson's rule over each interval, on the ellipsoid.
+    let rate = |place: &Geodetic, v: &Vector3<f64>| {
+        let radii = earth.radii(place.latitude_rad.sin());
+        let (east, north) = (radii.transverse_m + place.height_m, radii.meridian_m + place.height_m);
+        Vector3::new(v.y / north, v.x / (east * place.latitude_rad.cos()), v.z)
+    };
+    let moved = |place: &Geodetic, change: Vector3<f64>| Geodetic {
+        latitude_rad: place.latitude_rad + change.x,
+        longitude_rad: place.longitude_rad + change.y,
+        height_m: place.height_m + change.z,
+    };
+    let t = 1.0 / rate_hz;
+    let mut samples = Vec::new();
+    for k in 0..(600.0 * rate_hz) as usize {
+        let time_s = k as f64 * t;
+        let (v_n, euler) = motion(time_s);
+        samples.push(FlightSample {
+            time_s,
+            place,
+            v_n: Some(v_n),
+            euler,
+            omega_ib_b: None,
+            f_b: None,
+            temperature_c: None,
+        });
+        let [middle, end] = [motion(time_s + 0.5 * t).0, motion(time_s + t).0];
+        let first = rate(&place, &v_n);
+        let half = rate(&moved(&place, first * (0.5 * t)), &middle);
+        let whole = rate(&moved(&place, half * t), &end);
+        place = moved(&place, (first + half * 4.0 + whole) * (t / 6.0));
+    }
+    Good { name: name.to_owned(), rate_hz, samples }
+}
+
+/// Vehicles that do not fly like aeroplanes, at 50 Hz.
+pub fn vehicles() -> Vec<Good> {
+    let level = |heading: f64| Euler { roll: 0.0, pitch: 0.0, heading };
+    let forward = |speed: f64, heading: f64| Vector3::new(speed * heading.sin(), speed * heading.cos(), 0.0);
+    vec![
+        // Gusts move it by decimetres.
+        vehicle("hover", 50.0, |t| {
+            let v = Vector3::new(0.3 * (0.7 * t).sin(), 0.2 * (0.9 * t).cos(), 0.1 * (0.4 * t).sin());
+            (v, Euler { roll: 0.02 * (0.7 * t).cos(), pitch: -0.02 * (0.9 * t).sin(), heading: 0.3 })
+        }),
+        vehicle("taxi", 50.0, |t| {
+            let heading = 0.8 * (0.05 * t).sin();
+            (forward(8.0, heading), level(heading))
+        }),
+        vehicle("car", 50.0, |t| {
+            let heading = 0.02 * t + 0.4 * (0.1 * t).sin();
+            (forward(25.0, heading), level(heading))
+        }),
+        // 3 g upwards for a minute, then coasting, and down by a parachute: its attitude is at the zenith.
+        vehicle("rocket", 50.0, |t| {
+            let up = if t < 60.0 { 30.0 * t } else { (1800.0 - 9.5 * (t - 60.0)).max(-100.0) };
+            (Vector3::new(0.5 * t.min(60.0), 0.0, up), Euler { roll: 0.0, pitch: 89.0 * DEG, heading: 0.0 })
+        }),
+        vehicle("balloon", 50.0, |t| {
+            let v = Vector3::new(6.0 + (0.02 * t).sin(), 2.0 * (0.013 * t).cos(), 4.0);
+            (v, Euler { roll: 0.05 * (1.1 * t).sin(), pitch: 0.05 * (1.3 * t).cos(), heading: 0.1 * t })
+        }),
+        vehicle("helicopter sideways", 50.0, |t| {
+            let heading = 0.5 + 0.004 * t;
+            (forward(15.0, heading + 90.0 * DEG), Euler { roll: 0.1, pitch: 0.03, heading })
+        }),
+        vehicle("drone at rest", 50.0, |_| (Vector3::zeros(), level(1.0))),
+        // Turns on the spot: its heading passes through north again and again.
+        vehicle("drone that pirouettes", 50.0, |t| {
+            let heading = (1.5 * t) % (360.0 * DEG);
+            (Vector3::new(0.1 * (0.3 * t).sin(), 0.0, 0.0), level(heading))
+        }),
+    ]
+}
+
+/// All good flights.
+pub fn all() -> Vec<Good> {
+    let scenes = BUILTIN_SCENES.iter().map(|(name, _)| scene(name, 50.0));
+    let logs = ["airliner_cruise", "fighter_aerobatics"].map(log);
+    scenes.chain(logs).chain(vehicles()).collect()
+}
+
+impl Good {
+    /// The flight at a lower rate.
+    pub fn at(&self, rate_hz: f64) -> Samples {
+        let every = (self.rate_hz / rate_hz).round().max(1.0) as usize;
+        self.samples.iter().step_by(every).copied().collect()
+    }
+}
+
+/// The same without velocities.
+pub fn without_velocities(samples: &[FlightSample]) -> Samples {
+    samples.iter().map(|sample| FlightSample { v_n: None, ..*sample }).collect()
+}

@@ -1,0 +1,67 @@
+//! Findings of the judge: none of level doubtful in good flights, and the faults of logs with their reasons.
+
+pub mod faults;
+pub mod flights;
+
+use sins::earth::Earth;
+use sins::truth::judge::{Finding, Judge, Level};
+use sins::truth::{FlightSample, IntakeLimits};
+
+/// The findings in `samples`.
+fn judged(samples: &[FlightSample]) -> Vec<Finding> {
+    let mut judge = Judge::new(Earth::default(), IntakeLimits::default().max_acceleration_m_s2);
+    for sample in samples {
+        judge.push(sample).unwrap();
+    }
+    judge.findings().collect()
+}
+
+/// Each good flight, at 50, 10, 5, 2 and 1 Hz, with and without velocities.
+#[test]
+fn good_flights_are_not_doubtful() {
+    let mut count = 0;
+    for flight in flights::all() {
+        for rate_hz in [100.0, 50.0, 10.0, 5.0, 2.0, 1.0] {
+            let with = flight.at(rate_hz);
+            for (label, samples) in [("with", with.clone()), ("without", flights::without_velocities(&with))]
+            {
+                count += 1;
+                for finding in judged(&samples) {
+                    println!(
+                        "{} {rate_hz} Hz {label} velocities: {:?}: {finding}",
+                        flight.name, finding.level
+                    );
+                    assert!(finding.level < Level::Doubtful, "{} {rate_hz} Hz: {finding}", flight.name);
+                }
+            }
+        }
+    }
+    println!("{count} flights");
+}
+
+/// Uneven sampling with right stamps, which differ by up to a fifth of the interval, is not scatter about a steady clock.
+#[test]
+fn uneven_samples_are_right() {
+    for name in ["racetrack", "commuter", "aerobatics"] {
+        let flight = sins::scene::builtin(name).unwrap().flight().unwrap();
+        let samples: Vec<_> = (0..4000)
+            .map(|k| {
+                let time_s = f64::from(k) * 0.1 + 0.02 * f64::from(k * 7919 % 101) / 101.0;
+                let sample = flight.sample_at(time_s).unwrap();
+                FlightSample { v_n: None, ..sample }
+            })
+            .collect();
+        assert_eq!(judged(&samples), []);
+    }
+}
+
+/// The memory does not grow with the samples.
+#[test]
+fn a_judge_has_64_kilobytes_at_most() {
+    let samples = flights::scene("commuter", 50.0).samples;
+    let began = std::time::Instant::now();
+    let findings = judged(&samples);
+    let each_ns = began.elapsed().as_secs_f64() * 1e9 / samples.len() as f64;
+    println!("{} samples, {each_ns:.0} ns each, {} bytes, {findings:?}", samples.len(), size_of::<Judge>());
+    assert!(size_of::<Judge>() < 64 << 10);
+}
