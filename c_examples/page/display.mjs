@@ -140,6 +140,12 @@ export class Display {
         this.show_state();
     }
 
+    /** Says why the path cannot be shown, until it can. */
+    say_of_path(sentence) {
+        this.say(sentence, true);
+        this.said_of_path = this.said;
+    }
+
     show_state() {
         const { now, scene, said } = this, is_old = now && this.flown_text !== scene.text;
         const place = now?.fault && (now.fault.line ? `${scene.get("flight.file")}:${now.fault.line}: ` : `${shown(now.fault.time_s, 10)} s: `);
@@ -178,16 +184,16 @@ export class Display {
     async preview() {
         const obstacle = this.obstacle();
         if (this.scene.faults.length || this.previewed === this.scene.text) return;
-        if (obstacle) return this.say(obstacle, true);
+        if (obstacle) return this.say_of_path(obstacle);
         const written = (this.previewed = this.scene.text);
         try {
             const path = await this.pilot.ask("path", { text: written });
             if (written !== this.previewed) return;
             this.path = path;
-            this.said = null;
+            if (this.said === this.said_of_path || performance.now() > this.said?.until_ms) this.said = null;
         } catch (fault) {
             this.path = null;
-            if (!this.now || this.now.state > PAUSED) this.say(this.scene.told(fault), true);
+            if (!this.now || this.now.state > PAUSED) this.say_of_path(this.scene.told(fault));
         }
         if (!this.points) this.draw();
         this.show_state();
