@@ -117,7 +117,7 @@ export class Curves {
         event.preventDefault();
         if (step !== undefined) {
             const to = Math.max(0, Math.min(times.length - 1, at + step));
-            plot.setCursor({ left: plot.valToPos(times[to], "x"), top: plot.over.clientHeight / 2 });
+            for (const own of this.plots) own.setCursor({ left: own.valToPos(times[to], "x"), top: own.over.clientHeight / 2 });
         } else {
             const half = (zoom * (max - min)) / 2, [first, last] = [times[0], times.at(-1)];
             const [low, high] = [Math.max(first, times[at] - half), Math.min(last, times[at] + half)];

@@ -9,6 +9,8 @@ import { element, options, parts, shown, text } from "./texts.mjs";
 
 const PACES = [1, 10, 100, 1000, 0]; // in the order of the text "paces"
 const NMI_H = 1852 / 3600;
+/** Time for which a sentence stands in the place of the state of a flight [ms]. */
+const READ_MS = 5000;
 
 export class Display {
     /** pilot: the colleague that flies. */
@@ -88,10 +90,10 @@ export class Display {
     }
 
     /** An action at the panel now, which becomes part of the scene. */
-    async act(kind, values) {
+    async act(kind, values = () => ({})) {
         try {
             if (!this.now || this.now.state > PAUSED) throw new Error(text("nothing_flown"));
-            const lines = Object.entries({ kind: `"${kind}"`, ...values }).map(([name, value]) => `${name} = ${value}\n`);
+            const lines = Object.entries({ kind: `"${kind}"`, ...values() }).map(([name, value]) => `${name} = ${value}\n`);
             const items = this.scene.items("panel"), item = await this.pilot.ask("act", { lines: lines.join(""), items: items.join("\n") });
             this.keep_plan("panel", [...items, item]);
         } catch (error) {
@@ -113,13 +115,18 @@ export class Display {
         if (this.planned === failures) return;
         this.planned = failures;
         if (!this.now || this.now.state > PAUSED || this.scene.faults.length) return;
-        await this.pilot.ask("plan", { list: "failure", items: failures });
-        this.flown_text = this.scene.text;
+        const { items, is_as_planned } = await this.pilot.ask("plan", { list: "failure", items: failures });
+        if (is_as_planned) this.flown_text = with_failures(this.scene.sins, this.flown_text, items);
+        if (items !== failures && this.planned === failures) {
+            this.planned = items;
+            this.scene.set_items("failure", [items]);
+        }
         this.refresh();
     }
 
     /** The state of the flight, and sometimes its curves. */
     take(now, points) {
+        if (now.state !== this.now?.state) this.said = null;
         this.now = now;
         if (points) this.points = points;
         cancelAnimationFrame(this.frame);
@@ -129,8 +136,14 @@ export class Display {
     }
 
     say(sentence, is_fault = false) {
-        this.said = sentence ? { sentence, is_fault } : null;
+        this.said = sentence ? { sentence, is_fault, until_ms: performance.now() + READ_MS } : null;
         this.show_state();
+    }
+
+    /** Says why the path cannot be shown, until it can. */
+    say_of_path(sentence) {
+        this.say(sentence, true);
+        this.said_of_path = this.said;
     }
 
     show_state() {
@@ -146,7 +159,7 @@ export class Display {
 
     refresh(with_curves = true) {
         const { now } = this, is_flying = now?.state === FLYING, is_paused = now?.state === PAUSED;
-        if (is_flying) this.said = null;
+        if (is_flying && performance.now() > this.said?.until_ms) this.said = null;
         [this.start.disabled, this.pause.disabled, this.stop.disabled] = [is_flying, !is_flying && !is_paused, !is_flying && !is_paused];
         this.pause.setAttribute("aria-pressed", String(is_paused));
         this.show_state();
@@ -171,16 +184,16 @@ export class Display {
     async preview() {
         const obstacle = this.obstacle();
         if (this.scene.faults.length || this.previewed === this.scene.text) return;
-        if (obstacle) return this.say(obstacle, true);
+        if (obstacle) return this.say_of_path(obstacle);
         const written = (this.previewed = this.scene.text);
         try {
             const path = await this.pilot.ask("path", { text: written });
             if (written !== this.previewed) return;
             this.path = path;
-            this.said = null;
+            if (this.said === this.said_of_path || performance.now() > this.said?.until_ms) this.said = null;
         } catch (fault) {
             this.path = null;
-            if (!this.now || this.now.state > PAUSED) this.say(this.scene.told(fault), true);
+            if (!this.now || this.now.state > PAUSED) this.say_of_path(this.scene.told(fault));
         }
         if (!this.points) this.draw();
         this.show_state();
@@ -206,6 +219,15 @@ export class Display {
 function duration(time_s) {
     const [unit, size] = unit_of("time", time_s);
     return `${shown(time_s / size, 4)} ${unit}`;
+}
+
+/** The text of a scene with other failures. */
+function with_failures(sins, written, items) {
+    const scene = sins.scene_parse(written);
+    sins.scene_set_items(scene, "failure", items);
+    const changed = sins.scene_write(scene);
+    scene.close();
+    return changed;
 }
 
 /** The table of values: the name, then the solution and the truth; or one value. */

@@ -54,6 +54,7 @@ export class Flight {
         this.scene = sins.scene_parse(text);
         const samples = (this.samples = new Samples(sins, this.scene, log));
         this.sim = sins.scene_create_simulator(this.scene);
+        this.is_as_planned = true;
         this.unit = is_with_unit(sins, this.scene) ? sins.scene_create_unit(this.scene) : null;
         [this.records, this.imu, this.sample] = [sins.array(sins.record, 1), sins.array(sins.imu, 1), new sins.flight_sample()];
         this.covariance = sins.scene_get_options(this.scene).covariance ? new sins.covariance() : null;
@@ -163,14 +164,24 @@ export class Flight {
         return new Blob([...this.pieces, this.piece], { type: "text/csv" });
     }
 
-    /** Takes over the planned failures, updates or actions at the panel, which act from the next interval on. */
+    /**
+     * Takes over the planned failures or actions at the panel, which act from the next interval on: a new failure begins now at the
+     * earliest. Returns the items, and whether a scene with them flies what was flown: a failure that has begun is not changed.
+     */
     plan(list, items) {
-        const { sins } = this, before = failures(sins, this.scene);
-        sins.scene_set_items(this.scene, list, items);
-        const outputs = failures(sins, this.scene);
+        const { sins, scene, time_s } = this, before = failures(sins, scene), past = items_of(sins, scene, list);
+        sins.scene_set_items(scene, list, items);
+        if (list === "failure") {
+            const has_begun = (item) => time_s > 0 && Number(/^from_s = (\S+)/m.exec(item)?.[1] ?? 0) < time_s;
+            const wanted = items_of(sins, scene, list);
+            this.is_as_planned &&= past.every((item) => !has_begun(item) || wanted.includes(item));
+            wanted.forEach((item, k) => has_begun(item) && !past.includes(item) && sins.scene_set_values(scene, `failure[${k}].from_s = ${time_s}`));
+        }
+        const outputs = failures(sins, scene);
         for (const [output, [sensor, axis]] of before) { // prepare() does not clear an output without planned failures
             if (!outputs.has(output)) sins.set_failure(this.sim, sensor, axis, new sins.failure());
         }
+        return { items: items_of(sins, scene, list).join("\n"), is_as_planned: this.is_as_planned };
     }
 
     /** The instant now: for the instruments and the table of values. */
@@ -191,6 +202,16 @@ export class Flight {
 }
 
 const is_with_unit = (sins, scene) => sins.scene_get_value(scene, "unit.start") !== '"none"';
+
+/** The items of a list of a scene, as texts. */
+export function items_of(sins, scene, list) {
+    const items = [];
+    try {
+        for (;;) items.push(sins.scene_get_value(scene, `${list}[${items.length}]`));
+    } catch {
+        return items;
+    }
+}
 
 /** The outputs with planned failures. */
 function failures(sins, scene) {

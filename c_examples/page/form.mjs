@@ -167,12 +167,18 @@ export function items(scene, list, fresh) {
         chosen = Math.max(0, Math.min(chosen, all.length - 1));
         if (own.length === 0 || draft === null) draft = all.length ? draft_of(all[chosen]) : null;
         choices.replaceChildren(...options(all.map((item, k) => [String(k), `${k + 1} ${summary(scene, draft_of(item))}`]), String(chosen)));
-        message.value = own.length ? scene.told(own[0]) : "";
+        message.value = own.length ? told_with_item(scene, own[0]) : "";
         if (draft) edit();
         else editor.replaceChildren();
         bar.children[1].disabled = all.length === 0;
     };
     return made;
+}
+
+/** What is wrong with an item, and with which one: the sentence of the library names the section alone. */
+function told_with_item(scene, fault) {
+    const told = scene.told(fault), [item] = /^\w+\[\d+\]/.exec(fault.path) ?? [""];
+    return told.includes(item) ? told : `${item}: ${told}`;
 }
 
 const LISTS = { manoeuvre: "Manoeuvres", failure: "Failures of sensors", update: "Updates", panel: "Panel of the INS" };

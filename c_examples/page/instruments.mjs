@@ -81,11 +81,11 @@ function place_of(rad, letters, width) {
     return `${letters[rad < 0 ? 1 : 0]}${String(degrees).padStart(width, "0")}°${((tenths % 600) / 10).toFixed(1).padStart(4, "0")}`;
 }
 
-/** The panel of the INS. act(kind, values) is called for each action, in the words of [[panel]]. */
+/** The panel of the INS. act(kind, values) is called for each action, in the words of [[panel]]; values() gives what was entered, or throws. */
 export class Panel {
     constructor(sins, act) {
         this.sins = sins;
-        const button = (name, kind, values) => element("button", { onclick: () => act(kind, values?.() ?? {}), "data-act": kind }, name);
+        const button = (name, kind, values) => element("button", { onclick: () => act(kind, values), "data-act": kind }, name);
         const entries = parts("entries").map((name) => element("input", { "aria-label": `${name} [°]`, placeholder: `${name} [°]`, inputmode: "decimal", autocomplete: "off" }));
         const number = (entry) => {
             const value = entry.value.trim();
@@ -94,18 +94,18 @@ export class Panel {
         };
         const position = () => ({ latitude_deg: number(entries[0]), longitude_deg: number(entries[1]) });
         const power = element("select", { "aria-label": text("Power") }, ...options(parts("powers").map((name, k) => [String(k), name])));
-        power.onchange = () => act(["aircraft_power", "battery", "no_power"][power.selectedIndex], {});
+        power.onchange = () => act(["aircraft_power", "battery", "no_power"][power.selectedIndex]);
         this.lamps = ["ALIGN", "NAV RDY", "FAULT", "ON BATT"].map((name) => element("span", { class: "lamp" }, name));
         this.displays = [element("output", { class: "display" }, "--- ---"), element("output", { class: "display" }, "GS ---  TK ---")];
         this.state = element("output", { class: "unit_state" });
-        this.modes = ["OFF", "ALIGN", "NAV", "ATT"].map((name) => button(name, name.toLowerCase()));
+        this.modes = ["OFF", "ALIGN", "NAV", "ATT", "TEST"].map((name) => button(name, name.toLowerCase()));
         this.made = element(
             "fieldset",
             { class: "panel" },
             element("legend", {}, text("Panel of the INS")),
             element("div", { class: "bar" }, ...this.lamps),
             ...this.displays,
-            element("div", { class: "bar" }, ...this.modes, button("TEST", "test"), power),
+            element("div", { class: "bar" }, ...this.modes, power),
             element("div", { class: "bar" }, entries[0], entries[1], button(text("Enter 1").replace(/ ?1$/, ""), "position", position)),
             element("div", { class: "bar" }, button(text("Enter the true position"), "true_position")),
             element("div", { class: "bar" }, entries[2], button(text("Enter 2").replace(/ ?2$/, ""), "heading", () => ({ heading_deg: number(entries[2]) }))),

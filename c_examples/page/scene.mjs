@@ -1,6 +1,7 @@
 // The scene of the page: its values by their paths, such as "gyro.bias_deg_h" and "manoeuvre[3].bank_deg", and its faults. Every list of
 // keys, words, units and limits is the library's.
 
+import { items_of } from "./flight.mjs";
 import { label, shown, text, told } from "./texts.mjs";
 
 export class Scene extends EventTarget {
@@ -143,9 +144,7 @@ export class Scene extends EventTarget {
 
     /** The items of a list, "manoeuvre", "failure", "update" or "panel", as texts. */
     items(list) {
-        const items = [];
-        for (let item; (item = this.get(`${list}[${items.length}]`)) !== ""; ) items.push(item);
-        return items;
+        return items_of(this.sins, this.handle, list);
     }
 
     set_items(list, items) {

@@ -110,9 +110,7 @@ export function serve() {
             if (flight) tell(true);
         },
         /** Takes over a list of the scene in flight. */
-        plan({ list, items }) {
-            flight?.plan(list, items);
-        },
+        plan: ({ list, items }) => flight?.plan(list, items),
         /** An action at the panel, now: the item that it is in the scene. */
         act({ lines, items }) {
             const item = `[[panel]]\n${lines}at_s = ${flight.time_s}\n`;

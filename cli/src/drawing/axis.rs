@@ -20,13 +20,14 @@ pub enum Scale {
     Logarithm,
     /// The negative of that.
     NegativeLogarithm,
-    /// Names, one at each tick.
+    /// The decimal logarithm of a period in seconds; the ticks have units of their own.
+    Period,
+    /// Names: the first tick's at 0, the second's at 1.
     Names,
-    /// Time since the start of the run, in units of this length [s].
-    Time(f64),
 }
 
 /// Axis of time, and its unit.
+#[derive(Debug, Clone)]
 pub struct TimeAxis {
     pub axis: Axis,
     pub unit: &'static str,
@@ -86,7 +87,7 @@ impl Axis {
                 ticks.push((at, text));
             }
         }
-        Self { low, high, ticks, scale: Scale::Logarithm }
+        Self { low, high, ticks, scale: Scale::Period }
     }
 
     /// Axis of time from 0 to `duration_s`, in seconds, minutes or hours, with at most `most` ticks.
@@ -104,7 +105,7 @@ impl Axis {
             Some(step) => Self::with_step(0.0, high, *step),
             None => Self::linear(0.0, high, most),
         };
-        TimeAxis { axis: Self { scale: Scale::Time(seconds), ..axis }, unit, seconds }
+        TimeAxis { axis, unit, seconds }
     }
 
     /// Where `value` is between low, 0, and high, 1.
@@ -112,16 +113,17 @@ impl Axis {
         (value - self.low) / (self.high - self.low)
     }
 
-    /// Range and scale for the script of a page.
-    pub fn data(&self) -> String {
+    /// The axis for the script of a page: its first position, its length, 0 or the sign of the logarithms, its unit; or its names.
+    pub fn data(&self, unit: &str) -> String {
+        let names = || self.ticks.iter().map(|(_, name)| name.as_str()).collect::<Vec<_>>().join(" ");
         let scale = match self.scale {
-            Scale::Linear => "1".to_owned(),
-            Scale::Logarithm => "log".to_owned(),
-            Scale::NegativeLogarithm => "-log".to_owned(),
-            Scale::Names => "names".to_owned(),
-            Scale::Time(seconds) => format!("t{seconds}"),
+            Scale::Linear => format!("0 {unit}"),
+            Scale::Logarithm => format!("1 {unit}"),
+            Scale::NegativeLogarithm => format!("-1 {unit}"),
+            Scale::Period => "1 s".to_owned(),
+            Scale::Names => format!("names {}", names()),
         };
-        format!("{} {} {scale}", self.low, self.high)
+        format!("{} {} {scale}", self.low, self.high - self.low)
     }
 
     fn with_step(low: f64, high: f64, step: f64) -> Self {

@@ -5,14 +5,22 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::figure::Figure;
 use super::foot::foot;
 use super::pen::Pen;
+use super::script::script;
 
-const STYLE: &str = concat!(include_str!("plot.css"), include_str!("page.css"));
+/// The style of drawings, which the script copies into files, and that of the page.
+const STYLES: [&str; 2] = [include_str!("plot.css"), include_str!("page.css")];
+
+/// What the script does. Without script it is hidden.
+const HELP: &str = "Point at a curve for the values at a time; drag to enlarge a part, double-click to go back. Keys: \
+                    ← and → move the cursor, + and − enlarge and reduce, Esc goes back.";
 
 /// Mark near the beginning of every page, by which the program recognizes its own pages.
 pub const PAGE_MARK: &str = "<meta name=\"generator\" content=\"sins\">";
 
 /// `body` as a page that needs nothing from outside.
 pub fn document(title: &str, body: &Markup) -> String {
+    let body = body.clone().into_string();
+    let has_panels = body.contains("<g class=\"panel\"");
     let markup = html! {
         (DOCTYPE)
         html lang="en" {
@@ -22,11 +30,13 @@ pub fn document(title: &str, body: &Markup) -> String {
                 meta name="color-scheme" content="light dark";
                 meta name="generator" content="sins";
                 title { (title) }
-                style { (PreEscaped(STYLE)) }
+                @for style in STYLES { style { (PreEscaped(style)) } }
             }
             body {
-                (body)
+                (PreEscaped(&body))
+                @if has_panels { p.help hidden { (HELP) } }
                 (foot())
+                @if has_panels { script { (PreEscaped(script())) } }
             }
         }
     };

@@ -1,4 +1,4 @@
-//! Drawings and pages: `series` → `axis`, `plot` → `figure` → `document` (HTML), `file` (SVG).
+//! Drawings and pages: `series` → `axis`, `plot` → `svg` → `figure` → `document` (HTML, with `script`), `file` (SVG).
 
 pub mod axis;
 pub mod document;
@@ -9,4 +9,6 @@ mod foot;
 pub mod pen;
 pub mod plot;
 pub mod scales;
+mod script;
 pub mod series;
+mod svg;

@@ -20,6 +20,9 @@ const LEAST_HEIGHT_M: f64 = 10.0;
 const REPEATS: f64 = 20.0;
 const SHOWN: f64 = 4.0;
 
+/// Number of places of a line of the track at which a cursor finds the time, also where the line is straight.
+const LEAST_PLACES: usize = 200;
+
 /// Height of the axes of the height, and of all else in the figure but the axes of the track [drawing units].
 const HEIGHT: f64 = 120.0;
 const AROUND: f64 = 2.0 * 79.0;
@@ -87,7 +90,10 @@ fn lines(run: &Run, [truth, navigation]: [&Path; 2], stretch_s: Option<f64>) -> 
     let drawn = |pen: Pen, piece: &[Point]| {
         let (east, north): (Vec<f64>, Vec<f64>) =
             piece.iter().map(|point| (point.east_m, point.north_m)).unzip();
-        let kept = outline(&east, &north, tolerance);
+        let mut kept = outline(&east, &north, tolerance);
+        kept.extend((0..piece.len()).step_by(piece.len().div_ceil(LEAST_PLACES)));
+        kept.sort_unstable();
+        kept.dedup();
         let points = kept.iter().map(|&k| (east[k], north[k])).collect();
         (pen, points, kept.iter().map(|&k| piece[k].time_s).collect())
     };
@@ -118,6 +124,7 @@ fn track(
     });
     let caption = format!("north of the start [{}]", unit.name);
     let mut panel = Panel::new(caption, y, height, traces.collect());
+    panel.time = Some(time_axis(run.duration_s()));
     let truth = paths[0];
     let end =
         truth.points.last().map_or((0.0, 0.0), |point| (point.east_m / unit.si, point.north_m / unit.si));

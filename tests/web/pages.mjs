@@ -1,0 +1,193 @@
+// Pages of `sins report` and `sins ensemble` in Chromium: values at the cursor against the records, enlarged parts, keys, files, and the
+// page without its script.
+//
+//     SINS=target/release/sins node --test tests/web/pages.mjs      see tests/web.sh
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync } from "node:fs";
+import { resolve } from "node:path";
+import test, { after, before } from "node:test";
+import { pathToFileURL } from "node:url";
+
+import { browser } from "./browser.mjs";
+
+const { SINS } = process.env, out = resolve("target/web/pages"), MOST_BYTES = 8192;
+let chromium;
+
+const sins = (...order) => execFileSync(SINS, order, { cwd: out });
+
+before(async () => {
+    mkdirSync(out, { recursive: true });
+    const quiet = ["--quiet", "--force", "--out", out];
+    sins("fly", "simulation2", "--set", "flight.hours=2", ...quiet);
+    sins("fly", "aerobatics", "--set", "flight.hours=0.05", "--preset", "tactical", ...quiet);
+    sins("report", "simulation2.csv", "aerobatics.csv", "-o", "report.html", "--force");
+    sins("ensemble", "simulation2", "--runs", "16", "--set", "flight.hours=0.2", ...quiet);
+    chromium = await browser();
+});
+after(() => chromium.close());
+
+/** A page, opened from its file. Errors within it fail the test; requests to others too. */
+async function opened(context, name, options = {}) {
+    const browsing = await chromium.newContext({ viewport: { width: 1360, height: 900 }, ...options }), page = await browsing.newPage(), errors = [];
+    page.on("pageerror", (error) => errors.push(error.stack));
+    page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+    page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || errors.push(request.url()));
+    context.after(async () => {
+        await browsing.close();
+        assert.deepEqual(errors, []);
+    });
+    await page.goto(pathToFileURL(`${out}/${name}.html`).href);
+    return page;
+}
+
+/** The panel with a caption, in the figures of a run. */
+const panel = (page, run, caption) => page.locator(`[data-run="${run}"] .panel`, { has: page.locator(`.caption:text("${caption}")`) }).first();
+const caption_of = (own) => own.locator(".caption").innerHTML();
+const text_of = (own) => own.locator(".caption").evaluate((caption) => caption.textContent);
+const parts_shown = (page, run) => page.locator(`[data-run="${run}"] .panel.part`).count();
+
+/** Points at a share of a panel, from left to right. */
+async function point(page, own, share) {
+    const hit = own.locator(".hit");
+    await hit.scrollIntoViewIfNeeded();
+    const box = await hit.boundingBox();
+    await page.mouse.move(box.x + share * box.width, box.y + box.height / 2);
+}
+
+/** Columns of a file of records. */
+function records(name) {
+    const [head, ...lines] = readFileSync(`${out}/${name}.csv`, "utf8").trim().split("\n").map((line) => line.split(","));
+    return Object.fromEntries(head.map((column, k) => [column, lines.map((line) => Number(line[k]))]));
+}
+
+/** A column at a time, and how much it changes within two pixels of the drawing. */
+function expected(all, column, time_s, width_s) {
+    const near = all[column].filter((_, k) => Math.abs(all.time_s[k] - time_s) <= width_s);
+    return [Math.min(...near), Math.max(...near)];
+}
+
+test("a cursor shows the values of all panels of the run at that time: those of its records", async (context) => {
+    const page = await opened(context, "report"), all = records("simulation2");
+    for (const share of [0.05, 0.55, 0.95]) {
+        await point(page, panel(page, 1, "position east"), share);
+        const shown = await text_of(panel(page, 1, "position east")), [, time_min] = /(-?[\d.]+) min/.exec(shown), time_s = Number(time_min) * 60;
+        assert.ok(Math.abs(time_s - share * 7200) < 30, shown);
+        for (const [caption, column, size] of [
+            ["position east [km]", "position_east_m", 1000],
+            ["position north [km]", "position_north_m", 1000],
+            ["velocity east", "velocity_east_m_s", 1],
+        ]) {
+            const own = panel(page, 1, caption), text = await text_of(own), values = text.match(/▪ (-?[\d.]+)/g)?.map((value) => Number(value.slice(2)));
+            assert.ok(values?.length >= 2, text);
+            const [low, high] = expected(all, `navigation_error_${column}`, time_s, 30), margin = 0.004 * Math.max(...all[`navigation_error_${column}`].map(Math.abs));
+            for (const value of values) assert.ok(value * size > low - margin && value * size < high + margin, `${text}: ${low} to ${high}`);
+        }
+        // Of the track the first and the last 15 minutes are drawn: it has a dot then. The other run has no cursor.
+        assert.equal((await panel(page, 1, "north of the start").locator(".cursor circle").count()) > 0, share !== 0.55);
+        assert.equal(await page.locator('[data-run="2"] .cursor').count(), 0);
+    }
+    await page.mouse.move(2, 2);
+    assert.equal(await page.locator(".cursor").count(), 0);
+});
+
+test("drag enlarges all panels of the run, double-click goes back", async (context) => {
+    const page = await opened(context, "report"), own = panel(page, 1, "position east");
+    const grid = await own.locator(".x-ticks").count();
+    await point(page, own, 0.25);
+    await page.mouse.down();
+    await point(page, own, 0.5);
+    await page.mouse.up();
+    const enlarged = await parts_shown(page, 1);
+    assert.ok(enlarged >= 10, `${enlarged} panels`); // position, velocity, misalignment, attitude, track
+    assert.equal(await parts_shown(page, 2), 0);
+    const last = panel(page, 1, "difference of the two"), ticks = (await last.locator(".now .x-ticks text").allTextContents()).map(Number);
+    assert.ok(ticks.length >= 4 && ticks[0] >= 30 && ticks.at(-1) <= 60, `${ticks}`);
+    assert.equal(await last.locator("> .x-ticks").isVisible(), false);
+    await point(page, own, 0.5); // the middle of the part
+    const [, time_min] = /(-?[\d.]+) min/.exec(await text_of(own));
+    assert.ok(Math.abs(Number(time_min) - 45) < 0.5, time_min);
+    await own.locator(".hit").dblclick();
+    assert.equal(await parts_shown(page, 1), 0);
+    assert.equal(await own.locator(".x-ticks").count(), grid);
+});
+
+test("keys do the same, and what they show is said", async (context) => {
+    const page = await opened(context, "report"), own = panel(page, 1, "position east");
+    await own.locator(".hit").focus();
+    await page.keyboard.press("ArrowRight");
+    const first = await text_of(own);
+    await page.keyboard.press("Shift+ArrowRight");
+    const second = await text_of(own), time_min = (text) => Number(/(-?[\d.]+) min/.exec(text)[1]);
+    assert.ok(Math.abs(time_min(second) - time_min(first) - 12) < 0.1, `${first}; ${second}`);
+    assert.equal(await page.locator(".said").textContent(), second);
+    await page.keyboard.press("+");
+    assert.ok((await parts_shown(page, 1)) >= 10);
+    await page.keyboard.press("-");
+    await page.keyboard.press("-");
+    assert.equal(await parts_shown(page, 1), 0);
+    await page.keyboard.press("+");
+    await page.keyboard.press("Escape");
+    assert.equal(await parts_shown(page, 1), 0);
+    // One stop of the tab key for each drawing.
+    const stops = await page.locator('.hit[tabindex="0"]').count();
+    assert.equal(stops, await page.locator(".plot:has(.panel)").count());
+});
+
+test("a drawing is saved as SVG, and its data as CSV", async (context) => {
+    const page = await opened(context, "report"), figure = page.locator("figure", { has: page.locator('.caption:text("position east")') }).first();
+    const save = async (kind) => {
+        const [download] = await Promise.all([page.waitForEvent("download"), figure.locator(".save button", { hasText: kind }).first().click()]);
+        return [download.suggestedFilename(), readFileSync(await download.path(), "utf8")];
+    };
+    const [svg_name, svg] = await save("svg");
+    assert.match(svg_name, /\.svg$/);
+    const size = await page.evaluate((text) => new Promise((done) => {
+        const faults = new DOMParser().parseFromString(text, "image/svg+xml").querySelectorAll("parsererror").length, image = new Image();
+        image.onload = () => done([faults, image.naturalWidth, image.naturalHeight]);
+        image.onerror = () => done(null);
+        image.src = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
+    }), svg);
+    assert.ok(size?.[0] === 0 && size[1] > 400 && size[2] > 400, `${size}`);
+    assert.match(svg, /data 2: navigation minus truth/); // with its legend
+    const [, csv] = await save("csv"), rows = csv.trim().split("\n").map((line) => JSON.parse(`[${line.replace(/^panel.*$/, '"head"')}]`)), all = records("simulation2");
+    const east = rows.filter(([caption, line]) => caption?.startsWith("position east") && line?.startsWith("data 2"));
+    assert.ok(east.length > 100);
+    const most_m = Math.max(...all.navigation_error_position_east_m.map(Math.abs));
+    for (const [, , , time_min, value_km] of east) {
+        const [low, high] = expected(all, "navigation_error_position_east_m", Number(time_min) * 60, 15), margin = 0.001 * most_m;
+        assert.ok(value_km * 1000 > low - margin && value_km * 1000 < high + margin, `${time_min} min: ${value_km} km, ${low} to ${high} m`);
+    }
+});
+
+test("without script a page is complete: nothing of the script is on it", async (context) => {
+    for (const name of ["report", "simulation2_ensemble"]) {
+        const page = await opened(context, name, { javaScriptEnabled: false });
+        for (const what of [".hit", ".save", ".cursor", ".said"]) assert.equal(await page.locator(what).count(), 0);
+        assert.equal(await page.locator(".help").isVisible(), false);
+        assert.ok((await page.locator(".plot").count()) > 3);
+        const [, script] = /<script>(.*?)<\/script>/s.exec(readFileSync(`${out}/${name}.html`, "utf8"));
+        assert.ok(script.length <= MOST_BYTES, `${script.length} bytes`);
+    }
+});
+
+test("every panel of every page answers; dark, 400 pixels and print stay", async (context) => {
+    for (const name of ["report", "simulation2_ensemble"]) {
+        for (const options of [{}, { colorScheme: "dark", viewport: { width: 400, height: 800 } }]) {
+            const page = await opened(context, name, options);
+            assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0);
+            const panels = await page.locator(".panel:visible").all();
+            assert.ok(panels.length > 5);
+            for (const own of panels) {
+                await page.mouse.move(1, 1);
+                const before = await caption_of(own);
+                await point(page, own, 0.4);
+                assert.notEqual(await caption_of(own), before, before);
+            }
+            await page.screenshot({ path: `${out}/${name}_${options.colorScheme ?? "light"}.png` });
+            await page.emulateMedia({ media: "print" });
+            for (const what of [".save", ".help"]) assert.equal(await page.locator(what).first().isVisible(), false);
+        }
+    }
+});
