@@ -264,6 +264,25 @@ class Calls(unittest.TestCase):
         self.assertEqual(*ends)
 
 
+class Play(unittest.TestCase):
+    def test_handles_that_are_lent_stay(self):
+        with sins.scene_create_builtin("patrol") as scene:
+            sins.scene_set_values(scene, 'flight.hours = 0.01\nunit.start = "nav"')
+            play = sins.play_create(scene, None)
+        self.assertEqual((sins.play_next(play), sins.play_next(play)), (sins.OK, sins.OK))
+        for read in (sins.play_get_simulator, sins.play_get_unit):
+            lent = read(play)
+            lent.close()
+            del lent
+        with sins.play_get_simulator(play) as sim:
+            self.assertEqual(sins.get_record(sim).time_s, 0.01)
+        status, shown = sins.play_get_shown(play)
+        self.assertEqual((status.state, shown.time_s), (sins.UNIT_STATE_NAVIGATION, 0.01))
+        records = sins.array(sins.record, 5000)
+        count = sins.play_run(play, records)
+        self.assertEqual((records["time_s"][count - 1], sins.play_next(play)), (36.0, sins.PLAY_END))
+
+
 class Loading(unittest.TestCase):
     """The messages of an import with an unusable library."""
 

@@ -21,6 +21,10 @@ mod verdict;
 
 pub use command::Order;
 
+use sins::analysis::budget::Effect;
+use sins::scene::Scene;
+use sins::sensors;
+
 use crate::drawing::document::PAGE_MARK;
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
@@ -41,6 +45,10 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         given.inputs.extend(path);
     }
     let plan = Plan::new(order, &given, requirements)?;
+    if plan.runs > 1 && !is_random(&given.scene) {
+        let what = "nothing is random in this scene: all runs would be equal. --preset navigation sets random errors; --runs 1 flies one run";
+        return Err(Failure::new(format!("{}: {what}", given.origin)));
+    }
     let (folder, name) = order.output.places(&given)?;
     let mut outputs = Outputs::new(&given.inputs, order.output.force);
     // The outputs are opened before the flight, so that one that cannot be written is reported at once.
@@ -101,6 +109,15 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         return Err(Failure::of_kind(Kind::Failed, "every run diverged before the end"));
     }
     verdict::failure(&judged).map_or(Ok(()), Err)
+}
+
+/// Whether two runs of a scene differ.
+fn is_random(scene: &Scene) -> bool {
+    let has_failure = scene.failures.iter().any(|planned| {
+        matches!(planned.failure, sensors::Failure::Noise { .. } | sensors::Failure::DropOuts { .. })
+    });
+    let has_fix = scene.updates.iter().any(|planned| planned.sigma_n.iter().any(|sigma| *sigma > 0.0));
+    has_failure || has_fix || Effect::set_in(&scene.errors).any(|effect| effect.is_random)
 }
 
 fn interrupted(plan: &Plan, results: &Results, checkpoint: &Checkpoint) -> String {

@@ -124,7 +124,7 @@ fn two_runs_of_one_name_do_not_mix() {
     assert!(rows.len() == 3601 && rows.iter().all(|row| row.len() == columns.len()));
     // The same holds for the other commands.
     for (order, name) in [
-        (&["ensemble", "rest", "--runs", "8", "-q"][..], "rest_ensemble.csv"),
+        (&["ensemble", "rest", "--preset", "navigation", "--runs", "8", "-q"][..], "rest_ensemble.csv"),
         (&["report", "sins_out/simulation2.csv"], "report.html"),
         (&["allan", "imu.csv", "--rate", "1", "-o", "sins_out/a.svg"], "a.svg"),
         (&["budget", "rest", "-o", "sins_out"], "budget.html"),
@@ -190,8 +190,7 @@ fn a_full_disk_keeps_what_was_flown() {
 fn a_full_disk_keeps_the_runs_of_an_ensemble() {
     let folder = folder("full_ensemble");
     let program = env!("CARGO_BIN_EXE_sins");
-    let order =
-        "ensemble simulation1 --set flight.hours=0.01 --every 36 --runs 4096 --set gyro.bias_deg_h=0.01";
+    let order = "ensemble simulation1 --set flight.hours=0.01 --every 36 --runs 4096 --set gyro.bias_sigma_deg_h=0.01";
     // More than the checkpoint, less than the table of the runs.
     let script = format!("trap '' XFSZ; ulimit -f 1000; exec '{program}' {order}");
     let output = Command::new("sh").args(["-c", &script]).current_dir(&folder).output().unwrap();

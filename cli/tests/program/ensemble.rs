@@ -167,7 +167,7 @@ fn no_output_is_an_input() {
         (&["--name", "a/b"], "without a folder"),
         (&["--first-run", "18446744073709551615"], "--first-run"),
     ] {
-        let errors = rejected(&folder, &[&["ensemble", "rest"], more].concat());
+        let errors = rejected(&folder, &[&["ensemble", "rest", "--preset", "navigation"], more].concat());
         assert!(errors.contains(words), "{errors}");
     }
 }
@@ -378,7 +378,12 @@ fn figures_that_do_not_exist_are_empty() {
     assert_eq!((code, errors.as_str()), (1, "every run diverged before the end\n"));
     assert!(said.contains("\n  none: no run reached the end\n"), "{said}");
     assert!(said.contains("\n  errors of: accelerometer\n"), "{said}");
-    assert!(ensemble("2", "0.1", &[]).0.1.contains("\n  errors of: nothing: all runs are equal\n"));
+    assert!(ensemble("1", "0.1", &["--force"]).0.1.contains("\n  errors of: nothing: all runs are equal\n"));
+    // Errors that are given are the same in each run.
+    for given in ["gyro.bias_deg_h=1", "flight.rate_hz=1"] {
+        let errors = rejected(&folder, &["ensemble", "rest", "--runs", "2", "--set", given]);
+        assert!(errors.starts_with("rest (built in): nothing is random"), "{errors}");
+    }
     assert_eq!(row[..5], ["10800.000000", "2", "3", "3", "0"]);
     assert!(row.len() == 36 && row[5..].iter().all(String::is_empty), "{row:?}");
     let ((code, said, _), row) = ensemble("1", "0.1", &["--preset", "tactical"]);

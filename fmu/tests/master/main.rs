@@ -5,6 +5,7 @@ mod misuse;
 mod panel;
 mod parts;
 mod random_calls;
+#[allow(dead_code, reason = "a master has no logs")]
 #[path = "../../../tests/support/random_scenes.rs"]
 mod random_scenes;
 mod scenes;
