@@ -33,7 +33,7 @@ impl SceneArguments {
     /// [`Self::load`], flown for `hours`.
     pub fn load_for(&self, hours: &Hours, for_logs: &str) -> Result<Given, Failure> {
         let settings = Settings { hours: hours.hours.clone(), ..self.settings.clone() };
-        Given::load(self.scene.as_deref(), self.log.as_deref(), &settings, for_logs)
+        Given::load(self.scene.as_deref(), self.log.as_deref(), &settings, &self.trust, for_logs)
     }
 
     /// The scene; a log without a scene is flown by the simulator of the scene in the text `for_logs`.
