@@ -106,7 +106,7 @@ impl Flight {
         if scene.errors.altimeter != before.errors.altimeter {
             simulator.set_altimeter(&scene.errors.altimeter)?;
         }
-        play.set_plan(&scene)?;
+        play.set_plan(scene)?;
         self.play = play;
         Ok(())
     }
