@@ -11,7 +11,7 @@ use sins_fmu::get_set::fmi2SetString;
 use sins_fmu::interface::{fmi2Error, fmi2OK};
 use sins_fmu::steps::fmi2DoStep;
 
-use crate::random_scenes::random_scene;
+use crate::random_scenes::{RandomScene, random_scene};
 use crate::support::{Unit, inputs, reference, variables};
 
 fn references(begin: &str) -> Vec<u32> {
@@ -52,7 +52,8 @@ fn random_scenes_fly_to_the_bits_of_the_library() {
     let (errors, shown) = (references("errors."), references("shown."));
     let (mut units, mut stopped) = (0, 0);
     for seed in 2000..2060 {
-        let text = random_scene(seed, false).text;
+        let RandomScene { text, log } = random_scene(seed, false);
+        assert_eq!(log, None);
         let mut scene = Scene::parse(text.as_bytes()).unwrap();
         let source = Source::flight_of(&scene).unwrap();
         let count = source.samples(&scene).unwrap().unwrap().count;
