@@ -78,6 +78,10 @@ public:
     bool get_errors(uint64_t run, int32_t source, sins_errors &errors) const {
         return done(sins_ensemble_get_errors(handle_, run, source, &errors));
     }
+    /* The errors of all runs; struct_size of the first element is set. */
+    bool get_all_errors(int32_t source, sins_errors *errors, std::size_t capacity) const {
+        return done(sins_ensemble_get_all_errors(handle_, source, errors, capacity));
+    }
     bool get_statistics(int32_t source, sins_statistics &statistics) const {
         return done(sins_ensemble_get_statistics(handle_, source, &statistics));
     }

@@ -103,6 +103,7 @@
     X(sins_status, sins_ensemble_get_truth, (sins_ensemble *ensemble, sins_navigation *truth)) \
     X(sins_status, sins_ensemble_get_navigation, (sins_ensemble *ensemble, uint64_t run, sins_navigation *navigation)) \
     X(sins_status, sins_ensemble_get_errors, (sins_ensemble *ensemble, uint64_t run, int32_t source, sins_errors *errors)) \
+    X(sins_status, sins_ensemble_get_all_errors, (sins_ensemble *ensemble, int32_t source, sins_errors *errors, size_t capacity)) \
     X(sins_status, sins_ensemble_get_imu, (sins_ensemble *ensemble, uint64_t run, sins_imu *imu)) \
     X(sins_status, sins_ensemble_get_diverged, (sins_ensemble *ensemble, size_t index, uint64_t *run)) \
     X(sins_status, sins_ensemble_correct, (sins_ensemble *ensemble, uint64_t run, const sins_correction *correction)) \

@@ -5,9 +5,9 @@ use super::choice::Choice;
 use super::correction::{sins_compensation, sins_correction};
 use super::ensemble::{sins_ensemble, with_ensemble};
 use super::errors::sins_errors;
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::imu::sins_imu;
-use super::memory::{Output, put, put_if_wanted, read};
+use super::memory::{Array, Output, put, put_if_wanted, read};
 use super::solution::sins_navigation;
 use crate::base::error::{Error, Rule};
 use crate::simulator::ErrorSource;
@@ -79,6 +79,42 @@ pub unsafe extern "C-unwind" fn sins_ensemble_get_errors(
         let found = ensemble.errors_and_pole(run, ErrorSource::of("source", source)?)?;
         let found = found.map(|(time_s, errors, near_pole)| sins_errors::new(time_s, &errors, near_pole));
         Ok(write_or_need(&output, found))
+    })
+}
+
+/// Reads the errors of all runs into an array, as sins_ensemble_get_errors() does for one: element k is run first_run + k. A run that
+/// has diverged is flagged SINS_ERRORS_NOT_COMPUTED, and its errors are 0. errors[0].struct_size is the size in bytes of each element
+/// of errors; that of the other elements may be anything. No allocation, no system call.
+///
+/// SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the
+/// error model is off. SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of runs. SINS_ERROR_SINGULAR: before the first
+/// step, no run can start at the first sample.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_ensemble_get_all_errors(
+    ensemble: *mut sins_ensemble,
+    source: i32,
+    errors: *mut sins_errors,
+    capacity: usize,
+) -> sins_status {
+    with_ensemble(ensemble, |ensemble| {
+        // SAFETY: the host's promise.
+        let places = unsafe { Array::new(errors, capacity, "errors")? };
+        let source = ErrorSource::of("source", source)?;
+        if capacity < ensemble.runs() {
+            return Err(Failure::buffer("capacity", capacity, ensemble.runs()));
+        }
+        let Some(truth) = ensemble.truth() else {
+            return Ok(SINS_NEED_SAMPLE);
+        };
+        for place in 0..ensemble.runs() {
+            let found = ensemble.errors_unless_diverged(place, source)?;
+            let errors = found
+                .map_or(sins_errors::not_computed(truth.time_s), |(time_s, errors, near_pole)| {
+                    sins_errors::new(time_s, &errors, near_pole)
+                });
+            places.write(place, &errors)?;
+        }
+        Ok(SINS_OK)
     })
 }
 

@@ -75,23 +75,33 @@ impl Ensemble {
     /// usable.
     pub(crate) fn add_to(&self, statistics: &mut Statistics, source: ErrorSource) -> Result<(), Error> {
         for place in 0..self.runs() {
-            if self.diverged_s(place).is_some() {
-                statistics.add_diverged()?;
-                continue;
-            }
-            match self.errors_at(place, source) {
-                Ok(Some((_, errors, _))) => statistics.add(&errors)?,
-                Ok(None) => return Err(Error::bad_state("no sample yet")),
-                Err(error)
-                    if matches!(error.kind, ErrorKind::Diverged | ErrorKind::Singular)
-                        && !is_of_truth(&error) =>
-                {
-                    statistics.add_diverged()?;
-                }
-                Err(error) => return Err(error),
+            match self.errors_unless_diverged(place, source)? {
+                Some((_, errors, _)) => statistics.add(&errors)?,
+                None => statistics.add_diverged()?,
             }
         }
         Ok(())
+    }
+
+    /// Time [s] and errors of the run at `place`, and whether the truth is near a pole; `None`: the run has diverged, or cannot start.
+    pub(crate) fn errors_unless_diverged(
+        &self,
+        place: usize,
+        source: ErrorSource,
+    ) -> Result<Option<(f64, NavigationErrors, bool)>, Error> {
+        if self.diverged_s(place).is_some() {
+            return Ok(None);
+        }
+        match self.errors_at(place, source) {
+            Ok(None) => Err(Error::bad_state("no sample yet")),
+            Err(error)
+                if matches!(error.kind, ErrorKind::Diverged | ErrorKind::Singular)
+                    && !is_of_truth(&error) =>
+            {
+                Ok(None)
+            }
+            found => found,
+        }
     }
 
     /// The failure of an output, which all runs share; `None`: no failure.

@@ -35,6 +35,7 @@ static void compare(sins_ensemble *ensemble, sins_sim *sim, int k)
     static const int32_t sources[] = {SINS_ERRORS_NAVIGATION, SINS_ERRORS_MODEL};
     sins_navigation of_run = {.struct_size = sizeof of_run}, of_sim = {.struct_size = sizeof of_sim};
     sins_imu imu_of_run = {.struct_size = sizeof imu_of_run}, imu_of_sim = {.struct_size = sizeof imu_of_sim};
+    sins_errors all[RUNS] = {{.struct_size = sizeof all[0]}};
     uint64_t run = FIRST_RUN + (uint64_t)k;
     int i;
     CHECK(sins_ensemble_get_navigation(ensemble, run, &of_run) == SINS_OK && sins_get_navigation(sim, &of_sim) == SINS_OK);
@@ -49,7 +50,41 @@ static void compare(sins_ensemble *ensemble, sins_sim *sim, int k)
         CHECK(status == sins_get_errors(sim, sources[i], &errors_of_sim));
         CHECK(status == (i == 1 && model == SINS_ERROR_MODEL_OFF ? SINS_ERROR_BAD_STATE : SINS_OK));
         CHECK(memcmp(&errors_of_run, &errors_of_sim, sizeof errors_of_run) == 0);
+        CHECK(sins_ensemble_get_all_errors(ensemble, sources[i], all, RUNS) == status);
+        CHECK(status != SINS_OK || memcmp(&all[k], &errors_of_sim, sizeof all[k]) == 0);
     }
+}
+
+/* A run that has diverged is flagged among the errors of all; the others have those of their simulators. */
+static void a_run_that_diverged_is_flagged(void)
+{
+    sins_ensemble *ensemble = ensemble_of(FIRST_RUN, RUNS);
+    sins_correction fall = {.struct_size = sizeof fall, .position_enu_m = {0.0, 0.0, 4.95e5}, .velocity_enu_m_s = {0.0, 0.0, 9e3}};
+    sins_errors all[RUNS] = {{.struct_size = sizeof all[0]}}, before[RUNS], one = {.struct_size = sizeof one};
+    int k;
+    memset(&all[1], 0xa5, sizeof all - sizeof all[0]); /* as from malloc */
+    memcpy(before, all, sizeof all);
+    CHECK(sins_ensemble_get_all_errors(ensemble, SINS_ERRORS_NAVIGATION, all, RUNS) == SINS_NEED_SAMPLE);
+    CHECK(sins_ensemble_run(ensemble, samples, 2) == SINS_OK);
+    CHECK(sins_ensemble_get_all_errors(ensemble, SINS_ERRORS_NAVIGATION, all, RUNS - 1) == SINS_ERROR_BUFFER_TOO_SMALL);
+    CHECK(strcmp(sentence_of(NULL), "capacity = 5: is too small; needed: 6") == 0);
+    CHECK(memcmp(before, all, sizeof all) == 0);
+    for (k = 0; k < 9; k++) { /* faster than the loop of the vertical channel lifts it */
+        CHECK(sins_ensemble_correct(ensemble, FIRST_RUN + 2, &fall) == SINS_OK);
+        fall.position_enu_m[2] = 0.0;
+    }
+    CHECK(sins_ensemble_run(ensemble, &samples[2], COUNT - 2) == SINS_OK);
+    CHECK(sins_ensemble_get_all_errors(ensemble, SINS_ERRORS_NAVIGATION, all, RUNS) == SINS_OK);
+    for (k = 0; k < RUNS; k++) {
+        CHECK(all[k].struct_size == sizeof one && all[k].time_s == samples[COUNT - 1].time_s);
+        if (k == 2) {
+            CHECK(all[k].flags == SINS_ERRORS_NOT_COMPUTED && all[k].position_enu_m[2] == 0.0);
+        } else {
+            CHECK(sins_ensemble_get_errors(ensemble, FIRST_RUN + (uint64_t)k, SINS_ERRORS_NAVIGATION, &one) == SINS_OK);
+            CHECK(memcmp(&all[k], &one, sizeof one) == 0);
+        }
+    }
+    CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
 }
 
 /* Sample by sample and with sins_ensemble_run(), with a reposition, a reset, and a failure in flight. */
@@ -225,8 +260,10 @@ int main(void)
 {
     scene_samples(samples);
     runs_are_simulators();
+    a_run_that_diverged_is_flagged();
     model = SINS_ERROR_MODEL_OFF;
     runs_are_simulators();
+    a_run_that_diverged_is_flagged();
     goes_on_from_a_snapshot();
     model = SINS_ERROR_MODEL_RK4;
     any_split_is_the_same();

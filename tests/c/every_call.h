@@ -219,6 +219,7 @@ static inline void every_ensemble_call(sins_ensemble *ensemble, every_call_answe
     EVERY_CALL(sins_ensemble_get_truth(ensemble, navigation));
     EVERY_CALL(sins_ensemble_get_navigation(ensemble, SCENE_FIRST_RUN, navigation));
     EVERY_CALL(sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN, 0, errors));
+    EVERY_CALL(sins_ensemble_get_all_errors(ensemble, 0, errors, 2));
     EVERY_CALL(sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN, imu));
     EVERY_CALL(sins_ensemble_get_diverged(ensemble, 0, &word));
     EVERY_CALL(sins_ensemble_correct(ensemble, SCENE_FIRST_RUN, correction));
@@ -496,6 +497,7 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     EVERY_CALL(sins_ensemble_get_truth(ensemble, NULL));
     EVERY_CALL(sins_ensemble_get_navigation(ensemble, SCENE_FIRST_RUN, NULL));
     EVERY_CALL(sins_ensemble_get_errors(ensemble, SCENE_FIRST_RUN, 0, NULL));
+    EVERY_CALL(sins_ensemble_get_all_errors(ensemble, 0, NULL, 2));
     EVERY_CALL(sins_ensemble_get_imu(ensemble, SCENE_FIRST_RUN, NULL));
     EVERY_CALL(sins_ensemble_get_diverged(ensemble, 0, NULL));
     EVERY_CALL(sins_ensemble_correct(ensemble, SCENE_FIRST_RUN, NULL));

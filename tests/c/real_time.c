@@ -268,7 +268,7 @@ static void fly_ensemble_frames(sins_ensemble *ensemble, sins_scene *scene)
     sins_imu imu = {.struct_size = sizeof imu};
     sins_correction correction = {.struct_size = sizeof correction, .position_enu_m = {1.0}};
     sins_compensation compensation = {.struct_size = sizeof compensation};
-    sins_errors errors = {.struct_size = sizeof errors};
+    sins_errors errors = {.struct_size = sizeof errors}, all[SCENE_RUNS] = {{.struct_size = sizeof errors}};
     sins_failure stuck = {.struct_size = sizeof stuck, .kind = SINS_FAILURE_STUCK};
     uint64_t run;
     size_t runs, size, written;
@@ -289,6 +289,7 @@ static void fly_ensemble_frames(sins_ensemble *ensemble, sins_scene *scene)
         FRAME_CHECK(sins_ensemble_correct(ensemble, run, &correction) == (k > 0 ? SINS_OK : SINS_ERROR_BAD_STATE));
         FRAME_CHECK(sins_ensemble_get_compensation(ensemble, run, &compensation) == SINS_OK);
         FRAME_CHECK(sins_ensemble_get_errors(ensemble, run + 2, SINS_ERRORS_MODEL, &errors) == SINS_OK);
+        FRAME_CHECK(sins_ensemble_get_all_errors(ensemble, SINS_ERRORS_MODEL, all, SCENE_RUNS) == SINS_OK);
         FRAME_CHECK(sins_ensemble_get_errors(ensemble, run + 3, SINS_ERRORS_MODEL, &errors)
                     == SINS_ERROR_INVALID_ARGUMENT);
         FRAME_CHECK(sins_ensemble_get_diverged(ensemble, 0, &run) == SINS_ERROR_INVALID_ARGUMENT);

@@ -184,7 +184,7 @@ static void fly_ensemble(const sins_options *options)
     sins_verdict verdict = {.struct_size = sizeof verdict};
     sins_navigation navigation = {.struct_size = sizeof navigation};
     sins_imu imu = {.struct_size = sizeof imu};
-    sins_errors errors = {.struct_size = sizeof errors};
+    sins_errors errors = {.struct_size = sizeof errors}, all[2] = {{.struct_size = sizeof errors}};
     sins_failure stuck = {.struct_size = sizeof stuck, .kind = SINS_FAILURE_STUCK};
     sins_flight_sample sample = samples[0];
     sins_scene *scene = scene_of_text();
@@ -209,6 +209,7 @@ static void fly_ensemble(const sins_options *options)
     MEASURE(sins_ensemble_get_truth(ensemble, &navigation));
     MEASURE(sins_ensemble_get_navigation(ensemble, 3, &navigation));
     MEASURE(sins_ensemble_get_errors(ensemble, 4, SINS_ERRORS_NAVIGATION, &errors));
+    MEASURE(sins_ensemble_get_all_errors(ensemble, SINS_ERRORS_MODEL, all, 2));
     MEASURE(sins_ensemble_get_imu(ensemble, 4, &imu));
     MEASURE(sins_ensemble_correct(ensemble, 4, &correction));
     MEASURE(sins_ensemble_get_compensation(ensemble, 4, &compensation));

@@ -44,10 +44,13 @@ fn faulty_logs_fly_when_they_are_smoothed() {
         assert!(largest < 1.0, "{log}: {largest} m");
         done(&folder, &["fly", "-q", "--strict", &smooth]);
     }
-    // The same bytes again; a log that the user wrote is not replaced.
+    // The same bytes again, in a new file and over the old one; a log that the user wrote is not replaced.
     let before = read(folder.join("spike_smooth.csv"));
-    run(&folder, &["log", "spike.csv", "--smooth", "-o", "spike_smooth.csv"]);
-    assert!(read(folder.join("spike_smooth.csv")) == before);
+    for file in ["again.csv", "spike_smooth.csv"] {
+        let (code, said, errors) = run(&folder, &["log", "spike.csv", "--smooth", "-o", file]);
+        assert!(code == 0 && said.is_empty(), "{file}: {errors}");
+        assert!(read(folder.join(file)) == before, "{file}");
+    }
     let errors = rejected(&folder, &["log", "spike.csv", "--smooth", "-o", "spike.csv"]);
     assert!(errors.contains("is the input spike.csv"), "{errors}");
 }

@@ -145,6 +145,12 @@ impl Host {
             let of_single = check::<sins_errors>(|errors| call!(sins_get_errors(single, source, errors)));
             let bytes = |errors: Option<sins_errors>| errors.map(|errors| Argument::of(&errors).bytes);
             assert!(bytes(of_run) == bytes(of_single), "other errors");
+            let (mut first, mut runs) = (0, 0);
+            call!(sins_ensemble_get_runs(ensemble, &mut first, &mut runs));
+            let mut all = vec![init::<sins_errors>(); runs];
+            let status = call!(sins_ensemble_get_all_errors(ensemble, source, all.as_mut_ptr(), runs));
+            let of_all = (status == SINS_OK).then(|| all[(run - first) as usize]);
+            assert!(bytes(of_all) == bytes(of_single), "other errors among those of all runs");
         }
         let of_run = check::<sins_imu>(|imu| call!(sins_ensemble_get_imu(ensemble, run, imu)));
         let of_single = check::<sins_imu>(|imu| call!(sins_get_imu(single, imu)));
