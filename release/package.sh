@@ -31,7 +31,7 @@ texts() {
         command install -Dm644 "$file" "$1/$file"
     done
     cp -r "$manual" "$1/docs/sins.h"
-    command install -Dm644 -t "$1/share/sins" target/release/bindings/sins.{f90,ads,py}
+    command install -Dm644 -t "$1/share/sins" $(sed s,^,target/release/bindings/, cmake/bindings.txt)
     release/documents.py "$1"
     command install -Dm644 -t "$1/licences" LICENSE-MIT LICENSE-APACHE
     release/licences.py "$2" >"$1/licences/crates.txt"

@@ -62,9 +62,7 @@ lib/libsins.so
 lib/libsins.so.$abi
 lib/libsins.so.$abi.0.0
 lib/pkgconfig/sins.pc
-share/sins/sins.ads
-share/sins/sins.f90
-share/sins/sins.py"
+$(sed s,^,share/sins/, cmake/bindings.txt)"
 equal "$(sort <<<"$expected")" "$(cd "$moved" && find . -type f -o -type l | sed 's,^\./,,' | sort)" "the list of files"
 if grep -rlF -e "$first" -e "$out/build" -e "$PWD/src" "$moved"; then
     fail "files of $moved name the place where they were built or installed first"

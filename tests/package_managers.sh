@@ -14,6 +14,7 @@ out=$PWD/target/package_managers
 hosts=$PWD/tests/install
 version=$(sed -n '0,/^version/s/^version = "\(.*\)"/\1/p' Cargo.toml)
 abi=$(sed -n 's/^#define SINS_HEADER_ABI //p' include/sins.h)
+bindings=$(sed s,^,share/sins/, cmake/bindings.txt)
 headers=$(cd include && printf 'include/%s\n' *.h *.hpp)
 need g++ c++
 need cmake cmake
@@ -57,7 +58,7 @@ found() {
 
 # development LIBRARIES DOCUMENTS: the files of the package for developers, below /usr.
 development() {
-    printf '%s\n' "$headers" "$1"/cmake/sins/sinsConfig{,Version}.cmake "$1"/libsins.{a,so} "$1/pkgconfig/sins.pc" share/sins/sins.{ads,f90,py}
+    printf '%s\n' "$headers" "$1"/cmake/sins/sinsConfig{,Version}.cmake "$1"/libsins.{a,so} "$1/pkgconfig/sins.pc" "$bindings"
 }
 
 deb() {
@@ -168,7 +169,7 @@ vcpkg() {
     for linkage in dynamic static; do
         cmake -DLINKAGE=$linkage -DFOLDER="$out/vcpkg/$linkage" -DCARGO="$PWD/target/install/build/cargo" -P tests/package_managers/vcpkg.cmake
         equal "$headers
-$(printf '%s\n' lib/pkgconfig/sins.pc share/sins/{copyright,sins.ads,sins.f90,sins.py,sinsConfig.cmake,sinsConfigVersion.cmake,usage})
+$(printf '%s\n' lib/pkgconfig/sins.pc "$bindings" share/sins/{copyright,sinsConfig.cmake,sinsConfigVersion.cmake,usage})
 $([ $linkage = static ] && echo lib/libsins.a || printf '%s\n' lib/libsins.so{,".$abi",".$abi.0.0"})" \
             "$(cd "$out/vcpkg/$linkage/installed" && find . -type f -o -type l | sed 's,^\./,,')" "the files of vcpkg's package"
         cmake -S "$hosts" -B "$out/vcpkg/$linkage/hosts" -DCMAKE_PREFIX_PATH="$out/vcpkg/$linkage/installed" >/dev/null

@@ -35,7 +35,7 @@ files() {
     shift
     for name in include/{sins,sins_flight,sins_analysis,sins_unit,sins_ensemble,sins_scene,sins_functions}.h \
         include/{sins,sins_handle,sins_flight,sins_analysis,sins_unit,sins_ensemble,sins_scene}.hpp \
-        share/sins/sins.{f90,ads,py} c_examples/{harness.c,loadlibrary.c,sins_loader.h} \
+        $(sed s,^,share/sins/, cmake/bindings.txt) c_examples/{harness.c,loadlibrary.c,sins_loader.h} \
         c_examples/scenes/patrol.toml README.md CHANGELOG.md CITATION.cff docs/packages.md docs/sins.h/index.html \
         licences/{LICENSE-MIT,LICENSE-APACHE,crates.txt,rust-library.html} "$@"; do
         [ -s "$folder/$name" ] || fail "$folder: no $name"
