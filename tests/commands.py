@@ -134,10 +134,11 @@ def folder_of(built, folder):
 
 
 def listen(page, title, line, folder, environment):
-    session = subprocess.Popen(["bash", "-c", f"exec {line}"], cwd=folder, env=environment, stderr=subprocess.PIPE, text=True)
-    first = session.stderr.readline()
+    session = subprocess.Popen(["bash", "-c", f"exec {line}"], cwd=folder, env=environment,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    first = session.stdout.readline()
     session.send_signal(signal.SIGINT)
-    rest = session.communicate(timeout=60)[1]
+    rest = "".join(session.communicate(timeout=60))
     if not first.startswith("listening at udp:"):
         sys.exit(f"{page}, {title}: {line}\n{first}{rest}")
 

@@ -71,7 +71,7 @@ wheel() {
 # as_it_stands FOLDER SYSTEM PREFIX: each header compiles alone, in C and C++; the host of the README, built in the folder by the README's
 # command for the system, with the compilers whose names begin with PREFIX. Sets host to the program.
 as_it_stands() {
-    local folder=$1 header command
+    local folder=$1 header language standard compiler command
     for header in "$folder"/include/*.h*; do
         for language in c:c99:gcc c++:c++11:g++; do
             IFS=: read -r language standard compiler <<<"$language"

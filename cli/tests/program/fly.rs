@@ -413,7 +413,8 @@ fn hours_are_those_of_the_command_line_and_every_file_is_named() {
     let folder = folder("hours_and_files");
     let day = project_file("c_examples/scenes/day.toml");
     let day = day.to_str().unwrap();
-    let said = done(&folder, &["fly", day, "--hours", "1.08", "--imu", "imu.csv", "--bus", "words.csv"]);
+    let said = done(&folder, &["fly", day, "--hours", "1.08", "--imu", "imu.csv", "--bus", "words.csv"])
+        .replace('\\', "/");
     let (_, listed) = said.split_once("\nwritten\n").unwrap();
     for file in ["day.csv", "imu.csv", "day_unit.csv", "words.csv", "day_summary.csv"] {
         let path = format!("sins_out/{file}");

@@ -168,8 +168,10 @@ mod tests {
 
     #[test]
     fn every_field_of_the_structs_has_a_key() {
-        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("include/sins.h");
-        let header = std::fs::read_to_string(path).unwrap();
+        let include = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("include");
+        let headers =
+            ["sins.h", "sins_flight.h"].map(|name| std::fs::read_to_string(include.join(name)).unwrap());
+        let header = headers.concat();
         let mut count = 0;
         for (name, prefix) in [
             ("sins_options", "options"),
