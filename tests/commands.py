@@ -45,6 +45,7 @@ ELSEWHERE = {
     "tar xf sins-0.1.0-linux-x86_64.tar.gz": "tests/packages.sh",
     "cmake -B target/cmake && ": "tests/install.sh",
     "cmake -B target/cmake -DCMAKE_SYSTEM_NAME=Windows ": "tests/install.sh",
+    "cmake -B target/cmake -DCMAKE_INSTALL_PREFIX=/usr ": "tests/package_managers.sh",
     "i686-w64-mingw32-gcc ": "tests/loading.sh",
     "i686-w64-mingw32-gfortran ": "fortran_windows of tests/hosts.sh",
     "mpicc ": "tests/mpi.sh",
