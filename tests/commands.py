@@ -52,6 +52,8 @@ ELSEWHERE = {
     "mpirun ": "tests/mpi.sh",
     "release/fmu.sh target/unit": ".ci/run",
     "release/package.sh": "tests/packages.sh",
+    "release/page.sh ": "tests/web.sh",
+    "release/wasm.sh ": "tests/hosts.sh javascript",
     "tests/fuzz/run.sh ": ".ci/run",
     # not on every machine
     "apt-get install ": "tests/hosts.sh installs",
