@@ -130,6 +130,16 @@ fn no_word_is_sent_before_its_time() {
         assert!(!sent(due_s - 1e-3, early_s).unwrap().is_empty() && sent(early_s, due_s).unwrap().is_empty());
         assert!(sent(due_s, due_s + 9.99e-4).unwrap().is_empty());
     }
+    // No word is later than four roundings of the time after which it is sent, to the bit.
+    for due_ms in (0..10_000_000_000_000_i64).step_by(40 * 10_000_019) {
+        let due_s = due_ms as f64 / 1e3;
+        let mut to_s = due_s;
+        for _ in 0..12 {
+            to_s = to_s.next_down();
+            let count = sent(due_s - 1e-3, to_s).unwrap().len();
+            assert_eq!(count > 0, due_s - to_s <= 4.0 * f64::EPSILON * to_s.abs(), "{due_s} until {to_s}");
+        }
+    }
     let whole = sent(-0.5, 1.5).unwrap();
     for parts in 1..200 {
         let time = |part| -0.5 + 2.0 * f64::from(part) / f64::from(parts);

@@ -36,7 +36,10 @@ const BEGINNINGS: [(&[u8], &str, &str); 19] = [
 
 /// What a packet that `wanted` cannot decode is; `None`: nobody knows.
 pub fn recognized(packet: &[u8], wanted: Format) -> Option<Refused> {
-    let (what, change) = known(packet, wanted)?;
+    let (what, mut change) = known(packet, wanted)?;
+    if change == NATIVE_FDM && wanted != Format::Fgfs {
+        change += ", and use --format fgfs";
+    }
     Some(Refused::new(Why::Foreign, format!("{} bytes: {what}; {change}", packet.len())))
 }
 
@@ -95,7 +98,8 @@ fn native(packet: &[u8]) -> Option<(String, String)> {
                 ));
             }
             (27, 744) | (20..=28, 500..=800) => "native controls (native-ctrls)",
-            (8, 236) | (3..=8, 160..=260) => "native values for a panel (native-gui)",
+            // 104 bytes if the sender packs its struct, 112 as a compiler aligns it; each further tank has 4.
+            (3..=8, 84..=260) => "native values for a panel (native-gui)",
             (10..=25, 200..=560) => "native FDM packet, of another version or length",
             _ => continue,
         };
@@ -158,9 +162,15 @@ mod tests {
             ),
             (
                 Format::Fgfs,
-                native_packet(8, 236, false),
-                "236 bytes: FlightGear's native values for a panel (native-gui), version 8",
+                native_packet(7, 104, false),
+                "104 bytes: FlightGear's native values for a panel (native-gui), version 7",
             ),
+            (
+                Format::Fgfs,
+                native_packet(8, 112, false),
+                "112 bytes: FlightGear's native values for a panel (native-gui), version 8",
+            ),
+            (Format::Json, native_packet(27, 744, false), "HOST,PORT,udp, and use --format fgfs"),
             (
                 Format::Json,
                 native_packet(7, 224, false),

@@ -53,7 +53,7 @@ impl Inputs {
     }
 }
 
-/// Share of a time that its rounding may have: a product of two rounded numbers.
+/// Share of a time that its rounding may have: a product of two rounded numbers. A power of two: its product is exact.
 const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
 /// Gives each word that is due after `from_s` and not after `to_s` [s] to `take`, in the order of time. `from_s` is from -1e10 to 1e10,
@@ -73,17 +73,17 @@ pub fn words(
         return Ok(());
     }
     let source = Source::new(shown, status, inputs);
-    let milliseconds = |time_s: f64| (time_s * 1e3 + (time_s * 1e3).abs() * ROUNDINGS).floor() as i64;
+    let at = |time_ms: i64| time_ms as f64 / 1e3;
+    let milliseconds = |time_s: f64| {
+        let next = (time_s * 1e3).floor() as i64 + 1;
+        if at(next) - time_s <= ROUNDINGS * time_s.abs() { next } else { next - 1 }
+    };
     for time_ms in milliseconds(from_s) + 1..=milliseconds(to_s) {
         for label in LABELS
             .iter()
             .filter(|label| label.interval_ms != 0 && time_ms % i64::from(label.interval_ms) == 0)
         {
-            take(Word {
-                time_s: time_ms as f64 / 1e3,
-                word: label.word(&source, inputs.source),
-                label: label.number,
-            });
+            take(Word { time_s: at(time_ms), word: label.word(&source, inputs.source), label: label.number });
         }
     }
     Ok(())
