@@ -1143,7 +1143,7 @@ typedef enum sins_errors_flags {
      * position error is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
      */
     SINS_ERRORS_OUTSIDE_VALIDITY = 2,
-    /** Not computed, all zero: in a sins_record; of a run that has diverged, in sins_ensemble_get_all_errors(). */
+    /** Not computed, all zero: in a sins_record; of a run that has diverged or cannot start, in sins_ensemble_get_all_errors(). */
     SINS_ERRORS_NOT_COMPUTED = 4,
     /**
      * In a sins_covariance: since the start sins_correct() has corrected the INS. The covariance is that of an INS without

@@ -200,8 +200,8 @@ SINS_API sins_status SINS_CALL sins_ensemble_get_errors(sins_ensemble *ensemble,
 
 /**
  * Reads the errors of all runs into an array, as sins_ensemble_get_errors() does for one: element k is run first_run + k. A run that
- * has diverged is flagged SINS_ERRORS_NOT_COMPUTED, and its errors are 0. errors[0].struct_size is the size in bytes of each element
- * of errors; that of the other elements may be anything. No allocation, no system call.
+ * has diverged or cannot start is flagged SINS_ERRORS_NOT_COMPUTED, and its errors are 0. errors[0].struct_size is the size in bytes
+ * of each element of errors; that of the other elements may be anything. No allocation, no system call.
  *
  * SINS_NEED_SAMPLE: no sample yet. SINS_ERROR_INVALID_ARGUMENT: no such source. SINS_ERROR_BAD_STATE: SINS_ERRORS_MODEL while the
  * error model is off. SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of runs. SINS_ERROR_SINGULAR: before the first

@@ -45,13 +45,15 @@ ELSEWHERE = {
     "tar xf sins-0.1.0-linux-x86_64.tar.gz": "tests/packages.sh",
     "cmake -B target/cmake && ": "tests/install.sh",
     "cmake -B target/cmake -DCMAKE_SYSTEM_NAME=Windows ": "tests/install.sh",
+    "cmake -B target/cmake -DCMAKE_INSTALL_PREFIX=/usr ": "tests/package_managers.sh",
     "i686-w64-mingw32-gcc ": "tests/loading.sh",
     "i686-w64-mingw32-gfortran ": "fortran_windows of tests/hosts.sh",
     "mpicc ": "tests/mpi.sh",
     "mpirun ": "tests/mpi.sh",
     "release/fmu.sh target/unit": ".ci/run",
     "release/package.sh": "tests/packages.sh",
-    "tests/fuzz/run.sh ": ".ci/run",
+    "release/page.sh ": "tests/web.sh",
+    "release/wasm.sh ": "tests/hosts.sh javascript",
     # not on every machine
     "apt-get install ": "tests/hosts.sh installs",
     "cl host.c ": "Visual Studio",
@@ -175,10 +177,9 @@ def main():
         folder_of(built, own)
         environment = {**os.environ, "PATH": f"{own}/bin:{built}:{os.environ['PATH']}", "PYTHONDONTWRITEBYTECODE": "1"}
         for title, lines in commands(path.read_text()):
+            unused -= {word for word in ELSEWHERE for line in lines if line.startswith(word)}
             for line in lines:
-                listed = {word for word in ELSEWHERE if line.startswith(word)}
-                unused -= listed
-                if listed:
+                if any(line.startswith(word) for word in ELSEWHERE):
                     continue
                 if line.split()[0] in OPTIONAL and not shutil.which(line.split()[0]):
                     lacking.append(f"{page}, {title}: {line.split()[0]}")

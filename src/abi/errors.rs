@@ -20,7 +20,7 @@ pub const SINS_ERRORS_NEAR_POLE: sins_errors_flags = 1;
 /// A flag of the error model: the terms that it neglects are no longer small. The misalignment is above 2 degrees, or the
 /// position error is above 100 km, or, at high latitude, above 3.5 % of the distance to the pole.
 pub const SINS_ERRORS_OUTSIDE_VALIDITY: sins_errors_flags = 2;
-/// Not computed, all zero: in a sins_record; of a run that has diverged, in sins_ensemble_get_all_errors().
+/// Not computed, all zero: in a sins_record; of a run that has diverged or cannot start, in sins_ensemble_get_all_errors().
 pub const SINS_ERRORS_NOT_COMPUTED: sins_errors_flags = 4;
 /// In a sins_covariance: since the start sins_correct() has corrected the INS. The covariance is that of an INS without
 /// corrections.

@@ -150,6 +150,8 @@ impl Host {
             let mut all = vec![init::<sins_errors>(); runs];
             let status = call!(sins_ensemble_get_all_errors(ensemble, source, all.as_mut_ptr(), runs));
             let of_all = (status == SINS_OK).then(|| all[(run - first) as usize]);
+            // A run that has no errors does not keep the others from being read.
+            let of_all = of_all.filter(|errors| errors.errors.flags != SINS_ERRORS_NOT_COMPUTED);
             assert!(bytes(of_all) == bytes(of_single), "other errors among those of all runs");
         }
         let of_run = check::<sins_imu>(|imu| call!(sins_ensemble_get_imu(ensemble, run, imu)));
