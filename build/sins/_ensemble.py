@@ -143,7 +143,7 @@ def ensemble(
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     workers = min(runs, threads or cores)
     first_run = c.scene_get_options(scene.handle).run
-    fly_all = _with_units if scene.has_unit else _side_by_side
+    fly_all = _with_units if scene.plans("[unit]") else _side_by_side
     time_s, errors = fly_all(scene, first_run, runs, every, workers)
     diverged = int(np.isnan(errors[_FIELDS[0]][:, -1, 0]).sum())
     if diverged:
@@ -157,14 +157,10 @@ def _empty(runs: int, times: int) -> "dict[str, Floats]":
 
 def _with_units(scene: Scene, first_run: int, runs: int, every: int, workers: int) -> "Tuple[Floats, dict[str, Floats]]":
     """Each run as a scene in flight."""
-    text = c.scene_write(scene.handle)
-
     def one(run: int) -> "npt.NDArray[Any]":
-        with c.scene_parse(text) as own:
-            c.scene_set_values(own, f"options.run = {run}\noutput.every_s = {max(every * scene.info.period_s, scene.info.period_s)!r}")
-            of_run = Scene.__new__(Scene)
-            of_run.handle, of_run.log, of_run.info = own, scene.log, c.scene_get_samples(own, scene.log)
-            return fly_records(of_run)
+        with c.scene_parse(scene.text) as own:
+            c.scene_set_values(own, f"options.run = {run}\noutput.every_s = {every * scene.info.period_s!r}")
+            return fly_records(own, scene.log)
 
     with ThreadPoolExecutor(workers) as pool:
         flown = list(pool.map(one, range(first_run, first_run + runs)))
@@ -182,7 +178,7 @@ def _side_by_side(scene: Scene, first_run: int, runs: int, every: int, workers: 
         made = [c.ensemble_create(sim, first_run + begin, end - begin) for begin, end in zip(parts, parts[1:])]
     ends = [0, *range(every, scene.info.count - 1, every), scene.info.count - 1]
     errors, time_s = _empty(runs, len(ends)), np.empty(len(ends))
-    fly = _stretch_with_plan(scene) if scene.has_plan else c.ensemble_run
+    fly = _stretch_with_plan(scene) if scene.setup.has_temperature or scene.plans("[[failure]]", "[[update]]") else c.ensemble_run
 
     def stretch(part: int, at: int, samples: "npt.NDArray[Any]") -> None:
         fly(made[part], samples)

@@ -173,11 +173,12 @@ class Flight:
         c.correct(c.play_get_simulator(self._play), c.correction(**{name: tuple(values) for name, values in errors.items()}))
 
 
-def fly_records(scene: Scene) -> "npt.NDArray[Any]":
+def fly_records(scene: Any, log: Any) -> "npt.NDArray[Any]":
     """All records of the flight of a scene; can be interrupted."""
-    records: "npt.NDArray[Any]" = c.array(c.record, scene.info.count // scene.info.record_every + 2)
+    info = c.scene_get_samples(scene, log)
+    records: "npt.NDArray[Any]" = c.array(c.record, info.count // info.record_every + 2)
     done = 0
-    with c.play_create(scene.handle, scene.log) as play:
+    with c.play_create(scene, log) as play:
         while done < len(records):
             written = c.c_size_t()
             status = c.play_run(play, records[done : done + _PIECE], written)
@@ -200,7 +201,7 @@ def fly(flown: Flown, hours: Optional[float] = None, *, every_s: Optional[float]
     if every_s is not None:
         settings["output"] = {"every_s": every_s}
     scene = Scene(flown, hours, settings)
-    run = Run(fly_records(scene), scene.title)
+    run = Run(fly_records(scene.handle, scene.log), scene.title)
     if run.has_model and (run.records["model_errors"]["flags"] & c.ERRORS_OUTSIDE_VALIDITY).any():
         warnings.warn("the errors are too large for the error differential equations at some records", stacklevel=2)
     return run

@@ -13,27 +13,19 @@ from sins import c
 Floats = npt.NDArray[np.float64]
 Setting = Union[str, Mapping[str, Any]]
 
-_DEGREES = np.pi / 180
-
-# Quantities of a trajectory: the field of a sample, and the place in it.
-_SINGLE = {
-    "time_s": "time_s",
-    "latitude_rad": "latitude_rad",
-    "longitude_rad": "longitude_rad",
-    "height_m": "height_m",
-    "roll_rad": "roll_rad",
-    "pitch_rad": "pitch_rad",
-    "heading_rad": "heading_rad",
-}
-_TRIPLES = {
-    ("velocity_east_m_s", "velocity_north_m_s", "velocity_up_m_s"): "velocity_enu_m_s",
-    ("rate_x_rad_s", "rate_y_rad_s", "rate_z_rad_s"): "angular_rate_rad_s",
-    ("force_x_m_s2", "force_y_m_s2", "force_z_m_s2"): "specific_force_m_s2",
-}
-_ANGLES = [name for name in _SINGLE if name.endswith("_rad")]
-_COLUMNS = [
-    *_SINGLE, *(name[:-3] + "deg" for name in _ANGLES), *(name for names in _TRIPLES for name in names), "temperature_c"
+# The quantities of a trajectory: name, field of a sample, place in it, factor.
+_QUANTITIES = [
+    ("time_s", "time_s", 0, 1.0),
+    *((f"{name}_{unit}", f"{name}_rad", 0, factor) for name in ("latitude", "longitude", "roll", "pitch", "heading")
+      for unit, factor in (("rad", 1.0), ("deg", np.pi / 180))),
+    ("height_m", "height_m", 0, 1.0),
+    *((f"velocity_{axis}_m_s", "velocity_enu_m_s", place, 1.0) for place, axis in enumerate(("east", "north", "up"))),
+    *((f"rate_{axis}_rad_s", "angular_rate_rad_s", place, 1.0) for place, axis in enumerate("xyz")),
+    *((f"force_{axis}_m_s2", "specific_force_m_s2", place, 1.0) for place, axis in enumerate("xyz")),
+    ("temperature_c", "temperature_c", 0, 1.0),
 ]
+_FLAGS = {"angular_rate_rad_s": c.SAMPLE_ANGULAR_RATE, "specific_force_m_s2": c.SAMPLE_SPECIFIC_FORCE, "temperature_c": c.SAMPLE_TEMPERATURE}
+_OPTIONAL = {"velocity_enu_m_s", *_FLAGS}
 
 
 class Trajectory:
@@ -63,76 +55,42 @@ def trajectory(data: Any = None, **columns: Any) -> Trajectory:
 
     Raises `sins.Error` with the number of the sample: times not in order, a value out of its range.
     """
+    names = [name for name, _, _, _ in _QUANTITIES]
     for name in columns:
-        if name not in _COLUMNS:
-            close = difflib.get_close_matches(name, _COLUMNS, 1, 0)
-            raise TypeError(f"no such quantity: {name}; did you mean {close[0]}?")
-
-    def has(name: str) -> bool:
-        return data is not None and name in (data.dtype.names or () if isinstance(data, np.ndarray) else data)
-
-    def find(name: str) -> Optional[Any]:
-        source = columns.get(name, name if has(name) else None)
+        if name not in names:
+            raise TypeError(f"no such quantity: {name}; did you mean {difflib.get_close_matches(name, names, 1, 0)[0]}?")
+    of_data = () if data is None else data.dtype.names or () if isinstance(data, np.ndarray) else data
+    named = {(field, place) for name, field, place, _ in _QUANTITIES if name in columns}
+    found: "dict[tuple[str, int], tuple[str, Any]]" = {}
+    for name, field, place, factor in _QUANTITIES:
+        if name not in columns and (name not in of_data or (field, place) in named):
+            continue
+        if (field, place) in found:
+            raise TypeError(f"{found[field, place][0]} and {name}: give one of them")
+        source = columns.get(name, name)
         if isinstance(source, str):
-            if not has(source):
+            if source not in of_data:
                 raise KeyError(f"{name}: the data has no column {source!r}")
             source = data[source]
-        if source is None:
-            return None
         try:
-            return np.asarray(source, dtype=np.float64)
+            found[field, place] = name, np.asarray(source, dtype=np.float64) * factor
         except (TypeError, ValueError):
             raise TypeError(f"{name}: not numbers") from None
-
-    def angle(name: str) -> Optional[Any]:
-        degrees = find(name[:-3] + "deg")
-        radians = find(name)
-        if degrees is not None and radians is not None and name not in columns and name[:-3] + "deg" not in columns:
-            raise TypeError(f"{name} and {name[:-3]}deg: give one of them")
-        if name in columns or degrees is None:
-            return radians
-        return degrees * _DEGREES
-
-    found = {name: angle(name) if name in _ANGLES else find(name) for name in _SINGLE}
-    for name, values in found.items():
-        if values is None:
-            degrees = f" or {name[:-3]}deg" if name in _ANGLES else ""
-            raise TypeError(f"no {name}{degrees}: name its column by a keyword")
-    times: Any = found["time_s"]
-    if times.ndim != 1:
-        raise ValueError(f"time_s has the shape {times.shape}: expected (samples,)")
-    samples: "npt.NDArray[Any]" = c.array(c.flight_sample, len(times))
-    flags = np.zeros(len(times), dtype=np.uint32)
-
-    def put(name: str, field: Any, values: Any) -> None:
-        try:
-            field[...] = values
-        except ValueError:
-            raise ValueError(f"{name} has the shape {values.shape}: expected {times.shape}, as time_s") from None
-
-    for name, values in found.items():
-        put(name, samples[name], values)
-    given = {}
-    for names, field in _TRIPLES.items():
-        parts = [find(name) for name in names]
-        lacking = [name for name, part in zip(names, parts) if part is None]
-        if lacking and len(lacking) < 3:
-            raise TypeError(f"no {', '.join(lacking)}: all three of {', '.join(names)}, or none")
-        given[field] = not lacking
-        for axis, (name, part) in enumerate(zip(names, parts)):
-            if not lacking:
-                put(name, samples[field][:, axis], part)
-    temperature = find("temperature_c")
-    if temperature is not None:
-        put("temperature_c", samples["temperature_c"], temperature)
-    for is_on, flag in (
-        (not given["velocity_enu_m_s"], c.SAMPLE_NO_VELOCITY),
-        (given["angular_rate_rad_s"], c.SAMPLE_ANGULAR_RATE),
-        (given["specific_force_m_s2"], c.SAMPLE_SPECIFIC_FORCE),
-        (temperature is not None, c.SAMPLE_TEMPERATURE),
-    ):
-        flags |= np.uint32(flag if is_on else 0)
-    samples["flags"] = flags
+    fields = {field for field, _ in found}
+    for _, field, place, _ in _QUANTITIES:
+        if (field, place) not in found and (field in fields or field not in _OPTIONAL):
+            lacking = " or ".join(name for name, *other, _ in _QUANTITIES if other == [field, place])
+            raise TypeError(f"no {lacking}: name its column by a keyword")
+    shape = found["time_s", 0][1].shape
+    if len(shape) != 1:
+        raise ValueError(f"time_s has the shape {shape}: expected (samples,)")
+    samples: "npt.NDArray[Any]" = c.array(c.flight_sample, shape[0])
+    for (field, place), (name, values) in found.items():
+        to = samples[field] if samples[field].ndim == 1 else samples[field][:, place]
+        if values.shape not in (shape, ()):
+            raise ValueError(f"{name} has the shape {values.shape}: expected {shape}, as time_s")
+        to[...] = values
+    samples["flags"] = sum(_FLAGS.get(field, 0) for field in fields) + (0 if "velocity_enu_m_s" in fields else c.SAMPLE_NO_VELOCITY)
     return Trajectory(samples)
 
 
@@ -196,6 +154,7 @@ class Scene:
             error.args = (re.sub("^line .*?, column .*?: ", "", str(error)),)  # those of keywords mean nothing
             raise
         self.setup = c.scene_get_setup(self.handle)
+        self.text: str = c.scene_write(self.handle)
         if self.log is None and self.setup.flight == c.SCENE_FLIGHT_LOG:
             with open(os.path.join(folder, c.scene_get_text(self.handle, c.SCENE_TEXT_LOG)), "rb") as file:
                 self.log = c.log_parse(file.read())[0]
@@ -204,27 +163,9 @@ class Scene:
         self.title: str = c.scene_get_text(self.handle, c.SCENE_TEXT_TITLE) or c.scene_get_text(self.handle, c.SCENE_TEXT_LOG)
         self._flight: Any = None
 
-    def has(self, path: str) -> bool:
-        """Whether the scene has the item or the value, such as update[0]."""
-        try:
-            return bool(c.scene_get_value(self.handle, path))
-        except c.Error:
-            return False
-
-    @property
-    def has_unit(self) -> bool:
-        try:
-            c.scene_create_unit(self.handle).close()
-        except c.Error as error:
-            if error.status != c.ERROR_BAD_STATE:
-                raise
-            return False
-        return True
-
-    @property
-    def has_plan(self) -> bool:
-        """Whether it plans anything in flight, the unit's panel aside."""
-        return bool(self.setup.has_temperature or self.has("failure[0]") or self.has("update[0]"))
+    def plans(self, *items: str) -> bool:
+        """Whether the scene has one of these items, such as [[update]]."""
+        return any(f"\n{item}\n" in self.text for item in items)
 
     def piece(self, begin: int, end: int) -> "npt.NDArray[Any]":
         """Samples begin to end of the flight."""

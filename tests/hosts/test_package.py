@@ -96,7 +96,7 @@ class Flights(unittest.TestCase):
             (FileNotFoundError, "none.csv", lambda: sins.fly("none.csv")),
             (TypeError, "expected a dict of keys", lambda: sins.fly("patrol", gyro=3)),
             (TypeError, "latitude_degree; did you mean latitude_deg", lambda: sins.trajectory(**good, latitude_degree=3)),
-            (TypeError, "no height_m: ", lambda: sins.trajectory(**lacking)),
+            (TypeError, "no height_m: name", lambda: sins.trajectory(**lacking)),
             (KeyError, "height_m: the data has no column 'h'", lambda: sins.trajectory({}, height_m="h", **lacking)),
             (TypeError, "height_m: not numbers", lambda: sins.trajectory(**lacking, height_m=["a", "b", "c"])),
             (ValueError, r"height_m has the shape \(2,\): expected \(3,\)", lambda: sins.trajectory(**lacking, height_m=[1, 2])),
