@@ -9,7 +9,7 @@ import time
 
 import numpy
 import pandas
-import sins
+from sins import c as sins
 from pyins import filters, inertial_sensor, measurements
 
 OUTAGE_S = (180, 240)

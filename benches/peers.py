@@ -121,7 +121,7 @@ class Motion:
 
 def run_sins(motion, angle, velocity, subsamples=2, held=False):
     """Some samples are the subsamples of an update. The vertical channel is free, or `held`: at height 0 after each update."""
-    import sins
+    from sins import c as sins
     flip = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1.0]])  # north-east-down to east-north-up
     options = sins.options(gravity=sins.GRAVITY_SOMIGLIANA, axes=sins.AXES_FORWARD_RIGHT_DOWN)
     latitude, longitude, *_ = motion.place(0.0)
@@ -225,7 +225,7 @@ CODES = {"sins": run_sins, "sins, 4 subsamples": run_sins_4, "sins, height held"
 def version_of(name, folder):
     name = {"pyins": "python-ins"}.get(name, name)
     if name.startswith("sins"):
-        import sins
+        from sins import c as sins
         return sins.version_string()
     try:
         return importlib.metadata.version(name)

@@ -56,13 +56,15 @@ pub fn generate(abi: &Path, generated: &[(String, String)], work: &Path) -> Outp
     let interface = Interface::read(HEADERS[0].1, &sources);
     Outputs {
         headers: headers(&templates, &interface, &sources, work),
-        bindings: vec![
+        bindings: [
             ("sins.f90", fortran::write(&interface)),
             ("sins.ads", ada::write(&interface)),
-            ("sins.py", python::write(&interface)),
             ("sins.mjs", javascript::write(&interface)),
             ("sins.d.ts", typescript::write(&interface)),
-        ],
+        ]
+        .into_iter()
+        .chain(python::write(&interface))
+        .collect(),
         size_checks: own::check(&interface),
         status_names: own::names(&interface),
     }

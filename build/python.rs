@@ -1,4 +1,5 @@
-//! `bindings/sins.py`: the fixed text `sins.py` of this folder, with all that the interface has at its marks.
+//! The package for Python, `bindings/sins`: the files of the folder `sins` beside this one. `c.py` is its fixed text with all that the
+//! interface has at its marks; the others stand as they are.
 
 use super::c_calls::may_be_null;
 use super::model::{Constant, Enumeration, Function, Interface, Struct, Type, Unit};
@@ -7,9 +8,24 @@ use super::text::{self, filled};
 /// Longest line of documentation.
 const WIDTH: usize = 118;
 
-const TEXT: &str = include_str!("sins.py");
+const TEXT: &str = include_str!("sins/c.py");
 
-pub fn write(interface: &Interface) -> String {
+/// The files of the package with their paths.
+pub fn write(interface: &Interface) -> Vec<(&'static str, String)> {
+    let fixed = [
+        ("sins/__init__.py", include_str!("sins/__init__.py")),
+        ("sins/_analysis.py", include_str!("sins/_analysis.py")),
+        ("sins/_ensemble.py", include_str!("sins/_ensemble.py")),
+        ("sins/_flight.py", include_str!("sins/_flight.py")),
+        ("sins/_scene.py", include_str!("sins/_scene.py")),
+        ("sins/c.pyi", include_str!("sins/c.pyi")),
+        ("sins/py.typed", include_str!("sins/py.typed")),
+    ];
+    let fixed = fixed.map(|(name, text)| (name, text.to_owned()));
+    [("sins/c.py", module(interface))].into_iter().chain(fixed).collect()
+}
+
+fn module(interface: &Interface) -> String {
     let constants: String =
         interface.constants.iter().map(constant).chain(interface.units.iter().map(unit)).collect();
     let mut types: Vec<String> = interface.enumerations.iter().map(enumeration).collect();

@@ -119,6 +119,7 @@
     X(sins_status, sins_play_next, (sins_play *play)) \
     X(sins_status, sins_play_push, (sins_play *play, const sins_flight_sample *sample)) \
     X(sins_status, sins_play_run, (sins_play *play, sins_record *records, size_t capacity, size_t *written)) \
+    X(sins_status, sins_play_run_imu, (sins_play *play, sins_imu *imu, size_t capacity, size_t *written)) \
     X(sins_status, sins_play_set_plan, (sins_play *play, const sins_scene *scene)) \
     X(sins_status, sins_play_get_simulator, (sins_play *play, sins_sim **sim)) \
     X(sins_status, sins_play_get_unit, (sins_play *play, sins_unit **unit)) \
@@ -155,6 +156,7 @@
     X(sins_status, sins_scene_set_values, (sins_scene *scene, const char *values)) \
     X(sins_status, sins_scene_set_items, (sins_scene *scene, const char *list, const char *items)) \
     X(sins_status, sins_log_parse, (const char *text, size_t size, sins_log **log, sins_fault *fault)) \
+    X(sins_status, sins_log_create, (const sins_flight_sample *samples, size_t count, sins_log **log)) \
     X(sins_status, sins_log_get_info, (const sins_log *log, sins_log_info *info)) \
     X(sins_status, sins_log_get_sample, (const sins_log *log, size_t index, sins_flight_sample *sample, uint64_t *line)) \
     X(sins_status, sins_log_destroy, (sins_log *log)) \

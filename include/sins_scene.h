@@ -547,6 +547,18 @@ typedef struct sins_log_info {
  */
 SINS_API sins_status SINS_CALL sins_log_parse(const char *text, size_t size, sins_log **log, sins_fault *fault);
 
+/**
+ * Makes a log of an array of count samples, as sins_log_parse() of a text: for hosts that have a flight in memory. samples[0].struct_size is
+ * the size in bytes of each element of samples; struct_size of the other samples may be 0. A log has at least two samples, each later
+ * than the one before, with values in their ranges. Its title is empty. The samples are copied. Not for a real-time frame: it allocates,
+ * 176 bytes a sample.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: count is less than 2, or a value is out of its range; SINS_ERROR_TIME_ORDER: a sample is not later than the
+ * one before. sins_last_error(NULL, ...) names the sample, and *log is unchanged.
+ * SINS_ERROR_OUT_OF_MEMORY: as sins_log_parse().
+ */
+SINS_API sins_status SINS_CALL sins_log_create(const sins_flight_sample *samples, size_t count, sins_log **log);
+
 /** Reads the number of samples of a log, its duration and its title. */
 SINS_API sins_status SINS_CALL sins_log_get_info(const sins_log *log, sins_log_info *info);
 
@@ -675,6 +687,17 @@ SINS_API sins_status SINS_CALL sins_play_push(sins_play *play, const sins_flight
  * SINS_OK: the array is full. SINS_PLAY_END: the flight is over. The errors of sins_play_next().
  */
 SINS_API sins_status SINS_CALL sins_play_run(sins_play *play, sins_record *records, size_t capacity, size_t *written);
+
+/**
+ * Flies until the array is full, or to the end, with the signals of each interval, as sins_get_imu() reads them: for a host's own
+ * navigator or filter, which gets the increments of a whole stretch in one call. Corrections of sins_correct() act from the next call on.
+ * The first sample of a flight begins the first interval, and has no element. imu[0].struct_size is the size in bytes of each element of
+ * imu; that of the other elements may be anything. written (may be NULL) gets the number of elements, also on an error. No allocation, no
+ * system call.
+ *
+ * SINS_OK: the array is full. SINS_PLAY_END: the flight is over. SINS_ERROR_INVALID_ARGUMENT: capacity is 0. The errors of sins_play_next().
+ */
+SINS_API sins_status SINS_CALL sins_play_run_imu(sins_play *play, sins_imu *imu, size_t capacity, size_t *written);
 
 /**
  * Takes over what another scene plans, from the next interval on: temperature, failures, updates, the panel, as an instructor changes them

@@ -162,6 +162,10 @@ public:
     /* The log of a text. If the text has faults, what() of the error has the first one and its place. */
     explicit Log(const std::string &text) : Owner(parsed(text)) {}
 
+    /* The log of samples in memory. */
+    explicit Log(const std::vector<sins_flight_sample> &samples)
+        : Owner(detail::given<sins_log *>(nullptr, sins_log_create, samples.data(), samples.size())) {}
+
     sins_log_info info() const { return detail::filled<sins_log_info>(nullptr, sins_log_get_info, handle_); }
 
     /* line, if not NULL, gets the line of the text on which the sample stands. */
@@ -221,6 +225,15 @@ public:
         checked(sins_play_run(handle_, records.data(), most, &written));
         records.resize(written);
         return records;
+    }
+
+    /* The signals of the next intervals, at most `most`; fewer, or none: the flight is over. */
+    std::vector<sins_imu> run_imu(std::size_t most) {
+        std::vector<sins_imu> imu(most, make<sins_imu>());
+        std::size_t written = 0;
+        checked(sins_play_run_imu(handle_, imu.data(), most, &written));
+        imu.resize(written);
+        return imu;
     }
 
     /* Flies to the end without records. */

@@ -31,7 +31,9 @@ texts() {
         command install -Dm644 "$file" "$1/$file"
     done
     cp -r "$manual" "$1/docs/sins.h"
-    command install -Dm644 -t "$1/share/sins" $(sed s,^,target/release/bindings/, cmake/bindings.txt)
+    while read -r file; do
+        command install -Dm644 "target/release/bindings/$file" "$1/share/sins/$file"
+    done <cmake/bindings.txt
     release/documents.py "$1"
     command install -Dm644 -t "$1/licences" LICENSE-MIT LICENSE-APACHE
     release/licences.py "$2" >"$1/licences/crates.txt"
@@ -60,9 +62,14 @@ archive() {
     esac
 }
 
-# wheel LIBRARY PLATFORM FOLDER: the Python module with the library.
+# wheel LIBRARY PLATFORM FOLDER: the package for Python with the library.
 wheel() {
-    release/wheel.py target/release/bindings/sins.py "$1" "$version" "$2" "$3/share/sins"
+    if [ ! -x target/wheel/bin/pip ]; then
+        python3 -c 'import ensurepip' 2>/dev/null || install python3-venv
+        python3 -m venv target/wheel
+    fi
+    SINS_WHEEL_BINDINGS=$PWD/target/release/bindings SINS_WHEEL_LIBRARY=$1 SINS_WHEEL_PLATFORM=$2 \
+        target/wheel/bin/pip wheel --quiet --disable-pip-version-check --no-deps --wheel-dir "$3/share/sins" ./release/python
 }
 
 # linux NAME PROCESSOR

@@ -92,7 +92,8 @@ ada() {
 python() {
     local packages=/usr/lib/python3/dist-packages
     need python3 /usr/bin/python3
-    for package in numpy matplotlib scipy pycparser; do
+    need mypy mypy
+    for package in numpy matplotlib scipy pandas pycparser; do
         need "python3-$package" "$packages/$package/__init__.py"
     done
     export SINS_LIBRARY=$built/libsins.so PYTHONPATH=$bindings PYTHONDONTWRITEBYTECODE=1
@@ -115,9 +116,11 @@ python() {
         same_figures "$scene" python
     done
     /usr/bin/python3 tests/hosts/test_sins.py 2>"$out/test_sins" || { cat "$out/test_sins"; return 1; }
-    echo "python: $(grep -o "^Ran .* tests" "$out/test_sins"); the patrol is drawn in target/hosts/patrol.png"
-    /usr/bin/python3 tests/hosts/xplane.py
     build_program
+    /usr/bin/python3 tests/hosts/test_package.py "$built/sins" 2>"$out/test_package" || { cat "$out/test_package"; return 1; }
+    mypy --config-file tests/hosts/mypy.ini --cache-dir "$out/mypy" "$bindings/sins"
+    echo "python: $(cat "$out/test_sins" "$out/test_package" | grep "^Ran "); the patrol is drawn in target/hosts/patrol.png"
+    /usr/bin/python3 tests/hosts/xplane.py
     mkdir -p "$out/aircraft"
     /usr/bin/python3 tests/hosts/aircraft.py "$built/sins" "$out/aircraft"
     # The day in the south, over the date line.

@@ -52,13 +52,13 @@ files() {
     if grep -rlF -e "$PWD" -e "$HOME/" "$folder"; then fail "these name a folder of this machine"; fi
 }
 
-# wheel FOLDER: installs the module for Python from the package, without a network, and flies.
+# wheel FOLDER: installs the package for Python from the file in the package, and flies: by the interface in C without numpy, and with it.
 wheel() {
     python3 -c 'import ensurepip' 2>/dev/null || install python3-venv
     python3 -m venv "$out/python"
     "$out/python/bin/pip" install --quiet --no-index --no-deps "$1"/share/sins/sins-*.whl
     (cd "$out" && "$out/python/bin/python" -c 'if True:
-        import sins
+        from sins import c as sins
         with sins.create(None) as sim:
             sins.set_gyro(sim, sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0)))
             for second in range(3601):
@@ -66,6 +66,11 @@ wheel() {
                 sins.step(sim)
             print(f"{sins.get_errors(sim, sins.ERRORS_NAVIGATION).position_enu_m[0]:.0f} m east")') | grep -x -- '-145 m east' ||
         fail "$1: the wheel does not fly"
+    "$out/python/bin/pip" install --quiet numpy
+    (cd "$out" && "$out/python/bin/python" -c 'if True:
+        import sins
+        run = sins.fly("rest", hours=1, gyro={"bias_deg_h": [0.01, 0, 0]})
+        print(f"{run.position_error_m[-1, 0]:.0f} m east")') | grep -x -- '-145 m east' || fail "$1: the package of the wheel does not fly"
 }
 
 # as_it_stands FOLDER SYSTEM PREFIX: each header compiles alone, in C and C++; the host of the README, built in the folder by the README's

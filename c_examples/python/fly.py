@@ -10,7 +10,7 @@ import os
 import sys
 
 import matplotlib
-import sins
+from sins import c as sins
 from matplotlib import pyplot
 
 matplotlib.use("Agg")  # draws into a file, without a window

@@ -319,6 +319,7 @@ static inline void every_log_call(sins_log *log, every_call_answer *answer, void
 static inline void every_play_call(sins_play *play, sins_scene *scene, every_call_answer *answer, void *context)
 {
     sins_flight_sample flight_sample[2];
+    sins_imu imu[2];
     sins_record record[2];
     sins_unit_status unit_status[2];
     sins_unit_navigation unit_navigation[2];
@@ -329,6 +330,8 @@ static inline void every_play_call(sins_play *play, sins_scene *scene, every_cal
     SINS_INIT(flight_sample[0]);
     SINS_INIT(flight_sample[1]);
     flight_sample[1].time_s = 0.01;
+    SINS_INIT(imu[0]);
+    SINS_INIT(imu[1]);
     SINS_INIT(record[0]);
     SINS_INIT(record[1]);
     SINS_INIT(unit_status[0]);
@@ -338,6 +341,7 @@ static inline void every_play_call(sins_play *play, sins_scene *scene, every_cal
     EVERY_CALL(sins_play_next(play));
     EVERY_CALL(sins_play_push(play, flight_sample));
     EVERY_CALL(sins_play_run(play, record, 2, &size));
+    EVERY_CALL(sins_play_run_imu(play, imu, 2, &size));
     EVERY_CALL(sins_play_set_plan(play, scene));
     EVERY_CALL(sins_play_get_simulator(play, &made_sim));
     EVERY_CALL(sins_play_get_unit(play, &made_unit));
@@ -544,12 +548,15 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     EVERY_CALL(sins_scene_set_items(scene, "failure", NULL));
     EVERY_CALL(sins_log_parse(NULL, 1, &made_log, fault));
     EVERY_CALL(sins_log_parse((char *)bytes, 1, NULL, fault));
+    EVERY_CALL(sins_log_create(NULL, 2, &made_log));
+    EVERY_CALL(sins_log_create(flight_sample, 2, NULL));
     EVERY_CALL(sins_log_get_info(log, NULL));
     EVERY_CALL(sins_log_get_sample(log, 0, NULL, &word));
     EVERY_CALL(sins_scene_get_samples(scene, NULL, NULL));
     EVERY_CALL(sins_play_create(scene, NULL, NULL));
     EVERY_CALL(sins_play_push(play, NULL));
     EVERY_CALL(sins_play_run(play, NULL, 2, &size));
+    EVERY_CALL(sins_play_run_imu(play, NULL, 2, &size));
     EVERY_CALL(sins_play_get_simulator(play, NULL));
     EVERY_CALL(sins_play_get_unit(play, NULL));
     EVERY_CALL(sins_play_snapshot_save(play, NULL, sizeof bytes, &size));

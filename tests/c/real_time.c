@@ -238,6 +238,7 @@ static void fly_play_frames(sins_play *play, sins_flight *flight)
 {
     static unsigned char snapshot[SINS_PLAY_SNAPSHOT_MAX_SIZE];
     static sins_record play_records[4];
+    sins_imu imu = {.struct_size = sizeof imu};
     sins_flight_sample sample = {.struct_size = sizeof sample};
     sins_unit_status status = {.struct_size = sizeof status};
     sins_unit_navigation shown = {.struct_size = sizeof shown};
@@ -254,6 +255,7 @@ static void fly_play_frames(sins_play *play, sins_flight *flight)
         FRAME_CHECK(sins_play_push(play, &sample) == SINS_ERROR_TIME_ORDER);
     }
     FRAME_CHECK(sins_play_run(play, play_records, 4, &written) == SINS_OK && written == 4);
+    FRAME_CHECK(sins_play_run_imu(play, &imu, 1, &written) == SINS_OK && written == 1);
     FRAME_CHECK(sins_play_snapshot_save(play, snapshot, sizeof snapshot, &written) == SINS_OK);
 }
 

@@ -390,6 +390,8 @@ static void call_with_scenes(void)
     sins_flight *flight = NULL;
     sins_flight_start start = {.struct_size = sizeof start};
     static sins_manoeuvre manoeuvres[4];
+    sins_flight_sample log_samples[2];
+    sins_imu imu;
     size_t count;
     int k;
     parse_deep("a = ", "[");
@@ -426,8 +428,10 @@ static void call_with_scenes(void)
     MEASURE(sins_scene_set_values(scene, "unit.start = \"off\""));
     MEASURE(sins_play_create(scene, NULL, &play));
     MEASURE(sins_play_run(play, records, 1, &count));
+    SINS_INIT(imu);
+    MEASURE(sins_play_run_imu(play, &imu, 1, &count));
     MEASURE(sins_play_next(play));
-    for (k = 2; k < 18; k++) {
+    for (k = 3; k < 18; k++) {
         MEASURE(sins_flight_sample_at(flight, scene_time(k), &sample));
         MEASURE(sins_play_push(play, &sample));
     }
@@ -454,6 +458,11 @@ static void call_with_scenes(void)
     MEASURE(sins_log_get_info(log, &info));
     MEASURE(sins_log_get_sample(log, 0, &sample, NULL));
     MEASURE(sins_log_destroy(log));
+    log_samples[0] = log_samples[1] = sample;
+    log_samples[1].time_s += 1.0;
+    MEASURE(sins_log_create(log_samples, 2, &log));
+    MEASURE(sins_log_destroy(log));
+    CHECK(TRY(sins_log_create(log_samples, 1, &log)) == SINS_ERROR_INVALID_ARGUMENT);
     TRY(sins_log_parse(scene_text, sizeof scene_text - 1, &log, &fault));
     CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
 }

@@ -145,6 +145,7 @@ static void strides(sins_sim *sim)
     for (in = sizeof(sins_flight_sample); in <= 2 * sizeof(sins_flight_sample); in += 8) {
         for (out = sizeof(sins_record); out <= 2 * sizeof(sins_record); out += 8) {
             unsigned char *samples = calloc(COUNT, in), *records = malloc((COUNT - 1) * out);
+            sins_log *log = NULL;
             size_t written = 0;
             CHECK(samples != NULL && records != NULL);
             memset(records, 0xa5, (COUNT - 1) * out);
@@ -160,6 +161,7 @@ static void strides(sins_sim *sim)
             CHECK(sins_run(sim, (sins_flight_sample *)(void *)samples, COUNT, 1, (sins_record *)(void *)records, COUNT - 1,
                            &written) == SINS_OK);
             CHECK(written == COUNT - 1);
+            CHECK(sins_log_create((sins_flight_sample *)(void *)samples, COUNT, &log) == SINS_OK && sins_log_destroy(log) == SINS_OK);
             CHECK(out > sizeof(sins_record) || in % sizeof(sins_flight_sample) != 0 ||
                   recommend_for((sins_flight_sample *)(void *)(samples + in), NULL, NULL, NULL) == SINS_OK);
             for (k = 0; k < (COUNT - 1) * out; k++) {
@@ -223,6 +225,7 @@ static void struct_sizes_of_scenes(sins_sim *sim)
     OUTPUT_SIZES(sins_unit_status, sins_play_get_shown(play, pointer, NULL));
     OUTPUT_SIZES(sins_unit_navigation, sins_play_get_shown(play, NULL, pointer));
     OUTPUT_SIZES(sins_record, sins_play_run(play, pointer, 1, NULL));
+    OUTPUT_SIZES(sins_imu, sins_play_run_imu(play, pointer, 1, NULL));
     CHECK(sins_play_destroy(play) == SINS_OK);
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
 }

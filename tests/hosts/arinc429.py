@@ -225,7 +225,7 @@ def of_flight(words_path, *paths):
 
 def of_states():
     """Every label for random states, those beyond the range of a word, too."""
-    import sins
+    from sins import c as sins
 
     draw, comparison = random.Random(429), Comparison()
     status, navigation, inputs = sins.unit_status(), sins.unit_navigation(), sins.bus_inputs()
@@ -265,7 +265,7 @@ def of_states():
 
 def of_words():
     """Random words of every label: legal or not, and the value of those that are."""
-    import sins
+    from sins import c as sins
 
     draw, found, illegal = random.Random(310), sins.bus_label(), 0
     labels = sorted(set(BINARY) | set(DECIMAL))

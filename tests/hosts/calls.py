@@ -1,7 +1,7 @@
 """The same calls as in calls.c."""
 
 import numpy
-import sins
+from sins import c as sins
 
 RECORDS = 5
 

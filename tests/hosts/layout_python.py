@@ -2,7 +2,7 @@
 
 import ctypes
 
-import sins
+from sins import c as sins
 
 for name, value in list(vars(sins).items()):
     if isinstance(value, type) and issubclass(value, sins._Struct) and value is not sins._Struct:

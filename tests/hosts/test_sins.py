@@ -13,7 +13,7 @@ import tempfile
 import unittest
 
 import numpy
-import sins
+from sins import c as sins
 from pycparser import CParser, c_ast
 
 HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/sins_functions.h"  # includes all others
@@ -288,7 +288,7 @@ class Loading(unittest.TestCase):
 
     def imported(self, library, then=""):
         environment = {**os.environ, "SINS_LIBRARY": str(library)}
-        done = subprocess.run([sys.executable, "-c", f"import sins; {then}"], env=environment, capture_output=True, text=True)
+        done = subprocess.run([sys.executable, "-c", f"from sins import c as sins; {then}"], env=environment, capture_output=True, text=True)
         return done.stderr.strip().splitlines()[-1] if done.returncode else ""
 
     def stub(self, version):

@@ -3,7 +3,7 @@
 use std::ffi::{CStr, CString, c_char};
 use std::fs;
 use std::path::Path;
-use std::ptr::{null_mut, with_exposed_provenance_mut};
+use std::ptr::{null, null_mut, with_exposed_provenance_mut};
 
 use sins::abi::*;
 
@@ -113,6 +113,105 @@ fn a_log_flies_with_its_scene() {
         assert_eq!(sins_log_destroy(log), SINS_OK);
         assert_eq!(sins_scene_destroy(scene), SINS_OK);
     }
+}
+
+/// All samples of a log.
+fn samples_of(log: *const sins_log) -> Vec<sins_flight_sample> {
+    let mut info = init::<sins_log_info>();
+    // SAFETY: a living handle and structs of the interface.
+    unsafe {
+        assert_eq!(sins_log_get_info(log, &mut info), SINS_OK);
+        let sample = |index| {
+            let mut sample = init();
+            assert_eq!(sins_log_get_sample(log, index, &mut sample, null_mut()), SINS_OK);
+            sample
+        };
+        (0..info.samples as usize).map(sample).collect()
+    }
+}
+
+/// The signals of all intervals of a scene in flight, in pieces.
+fn signals(scene: *const sins_scene, log: *const sins_log, piece: usize) -> Vec<[f64; 6]> {
+    let (mut play, mut found) = (null_mut(), Vec::new());
+    // SAFETY: living handles and structs of the interface.
+    unsafe {
+        assert_eq!(sins_play_create(scene, log, &mut play), SINS_OK);
+        loop {
+            let (mut imu, mut written) = (vec![init::<sins_imu>(); piece], 0);
+            let status = sins_play_run_imu(play, imu.as_mut_ptr(), piece, &mut written);
+            found.extend(imu[..written].iter().map(|one| {
+                let mut both = [0.0; 6];
+                both[..3].copy_from_slice(&one.measured_angle_rad);
+                both[3..].copy_from_slice(&one.measured_velocity_m_s);
+                both
+            }));
+            if status != SINS_OK {
+                assert_eq!(status, SINS_PLAY_END);
+                break;
+            }
+            assert_eq!(written, piece);
+        }
+        assert_eq!(sins_play_destroy(play), SINS_OK);
+    }
+    found
+}
+
+#[test]
+fn a_log_of_samples_flies_as_that_of_their_text_and_gives_the_signals_of_each_interval() {
+    let (_, scene) = parsed(&file("scenes/fighter.toml"));
+    let text = file("flights/fighter_aerobatics.csv");
+    let (mut parsed_log, mut log, mut play, mut sim) = (null_mut(), null_mut(), null_mut(), null_mut());
+    // SAFETY: living handles, structs of the interface, a text and an array with their sizes.
+    unsafe {
+        assert_eq!(sins_log_parse(text.as_ptr().cast(), text.len(), &mut parsed_log, null_mut()), SINS_OK);
+        let mut samples = samples_of(parsed_log);
+        samples.truncate(2000);
+        assert_eq!(sins_log_create(samples.as_ptr(), samples.len(), &mut log), SINS_OK);
+        assert_eq!(sins_scene_set_values(scene, c"flight.hours = 0.005".as_ptr()), SINS_OK);
+        let expected = signals(scene, parsed_log, 7);
+        assert_eq!(expected.len(), 1800);
+        assert!(expected == signals(scene, log, 1000));
+        // They are those of sins_get_imu() after each interval.
+        assert_eq!(sins_play_create(scene, log, &mut play), SINS_OK);
+        assert_eq!(sins_play_get_simulator(play, &mut sim), SINS_OK);
+        assert_eq!(sins_play_next(play), SINS_OK);
+        for one in &expected[..100] {
+            let mut imu = init::<sins_imu>();
+            assert_eq!(sins_play_next(play), SINS_OK);
+            assert_eq!(sins_get_imu(sim, &mut imu), SINS_OK);
+            assert!(one[..3] == imu.measured_angle_rad && one[3..] == imu.measured_velocity_m_s);
+        }
+        assert_eq!(sins_play_run_imu(play, &mut init(), 0, null_mut()), SINS_ERROR_INVALID_ARGUMENT);
+        assert_eq!(sins_play_destroy(play), SINS_OK);
+        for handle in [parsed_log, log] {
+            assert_eq!(sins_log_destroy(handle), SINS_OK);
+        }
+        assert_eq!(sins_scene_destroy(scene), SINS_OK);
+    }
+}
+
+#[test]
+fn samples_that_make_no_log_are_named() {
+    let good = [0.0, 1.0, 2.0].map(|time_s| sins_flight_sample { time_s, ..init() });
+    let refused = |samples: &[sins_flight_sample], expected, words: &str| {
+        let mut log = null_mut();
+        let mut sentence = [0; 512];
+        // SAFETY: structs of the interface, an array and a buffer with their sizes.
+        unsafe {
+            assert_eq!(sins_log_create(samples.as_ptr(), samples.len(), &mut log), expected);
+            sins_last_error(null(), sentence.as_mut_ptr(), sentence.len(), null_mut());
+        }
+        let sentence = crate::support::text(&sentence);
+        assert!(log.is_null() && sentence.contains(words), "{sentence}");
+    };
+    refused(&good[..1], SINS_ERROR_INVALID_ARGUMENT, "count = 1");
+    refused(&[good[0], good[2], good[1]], SINS_ERROR_TIME_ORDER, "(samples[2])");
+    refused(&[good[0], good[0]], SINS_ERROR_TIME_ORDER, "(samples[1])");
+    refused(
+        &[good[0], sins_flight_sample { latitude_rad: f64::NAN, ..good[1] }],
+        SINS_ERROR_INVALID_ARGUMENT,
+        "latitude_rad",
+    );
 }
 
 #[test]

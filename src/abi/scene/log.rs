@@ -8,7 +8,7 @@ use crate::abi::boundary::handle::{hand_out, with_object};
 use crate::abi::boundary::tables::LOGS;
 use crate::abi::boundary::{enter, enter_without_simulator, remember_as};
 use crate::abi::failure::{Failure, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
-use crate::abi::memory::{Output, element, interface_struct, put_if_wanted};
+use crate::abi::memory::{Array, Output, element, interface_struct, put_if_wanted};
 use crate::abi::sample::sins_flight_sample;
 use crate::abi::sentence::Sentence;
 use crate::abi::text::{bytes_of, chars};
@@ -91,6 +91,35 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
                 Ok(SINS_ERROR_INVALID_ARGUMENT)
             }
         }
+    })
+}
+
+/// Makes a log of an array of count samples, as sins_log_parse() of a text: for hosts that have a flight in memory. samples[0].struct_size is
+/// the size in bytes of each element of samples; struct_size of the other samples may be 0. A log has at least two samples, each later
+/// than the one before, with values in their ranges. Its title is empty. The samples are copied. Not for a real-time frame: it allocates,
+/// 176 bytes a sample.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: count is less than 2, or a value is out of its range; SINS_ERROR_TIME_ORDER: a sample is not later than the
+/// one before. sins_last_error(NULL, ...) names the sample, and *log is unchanged.
+/// SINS_ERROR_OUT_OF_MEMORY: as sins_log_parse().
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_log_create(
+    samples: *const sins_flight_sample,
+    count: usize,
+    log: *mut *mut sins_log,
+) -> sins_status {
+    enter_without_simulator(|| {
+        if log.is_null() {
+            return Err(Failure::null("log"));
+        }
+        let mut made = FlightLog::with_room(count)?;
+        // SAFETY: the host's promise; samples are only read.
+        let samples = unsafe { Array::new(samples.cast_mut(), count, "samples")? };
+        for index in 0..count {
+            made.append(samples.sample(index)?).map_err(|error| Failure::from(error).of_sample(index))?;
+        }
+        // SAFETY: the host's promise.
+        unsafe { hand_out(&LOGS, log, "log", || Ok(Arc::new(made))) }
     })
 }
 

@@ -9,6 +9,7 @@ use crate::abi::boundary::handle::{hand_out, with_object};
 use crate::abi::boundary::tables::{LOGS, PLAYS, PlayHandles, SIMULATORS, UNITS};
 use crate::abi::boundary::{enter, remember_as};
 use crate::abi::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, SINS_PLAY_END, sins_status};
+use crate::abi::imu::sins_imu;
 use crate::abi::memory::{Array, Output, put, put_if_wanted, read};
 use crate::abi::record::{RecordView, sins_record};
 use crate::abi::sample::sins_flight_sample;
@@ -16,7 +17,7 @@ use crate::abi::sentence::Sentence;
 use crate::abi::simulator::{pushed, sins_sim};
 use crate::abi::unit::sins_unit;
 use crate::abi::unit_status::{sins_unit_navigation, sins_unit_status};
-use crate::base::error::Error;
+use crate::base::error::{Error, check_integer};
 use crate::scene::log::FlightLog;
 use crate::scene::{Course, Scene, Source, Stopped, shown};
 use crate::simulator::Simulator;
@@ -221,6 +222,44 @@ pub unsafe extern "C-unwind" fn sins_play_run(
                 }
             }
         }
+    });
+    // SAFETY: the host's promise.
+    unsafe { put_if_wanted(written, done) };
+    status
+}
+
+/// Flies until the array is full, or to the end, with the signals of each interval, as sins_get_imu() reads them: for a host's own
+/// navigator or filter, which gets the increments of a whole stretch in one call. Corrections of sins_correct() act from the next call on.
+/// The first sample of a flight begins the first interval, and has no element. imu[0].struct_size is the size in bytes of each element of
+/// imu; that of the other elements may be anything. written (may be NULL) gets the number of elements, also on an error. No allocation, no
+/// system call.
+///
+/// SINS_OK: the array is full. SINS_PLAY_END: the flight is over. SINS_ERROR_INVALID_ARGUMENT: capacity is 0. The errors of sins_play_next().
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_play_run_imu(
+    play: *mut sins_play,
+    imu: *mut sins_imu,
+    capacity: usize,
+    written: *mut usize,
+) -> sins_status {
+    let mut done = 0;
+    let status = with_play(play, |course, simulator, mut unit| {
+        let [simulator] = &mut **simulator;
+        check_integer("capacity", capacity, 1, u64::MAX)?;
+        // SAFETY: the host's promise.
+        let imu = unsafe { Array::new(imu, capacity, "imu")? };
+        while done < capacity {
+            match course.fly_next(simulator, unit.as_deref_mut()) {
+                Ok(Some(_)) => {}
+                Ok(None) => return Ok(SINS_PLAY_END),
+                Err(error) => return Ok(stopped(&error)),
+            }
+            if let Some(signals) = simulator.imu() {
+                imu.write(done, &sins_imu::from(&signals))?;
+                done += 1;
+            }
+        }
+        Ok(SINS_OK)
     });
     // SAFETY: the host's promise.
     unsafe { put_if_wanted(written, done) };

@@ -10,8 +10,8 @@ mod rows;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use crate::base::error::Error;
-use crate::base::memory::room_for_one_more;
+use crate::base::error::{Error, ErrorKind, Rule, check_integer};
+use crate::base::memory::{room, room_for_one_more};
 use crate::scene::{Fault, foreign};
 use crate::truth::FlightSample;
 use columns::columns;
@@ -29,7 +29,7 @@ pub struct FlightLog {
     /// The comment in its first line; empty: none.
     pub title: String,
     samples: Vec<FlightSample>,
-    /// The line of each sample, from 1.
+    /// The line of each sample, from 1; none of samples without a text.
     lines: Vec<u64>,
 }
 
@@ -136,12 +136,32 @@ impl FlightLog {
         Ok(log)
     }
 
+    /// An empty log with room for `count` samples that come from no text.
+    pub(crate) fn with_room(count: usize) -> Result<Self, Error> {
+        check_integer("count", count, 2, u64::MAX)?;
+        Ok(Self { title: String::new(), samples: room(count)?, lines: Vec::new() })
+    }
+
+    /// Appends a sample with values in their ranges, later than the one before.
+    pub(crate) fn append(&mut self, sample: FlightSample) -> Result<(), Error> {
+        sample.validate()?;
+        if let Some(last) = self.samples.last()
+            && sample.time_s <= last.time_s
+        {
+            let rule = Rule::SentenceWith("must be later than the sample before, at", last.time_s.into());
+            return Err(Error::of(ErrorKind::TimeOrder, "sample.time_s", sample.time_s, rule));
+        }
+        room_for_one_more(&mut self.samples)?;
+        self.samples.push(sample);
+        Ok(())
+    }
+
     /// Its samples, in the order of time.
     pub fn samples(&self) -> &[FlightSample] {
         &self.samples
     }
 
-    /// The line on which sample `index` stands, from 1.
+    /// The line of the text on which sample `index` stands, from 1.
     pub fn line(&self, index: usize) -> Option<u64> {
         self.lines.get(index).copied()
     }

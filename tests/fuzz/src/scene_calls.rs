@@ -216,6 +216,7 @@ impl Host {
         assert_eq!(call!(sins_play_snapshot_load(play, bytes.as_ptr().cast(), size)), SINS_OK);
         let (mut records, mut written) = ([init::<sins_record>(); 2], 0);
         if setup.flown_s * setup.rate_hz < 1e4 {
+            call!(sins_play_run_imu(play, &mut init::<sins_imu>(), 1, &mut written));
             call!(sins_play_run(play, records.as_mut_ptr(), 2, &mut written));
         }
         assert_eq!(call!(sins_play_destroy(play)), SINS_OK);

@@ -150,6 +150,7 @@ pub fn check_log(text: &[u8]) {
     let (mut info, mut line, mut last_s) = (init::<sins_log_info>(), 0, f64::NEG_INFINITY);
     assert_eq!(call!(sins_log_get_info(log, &mut info)), SINS_OK);
     assert!(info.samples >= 2 && info.duration_s > 0.0);
+    let mut samples = Vec::new();
     for index in 0..info.samples as usize {
         let mut sample = Argument::of(&init::<sins_flight_sample>());
         let before = line;
@@ -158,7 +159,12 @@ pub fn check_log(text: &[u8]) {
         let sample: sins_flight_sample = sample.value().expect("of this release");
         assert!(sample.time_s > last_s, "samples of a log in disorder");
         last_s = sample.time_s;
+        samples.push(sample);
     }
+    let mut copy = null_mut();
+    let status = call!(sins_log_create(samples.as_ptr(), samples.len(), &mut copy));
+    assert_eq!(status, SINS_OK, "a log of the samples of a log");
+    assert_eq!(call!(sins_log_destroy(copy)), SINS_OK);
     let status = call!(sins_log_get_sample(log, info.samples as usize, &mut init(), null_mut()));
     assert_eq!(status, SINS_ERROR_INVALID_ARGUMENT);
     assert_eq!(call!(sins_log_destroy(log)), SINS_OK);

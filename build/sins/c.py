@@ -1,6 +1,6 @@
 """sins.h for Python 3.9 and later, by ctypes: nothing is compiled.
 
-    import sins
+    from sins import c as sins
 
     gyro = sins.gyro_params(bias_rad_s=(0.01 * sins.DEG_PER_HOUR, 0, 0))    # fields that are not named are 0: off
     with sins.create() as sim:                                             # destroyed at the end

@@ -1,0 +1,183 @@
+"""What flies: a scene with its settings, and its samples."""
+
+import difflib
+import os
+import re
+from typing import Any, Mapping, Optional, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from sins import c
+
+Floats = npt.NDArray[np.float64]
+Setting = Union[str, Mapping[str, Any]]
+
+# The quantities of a trajectory: name, field of a sample, place in it, factor.
+_QUANTITIES = [
+    ("time_s", "time_s", 0, 1.0),
+    *((f"{name}_{unit}", f"{name}_rad", 0, factor) for name in ("latitude", "longitude", "roll", "pitch", "heading")
+      for unit, factor in (("rad", 1.0), ("deg", np.pi / 180))),
+    ("height_m", "height_m", 0, 1.0),
+    *((f"velocity_{axis}_m_s", "velocity_enu_m_s", place, 1.0) for place, axis in enumerate(("east", "north", "up"))),
+    *((f"rate_{axis}_rad_s", "angular_rate_rad_s", place, 1.0) for place, axis in enumerate("xyz")),
+    *((f"force_{axis}_m_s2", "specific_force_m_s2", place, 1.0) for place, axis in enumerate("xyz")),
+    ("temperature_c", "temperature_c", 0, 1.0),
+]
+_FLAGS = {"angular_rate_rad_s": c.SAMPLE_ANGULAR_RATE, "specific_force_m_s2": c.SAMPLE_SPECIFIC_FORCE, "temperature_c": c.SAMPLE_TEMPERATURE}
+_OPTIONAL = {"velocity_enu_m_s", *_FLAGS}
+
+
+class Trajectory:
+    """True motion as samples: `trajectory` makes it."""
+
+    def __init__(self, samples: "npt.NDArray[Any]") -> None:
+        self.samples = samples
+        """Structured array of `sins.c.flight_sample`, shape (samples,)."""
+        self.log = c.log_create(samples)
+
+    def __len__(self) -> int:
+        return len(self.samples)
+
+    def __repr__(self) -> str:
+        times = self.samples["time_s"]
+        return f"<sins.Trajectory: {len(times)} samples, {times[0]:g} to {times[-1]:g} s>"
+
+
+def trajectory(data: Any = None, **columns: Any) -> Trajectory:
+    """Makes a trajectory of arrays: a pandas.DataFrame, a dict of arrays, a structured array, or keywords alone.
+
+    The names are those of the columns of a flight log: time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m (above the
+    ellipsoid), roll, pitch and heading likewise; if there are any, velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s and
+    so on (against inertial space), force_x_m_s2 and so on (specific force), both in sensor axes; temperature_c. A keyword says where a
+    quantity comes from: the name of a column of `data` (latitude_deg="lat"), an array of shape (samples,), or a number for all samples.
+    Quantities without a keyword are taken from the column of their own name. Without velocities the library derives them.
+
+    Raises `sins.Error` with the number of the sample: times not in order, a value out of its range.
+    """
+    names = [name for name, _, _, _ in _QUANTITIES]
+    for name in columns:
+        if name not in names:
+            raise TypeError(f"no such quantity: {name}; did you mean {difflib.get_close_matches(name, names, 1, 0)[0]}?")
+    of_data = () if data is None else data.dtype.names or () if isinstance(data, np.ndarray) else data
+    named = {(field, place) for name, field, place, _ in _QUANTITIES if name in columns}
+    found: "dict[tuple[str, int], tuple[str, Any]]" = {}
+    for name, field, place, factor in _QUANTITIES:
+        if name not in columns and (name not in of_data or (field, place) in named):
+            continue
+        if (field, place) in found:
+            raise TypeError(f"{found[field, place][0]} and {name}: give one of them")
+        source = columns.get(name, name)
+        if isinstance(source, str):
+            if source not in of_data:
+                raise KeyError(f"{name}: the data has no column {source!r}")
+            source = data[source]
+        try:
+            found[field, place] = name, np.asarray(source, dtype=np.float64) * factor
+        except (TypeError, ValueError):
+            raise TypeError(f"{name}: not numbers") from None
+    fields = {field for field, _ in found}
+    for _, field, place, _ in _QUANTITIES:
+        if (field, place) not in found and (field in fields or field not in _OPTIONAL):
+            lacking = " or ".join(name for name, *other, _ in _QUANTITIES if other == [field, place])
+            raise TypeError(f"no {lacking}: name its column by a keyword")
+    shape = found["time_s", 0][1].shape
+    if len(shape) != 1:
+        raise ValueError(f"time_s has the shape {shape}: expected (samples,)")
+    samples: "npt.NDArray[Any]" = c.array(c.flight_sample, shape[0])
+    for (field, place), (name, values) in found.items():
+        to = samples[field] if samples[field].ndim == 1 else samples[field][:, place]
+        if values.shape not in (shape, ()):
+            raise ValueError(f"{name} has the shape {values.shape}: expected {shape}, as time_s")
+        to[...] = values
+    samples["flags"] = sum(_FLAGS.get(field, 0) for field in fields) + (0 if "velocity_enu_m_s" in fields else c.SAMPLE_NO_VELOCITY)
+    return Trajectory(samples)
+
+
+Flown = Union[str, "os.PathLike[str]", Trajectory]
+
+
+def _value(value: Any) -> str:
+    """A value as a scene has it."""
+    if isinstance(value, (bool, np.bool_)):
+        return "on" if value else "off"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (Sequence, np.ndarray)):
+        return f"[{', '.join(_value(one) for one in value)}]"
+    return repr(value.item() if isinstance(value, np.generic) else value)
+
+
+def _lines(hours: Optional[float], settings: Mapping[str, Setting]) -> str:
+    """Settings as the lines of a change of a scene."""
+    lines = [] if hours is None else [f"flight.hours = {_value(hours)}"]
+    for section, values in settings.items():
+        section = {"accel": "accelerometer"}.get(section, section)
+        if isinstance(values, str):
+            values = {"preset": values}
+        if not isinstance(values, Mapping):
+            raise TypeError(f"{section} = {values!r}: expected a dict of keys, or the name of a preset")
+        lines += [f"{section}.{key} = {_value(value)}" for key, value in values.items()]
+    return "\n".join(lines)
+
+
+class Scene:
+    """A scene with its settings and its log, ready to be flown; not for users, who give its parts to the functions of the package."""
+
+    def __init__(self, flown: Flown, hours: Optional[float], settings: Mapping[str, Setting]) -> None:
+        self.samples: "Optional[npt.NDArray[Any]]" = None
+        """All samples of a trajectory."""
+        self.log: Any = None
+        folder = ""
+        if isinstance(flown, Trajectory):
+            self.handle = c.scene_create()
+            c.scene_set_text(self.handle, c.SCENE_TEXT_LOG, "trajectory")
+            self.samples, self.log = flown.samples, flown.log
+        else:
+            name = os.fspath(flown)
+            folder = os.path.dirname(name)
+            if "\n" in name:
+                folder = ""
+                self.handle = c.scene_parse(name)
+            elif name.endswith(".toml"):
+                with open(name, "rb") as file:
+                    self.handle = c.scene_parse(file.read())
+            elif name.endswith(".csv"):
+                self.handle = c.scene_create()
+                c.scene_set_text(self.handle, c.SCENE_TEXT_LOG, os.path.basename(name))
+            else:
+                self.handle = c.scene_create_builtin(name)
+        lines = _lines(hours, settings)
+        try:
+            c.scene_set_values(self.handle, lines)
+        except c.Error as error:
+            error.args = (re.sub("^line .*?, column .*?: ", "", str(error)),)  # those of keywords mean nothing
+            raise
+        self.setup = c.scene_get_setup(self.handle)
+        self.text: str = c.scene_write(self.handle)
+        if self.log is None and self.setup.flight == c.SCENE_FLIGHT_LOG:
+            with open(os.path.join(folder, c.scene_get_text(self.handle, c.SCENE_TEXT_LOG)), "rb") as file:
+                self.log = c.log_parse(file.read())[0]
+        self.info = c.scene_get_samples(self.handle, self.log)
+        """Number of samples, their period and duration."""
+        self.title: str = c.scene_get_text(self.handle, c.SCENE_TEXT_TITLE) or c.scene_get_text(self.handle, c.SCENE_TEXT_LOG)
+        self._flight: Any = None
+
+    def plans(self, *items: str) -> bool:
+        """Whether the scene has one of these items, such as [[update]]."""
+        return any(f"\n{item}\n" in self.text for item in items)
+
+    def piece(self, begin: int, end: int) -> "npt.NDArray[Any]":
+        """Samples begin to end of the flight."""
+        if self.samples is not None:
+            return self.samples[begin:end]
+        if self.log is not None:
+            samples: "npt.NDArray[Any]" = c.array(c.flight_sample, end - begin)
+            each = (c.flight_sample * len(samples)).from_buffer(samples)
+            for index, sample in enumerate(each, begin):
+                c.log_get_sample(self.log, index, sample, None)
+            return samples
+        if self._flight is None:
+            self._flight = c.scene_create_flight(self.handle)
+        sampled: "npt.NDArray[Any]" = c.samples_at(self._flight, np.arange(begin, end) / self.setup.rate_hz)
+        return sampled

@@ -1,0 +1,10 @@
+# The names of sins.h. Their documentation is in the module: help(sins.c.create).
+from typing import Any
+
+class Error(Exception):
+    status: int
+    info: Any
+    faults: Any
+    outputs: Any
+
+def __getattr__(name: str) -> Any: ...

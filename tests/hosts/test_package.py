@@ -1,0 +1,248 @@
+"""The package sins for Python: its flights, ensembles and increments have the bits of the program's, and what is wrong is told.
+
+Needs SINS_LIBRARY, PYTHONPATH, numpy, pandas and matplotlib, and the program sins as the first argument: see tests/hosts.sh.
+"""
+
+import doctest
+import io
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+
+import numpy as np
+import pandas
+import sins
+from sins import c
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = PROJECT / "c_examples/scenes"
+PROGRAM = sys.argv.pop(1)
+GRADE = {"gyro": "navigation", "accel": "navigation", "start": "navigation"}
+DAY = (SCENES / "day.toml").read_text()
+
+
+def program(*arguments):
+    """The records that the program writes."""
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([PROGRAM, "fly", *arguments, "--quiet", "--out", folder, "--name", "flight"], check=True, cwd=PROJECT)
+        return pandas.read_csv(f"{folder}/flight.csv", comment="#", float_precision="round_trip")
+
+
+def log(name):
+    return pandas.read_csv(PROJECT / "c_examples/flights" / name, comment="#", float_precision="round_trip")
+
+
+class Flights(unittest.TestCase):
+    def same(self, run, expected):
+        found = run.dataframe()
+        shared = [name for name in expected if name in found]
+        self.assertGreater(len(shared), 20, list(expected))
+        pandas.testing.assert_frame_equal(found[shared], expected[shared].astype(float), check_exact=True)
+
+    def test_flies_as_the_program(self):
+        settings = {"gyro": {"preset": "tactical", "bias_deg_h": [1, 2, 3]}, "options": {"seed": 7, "error_model": "rk4"}}
+        sets = ["gyro.preset=tactical", "gyro.bias_deg_h=[1,2,3]", "options.seed=7", "options.error_model=rk4"]
+        self.same(sins.fly("patrol", hours=0.2, every_s=1, **settings),
+                  program("patrol", "--hours", "0.2", "--set", "output.every_s=1", *(word for one in sets for word in ("--set", one))))
+        for scene in sorted(SCENES.glob("*.toml")):
+            with self.subTest(scene.name), warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # of large errors
+                hours = 1 if scene.name == "patrol.toml" else None
+                run = sins.fly(scene, hours)
+                self.same(run, program(str(scene), *(["--hours", "1"] if hours else [])))
+                self.assertEqual(len(run.position_error_m), len(run))
+
+    def test_a_trajectory_flies_as_the_log(self):
+        flown = PROJECT / "c_examples/flights/fighter_aerobatics.csv"
+        frame = log(flown.name)
+        expected = sins.fly(flown, every_s=1, **GRADE).records
+        self.assertTrue((sins.fly(sins.trajectory(frame), every_s=1, **GRADE).records == expected).all())
+        renamed = sins.trajectory({f"my {name}": frame[name] for name in frame}, **{name: f"my {name}" for name in frame})
+        self.assertTrue((sins.fly(renamed, every_s=1, **GRADE).records == expected).all())
+        arrays = sins.trajectory(**{name: frame[name].to_numpy() for name in frame})
+        self.assertTrue((sins.fly(arrays, every_s=1, **GRADE).records == expected).all())
+        structured = sins.trajectory(frame.to_records(index=False))
+        self.assertTrue((structured.samples == arrays.samples).all())
+
+    def test_quantities_of_a_trajectory(self):
+        """Degrees, numbers for all samples, rates, forces and temperature come to their fields."""
+        times = np.arange(3.0)
+        made = sins.trajectory(time_s=times, latitude_deg=[10, 20, 30], longitude_rad=0.5, height_m=1, roll_deg=4, pitch_deg=5,
+                               heading_deg=[350, 0, 10], rate_x_rad_s=times, rate_y_rad_s=1, rate_z_rad_s=2, force_x_m_s2=3,
+                               force_y_m_s2=4, force_z_m_s2=times, temperature_c=-40).samples
+        np.testing.assert_array_equal(np.rad2deg(made["latitude_rad"]).round(12), [10, 20, 30])
+        np.testing.assert_array_equal(made["longitude_rad"], 0.5)
+        np.testing.assert_array_equal(made["angular_rate_rad_s"], [[0, 1, 2], [1, 1, 2], [2, 1, 2]])
+        np.testing.assert_array_equal(made["specific_force_m_s2"], [[3, 4, 0], [3, 4, 1], [3, 4, 2]])
+        np.testing.assert_array_equal(made["temperature_c"], -40)
+        self.assertEqual(set(made["flags"]), {c.SAMPLE_NO_VELOCITY | c.SAMPLE_ANGULAR_RATE | c.SAMPLE_SPECIFIC_FORCE | c.SAMPLE_TEMPERATURE})
+
+    def test_what_is_wrong_is_told(self):
+        good = {"time_s": np.arange(3.0), "latitude_rad": 0.1, "longitude_rad": 0.2, "height_m": 1.0, "roll_rad": 0, "pitch_rad": 0,
+                "heading_rad": 0}
+        sins.trajectory(**good)
+        lacking = {name: good[name] for name in good if name != "height_m"}
+        for error, sentence, call in [
+            (sins.Error, "bais_deg_h; did you mean bias_deg_h", lambda: sins.fly("patrol", gyro={"bais_deg_h": 1})),
+            (sins.Error, r"range_deg_s\[0\] = -1: must be", lambda: sins.fly("patrol", gyro={"range_deg_s": -1})),
+            (sins.Error, "no such section: giro; did you mean gyro", lambda: sins.fly("patrol", giro={"bias_deg_h": 1})),
+            (sins.Error, "built-in scene", lambda: sins.fly("patrl")),
+            (FileNotFoundError, "none.toml", lambda: sins.fly("none.toml")),
+            (FileNotFoundError, "none.csv", lambda: sins.fly("none.csv")),
+            (TypeError, "expected a dict of keys", lambda: sins.fly("patrol", gyro=3)),
+            (TypeError, "latitude_degree; did you mean latitude_deg", lambda: sins.trajectory(**good, latitude_degree=3)),
+            (TypeError, "no height_m: name", lambda: sins.trajectory(**lacking)),
+            (KeyError, "height_m: the data has no column 'h'", lambda: sins.trajectory({}, height_m="h", **lacking)),
+            (TypeError, "height_m: not numbers", lambda: sins.trajectory(**lacking, height_m=["a", "b", "c"])),
+            (ValueError, r"height_m has the shape \(2,\): expected \(3,\)", lambda: sins.trajectory(**lacking, height_m=[1, 2])),
+            (TypeError, "no velocity_up_m_s", lambda: sins.trajectory(**good, velocity_east_m_s=1, velocity_north_m_s=1)),
+            (TypeError, "give one of them", lambda: sins.trajectory({**good, "latitude_deg": good["time_s"]})),
+            (sins.Error, r"height_m = NaN.*samples\[0\]", lambda: sins.trajectory(**lacking, height_m=float("nan"))),
+            (sins.Error, r"later.*samples\[2\]", lambda: sins.trajectory(**{**good, "time_s": [0, 1, 1]})),
+            (sins.Error, "count = 1", lambda: sins.trajectory(**{**good, "time_s": [0]})),
+            (ValueError, r"time_s has the shape \(\)", lambda: sins.trajectory(**{**good, "time_s": 1.0})),
+            (ValueError, "runs = 0", lambda: sins.ensemble("patrol", runs=0)),
+            (ValueError, "at most 360000", lambda: sins.recommend("patrol", hours=48, position_m=1)),
+        ]:
+            with self.subTest(sentence):
+                self.assertRaisesRegex(error, sentence, call)
+
+    def test_plots_and_words(self):
+        run = sins.fly("racetrack", hours=0.05, options={"error_model": "rk4"}, **GRADE)
+        for figure in (run.plot(), sins.ensemble("racetrack", hours=0.05, runs=5, **GRADE).envelope_plot()):
+            drawn = io.BytesIO()
+            figure.savefig(drawn, format="png")
+            self.assertGreater(len(drawn.getvalue()), 10_000)
+            self.assertEqual(len(figure.axes), 3)
+        self.assertIn("m off at the end", repr(run))
+
+    def test_the_import_is_light(self):
+        code = "import sins, sys; print(sorted({'numpy', 'ctypes', 'pandas', 'matplotlib'} & set(sys.modules)), dir(sins))"
+        found = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
+        self.assertTrue(found.startswith("[] "), found)
+        for name in sins.__all__:
+            self.assertIsNotNone(getattr(sins, name).__doc__, name)
+        self.assertRaisesRegex(AttributeError, "in sins.c", lambda: sins.create)
+
+
+class Ensembles(unittest.TestCase):
+    def test_run_k_is_the_flight_with_run_k(self):
+        failure = '\n[[failure]]\nsensor = "gyro"\naxis = "x"\nkind = "stuck"\nfrom_s = 60\n'
+        scenes = {
+            "plain": ("racetrack", {"hours": 0.05, "altimeter": {"bias_m": 1, "noise_m": 1}, **GRADE}),
+            "log": (PROJECT / "c_examples/flights/fighter_aerobatics.csv", GRADE),
+            "unit and panel": (DAY, {"hours": 0.3}),
+            "plan": ('[flight]\nbuiltin = "racetrack"\nhours = 0.05\n[gyro]\npreset = "tactical"\n' + failure, {}),
+        }
+        for name, (scene, settings) in scenes.items():
+            with self.subTest(name):
+                drawn = sins.ensemble(scene, runs=5, times=7, threads=2, **settings)
+                again = sins.ensemble(scene, runs=5, times=7, threads=1, **settings)
+                self.assertTrue(np.array_equal(drawn.position_error_m, again.position_error_m))
+                self.assertEqual(drawn.position_error_m.shape, (5, len(drawn.time_s), 3))
+                self.assertGreater(np.ptp(drawn.position_error_m[:, -1, 0]), 0.0)
+                for run in (0, 3):
+                    one = sins.fly(scene, **{**settings, "options": {"run": drawn.first_run + run}}, every_s=sins.Flight(scene, **settings).period_s)
+                    at = np.searchsorted(one.time_s, drawn.time_s)
+                    for of_all, of_one in ((drawn.position_error_m, one.position_error_m),
+                                           (drawn.velocity_error_m_s, one.velocity_error_m_s),
+                                           (drawn.misalignment_rad, one.misalignment_rad)):
+                        np.testing.assert_array_equal(of_all[run], of_one[at])
+
+    def test_diverged_runs_are_nan_and_warned_of(self):
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            drawn = sins.ensemble("racetrack", hours=0.5, runs=6, times=30, options={"vertical": "free"},
+                                  accel={"bias_sigma_micro_g": [0, 0, 3e4]})
+        lost = np.isnan(drawn.position_error_m).any(axis=2)
+        self.assertEqual([str(one.message) for one in said], [f"{lost[:, -1].sum()} of 6 runs diverged; their errors are NaN"])
+        self.assertFalse(lost[:, 0].any() or (lost[:, :-1] & ~lost[:, 1:]).any())
+        self.assertEqual(drawn.figures().runs, 6 - lost[:, -1].sum())
+        drawn.position_error_m[:] = np.nan
+        self.assertRaisesRegex(ValueError, "no run is left", drawn.figures)
+
+    def test_intervals_hold(self):
+        """Intervals of 95 % contain the truth in 95 % of draws of a known distribution: within 4 standard deviations of the share."""
+        generator, trials = np.random.default_rng(1), 2000
+        for runs in (10, 50, 300):
+            held = np.zeros(3)
+            for _ in range(trials):
+                errors = generator.normal(size=(runs, 1, 3))
+                figures = sins.Ensemble(np.zeros(1), {field: errors for field in ("position_enu_m", "velocity_enu_m_s",
+                                                                                "misalignment_enu_rad")}, 0, "").figures()
+                low, high = figures.rms_position_interval_enu_m
+                held += [figures.cep50_interval_m[0] <= 1.177410 <= figures.cep50_interval_m[1],
+                         figures.r95_interval_m[0] <= 2.447747 <= figures.r95_interval_m[1], low[0] <= 1 <= high[0]]
+            with self.subTest(runs=runs):
+                self.assertGreaterEqual(held.min() / trials, 0.95 - 4 * np.sqrt(0.05 * 0.95 / trials), held / trials)
+
+
+class Increments(unittest.TestCase):
+    def test_increments_are_those_of_each_interval(self):
+        with sins.Flight("racetrack", hours=0.01, **GRADE) as flight:
+            parts = []
+            while len(imu := flight.fly(3.0)):
+                parts.append(imu)
+        whole = np.concatenate(parts)
+        with c.scene_create_builtin("racetrack") as scene:
+            c.scene_set_values(scene, "flight.hours = 0.01\ngyro.preset = navigation\naccelerometer.preset = navigation\n"
+                                      "start.preset = navigation")
+            with c.play_create(scene, None) as play:
+                c.play_next(play)
+                for one in whole:
+                    c.play_next(play)
+                    imu = c.get_imu(c.play_get_simulator(play))
+                    np.testing.assert_array_equal(one["measured_angle_rad"], imu.measured_angle_rad)
+                    np.testing.assert_array_equal(one["measured_velocity_m_s"], imu.measured_velocity_m_s)
+                self.assertEqual(c.play_next(play), c.PLAY_END)
+
+    def test_a_correction_removes_errors(self):
+        with sins.Flight("racetrack", hours=0.02, **GRADE) as flight:
+            flight.fly(30.0)
+            before = flight.record["navigation_errors"]
+            flight.correct(**{name: before[name] for name in ("position_enu_m", "velocity_enu_m_s", "misalignment_enu_rad")})
+            after = flight.record["navigation_errors"]
+            for name in ("position_enu_m", "velocity_enu_m_s", "misalignment_enu_rad"):
+                self.assertLess(np.abs(after[name]).max(), 1e-4 * np.abs(before[name]).max(), name)
+
+
+class Analysis(unittest.TestCase):
+    def test_a_budget_names_the_effect_that_was_set(self):
+        budget = sins.budget("racetrack", hours=0.1, gyro={"bias_deg_h": 1}, accel={"scale_factor_ppm": 100})
+        self.assertEqual(budget.effects[0], "mechanization")
+        self.assertEqual(set(budget.effects[1:]), {"gyro bias", "accel scale factor"})
+        self.assertEqual(len(str(budget).splitlines()), 4)
+        self.assertAlmostEqual(budget.whole.position_m / np.hypot(*budget.rows["position_m"][1:]), 1, delta=0.5)
+
+    def test_a_recommendation_flies(self):
+        found = sins.recommend("aerobatics", hours=0.02, position_m=1, duration_s=3600)
+        self.assertTrue(found.is_met)
+        sins.fly("aerobatics", hours=0.02, options=found.options)
+        self.assertFalse(sins.recommend("aerobatics", hours=0.02, position_m=1e-12, duration_s=3600).is_met)
+
+
+class Page(unittest.TestCase):
+    def test_the_page_prints_what_it_says(self):
+        page = PROJECT / "docs/python.md"
+        examples = "\n".join(re.findall("```python\n(.*?)```", page.read_text(), re.DOTALL))
+        test = doctest.DocTestParser().get_doctest(examples, {}, page.name, str(page), 0)
+        before = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "c_examples").symlink_to(PROJECT / "c_examples")
+            os.chdir(folder)
+            try:
+                said = io.StringIO()
+                ran = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE).run(test, out=said.write)
+            finally:
+                os.chdir(before)
+        self.assertEqual(ran.failed, 0, said.getvalue())
+        self.assertGreater(ran.attempted, 20)
+
+
+if __name__ == "__main__":
+    unittest.main()
