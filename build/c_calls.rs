@@ -70,7 +70,7 @@ const MAY_BE_NULL: [(&str, &[&str]); 15] = [
     ("sins_play_create", &["log"]),
     ("sins_play_get_shown", &["status", "navigation"]),
     ("sins_scene_get_manoeuvres", &["start", "repeat"]),
-    ("sins_log_parse", &["fault"]),
+    ("sins_log_parse", &["scene", "fault"]),
     ("sins_ensemble_create", &["configured"]),
     ("sins_ensemble_get_runs", &["first_run", "runs"]),
     ("sins_log_get_sample", &["line"]),

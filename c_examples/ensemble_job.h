@@ -98,7 +98,7 @@ static void open_job(uint64_t runs, const char *scene, size_t scene_size, const 
         fail(place, fault.sentence);
     }
     if (log != NULL) {
-        CHECK(sins_log_parse(log, log_size, &job.log, &fault));
+        CHECK(sins_log_parse(log, log_size, job.scene, &job.log, &fault));
         CHECK(sins_log_get_info(job.log, &info));
         CHECK(sins_scene_set_text(job.scene, SINS_SCENE_TEXT_LOG, "log"));
     } else {

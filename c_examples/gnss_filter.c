@@ -240,7 +240,7 @@ int main(int count, char **arguments)
     int runs = count > 2 ? atoi(arguments[2]) : 20, k;
     double least = 1e9, most = 0.0;
     sins_log *log = NULL;
-    require(sins_log_parse(text, size, &log, NULL), NULL);
+    require(sins_log_parse(text, size, NULL, &log, NULL), NULL);
     EACH(k, runs) fly(log, (uint64_t)k);
     for (k = 1; k < 64 && nees[k] > 0.0; k++) least = fmin(least, nees[k] / runs), most = fmax(most, nees[k] / runs);
     printf("%d runs: horizontal position, rms error / predicted: %.4f\n", runs, sqrt(before_outage2[0] / before_outage2[1]));

@@ -126,7 +126,7 @@ static int open_log(struct host *host, const char *path)
         return 0;
     }
     SINS_INIT(fault);
-    status = sins_log_parse(text, size, &host->log, &fault);
+    status = sins_log_parse(text, size, host->scene, &host->log, &fault);
     free(text);
     if (status == SINS_ERROR_INVALID_ARGUMENT) {
         print_fault(path, &fault);

@@ -528,7 +528,8 @@ typedef struct sins_log_info {
 } sins_log_info;
 
 /**
- * Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
+ * Reads a flight log as the [log] of a scene says: which column has which quantity, in which unit, and whether its path is smoothed; a scene
+ * flies only a log that was read by its own [log]. NULL for scene, or a scene without [log]: comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
  * comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns
  * is a fault:
  *
@@ -545,7 +546,8 @@ typedef struct sins_log_info {
  * sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
  * SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
  */
-SINS_API sins_status SINS_CALL sins_log_parse(const char *text, size_t size, sins_log **log, sins_fault *fault);
+SINS_API sins_status SINS_CALL sins_log_parse(const char *text, size_t size, const sins_scene *scene, sins_log **log,
+    sins_fault *fault);
 
 /**
  * Makes a log of an array of count samples, as sins_log_parse() of a text: for hosts that have a flight in memory. samples[0].struct_size is

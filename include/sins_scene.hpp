@@ -160,7 +160,10 @@ private:
 class Log : public detail::Owner<sins_log> {
 public:
     /* The log of a text. If the text has faults, what() of the error has the first one and its place. */
-    explicit Log(const std::string &text) : Owner(parsed(text)) {}
+    explicit Log(const std::string &text) : Owner(parsed(nullptr, text)) {}
+
+    /* The log of a text, read by the [log] of the scene that flies it. */
+    Log(const Scene &scene, const std::string &text) : Owner(parsed(scene.handle(), text)) {}
 
     /* The log of samples in memory. */
     explicit Log(const std::vector<sins_flight_sample> &samples)
@@ -176,9 +179,9 @@ public:
     }
 
 private:
-    static sins_log *parsed(const std::string &text) {
+    static sins_log *parsed(const sins_scene *scene, const std::string &text) {
         sins_log *log = nullptr;
-        detail::done(sins_log_parse(text.data(), text.size(), &log, nullptr), nullptr);
+        detail::done(sins_log_parse(text.data(), text.size(), scene, &log, nullptr), nullptr);
         return log;
     }
 };

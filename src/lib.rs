@@ -116,7 +116,7 @@
 //! | geodetic conversions are accurate to a nanometre | `tests/physics/earth.rs` |
 //! | every getter returns what its setter was given | `tests/state/read_back.rs` |
 //! | a scene in flight gives the bits of the calls one by one, from any snapshot; a rejected sample changes nothing of what follows | `tests/interface/play.rs` |
-//! | a scene that is written reads back to the same bits, and every fault of a faulty scene is reported | `tests/interface/scene_text.rs`, `tests/interface/scene_settings.rs`, `tests/interface/scene_functions.rs`, logs `tests/interface/flight_log.rs` |
+//! | a scene that is written reads back to the same bits, and every fault of a faulty scene is reported | `tests/interface/scene_text.rs`, `tests/interface/scene_settings.rs`, `tests/interface/scene_functions.rs`, logs `tests/interface/flight_log.rs`, `tests/interface/log_mapping.rs` |
 //! | hard cases are correct, or reported as beyond a limit | `tests/robustness`, with their figures in `tests/README.md` |
 //! | the header agrees with the code, and no other function is exported | `tests/interface/header.rs` |
 //!

@@ -157,7 +157,7 @@ class Scene:
         self.text: str = c.scene_write(self.handle)
         if self.log is None and self.setup.flight == c.SCENE_FLIGHT_LOG:
             with open(os.path.join(folder, c.scene_get_text(self.handle, c.SCENE_TEXT_LOG)), "rb") as file:
-                self.log = c.log_parse(file.read())[0]
+                self.log = c.log_parse(file.read(), self.handle)[0]
         self.info = c.scene_get_samples(self.handle, self.log)
         """Number of samples, their period and duration."""
         self.title: str = c.scene_get_text(self.handle, c.SCENE_TEXT_TITLE) or c.scene_get_text(self.handle, c.SCENE_TEXT_LOG)

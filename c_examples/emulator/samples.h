@@ -15,7 +15,7 @@ public:
         }
         log_path = folder / wide(scene.text(SINS_SCENE_TEXT_LOG));
         try {
-            log_ = sins::Log(read_file(log_path));
+            log_ = sins::Log(scene, read_file(log_path));
             all = scene.samples(log_->handle());
         } catch (const sins::Error &error) {
             throw Refusal(log_path.wstring() + L": " + told(error));

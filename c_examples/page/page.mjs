@@ -163,7 +163,7 @@ class Page {
         try {
             if (is_log) {
                 display.say(text("computing"));
-                const { samples, duration_s } = await this.pilot.ask("log", { file });
+                const { samples, duration_s } = await this.pilot.ask("log", { file, text: scene.faults.length ? null : scene.text });
                 [display.previewed, display.log_name] = [null, file.name];
                 const [fault] = fly_log(scene, file.name);
                 display.say(fault ? scene.told(fault) : text("log_read", file.name, samples, shown_s(duration_s)), Boolean(fault));

@@ -68,10 +68,10 @@ export function serve() {
         async library({ module }) {
             sins = await load(module);
         },
-        /** Reads a flight log from its file. */
-        async log({ file }) {
+        /** Reads a flight log from its file, by the [log] of a scene; text: null for a log with columns of the library's own names. */
+        async log({ file, text }) {
             const bytes = await file.arrayBuffer();
-            const [parsed] = sins.log_parse(bytes);
+            const [parsed] = text ? with_scene(text, (scene) => sins.log_parse(bytes, scene)) : sins.log_parse(bytes, null);
             if (flight?.samples.log) end();
             log?.close();
             log = parsed;

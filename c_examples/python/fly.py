@@ -29,7 +29,7 @@ def open_scene(name, hours):
         return scene, None
     log = os.path.join(os.path.dirname(name), sins.scene_get_text(scene, sins.SCENE_TEXT_LOG))
     with open(log, "rb") as file:
-        return scene, sins.log_parse(file.read())[0]
+        return scene, sins.log_parse(file.read(), scene)[0]
 
 
 def fly(scene, log):

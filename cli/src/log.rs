@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use sins::scene::Scene;
-use sins::truth::smooth::{SmoothOptions, Smoothed, SmoothedPart};
+use sins::scene::log::FlightLog;
+use sins::truth::judge::Level;
 use sins::units::DEG;
 
 use crate::failure::Failure;
-use crate::given::{Reading, judge, read_log_as};
+use crate::given::{Settings, judge, of_log, read_table};
 use crate::output::Outputs;
 use crate::terminal::{print, say};
 use crate::units::{six_digits, time_text};
@@ -17,18 +18,21 @@ const MARK: &str = "# smoothed by sins log";
 
 const COLUMNS: &str = "time_s,latitude_deg,longitude_deg,height_m,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,roll_deg,pitch_deg,heading_deg";
 
-/// Most rows of a smoothed log.
-const MOST_ROWS: f64 = 1e8;
-
 /// Looks at a flight log, and smooths it
 ///
-/// Prints what the log has and what the judge finds in it. With --smooth, noise, coarse steps, repeated rows, outliers and stamps that
+/// Prints what the log has and what the judge finds in it; findings alone do not change the exit code. With --smooth, noise, coarse steps, repeated rows, outliers and stamps that
 /// scatter are smoothed: the path is that of splines whose cut-off follows from the spectrum of the rows. Its velocity is the derivative of its position.
 /// The path is written as a log that `sins fly` flies.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// Flight log ("-": standard input)
     file: PathBuf,
+    /// Reads the log by the [log] of this file, which names the columns of each quantity
+    #[arg(long, value_name = "FILE.toml")]
+    columns: Option<PathBuf>,
+    /// Exits with code 2 if a finding is doubtful or unusable, as the commands that fly a log do with this option
+    #[arg(long, conflicts_with = "smooth")]
+    strict: bool,
     /// Smooths the log
     #[arg(long, requires = "output")]
     smooth: bool,
@@ -53,9 +57,20 @@ pub struct Order {
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let reading = if order.coordinated.is_some() { Reading::WithoutAttitude } else { Reading::Whole };
-    let log = read_log_as(&order.file, reading)?;
-    let scene = Scene::default();
+    let settings = Settings { columns: order.columns.clone(), ..Settings::default() };
+    let mut mapping = settings.mapping()?.unwrap_or_default();
+    if order.smooth {
+        mapping.smooth_rate_hz = order.rate;
+        mapping.position_sigma_m = order.position_sigma;
+        mapping.attitude_sigma_rad = order.attitude_sigma.map(|degrees| degrees * DEG);
+    }
+    if let Some(degrees) = order.coordinated {
+        (mapping.is_coordinated, mapping.attack_rad) = (true, degrees * DEG);
+    }
+    let scene = Scene { log: mapping, ..Scene::default() };
+    // Not smoothed: the rows are judged as they are.
+    let log = FlightLog::parse_with(&read_table(&order.file)?, &scene.log)
+        .map_err(|error| of_log(&order.file, error))?;
     let findings = judge(&scene, &order.file, &log, log.samples().len());
     let Some(output) = &order.output else {
         let (rows, duration_s) = (log.samples().len(), log.duration_s());
@@ -68,33 +83,24 @@ pub fn run(order: &Order) -> Result<(), Failure> {
             time_text(duration_s)
         ))?;
         let lines: String = findings.iter().map(|(_, words)| format!("{words}\n")).collect();
-        return print(if lines.is_empty() { "nothing is doubtful\n" } else { &lines });
+        let is_doubtful = findings.iter().any(|(level, _)| *level >= Level::Doubtful);
+        print(&(lines + if is_doubtful { "" } else { "nothing is doubtful\n" }))?;
+        if order.strict && is_doubtful {
+            return Err(Failure::new(format!("{}: the log is refused (--strict)", order.file.display())));
+        }
+        return Ok(());
     };
     findings.iter().for_each(|(_, words)| say(words));
-    let options = SmoothOptions {
-        position_sigma_m: order.position_sigma,
-        attitude_sigma_rad: order.attitude_sigma.map(|degrees| degrees * DEG),
-        coordinated_attack_rad: order.coordinated.map(|degrees| degrees * DEG),
-    };
-    let place = |error: &sins::Error| match error.index {
-        Some(index) => format!("{}:{}: {error}", order.file.display(), log.line(index).unwrap_or_default()),
-        None => format!("{}: {error}", order.file.display()),
-    };
-    let smoothed = Smoothed::new(&scene.options.earth(), log.samples(), &options)
-        .map_err(|error| Failure::new(place(&error)))?;
+    let smoothed =
+        log.smoothed(&scene.options.earth(), &scene.log).map_err(|error| of_log(&order.file, error))?;
     write(order, output, &smoothed)?;
-    said(&smoothed, log.samples()[0].v_n.is_some()).iter().for_each(|line| say(line));
+    let before = log.notes().len();
+    smoothed.notes()[before..].iter().for_each(|note| say(&note.sentence));
     Ok(())
 }
 
 /// Writes the path as a log.
-fn write(order: &Order, path: &Path, smoothed: &Smoothed) -> Result<(), Failure> {
-    let [start_s, end_s] = smoothed.span_s();
-    let rows = (end_s - start_s) * order.rate;
-    if !(1.0..=MOST_ROWS).contains(&rows) {
-        let what = format!("--rate {}: {rows} rows; must be from 1 to {MOST_ROWS:e}", order.rate);
-        return Err(Failure::new(what));
-    }
+fn write(order: &Order, path: &Path, smoothed: &FlightLog) -> Result<(), Failure> {
     let mut file = Outputs::new(std::slice::from_ref(&order.file), order.force).file(path, MARK)?;
     let mut line = |text: &str| {
         use std::io::Write;
@@ -102,13 +108,12 @@ fn write(order: &Order, path: &Path, smoothed: &Smoothed) -> Result<(), Failure>
     };
     line(MARK)?;
     line(COLUMNS)?;
-    for k in 0..=rows.floor() as u64 {
-        let time_s = (start_s + k as f64 / order.rate).min(end_s);
-        let sample = smoothed.sample_at(time_s).map_err(|error| Failure::of_file(&order.file, &error))?;
+    for sample in smoothed.samples() {
         let (place, euler) = (sample.place, sample.euler);
         let [east, north, up] = sample.v_n.unwrap_or_default().into();
         line(&format!(
-            "{time_s},{},{},{},{east},{north},{up},{},{},{}",
+            "{},{},{},{},{east},{north},{up},{},{},{}",
+            sample.time_s,
             place.latitude_rad / DEG,
             place.longitude_rad / DEG,
             place.height_m,
@@ -118,50 +123,4 @@ fn write(order: &Order, path: &Path, smoothed: &Smoothed) -> Result<(), Failure>
         ))?;
     }
     file.commit()
-}
-
-/// What was done, in lines.
-fn said(smoothed: &Smoothed, had_velocities: bool) -> Vec<String> {
-    let part = |name: &str, part: &SmoothedPart, unit: &str, si: f64| {
-        format!(
-            "{name}: motion above {} Hz is lost; noise {} {unit}; {} outliers; largest residual {} {unit} at {} s",
-            six_digits((part.cutoff_hz * 1e3).round() / 1e3),
-            digits(part.noise / si),
-            part.outliers,
-            digits(part.largest / si),
-            six_digits(part.largest_at_s)
-        )
-    };
-    let mut lines =
-        vec![part("position", &smoothed.position(), "m", 1.0), part("height", &smoothed.height(), "m", 1.0)];
-    if smoothed.is_coordinated {
-        lines.push("attitude: assumed, that of a coordinated flight without wind".to_owned());
-    } else {
-        lines.push(part("attitude", &smoothed.attitude(), "deg", DEG));
-    }
-    if smoothed.left_out > 0 {
-        lines.push(format!(
-            "{} rows are left out: zeros at the start, repeats, or too near to the row before",
-            smoothed.left_out
-        ));
-    }
-    if smoothed.is_steady_clock {
-        lines.push("the time stamps are replaced by those of a steady clock".to_owned());
-    }
-    if had_velocities {
-        lines
-            .push("the velocities of the log are not used: those of the path are its derivatives".to_owned());
-    }
-    lines
-}
-
-/// A number with two significant digits.
-fn digits(value: f64) -> String {
-    match value.abs() {
-        0.0 => "0".to_owned(),
-        size if size >= 100.0 => format!("{value:.0}"),
-        size if size >= 1.0 => format!("{value:.1}"),
-        size if size >= 1e-3 => format!("{value:.4}"),
-        _ => format!("{value:.1e}"),
-    }
 }

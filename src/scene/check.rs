@@ -39,6 +39,7 @@ impl Draft {
                 self.check_limits(section)?;
                 self.start.validate()
             }
+            Section::Log => self.check_limits(section),
             Section::Output => {
                 self.check_limits(section)?;
                 self.scene.output.validate()
@@ -90,6 +91,12 @@ impl Scene {
             ("flight.temperature_c", self.temperature.map(|temperature| temperature.at_start_c)),
             ("flight.temperature_change_c_s", change_c_s),
             ("output.every_s", self.output.every_s),
+            ("log.rate_hz", self.log.rate_hz),
+            ("log.missing", self.log.missing),
+            ("log.smooth_rate_hz", Some(self.log.smooth_rate_hz)),
+            ("log.position_sigma_m", self.log.position_sigma_m),
+            ("log.attitude_sigma_rad", self.log.attitude_sigma_rad),
+            ("log.attack_rad", Some(self.log.attack_rad)),
         ];
         // NaN stands for a missing value in a draft.
         if let Some(&(field, _)) = any.iter().find(|(_, number)| number.is_some_and(f64::is_nan)) {
@@ -97,6 +104,7 @@ impl Scene {
         }
         let draft = Draft::from(self);
         draft.check_limits(Section::Flight)?;
+        draft.check_limits(Section::Log)?;
         draft.check_limits(Section::Output)
     }
 
@@ -114,6 +122,9 @@ impl Scene {
             let words = "samples would be farther apart than options.max_gap_s =";
             let rule = Rule::SentenceWith(words, self.options.intake.max_gap_s.into());
             conflicts.push(Error::invalid("flight.rate_hz", self.rate_hz, rule));
+        }
+        if !matches!(self.log.comment.as_bytes(), [letter] if letter.is_ascii_punctuation()) {
+            conflicts.push(at_odds("log.comment", "must be a single mark, as #"));
         }
         if self.unit.start.is_none() && !self.panel.is_empty() {
             conflicts.push(at_odds("unit.start", "must be off or nav: [[panel]] needs a unit"));

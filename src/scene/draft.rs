@@ -26,6 +26,10 @@ pub struct Draft {
     pub closed_loop_time_s: f64,
     pub sample_period_s: f64,
     pub every_s: f64,
+    pub log_rate_hz: f64,
+    pub log_missing: f64,
+    pub log_position_sigma_m: f64,
+    pub log_attitude_sigma_rad: f64,
     /// The items of lists that are being read or written.
     pub manoeuvre: ManoeuvreFields,
     pub sinusoid: Sinusoid,
@@ -117,6 +121,10 @@ impl From<&Scene> for Draft {
                 .unwrap_or(Options::DEFAULT_CLOSED_LOOP_TIME_S),
             sample_period_s: scene.options.intake.period_s.unwrap_or(f64::NAN),
             every_s: scene.output.every_s.unwrap_or(f64::NAN),
+            log_rate_hz: scene.log.rate_hz.unwrap_or(f64::NAN),
+            log_missing: scene.log.missing.unwrap_or(f64::NAN),
+            log_position_sigma_m: scene.log.position_sigma_m.unwrap_or(f64::NAN),
+            log_attitude_sigma_rad: scene.log.attitude_sigma_rad.unwrap_or(f64::NAN),
             manoeuvre: ManoeuvreFields::default(),
             sinusoid: Sinusoid::NONE,
             failure: FailureDraft::default(),
@@ -159,6 +167,10 @@ impl Draft {
         scene.temperature = some(self.temperature_c).map(|at_start_c| Temperature { at_start_c, change_c_s });
         scene.options = options;
         scene.output.every_s = some(self.every_s);
+        scene.log.rate_hz = some(self.log_rate_hz);
+        scene.log.missing = some(self.log_missing);
+        scene.log.position_sigma_m = some(self.log_position_sigma_m);
+        scene.log.attitude_sigma_rad = some(self.log_attitude_sigma_rad);
         scene
     }
 }

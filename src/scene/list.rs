@@ -4,6 +4,7 @@ use super::Scene;
 use super::draft::Draft;
 use super::key::{Key, Section, Target, Unit};
 use super::limits::{Limits, limits};
+use super::log::COLUMN_TAKES;
 use super::table::{KEYS, of_section};
 use super::written::shown;
 
@@ -103,6 +104,7 @@ fn line(key: &Key) -> KeyLine {
         Target::Count { .. } => (KeyKind::Whole, "a whole number".to_owned(), NONE),
         Target::Text { example, .. } => (KeyKind::Text, format!("a text, as \"{example}\""), NONE),
         Target::Flag { .. } => (KeyKind::Flag, "true or false".to_owned(), NONE),
+        Target::Column(_) => (KeyKind::Text, COLUMN_TAKES.to_owned(), NONE),
     };
     let spread = match key.target {
         Target::Numbers { shape, .. } => (0..shape.count())

@@ -50,6 +50,8 @@ pub use update::{PlannedUpdate, Updated};
 pub(crate) use value::MAX_TEXT_VALUE;
 pub use write::ChangedKey;
 
+use log::LogMapping;
+
 use crate::base::error::{Error, Rule, check_integer};
 use crate::base::memory::room;
 use crate::sensors::{Failure, SensorOutput};
@@ -66,6 +68,8 @@ pub struct Scene {
     pub title: String,
     /// The true motion.
     pub flight: FlightSource,
+    /// How the table of its log is read.
+    pub log: Box<LogMapping>,
     /// How long to fly [s]; `None`: the whole flight.
     pub duration_s: Option<f64>,
     /// Sample rate of a built-in or composed flight [Hz]; a log has its own time stamps.
@@ -162,6 +166,7 @@ impl Default for Scene {
         Self {
             title: String::new(),
             flight: FlightSource::Path(FlightPath { start, manoeuvres: vec![rest], repeat: 1 }),
+            log: Box::default(),
             duration_s: None,
             rate_hz: 100.0,
             temperature: None,

@@ -41,6 +41,7 @@ impl Scene {
     }
 
     fn samples_of_log(&self, log: &FlightLog) -> Result<Samples, Error> {
+        log.check_read_by(self)?;
         let start_s = log.samples()[0].time_s;
         let wanted_s = self.duration_s.unwrap_or(f64::INFINITY) * (1.0 + ROUNDING);
         if let Some(duration_s) = self.duration_s

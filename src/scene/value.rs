@@ -6,6 +6,7 @@ use super::Scene;
 use super::draft::Draft;
 use super::key::{Key, Target};
 use super::limits::{Limits, limits};
+use super::log::LogColumn;
 use super::names::excerpt;
 use super::nesting::too_deep;
 use super::written::number_text;
@@ -24,6 +25,8 @@ pub enum Value {
     Whole(i128),
     Number(f64),
     Numbers(Vec<f64>),
+    /// Parts with their names, in braces.
+    Table(Vec<(String, Value)>),
     /// A value that no key takes: what it is, or the number beyond all numbers as it was written.
     Other(String),
 }
@@ -45,7 +48,13 @@ impl Value {
                 )
             }
             DeValue::Datetime(_) => Self::Other("a date".to_owned()),
-            DeValue::Table(_) => Self::Other("a table".to_owned()),
+            DeValue::Table(table) => {
+                let part = |(name, value): (&toml::Spanned<_>, &toml::Spanned<DeValue<'_>>)| {
+                    let name: &std::borrow::Cow<'_, str> = name.get_ref();
+                    (name.to_string(), Self::of(value.get_ref()))
+                };
+                Self::Table(table.iter().map(part).collect())
+            }
         }
     }
 
@@ -77,6 +86,7 @@ impl Value {
             Self::Number(number) if number.fract() == 0.0 && number.abs() < 1e7 => format!("{number:.1}"),
             Self::Number(number) => number_text(*number),
             Self::Numbers(numbers) => format!("an array of {}", numbers.len()),
+            Self::Table(_) => "a table".to_owned(),
             Self::Other(what) => what.clone(),
         }
     }
@@ -91,12 +101,19 @@ impl Value {
         }
     }
 
+    /// The value as a single number.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Whole(whole) => Some(*whole as f64),
+            Self::Number(number) => Some(*number),
+            _ => None,
+        }
+    }
+
     fn numbers(&self) -> Option<Vec<f64>> {
         match self {
-            Self::Whole(whole) => Some(vec![*whole as f64]),
-            Self::Number(number) => Some(vec![*number]),
             Self::Numbers(numbers) => Some(numbers.clone()),
-            _ => None,
+            _ => self.number().map(|number| vec![number]),
         }
     }
 }
@@ -172,6 +189,9 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
             let Value::Flag(flag) = value else { return Err(refused("true or false".to_owned())) };
             set(draft, *flag);
         }
+        Target::Column(quantity) => {
+            draft.scene.log.columns[quantity] = LogColumn::of(value, quantity)?;
+        }
     }
     Ok(())
 }
@@ -224,6 +244,10 @@ pub fn put_back(draft: &mut Draft, key: &Key) -> bool {
             let has_changed = get(draft) != get(&default);
             set(draft, get(&default));
             has_changed
+        }
+        Target::Column(quantity) => {
+            let column = core::mem::take(&mut draft.scene.log.columns[quantity]);
+            column != LogColumn::default()
         }
         _ => false,
     }

@@ -193,6 +193,11 @@ impl Writer {
             Target::Count { get, .. } => get(&self.draft) == get(&self.default),
             Target::Text { place, .. } => place(&mut self.draft) == place(&mut self.default),
             Target::Flag { get, .. } => get(&self.draft) == get(&self.default),
+            Target::Column(quantity) => {
+                let [own, default] =
+                    [&self.draft, &self.default].map(|draft| &draft.scene.log.columns[quantity]);
+                own == default
+            }
         }
     }
 }

@@ -39,6 +39,7 @@ pub fn written(draft: &mut Draft, key: &Key) -> (String, bool) {
         Target::Count { get, .. } => (get(draft).to_string(), false),
         Target::Text { place, .. } => (text_in_quotes(place(draft)), false),
         Target::Flag { get, .. } => (get(draft).to_string(), false),
+        Target::Column(quantity) => (draft.scene.log.columns[quantity].text(), false),
     }
 }
 
@@ -74,7 +75,8 @@ pub fn number_text(number: f64) -> String {
     if number == 0.0 && number.is_sign_negative() { "-0.0".to_owned() } else { records::number(number) }
 }
 
-fn text_in_quotes(text: &str) -> String {
+/// A text as TOML writes it.
+pub fn text_in_quotes(text: &str) -> String {
     let mut quoted = String::from("\"");
     for letter in text.chars() {
         match letter {

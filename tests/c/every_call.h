@@ -546,8 +546,8 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     EVERY_CALL(sins_scene_set_values(scene, NULL));
     EVERY_CALL(sins_scene_set_items(scene, NULL, ""));
     EVERY_CALL(sins_scene_set_items(scene, "failure", NULL));
-    EVERY_CALL(sins_log_parse(NULL, 1, &made_log, fault));
-    EVERY_CALL(sins_log_parse((char *)bytes, 1, NULL, fault));
+    EVERY_CALL(sins_log_parse(NULL, 1, scene, &made_log, fault));
+    EVERY_CALL(sins_log_parse((char *)bytes, 1, scene, NULL, fault));
     EVERY_CALL(sins_log_create(NULL, 2, &made_log));
     EVERY_CALL(sins_log_create(flight_sample, 2, NULL));
     EVERY_CALL(sins_log_get_info(log, NULL));

@@ -23,7 +23,7 @@ int main(int count, char **path)
     sins_errors errors;
     size_t k;
     int bad = count != 3 || sins_scene_parse(text, read_file(path[1]), &scene) != SINS_OK
-              || sins_log_parse(text, read_file(path[2]), &log, NULL) != SINS_OK
+              || sins_log_parse(text, read_file(path[2]), scene, &log, NULL) != SINS_OK
               || sins_scene_create_simulator(scene, &sim) != SINS_OK;
 
     SINS_INIT(sample);

@@ -129,7 +129,7 @@ static void starve_scenes(void)
     CHECK(sins_scene_set_items(scene, "failure", "") == SINS_ERROR_OUT_OF_MEMORY);
     CHECK(sins_scene_set_manoeuvres(scene, &start, manoeuvres, count, 2) == SINS_ERROR_OUT_OF_MEMORY);
     CHECK(sins_scene_set_text(scene, SINS_SCENE_TEXT_TITLE, "another") == SINS_ERROR_OUT_OF_MEMORY);
-    CHECK(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, &log, NULL) == SINS_ERROR_OUT_OF_MEMORY);
+    CHECK(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, NULL, &log, NULL) == SINS_ERROR_OUT_OF_MEMORY);
     /* A line of a record takes no memory. */
     CHECK(sins_record_line(NULL, NULL, 0, NULL, after, sizeof after, NULL) == SINS_OK);
     CHECK(sins_record_line(&record, errors, 6, &covariance, after, sizeof after, NULL) == SINS_OK);

@@ -212,7 +212,7 @@ static inline sins_play *scene_play(void)
 static inline sins_log *scene_log(void)
 {
     sins_log *log = NULL;
-    CHECK(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, &log, NULL) == SINS_OK);
+    CHECK(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, NULL, &log, NULL) == SINS_OK);
     return log;
 }
 

@@ -454,7 +454,7 @@ static void call_with_scenes(void)
     MEASURE(sins_scene_get_text(scene, SINS_SCENE_TEXT_BUILTIN, text, sizeof text, NULL));
     MEASURE(sins_scene_get_failure_count(scene, &count));
     MEASURE(sins_scene_get_failure(scene, 0, &failure));
-    MEASURE(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, &log, NULL));
+    MEASURE(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, NULL, &log, NULL));
     MEASURE(sins_log_get_info(log, &info));
     MEASURE(sins_log_get_sample(log, 0, &sample, NULL));
     MEASURE(sins_log_destroy(log));
@@ -463,7 +463,7 @@ static void call_with_scenes(void)
     MEASURE(sins_log_create(log_samples, 2, &log));
     MEASURE(sins_log_destroy(log));
     CHECK(TRY(sins_log_create(log_samples, 1, &log)) == SINS_ERROR_INVALID_ARGUMENT);
-    TRY(sins_log_parse(scene_text, sizeof scene_text - 1, &log, &fault));
+    TRY(sins_log_parse(scene_text, sizeof scene_text - 1, NULL, &log, &fault));
     CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
 }
 

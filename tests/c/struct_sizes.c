@@ -177,7 +177,7 @@ static void strides(sins_sim *sim)
 static sins_status fault_of_log(sins_fault *fault)
 {
     sins_log *log = NULL;
-    sins_status status = sins_log_parse("time_s", 6, &log, fault);
+    sins_status status = sins_log_parse("time_s", 6, NULL, &log, fault);
     CHECK(log == NULL);
     return status == SINS_ERROR_INVALID_ARGUMENT ? SINS_OK : status;
 }

@@ -138,10 +138,10 @@ test("texts of any length, and bytes", () => {
     const fault = sins.scene_get_fault(faulty, 0);
     assert.deepEqual([fault.line, fault.column, fault.sentence], [4n, 1n, "no such key: bais_deg_h; did you mean bias_deg_h?"]);
     const long = `${`# ${"x".repeat(1000)}\n`.repeat(5000)}time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n0,1,1,1,1,1,1\n1,1,1,1,1,1,1\n`;
-    const [log] = sins.log_parse(new TextEncoder().encode(long));
+    const [log] = sins.log_parse(new TextEncoder().encode(long), null);
     const [at, line] = sins.log_get_sample(log, 1);
     assert.deepEqual([at.time_s, line], [1, 5003n]);
-    assert.match(thrown(() => sins.log_parse("a,b\n")).message, /^line = 1, column 1: missing columns: time_s/);
+    assert.match(thrown(() => sins.log_parse("a,b\n", null)).message, /^line = 1, column 1: missing columns: time_s/);
 });
 
 test("a record is a line of the program's files", () => {

@@ -16,7 +16,7 @@ export const north: number = records.at(0).navigation_errors.position_enu_m[1];
 const options = new sins.options({ seed: 5, scheme: sins.SCHEME_EXACT });
 options.seed = 3;
 export const seed: bigint = options.seed;
-const [log, fault] = sins.log_parse("x");
+const [log, fault] = sins.log_parse("x", null);
 export const sentence: string = fault.sentence + sins.log_get_info(log).title;
 export const text: string = sins.scene_write(sins.scene_parse("x"));
 try {

@@ -53,7 +53,7 @@ fn log_fault(name: &str, text: &[u8]) -> Option<(u64, u64, String)> {
     let begin = time_of_thread();
     let (mut log, mut fault) = (null_mut(), init::<sins_fault>());
     // SAFETY: a text with its size, a place for the handle, a struct of the interface.
-    let status = unsafe { sins_log_parse(text.as_ptr().cast(), text.len(), &mut log, &mut fault) };
+    let status = unsafe { sins_log_parse(text.as_ptr().cast(), text.len(), null(), &mut log, &mut fault) };
     let taken = time_of_thread() - begin;
     println!("{name}: {} bytes, status {status}, {taken:.2?}", text.len());
     assert!(taken < LONGEST, "{name}: {taken:?}");

@@ -38,6 +38,34 @@ fn degrees_comments_columns_of_others_and_line_ends() {
     assert_eq!((log.samples()[1].place.longitude_rad, log.samples()[1].v_n), (0.2, None));
 }
 
+/// Columns that look like a quantity which the log lacks; not those of a quantity that it has, nor of others.
+#[test]
+fn columns_that_are_not_read_are_noted() {
+    let noted = |header: &str, row: &str| -> Vec<(usize, usize, String)> {
+        let log = read(&format!("# a\n{header}\n0,45,0,0,0,0,0,{row}\n1,45,0,0,0,0,0,{row}\n"));
+        log.notes().iter().map(|note| (note.line, note.column, note.sentence.clone())).collect()
+    };
+    let header = format!("{HEADER},vel_e,VN (kt),velocity_down,wind,Lat,OAT");
+    let expected = [
+        (2, 8, "vel_e is not read; is it velocity_east_m_s?"),
+        (2, 9, "VN (kt) is not read; is it velocity_north_m_s, in kt?"),
+        (2, 10, "velocity_down is not read; is it velocity_up_m_s, with the opposite sign?"),
+        (2, 13, "OAT is not read; is it temperature_c?"),
+    ];
+    assert_eq!(
+        noted(&header, "1,2,3,4,5,6"),
+        expected.map(|(line, column, text)| (line, column, text.to_owned()))
+    );
+    let velocities = "velocity_east_m_s,velocity_north_m_s,velocity_up_m_s";
+    assert_eq!(noted(&format!("{HEADER},{velocities},vel_e"), "1,2,3,4"), []);
+    let (.., sentence) = fault(b"Time,Lat,Lng,Alt,Roll,Pitch,Yaw\n");
+    assert!(
+        sentence
+            .contains("latitude_rad or latitude_deg (found Lat), longitude_rad or longitude_deg (found Lng)"),
+        "{sentence}"
+    );
+}
+
 #[test]
 fn triples_come_whole_and_a_temperature_alone() {
     let text = format!(

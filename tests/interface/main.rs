@@ -16,6 +16,8 @@ mod header;
 #[cfg(feature = "scenes")]
 mod host_machine;
 #[cfg(feature = "scenes")]
+mod log_mapping;
+#[cfg(feature = "scenes")]
 mod play;
 #[cfg(feature = "scenes")]
 mod scene_functions;

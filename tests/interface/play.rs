@@ -226,7 +226,10 @@ fn by_c(given: &Given, piece: usize) -> (Vec<Vec<u64>>, sins_status, String) {
     // SAFETY: living handles, texts and arrays with their sizes.
     let ended = unsafe {
         if let Some((_, text)) = &given.log {
-            assert_eq!(sins_log_parse(text.as_ptr().cast(), text.len(), &mut log, null_mut()), SINS_OK);
+            assert_eq!(
+                sins_log_parse(text.as_ptr().cast(), text.len(), null(), &mut log, null_mut()),
+                SINS_OK
+            );
         }
         assert_eq!(sins_play_create(scene, log, &mut play), SINS_OK);
         assert_eq!(sins_play_create(scene, log, &mut other), SINS_OK);

@@ -100,7 +100,7 @@ fn a_log_flies_with_its_scene() {
             sins_scene_get_text(scene, SINS_SCENE_TEXT_LOG, buffer, size, needed)
         });
         assert_eq!(name, "../flights/fighter_aerobatics.csv");
-        assert_eq!(sins_log_parse(text.as_ptr().cast(), text.len(), &mut log, null_mut()), SINS_OK);
+        assert_eq!(sins_log_parse(text.as_ptr().cast(), text.len(), null(), &mut log, null_mut()), SINS_OK);
         assert_eq!(sins_log_get_info(log, &mut info), SINS_OK);
         assert_eq!((info.samples, info.duration_s), (30_001, 300.0));
         let mut line = 0;
@@ -163,7 +163,10 @@ fn a_log_of_samples_flies_as_that_of_their_text_and_gives_the_signals_of_each_in
     let (mut parsed_log, mut log, mut play, mut sim) = (null_mut(), null_mut(), null_mut(), null_mut());
     // SAFETY: living handles, structs of the interface, a text and an array with their sizes.
     unsafe {
-        assert_eq!(sins_log_parse(text.as_ptr().cast(), text.len(), &mut parsed_log, null_mut()), SINS_OK);
+        assert_eq!(
+            sins_log_parse(text.as_ptr().cast(), text.len(), null(), &mut parsed_log, null_mut()),
+            SINS_OK
+        );
         let mut samples = samples_of(parsed_log);
         samples.truncate(2000);
         assert_eq!(sins_log_create(samples.as_ptr(), samples.len(), &mut log), SINS_OK);
@@ -343,7 +346,7 @@ fn records_closer_than_the_samples_of_a_log_are_rejected() {
     // SAFETY: texts with their sizes, handles of these calls, places for the results.
     unsafe {
         assert_eq!(sins_scene_create(&mut scene), SINS_OK);
-        assert_eq!(sins_log_parse(text.as_ptr(), text.count_bytes(), &mut log, null_mut()), SINS_OK);
+        assert_eq!(sins_log_parse(text.as_ptr(), text.count_bytes(), null(), &mut log, null_mut()), SINS_OK);
         for (every_s, status) in [(c"0.4", SINS_ERROR_INVALID_ARGUMENT), (c"2", SINS_OK)] {
             let values =
                 [c"flight.file = a.csv\noutput.every_s = ".to_bytes(), every_s.to_bytes_with_nul()].concat();
@@ -364,7 +367,7 @@ fn the_fault_of_a_log_is_the_last_error_until_another_call_fails() {
         c"time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad\n0,north,0,0,0,0,0\n";
     // SAFETY: a text with its size, and a place for a handle.
     let parse = |log: *mut *mut sins_log| unsafe {
-        sins_log_parse(text.as_ptr(), text.count_bytes(), log, null_mut())
+        sins_log_parse(text.as_ptr(), text.count_bytes(), null(), log, null_mut())
     };
     let expected = "line = 2, column 2: latitude_rad: expected a finite number, found \"north\"";
     assert_eq!(parse(&mut log), SINS_ERROR_INVALID_ARGUMENT);
@@ -384,4 +387,58 @@ fn an_enumeration_is_named_by_its_type() {
     // SAFETY: options that state their size, and a place for a handle.
     assert_eq!(unsafe { sins_create(&options, &mut sim) }, SINS_ERROR_INVALID_ARGUMENT);
     assert_eq!(last_error(), "options.truth_summary = 2: must be of enum sins_summary, 0 to 1");
+}
+
+/// A table with columns of its own flies by the `[log]` of its scene, smoothed if that says so, and never by another.
+#[test]
+fn a_scene_flies_only_a_log_that_was_read_by_its_own_section() {
+    let own = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
+    let foreign = "t,lat,lon,ft,roll,pitch,yaw\n";
+    let table = |header: &str, unit_m: f64| {
+        (0..400).fold(header.to_owned(), |text, k| {
+            let time_s = f64::from(k) / 10.0;
+            let height = (500.0 + 0.01 * f64::from(k % 2)) / unit_m;
+            text + &format!("{time_s},{},11,{height},0,0,0\n", 48.0 + 1e-4 * time_s)
+        })
+    };
+    let columns = "[log]\ntime = \"t\"\nlatitude = \"lat\"\nlongitude = \"lon\"\nheight = { col = \"ft\", unit = \"ft\" }\n\
+                   roll = \"roll\"\npitch = \"pitch\"\nheading = \"yaw\"\n";
+    let smooth = format!("{columns}smooth = \"auto\"\n");
+    let mut heights = Vec::new();
+    for (section, text) in
+        [("", table(own, 1.0)), (columns, table(foreign, 0.3048)), (&smooth, table(foreign, 0.3048))]
+    {
+        let (status, scene) = parsed(format!("[flight]\nfile = \"a.csv\"\n{section}").as_bytes());
+        assert_eq!(status, SINS_OK);
+        let [mut log, mut other, mut play, mut refused] = [null_mut(); 4].map(|_: *mut ()| null_mut::<()>());
+        // SAFETY: living handles, structs of the interface and texts with their sizes.
+        unsafe {
+            let read = |text: &str, scene, log: *mut *mut ()| {
+                sins_log_parse(text.as_ptr().cast(), text.len(), scene, log.cast(), null_mut())
+            };
+            assert_eq!(read(&text, scene, &mut log), SINS_OK);
+            assert_eq!(sins_play_create(scene, log.cast(), (&raw mut play).cast()), SINS_OK);
+            let mut records = vec![init::<sins_record>(); 5000];
+            let mut written = 0;
+            assert_eq!(sins_play_run(play.cast(), records.as_mut_ptr(), 5000, &mut written), SINS_PLAY_END);
+            let spread = records[..written].iter().map(|record| record.truth.height_m);
+            heights.push((written, spread.clone().fold(0.0, f64::max) - spread.fold(1e9, f64::min)));
+            if !section.is_empty() {
+                assert_eq!(read(&table(own, 1.0), null(), &mut other), SINS_OK);
+                let status = sins_play_create(scene, other.cast(), (&raw mut refused).cast());
+                assert_eq!((status, refused), (SINS_ERROR_BAD_STATE, null_mut()));
+                let mut sentence = [0; 512];
+                sins_last_error(null(), sentence.as_mut_ptr(), sentence.len(), null_mut());
+                let sentence = crate::support::text(&sentence);
+                assert!(sentence.contains("the log was not read by the [log] of the scene"), "{sentence}");
+                assert_eq!(sins_log_destroy(other.cast()), SINS_OK);
+            }
+            assert_eq!(sins_play_destroy(play.cast()), SINS_OK);
+            assert_eq!(sins_log_destroy(log.cast()), SINS_OK);
+            assert_eq!(sins_scene_destroy(scene), SINS_OK);
+        }
+    }
+    let [(_, plain_m), (_, mapped_m), (_, smooth_m)] = heights[..] else { unreachable!() };
+    assert!((plain_m - 0.01).abs() < 1e-6 && (mapped_m - plain_m).abs() < 1e-6, "{heights:?}");
+    assert!(smooth_m < 0.3 * plain_m, "{heights:?}");
 }

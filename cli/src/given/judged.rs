@@ -32,7 +32,7 @@ pub fn sentence(finding: &Finding) -> String {
     format!("{}: {finding}. Remedy: {remedy}", finding.level.word())
 }
 
-/// The findings in the first `count` samples of a log, each with its line.
+/// The findings in the first `count` samples of a log, and the notes of its reader, each with its line.
 pub fn judge(scene: &Scene, path: &Path, log: &FlightLog, count: usize) -> Vec<(Level, String)> {
     let mut judge = judge_of(scene);
     for sample in &log.samples()[..count] {
@@ -46,7 +46,12 @@ pub fn judge(scene: &Scene, path: &Path, log: &FlightLog, count: usize) -> Vec<(
         _ => path.display().to_string(),
     };
     let words = |finding: Finding| (finding.level, format!("{}: {}", place(&finding), sentence(&finding)));
-    judge.findings().map(words).collect()
+    let noted = log.notes().iter().map(|note| {
+        let line = if note.line > 0 { format!(":{}", note.line) } else { String::new() };
+        let word = Level::Note.word();
+        (Level::Note, format!("{}{line}: {word}: {}", path.display(), note.sentence))
+    });
+    judge.findings().map(words).chain(noted).collect()
 }
 
 impl Trust {

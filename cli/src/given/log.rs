@@ -3,19 +3,28 @@
 use std::io::Read;
 use std::path::Path;
 
-pub use sins::scene::log::Reading;
+use sins::scene::Scene;
 use sins::scene::log::{FlightLog, LogError};
 
 use super::file::reject_device;
 use crate::failure::Failure;
 
-/// The log at `path`; "-" means standard input.
-pub fn read_log(path: &Path) -> Result<FlightLog, Failure> {
-    read_log_as(path, Reading::Whole)
+/// The log at `path`, read and repaired as `scene` says; "-" means standard input.
+pub fn read_log(path: &Path, scene: &Scene) -> Result<FlightLog, Failure> {
+    scene.read_log(&read_table(path)?).map_err(|error| of_log(path, error))
 }
 
-/// The same, with what the log needs.
-pub fn read_log_as(path: &Path, reading: Reading) -> Result<FlightLog, Failure> {
+/// The failure about a log at `path`.
+pub fn of_log(path: &Path, error: LogError) -> Failure {
+    match error {
+        LogError::Fault(fault) if fault.line == 0 => Failure::of_file(path, &fault.sentence),
+        LogError::Fault(fault) => Failure::of_line(path, fault.line as u64, &fault.sentence),
+        LogError::Memory(error) => Failure::of_file(path, &error),
+    }
+}
+
+/// The text of the table at `path`; "-" means standard input.
+pub fn read_table(path: &Path) -> Result<Vec<u8>, Failure> {
     reject_device(path)?;
     let read = if path == Path::new("-") {
         let mut bytes = Vec::new();
@@ -23,10 +32,5 @@ pub fn read_log_as(path: &Path, reading: Reading) -> Result<FlightLog, Failure> 
     } else {
         std::fs::read(path)
     };
-    let text = read.map_err(|error| Failure::of_input(path, &error))?;
-    match FlightLog::parse_as(&text, reading) {
-        Ok(log) => Ok(log),
-        Err(LogError::Fault(fault)) => Err(Failure::of_line(path, fault.line as u64, &fault.sentence)),
-        Err(LogError::Memory(error)) => Err(Failure::of_file(path, &error)),
-    }
+    read.map_err(|error| Failure::of_input(path, &error))
 }

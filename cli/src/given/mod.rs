@@ -24,7 +24,7 @@ pub use arguments::{Hours, SceneArguments};
 pub use file::{open_table, read_text};
 pub use gaps::{Gaps, unit_of_interval};
 pub use judged::{Trust, judge, judge_of, sentence};
-pub use log::{Reading, read_log_as};
+pub use log::{of_log, read_log, read_table};
 pub use settings::Settings;
 pub use text::is_log;
 pub use whole::whole;
@@ -32,7 +32,6 @@ pub use words::of_sample;
 
 use crate::failure::{Failure, Kind};
 use crate::units::rounded;
-use log::read_log;
 use text::{Text, name_of};
 
 /// A scene with its flight.
@@ -110,7 +109,7 @@ impl Given {
                     Some(path) => path.to_owned(),
                     None => text.folder().join(file),
                 };
-                let log = read_log(&path).map_err(|failure| text.at("flight", "file", failure))?;
+                let log = read_log(&path, &scene).map_err(|failure| text.at("flight", "file", failure))?;
                 if scene.temperature.is_some() && log.samples()[0].temperature_c.is_some() {
                     let what = Failure::new("flight.temperature_c: the log has a column of that name");
                     return Err(text.at("flight", "temperature_c", what));

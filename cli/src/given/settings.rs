@@ -1,5 +1,10 @@
 //! Settings of a scene on the command line.
 
+use std::path::PathBuf;
+
+use sins::scene::log::LogMapping;
+
+use super::read_scene;
 use crate::failure::Failure;
 
 /// Settings in addition to the text of a scene.
@@ -12,6 +17,9 @@ pub struct Settings {
     /// Sets a key of the scene, such as gyro.bias_deg_h=0.01; `sins keys` lists all keys. Can be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// Reads the log by the [log] of this file, which names the column of each quantity
+    #[arg(long, value_name = "FILE.toml")]
+    pub columns: Option<PathBuf>,
     /// `--hours` of the commands that have it: another `flight.hours`.
     #[arg(skip)]
     pub hours: Option<String>,
@@ -32,6 +40,17 @@ impl Settings {
         });
         let hours = self.hours.iter().map(|hours| Ok(("flight.hours", hours.as_str())));
         presets.map(Ok).chain(set).chain(hours).collect()
+    }
+
+    /// The mapping of the file that the command line names, with what it sets of `log` in addition.
+    pub fn mapping(&self) -> Result<Option<Box<LogMapping>>, Failure> {
+        let Some(path) = &self.columns else { return Ok(None) };
+        // The file need not have a flight.
+        let flight = "flight.file=log.csv".to_owned();
+        let of_log = self.set.iter().filter(|text| text.trim_start().starts_with("log.")).cloned();
+        let set = [flight].into_iter().chain(of_log).collect();
+        let scene = read_scene(path.as_os_str(), &Self { set, ..Self::default() })?;
+        Ok(Some(scene.log))
     }
 
     /// The argument of setting `number`, counted from 1.

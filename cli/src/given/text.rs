@@ -54,7 +54,12 @@ impl Text {
 
     pub fn parse(&self, settings: &Settings) -> Result<Scene, Failure> {
         let pairs = settings.pairs()?;
-        Scene::parse_with(&self.bytes, &pairs).map_err(|faults| self.failure(&faults, settings))
+        let parsed = Scene::parse_with(&self.bytes, &pairs);
+        let mut scene = parsed.map_err(|faults| self.failure(&faults, settings))?;
+        if let Some(mapping) = settings.mapping()? {
+            scene.log = mapping;
+        }
+        Ok(scene)
     }
 
     fn failure(&self, faults: &[Fault], settings: &Settings) -> Failure {

@@ -131,7 +131,7 @@ int main(int argc, char **argv)
     check(sins_scene_create_simulator(scene, &sim), "simulator");
     if (argc > 4) {
         text = read_file(argv[4], &size);
-        check(sins_log_parse(text, size, &log, NULL), "log");
+        check(sins_log_parse(text, size, scene, &log, NULL), "log");
         free(text);
         check(sins_log_get_sample(log, 0, &sample, NULL), "sample");
         start_s = sample.time_s;

@@ -288,8 +288,12 @@ fn gaps_of_a_log_are_said() {
     let header = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
     std::fs::write(folder.join("log.csv"), format!("{header}{}", rows.concat())).unwrap();
     let gaps = "1, of 2 s, before log.csv:6, bridged\n";
-    assert!(done(&folder, &["scene", "check", "log.csv"]).ends_with(&format!("; gaps: {gaps}")));
-    let printed = done(&folder, &["fly", "log.csv"]);
+    let note = "log.csv:6: note: a gap of 2 s in the time stamps, before 3.5 s. Remedy: if the vehicle manoeuvred there, fill the gaps\n";
+    let (code, checked, errors) = run(&folder, &["scene", "check", "log.csv"]);
+    assert!(checked.ends_with(&format!("; gaps: {gaps}")));
+    assert_eq!((code, errors.as_str()), (0, note));
+    let (code, printed, errors) = run(&folder, &["fly", "log.csv"]);
+    assert_eq!((code, errors.as_str()), (0, note));
     assert!(printed.contains(&format!("  gaps            {gaps}")), "{printed}");
     let summary = read(folder.join("sins_out/log_summary.csv"));
     assert!(summary.contains("\ngaps,1,,") && summary.contains("\ngap_longest_s,2,s,"), "{summary}");

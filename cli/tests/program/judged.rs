@@ -81,7 +81,7 @@ pub fn faulty(folder: &Path) -> [(&'static str, &'static str, bool); 8] {
         ("float32", "32-bit floats?; this makes", true),
         ("knots", "1.94 times the displacement: knots?", true),
         ("exchanged", "velocity east and north are exchanged", true),
-        ("zeros", "the first 5 rows are zeros", true),
+        ("zeros", "the first 5 rows hold a value from before the first fix", true),
         ("spike", "beside the path of its neighbours at 30 s", true),
         ("held", "repeat the position of the row before", true),
         ("reversed", "velocity contradicts the positions by up to", false),
@@ -99,6 +99,33 @@ fn a_good_log_is_silent() {
         done(&folder, &["fly", log, "--strict", "-q"]);
     }
     assert!(!read(folder.join("sins_out/with_summary.csv")).contains("finding"));
+}
+
+/// A column that is not read is named by every door, and refused by none.
+#[test]
+fn every_door_names_a_column_that_looks_like_a_quantity() {
+    let folder = folder("unread");
+    write(&folder.join("good.csv"), &circle(10, 60), true);
+    let text = read(folder.join("good.csv"))
+        .replace("velocity_east_m_s,velocity_north_m_s,velocity_up_m_s", "ve,vn,vu");
+    std::fs::write(folder.join("unread.csv"), text).unwrap();
+    for door in [
+        &["scene", "check"][..],
+        &["fly", "-q"],
+        &["ensemble", "-q", "--runs", "2"],
+        &["recommend", "--position", "1000"],
+        &["budget"],
+        &["curve"],
+    ] {
+        let (code, _, errors) = run(&folder, &[door, &["--strict", "unread.csv"]].concat());
+        assert_eq!(code, 0, "{door:?}: {errors}");
+        assert!(
+            errors.contains("unread.csv:1: note: ve is not read; is it velocity_east_m_s?\n"),
+            "{door:?}: {errors}"
+        );
+    }
+    let said = done(&folder, &["log", "unread.csv"]);
+    assert!(said.contains("note: vu is not read; is it velocity_up_m_s?\nnothing is doubtful\n"), "{said}");
 }
 
 #[test]

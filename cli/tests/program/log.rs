@@ -12,6 +12,9 @@ fn a_log_is_looked_at() {
     faulty(&folder);
     let said = done(&folder, &["log", "float32.csv"]);
     assert!(said.contains("without velocities\nfloat32.csv: unusable: positions step by"), "{said}");
+    assert_eq!(done(&folder, &["log", "good.csv", "--strict"]), done(&folder, &["log", "good.csv"]));
+    let (code, said, errors) = run(&folder, &["log", "reversed.csv", "--strict"]);
+    assert!(code == 2 && said.contains(": doubtful: ") && errors.contains("refused (--strict)"), "{errors}");
     assert!(rejected(&folder, &["log", "good.csv", "--smooth"]).contains("--output"));
 }
 

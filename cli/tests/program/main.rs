@@ -3,6 +3,7 @@
 mod allan;
 mod budget;
 #[cfg(unix)]
+mod columns;
 mod complete_files;
 mod conditions;
 mod curve;

@@ -4,6 +4,7 @@ use core::ffi::c_char;
 use std::sync::Arc;
 
 use super::fault::sins_fault;
+use super::{sins_scene, with_scene};
 use crate::abi::boundary::handle::{hand_out, with_object};
 use crate::abi::boundary::tables::LOGS;
 use crate::abi::boundary::{enter, enter_without_simulator, remember_as};
@@ -14,6 +15,7 @@ use crate::abi::sentence::Sentence;
 use crate::abi::text::{bytes_of, chars};
 use crate::base::error::{Error, Rule};
 use crate::base::memory::probe;
+use crate::scene::Scene;
 use crate::scene::log::{FlightLog, LogError};
 
 /// A flight log in memory. A handle is a checked key, as that of sins_sim, and never taken for one.
@@ -43,7 +45,8 @@ interface_struct!(sins_log_info, "info", 216);
 /// What the parser takes beside the samples [bytes]; a field in quotes may be longer.
 const ROOM: usize = 1 << 20;
 
-/// Reads a flight log, comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
+/// Reads a flight log as the [log] of a scene says: which column has which quantity, in which unit, and whether its path is smoothed; a scene
+/// flies only a log that was read by its own [log]. NULL for scene, or a scene without [log]: comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
 /// comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns
 /// is a fault:
 ///
@@ -63,10 +66,11 @@ const ROOM: usize = 1 << 20;
 pub unsafe extern "C-unwind" fn sins_log_parse(
     text: *const c_char,
     size: usize,
+    scene: *const sins_scene,
     log: *mut *mut sins_log,
     fault: *mut sins_fault,
 ) -> sins_status {
-    enter_without_simulator(|| {
+    let parse = |scene: &Scene| {
         if log.is_null() {
             return Err(Failure::null("log"));
         }
@@ -75,7 +79,7 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
         // SAFETY: the host's promise.
         let text = unsafe { bytes_of(text.cast(), size, "text")? };
         probe(ROOM)?;
-        match FlightLog::parse(text) {
+        match scene.read_log(text) {
             // SAFETY: the host's promise.
             Ok(found) => unsafe { hand_out(&LOGS, log, "log", || Ok(Arc::new(found))) },
             Err(LogError::Memory(error)) => Err(error.into()),
@@ -86,12 +90,24 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
                 let error =
                     Error::invalid("line", found.line, Rule::Sentence("the text is not a flight log"));
                 let (line, column, reason) = (found.line, found.column, &found.sentence);
-                let sentence = Sentence::new(format_args!("line = {line}, column {column}: {reason}"));
+                let sentence = if line > 0 {
+                    Sentence::new(format_args!("line = {line}, column {column}: {reason}"))
+                } else {
+                    Sentence::new(format_args!("{reason}"))
+                };
                 remember_as(error.into(), sentence);
                 Ok(SINS_ERROR_INVALID_ARGUMENT)
             }
         }
-    })
+    };
+    if scene.is_null() {
+        enter_without_simulator(|| {
+            probe(ROOM)?;
+            parse(&Scene::default())
+        })
+    } else {
+        with_scene(scene, |scene| parse(scene))
+    }
 }
 
 /// Makes a log of an array of count samples, as sins_log_parse() of a text: for hosts that have a flight in memory. samples[0].struct_size is

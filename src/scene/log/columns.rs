@@ -4,121 +4,82 @@ use core::ops::Range;
 
 use csv::StringRecord;
 
-use super::{LogError, Reading, fault};
-use crate::base::error::Error;
+use super::guess::{Guess, guess};
+use super::mapping::{ColumnFrom, LogMapping, TimeFormat};
+use super::quantity::{
+    FORCE, FORWARD, OF_SAMPLE, Q0, QUANTITIES, RATE, ROLL, SPEED, TEMPERATURE, VARIATION, VELOCITY,
+    in_degrees, name,
+};
+use super::{LogError, fault};
 use crate::base::units::DEG;
-use crate::scene::{excerpt, listed, nearest};
-
-/// The quantities of a log: name, field of a sample, index in it. An angle may be in degrees: the name then ends in `_deg`.
-const QUANTITIES: [(&str, &str, Option<usize>); 17] = [
-    ("time_s", "sample.time_s", None),
-    ("latitude_rad", "sample.latitude_rad", None),
-    ("longitude_rad", "sample.longitude_rad", None),
-    ("height_m", "sample.height_m", None),
-    ("roll_rad", "sample.roll_rad", None),
-    ("pitch_rad", "sample.pitch_rad", None),
-    ("heading_rad", "sample.heading_rad", None),
-    ("velocity_east_m_s", "sample.velocity_enu_m_s", Some(0)),
-    ("velocity_north_m_s", "sample.velocity_enu_m_s", Some(1)),
-    ("velocity_up_m_s", "sample.velocity_enu_m_s", Some(2)),
-    ("rate_x_rad_s", "sample.angular_rate_rad_s", Some(0)),
-    ("rate_y_rad_s", "sample.angular_rate_rad_s", Some(1)),
-    ("rate_z_rad_s", "sample.angular_rate_rad_s", Some(2)),
-    ("force_x_m_s2", "sample.specific_force_m_s2", Some(0)),
-    ("force_y_m_s2", "sample.specific_force_m_s2", Some(1)),
-    ("force_z_m_s2", "sample.specific_force_m_s2", Some(2)),
-    ("temperature_c", "sample.temperature_c", None),
-];
+use crate::scene::{Fault, excerpt, listed, nearest};
 
 /// Number of quantities.
 pub const COUNT: usize = QUANTITIES.len();
 
-/// The name of a quantity.
-pub fn name(quantity: usize) -> &'static str {
-    QUANTITIES[quantity].0
-}
-
-/// The quantity that an error about a sample is about, in the order time, position, attitude, velocity, angular rate, specific force,
-/// temperature.
-pub fn quantity_of(error: &Error) -> Option<usize> {
-    QUANTITIES.iter().position(|&(_, field, index)| (field, index) == (error.field, error.index))
-}
-
-/// The name of the column that an error about a sample is about.
-pub fn column_of(error: &Error) -> Option<&'static str> {
-    quantity_of(error).map(name)
-}
-
 /// The quantities of the attitude.
-const ATTITUDE: [&str; 3] = ["roll_rad", "pitch_rad", "heading_rad"];
+const ATTITUDE: Range<usize> = ROLL..VELOCITY;
 
-/// The first of the quantities that a log may leave out.
-pub const VELOCITY: usize = 7;
-pub const RATE: usize = 10;
-pub const FORCE: usize = 13;
-pub const TEMPERATURE: usize = 16;
+/// The quantities of a quaternion, and those of the velocity in each form.
+const QUATERNION: Range<usize> = Q0..VARIATION;
+const VELOCITIES: [Range<usize>; 3] = [VELOCITY..RATE, SPEED..FORWARD, FORWARD..Q0];
 
 /// The quantities that come together: all of them or none.
-const TRIPLES: [Range<usize>; 3] = [VELOCITY..RATE, RATE..FORCE, FORCE..TEMPERATURE];
+const TOGETHER: [Range<usize>; 6] =
+    [VELOCITY..RATE, RATE..FORCE, FORCE..TEMPERATURE, SPEED..FORWARD, FORWARD..Q0, QUATERNION];
 
-/// Place of a quantity in a row, and its unit in SI.
-#[derive(Clone, Copy)]
+/// How the values of a quantity follow from the rows: factor · cell + offset.
+#[derive(Debug, Clone)]
 pub struct Column {
-    pub place: usize,
-    pub si: f64,
+    /// Place of the cell in a row; `None`: the value is a constant, the offset.
+    pub place: Option<usize>,
+    pub factor: f64,
+    pub offset: f64,
+    /// Name of the column.
+    pub name: String,
 }
 
-impl Column {
-    /// Its name, which is that of its quantity or the one in degrees.
-    pub fn name(&self, quantity: usize) -> String {
-        let name = name(quantity);
-        in_degrees(name).filter(|_| self.si != 1.0).unwrap_or_else(|| name.to_owned())
-    }
+/// The columns of a log, by their quantities.
+pub type Columns = [Option<Column>; COUNT];
+
+/// Whether any of these quantities has a column.
+pub fn has(columns: &Columns, quantities: Range<usize>) -> bool {
+    columns[quantities].iter().any(Option::is_some)
 }
 
-/// The name of an angle in degrees. Rates can be given only in radians.
-fn in_degrees(quantity: &str) -> Option<String> {
-    let stem = quantity.strip_suffix("_rad")?;
-    Some(format!("{stem}_deg"))
+/// Whether the log has a quaternion.
+pub fn has_quaternion(columns: &Columns) -> bool {
+    has(columns, QUATERNION)
 }
 
 /// The columns of a header, by their quantities.
-pub fn columns(
-    header: &StringRecord,
-    line: u64,
-    reading: Reading,
-) -> Result<[Option<Column>; COUNT], LogError> {
-    let mut columns = [None; COUNT];
-    for (column, quantity) in columns.iter_mut().zip((0..COUNT).map(name)) {
-        let degrees = in_degrees(quantity);
-        if reading == Reading::WithoutAttitude && ATTITUDE.contains(&quantity) {
+pub fn columns(header: &StringRecord, line: u64, mapping: &LogMapping) -> Result<Columns, LogError> {
+    let mut columns = [const { None }; COUNT];
+    for (quantity, column) in columns.iter_mut().enumerate() {
+        if mapping.is_coordinated && ATTITUDE.contains(&quantity) {
             continue;
         }
-        for (place, name) in header.iter().enumerate() {
-            let si = match name {
-                _ if name == quantity => 1.0,
-                _ if Some(name) == degrees.as_deref() => DEG,
-                _ => continue,
-            };
-            if column.is_some() {
-                let sentence = format!("{name}: an earlier column has that quantity");
-                return Err(fault(line, place + 1, sentence));
-            }
-            *column = Some(Column { place, si });
+        *column = match &mapping.columns[quantity].from {
+            ColumnFrom::OwnName if quantity < OF_SAMPLE => own_column(header, line, quantity)?,
+            ColumnFrom::OwnName => None,
+            _ => Some(mapped_column(header, line, mapping, quantity)?),
+        };
+    }
+    if mapping.time_format == TimeFormat::Row {
+        columns[0] = None;
+        if mapping.rate_hz.is_none() {
+            return Err(fault(line, 1, "log.rate_hz: expected the rate of rows without times".to_owned()));
         }
     }
-    let is_wanted = |index: usize| {
-        let triple = TRIPLES.iter().find(|triple| triple.contains(&index));
-        match triple {
-            Some(triple) => columns[triple.clone()].iter().any(Option::is_some),
-            None if reading == Reading::WithoutAttitude => {
-                index < VELOCITY && !ATTITUDE.contains(&name(index))
-            }
-            None => index < VELOCITY,
-        }
+    check_together(&columns, line)?;
+    let has_angles = !mapping.is_coordinated && !has_quaternion(&columns);
+    let is_wanted = |index: usize| match TOGETHER.iter().find(|group| group.contains(&index)) {
+        Some(group) => has(&columns, group.clone()),
+        None if index == 0 => mapping.time_format != TimeFormat::Row,
+        None => index < VELOCITY && (has_angles || !ATTITUDE.contains(&index)),
     };
     let missing = (0..COUNT).filter(|&index| columns[index].is_none() && is_wanted(index));
-    let missing: Vec<String> = missing.map(|index| missing_column(name(index), header)).collect();
+    let missing: Vec<String> = missing.map(|index| missing_column(index, header)).collect();
     let other = [(';', "semicolons"), ('\t', "tabs")]
         .into_iter()
         .find(|(mark, _)| header.iter().any(|name| name.contains(*mark)));
@@ -136,10 +97,114 @@ pub fn columns(
     }
 }
 
+/// The column that has the name of the quantity itself, in radians or degrees.
+fn own_column(header: &StringRecord, line: u64, quantity: usize) -> Result<Option<Column>, LogError> {
+    let quantity = name(quantity);
+    let degrees = in_degrees(quantity);
+    let mut column = None;
+    for (place, name) in header.iter().enumerate() {
+        let factor = match name {
+            _ if name == quantity => 1.0,
+            _ if Some(name) == degrees.as_deref() => DEG,
+            _ => continue,
+        };
+        if column.is_some() {
+            let sentence = format!("{name}: an earlier column has that quantity");
+            return Err(fault(line, place + 1, sentence));
+        }
+        column = Some(Column { place: Some(place), factor, offset: 0.0, name: name.to_owned() });
+    }
+    Ok(column)
+}
+
+/// The column that `[log]` gives a quantity.
+fn mapped_column(
+    header: &StringRecord,
+    line: u64,
+    mapping: &LogMapping,
+    quantity: usize,
+) -> Result<Column, LogError> {
+    let mapped = &mapping.columns[quantity];
+    let key = QUANTITIES[quantity].key;
+    let [factor, offset] = mapped.factor_and_offset(quantity);
+    let refused = |sentence: String| Err(fault(line, 1, format!("log.{key}: {sentence}")));
+    match &mapped.from {
+        ColumnFrom::Name(wanted) => {
+            let mut places = header.iter().enumerate().filter(|(_, name)| name.trim() == wanted);
+            match (places.next(), places.next()) {
+                (Some((place, _)), None) => {
+                    Ok(Column { place: Some(place), factor, offset, name: wanted.clone() })
+                }
+                (Some(_), Some((place, _))) => {
+                    let sentence = format!("log.{key}: an earlier column is {} too", excerpt(wanted));
+                    Err(fault(line, place + 1, sentence))
+                }
+                (None, _) => {
+                    let near = nearest(wanted, header.iter())
+                        .map_or(String::new(), |name| format!("; did you mean {}?", excerpt(name)));
+                    let names = listed(header.iter());
+                    refused(format!("no column {}; the header has {names}{near}", excerpt(wanted)))
+                }
+            }
+        }
+        ColumnFrom::Number(number) if *number > header.len() => {
+            refused(format!("no column {number}: the row has {}", header.len()))
+        }
+        ColumnFrom::Number(number) => {
+            Ok(Column { place: Some(number - 1), factor, offset, name: format!("column {number}") })
+        }
+        ColumnFrom::OwnName | ColumnFrom::Constant(_) => {
+            let value = if let ColumnFrom::Constant(value) = mapped.from { value } else { 0.0 };
+            Ok(Column { place: None, factor, offset: value * factor + offset, name: key.to_owned() })
+        }
+    }
+}
+
+/// Checks that no quantity is given in two forms.
+fn check_together(columns: &Columns, line: u64) -> Result<(), LogError> {
+    let key = |group: &Range<usize>| QUANTITIES[group.start].key;
+    let given: Vec<&str> =
+        VELOCITIES.iter().filter(|group| has(columns, (*group).clone())).map(key).collect();
+    if let [one, other, ..] = given[..] {
+        let sentence = format!("log.{other}: the velocity is given by {one} too; give one");
+        return Err(fault(line, 1, sentence));
+    }
+    if has_quaternion(columns) && has(columns, ATTITUDE) {
+        return Err(fault(line, 1, "log.q0: the attitude is given by angles too; give one".to_owned()));
+    }
+    Ok(())
+}
+
+/// The columns that are not read, though their names say that they have a quantity which the log lacks.
+pub fn unread(header: &StringRecord, line: u64, columns: &Columns, mapping: &LogMapping) -> Vec<Fault> {
+    let has_velocity = VELOCITIES.iter().any(|group| has(columns, group.clone()));
+    let is_lacking = |&Guess { quantity, .. }: &Guess| {
+        let is_known = columns[quantity].is_some()
+            || ATTITUDE.contains(&quantity) && (mapping.is_coordinated || has_quaternion(columns))
+            || (VELOCITY..RATE).contains(&quantity) && has_velocity;
+        (1..OF_SAMPLE).contains(&quantity) && !is_known
+    };
+    let note = |(place, column): (usize, &str)| {
+        let is_read = columns.iter().flatten().any(|column| column.place == Some(place));
+        let Guess { quantity, unit, sign } = guess(column).filter(is_lacking).filter(|_| !is_read)?;
+        let unit = if unit.is_empty() { String::new() } else { format!(", in {unit}") };
+        let sign = if sign < 0.0 { ", with the opposite sign" } else { "" };
+        let sentence = format!("{} is not read; is it {}{unit}{sign}?", excerpt(column), name(quantity));
+        Some(Fault { line: line as usize, column: place + 1, sentence, ..Fault::default() })
+    };
+    header.iter().enumerate().filter_map(note).collect()
+}
+
 /// The name of a missing column, with the name of its form in degrees and the name that may have been meant.
-fn missing_column(quantity: &str, header: &StringRecord) -> String {
-    let degrees = in_degrees(quantity).map_or(String::new(), |name| format!(" or {name}"));
-    let unknown = header.iter().filter(|column| !(0..COUNT).map(name).any(|own| own == *column));
-    let near = nearest(quantity, unknown).map_or(String::new(), |name| format!(" (found {})", excerpt(name)));
-    format!("{quantity}{degrees}{near}")
+fn missing_column(quantity: usize, header: &StringRecord) -> String {
+    let own = name(quantity);
+    if own.is_empty() {
+        return format!("log.{}", QUANTITIES[quantity].key);
+    }
+    let degrees = in_degrees(own).map_or(String::new(), |name| format!(" or {name}"));
+    let unknown = header.iter().filter(|column| !(0..OF_SAMPLE).map(name).any(|own| own == *column));
+    let says = |column: &&str| guess(column).is_some_and(|guess| guess.quantity == quantity);
+    let near = nearest(own, unknown.clone()).or_else(|| unknown.clone().find(says));
+    let near = near.map_or(String::new(), |name| format!(" (found {})", excerpt(name)));
+    format!("{own}{degrees}{near}")
 }

@@ -1,23 +1,32 @@
 //! Flight logs: true motion as a table of comma-separated values.
 //!
-//! The first line that is not a comment (`#`) names the columns, in any order; columns of other names are ignored. Angles
-//! are in radians (`latitude_rad`) or in degrees (`latitude_deg`). Velocity, angular rate and specific force come with
+//! The first line that is not a comment (`#`) names the columns, in any order; columns of other names are ignored, and noted if
+//! they look like a quantity that the log lacks. Angles are in radians (`latitude_rad`) or in degrees (`latitude_deg`). Velocity, angular rate and specific force come with
 //! three columns each or not at all, temperature with one. A row with more fields than columns is rejected, because decimal
 //! commas cause it.
 
+mod clock;
 mod columns;
+mod guess;
+mod mapping;
+mod quantity;
 mod rows;
+mod smooth;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::base::error::{Error, ErrorKind, Rule, check_integer};
 use crate::base::memory::{room, room_for_one_more};
-use crate::scene::{Fault, foreign};
+use crate::scene::{Fault, Scene, foreign};
 use crate::truth::FlightSample;
-use columns::columns;
-use rows::{check_line, next_row, sample};
+use clock::Clock;
+use columns::{columns, unread};
+use rows::{Table, check_line, next_row};
 
-pub use columns::{column_of, quantity_of};
+pub(in crate::scene) use mapping::TAKES as COLUMN_TAKES;
+pub use mapping::{ColumnFrom, LogColumn, LogMapping, Separator, TimeFormat};
+pub(in crate::scene) use quantity::QUANTITIES;
+pub use quantity::{column_of, quantity_of};
 
 /// Largest number of columns of a log, and of bytes of a line.
 const MAX_COLUMNS: usize = 1000;
@@ -31,15 +40,9 @@ pub struct FlightLog {
     samples: Vec<FlightSample>,
     /// The line of each sample, from 1; none of samples without a text.
     lines: Vec<u64>,
-}
-
-/// Columns that a log needs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reading {
-    /// Time, position and attitude.
-    Whole,
-    /// Time and position; columns of the attitude are not read, and the angles of the samples are 0.
-    WithoutAttitude,
+    notes: Vec<Fault>,
+    /// As which it was read; `None`: the default, also of a log without a text.
+    mapping: Option<Box<LogMapping>>,
 }
 
 /// Why a text is not a valid log.
@@ -59,71 +62,103 @@ impl FlightLog {
     /// Reads the log in a text: at least two samples, in the order of time, with values in their ranges. How they follow each
     /// other is checked when they are pushed.
     pub fn parse(text: &[u8]) -> Result<Self, LogError> {
-        Self::parse_as(text, Reading::Whole)
+        Self::parse_with(text, &LogMapping::default())
     }
 
-    /// As [`FlightLog::parse`], of a log that has what `reading` needs.
-    pub fn parse_as(text: &[u8], reading: Reading) -> Result<Self, LogError> {
-        Self::parse_log(text, reading).map_err(|error| match (&error, foreign(text)) {
-            (LogError::Fault(_), Some(what)) => {
+    /// As [`FlightLog::parse`], of a table that is read as `mapping` says. A row in which a value is missing is then left out; so is, of
+    /// a log that will be smoothed, a row that is not later than the one before.
+    pub fn parse_with(text: &[u8], mapping: &LogMapping) -> Result<Self, LogError> {
+        Self::parse_log(text, mapping).map_err(|error| match (&error, foreign(text)) {
+            (LogError::Fault(_), Some(what)) if !mapping.is_foreign() => {
                 fault(1, 1, format!("is {what}: expected a flight log, a table of comma-separated values"))
             }
             _ => error,
         })
     }
 
-    fn parse_log(text: &[u8], reading: Reading) -> Result<Self, LogError> {
+    fn parse_log(text: &[u8], mapping: &LogMapping) -> Result<Self, LogError> {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
         for (line, number) in text.split_inclusive(|byte| *byte == b'\n').zip(1..) {
             check_line(line).map_err(|sentence| fault(number, 1, sentence))?;
         }
+        let comment = mapping.comment.as_bytes().first().copied().unwrap_or(b'#');
         // The reader takes a comment without a line end, which can only be the last line, for a row.
         let last = text.iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
-        let text = if text[last..].starts_with(b"#") { &text[..last] } else { text };
+        let text = if text[last..].starts_with(&[comment]) { &text[..last] } else { text };
+        let with_single_blanks =
+            if mapping.separator == Separator::Blanks { single_blanks(text)? } else { Vec::new() };
+        let text = if with_single_blanks.is_empty() { text } else { &with_single_blanks };
         let mut reader = ReaderBuilder::new()
-            .comment(Some(b'#'))
+            .comment(Some(comment))
+            .delimiter(mapping.separator.byte())
             .flexible(true)
             .has_headers(false)
             .trim(Trim::All)
             .from_reader(text);
         let mut row = StringRecord::new();
+        let first = loop {
+            match next_row(&mut reader, text, comment, &mut row)? {
+                Some(line) if line < mapping.header => {}
+                first => break first,
+            }
+        };
         let names = "as time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad";
-        let Some(line) = next_row(&mut reader, text, &mut row)? else {
+        let Some(line) = first else {
             return Err(fault(1, 1, format!("no header: expected the names of the columns, {names}")));
         };
         if row.len() > MAX_COLUMNS {
             return Err(fault(line, 1, format!("{} columns: a log has at most {MAX_COLUMNS}", row.len())));
         }
-        let columns = columns(&row, line, reading)?;
+        let columns = columns(&row, line, mapping)?;
         let width = row.len();
-        let mut log = Self { title: title(text), samples: Vec::new(), lines: Vec::new() };
-        while let Some(line) = next_row(&mut reader, text, &mut row)? {
-            if row.len() > width {
+        let notes = if mapping.header > 0 { unread(&row, line, &columns, mapping) } else { Vec::new() };
+        let mut log = Self {
+            title: title(text, comment),
+            samples: Vec::new(),
+            lines: Vec::new(),
+            notes,
+            mapping: (*mapping != LogMapping::default()).then(|| Box::new(mapping.clone())),
+        };
+        let is_mapped = mapping.is_foreign();
+        let mut table = Table { columns, mapping, is_mapped, clock: Clock::new(mapping) };
+        let (mut left_out, mut late, mut to_skip) = (None, 0_u64, mapping.skip);
+        // Without names the first row is one of values.
+        let mut first = (mapping.header == 0).then_some(line);
+        loop {
+            let line = match first.take() {
+                Some(line) => Some(line),
+                None => next_row(&mut reader, text, comment, &mut row)?,
+            };
+            let Some(line) = line else { break };
+            if to_skip > 0 {
+                to_skip -= 1;
+                continue;
+            }
+            let is_beyond = |field: &str| !is_mapped || !field.is_empty();
+            if row.len() > width && row.iter().skip(width).any(is_beyond) {
                 // Decimal commas do this: each value is cut in two, and what stands behind it moves to the next column.
                 let sentence = format!("{} fields, and the header names {width} columns", row.len());
                 return Err(fault(line, width + 1, sentence));
             }
-            let sample = sample(&row, line, &columns)?;
-            if let Some(last) = log.samples.last()
-                && sample.time_s <= last.time_s
-            {
-                let sentence =
-                    format!("time_s = {}: not later than the sample before, {}", sample.time_s, last.time_s);
-                return Err(fault(line, 1, sentence));
+            let Some(sample) = table.sample(&row, line)? else {
+                let (count, first) = left_out.unwrap_or((0_u64, line));
+                left_out = Some((count + 1, first));
+                continue;
+            };
+            if mapping.smooths() && log.samples.last().is_some_and(|last| sample.time_s <= last.time_s) {
+                late += 1;
+                continue;
             }
-            let first_s = log.samples.first().map_or(sample.time_s, |first| first.time_s);
-            let latest_s = FlightSample::LATEST_S;
-            if sample.time_s - first_s > latest_s {
-                let sentence = format!(
-                    "time_s = {:e}: must be at most {latest_s:e} s after the first sample, {first_s:e}",
-                    sample.time_s
-                );
-                return Err(fault(line, 1, sentence));
-            }
-            room_for_one_more(&mut log.samples).map_err(LogError::Memory)?;
-            room_for_one_more(&mut log.lines).map_err(LogError::Memory)?;
-            log.samples.push(sample);
-            log.lines.push(line);
+            log.push(sample, line)?;
+        }
+        if let Some((count, line)) = left_out {
+            let rows = if count == 1 { "row is" } else { "rows are" };
+            let sentence = format!("{count} {rows} left out, the first here: a value is missing");
+            log.notes.push(Fault { line: line as usize, column: 1, sentence, ..Fault::default() });
+        }
+        if late > 0 {
+            let sentence = format!("{late} rows are left out: not later than the row before");
+            log.notes.push(Fault { sentence, ..Fault::default() });
         }
         if log.samples.len() < 2 {
             let line = 1 + text.iter().filter(|byte| **byte == b'\n').count();
@@ -136,10 +171,36 @@ impl FlightLog {
         Ok(log)
     }
 
+    /// Adds the sample of a line, which is later than the one before.
+    fn push(&mut self, sample: FlightSample, line: u64) -> Result<(), LogError> {
+        if let Some(last) = self.samples.last()
+            && sample.time_s <= last.time_s
+        {
+            let sentence =
+                format!("time_s = {}: not later than the sample before, {}", sample.time_s, last.time_s);
+            return Err(fault(line, 1, sentence));
+        }
+        let first_s = self.samples.first().map_or(sample.time_s, |first| first.time_s);
+        let latest_s = FlightSample::LATEST_S;
+        if sample.time_s - first_s > latest_s {
+            let sentence = format!(
+                "time_s = {:e}: must be at most {latest_s:e} s after the first sample, {first_s:e}",
+                sample.time_s
+            );
+            return Err(fault(line, 1, sentence));
+        }
+        room_for_one_more(&mut self.samples).map_err(LogError::Memory)?;
+        room_for_one_more(&mut self.lines).map_err(LogError::Memory)?;
+        self.samples.push(sample);
+        self.lines.push(line);
+        Ok(())
+    }
+
     /// An empty log with room for `count` samples that come from no text.
     pub(crate) fn with_room(count: usize) -> Result<Self, Error> {
         check_integer("count", count, 2, u64::MAX)?;
-        Ok(Self { title: String::new(), samples: room(count)?, lines: Vec::new() })
+        let samples = room(count)?;
+        Ok(Self { title: String::new(), samples, lines: Vec::new(), notes: Vec::new(), mapping: None })
     }
 
     /// Appends a sample with values in their ranges, later than the one before.
@@ -161,6 +222,23 @@ impl FlightLog {
         &self.samples
     }
 
+    /// Whether `scene` may fly it: it was read by the `[log]` of the scene.
+    pub(in crate::scene) fn check_read_by(&self, scene: &Scene) -> Result<(), Error> {
+        let is_same = match &self.mapping {
+            Some(mapping) => *mapping == scene.log,
+            None => *scene.log == LogMapping::default(),
+        };
+        if is_same {
+            return Ok(());
+        }
+        Err(Error::bad_state("the log was not read by the [log] of the scene; read it with the scene"))
+    }
+
+    /// What is no fault, and yet hardly meant: columns that are not read, and look like a quantity.
+    pub fn notes(&self) -> &[Fault] {
+        &self.notes
+    }
+
     /// The line of the text on which sample `index` stands, from 1.
     pub fn line(&self, index: usize) -> Option<u64> {
         self.lines.get(index).copied()
@@ -175,10 +253,23 @@ impl FlightLog {
     }
 }
 
+/// The text with a single blank in place of several, and none at the beginning of a line.
+fn single_blanks(text: &[u8]) -> Result<Vec<u8>, LogError> {
+    let mut single = room(text.len()).map_err(LogError::Memory)?;
+    for byte in text {
+        let byte = if *byte == b'\t' { b' ' } else { *byte };
+        if byte != b' ' || !matches!(single.last(), None | Some(b' ' | b'\n')) {
+            single.push(byte);
+        }
+    }
+    Ok(single)
+}
+
 /// The comment with which a log begins.
-fn title(text: &[u8]) -> String {
+fn title(text: &[u8], comment: u8) -> String {
+    let mark = char::from(comment);
     let first = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
     let first = String::from_utf8_lossy(first);
-    let comment = first.strip_prefix('#').unwrap_or_default();
-    comment.trim_start_matches('#').trim().chars().filter(|letter| !letter.is_control()).take(160).collect()
+    let comment = first.strip_prefix(mark).unwrap_or_default();
+    comment.trim_start_matches(mark).trim().chars().filter(|letter| !letter.is_control()).take(160).collect()
 }

@@ -3,6 +3,7 @@
 mod errors;
 mod failure;
 mod flight;
+mod log;
 mod options;
 mod panel;
 mod sensors;
@@ -21,6 +22,9 @@ const PARTS: &[&[Key]] = &[
     flight::FLIGHT,
     flight::START,
     flight::REPEAT,
+    log::FORMAT,
+    log::COLUMNS,
+    log::REPAIR,
     flight::MANOEUVRE,
     flight::SINUSOID,
     options::OPTIONS,

@@ -100,6 +100,10 @@ impl Judge {
             let own = finding(Kind::NearStamps, level, shortest_s);
             found.add(Finding { at, count: self.stamps.near, ..own });
         }
+        if self.stamps.gaps > 0 {
+            let own = finding(Kind::Gaps, Level::Note, self.stamps.longest.value);
+            found.add(Finding { at: self.stamps.longest.at, count: self.stamps.gaps, ..own });
+        }
         let step_m = self.resolution.horizontal_m();
         if let Some(jitter_s) = self.stamps.jitter_s(step_m) {
             let speed = self.positions.speed_m_s();
@@ -150,10 +154,10 @@ impl Judge {
         }
         let step_m = self.resolution.horizontal_m() + steps_m[2];
         let spikes = self.positions.spikes(usual_s, step_m);
-        let zeros = self.positions.zeros();
-        if zeros > 0 {
-            let own = finding(Kind::ZerosAtStart, Level::Unusable, zeros as f64);
-            found.add(Finding { count: zeros, ..own });
+        let unfixed = self.positions.unfixed();
+        if unfixed > 0 {
+            let own = finding(Kind::NotYetFixed, Level::Unusable, unfixed as f64);
+            found.add(Finding { count: unfixed, ..own });
         } else if spikes > 0 {
             let farthest = self.positions.farthest;
             let acceleration = 2.0 * farthest.value / (usual_s * usual_s);
@@ -168,7 +172,7 @@ impl Judge {
     /// Finds accelerations, if no other finding explains them.
     fn find_acceleration(&self, found: &mut Findings) {
         let explains = |finding: &Finding| {
-            finding.kind == Kind::ZerosAtStart
+            finding.kind == Kind::NotYetFixed
                 || finding.acceleration_m_s2 > 0.0 && finding.level == Level::Unusable
                 || finding.kind == Kind::NearStamps
         };

@@ -29,6 +29,8 @@ pub enum Kind {
     TimeOrder,
     /// A time stamp much nearer to the one before than the others; figure: the shortest interval [s].
     NearStamps,
+    /// Intervals of more than 2.5 times each of the two before; figure: the longest [s].
+    Gaps,
     /// Time in milliseconds or microseconds; figure: speed as if it was in seconds [m/s].
     TimeUnit,
     /// Time stamps that scatter about a steady clock; figure: their scatter [s].
@@ -45,8 +47,8 @@ pub enum Kind {
     Spike,
     /// An acceleration that few vehicles have; figure: the largest [m/s²].
     Acceleration,
-    /// Rows of zeros at the start; figure: number of rows.
-    ZerosAtStart,
+    /// Rows at the start that hold a value from before the first fix, such as 0, from which the next row jumps; figure: number of rows.
+    NotYetFixed,
     /// Velocity in another unit or axes than its name says; figure: size of the velocity over that of the displacement [1].
     VelocityUnit,
     /// Velocity that is no multiple of the displacement; figure: the unexplained share of the displacement [1].
@@ -126,6 +128,7 @@ impl Finding {
         match self.kind {
             Kind::TimeOrder => "sort the rows, or leave the late ones out",
             Kind::NearStamps => "leave one of each pair out, or smooth the log",
+            Kind::Gaps => "if the vehicle manoeuvred there, fill the gaps",
             Kind::TimeUnit => "state the unit of the time",
             Kind::StampJitter
             | Kind::CoarsePositions
@@ -134,7 +137,7 @@ impl Finding {
             | Kind::Spike => "smooth the log, or give the velocities",
             Kind::NoisyVelocities => "smooth the log",
             Kind::Acceleration => "if the vehicle does not do this, smooth the log",
-            Kind::ZerosAtStart => "leave these rows out",
+            Kind::NotYetFixed => "leave these rows out",
             Kind::VelocityUnit | Kind::VerticalUnit => "state the unit and the axes of the velocity",
             Kind::VelocityContradicts => "give the velocity against the ground, or leave it out",
             Kind::VelocityAtTimes => "correct these rows, or smooth the log",

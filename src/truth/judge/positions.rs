@@ -1,4 +1,4 @@
-//! Positions: held rows, spikes, accelerations, zeros at the start, and the extent of the flight.
+//! Positions: held rows, spikes, accelerations, values from before the first fix, and the extent of the flight.
 
 use nalgebra::Vector3;
 
@@ -51,13 +51,15 @@ pub(super) struct Positions {
     /// Displacement since the first row, and the largest [m].
     from_start: Vector3<f64>,
     pub extent_m: f64,
-    /// Zeros at the start.
-    zeros: Zeros,
+    /// Values from before the first fix.
+    unfixed: Unfixed,
+    /// Latitude, longitude, height of the first row.
+    first: [f64; 3],
 }
 
 #[derive(Debug, Clone, Copy)]
-enum Zeros {
-    /// All rows so far have height 0, or latitude and longitude 0.
+enum Unfixed {
+    /// So many rows have the height, or the latitude and longitude, of the first: all so far.
     Counting([Option<u64>; 2]),
     Over(u64),
 }
@@ -81,13 +83,16 @@ impl Positions {
             v_e: None,
             from_start: ZERO,
             extent_m: 0.0,
-            zeros: Zeros::Counting([Some(0), Some(0)]),
+            unfixed: Unfixed::Counting([Some(0), Some(0)]),
+            first: [0.0; 3],
         }
     }
 
     /// Takes the first sample.
     pub fn begin(&mut self, sample: &FlightSample) {
-        self.zeros = Zeros::Counting([0, 1].map(|kind| is_zero(sample)[kind].then_some(1)));
+        let place = &sample.place;
+        self.first = [place.latitude_rad, place.longitude_rad, place.height_m];
+        self.unfixed = Unfixed::Counting([Some(1), Some(1)]);
     }
 
     /// Adds a row. `usual_s` is the usual interval [s], `fourth` the fourth difference of the positions [m].
@@ -120,7 +125,7 @@ impl Positions {
             self.beside.add(beside_m);
             self.farthest.take(beside_m, self.past[2].0);
         }
-        self.add_zeros(row, sample, usual_s);
+        self.add_unfixed(row, sample, usual_s);
     }
 
     /// The acceleration of the interval as the simulator flies it: its velocities are the host's, or the derivative of the polynomial
@@ -154,9 +159,12 @@ impl Positions {
         }
     }
 
-    fn add_zeros(&mut self, row: &Row, sample: &FlightSample, usual_s: f64) {
-        let Zeros::Counting(counts) = &mut self.zeros else { return };
-        let now = is_zero(sample);
+    fn add_unfixed(&mut self, row: &Row, sample: &FlightSample, usual_s: f64) {
+        let Unfixed::Counting(counts) = &mut self.unfixed else { return };
+        let ([latitude, longitude, height], place) = (self.first, &sample.place);
+        let now =
+            [place.height_m == height, place.latitude_rad == latitude && place.longitude_rad == longitude];
+        let is_zero = [height == 0.0, latitude == 0.0 && longitude == 0.0];
         let jump = [row.d_n.z.abs(), row.step_m()];
         let allowed_m = [10.0 + 100.0 * usual_s, 1000.0 + 1000.0 * usual_s];
         let mut found = None;
@@ -164,7 +172,8 @@ impl Positions {
             match counts[kind] {
                 Some(count) if now[kind] => counts[kind] = Some(count + 1),
                 Some(count) => {
-                    if jump[kind] > allowed_m[kind] {
+                    // A single row may be a fix, and the next one wrong.
+                    if jump[kind] > allowed_m[kind] && (count > 1 || is_zero[kind]) {
                         found = Some(count);
                     }
                     counts[kind] = None;
@@ -173,15 +182,15 @@ impl Positions {
             }
         }
         if found.is_some() || counts.iter().all(Option::is_none) {
-            self.zeros = Zeros::Over(found.unwrap_or(0));
+            self.unfixed = Unfixed::Over(found.unwrap_or(0));
         }
     }
 
-    /// Number of rows of zeros at the start.
-    pub fn zeros(&self) -> u64 {
-        match self.zeros {
-            Zeros::Over(count) => count,
-            Zeros::Counting(_) => 0,
+    /// Number of rows at the start with a value from before the first fix.
+    pub fn unfixed(&self) -> u64 {
+        match self.unfixed {
+            Unfixed::Over(count) => count,
+            Unfixed::Counting(_) => 0,
         }
     }
 
@@ -201,12 +210,6 @@ impl Positions {
         let limit = (10.0 * self.beside.median()).max(2.0 * G * usual_s * usual_s + 2.0 * step_m);
         if self.farthest.value > limit { self.beside.count_above(limit).max(1) } else { 0 }
     }
-}
-
-/// Whether the height is exactly 0, and whether latitude and longitude are.
-fn is_zero(sample: &FlightSample) -> [bool; 2] {
-    let place = &sample.place;
-    [place.height_m == 0.0, place.latitude_rad == 0.0 && place.longitude_rad == 0.0]
 }
 
 /// Derivative at the newest position of the polynomial through positions relative to it.

@@ -24,6 +24,13 @@ impl fmt::Display for Finding {
                     Counted(self.count, "time stamp")
                 )
             }
+            (Kind::Gaps, _) if self.count == 1 => {
+                write!(f, "a gap of {figure} s in the time stamps, before {at} s")
+            }
+            (Kind::Gaps, _) => {
+                let count = self.count;
+                write!(f, "{count} gaps in the time stamps, the longest of {figure} s, before {at} s")
+            }
             (Kind::TimeUnit, _) => write!(f, "the vehicle moves at {figure} m/s: is the time in ms or us?"),
             (Kind::StampJitter, _) => {
                 write!(f, "time stamps scatter by {} ms about a steady clock", Digits(1e3 * self.figure))
@@ -53,7 +60,9 @@ impl fmt::Display for Finding {
                     _ => Ok(()),
                 }
             }
-            (Kind::ZerosAtStart, _) => write!(f, "the first {} are zeros", Counted(self.count, "row")),
+            (Kind::NotYetFixed, _) => {
+                write!(f, "the first {} hold a value from before the first fix", Counted(self.count, "row"))
+            }
             (Kind::VelocityUnit, clue) => velocity_sentence(f, self.figure, &clue),
             (Kind::VelocityContradicts, _) => {
                 let percent = Digits(100.0 * self.figure);

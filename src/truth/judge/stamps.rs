@@ -1,11 +1,15 @@
-//! Time stamps: the usual interval, stamps too near to each other, and scatter about a steady clock.
+//! Time stamps: the usual interval, gaps, stamps too near to each other, and scatter about a steady clock.
 
 use super::finding::At;
 use super::histogram::Histogram;
+use super::positions::Largest;
 use super::row::Row;
 
 /// An interval below this share of the usual one is near.
 const NEAR: f64 = 0.2;
+
+/// An interval above this multiple of each of the two before is a gap.
+const GAP: f64 = 2.5;
 
 /// Intervals until the usual one is known.
 const LEAST: u64 = 8;
@@ -39,6 +43,11 @@ pub(super) struct Stamps {
     /// Number of near stamps, the shortest interval [s] and its row.
     pub near: u64,
     pub shortest: Option<(f64, At)>,
+    /// The last two intervals that are not near, the newer first; infinite: not known yet [s].
+    last_s: [f64; 2],
+    /// Number of gaps, and the longest with the row behind it.
+    pub gaps: u64,
+    pub longest: Largest,
     /// Sums over rows: x², xy, y², deviation², number; x = v (Δt - n tick), y = |d| - v n tick.
     sums: [f64; 4],
     compared: u64,
@@ -61,6 +70,9 @@ impl Stamps {
             pending: None,
             near: 0,
             shortest: None,
+            last_s: [f64::INFINITY; 2],
+            gaps: 0,
+            longest: Largest { value: 0.0, at: At { row: 0, time_s: 0.0 } },
             sums: [0.0; 4],
             compared: 0,
         }
@@ -92,6 +104,12 @@ impl Stamps {
         let is_left_out = is_near && !self.was_near;
         if is_left_out {
             self.pending = Some((interval_s, at));
+        } else {
+            if self.last_s.iter().all(|last_s| interval_s > GAP * last_s) {
+                self.gaps += 1;
+                self.longest.take(interval_s, at);
+            }
+            self.last_s = [interval_s, self.last_s[0]];
         }
         self.was_near = is_near;
         is_left_out

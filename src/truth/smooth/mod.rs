@@ -63,7 +63,7 @@ pub struct Smoothed {
     /// Times [s] and temperatures [°C] of the rows.
     temperatures: Vec<(f64, f64)>,
     span_s: [f64; 2],
-    /// Rows that were left out: zeros at the start, repeats, and rows too near to the row before.
+    /// Rows that were left out: from before the first fix, repeats, and rows too near to the row before.
     pub left_out: u64,
     /// Whether the stamps were replaced by those of a steady clock.
     pub is_steady_clock: bool,

@@ -23,7 +23,7 @@ pub(super) struct Rows {
     pub samples: Vec<FlightSample>,
     pub times_s: Vec<f64>,
     pub is_steady_clock: bool,
-    /// Rows that were left out: zeros at the start, repeats, and rows too near to the row before.
+    /// Rows that were left out: from before the first fix, repeats, and rows too near to the row before.
     pub left_out: u64,
     /// The step of the heights [m]; 0: none.
     pub height_step_m: f64,
@@ -37,7 +37,7 @@ pub(super) fn rows(earth: &Earth, samples: &[FlightSample]) -> Result<Rows, Erro
     }
     let count_of =
         |kind: Kind| judge.findings().find(|finding| finding.kind == kind).map_or(0, |found| found.count);
-    let zeros = (count_of(Kind::ZerosAtStart) as usize).min(samples.len());
+    let zeros = (count_of(Kind::NotYetFixed) as usize).min(samples.len());
     let is_steady_clock = judge.findings().any(|finding| finding.kind == Kind::StampJitter);
     let kept = &samples[zeros..];
     let mut list: Vec<FlightSample> = room(kept.len())?;

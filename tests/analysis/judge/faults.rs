@@ -126,8 +126,26 @@ fn coarse_and_noisy_positions_are_found() {
     assert_eq!(missed(&[Kind::CoarsePositions], Doubtful, 10.0, coarse), NONE);
 }
 
+/// Rows that are lost: three times, for a different time.
 #[test]
-fn held_rows_spikes_and_zeros_are_found() {
+fn gaps_are_found() {
+    let samples = flights::scene("patrol", 10.0).samples;
+    let kept = samples
+        .iter()
+        .enumerate()
+        .filter(|(k, _)| !(100..103).contains(k) && !(200..215).contains(k) && !(400..402).contains(k));
+    let kept: Vec<_> = kept.map(|(_, sample)| *sample).collect();
+    for samples in [kept.clone(), without_velocities(&kept)] {
+        let findings = judged(&samples);
+        assert_eq!(findings.len(), 1, "{findings:?}");
+        let words = "3 gaps in the time stamps, the longest of 1.6 s, before 21.5 s";
+        assert_eq!((findings[0].level, findings[0].to_string().as_str()), (Level::Note, words));
+    }
+    assert!(judged(&samples).is_empty());
+}
+
+#[test]
+fn held_rows_spikes_and_rows_before_the_first_fix_are_found() {
     use Level::{Doubtful, Unusable};
     assert_eq!(missed(&[Kind::HeldRows], Unusable, 50.0, held), NONE);
     assert_eq!(missed(&[Kind::HeldRows], Doubtful, 10.0, stale), NONE);
@@ -140,12 +158,22 @@ fn held_rows_spikes_and_zeros_are_found() {
         };
         assert_eq!(missed(&[Kind::Spike], Unusable, 1.0, spike), NONE);
     }
-    let zeros = |samples: &[FlightSample]| {
-        each(&without_velocities(samples), |k, sample| {
-            sample.place.height_m = if k < 5 { 0.0 } else { sample.place.height_m + 2000.0 };
-        })
-    };
-    assert_eq!(missed(&[Kind::ZerosAtStart], Unusable, 1.0, zeros), NONE);
+    // Zeros; zeros and the height of the geoid; a default place.
+    for (height_m, degrees) in [(0.0, 0.0), (-38.2, 0.0), (2000.0, 1.0)] {
+        let before = |samples: &[FlightSample]| {
+            let first = samples[0].place;
+            each(&without_velocities(samples), |k, sample| {
+                let place = &mut sample.place;
+                place.height_m += 2000.0;
+                if k < 5 {
+                    *place = first;
+                    place.height_m = if degrees == 0.0 { height_m } else { first.height_m + height_m };
+                    place.latitude_rad -= degrees * DEG * place.latitude_rad.signum();
+                }
+            })
+        };
+        assert_eq!(missed(&[Kind::NotYetFixed], Unusable, 1.0, before), NONE, "{height_m} {degrees}");
+    }
 }
 
 #[test]

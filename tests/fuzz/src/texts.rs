@@ -142,7 +142,7 @@ pub fn parse_scene(text: &[u8]) -> *mut sins_scene {
 pub fn check_log(text: &[u8]) {
     let text = text.to_vec().into_boxed_slice();
     let (mut log, mut fault) = (null_mut(), init::<sins_fault>());
-    let status = call!(sins_log_parse(text.as_ptr().cast(), text.len(), &mut log, &mut fault));
+    let status = call!(sins_log_parse(text.as_ptr().cast(), text.len(), null(), &mut log, &mut fault));
     if status != SINS_OK {
         assert!(status == SINS_ERROR_INVALID_ARGUMENT && log.is_null());
         return check_fault(&fault);

@@ -1,0 +1,132 @@
+//! Logs with columns of their own, read by `[log]` of a scene or of `--columns`.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use crate::judged::{circle, write};
+use crate::support::{done, folder, read, rejected, run};
+
+const MAPPING: &str = "[log]\nheader = 2\ntime = \"t\"\ntime_format = \"hms\"\nlatitude = \"Lat\"\nlongitude = \"Lon\"\n\
+    height = { col = \"Alt\", unit = \"ft\" }\nroll = \"Roll\"\npitch = \"Pitch\"\nheading = \"Hdg\"\n\
+    east = { col = \"VE\", unit = \"kt\" }\nnorth = { col = \"VN\", unit = \"kt\" }\nup = { col = \"VD\", unit = \"kt\", sign = -1 }\n";
+
+/// The circle in other units, over midnight.
+fn save(path: &Path) {
+    let mut text = "made up\nt,Lat,Lon,Alt,Roll,Pitch,Hdg,VN,VE,VD\n".to_owned();
+    for [t, latitude, longitude, height, roll, pitch, heading, east, north] in circle(10, 60) {
+        let (clock, knots) = ((t + 86370.0) % 86400.0, 3600.0 / 1852.0);
+        let (hours, minutes, seconds) = ((clock / 3600.0) as u32, (clock / 60.0) as u32 % 60, clock % 60.0);
+        let (feet, east, north) = (height / 0.3048, knots * east, knots * north);
+        writeln!(
+            text,
+            "{hours:02}:{minutes:02}:{seconds:04.1},{latitude},{longitude},{feet},{roll},{pitch},{heading},{north},{east},0"
+        )
+        .unwrap();
+    }
+    std::fs::write(path, text).unwrap();
+}
+
+/// The path of a noisy log with an outlier and repeated rows is smoothed behind every door, by the scene or by `--set`.
+#[test]
+fn a_scene_smooths_its_log_through_every_door() {
+    let folder = folder("smoothed");
+    let mut rows = circle(10, 60);
+    let mut state = 1_u64;
+    for row in &mut rows {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        row[1] += 2e-5 * ((state >> 40) as f64 / f64::from(1 << 24) - 0.5);
+    }
+    rows[300][1] += 0.01;
+    write(&folder.join("noisy.csv"), &rows, false);
+    std::fs::write(folder.join("scene.toml"), "[flight]\nfile = \"noisy.csv\"\n[log]\nsmooth = \"auto\"\n")
+        .unwrap();
+    assert!(rejected(&folder, &["fly", "noisy.csv"]).contains("unusable"));
+    let smooth = ["--set", "log.smooth=auto", "noisy.csv"];
+    for door in [
+        &["scene", "check"][..],
+        &["fly", "-q"],
+        &["ensemble", "-q", "--runs", "2", "--preset", "navigation"],
+        &["recommend", "--position", "1000"],
+        &["budget", "--preset", "navigation"],
+        &["curve"],
+    ] {
+        for log in [&["scene.toml"][..], &smooth] {
+            let (code, _, errors) = run(&folder, &[door, &["--strict"], log].concat());
+            assert!(
+                code == 0 && errors.contains("note: position: motion above"),
+                "{door:?} {log:?}: {errors}"
+            );
+            assert!(errors.contains("; 1 outlier; "), "{door:?}: {errors}");
+        }
+    }
+    assert_eq!(read(folder.join("sins_out/noisy.csv")), read(folder.join("sins_out/scene.csv")));
+    let rejected = rejected(&folder, &["fly", "scene.toml", "--set", "log.smooth_rate_hz=1e-3"]);
+    assert!(rejected.contains("log.smooth_rate_hz = 0.001"), "{rejected}");
+}
+
+#[test]
+fn a_log_with_columns_of_its_own_flies_through_every_door() {
+    let folder = folder("columns");
+    save(&folder.join("foreign.csv"));
+    std::fs::write(folder.join("columns.toml"), MAPPING).unwrap();
+    std::fs::write(folder.join("scene.toml"), format!("[flight]\nfile = \"foreign.csv\"\n{MAPPING}"))
+        .unwrap();
+    write(&folder.join("own.csv"), &circle(10, 60), true);
+    done(&folder, &["fly", "-q", "own.csv", "--preset", "navigation"]);
+    done(&folder, &["fly", "-q", "foreign.csv", "--columns", "columns.toml", "--preset", "navigation"]);
+    done(&folder, &["fly", "-q", "scene.toml", "--preset", "navigation"]);
+    let records = |name: &str| read(folder.join(format!("sins_out/{name}.csv")));
+    assert_eq!(records("foreign"), records("scene"));
+    let end = |name: &str| -> Vec<f64> {
+        let text = records(name);
+        text.lines().last().unwrap().split(',').skip(1).map(|field| field.parse().unwrap_or(0.0)).collect()
+    };
+    assert!(end("foreign").len() > 10);
+    for (foreign, own) in end("foreign").iter().zip(end("own")) {
+        // The numbers differ by the rounding of feet, knots and the time of day.
+        assert!((foreign - own).abs() < 1e-5 * (1.0 + own.abs()), "{foreign}, not {own}");
+    }
+    for door in [
+        &["scene", "check"][..],
+        &["ensemble", "-q", "--runs", "2", "--preset", "navigation"],
+        &["recommend", "--position", "1000"],
+        &["budget", "--preset", "navigation"],
+        &["curve"],
+    ] {
+        for log in [&["scene.toml"][..], &["foreign.csv", "--columns", "columns.toml"]] {
+            let (code, _, errors) = run(&folder, &[door, &["--strict"], log].concat());
+            assert!(code == 0 && !errors.contains("note"), "{door:?} {log:?}: {errors}");
+        }
+    }
+    let said = done(&folder, &["log", "foreign.csv", "--columns", "columns.toml"]);
+    assert_eq!(said, "foreign.csv: 601 rows over 60 s, 10 Hz, with velocities\nnothing is doubtful\n");
+    // A scene that is written has the columns too.
+    std::fs::write(folder.join("plain.toml"), "[flight]\nfile = \"foreign.csv\"\n").unwrap();
+    done(&folder, &["scene", "write", "plain.toml", "--columns", "columns.toml", "-o", "both.toml"]);
+    done(&folder, &["scene", "check", "--strict", "both.toml"]);
+    // A single value in addition: with the wrong unit the judge knows it.
+    let (code, _, errors) = run(
+        &folder,
+        &[
+            "fly",
+            "-q",
+            "foreign.csv",
+            "--columns",
+            "columns.toml",
+            "--set",
+            "log.east=VE",
+            "--set",
+            "log.north=VN",
+            "--set",
+            "log.up=VD",
+        ],
+    );
+    assert!(code == 2 && errors.contains("velocity is 1.94 times the displacement: knots?"), "{errors}");
+    let errors =
+        rejected(&folder, &["fly", "foreign.csv", "--columns", "columns.toml", "--set", "log.pitch=Pich"]);
+    assert!(errors.contains("foreign.csv:2: log.pitch: no column Pich; "), "{errors}");
+    assert!(errors.contains("did you mean Pitch?"), "{errors}");
+    std::fs::write(folder.join("bad.toml"), "[log]\nhight = \"Alt\"\n").unwrap();
+    let errors = rejected(&folder, &["fly", "foreign.csv", "--columns", "bad.toml"]);
+    assert!(errors.contains("bad.toml:2:1: no such key: hight; did you mean height?"), "{errors}");
+}

@@ -1,0 +1,166 @@
+//! Times of rows.
+
+use super::mapping::{LogMapping, TimeFormat};
+
+const DAY_S: f64 = 86400.0;
+
+/// The times of the rows, one after the other.
+#[derive(Debug)]
+pub struct Clock {
+    format: TimeFormat,
+    rate_hz: f64,
+    rows: u64,
+    /// Day of the first row.
+    first_day: Option<i64>,
+    /// Days since the first row, and the time of day of the last row [s].
+    days: f64,
+    last_s: f64,
+}
+
+impl Clock {
+    pub fn new(mapping: &LogMapping) -> Self {
+        Self {
+            format: mapping.time_format,
+            rate_hz: mapping.rate_hz.unwrap_or(1.0),
+            rows: 0,
+            first_day: None,
+            days: 0.0,
+            last_s: f64::NEG_INFINITY,
+        }
+    }
+
+    /// Whether the time is written as a number.
+    pub fn is_number(&self) -> bool {
+        self.format == TimeFormat::Number
+    }
+
+    /// What a cell must be, in words.
+    pub fn expected(&self) -> &'static str {
+        match self.format {
+            TimeFormat::Hms => "hh:mm:ss",
+            TimeFormat::Iso => "a date and a time, as 2024-05-01T12:30:00Z",
+            TimeFormat::Number | TimeFormat::Row => "a finite number",
+        }
+    }
+
+    /// Time of a further row [s], whose cell is `text` if the log has one.
+    pub fn next(&mut self, text: &str) -> Option<f64> {
+        self.rows += 1;
+        match self.format {
+            TimeFormat::Number => text.parse().ok().filter(|time_s: &f64| time_s.is_finite()),
+            TimeFormat::Row => Some((self.rows - 1) as f64 / self.rate_hz),
+            TimeFormat::Hms => {
+                let time_s = time_of_day(text)?;
+                if time_s < self.last_s - 0.5 * DAY_S {
+                    self.days += 1.0;
+                }
+                self.last_s = time_s;
+                Some(self.days * DAY_S + time_s)
+            }
+            TimeFormat::Iso => {
+                let (day, time_s) = date_and_time(text)?;
+                let first = *self.first_day.get_or_insert(day);
+                Some((day - first) as f64 * DAY_S + time_s)
+            }
+        }
+    }
+}
+
+/// A number of digits alone, with decimals where `is_last`.
+fn digits(text: &str, is_last: bool) -> Option<f64> {
+    let is_valid = |letter: char| letter.is_ascii_digit() || (is_last && letter == '.');
+    let begins = text.starts_with(|letter: char| letter.is_ascii_digit());
+    (begins && text.chars().all(is_valid)).then(|| text.parse().ok()).flatten()
+}
+
+/// Seconds of hh:mm:ss, hh:mm or hhmmss.
+fn time_of_day(text: &str) -> Option<f64> {
+    let parts: Vec<&str> = match text.split(':').collect::<Vec<_>>().as_slice() {
+        [whole] if whole.len() >= 6 && whole.is_ascii() => vec![&whole[..2], &whole[2..4], &whole[4..]],
+        [_] => return None,
+        parts if parts.len() <= 3 => parts.to_vec(),
+        _ => return None,
+    };
+    let hours = digits(parts[0], false)?;
+    let minutes = digits(parts[1], false)?;
+    let seconds = parts.get(2).map_or(Some(0.0), |text| digits(text, true))?;
+    (hours < 24.0 && minutes < 60.0 && seconds < 61.0).then_some((hours * 60.0 + minutes) * 60.0 + seconds)
+}
+
+/// Day, and the seconds since its midnight, in UTC if an offset is given.
+fn date_and_time(text: &str) -> Option<(i64, f64)> {
+    let (date, time) = text.split_once(['T', ' '])?;
+    let [year, month, day] = date.split('-').collect::<Vec<_>>()[..] else { return None };
+    let [year, month, day] = [digits(year, false)?, digits(month, false)?, digits(day, false)?];
+    if !(1.0..=9999.0).contains(&year) || !(1.0..=12.0).contains(&month) || !(1.0..=31.0).contains(&day) {
+        return None;
+    }
+    let time = time.trim().trim_end_matches(['Z', 'z']);
+    let (time, offset_s) = match time.rfind(['+', '-']) {
+        None => (time, 0.0),
+        Some(at) => {
+            let (hours, minutes) = match time[at + 1..].split_once(':') {
+                Some(parts) => parts,
+                None if time.len() == at + 5 => time[at + 1..].split_at_checked(2)?,
+                None => (&time[at + 1..], "0"),
+            };
+            let offset_s = (digits(hours, false)? * 60.0 + digits(minutes, false)?) * 60.0;
+            (&time[..at], if time[at..].starts_with('-') { -offset_s } else { offset_s })
+        }
+    };
+    let time_s = time_of_day(time)? - offset_s;
+    let carried = (time_s / DAY_S).floor();
+    let day = day_number(year as i64, month as i64, day as i64) + carried as i64;
+    Some((day, time_s - carried * DAY_S))
+}
+
+/// Number of a day of the Gregorian calendar: years begin with March, so that the leap day is the last.
+fn day_number(year: i64, month: i64, day: i64) -> i64 {
+    let (year, month) = if month > 2 { (year, month - 3) } else { (year - 1, month + 9) };
+    365 * year + year / 4 - year / 100 + year / 400 + (153 * month + 2) / 5 + day
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn times(format: TimeFormat, texts: &[&str]) -> Vec<Option<f64>> {
+        let mut clock =
+            Clock::new(&LogMapping { time_format: format, rate_hz: Some(50.0), ..LogMapping::default() });
+        texts.iter().map(|text| clock.next(text)).collect()
+    }
+
+    #[test]
+    fn times_of_each_format() {
+        use TimeFormat::{Hms, Iso, Number, Row};
+        assert_eq!(times(Number, &["1.5", "x"]), [Some(1.5), None]);
+        assert_eq!(times(Row, &["", "7", ""]), [Some(0.0), Some(0.02), Some(0.04)]);
+        let over_midnight =
+            ["23:59:59.5", "00:00:00.5", "000001", "23:00", "24:00:00", "1:2", "12", "-1:00:00"];
+        let expected = [Some(86399.5), Some(86400.5), Some(86401.0), Some(169200.0), None, None, None, None];
+        let mut found = times(Hms, &over_midnight);
+        // 1:2 is one hour and two minutes, of the day after.
+        assert_eq!(found.remove(5), Some(2.0 * DAY_S + 3720.0));
+        found.insert(5, None);
+        assert_eq!(found, expected);
+        let dates = [
+            "2024-02-28T23:59:59.25Z",
+            "2024-02-29 00:00:00",
+            "2024-03-01T01:00:00+02:00",
+            "2024-03-01T00:00:00-0100",
+            "2025-02-28T00:00:00Z",
+            "2024-13-01T00:00:00Z",
+            "2024-02-28",
+        ];
+        let expected = [
+            Some(86399.25),
+            Some(DAY_S),
+            Some(1.0 * DAY_S + 23.0 * 3600.0),
+            Some(2.0 * DAY_S + 3600.0),
+            Some(366.0 * DAY_S),
+            None,
+            None,
+        ];
+        assert_eq!(times(Iso, &dates), expected);
+    }
+}

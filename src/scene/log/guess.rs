@@ -1,0 +1,300 @@
+//! What the name of a column says: quantity, unit and sign.
+
+use super::quantity::{Dimension, QUANTITIES, unit_of};
+
+/// What a column has, by its name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Guess {
+    /// Quantity, by its place in the table.
+    pub quantity: usize,
+    /// Unit; empty: the name states none.
+    pub unit: &'static str,
+    /// -1: the column has the opposite sign.
+    pub sign: f64,
+}
+
+/// Names of quantities, without units, blanks and marks. A name that begins with "-" has the opposite sign.
+const NAMES: &[(&str, &[&str])] = &[
+    (
+        "time",
+        &[
+            "time",
+            "t",
+            "timestamp",
+            "utctime",
+            "utc",
+            "gpstime",
+            "simtime",
+            "elapsedtime",
+            "elapsed",
+            "realtime",
+        ],
+    ),
+    ("latitude", &["latitude", "lat", "latitudegeodetic"]),
+    ("longitude", &["longitude", "lon", "long", "lng"]),
+    (
+        "height",
+        &[
+            "height",
+            "altitude",
+            "alt",
+            "altgps",
+            "altitudegps",
+            "altmsl",
+            "altitudemsl",
+            "altitudeasl",
+            "elevation",
+            "ele",
+            "hgt",
+            "geoaltitude",
+            "altellipsoid",
+            "altitudeabovesealevel",
+            "ggalt",
+        ],
+    ),
+    ("roll", &["roll", "phi", "bank", "rolldeg", "rollangle", "bankangle"]),
+    ("pitch", &["pitch", "theta", "pitchangle"]),
+    (
+        "heading",
+        &[
+            "heading",
+            "psi",
+            "yaw",
+            "hdg",
+            "thdg",
+            "headingtrue",
+            "trueheading",
+            "compassheading",
+            "magneticheading",
+        ],
+    ),
+    (
+        "east",
+        &[
+            "velocityeast",
+            "eastvelocity",
+            "veast",
+            "vele",
+            "veleast",
+            "ve",
+            "velocitye",
+            "speedeast",
+            "eastspeed",
+        ],
+    ),
+    (
+        "north",
+        &[
+            "velocitynorth",
+            "northvelocity",
+            "vnorth",
+            "veln",
+            "velnorth",
+            "vn",
+            "velocityn",
+            "speednorth",
+            "northspeed",
+        ],
+    ),
+    (
+        "up",
+        &[
+            "velocityup",
+            "upvelocity",
+            "vup",
+            "velu",
+            "velup",
+            "vu",
+            "velocityu",
+            "speedup",
+            "-velocitydown",
+            "-downvelocity",
+            "-vdown",
+            "-veld",
+            "-veldown",
+            "-vd",
+            "-velocityd",
+            "-speeddown",
+        ],
+    ),
+    ("speed", &["speed", "groundspeed", "gs", "gndspd", "gspeed", "sog"]),
+    ("track", &["track", "course", "trk", "cog", "groundtrack", "trackangle"]),
+    (
+        "climb",
+        &["climb", "vspd", "verticalspeed", "verticalrate", "vertrate", "climbrate", "vs", "rateofclimb"],
+    ),
+    ("variation", &["variation", "magvar", "magneticvariation", "declination"]),
+    ("temperature", &["temperature", "temp", "oat", "imutemp"]),
+];
+
+/// Words before a quantity that do not change it.
+const BEFORE: [&str; 14] = [
+    "gps",
+    "gnss",
+    "ins",
+    "nav",
+    "position",
+    "positions",
+    "velocities",
+    "orientation",
+    "attitude",
+    "plane",
+    "imu",
+    "truth",
+    "ref",
+    "aircraft",
+];
+
+/// Spellings of units.
+const SPELLINGS: &[(&str, &str)] = &[
+    ("s", "s"),
+    ("sec", "s"),
+    ("secs", "s"),
+    ("seconds", "s"),
+    ("ms", "ms"),
+    ("msec", "ms"),
+    ("millisecond", "ms"),
+    ("milliseconds", "ms"),
+    ("us", "us"),
+    ("usec", "us"),
+    ("microseconds", "us"),
+    ("deg", "deg"),
+    ("degree", "deg"),
+    ("degrees", "deg"),
+    ("rad", "rad"),
+    ("radians", "rad"),
+    ("m", "m"),
+    ("meter", "m"),
+    ("meters", "m"),
+    ("metres", "m"),
+    ("ft", "ft"),
+    ("feet", "ft"),
+    ("mps", "m/s"),
+    ("m s", "m/s"),
+    ("m sec", "m/s"),
+    ("kt", "kt"),
+    ("kts", "kt"),
+    ("knots", "kt"),
+    ("fps", "ft/s"),
+    ("ft s", "ft/s"),
+    ("fpm", "ft/min"),
+    ("ft min", "ft/min"),
+    ("mph", "mph"),
+    ("kmh", "km/h"),
+    ("km h", "km/h"),
+    ("kph", "km/h"),
+    ("c", ""),
+    ("wgs84", ""),
+    ("wgs84 deg", "deg"),
+    ("wgs84 ft", "ft"),
+    ("wgs84 m", "m"),
+    ("deg c", ""),
+    ("degc", ""),
+];
+
+/// What the column of a name has, if the name says it.
+pub fn guess(name: &str) -> Option<Guess> {
+    let words = words(name);
+    let mut words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let mut unit = "";
+    for length in [2, 1] {
+        let Some(begin) = words.len().checked_sub(length).filter(|begin| *begin > 0) else { continue };
+        let end = words[begin..].join(" ");
+        if let Some((_, known)) = SPELLINGS.iter().find(|(spelling, _)| *spelling == end) {
+            unit = known;
+            words.truncate(begin);
+            break;
+        }
+    }
+    loop {
+        let stem = words.concat();
+        let is_one = |known: &&str| known.strip_prefix('-').unwrap_or(known) == stem;
+        let found =
+            NAMES.iter().find_map(|(key, names)| Some((*key, *names.iter().find(|name| is_one(name))?)));
+        if let Some((key, name)) = found {
+            let quantity = QUANTITIES.iter().position(|quantity| quantity.key == key)?;
+            let dimension = QUANTITIES[quantity].dimension;
+            // vel_e_ms is one in m/s.
+            let unit = if unit == "ms" && dimension == Dimension::Speed { "m/s" } else { unit };
+            let unit = if unit_of(dimension, unit).is_some() { unit } else { "" };
+            return Some(Guess { quantity, unit, sign: if name.starts_with('-') { -1.0 } else { 1.0 } });
+        }
+        let is_before = words.len() > 1 && BEFORE.contains(&words[0]);
+        if !is_before {
+            return None;
+        }
+        words.remove(0);
+    }
+}
+
+/// The words of a name in lower case: they end at marks, and where a capital follows a small letter.
+fn words(name: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut was_small = false;
+    for letter in name.chars() {
+        let begins = letter.is_uppercase() && was_small;
+        if (begins || !letter.is_alphanumeric()) && words.last().is_some_and(|word| !word.is_empty()) {
+            words.push(String::new());
+        }
+        if let (true, Some(word)) = (letter.is_alphanumeric(), words.last_mut()) {
+            word.extend(letter.to_lowercase());
+        }
+        was_small = letter.is_lowercase();
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_say_quantity_unit_and_sign() {
+        for (name, key, unit, sign) in [
+            ("vel_e", "east", "", 1.0),
+            ("VE", "east", "", 1.0),
+            ("GPS Velocity N (m/sec)", "north", "m/s", 1.0),
+            ("/velocities/speed-down-fps", "up", "ft/s", -1.0),
+            ("vel_d_ms", "up", "m/s", -1.0),
+            ("TimeUS", "time", "us", 1.0),
+            ("GndSpd", "speed", "", 1.0),
+            ("AltGPS", "height", "", 1.0),
+            ("altitude_above_seaLevel(feet)", "height", "ft", 1.0),
+            ("Latitude (WGS84 deg)", "latitude", "deg", 1.0),
+            (" compass_heading(degrees)", "heading", "deg", 1.0),
+            ("PLANE LATITUDE", "latitude", "", 1.0),
+            ("vertical_rate", "climb", "", 1.0),
+            ("lat_rad", "latitude", "rad", 1.0),
+            // A unit that is none of the quantity is left out.
+            ("heading_ft", "heading", "", 1.0),
+        ] {
+            let found = guess(name).unwrap();
+            assert_eq!((QUANTITIES[found.quantity].key, found.unit, found.sign), (key, unit, sign), "{name}");
+        }
+        for name in [
+            "",
+            "wind",
+            "deg",
+            "gps",
+            "throttle",
+            "E1 RPM",
+            "wind_speed",
+            "true_airspeed",
+            "Latitude Error",
+            "m/s",
+        ] {
+            assert_eq!(guess(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn every_name_has_its_quantity() {
+        for (key, names) in NAMES {
+            for name in *names {
+                let found = guess(name.trim_start_matches('-')).unwrap();
+                assert_eq!(QUANTITIES[found.quantity].key, *key, "{name}");
+            }
+        }
+    }
+}

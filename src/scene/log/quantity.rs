@@ -1,0 +1,152 @@
+//! The quantities of a log, and the units of its columns.
+
+use crate::base::error::Error;
+use crate::base::units::{DEG, NMI_PER_HOUR, STANDARD_GRAVITY};
+
+/// What a quantity measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dimension {
+    Time,
+    Angle,
+    Length,
+    Speed,
+    AngularRate,
+    Acceleration,
+    Temperature,
+    Number,
+}
+
+/// A quantity of a log.
+#[derive(Debug, Clone, Copy)]
+pub struct Quantity {
+    /// Its key in `[log]`.
+    pub key: &'static str,
+    /// Name of its column in a log of the library's own. An angle may be in degrees: the name then ends in `_deg`. Empty: only `[log]`
+    /// gives the quantity.
+    pub name: &'static str,
+    /// Field of a sample, and index in it.
+    pub field: &'static str,
+    pub index: Option<usize>,
+    pub dimension: Dimension,
+}
+
+const fn quantity(
+    key: &'static str,
+    name: &'static str,
+    field: &'static str,
+    index: Option<usize>,
+    dimension: Dimension,
+) -> Quantity {
+    Quantity { key, name, field, index, dimension }
+}
+
+use Dimension::{Acceleration, Angle, AngularRate, Length, Number, Speed, Temperature, Time};
+
+/// The quantities. Those that a sample has come first.
+pub const QUANTITIES: [Quantity; 29] = [
+    quantity("time", "time_s", "sample.time_s", None, Time),
+    quantity("latitude", "latitude_rad", "sample.latitude_rad", None, Angle),
+    quantity("longitude", "longitude_rad", "sample.longitude_rad", None, Angle),
+    quantity("height", "height_m", "sample.height_m", None, Length),
+    quantity("roll", "roll_rad", "sample.roll_rad", None, Angle),
+    quantity("pitch", "pitch_rad", "sample.pitch_rad", None, Angle),
+    quantity("heading", "heading_rad", "sample.heading_rad", None, Angle),
+    quantity("east", "velocity_east_m_s", "sample.velocity_enu_m_s", Some(0), Speed),
+    quantity("north", "velocity_north_m_s", "sample.velocity_enu_m_s", Some(1), Speed),
+    quantity("up", "velocity_up_m_s", "sample.velocity_enu_m_s", Some(2), Speed),
+    quantity("rate_x", "rate_x_rad_s", "sample.angular_rate_rad_s", Some(0), AngularRate),
+    quantity("rate_y", "rate_y_rad_s", "sample.angular_rate_rad_s", Some(1), AngularRate),
+    quantity("rate_z", "rate_z_rad_s", "sample.angular_rate_rad_s", Some(2), AngularRate),
+    quantity("force_x", "force_x_m_s2", "sample.specific_force_m_s2", Some(0), Acceleration),
+    quantity("force_y", "force_y_m_s2", "sample.specific_force_m_s2", Some(1), Acceleration),
+    quantity("force_z", "force_z_m_s2", "sample.specific_force_m_s2", Some(2), Acceleration),
+    quantity("temperature", "temperature_c", "sample.temperature_c", None, Temperature),
+    quantity("speed", "", "", None, Speed),
+    quantity("track", "", "", None, Angle),
+    quantity("climb", "", "", None, Speed),
+    quantity("forward", "", "", None, Speed),
+    quantity("right", "", "", None, Speed),
+    quantity("down", "", "", None, Speed),
+    quantity("q0", "", "", None, Number),
+    quantity("q1", "", "", None, Number),
+    quantity("q2", "", "", None, Number),
+    quantity("q3", "", "", None, Number),
+    quantity("variation", "", "", None, Angle),
+    quantity("geoid", "", "", None, Length),
+];
+
+/// Number of quantities of a sample.
+pub const OF_SAMPLE: usize = 17;
+
+/// The places of quantities that the readers of rows name.
+pub const ROLL: usize = 4;
+pub const VELOCITY: usize = 7;
+pub const RATE: usize = 10;
+pub const FORCE: usize = 13;
+pub const TEMPERATURE: usize = 16;
+pub const SPEED: usize = 17;
+pub const TRACK: usize = 18;
+pub const FORWARD: usize = 20;
+pub const Q0: usize = 23;
+pub const VARIATION: usize = 27;
+pub const GEOID: usize = 28;
+
+/// The units, and their sizes in SI. The first of a dimension is that of a key of `[log]` that states none.
+const UNITS: [(&str, Dimension, f64); 22] = [
+    ("s", Time, 1.0),
+    ("ms", Time, 1e-3),
+    ("us", Time, 1e-6),
+    ("deg", Angle, DEG),
+    ("rad", Angle, 1.0),
+    ("m", Length, 1.0),
+    ("ft", Length, 0.3048),
+    ("m/s", Speed, 1.0),
+    ("kt", Speed, NMI_PER_HOUR),
+    ("ft/s", Speed, 0.3048),
+    ("ft/min", Speed, 0.3048 / 60.0),
+    ("mph", Speed, 0.44704),
+    ("km/h", Speed, 1.0 / 3.6),
+    ("rad/s", AngularRate, 1.0),
+    ("deg/s", AngularRate, DEG),
+    ("deg", AngularRate, DEG),
+    ("m/s2", Acceleration, 1.0),
+    ("g", Acceleration, STANDARD_GRAVITY),
+    ("ft/s2", Acceleration, 0.3048),
+    ("deg C", Temperature, 1.0),
+    ("C", Temperature, 1.0),
+    ("1", Number, 1.0),
+];
+
+/// A unit of a dimension, and its size in SI; an empty name: the one that a key has which states none. `None`: no such unit.
+pub fn unit_of(dimension: Dimension, name: &str) -> Option<(&'static str, f64)> {
+    let mut of_dimension = UNITS.iter().filter(|(_, its, _)| *its == dimension);
+    of_dimension.find(|(unit, ..)| name.is_empty() || *unit == name).map(|(unit, _, si)| (*unit, *si))
+}
+
+/// The names of the units of a dimension.
+pub fn units_of(dimension: Dimension) -> impl Iterator<Item = &'static str> {
+    UNITS.iter().filter(move |(_, its, _)| *its == dimension).map(|(unit, ..)| *unit)
+}
+
+/// The name of the column of a quantity of a sample.
+pub fn name(quantity: usize) -> &'static str {
+    QUANTITIES[quantity].name
+}
+
+/// The quantity that an error about a sample is about, in the order time, position, attitude, velocity, angular rate, specific force,
+/// temperature.
+pub fn quantity_of(error: &Error) -> Option<usize> {
+    let is_it = |quantity: &Quantity| (quantity.field, quantity.index) == (error.field, error.index);
+    QUANTITIES[..OF_SAMPLE].iter().position(is_it)
+}
+
+/// The name of the column that an error about a sample is about.
+pub fn column_of(error: &Error) -> Option<&'static str> {
+    quantity_of(error).map(name)
+}
+
+/// The name of an angle in degrees. Rates can be given only in radians.
+pub fn in_degrees(quantity: &str) -> Option<String> {
+    let stem = quantity.strip_suffix("_rad")?;
+    Some(format!("{stem}_deg"))
+}

@@ -1,0 +1,108 @@
+//! The smoothed path of a log, as a log.
+
+use super::{FlightLog, LogError, LogMapping, fault};
+use crate::base::memory::room;
+use crate::base::units::DEG;
+use crate::earth::Earth;
+use crate::scene::{Fault, Scene};
+use crate::truth::smooth::{SmoothOptions, Smoothed, SmoothedPart};
+
+/// Most samples of a smoothed log.
+const MOST_SAMPLES: f64 = 1e8;
+
+impl Scene {
+    /// The log in a text, read and repaired as [`Scene::log`] says.
+    pub fn read_log(&self, text: &[u8]) -> Result<FlightLog, LogError> {
+        let log = FlightLog::parse_with(text, &self.log)?;
+        if self.log.smooths() { log.smoothed(&self.options.earth(), &self.log) } else { Ok(log) }
+    }
+}
+
+impl FlightLog {
+    /// The path of [`Smoothed`] through its samples, sampled at [`LogMapping::smooth_rate_hz`]. Its notes say what was done.
+    pub fn smoothed(&self, earth: &Earth, mapping: &LogMapping) -> Result<Self, LogError> {
+        let options = SmoothOptions {
+            position_sigma_m: mapping.position_sigma_m,
+            attitude_sigma_rad: mapping.attitude_sigma_rad,
+            coordinated_attack_rad: mapping.is_coordinated.then_some(mapping.attack_rad),
+        };
+        let smoothed = Smoothed::new(earth, &self.samples, &options).map_err(|error| {
+            let line = error.index.and_then(|index| self.line(index)).unwrap_or_default();
+            fault(line, 1, error.to_string())
+        })?;
+        let [start_s, end_s] = smoothed.span_s();
+        let rate_hz = mapping.smooth_rate_hz;
+        let intervals = (end_s - start_s) * rate_hz;
+        if !(1.0..=MOST_SAMPLES).contains(&intervals) {
+            let sentence = format!(
+                "log.smooth_rate_hz = {rate_hz}: {intervals} samples; must be from 1 to {MOST_SAMPLES:e}"
+            );
+            return Err(fault(0, 1, sentence));
+        }
+        let count = intervals.floor() as usize + 1;
+        let mut samples = room(count).map_err(LogError::Memory)?;
+        let mut lines = room(count).map_err(LogError::Memory)?;
+        let mut row = 0;
+        for k in 0..count {
+            let time_s = (start_s + k as f64 / rate_hz).min(end_s);
+            samples.push(smoothed.sample_at(time_s).map_err(|error| fault(0, 1, error.to_string()))?);
+            while self.samples.get(row + 1).is_some_and(|next| next.time_s <= time_s) {
+                row += 1;
+            }
+            lines.push(self.lines[row]);
+        }
+        let had_velocities = self.samples[0].v_n.is_some();
+        let said = said(&smoothed, had_velocities).into_iter();
+        let said = said.map(|sentence| Fault { sentence, ..Fault::default() });
+        let notes = self.notes.iter().cloned().chain(said).collect();
+        Ok(Self { title: self.title.clone(), samples, lines, notes, mapping: self.mapping.clone() })
+    }
+}
+
+/// What was done, in lines.
+fn said(smoothed: &Smoothed, had_velocities: bool) -> Vec<String> {
+    let thousandths = |value: f64| (value * 1e3).round() / 1e3;
+    let part = |name: &str, part: &SmoothedPart, unit: &str, si: f64| {
+        format!(
+            "{name}: motion above {} Hz is lost; noise {} {unit}; {} outlier{}; largest residual {} {unit} at {} s",
+            thousandths(part.cutoff_hz),
+            digits(part.noise / si),
+            part.outliers,
+            if part.outliers == 1 { "" } else { "s" },
+            digits(part.largest / si),
+            thousandths(part.largest_at_s)
+        )
+    };
+    let mut lines =
+        vec![part("position", &smoothed.position(), "m", 1.0), part("height", &smoothed.height(), "m", 1.0)];
+    if smoothed.is_coordinated {
+        lines.push("attitude: assumed, that of a coordinated flight without wind".to_owned());
+    } else {
+        lines.push(part("attitude", &smoothed.attitude(), "deg", DEG));
+    }
+    if smoothed.left_out > 0 {
+        lines.push(format!(
+            "{} rows are left out: from before the first fix, repeats, or too near to the row before",
+            smoothed.left_out
+        ));
+    }
+    if smoothed.is_steady_clock {
+        lines.push("the time stamps are replaced by those of a steady clock".to_owned());
+    }
+    if had_velocities {
+        lines
+            .push("the velocities of the log are not used: those of the path are its derivatives".to_owned());
+    }
+    lines
+}
+
+/// A number with two significant digits.
+fn digits(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        size if size >= 100.0 => format!("{value:.0}"),
+        size if size >= 1.0 => format!("{value:.1}"),
+        size if size >= 1e-3 => format!("{value:.4}"),
+        _ => format!("{value:.1e}"),
+    }
+}
