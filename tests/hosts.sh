@@ -110,7 +110,7 @@ python() {
         same_figures patrol python
     done
     # A unit with its panel, updates, failures and temperature, a log.
-    for scene in day resets trainer fighter; do
+    for scene in day resets trainer fighter cockpit; do
         target/c_examples/harness "c_examples/scenes/$scene.toml" >"$out/$scene.c"
         "$out/python/fly" "c_examples/scenes/$scene.toml" >"$out/$scene.python"
         same_figures "$scene" python

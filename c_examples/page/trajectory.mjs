@@ -46,6 +46,7 @@ export function trajectory(scene, take_file) {
     const of_flight = (wanted) => scene.keys.filter((key) => key.section === "flight" && wanted(key.name));
     const is_general = (name) => ["title", "hours", "rate_hz", "temperature_c", "temperature_change_c_h"].includes(name);
     const start = group(text("Start of the flight"), fields(scene, of_flight((name) => !is_general(name) && name !== "file" && name !== "builtin")));
+    const table = group(text("Columns of the log"), fields(scene, scene.keys.filter((key) => key.section === "log")));
     const path = group(text("Manoeuvres"), items(scene, "manoeuvre", () => NEW_MANOEUVRE));
     const made = element(
         "div",
@@ -55,12 +56,14 @@ export function trajectory(scene, take_file) {
         fields(scene, of_flight(is_general)),
         start,
         path,
+        table,
     );
     made.refresh = () => {
         const { flight } = sins.scene_get_setup(scene.handle), kind = [MANOEUVRES, BUILTIN, LOG][flight]; // enum sins_scene_flight
         source.selectedIndex = kind;
         rows.forEach((own, k) => (own.hidden = kind !== [BUILTIN, LOG][k]));
         for (const own of [start, path]) own.hidden = kind !== MANOEUVRES;
+        table.hidden = kind !== LOG;
         if (kind === BUILTIN) builtin.value = flight_of(sins, scene.get("flight.builtin"));
         log_name.value = kind === LOG ? scene.get("flight.file") : "";
         refresh_within(made);
