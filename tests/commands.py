@@ -21,7 +21,6 @@ PAGES = [PROJECT / "README.md", *sorted((PROJECT / "docs").glob("*.md"))]
 ELSEWHERE = {
     # what a command prints
     "sins 0.1.0, with scenes, in a program of 32 bits": "tests/loading.sh compares",
-    "sins:SINS_ERROR_TIME_ORDER": "tests/hosts/test_octave.m compares",
     # other tests
     "c_examples/build.sh": "the README's commands run it",
     "c_examples/emulator/build.sh x86_64 OUT": "tests/emulator.sh",
