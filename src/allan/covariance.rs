@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::lags::Pair;
-use super::terms::{NOISES, TERMS, Term};
+use super::terms::{Band, NOISES, TERMS, Term};
 
 /// Quadratic form in the squares of the coefficients.
 pub type Form = SMatrix<f64, TERMS, TERMS>;
@@ -24,12 +24,12 @@ pub struct Covariance {
 
 impl Covariance {
     /// For records of `count` samples with the averaging times `factors`.
-    pub fn new(count: usize, interval_s: f64, factors: &[usize]) -> Self {
+    pub fn new(count: usize, interval_s: f64, factors: &[usize], band: Band) -> Self {
         let size = factors.len();
         let mut forms = vec![Form::zeros(); size * size];
         for (i, &a) in factors.iter().enumerate() {
             for (j, &b) in factors.iter().enumerate().skip(i) {
-                let form = form(Pair { count, a, b }, interval_s);
+                let form = form(Pair { count, a, b }, interval_s, band);
                 forms[i * size + j] = form;
                 forms[j * size + i] = form;
             }
@@ -78,14 +78,14 @@ fn of_differences(pair: &Pair, interval_s: f64, samples: f64, covariance: impl F
 
 /// Covariance of two Allan variances as a quadratic form. The smooth noises enter by their integrals over the lags, the white error
 /// of quantization only at the distances at which its points meet.
-fn form(pair: Pair, interval_s: f64) -> Form {
+fn form(pair: Pair, interval_s: f64, band: Band) -> Form {
     const RAMP: usize = NOISES;
     const QUANTIZATION: usize = 0;
     let taus = pair.a as f64 * pair.b as f64 * interval_s * interval_s;
     let noises = |samples: f64| -> [f64; NOISES] {
         core::array::from_fn(|p| match Term::ALL[p] {
             Term::Quantization => 0.0,
-            term => of_differences(&pair, interval_s, samples, |t| term.covariance(t)),
+            term => of_differences(&pair, interval_s, samples, |t| band.covariance(term, t)),
         })
     };
     let mut form = Form::zeros();
@@ -128,7 +128,7 @@ mod tests {
     fn degrees_of_freedom_are_those_of_sp_1065() {
         let count = 1000;
         let factors = factors(count);
-        let covariance = Covariance::new(count, 1.0, &factors);
+        let covariance = Covariance::new(count, 1.0, &factors, Band::Unlimited);
         let n = count as f64 + 1.0;
         for (i, &factor) in factors.iter().enumerate() {
             let m = factor as f64;
@@ -178,7 +178,7 @@ mod tests {
                 }
             }
             let x = SVector::from(squares);
-            let found = x.dot(&(form(pair, interval_s) * x));
+            let found = x.dot(&(form(pair, interval_s, Band::Unlimited) * x));
             assert!((found / exact - 1.0).abs() < 2e-3, "{a} {b}: {found} {exact}");
         }
     }

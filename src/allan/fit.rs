@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::covariance::{Covariance, Form};
-use super::terms::{TERMS, Term, total};
+use super::terms::{Band, TERMS, Term};
 use crate::base::math::hypot;
 
 type Vector = SVector<f64, TERMS>;
@@ -17,7 +17,13 @@ const LEAST_ERROR: f64 = 0.01;
 /// Coefficients fitted to the Allan variances of one record. Arrays have the order of [`Term::ALL`].
 #[derive(Debug, Clone)]
 pub struct Fit {
-    /// Squares of the coefficients: weighted least squares under the constraint that none is negative.
+    /// The band of its flicker noise.
+    pub band: Band,
+    /// The first averaging time that the fit uses, in [`Estimator::taus_s`](super::Estimator::taus_s). 0: all.
+    pub first: usize,
+    /// Squares of the coefficients: weighted least squares under the constraint that none is negative. If shorter times are left out,
+    /// that of quantization may be: it is then the share of a filter, or of averages, which white noise has at times beyond its memory,
+    /// -c / τ².
     pub squares: [f64; TERMS],
     /// Squares of the coefficients without that constraint: linear in the variances and without bias, but sometimes negative.
     pub free: [f64; TERMS],
@@ -26,10 +32,17 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Fits `variances` at `taus_s` with the weights 1 / var(σ²), where var(σ²) follows from the fit itself and the `covariance` of
+    /// Fits `variances` at `taus_s`, from the time `first` on, with the weights 1 / var(σ²), where var(σ²) follows from the fit itself and the `covariance` of
     /// the record. Variances at the shortest times are known to a thousandth, but no model is as exact. So no variance counts as
     /// known better than to [`LEAST_ERROR`]: otherwise the shortest times would determine the coefficients of the longest.
-    pub(super) fn new(taus_s: &[f64], variances: &[f64], covariance: &Covariance) -> Self {
+    pub(super) fn new(
+        taus_s: &[f64],
+        variances: &[f64],
+        covariance: &Covariance,
+        band: Band,
+        first: usize,
+    ) -> Self {
+        let (taus_s, variances) = (&taus_s[first..], &variances[first..]);
         // To begin with, the relative errors of independent pieces of the record.
         let longest = taus_s.last().copied().unwrap_or(1.0);
         let mut deviations: Vec<f64> = taus_s
@@ -37,31 +50,47 @@ impl Fit {
             .zip(variances)
             .map(|(tau, v)| v * (tau / longest).sqrt().max(LEAST_ERROR))
             .collect();
-        let mut squares = Equations::new(taus_s, variances, &deviations).constrained();
+        let mut squares = Equations::new(taus_s, variances, &deviations, band).constrained(first > 0);
         for _ in 0..ROUNDS {
             for (i, deviation) in deviations.iter_mut().enumerate() {
-                *deviation = hypot(covariance.variance(i, &squares).sqrt(), LEAST_ERROR * variances[i]);
+                let variance = covariance.variance(first + i, &noises(&squares));
+                *deviation = hypot(variance.sqrt(), LEAST_ERROR * variances[i]);
             }
-            squares = Equations::new(taus_s, variances, &deviations).constrained();
+            squares = Equations::new(taus_s, variances, &deviations, band).constrained(first > 0);
         }
-        let gains = Equations::new(taus_s, variances, &deviations).gains();
+        let gains = Equations::new(taus_s, variances, &deviations, band).gains();
         let free = gains.iter().zip(variances).map(|(gain, variance)| gain * *variance).sum::<Vector>();
-        Self { squares, free: free.into(), spread: spread(&gains, covariance) }
+        Self { band, first, squares, free: free.into(), spread: spread(&gains, covariance, first) }
     }
 
     /// σ²(τ) of the fit at the averaging time `tau_s` [s].
     pub fn variance(&self, tau_s: f64) -> f64 {
-        total(&self.squares, tau_s)
+        self.band.total(&self.squares, tau_s)
+    }
+
+    /// Squares of the coefficients of the noises: none is negative.
+    pub(super) fn noises(&self) -> [f64; TERMS] {
+        noises(&self.squares)
+    }
+
+    /// Variance of each of `free`, for the noises of the fit.
+    pub(super) fn variances_of_free(&self) -> [f64; TERMS] {
+        let squares = Vector::from(self.noises());
+        core::array::from_fn(|term| squares.dot(&(self.spread[term] * squares)))
     }
 }
 
-/// Variance of each coefficient: Σ g g' cov(σ², σ²') over all pairs of averaging times, where g are its gains.
-fn spread(gains: &[Vector], covariance: &Covariance) -> [Form; TERMS] {
+fn noises(squares: &[f64; TERMS]) -> [f64; TERMS] {
+    squares.map(|square| square.max(0.0))
+}
+
+/// Variance of each coefficient: Σ g g' cov(σ², σ²') over all pairs of averaging times from `first` on, where g are its gains.
+fn spread(gains: &[Vector], covariance: &Covariance, first: usize) -> [Form; TERMS] {
     let mut spread = [Form::zeros(); TERMS];
     for i in 0..gains.len() {
         for j in 0..gains.len() {
             for (p, form) in spread.iter_mut().enumerate() {
-                *form += covariance.form(i, j) * (gains[i][p] * gains[j][p]);
+                *form += covariance.form(first + i, first + j) * (gains[i][p] * gains[j][p]);
             }
         }
     }
@@ -79,9 +108,10 @@ struct Equations {
 }
 
 impl Equations {
-    fn new(taus_s: &[f64], variances: &[f64], deviations: &[f64]) -> Self {
-        let row =
-            |(tau_s, deviation): (&f64, &f64)| Vector::from(Term::ALL.map(|t| t.shape(*tau_s) / deviation));
+    fn new(taus_s: &[f64], variances: &[f64], deviations: &[f64], band: Band) -> Self {
+        let row = |(tau_s, deviation): (&f64, &f64)| {
+            Vector::from(Term::ALL.map(|t| band.shape(t, *tau_s) / deviation))
+        };
         let mut rows: Vec<Vector> = taus_s.iter().zip(deviations).map(row).collect();
         let scale = rows.iter().map(|row| row.component_mul(row)).sum::<Vector>().map(f64::sqrt);
         rows.iter_mut().for_each(|row| row.component_div_assign(&scale));
@@ -91,12 +121,13 @@ impl Equations {
         Self { rows, scale, normal, right, deviations: deviations.to_vec() }
     }
 
-    /// The solution with the least squares among the solutions with the 31 sets of terms that have no negative coefficient.
-    fn constrained(&self) -> [f64; TERMS] {
+    /// The solution with the least squares among the solutions with the 31 sets of terms that have no negative coefficient, except
+    /// that of quantization if `is_filtered`.
+    fn constrained(&self, is_filtered: bool) -> [f64; TERMS] {
         let candidates = (1..1_usize << TERMS).filter_map(|set| self.solved(set));
         // The sum of squared residuals is the sum without any term, less the inner product with the right side.
         let best = candidates
-            .filter(|x| x.min() >= 0.0)
+            .filter(|x| x.iter().skip(usize::from(is_filtered)).all(|square| *square >= 0.0))
             .max_by(|a, b| a.dot(&self.right).total_cmp(&b.dot(&self.right)));
         best.unwrap_or_else(Vector::zeros).component_div(&self.scale).into()
     }
@@ -128,6 +159,7 @@ impl Equations {
 #[cfg(test)]
 mod tests {
     use super::super::deviation::factors;
+    use super::super::terms::total;
     use super::*;
 
     fn fitted(squares: [f64; TERMS]) -> Fit {
@@ -135,7 +167,8 @@ mod tests {
         let factors = factors(count);
         let taus_s: Vec<f64> = factors.iter().map(|factor| *factor as f64 * interval_s).collect();
         let variances: Vec<f64> = taus_s.iter().map(|tau_s| total(&squares, *tau_s)).collect();
-        Fit::new(&taus_s, &variances, &Covariance::new(count, interval_s, &factors))
+        let covariance = Covariance::new(count, interval_s, &factors, Band::Unlimited);
+        Fit::new(&taus_s, &variances, &covariance, Band::Unlimited, 0)
     }
 
     #[test]

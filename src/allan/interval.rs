@@ -5,7 +5,7 @@ use nalgebra::SVector;
 
 use super::covariance::Covariance;
 use super::fit::Fit;
-use super::terms::{TERMS, Term, total};
+use super::terms::{TERMS, Term};
 use crate::base::math::{chi_square_quantile, normal_quantile};
 
 /// Values from `low` to `high`.
@@ -50,10 +50,10 @@ impl Interval {
 pub fn degrees_of_freedom(fit: &Fit, covariance: &Covariance, i: usize, tau_s: f64) -> f64 {
     const WALK: usize = 3;
     const RAMP: usize = 4;
-    let mut squares = fit.squares;
+    let mut squares = fit.noises();
     squares[WALK] += squares[RAMP] * Term::Ramp.shape(tau_s) / Term::RateRandomWalk.shape(tau_s);
     squares[RAMP] = 0.0;
-    let variance = total(&squares, tau_s);
+    let variance = fit.band.total(&squares, tau_s);
     2.0 * (variance * variance) / covariance.variance(i, &squares)
 }
 
@@ -67,7 +67,7 @@ pub fn degrees_of_freedom(fit: &Fit, covariance: &Covariance, i: usize, tau_s: f
 fn of_free_square(fit: &Fit, term: usize, (low, high): (f64, f64)) -> Interval {
     let found = fit.free[term].max(0.0);
     let quantile = |square: f64, probability: f64| {
-        let mut squares = SVector::<f64, TERMS>::from(fit.squares);
+        let mut squares = SVector::<f64, TERMS>::from(fit.noises());
         squares[term] = square;
         let form = &fit.spread[term];
         let variance = squares.dot(&(form * squares));
@@ -89,17 +89,19 @@ fn of_free_square(fit: &Fit, term: usize, (low, high): (f64, f64)) -> Interval {
 }
 
 /// Interval of the square of coefficient `term`. Its upper end is the lower of two: the upper end of the fit, and the largest
-/// square with which this term alone makes no more than the whole variance, at the averaging time where that bound is closest. The
+/// square with which this term alone makes no more than the whole variance (if the fit has all times), at the averaging time where that bound is closest. The
 /// fit chooses this time, because the lowest of the measured variances would be too low. Each of the two ends is exceeded with a
 /// quarter of the probability left out, so both together with at most half of it.
 pub fn of_square(fit: &Fit, term: usize, points: &[Point], confidence: f64) -> Interval {
     let left_out = 1.0 - confidence;
     let bound = |point: &Point, variance: f64| {
         let lowest = chi_square_quantile(0.25 * left_out, point.degrees);
-        variance * point.degrees / lowest / Term::ALL[term].shape(point.tau_s)
+        variance * point.degrees / lowest / fit.band.shape(Term::ALL[term], point.tau_s)
     };
     let expected = |point: &Point| bound(point, fit.variance(point.tau_s));
-    let closest = points.iter().min_by(|a, b| expected(a).total_cmp(&expected(b)));
+    // A filter takes away from the variance, by an amount that is not known as well: then there is no such bound.
+    let bounding = if fit.first == 0 { points } else { &[] };
+    let closest = bounding.iter().min_by(|a, b| expected(a).total_cmp(&expected(b)));
     let bound = closest.map_or(f64::INFINITY, |point| bound(point, point.variance));
     let free = of_free_square(fit, term, (0.25 * left_out, 1.0 - 0.5 * left_out));
     // The constrained fit is the reported one: the interval contains it.

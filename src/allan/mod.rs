@@ -5,13 +5,14 @@
 //! \[(m/s²)²\]. It then fits the coefficients of the five [`Term`]s of IEEE Std 952-1997, annex C, to them. Variances and
 //! coefficients have confidence intervals, for Gaussian noise.
 //!
-//! The data flow is `deviation` → `terms`, `lags`, `covariance` → `fit` → `interval`.
+//! The data flow is `deviation` → `terms`, `lags`, `covariance` → `fit` → `explained` → `interval`.
 //!
 //! Sources: IEEE Std 952-1997, annex C; Riley, *Handbook of Frequency Stability Analysis*, NIST SP 1065, 2008; Greenhall and
 //! Riley, "Uncertainty of Stability Variances Based on Finite Differences", PTTI 2003.
 
 mod covariance;
 mod deviation;
+mod explained;
 mod fit;
 mod interval;
 mod lags;
@@ -20,7 +21,9 @@ mod terms;
 pub use deviation::FEWEST_SAMPLES;
 pub use fit::Fit;
 pub use interval::{Interval, Point};
-pub use terms::{TERMS, Term, total};
+pub use terms::{Band, TERMS, Term, total};
+
+use std::sync::OnceLock;
 
 use crate::base::error::{Error, Rule, check_range, check_ranges};
 use covariance::Covariance;
@@ -39,6 +42,8 @@ pub struct Estimator {
     factors: Vec<usize>,
     taus_s: Vec<f64>,
     covariance: Covariance,
+    /// The same with flicker noise of the limited band, once a record asks for it.
+    limited: OnceLock<Covariance>,
 }
 
 /// Allan variances of one record, and the coefficients that explain them.
@@ -48,6 +53,11 @@ pub struct Estimate {
     pub points: Vec<Point>,
     /// Coefficients whose terms add up to the variances.
     pub fit: Fit,
+    /// Whether they explain the variances from [`Fit::first`] on. If not, the record has more than the five noises, and the intervals
+    /// of the coefficients do not hold.
+    pub is_explained: bool,
+    /// Another fit that explains as many variances, with flicker noise of another band. The intervals hold for both.
+    pub other: Option<Fit>,
 }
 
 impl Estimator {
@@ -60,8 +70,8 @@ impl Estimator {
         check_range("interval_s", interval_s, 1e-9, 1e9)?;
         let factors = factors(count);
         let taus_s = factors.iter().map(|factor| *factor as f64 * interval_s).collect();
-        let covariance = Covariance::new(count, interval_s, &factors);
-        Ok(Self { count, interval_s, factors, taus_s, covariance })
+        let covariance = Covariance::new(count, interval_s, &factors, Band::Unlimited);
+        Ok(Self { count, interval_s, factors, taus_s, covariance, limited: OnceLock::new() })
     }
 
     /// Averaging times τ \[s\], shortest first: three in each octave, from one interval to a ninth of the record.
@@ -103,13 +113,24 @@ impl Estimator {
             let rule = Rule::Sentence("expected noise: a variance must be from 1e-70 to 1e70");
             return Err(Error::invalid("Allan variance", *variance, rule));
         }
-        let fit = Fit::new(&self.taus_s, &variances, &self.covariance);
+        Ok(self.explained(&variances))
+    }
+
+    fn covariance(&self, band: Band) -> &Covariance {
+        let limited = || Covariance::new(self.count, self.interval_s, &self.factors, band);
+        match band {
+            Band::Unlimited => &self.covariance,
+            Band::Limited => self.limited.get_or_init(limited),
+        }
+    }
+
+    /// The variances with the degrees of freedom that they have by a fit.
+    fn points(&self, variances: &[f64], fit: &Fit) -> Vec<Point> {
         let point = |(i, (&tau_s, &variance)): (usize, (&f64, &f64))| {
-            let degrees = interval::degrees_of_freedom(&fit, &self.covariance, i, tau_s);
+            let degrees = interval::degrees_of_freedom(fit, self.covariance(fit.band), i, tau_s);
             Point { tau_s, variance, degrees }
         };
-        let points = self.taus_s.iter().zip(&variances).enumerate().map(point).collect();
-        Ok(Estimate { points, fit })
+        self.taus_s.iter().zip(variances).enumerate().map(point).collect()
     }
 
     /// Equivalent degrees of freedom 2 σ⁴ / var(σ²) at the averaging time `taus_s()[i]`, for Gaussian noise that is none of the
@@ -122,8 +143,14 @@ impl Estimator {
 }
 
 impl Estimate {
-    /// Interval that holds the square of the coefficient of `term` with the probability `confidence`, between 0 and 1.
+    /// Interval that holds the square of the coefficient of `term` with the probability `confidence`, between 0 and 1, if the fit
+    /// explains the variances. Of quantization, which shows in the shortest times only, if these are in the fit.
     pub fn interval(&self, term: Term, confidence: f64) -> Interval {
-        interval::of_square(&self.fit, term as usize, &self.points, confidence)
+        let of = |fit: &Fit| interval::of_square(fit, term as usize, &self.points, confidence);
+        let own = of(&self.fit);
+        self.other.as_ref().map_or(own, |other| {
+            let other = of(other);
+            Interval { low: own.low.min(other.low), high: own.high.max(other.high) }
+        })
     }
 }

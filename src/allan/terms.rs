@@ -2,7 +2,8 @@
 
 use core::f64::consts::{LN_2, PI};
 
-use crate::base::math::ln;
+use crate::base::math::{exp, ln};
+use crate::sensors::FLICKER_PROCESSES;
 
 /// Term of the Allan variance: the square of its coefficient times [`Term::shape`] is its share of σ²(τ) (IEEE Std 952-1997,
 /// annex C). With u as the unit of the rate, \[rad/s\] or \[m/s²\]:
@@ -66,6 +67,52 @@ impl Term {
             Self::RateRandomWalk => t * t * t / 12.0,
             Self::Ramp => 0.0,
         }
+    }
+}
+
+/// Where the spectrum of flicker noise ends, at high frequencies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Band {
+    /// Nowhere.
+    Unlimited,
+    /// As the sensors of this library make it ([`Term::Flicker`] from 2 s on): white below 1 s.
+    Limited,
+}
+
+impl Band {
+    /// [`Term::shape`] with flicker noise of this band.
+    pub fn shape(self, term: Term, tau_s: f64) -> f64 {
+        let markov = |(time_s, deviation): (f64, f64)| {
+            let x = tau_s / time_s;
+            let unit = if x < 1e-3 {
+                x * (2.0 / 3.0 - x * (0.5 - x * 7.0 / 30.0))
+            } else {
+                2.0 / x * (1.0 - (3.0 - 4.0 * exp(-x) + exp(-2.0 * x)) / (2.0 * x))
+            };
+            deviation * deviation * unit
+        };
+        match (self, term) {
+            (Self::Limited, Term::Flicker) => FLICKER_PROCESSES.into_iter().map(markov).sum(),
+            _ => term.shape(tau_s),
+        }
+    }
+
+    /// [`Term::covariance`] with flicker noise of this band.
+    pub fn covariance(self, term: Term, t_s: f64) -> f64 {
+        let markov = |(time_s, deviation): (f64, f64)| {
+            let u = t_s.abs() / time_s;
+            let unit = if u < 1e-3 { u * u * (0.5 - u * (1.0 / 6.0 - u / 24.0)) } else { u - 1.0 + exp(-u) };
+            -(deviation * deviation) * (time_s * time_s) * unit
+        };
+        match (self, term) {
+            (Self::Limited, Term::Flicker) => FLICKER_PROCESSES.into_iter().map(markov).sum(),
+            _ => term.covariance(t_s),
+        }
+    }
+
+    /// [`total`] with flicker noise of this band.
+    pub fn total(self, squares: &[f64; TERMS], tau_s: f64) -> f64 {
+        Term::ALL.iter().zip(squares).map(|(term, square)| square * self.shape(*term, tau_s)).sum()
     }
 }
 

@@ -1,7 +1,6 @@
 //! Results of one column: deviations, coefficients, and whether the coefficients explain the deviations.
 
 use sins::allan::{Estimator, Fit, Interval, Point, TERMS, Term};
-use sins::math::chi_square_quantile;
 
 use super::log::{Log, Series};
 use super::quantity::Sensor;
@@ -13,11 +12,6 @@ use crate::units::significant;
 
 /// Confidence of all intervals.
 pub const CONFIDENCE: f64 = 0.95;
-
-/// The fit does not explain a deviation if both conditions hold: chance alone makes such a difference once in ten thousand cases,
-/// and the ratio of deviation and fit is large enough to be seen in the curve.
-const CERTAIN: f64 = 0.9999;
-const VISIBLE: f64 = 1.05;
 
 /// A deviation [rad/s] or [m/s²].
 #[derive(Debug, Clone, Copy)]
@@ -36,19 +30,21 @@ pub struct Estimate {
 pub struct Coefficient {
     pub term: Term,
     pub value: f64,
-    pub interval: Interval,
+    /// Its interval; `None`: the fit does not explain the curve, so no interval would hold. Without an upper end: the record does not show
+    /// the coefficient.
+    pub interval: Option<Interval>,
 }
 
 impl Coefficient {
     /// Whether the record shows that the coefficient is not zero.
     pub fn is_resolved(&self) -> bool {
-        self.interval.low > 0.0 && !self.is_at_bound()
+        self.interval.is_some_and(|interval| interval.low > 0.0) && !self.is_at_bound()
     }
 
     /// Whether the estimate is the upper end of its own interval and the lower end is far below. Such an estimate results from the
     /// constraint of the fit and is not a finding. An estimate at the upper end of a short interval is a finding.
     pub fn is_at_bound(&self) -> bool {
-        let Interval { low, high } = self.interval;
+        let Some(Interval { low, high }) = self.interval else { return false };
         self.value > 0.0 && self.value >= high && low < 0.5 * self.value
     }
 }
@@ -60,12 +56,22 @@ pub struct Analysis {
     pub estimates: Vec<Estimate>,
     pub coefficients: [Coefficient; TERMS],
     pub fit: Fit,
+    /// The first averaging time of the fit [s], if shorter ones are left out.
+    pub from_s: Option<f64>,
+    /// Whether the fit explains the deviations from there on.
+    pub is_explained: bool,
+    /// Among the deviations that the fit does not explain, the place of that with the largest ratio to it.
+    missed: Option<usize>,
+    /// How often a value is that of the row before, as a part of all rows.
+    pub repeats: f64,
 }
 
 impl Analysis {
     /// Results of all columns of a log.
     pub fn of_log(log: &Log) -> Result<Vec<Self>, Failure> {
-        log.series.iter().try_for_each(|series| at_rest(series, log.interval_s))?;
+        if !log.is_still {
+            log.series.iter().try_for_each(|series| at_rest(series, log.interval_s))?;
+        }
         let progress = Progress::counting("analysing", 1 + log.series.len());
         let estimator = Estimator::new(log.count(), log.interval_s)?;
         progress.count();
@@ -88,47 +94,60 @@ impl Analysis {
         let found = estimator
             .estimate(&series.increments)
             .map_err(|error| Failure::new(format!("column \"{}\": {error}", series.name)))?;
-        let coefficients = Term::ALL.map(|term| Coefficient {
-            term,
-            value: found.fit.squares[term as usize].sqrt(),
-            interval: root(found.interval(term, CONFIDENCE)),
+        let from = found.fit.first;
+        let coefficients = Term::ALL.map(|term| {
+            if term == Term::Quantization && from > 0 {
+                let interval = Some(Interval { low: 0.0, high: f64::INFINITY });
+                return Coefficient { term, value: 0.0, interval };
+            }
+            let interval = found.is_explained.then(|| root(found.interval(term, CONFIDENCE)));
+            Coefficient { term, value: found.fit.squares[term as usize].max(0.0).sqrt(), interval }
         });
-        let estimates = found.points.iter().map(|point| estimate(point, &found.fit)).collect();
-        let (name, sensor) = (series.name.clone(), series.sensor);
-        Ok(Self { name, sensor, estimates, coefficients, fit: found.fit })
+        let values = &series.increments;
+        let repeated = values.windows(2).filter(|two| two[0] == two[1]).count();
+        Ok(Self {
+            name: series.name.clone(),
+            sensor: series.sensor,
+            estimates: found.points.iter().map(|point| estimate(point, &found.fit)).collect(),
+            coefficients,
+            from_s: (from > 0).then(|| found.points[from].tau_s),
+            is_explained: found.is_explained,
+            missed: found.unexplained(),
+            repeats: repeated as f64 / values.len() as f64,
+            fit: found.fit,
+        })
     }
 
-    /// Among the deviations that the fit does not explain, the one with the largest ratio to the fit. If there is one, the record
-    /// contains more than the five terms.
+    /// Among the deviations that the fit does not explain, the one with the largest ratio to it.
     pub fn unexplained(&self) -> Option<&Estimate> {
-        let ratio = |estimate: &&Estimate| (estimate.deviation / estimate.fitted).ln().abs();
-        let missed = self.estimates.iter().filter(|estimate| {
-            let sum = estimate.degrees * (estimate.deviation / estimate.fitted).powi(2);
-            let end = |probability: f64| chi_square_quantile(probability, estimate.degrees);
-            let usual = Interval { low: end(0.5 - 0.5 * CERTAIN), high: end(0.5 + 0.5 * CERTAIN) };
-            !usual.contains(sum) && ratio(estimate) > VISIBLE.ln()
-        });
-        missed.max_by(|a, b| ratio(a).total_cmp(&ratio(b)))
+        self.missed.map(|place| &self.estimates[place])
     }
 }
 
-/// Rejects a column whose means over a second change as those of no sensor at rest do.
+/// The largest range of normal numbers over their standard deviation, of as many as a record of a year has seconds.
+const RANGE: f64 = 12.0;
+
+/// Rejects a column whose means over a second change as those of no sensor at rest do: by more than the limit, and more than noise of the
+/// size of their changes from second to second.
 fn at_rest(series: &Series, interval_s: f64) -> Result<(), Failure> {
     let block = ((1.0 / interval_s).round() as usize).max(1);
-    let means = series.increments.chunks_exact(block).map(|values| mean(values) / interval_s);
-    let (low, high) =
-        means.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), mean| (mean.min(low), mean.max(high)));
+    let means: Vec<f64> =
+        series.increments.chunks_exact(block).map(|values| mean(values) / interval_s).collect();
+    let ends = |(low, high): (f64, f64), mean: &f64| (mean.min(low), mean.max(high));
+    let (low, high) = means.iter().fold((f64::INFINITY, f64::NEG_INFINITY), ends);
+    let steps: Vec<f64> = means.windows(2).map(|two| (two[1] - two[0]).powi(2) / 2.0).collect();
+    let noise = if steps.is_empty() { 0.0 } else { mean(&steps).sqrt() };
     let (limit, si, unit) = match series.sensor {
         Sensor::Gyro => (1.0, 1f64.to_radians(), "deg/s"),
         Sensor::Accelerometer => (0.5, 1.0, "m/s2"),
     };
     let change = (high - low) / si;
-    if change <= limit {
+    if change <= limit || high - low <= RANGE * noise {
         return Ok(());
     }
     Err(Failure::new(format!(
         "column \"{}\": the means over a second change by {} {unit}, so the record is in motion; noise coefficients need a \
-         record of a sensor at rest (limit {limit} {unit})",
+         record of a sensor at rest (limit {limit} {unit}; --still: it is at rest)",
         series.name,
         significant(change)
     )))
@@ -140,7 +159,7 @@ fn estimate(point: &Point, fit: &Fit) -> Estimate {
         deviation: point.variance.sqrt(),
         interval: root(point.interval(CONFIDENCE)),
         degrees: point.degrees,
-        fitted: fit.variance(point.tau_s).sqrt(),
+        fitted: fit.variance(point.tau_s).max(0.0).sqrt(),
     }
 }
 
@@ -164,7 +183,7 @@ pub mod tests {
             .map(|k| 1e-6 * ((0..12).map(|_| uniform()).sum::<f64>() + sinusoid * (k as f64 / 30.0).sin()))
             .collect();
         let series = vec![Series { name: "w<x>_rad".into(), sensor: Sensor::Gyro, increments }];
-        Log { name: "made.csv".into(), interval_s: 0.01, series }
+        Log { name: "made.csv".into(), interval_s: 0.01, series, is_counted: false, is_still: false }
     }
 
     #[test]
@@ -172,10 +191,11 @@ pub mod tests {
         let analysis = &Analysis::of_log(&made(20_000, 0.0)).unwrap()[0];
         let [q, n, b, k, r] = analysis.coefficients;
         // Twelve uniform numbers have a variance of 1: N is 1e-6 / √0.01.
-        assert!(n.is_resolved() && n.interval.contains(1e-5), "{n:?}");
-        assert!(n.interval.contains(n.value) && n.interval.high < 1.1 * n.interval.low, "{n:?}");
+        let interval = n.interval.unwrap();
+        assert!(n.is_resolved() && interval.contains(1e-5), "{n:?}");
+        assert!(interval.contains(n.value) && interval.high < 1.1 * interval.low, "{n:?}");
         for absent in [q, b, k, r] {
-            assert!(!absent.is_resolved() && absent.interval.high > 0.0, "{absent:?}");
+            assert!(!absent.is_resolved() && absent.interval.unwrap().high > 0.0, "{absent:?}");
         }
         assert!(analysis.unexplained().is_none());
     }
@@ -183,7 +203,9 @@ pub mod tests {
     #[test]
     fn a_sinusoid_is_not_explained() {
         let log = made(20_000, 2.0);
-        assert!(Analysis::of_log(&log).unwrap()[0].unexplained().is_some());
+        let analysis = &Analysis::of_log(&log).unwrap()[0];
+        assert!(!analysis.is_explained && analysis.unexplained().is_some());
+        assert!(analysis.coefficients.iter().all(|coefficient| coefficient.interval.is_none()));
     }
 
     #[test]

@@ -13,7 +13,13 @@ use crate::places::beside;
 /// The unit of a column is the end of its name. Angular rates: _rad_s, _deg_s, _deg_h; angles over an interval: _rad, _deg, _arcsec;
 /// specific forces: _m_s2, _g, _mg, _ug; velocities over an interval: _m_s. Without --columns, the command reads all rates and
 /// forces, and the angles and velocities whose name contains "increment" or "delta". Time stamps are in the column time_s, time_ms,
-/// time_us or time_ns. A record in motion is rejected: the mean of a column over a second may change by 1 deg/s or 0.5 m/s2. Each step must differ from the mean step by less than half of it: a log with a gap is rejected.
+/// time_us or time_ns. A record in motion is rejected: the mean of a column over a second may change by 1 deg/s or 0.5 m/s2, or by what noise
+/// of the size of its changes from second to second explains. Each step must differ from the mean step by less than half of it: a log with
+/// a gap is rejected, unless --rate counts its rows.
+///
+/// Neighbouring values of many records depend on each other: behind a low-pass, by averaging, or because a slow sensor's values are repeated.
+/// The averaging times that this reaches are left out of the fit, and named. If the coefficients do not explain the curve, they have no
+/// intervals.
 #[derive(Debug, PartialEq, clap::Args)]
 pub struct Order {
     /// A log that `sins fly --imu` wrote, or one of your own
@@ -25,9 +31,13 @@ pub struct Order {
     /// Also writes averaging times and deviations into this file, and the coefficients into POINTS_fit.csv
     #[arg(long = "csv", value_name = "POINTS.csv")]
     pub points: Option<PathBuf>,
-    /// Samples per second; needed if the log has no time stamps, otherwise replaces their mean rate
+    /// Samples per second; needed if the log has no time stamps. Stamps of a log that has them are not used then: each row is the next
+    /// sample
     #[arg(long = "rate", value_name = "HZ", value_parser = rate)]
     pub rate_hz: Option<f64>,
+    /// Takes the sensor to be at rest, whatever its record looks like
+    #[arg(long)]
+    pub still: bool,
     /// Reads only these columns, separated by commas. If a name does not end with a unit, add it: wx:deg_s
     #[arg(long, value_name = "NAME[:UNIT]", value_delimiter = ',', value_parser = wanted)]
     pub columns: Vec<Wanted>,

@@ -53,13 +53,15 @@ pub fn drawing(analysis: &Analysis) -> Drawing {
     let (left, right) = (measured[0].0, measured[measured.len() - 1].0);
     let mut traces = vec![Trace::new(Pen::Band, band)];
     let mut notes = Vec::new();
+    // Nothing is known of the terms at times that are left out.
+    let from = analysis.from_s.map_or(left, f64::log10);
     for coefficient in analysis.coefficients.iter().filter(|coefficient| coefficient.is_resolved()) {
-        let line = asymptote(analysis, coefficient, (left, right), bottom + LABEL / HEIGHT * (top - bottom));
+        let line = asymptote(analysis, coefficient, (from, right), bottom + LABEL / HEIGHT * (top - bottom));
         notes.extend(label(analysis, coefficient, &line, (left, right)));
         traces.push(Trace::new(Pen::Asymptote, line));
     }
     let fitted = |place: f64| (place, (analysis.fit.variance(10f64.powf(place)).sqrt() / unit.si).log10());
-    let fit: Points = places((left, right)).map(fitted).collect();
+    let fit: Points = places((from, right)).map(fitted).collect();
     traces.extend(within(&fit, (bottom, top)).map(|part| Trace::new(Pen::Fit, part.to_vec())));
     traces.push(Trace::new(Pen::Computed, measured));
     let caption = format!("Allan deviation [{}]", unit.name);

@@ -30,6 +30,10 @@ pub struct Log {
     pub name: String,
     pub interval_s: f64,
     pub series: Vec<Series>,
+    /// Whether the rate is that of --rate, and not that of the time stamps of the log.
+    pub is_counted: bool,
+    /// Whether the user says that the sensor is at rest.
+    pub is_still: bool,
 }
 
 impl Log {
@@ -67,7 +71,9 @@ impl Log {
             Ok(Series { name, sensor: quantity.sensor, increments })
         });
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        Ok(Self { name, interval_s, series: series.collect::<Result<_, Failure>>()? })
+        let series = series.collect::<Result<_, Failure>>()?;
+        let is_counted = order.rate_hz.is_some() && time.is_some();
+        Ok(Self { name, interval_s, series, is_counted, is_still: order.still })
     }
 
     pub fn count(&self) -> usize {
@@ -79,35 +85,32 @@ impl Log {
     }
 }
 
-/// The interval of --rate, or the mean step of the stamps; rejects stamps that are not at equal steps.
+/// The interval of --rate, which counts rows, or the mean step of the stamps; rejects stamps that are not at equal steps.
 fn interval(
     path: &Path,
     table: &mut Table,
     time: Option<(&str, f64)>,
     rate_hz: Option<f64>,
 ) -> Result<f64, Failure> {
+    if let Some(rate_hz) = rate_hz {
+        return Ok(1.0 / rate_hz);
+    }
     let Some((name, unit)) = time else {
-        let missing = || {
-            let what = format!(
-                "expected a column \"time_s\" in the header, or --rate; the header has {}",
-                table.header()
-            );
-            Failure::of_line(path, 1, &what)
-        };
-        return rate_hz.map(|rate_hz| 1.0 / rate_hz).ok_or_else(missing);
+        let header = table.header();
+        let what = format!("expected a column \"time_s\" in the header, or --rate; the header has {header}");
+        return Err(Failure::of_line(path, 1, &what));
     };
     let stamps = table.take(name)?;
     let steps: Vec<f64> = stamps.windows(2).map(|pair| (pair[1] - pair[0]) * unit).collect();
-    let usual = rate_hz.map_or_else(|| usual(&steps), |rate_hz| 1.0 / rate_hz);
+    let usual = usual(&steps);
     if let Some(row) = steps.iter().position(|step| (step - usual).abs() >= JITTER * usual) {
         let what = format!(
-            "column {name}: expected a step of about {usual:.6} s, found {:.6} s; an Allan deviation needs equal steps",
+            "column {name}: expected a step of about {usual:.6} s, found {:.6} s; an Allan deviation needs equal steps (--rate: counts rows)",
             steps[row]
         );
         return Err(Failure::of_line(path, table.line(row + 1), &what));
     }
-    let mean = (stamps[stamps.len() - 1] - stamps[0]) * unit / steps.len() as f64;
-    Ok(if rate_hz.is_some() { usual } else { mean })
+    Ok((stamps[stamps.len() - 1] - stamps[0]) * unit / steps.len() as f64)
 }
 
 /// The mean step without gaps. Not the median: stamps with few digits have steps of two lengths, and the median is one of the two.
@@ -125,7 +128,7 @@ pub mod tests {
 
     fn order(rate_hz: Option<f64>) -> Order {
         let (log, output) = ("log.csv".into(), Some("out.svg".into()));
-        Order { log, output, points: None, rate_hz, columns: Vec::new(), force: false }
+        Order { log, output, points: None, rate_hz, still: false, columns: Vec::new(), force: false }
     }
 
     /// Reads a log with the rows `time(k)`, k.
@@ -156,12 +159,17 @@ pub mod tests {
         let stamps = |k: u32| format!("{:.3}", f64::from(k) * 0.0025);
         let log = read("time_s,a_g", None, stamps).unwrap();
         assert!((log.interval_s - 0.0025).abs() < 1e-5);
-        for (late, rate_hz) in [(1, None), (1, Some(100.0)), (-1, None)] {
+        for late in [1, -1] {
             let gap = |k: u32| format!("{:.2}", f64::from(k as i32 + if k < 30 { 0 } else { late }) * 0.01);
-            let failure = read("time_s,a_g", rate_hz, gap).err().unwrap();
-            assert!(failure.starts_with("log.csv:32: column time_s"), "{failure}");
+            let failure = read("time_s,a_g", None, gap).err().unwrap();
+            assert!(
+                failure.starts_with("log.csv:32: column time_s") && failure.contains("--rate"),
+                "{failure}"
+            );
+            // --rate believes the count.
+            let log = read("time_s,a_g", Some(100.0), gap).unwrap();
+            assert!((log.interval_s, log.count(), log.is_counted) == (0.01, 60, true));
         }
-        assert!(read("time_s,a_g", Some(200.0), |k| format!("{:.2}", f64::from(k) * 0.01)).is_err());
     }
 
     #[test]

@@ -25,12 +25,14 @@ pub fn points(analyses: &[Analysis]) -> Result<String, Failure> {
     text(&POINTS, rows)
 }
 
-/// A row for each column and term; a coefficient whose low end is 0 is not resolved.
+/// A row for each column and term; a coefficient whose low end is 0 is not resolved. An end that the record does not show is empty.
 pub fn coefficients(analyses: &[Analysis]) -> Result<String, Failure> {
     let rows = analyses.iter().flat_map(|analysis| {
         analysis.coefficients.iter().map(|c| {
             let mut row = vec![analysis.name.clone(), c.term.letter().to_owned()];
-            row.extend([c.value, c.interval.low, c.interval.high].map(|number| format!("{number:.9e}")));
+            let ends = c.interval.map_or([f64::NAN; 2], |interval| [interval.low, interval.high]);
+            row.push(format!("{:.9e}", c.value));
+            row.extend(ends.map(|end| if end.is_finite() { format!("{end:.9e}") } else { String::new() }));
             row.push(sheet::si_name(analysis.sensor, c.term).to_owned());
             row
         })

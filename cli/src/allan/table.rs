@@ -9,9 +9,12 @@ use crate::units::{Unit, in_unit, significant, time_text};
 
 /// Value and interval in `unit`; for a coefficient that is not resolved, the upper limit.
 pub fn value(coefficient: &Coefficient, unit: Unit) -> String {
-    let [value, low, high] = [coefficient.value, coefficient.interval.low, coefficient.interval.high]
-        .map(|value| significant(value / unit.si));
-    if coefficient.is_at_bound() {
+    let Some(interval) = coefficient.interval else {
+        return format!("{} {}, without an interval", significant(coefficient.value / unit.si), unit.name);
+    };
+    let [value, low, high] =
+        [coefficient.value, interval.low, interval.high].map(|value| significant(value / unit.si));
+    if coefficient.is_at_bound() || !interval.high.is_finite() {
         "not shown by this record".to_owned()
     } else if coefficient.is_resolved() {
         format!("{value} ({low} to {high}) {}", unit.name)
@@ -31,22 +34,41 @@ pub fn density(analysis: &Analysis, coefficient: &Coefficient) -> Option<String>
     is_quoted.then(|| in_unit(coefficient.value, sheet::density(analysis.sensor)))
 }
 
-/// Remark about what the coefficients do not explain.
+/// Part of the rows that may be those before by chance, or by coarse quantization.
+const FEW_REPEATS: f64 = 0.2;
+
+/// Remark about averaging times that are left out, and about what the coefficients do not explain.
 pub fn remark(analysis: &Analysis) -> Option<String> {
-    analysis.unexplained().map(|missed| {
-        format!(
-            "At {} the deviation is {} times the fit: something else is in the record, as a Gauss-Markov process or a \
-             vibration, and the coefficients have taken what they could of it.",
-            time_text(missed.tau_s),
-            significant(missed.deviation / missed.fitted),
-        )
-    })
+    if let Some(from_s) = analysis.from_s {
+        let cause = if analysis.repeats > FEW_REPEATS {
+            let percent = 100.0 * analysis.repeats;
+            format!(
+                "{percent:.0} % of the values are those of the row before: the sensor is slower than the log"
+            )
+        } else {
+            "neighbouring values depend on each other, as behind a low-pass, by averaging, or at the upper end of flicker noise"
+                .to_owned()
+        };
+        return Some(format!(
+            "Averaging times below {} are left out of the fit: {cause}.",
+            time_text(from_s)
+        ));
+    }
+    let what = "something else is in the record, as a Gauss-Markov process or a vibration, and the coefficients have taken what they \
+                could of it";
+    let missed = analysis.unexplained().map(|missed| {
+        let ratio = significant(missed.deviation / missed.fitted);
+        format!("At {} the deviation is {ratio} times the fit: {what}.", time_text(missed.tau_s))
+    });
+    let disagree = || format!("Fits to shorter and to longer averaging times disagree: {what}.");
+    (!analysis.is_explained).then(|| missed.unwrap_or_else(disagree))
 }
 
 /// The log in one line.
 pub fn source(log: &Log) -> String {
     let rate = significant(1.0 / log.interval_s);
-    format!("{}: {} samples at {rate} Hz, {}", log.name, log.count(), time_text(log.duration_s()))
+    let counted = if log.is_counted { " (--rate; the time stamps are not used)" } else { "" };
+    format!("{}: {} samples at {rate} Hz{counted}, {}", log.name, log.count(), time_text(log.duration_s()))
 }
 
 /// The table for the terminal.
@@ -91,8 +113,11 @@ mod tests {
         use sins::allan::Interval;
         let text = |value: f64, low: f64, high: f64| {
             let interval = Interval { low, high };
-            on_sheet_unit(&Coefficient { term: Term::Flicker, value, interval })
+            on_sheet_unit(&Coefficient { term: Term::Flicker, value, interval: Some(interval) })
         };
+        assert_eq!(text(0.0, 0.0, f64::INFINITY), "not shown by this record");
+        let without = Coefficient { term: Term::Flicker, value: 2.0, interval: None };
+        assert_eq!(on_sheet_unit(&without), "2.000 u, without an interval");
         assert_eq!(text(2.0, 1.0, 3.0), "2.000 (1.000 to 3.000) u");
         assert_eq!(text(2.0, 0.0, 2.0), "not shown by this record");
         assert_eq!(text(2.0, 0.9, 2.0), "not shown by this record");

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use sins::allan::{Estimator, Point, TERMS, Term};
 use sins::earth::Geodetic;
 use sins::math::Euler;
-use sins::sensors::{Grade, TriadParameters};
+use sins::sensors::{Grade, StreamKey, TriadParameters};
 use sins::truth::FlightSample;
 use sins::{Options, Simulator};
 
@@ -20,7 +20,10 @@ const AXES: [&str; 6] =
 
 /// Angles and velocities that sensors with these parameters measure over intervals at rest, gyros before accelerometers.
 fn measured(gyro: &TriadParameters, accel: &TriadParameters) -> [Vec<f64>; 6] {
-    let mut options = Options::default();
+    measured_with(gyro, accel, Options::default())
+}
+
+fn measured_with(gyro: &TriadParameters, accel: &TriadParameters, mut options: Options) -> [Vec<f64>; 6] {
     options.intake.period_s = Some(DT);
     let mut simulator = Simulator::new(&options).unwrap();
     simulator.set_gyro(gyro).unwrap();
@@ -100,6 +103,32 @@ fn each_random_effect_is_recovered_and_nothing_else() {
     }
 }
 
+/// Without white noise that hides it, the upper end of the library's flicker noise is seen, and is no quantization.
+#[test]
+fn flicker_noise_over_little_white_noise_is_recovered() {
+    let estimator = Estimator::new(COUNT, DT).unwrap();
+    let each = Vector3::repeat;
+    // 0.1 deg/sqrt(h) and 10 deg/h.
+    let (n, b) = (2.9e-5, 4.85e-5);
+    let gyro = TriadParameters { random_walk: each(n), flicker: each(b), ..Default::default() };
+    for seed in 1..=3 {
+        let options = Options { key: StreamKey { seed, run: 0 }, ..Options::default() };
+        for (axis, increments) in measured_with(&gyro, &gyro, options).iter().enumerate() {
+            let found = estimator.estimate(increments).unwrap();
+            let wide = |term| found.interval(term, CERTAIN);
+            println!("seed {seed}, {}: {:?} from {}", AXES[axis], found.fit.band, found.fit.first);
+            assert!(
+                found.is_explained && wide(Term::Quantization).contains(0.0),
+                "seed {seed}, {}",
+                AXES[axis]
+            );
+            for (term, truth) in [(Term::RandomWalk, n), (Term::Flicker, b)] {
+                assert!(wide(term).contains(truth * truth), "seed {seed}, {}: {:?}", AXES[axis], term);
+            }
+        }
+    }
+}
+
 #[test]
 fn each_preset_is_recovered() {
     let estimator = Estimator::new(COUNT, DT).unwrap();
@@ -111,10 +140,7 @@ fn each_preset_is_recovered() {
         Grade::Consumer,
         Grade::PaperSimulation2,
     ] {
-        let (gyro, mut accel) = grade.parameters();
-        // The source of one accelerometer states no white noise, which hides the end of its flicker's band, as above.
-        accel.random_walk =
-            accel.random_walk.zip_map(&accel.flicker, |noise, flicker| noise.max(5.0 * flicker));
+        let (gyro, accel) = grade.parameters();
         recovers(&format!("{grade:?}"), &estimator, &gyro, &accel, false);
     }
 }

@@ -84,7 +84,9 @@ fn what_is_not_there_is_seldom_seen() {
     let most = 0.05 * f64::from(RUNS) + 5.0 * (0.05 * 0.95 * f64::from(RUNS)).sqrt();
     for (term, seen) in seen.iter().enumerate() {
         let is_there = Term::ALL[term] == Term::RandomWalk;
-        assert!(if is_there { *seen == RUNS } else { f64::from(*seen) < most }, "{term}: {seen}");
+        // A record that by chance looks as if its values depended on each other may lose too many times.
+        let least = RUNS - RUNS / 1000;
+        assert!(if is_there { *seen >= least } else { f64::from(*seen) < most }, "{term}: {seen}");
     }
 }
 

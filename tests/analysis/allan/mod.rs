@@ -3,6 +3,7 @@
 //! `cargo test --release --features long-tests --test analysis allan:: -- --nocapture` prints the figures of the documentation.
 
 mod closure;
+mod dependent;
 mod estimator;
 mod noises;
 mod terms;
