@@ -1,7 +1,7 @@
 //! Scenes and flight logs through their C functions: the checks of every text and of every change of a scene.
 
 use std::ffi::{CStr, CString, c_char};
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 use sins::abi::*;
 use sins::scene::{BUILTIN_SCENES, keys};
