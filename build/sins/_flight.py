@@ -69,7 +69,7 @@ class Run:
 
     def __repr__(self) -> str:
         errors = self.position_error_m[-1]
-        return f"<sins.Run {self.title!r}: {self.time_s[-1]:g} s, {np.hypot(errors[0], errors[1]):.6g} m off at the end>"
+        return f"<sins.Run {self.title!r}: {self.time_s[-1] - self.time_s[0]:g} s, {np.hypot(errors[0], errors[1]):.6g} m off at the end>"
 
     @property
     def time_s(self) -> Floats:
@@ -149,6 +149,8 @@ class Flight:
         Fields of shape (intervals, 3): measured_angle_rad and measured_velocity_m_s, the increments of the sensors with their errors;
         compensated_..., on which the INS navigates; ideal_..., of perfect sensors. The array is empty at the end of the flight.
         """
+        if seconds is not None and not 0 < seconds < np.inf:
+            raise ValueError(f"seconds = {seconds}: must be more than 0")
         count = self._intervals if seconds is None else max(1, round(seconds / self.period_s))
         count = min(count, self._intervals)
         if count == 0:

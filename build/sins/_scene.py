@@ -121,6 +121,16 @@ def _lines(hours: Optional[float], settings: Mapping[str, Setting]) -> str:
     return "\n".join(lines)
 
 
+def _builtins() -> str:
+    """The names of the built-in scenes."""
+    names: "list[str]" = []
+    try:
+        while True:
+            names.append(c.scene_builtin_name(len(names)))
+    except c.Error:
+        return ", ".join(names)
+
+
 class Scene:
     """A scene with its settings and its log, ready to be flown; not for users, who give its parts to the functions of the package."""
 
@@ -146,7 +156,11 @@ class Scene:
                 self.handle = c.scene_create()
                 c.scene_set_text(self.handle, c.SCENE_TEXT_LOG, os.path.basename(name))
             else:
-                self.handle = c.scene_create_builtin(name)
+                try:
+                    self.handle = c.scene_create_builtin(name)
+                except c.Error as error:
+                    error.args = (f"{name!r}: must be a built-in scene ({_builtins()}), or a file .toml or .csv",)
+                    raise
         lines = _lines(hours, settings)
         try:
             c.scene_set_values(self.handle, lines)
@@ -160,7 +174,8 @@ class Scene:
                 self.log = c.log_parse(file.read(), self.handle)[0]
         self.info = c.scene_get_samples(self.handle, self.log)
         """Number of samples, their period and duration."""
-        self.title: str = c.scene_get_text(self.handle, c.SCENE_TEXT_TITLE) or c.scene_get_text(self.handle, c.SCENE_TEXT_LOG)
+        texts = (c.SCENE_TEXT_TITLE, c.SCENE_TEXT_LOG, c.SCENE_TEXT_BUILTIN)
+        self.title: str = next(filter(None, (c.scene_get_text(self.handle, text) for text in texts)), "")
         self._flight: Any = None
 
     def plans(self, *items: str) -> bool:

@@ -91,7 +91,8 @@ class Flights(unittest.TestCase):
             (sins.Error, "bais_deg_h; did you mean bias_deg_h", lambda: sins.fly("patrol", gyro={"bais_deg_h": 1})),
             (sins.Error, r"range_deg_s\[0\] = -1: must be", lambda: sins.fly("patrol", gyro={"range_deg_s": -1})),
             (sins.Error, "no such section: giro; did you mean gyro", lambda: sins.fly("patrol", giro={"bias_deg_h": 1})),
-            (sins.Error, "built-in scene", lambda: sins.fly("patrl")),
+            (sins.Error, r"'patrl': must be a built-in scene \(.*patrol.*\), or a file", lambda: sins.fly("patrl")),
+            (ValueError, "seconds = -5: must be more than 0", lambda: sins.Flight("patrol", hours=0.01).fly(-5)),
             (FileNotFoundError, "none.toml", lambda: sins.fly("none.toml")),
             (FileNotFoundError, "none.csv", lambda: sins.fly("none.csv")),
             (TypeError, "expected a dict of keys", lambda: sins.fly("patrol", gyro=3)),
@@ -120,6 +121,7 @@ class Flights(unittest.TestCase):
             self.assertGreater(len(drawn.getvalue()), 10_000)
             self.assertEqual(len(figure.axes), 3)
         self.assertIn("m off at the end", repr(run))
+        self.assertIn("cockpit.csv': 398.38 s, ", repr(sins.fly(SCENES / "cockpit.toml")))
 
     def test_the_import_is_light(self):
         code = "import sins, sys; print(sorted({'numpy', 'ctypes', 'pandas', 'matplotlib'} & set(sys.modules)), dir(sins))"
