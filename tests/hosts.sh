@@ -13,7 +13,7 @@ cd "$(dirname "$0")/.."
 . tests/support/built.sh
 . tests/support/node.sh
 
-hosts="fortran ada python javascript octave fortran_windows"
+hosts="fortran ada python notebooks javascript octave fortran_windows"
 scenes="aerobatics commuter"
 out=$PWD/target/hosts
 bindings=$built/bindings
@@ -131,6 +131,19 @@ python() {
         /usr/bin/python3 tests/hosts/arinc429.py "$out"/bus/{words,flight,imu}.csv $(ls "$out"/bus/flight_unit.csv 2>/dev/null)
     done
     /usr/bin/python3 tests/hosts/arinc429.py
+}
+
+# The notebooks of c_examples, beside pyins (PyPI: python-ins).
+notebooks() {
+    local folder=$PWD/target/notebooks
+    need python3-venv /usr/share/doc/python3-venv
+    [ -x "$folder/bin/python" ] || python3 -m venv "$folder"
+    "$folder/bin/pip" install --quiet --disable-pip-version-check -r tests/hosts/notebooks.txt || {
+        could_not "notebooks" "their packages cannot be installed from PyPI"
+        return
+    }
+    SINS_LIBRARY=$built/libsins.so PYTHONPATH=$bindings "$folder/bin/python" tests/hosts/notebooks.py 2>"$out/notebooks" ||
+        { cat "$out/notebooks"; return 1; }
 }
 
 # The library as WebAssembly in Node. Its hosts use the package that npm installs from the file of `npm pack`.

@@ -136,6 +136,7 @@ class Flight:
         self.duration_s: float = scene.info.duration_s
         self._intervals = scene.info.count - 1
         self._play = c.play_create(scene.handle, scene.log)
+        c.play_next(self._play)  # the first sample: no interval yet
 
     def __enter__(self) -> "Flight":
         return self
@@ -163,7 +164,7 @@ class Flight:
 
     @property
     def record(self) -> Any:
-        """Truth, navigation and errors of this moment: a structured scalar of `sins.c.record`."""
+        """Truth, navigation and errors of this moment, at first of the start: a structured scalar of `sins.c.record`."""
         made = c.array(c.record, 1)
         c.get_record(c.play_get_simulator(self._play), c.record.from_buffer(made))
         return made[0]

@@ -203,6 +203,11 @@ class Increments(unittest.TestCase):
                     np.testing.assert_array_equal(one["measured_velocity_m_s"], imu.measured_velocity_m_s)
                 self.assertEqual(c.play_next(play), c.PLAY_END)
 
+    def test_the_record_before_the_first_stretch_is_that_of_the_start(self):
+        with sins.Flight("racetrack", hours=0.01, **GRADE) as flight:
+            self.assertEqual(flight.record, sins.fly("racetrack", hours=0.01, **GRADE).records[0])
+            self.assertEqual(len(flight.fly()), round(36 / flight.period_s))
+
     def test_a_correction_removes_errors(self):
         with sins.Flight("racetrack", hours=0.02, **GRADE) as flight:
             flight.fly(30.0)
