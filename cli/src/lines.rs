@@ -11,18 +11,40 @@ pub struct Lines<R: Read> {
     line: Vec<u8>,
     /// Number of bytes of the line that were passed on.
     given: usize,
-    /// Number of lines that were read.
+    /// Number of lines that were read, and of those that were passed on.
     count: u64,
-    numbers: Vec<u64>,
+    passed: usize,
+    numbers: Numbers,
+}
+
+/// The numbers of the lines that were passed on, counted from 1.
+#[derive(Debug, Clone, Default)]
+pub struct Numbers {
+    /// The lines behind others that were left out: their place among the lines that were passed on, and their number.
+    begins: Vec<(usize, u64)>,
+}
+
+impl Numbers {
+    /// Number of the line at a place among those that were passed on, from 0.
+    pub fn of(&self, place: usize) -> u64 {
+        let behind = self.begins.partition_point(|begin| begin.0 <= place);
+        self.begins[..behind].last().map_or(0, |begin| begin.1 + (place - begin.0) as u64)
+    }
 }
 
 impl<R: Read> Lines<R> {
     pub fn new(input: R) -> Self {
-        Self { input: BufReader::new(input), line: Vec::new(), given: 0, count: 0, numbers: Vec::new() }
+        Self {
+            input: BufReader::new(input),
+            line: Vec::new(),
+            given: 0,
+            count: 0,
+            passed: 0,
+            numbers: Numbers::default(),
+        }
     }
 
-    /// Number of each line that was passed on, counted from 1.
-    pub fn numbers(&self) -> &[u64] {
+    pub fn numbers(&self) -> &Numbers {
         &self.numbers
     }
 
@@ -39,7 +61,10 @@ impl<R: Read> Lines<R> {
             }
             let text = self.line.trim_ascii_start();
             if !text.is_empty() && text[0] != b'#' {
-                self.numbers.push(self.count);
+                if self.numbers.begins.is_empty() || self.numbers.of(self.passed) != self.count {
+                    self.numbers.begins.push((self.passed, self.count));
+                }
+                self.passed += 1;
                 return Ok(());
             }
         }
@@ -68,10 +93,14 @@ mod tests {
         let mut lines = Lines::new("a,b\r\n# later\n\n \n1,2\n  # last\n3,4".as_bytes());
         let mut text = String::new();
         lines.read_to_string(&mut text).unwrap();
-        assert_eq!((text.as_str(), lines.numbers()), ("a,b\r\n1,2\n3,4", &[1, 5, 7][..]));
+        assert_eq!(
+            (text.as_str(), [0, 1, 2].map(|place| lines.numbers().of(place))),
+            ("a,b\r\n1,2\n3,4", [1, 5, 7])
+        );
         let mut lines = Lines::new("\u{feff}# first\na,b\n1,2".as_bytes());
         text.clear();
         lines.read_to_string(&mut text).unwrap();
-        assert_eq!((text.as_str(), lines.numbers()), ("a,b\n1,2", &[2, 3][..]));
+        assert_eq!((text.as_str(), [0, 1].map(|place| lines.numbers().of(place))), ("a,b\n1,2", [2, 3]));
+        assert_eq!(lines.numbers().begins.len(), 1);
     }
 }

@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 
 use csv::{ReaderBuilder, StringRecord};
 use sins::scene::listed;
+use sins::scene::log::Clock;
 
 use crate::failure::Failure;
-use crate::lines::Lines;
+use crate::lines::{Lines, Numbers};
 
 /// Largest magnitude of a number. Larger numbers would overflow in the computation of a page; no measured or simulated value is
 /// near.
@@ -26,68 +27,77 @@ pub fn number(text: &str) -> Option<f64> {
 pub struct Table {
     path: PathBuf,
     columns: Vec<(String, Vec<f64>)>,
-    /// Line in the file of each row.
-    lines: Vec<u64>,
+    rows: usize,
+    lines: Numbers,
 }
+
+/// The columns of a header that are wanted: their names, and the place of one that has times, with its reader.
+pub type Chosen = (Vec<String>, Option<(String, Clock)>);
 
 impl Table {
     /// Reads all of `input`; `path` is for the errors.
     pub fn read(path: &Path, input: impl Read) -> Result<Self, Failure> {
-        Self::read_some(path, input, |names| Ok(names.to_vec()))
+        Self::read_some(path, input, |names| Ok((names.to_vec(), None)))
     }
 
     /// Reads the columns that `choose` selects from the header. The contents of other columns do not matter.
     pub fn read_some(
         path: &Path,
         input: impl Read,
-        choose: impl FnOnce(&[String]) -> Result<Vec<String>, Failure>,
+        choose: impl FnOnce(&[String]) -> Result<Chosen, Failure>,
     ) -> Result<Self, Failure> {
         // Flexible, so that a row of the wrong length is reported by a sentence of this program with the expected number.
         let mut reader = ReaderBuilder::new().flexible(true).from_reader(Lines::new(input));
         let header = reader.headers().map_err(|error| Failure::of_file(path, &error))?;
         let names: Vec<String> =
             header.iter().map(|name| name.trim_start_matches('\u{feff}').trim().to_owned()).collect();
-        let chosen = choose(&names)?;
+        let (chosen, mut clock) = choose(&names)?;
         let is_chosen: Vec<bool> = names.iter().map(|name| chosen.contains(name)).collect();
+        let timed = clock.as_ref().and_then(|(column, _)| names.iter().position(|name| name == column));
         let mut columns: Vec<(String, Vec<f64>)> = names.into_iter().map(|name| (name, Vec::new())).collect();
         let mut rows = 0;
         let mut row = StringRecord::new();
         while reader.read_record(&mut row).map_err(|error| Failure::of_file(path, &error))? {
             rows += 1;
-            let line = reader.get_ref().numbers().get(rows).copied().unwrap_or(0);
+            let line = || reader.get_ref().numbers().of(rows);
             if row.len() != columns.len() {
                 let what =
                     format!("expected {} columns as in the header, found {}", columns.len(), row.len());
-                return Err(Failure::of_line(path, line, &what));
+                return Err(Failure::of_line(path, line(), &what));
             }
             for (place, ((name, values), text)) in columns.iter_mut().zip(&row).enumerate() {
-                if !is_chosen[place] {
-                    continue;
-                }
-                match number(text) {
+                let is_time = timed == Some(place);
+                let value = match &mut clock {
+                    Some((_, clock)) if is_time => clock.next(text.trim()),
+                    _ if is_chosen[place] => number(text),
+                    _ => continue,
+                };
+                match value {
                     Some(value) => values.push(value),
                     None => {
-                        let what = format!(
-                            "column {} ({name}): expected a finite number up to {LARGEST:e}, found \"{text}\"",
-                            place + 1
-                        );
-                        return Err(Failure::of_line(path, line, &what));
+                        let expected = match &clock {
+                            Some((_, clock)) if is_time => clock.expected().to_owned(),
+                            _ => format!("a finite number up to {LARGEST:e}"),
+                        };
+                        let what =
+                            format!("column {} ({name}): expected {expected}, found \"{text}\"", place + 1);
+                        return Err(Failure::of_line(path, line(), &what));
                     }
                 }
             }
         }
-        let lines = reader.get_ref().numbers().iter().skip(1).copied().collect();
-        Ok(Self { path: path.to_owned(), columns, lines })
+        let lines = reader.get_ref().numbers().clone();
+        Ok(Self { path: path.to_owned(), columns, rows, lines })
     }
 
     /// Number of rows.
     pub fn rows(&self) -> usize {
-        self.lines.len()
+        self.rows
     }
 
     /// The line of a row, counted from 0, in the file.
     pub fn line(&self, row: usize) -> u64 {
-        self.lines[row]
+        self.lines.of(row + 1)
     }
 
     /// Whether there is a column `name`.
@@ -146,7 +156,7 @@ mod tests {
     #[test]
     fn columns_that_nobody_wants_may_hold_anything() {
         let text = "\u{feff}t,note,x\n# later\n0,take-off,1\n1,,2\n";
-        let choose = |names: &[String]| Ok(vec![names[0].clone(), names[2].clone()]);
+        let choose = |names: &[String]| Ok((vec![names[0].clone(), names[2].clone()], None));
         let mut table = Table::read_some(Path::new("log.csv"), text.as_bytes(), choose).unwrap();
         assert_eq!((table.rows(), table.line(0), table.line(1)), (2, 3, 4));
         assert_eq!((table.take("t").unwrap(), table.take("x").unwrap()), (vec![0.0, 1.0], vec![1.0, 2.0]));

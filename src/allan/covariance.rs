@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::lags::Pair;
+use super::pieces::Pieces;
 use super::terms::{Band, NOISES, TERMS, Term};
 
 /// Quadratic form in the squares of the coefficients.
@@ -15,7 +16,7 @@ pub type Form = SMatrix<f64, TERMS, TERMS>;
 /// ```
 /// where the sum is over the distances l of two differences, times(l) is how often the record has the distance, and M is the number
 /// of differences. c is linear in the squares of the coefficients, as is µ µ' = R² τ τ'. The covariance is exact for Gaussian
-/// noises (Greenhall and Riley, PTTI 2003, for τ = τ'). It depends on the length of the record only.
+/// noises (Greenhall and Riley, PTTI 2003, for τ = τ'). It depends on the lengths of the record's pieces only.
 #[derive(Debug, Clone)]
 pub struct Covariance {
     size: usize,
@@ -23,13 +24,14 @@ pub struct Covariance {
 }
 
 impl Covariance {
-    /// For records of `count` samples with the averaging times `factors`.
-    pub fn new(count: usize, interval_s: f64, factors: &[usize], band: Band) -> Self {
+    /// For records in these pieces with the averaging times `factors`.
+    pub fn new(pieces: &Pieces, interval_s: f64, factors: &[usize], band: Band) -> Self {
         let size = factors.len();
         let mut forms = vec![Form::zeros(); size * size];
         for (i, &a) in factors.iter().enumerate() {
             for (j, &b) in factors.iter().enumerate().skip(i) {
-                let form = form(Pair { count, a, b }, interval_s, band);
+                let of_piece = |count| form(Pair { count, a, b }, interval_s, band);
+                let form = pieces.joined(a, b).map(|(count, weight)| of_piece(count) * weight).sum();
                 forms[i * size + j] = form;
                 forms[j * size + i] = form;
             }
@@ -52,19 +54,22 @@ impl Covariance {
 /// Variance of the Allan variance at `factor` intervals, for Gaussian noise whose integral has the generalised covariance
 /// `covariance(t_s)`.
 pub fn variance_of_noise(
-    count: usize,
+    pieces: &Pieces,
     factor: usize,
     interval_s: f64,
     covariance: impl Fn(f64) -> f64,
 ) -> f64 {
-    let pair = Pair { count, a: factor, b: factor };
-    let squared = |samples: f64| {
-        let c = of_differences(&pair, interval_s, samples, &covariance);
-        c * c
+    let of_piece = |count| {
+        let pair = Pair { count, a: factor, b: factor };
+        let squared = |samples: f64| {
+            let c = of_differences(&pair, interval_s, samples, &covariance);
+            c * c
+        };
+        let sum: f64 = pair.lags().iter().map(|lag| lag.weight * squared(lag.samples)).sum();
+        let starts = pair.starts().0 as f64;
+        sum / (2.0 * starts * starts)
     };
-    let sum: f64 = pair.lags().iter().map(|lag| lag.weight * squared(lag.samples)).sum();
-    let starts = pair.starts().0 as f64;
-    sum / (2.0 * starts * starts)
+    pieces.joined(factor, factor).map(|(count, weight)| of_piece(count) * weight).sum()
 }
 
 /// Covariance of two second differences over their averaging times, `samples` apart.
@@ -128,7 +133,7 @@ mod tests {
     fn degrees_of_freedom_are_those_of_sp_1065() {
         let count = 1000;
         let factors = factors(count);
-        let covariance = Covariance::new(count, 1.0, &factors, Band::Unlimited);
+        let covariance = Covariance::new(&Pieces::new(&[count]), 1.0, &factors, Band::Unlimited);
         let n = count as f64 + 1.0;
         for (i, &factor) in factors.iter().enumerate() {
             let m = factor as f64;

@@ -159,6 +159,7 @@ impl Equations {
 #[cfg(test)]
 mod tests {
     use super::super::deviation::factors;
+    use super::super::pieces::Pieces;
     use super::super::terms::total;
     use super::*;
 
@@ -167,7 +168,7 @@ mod tests {
         let factors = factors(count);
         let taus_s: Vec<f64> = factors.iter().map(|factor| *factor as f64 * interval_s).collect();
         let variances: Vec<f64> = taus_s.iter().map(|tau_s| total(&squares, *tau_s)).collect();
-        let covariance = Covariance::new(count, interval_s, &factors, Band::Unlimited);
+        let covariance = Covariance::new(&Pieces::new(&[count]), interval_s, &factors, Band::Unlimited);
         Fit::new(&taus_s, &variances, &covariance, Band::Unlimited, 0)
     }
 

@@ -5,7 +5,7 @@
 //! \[(m/s²)²\]. It then fits the coefficients of the five [`Term`]s of IEEE Std 952-1997, annex C, to them. Variances and
 //! coefficients have confidence intervals, for Gaussian noise.
 //!
-//! The data flow is `deviation` → `terms`, `lags`, `covariance` → `fit` → `explained` → `interval`.
+//! The data flow is `pieces`, `deviation` → `terms`, `lags`, `covariance` → `fit` → `explained` → `interval`, `filter`.
 //!
 //! Sources: IEEE Std 952-1997, annex C; Riley, *Handbook of Frequency Stability Analysis*, NIST SP 1065, 2008; Greenhall and
 //! Riley, "Uncertainty of Stability Variances Based on Finite Differences", PTTI 2003.
@@ -13,12 +13,15 @@
 mod covariance;
 mod deviation;
 mod explained;
+mod filter;
 mod fit;
 mod interval;
 mod lags;
+mod pieces;
 mod terms;
 
 pub use deviation::FEWEST_SAMPLES;
+pub use filter::Filter;
 pub use fit::Fit;
 pub use interval::{Interval, Point};
 pub use terms::{Band, TERMS, Term, total};
@@ -28,16 +31,17 @@ use std::sync::OnceLock;
 use crate::base::error::{Error, Rule, check_range, check_ranges};
 use covariance::Covariance;
 use deviation::{allan_variance, factors, integral};
+use pieces::Pieces;
 
 /// Allan variances from the lowest to the highest that the fit can take: their fourth powers stay within the range of numbers.
 const VARIANCES: (f64, f64) = (1e-70, 1e70);
 
-/// Estimator for records of one length.
+/// Estimator for records of one length, or in pieces of the same lengths.
 ///
 /// It holds what does not depend on the numbers of a record: averaging times, and covariances of the variances.
 #[derive(Debug, Clone)]
 pub struct Estimator {
-    count: usize,
+    pieces: Pieces,
     interval_s: f64,
     factors: Vec<usize>,
     taus_s: Vec<f64>,
@@ -63,33 +67,41 @@ pub struct Estimate {
 impl Estimator {
     /// For records of `count` samples, [`FEWEST_SAMPLES`] or more, over intervals of `interval_s` \[s\], 1e-9 to 1e9.
     pub fn new(count: usize, interval_s: f64) -> Result<Self, Error> {
-        if count < FEWEST_SAMPLES {
-            let rule = Rule::AtLeast("must be at least", FEWEST_SAMPLES.into());
-            return Err(Error::invalid("count", count, rule));
-        }
-        check_range("interval_s", interval_s, 1e-9, 1e9)?;
-        let factors = factors(count);
-        let taus_s = factors.iter().map(|factor| *factor as f64 * interval_s).collect();
-        let covariance = Covariance::new(count, interval_s, &factors, Band::Unlimited);
-        Ok(Self { count, interval_s, factors, taus_s, covariance, limited: OnceLock::new() })
+        Self::of_pieces(&[count], interval_s)
     }
 
-    /// Averaging times τ \[s\], shortest first: three in each octave, from one interval to a ninth of the record.
+    /// For records with gaps: pieces of so many samples, the longest of [`FEWEST_SAMPLES`] or more, one behind the other. Each averaging
+    /// time is that of all pieces that are long enough.
+    pub fn of_pieces(lengths: &[usize], interval_s: f64) -> Result<Self, Error> {
+        let pieces = Pieces::new(lengths);
+        let longest = pieces.longest();
+        if longest < FEWEST_SAMPLES {
+            let rule = Rule::AtLeast("must be at least", FEWEST_SAMPLES.into());
+            return Err(Error::invalid("count", longest, rule));
+        }
+        check_range("interval_s", interval_s, 1e-9, 1e9)?;
+        let factors = factors(longest);
+        let taus_s = factors.iter().map(|factor| *factor as f64 * interval_s).collect();
+        let covariance = Covariance::new(&pieces, interval_s, &factors, Band::Unlimited);
+        Ok(Self { pieces, interval_s, factors, taus_s, covariance, limited: OnceLock::new() })
+    }
+
+    /// Averaging times τ \[s\], shortest first: three in each octave, from one interval to a ninth of the record, or of its longest piece.
     pub fn taus_s(&self) -> &[f64] {
         &self.taus_s
     }
 
     /// σ²(τ) of the record at each averaging time.
     ///
-    /// `increments` are angles \[rad\] or velocities \[m/s\] over the intervals, `count` finite numbers.
+    /// `increments` are angles \[rad\] or velocities \[m/s\] over the intervals, finite numbers, as many as the estimator is for.
     pub fn variances(&self, increments: &[f64]) -> Result<Vec<f64>, Error> {
-        if increments.len() != self.count {
-            let rule = Rule::Exactly("must be", self.count.into());
+        if increments.len() != self.pieces.count() {
+            let rule = Rule::Exactly("must be", self.pieces.count().into());
             return Err(Error::invalid("number of increments", increments.len(), rule));
         }
         check_ranges("increments", increments, f64::MIN, f64::MAX)?;
-        let theta = integral(increments);
-        Ok(self.factors.iter().map(|factor| allan_variance(&theta, self.interval_s, *factor)).collect())
+        let thetas: Vec<Vec<f64>> = self.pieces.of(increments).map(integral).collect();
+        Ok(self.factors.iter().map(|factor| allan_variance(&thetas, self.interval_s, *factor)).collect())
     }
 
     /// Variances and coefficients of a record; `increments` as for [`Self::variances`].
@@ -117,7 +129,7 @@ impl Estimator {
     }
 
     fn covariance(&self, band: Band) -> &Covariance {
-        let limited = || Covariance::new(self.count, self.interval_s, &self.factors, band);
+        let limited = || Covariance::new(&self.pieces, self.interval_s, &self.factors, band);
         match band {
             Band::Unlimited => &self.covariance,
             Band::Limited => self.limited.get_or_init(limited),
@@ -138,7 +150,7 @@ impl Estimator {
     /// distance `t_s` \[s\], a smooth function except at 0.
     pub fn degrees_of_freedom(&self, i: usize, variance: f64, covariance: impl Fn(f64) -> f64) -> f64 {
         2.0 * variance * variance
-            / covariance::variance_of_noise(self.count, self.factors[i], self.interval_s, covariance)
+            / covariance::variance_of_noise(&self.pieces, self.factors[i], self.interval_s, covariance)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Results of one column: deviations, coefficients, and whether the coefficients explain the deviations.
 
-use sins::allan::{Estimator, Fit, Interval, Point, TERMS, Term};
+use sins::allan::{Estimator, Filter, Fit, Interval, Point, TERMS, Term};
 
 use super::log::{Log, Series};
 use super::quantity::Sensor;
@@ -62,7 +62,9 @@ pub struct Analysis {
     pub is_explained: bool,
     /// Among the deviations that the fit does not explain, the place of that with the largest ratio to it.
     missed: Option<usize>,
-    /// How often a value is that of the row before, as a part of all rows.
+    /// What is between the noise and the rows, if the times that are left out show it.
+    pub filter: Option<Filter>,
+    /// How often a value is that of the row before, as a part of all rows, beyond what coarse values are by chance.
     pub repeats: f64,
 }
 
@@ -73,7 +75,7 @@ impl Analysis {
             log.series.iter().try_for_each(|series| at_rest(series, log.interval_s))?;
         }
         let progress = Progress::counting("analysing", 1 + log.series.len());
-        let estimator = Estimator::new(log.count(), log.interval_s)?;
+        let estimator = Estimator::of_pieces(&log.pieces, log.interval_s)?;
         progress.count();
         let analysis = |series| {
             let analysis = Self::of_series(series, &estimator);
@@ -103,8 +105,6 @@ impl Analysis {
             let interval = found.is_explained.then(|| root(found.interval(term, CONFIDENCE)));
             Coefficient { term, value: found.fit.squares[term as usize].max(0.0).sqrt(), interval }
         });
-        let values = &series.increments;
-        let repeated = values.windows(2).filter(|two| two[0] == two[1]).count();
         Ok(Self {
             name: series.name.clone(),
             sensor: series.sensor,
@@ -113,7 +113,8 @@ impl Analysis {
             from_s: (from > 0).then(|| found.points[from].tau_s),
             is_explained: found.is_explained,
             missed: found.unexplained(),
-            repeats: repeated as f64 / values.len() as f64,
+            filter: estimator.filter(&found),
+            repeats: repeats(&series.increments),
             fit: found.fit,
         })
     }
@@ -122,6 +123,18 @@ impl Analysis {
     pub fn unexplained(&self) -> Option<&Estimate> {
         self.missed.map(|place| &self.estimates[place])
     }
+}
+
+/// Rows between two values that are equal by chance alone.
+const FAR: usize = 101;
+
+fn repeats(values: &[f64]) -> f64 {
+    let equal = |rows: usize| {
+        let pairs = values.iter().zip(values.get(rows..).unwrap_or_default());
+        pairs.filter(|(one, other)| one == other).count() as f64 / values.len() as f64
+    };
+    let chance = equal(FAR);
+    (equal(1) - chance) / (1.0 - chance).max(f64::EPSILON)
 }
 
 /// The largest range of normal numbers over their standard deviation, of as many as a record of a year has seconds.
@@ -183,7 +196,16 @@ pub mod tests {
             .map(|k| 1e-6 * ((0..12).map(|_| uniform()).sum::<f64>() + sinusoid * (k as f64 / 30.0).sin()))
             .collect();
         let series = vec![Series { name: "w<x>_rad".into(), sensor: Sensor::Gyro, increments }];
-        Log { name: "made.csv".into(), interval_s: 0.01, series, is_counted: false, is_still: false }
+        let (pieces, remarks) = (vec![count], Vec::new());
+        Log {
+            name: "made.csv".into(),
+            interval_s: 0.01,
+            series,
+            pieces,
+            remarks,
+            is_counted: false,
+            is_still: false,
+        }
     }
 
     #[test]
@@ -206,6 +228,16 @@ pub mod tests {
         let analysis = &Analysis::of_log(&log).unwrap()[0];
         assert!(!analysis.is_explained && analysis.unexplained().is_some());
         assert!(analysis.coefficients.iter().all(|coefficient| coefficient.interval.is_none()));
+    }
+
+    #[test]
+    fn coarse_values_are_no_repeats() {
+        let values: Vec<f64> =
+            made(20_000, 0.0).series[0].increments.iter().map(|x| (x / 1e-6).round()).collect();
+        assert!(values.windows(2).filter(|two| two[0] == two[1]).count() > 5000);
+        assert!(repeats(&values).abs() < 0.02, "{}", repeats(&values));
+        let twice: Vec<f64> = values.iter().flat_map(|value| [*value; 2]).collect();
+        assert!((repeats(&twice) - 0.5).abs() < 0.02, "{}", repeats(&twice));
     }
 
     #[test]

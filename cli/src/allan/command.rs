@@ -13,9 +13,9 @@ use crate::places::beside;
 /// The unit of a column is the end of its name. Angular rates: _rad_s, _deg_s, _deg_h; angles over an interval: _rad, _deg, _arcsec;
 /// specific forces: _m_s2, _g, _mg, _ug; velocities over an interval: _m_s. Without --columns, the command reads all rates and
 /// forces, and the angles and velocities whose name contains "increment" or "delta". Time stamps are in the column time_s, time_ms,
-/// time_us or time_ns. A record in motion is rejected: the mean of a column over a second may change by 1 deg/s or 0.5 m/s2, or by what noise
-/// of the size of its changes from second to second explains. Each step must differ from the mean step by less than half of it: a log with
-/// a gap is rejected, unless --rate counts its rows.
+/// time_us or time_ns, or in one that --columns names. Stamps may scatter; gaps split the record into pieces, whose estimates are joined.
+/// A record in motion is rejected: the mean of a column over a second may change by 1 deg/s or 0.5 m/s2, or by what noise
+/// of the size of its changes from second to second explains.
 ///
 /// Neighbouring values of many records depend on each other: behind a low-pass, by averaging, or because a slow sensor's values are repeated.
 /// The averaging times that this reaches are left out of the fit, and named. If the coefficients do not explain the curve, they have no
@@ -31,6 +31,12 @@ pub struct Order {
     /// Also writes averaging times and deviations into this file, and the coefficients into POINTS_fit.csv
     #[arg(long = "csv", value_name = "POINTS.csv")]
     pub points: Option<PathBuf>,
+    /// Also writes a scene at rest whose sensors have the noise of the record
+    ///
+    /// The columns of a sensor are its axes x, y and z, in the order of the log; a single column stands for all three. Coefficients that the
+    /// record does not show are left out. `sins fly SCENE.toml --imu IMU.csv` makes a record that can be compared.
+    #[arg(long = "write", value_name = "SCENE.toml")]
+    pub scene: Option<PathBuf>,
     /// Samples per second; needed if the log has no time stamps. Stamps of a log that has them are not used then: each row is the next
     /// sample
     #[arg(long = "rate", value_name = "HZ", value_parser = rate)]
@@ -38,8 +44,11 @@ pub struct Order {
     /// Takes the sensor to be at rest, whatever its record looks like
     #[arg(long)]
     pub still: bool,
-    /// Reads only these columns, separated by commas. If a name does not end with a unit, add it: wx:deg_s
-    #[arg(long, value_name = "NAME[:UNIT]", value_delimiter = ',', value_parser = wanted)]
+    /// Reads only these columns, separated by commas. If a name does not end with a unit, add it: "GyrX=deg/s"
+    ///
+    /// The column of the time stamps has a unit of time, s, ms, us or ns, or iso (2024-05-01T12:30:00Z) or hms (12:30:00): "t=us". If it is
+    /// the only one here, all columns of rates and forces are read.
+    #[arg(long, value_name = "NAME[=UNIT]", value_delimiter = ',', value_parser = wanted)]
     pub columns: Vec<Wanted>,
     /// Also replaces files that this program did not write
     #[arg(long)]
@@ -87,8 +96,11 @@ fn rate(text: &str) -> Result<f64, String> {
 }
 
 fn wanted(text: &str) -> Result<Wanted, String> {
-    let (name, unit) = match text.split_once(':') {
-        Some((name, unit)) => (name, Some(unit.trim().to_owned())),
+    // A unit as the names of columns have it: deg/s is deg_s, m/s² is m_s2.
+    let unit =
+        |unit: &str| unit.trim().replace('/', "_").replace('²', "2").replace('^', "").replace('°', "deg");
+    let (name, unit) = match text.rsplit_once('=').or_else(|| text.rsplit_once(':')) {
+        Some((name, text)) => (name, Some(unit(text))),
         None => (text, None),
     };
     Ok(Wanted { name: name.trim().to_owned(), unit })
@@ -101,10 +113,19 @@ mod tests {
 
     #[test]
     fn columns_come_with_units_or_without() {
-        let arguments =
-            ["log.csv", "-o", "a.svg", "--rate", "200", "--columns", "wx:deg_s, f_z_g", "--csv", "p.csv"];
+        let arguments = [
+            "log.csv",
+            "-o",
+            "a.svg",
+            "--rate",
+            "200",
+            "--columns",
+            "wx:deg_s, f_z_g,a b=m/s²",
+            "--csv",
+            "p.csv",
+        ];
         let order: Order = parsed(&arguments).unwrap();
-        let columns = [("wx", Some("deg_s")), ("f_z_g", None)]
+        let columns = [("wx", Some("deg_s")), ("f_z_g", None), ("a b", Some("m_s2"))]
             .map(|(name, unit)| Wanted { name: name.into(), unit: unit.map(str::to_owned) });
         assert_eq!((order.columns.as_slice(), order.rate_hz), (&columns[..], Some(200.0)));
         assert_eq!((order.log.as_os_str(), order.fit()), ("log.csv".as_ref(), Some("p_fit.csv".into())));

@@ -1,26 +1,33 @@
 //! An IMU log: columns of rates, forces or increments at equal intervals.
 
-use std::io::Read;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
+use std::ops::Range;
 use std::path::Path;
 
 use sins::allan::FEWEST_SAMPLES;
+use sins::scene::log::{Clock, LogMapping};
 
 use super::command::Order;
-use super::quantity::{Quantity, Sensor, TIMES, choose};
-use crate::drawing::series::mean;
+use super::quantity::{self, Quantity, Sensor, Stamp, choose};
+use super::stamps::{self, Stamps};
 use crate::failure::Failure;
 use crate::given::open_table;
 use crate::progress::Progress;
 use crate::table::Table;
+use crate::units::{significant, time_text};
 
-/// Limit of the difference between a step and the usual step, as a part of the usual step. A gap differs by a whole step or more.
-const JITTER: f64 = 0.5;
+/// Scatter of the stamps, as a part of the interval, that is worth a remark.
+const SCATTER: f64 = 0.5;
+
+/// Most pieces between gaps that are read; shorter ones are left out.
+const MOST_PIECES: usize = 100;
 
 /// A column.
 pub struct Series {
     pub name: String,
     pub sensor: Sensor,
-    /// Angles [rad] or velocities [m/s] over the intervals.
+    /// Angles [rad] or velocities [m/s] over the intervals, of all pieces.
     pub increments: Vec<f64>,
 }
 
@@ -30,6 +37,10 @@ pub struct Log {
     pub name: String,
     pub interval_s: f64,
     pub series: Vec<Series>,
+    /// Number of rows of each piece between gaps.
+    pub pieces: Vec<usize>,
+    /// What the stamps have: gaps, rows that are left out, jitter; empty: nothing.
+    pub remarks: Vec<String>,
     /// Whether the rate is that of --rate, and not that of the time stamps of the log.
     pub is_counted: bool,
     /// Whether the user says that the sensor is at rest.
@@ -46,7 +57,7 @@ impl Log {
             0 => Progress::working(what),
             bytes => Progress::counting(what, bytes as usize),
         };
-        Self::from_input(order, progress.reading(input))
+        Self::from_input(order, progress.reading(input)).map_err(|failure| begin(path, failure))
     }
 
     fn from_input(order: &Order, input: impl Read) -> Result<Self, Failure> {
@@ -55,25 +66,37 @@ impl Log {
         let mut time = None;
         let mut table = Table::read_some(path, input, |names| {
             columns = choose(names, &order.columns).map_err(|failure| Failure::of_line(path, 1, &failure))?;
-            time = TIMES.into_iter().find(|(name, _)| names.iter().any(|found| found == name));
-            let times = time.iter().map(|(name, _)| (*name).to_owned());
-            Ok(columns.iter().map(|(name, _)| name.clone()).chain(times).collect())
+            time = quantity::stamps(names, &order.columns);
+            let names =
+                columns.iter().map(|(name, _)| name.clone()).chain(time.iter().map(|(name, _)| name.clone()));
+            let clock = time.iter().find_map(|(name, stamp)| match stamp {
+                Stamp::Clock(format) => {
+                    let mapping = LogMapping { time_format: *format, ..LogMapping::default() };
+                    Some((name.clone(), Clock::new(&mapping)))
+                }
+                Stamp::Number(_) => None,
+            });
+            Ok((names.collect(), clock))
         })?;
         if table.rows() < FEWEST_SAMPLES {
             let what = format!("expected at least {FEWEST_SAMPLES} rows, found {}", table.rows());
             return Err(Failure::of_file(path, &what));
         }
-        let interval_s = interval(path, &mut table, time, order.rate_hz)?;
+        let mut stamps = stamps(path, &mut table, time.as_ref(), order.rate_hz)?;
+        let remarks = remarks(&mut stamps);
+        let interval_s = stamps.interval_s;
         let series = columns.into_iter().map(|(name, quantity)| {
             let unit = quantity.si * if quantity.is_increment { 1.0 } else { interval_s };
             let mut increments = table.take(&name)?;
+            keep(&mut increments, &stamps.pieces);
             increments.iter_mut().for_each(|value| *value *= unit);
             Ok(Series { name, sensor: quantity.sensor, increments })
         });
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let series = series.collect::<Result<_, Failure>>()?;
         let is_counted = order.rate_hz.is_some() && time.is_some();
-        Ok(Self { name, interval_s, series, is_counted, is_still: order.still })
+        let pieces = stamps.pieces.iter().map(Range::len).collect();
+        Ok(Self { name, interval_s, series, pieces, remarks, is_counted, is_still: order.still })
     }
 
     pub fn count(&self) -> usize {
@@ -85,41 +108,120 @@ impl Log {
     }
 }
 
-/// The interval of --rate, which counts rows, or the mean step of the stamps; rejects stamps that are not at equal steps.
-fn interval(
+/// Lines of a file that are quoted where it cannot be read, and letters of each.
+const QUOTED: usize = 10;
+const LETTERS: usize = 100;
+
+/// The failure with the first lines of the file.
+fn begin(path: &Path, failure: Failure) -> Failure {
+    let Ok(file) = File::open(path) else { return failure };
+    let cut =
+        |line: Vec<u8>| String::from_utf8_lossy(&line).trim_end().chars().take(LETTERS).collect::<String>();
+    let lines =
+        BufReader::new(file.take((QUOTED * 4096) as u64)).split(b'\n').map_while(Result::ok).take(QUOTED);
+    let quoted: String =
+        lines.enumerate().map(|(place, line)| format!("\n{:4} | {}", place + 1, cut(line))).collect();
+    if quoted.is_empty() {
+        failure
+    } else {
+        Failure::new(format!("{failure}\n{} begins:{quoted}", path.display()))
+    }
+}
+
+/// Sentences about the stamps. Of very many pieces the longest stay.
+fn remarks(stamps: &mut Stamps) -> Vec<String> {
+    let Stamps { interval_s, pieces, lost, jitter } = stamps;
+    let mut remarks = Vec::new();
+    let (gaps, rows) = (pieces.len() - 1, pieces.iter().map(Range::len).sum::<usize>());
+    if gaps > 0 {
+        let mut lengths: Vec<usize> = pieces.iter().map(Range::len).collect();
+        lengths.sort_unstable_by(|a, b| b.cmp(a));
+        let least = lengths[lengths.len().min(MOST_PIECES) - 1].max(2);
+        pieces.retain(|piece| piece.len() >= least);
+        pieces.truncate(MOST_PIECES);
+        let used = pieces.iter().map(Range::len).sum::<usize>();
+        let of_them = if used < rows {
+            format!(" with {:.1} % of the rows", 100.0 * used as f64 / rows as f64)
+        } else {
+            String::new()
+        };
+        let (name, lost_s) = (if gaps == 1 { "gap" } else { "gaps" }, time_text(*lost as f64 * *interval_s));
+        remarks.push(format!(
+            "{gaps} {name}, {lost_s} in all: the estimates of {} pieces{of_them} are joined",
+            pieces.len()
+        ));
+    }
+    if *jitter > SCATTER {
+        let jitter = significant(*jitter);
+        remarks.push(format!(
+            "stamps scatter by up to {jitter} of an interval: rows are taken as equally spaced"
+        ));
+    }
+    remarks
+}
+
+/// Keeps the rows of these pieces.
+fn keep(values: &mut Vec<f64>, pieces: &[Range<usize>]) {
+    let mut to = 0;
+    for piece in pieces {
+        values.copy_within(piece.clone(), to);
+        to += piece.len();
+    }
+    values.truncate(to);
+}
+
+/// The equal intervals of --rate, which counts rows, or those of the stamps; rejects stamps that go back.
+fn stamps(
     path: &Path,
     table: &mut Table,
-    time: Option<(&str, f64)>,
+    time: Option<&(String, Stamp)>,
     rate_hz: Option<f64>,
-) -> Result<f64, Failure> {
+) -> Result<Stamps, Failure> {
     if let Some(rate_hz) = rate_hz {
-        return Ok(1.0 / rate_hz);
+        return Ok(Stamps {
+            interval_s: 1.0 / rate_hz,
+            pieces: std::iter::once(0..table.rows()).collect(),
+            lost: 0,
+            jitter: 0.0,
+        });
     }
-    let Some((name, unit)) = time else {
+    let Some((name, stamp)) = time else {
         let header = table.header();
-        let what = format!("expected a column \"time_s\" in the header, or --rate; the header has {header}");
+        let what = format!(
+            "expected a column \"time_s\" in the header, --rate, or --columns \"NAME=s\"; the header has {header}"
+        );
         return Err(Failure::of_line(path, 1, &what));
     };
-    let stamps = table.take(name)?;
-    let steps: Vec<f64> = stamps.windows(2).map(|pair| (pair[1] - pair[0]) * unit).collect();
-    let usual = usual(&steps);
-    if let Some(row) = steps.iter().position(|step| (step - usual).abs() >= JITTER * usual) {
+    let mut times_s = table.take(name)?;
+    if let Stamp::Number(unit) = stamp {
+        times_s.iter_mut().for_each(|time| *time *= unit);
+    }
+    if let Some(row) = times_s.windows(2).position(|pair| pair[1] < pair[0]) {
         let what = format!(
-            "column {name}: expected a step of about {usual:.6} s, found {:.6} s; an Allan deviation needs equal steps (--rate: counts rows)",
-            steps[row]
+            "column {name}: expected a stamp of {:.6} s or later, found {:.6} s (--rate: counts rows)",
+            times_s[row],
+            times_s[row + 1]
         );
         return Err(Failure::of_line(path, table.line(row + 1), &what));
     }
-    Ok((stamps[stamps.len() - 1] - stamps[0]) * unit / steps.len() as f64)
-}
-
-/// The mean step without gaps. Not the median: stamps with few digits have steps of two lengths, and the median is one of the two.
-fn usual(steps: &[f64]) -> f64 {
-    let mut sorted = steps.to_vec();
-    let middle = sorted.len() / 2;
-    let median = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
-    let single: Vec<f64> = steps.iter().copied().filter(|step| *step < 1.75 * median).collect();
-    mean(&single)
+    if times_s[0] == times_s[times_s.len() - 1] {
+        return Err(Failure::of_file(
+            path,
+            &format!("column {name}: all stamps are the same (--rate: counts rows)"),
+        ));
+    }
+    let found = stamps::read(&times_s);
+    let longest = found.pieces.iter().map(Range::len).max().unwrap_or(0);
+    if longest < FEWEST_SAMPLES {
+        let what = format!(
+            "column {name}: {} gaps, and the longest piece between them has {longest} rows (limit {FEWEST_SAMPLES}; --rate {}: takes \
+             each row as the next)",
+            found.pieces.len() - 1,
+            significant(1.0 / found.interval_s)
+        );
+        return Err(Failure::of_file(path, &what));
+    }
+    Ok(found)
 }
 
 #[cfg(test)]
@@ -128,7 +230,16 @@ pub mod tests {
 
     fn order(rate_hz: Option<f64>) -> Order {
         let (log, output) = ("log.csv".into(), Some("out.svg".into()));
-        Order { log, output, points: None, rate_hz, still: false, columns: Vec::new(), force: false }
+        Order {
+            log,
+            output,
+            points: None,
+            scene: None,
+            rate_hz,
+            still: false,
+            columns: Vec::new(),
+            force: false,
+        }
     }
 
     /// Reads a log with the rows `time(k)`, k.
@@ -155,21 +266,37 @@ pub mod tests {
     }
 
     #[test]
-    fn jitter_is_taken_and_gaps_are_reported() {
+    fn jitter_is_taken_and_gaps_make_pieces() {
         let stamps = |k: u32| format!("{:.3}", f64::from(k) * 0.0025);
         let log = read("time_s,a_g", None, stamps).unwrap();
-        assert!((log.interval_s - 0.0025).abs() < 1e-5);
-        for late in [1, -1] {
-            let gap = |k: u32| format!("{:.2}", f64::from(k as i32 + if k < 30 { 0 } else { late }) * 0.01);
-            let failure = read("time_s,a_g", None, gap).err().unwrap();
-            assert!(
-                failure.starts_with("log.csv:32: column time_s") && failure.contains("--rate"),
-                "{failure}"
-            );
-            // --rate believes the count.
-            let log = read("time_s,a_g", Some(100.0), gap).unwrap();
-            assert!((log.interval_s, log.count(), log.is_counted) == (0.01, 60, true));
-        }
+        assert!((log.interval_s - 0.0025).abs() < 1e-5 && log.remarks.is_empty());
+        let gap = |k: u32| format!("{:.2}", f64::from(k + if k < 50 { 0 } else { 7 }) * 0.01);
+        let log = read("time_s,a_g", None, gap).unwrap();
+        assert_eq!((log.pieces, log.series[0].increments.len()), (vec![50, 10], 60));
+        assert_eq!(log.remarks, ["1 gap, 0.1 s in all: the estimates of 2 pieces are joined"]);
+        // --rate believes the count.
+        let log = read("time_s,a_g", Some(100.0), gap).unwrap();
+        assert!((log.interval_s, log.count(), log.is_counted, log.pieces) == (0.01, 60, true, vec![60]));
+        let short = read("time_s,a_g", None, |k| (k + k / 20).to_string()).err().unwrap();
+        assert!(short.contains("2 gaps") && short.contains("has 20 rows (limit 45; --rate 1.000"), "{short}");
+        let back = read("time_s,a_g", None, |k| (if k == 30 { 3 } else { k }).to_string()).err().unwrap();
+        assert!(back.starts_with("log.csv:32: column time_s") && back.contains("--rate"), "{back}");
+        assert!(read("time_s,a_g", None, |_| "4".into()).err().unwrap().contains("all stamps are the same"));
+    }
+
+    #[test]
+    fn of_many_pieces_the_longest_stay() {
+        let pieces: Vec<Range<usize>> =
+            (0..150).map(|k| 100 * k..100 * k + if k == 70 { 90 } else { 50 }).collect();
+        let mut stamps = Stamps { interval_s: 0.1, pieces, lost: 5000, jitter: 0.0 };
+        let said = remarks(&mut stamps);
+        assert_eq!(
+            said,
+            ["149 gaps, 8.3 min in all: the estimates of 100 pieces with 66.8 % of the rows are joined"]
+        );
+        let mut values: Vec<f64> = (0..15_000).map(f64::from).collect();
+        keep(&mut values, &stamps.pieces);
+        assert!(values.len() == 5040 && values[49] == 49.0 && values[50] == 100.0);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The Allan deviation of an IMU log, and the noises that explain it.
 //!
-//! The data flow is `command` → `quantity`, `log` → `analysis` → `diagram`, `document`, `table`, `records`. `sheet` has the units
+//! The data flow is `command` → `quantity`, `stamps`, `log` → `analysis` → `diagram`, `document`, `table`, `records`, `scene`. `sheet` has the units
 //! of data sheets. The library has the estimator, [`sins::allan`].
 
 mod analysis;
@@ -10,7 +10,9 @@ mod document;
 mod log;
 mod quantity;
 mod records;
+mod scene;
 mod sheet;
+mod stamps;
 mod table;
 
 pub use command::Order;
@@ -31,15 +33,22 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let points =
         order.points.as_ref().map(|path| outputs.file(path, &records::POINTS.join(","))).transpose()?;
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;
+    let scene = order.scene.as_ref().map(|path| outputs.file(path, scene::MARK)).transpose()?;
     let log = Log::read(order)?;
     let analyses = Analysis::of_log(&log)?;
     let drawn = match is_page {
         true => document::page(&log, &analyses)?,
         false => document::picture(&log, &analyses)?,
     };
+    // The figures are told also if no scene can be made of them.
+    let written = scene.map(|file| file.finish(scene::text(&log, &analyses)?));
     let tables = [(points, records::points(&analyses)?), (fit, records::coefficients(&analyses)?)];
     let tables = tables.map(|(file, text)| file.map_or(Ok(()), |file| file.finish(text)));
     Failure::each(
-        [drawn_file.finish(drawn)].into_iter().chain(tables).chain([print(&table::table(&log, &analyses))]),
+        [drawn_file.finish(drawn)]
+            .into_iter()
+            .chain(tables)
+            .chain([print(&table::table(&log, &analyses))])
+            .chain(written),
     )
 }

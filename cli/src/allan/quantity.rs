@@ -4,6 +4,7 @@ use sins::units::{ARCSEC, DEG, DEG_PER_HOUR, MICRO_G, STANDARD_GRAVITY};
 
 use super::command::Wanted;
 use sins::scene::listed;
+use sins::scene::log::TimeFormat;
 
 use crate::failure::Failure;
 
@@ -53,9 +54,38 @@ const INCREMENT_WORDS: [&str; 2] = ["increment", "delta"];
 /// Largest number of columns that are analysed.
 const MOST: usize = 6;
 
-/// Names of the columns of time stamps, and their units [s].
-pub const TIMES: [(&str, f64); 4] =
-    [("time_s", 1.0), ("time_ms", 1e-3), ("time_us", 1e-6), ("time_ns", 1e-9)];
+/// How a column of time stamps is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stamp {
+    /// As numbers of this unit [s].
+    Number(f64),
+    Clock(TimeFormat),
+}
+
+/// Units of time stamps. A column time_s, time_ms, time_us or time_ns needs none.
+const STAMPS: [(&str, Stamp); 6] = [
+    ("s", Stamp::Number(1.0)),
+    ("ms", Stamp::Number(1e-3)),
+    ("us", Stamp::Number(1e-6)),
+    ("ns", Stamp::Number(1e-9)),
+    ("iso", Stamp::Clock(TimeFormat::Iso)),
+    ("hms", Stamp::Clock(TimeFormat::Hms)),
+];
+
+/// The column of time stamps: the wanted one with a unit of time, or the one whose name says it.
+pub fn stamps(names: &[String], wanted: &[Wanted]) -> Option<(String, Stamp)> {
+    let own = |(unit, stamp): &(&str, Stamp)| {
+        let name = format!("time_{unit}");
+        names.contains(&name).then_some((name, *stamp))
+    };
+    let chosen = wanted.iter().find_map(|wanted| Some((wanted.name.clone(), stamp(wanted)?)));
+    chosen.or_else(|| STAMPS[..4].iter().find_map(own))
+}
+
+fn stamp(wanted: &Wanted) -> Option<Stamp> {
+    let unit = wanted.unit.as_deref()?;
+    STAMPS.into_iter().find(|(name, _)| *name == unit).map(|(_, stamp)| stamp)
+}
 
 /// Quantity with the unit at the end of `name`, after an underscore.
 fn by_name(name: &str) -> Option<Quantity> {
@@ -67,14 +97,24 @@ fn by_name(name: &str) -> Option<Quantity> {
 
 /// Columns of the header `names` that are analysed.
 pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quantity)>, Failure> {
-    let chosen = if wanted.is_empty() {
+    for wanted in wanted {
+        let Wanted { name, .. } = wanted;
+        if !names.contains(name) {
+            let header = listed(names.iter().map(String::as_str));
+            return Err(Failure::new(format!(
+                "expected a column \"{name}\" in the header, which has {header}"
+            )));
+        }
+    }
+    let mut wanted = wanted.iter().filter(|wanted| stamp(wanted).is_none()).peekable();
+    let chosen = if wanted.peek().is_none() {
         let is_sensor = |name: &str, quantity: &Quantity| {
             !quantity.is_increment || INCREMENT_WORDS.iter().any(|word| name.to_lowercase().contains(word))
         };
         let all = names.iter().filter_map(|name| Some((name.clone(), by_name(name)?)));
         all.filter(|(name, quantity)| is_sensor(name, quantity)).collect()
     } else {
-        wanted.iter().map(|wanted| find(names, wanted)).collect::<Result<Vec<_>, _>>()?
+        wanted.map(find).collect::<Result<Vec<_>, _>>()?
     };
     match chosen.len() {
         1..=MOST => Ok(chosen),
@@ -94,19 +134,16 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
     }
 }
 
-fn find(names: &[String], wanted: &Wanted) -> Result<(String, Quantity), Failure> {
+fn find(wanted: &Wanted) -> Result<(String, Quantity), Failure> {
     let Wanted { name, unit } = wanted;
-    if !names.contains(name) {
-        let header = listed(names.iter().map(String::as_str));
-        return Err(Failure::new(format!("expected a column \"{name}\" in the header, which has {header}")));
-    }
     let quantity = match unit {
         Some(unit) => QUANTITIES.into_iter().find(|quantity| quantity.unit == unit),
         None => by_name(name),
     };
-    let units = || QUANTITIES.map(|quantity| quantity.unit).join(", ");
+    let units =
+        || listed(QUANTITIES.iter().map(|quantity| quantity.unit).chain(STAMPS.iter().map(|stamp| stamp.0)));
     let quantity = quantity.ok_or_else(|| {
-        Failure::new(format!("column \"{name}\": expected its unit as NAME:UNIT, one of {}", units()))
+        Failure::new(format!("column \"{name}\": expected its unit as NAME=UNIT, one of {}", units()))
     })?;
     Ok((name.clone(), quantity))
 }
@@ -155,9 +192,14 @@ mod tests {
     fn columns_are_chosen_and_given_units() {
         let columns = chosen("t,wx,roll_rad", &[("roll_rad", None), ("wx", Some("deg_h"))]).unwrap();
         assert!(columns[0].1.is_increment && columns[1].1.si == DEG_PER_HOUR);
-        assert!(chosen("t,wx", &[("wx", None)]).unwrap_err().contains("NAME:UNIT"));
+        assert!(chosen("t,wx", &[("wx", None)]).unwrap_err().contains("NAME=UNIT"));
         assert!(chosen("t,wx", &[("wy", None)]).unwrap_err().contains("\"wy\""));
         assert!(chosen("t,wx", &[]).unwrap_err().contains("--columns"));
+        let header = names("t,time_ms,wx_deg_s");
+        let iso = [Wanted { name: "t".into(), unit: Some("iso".into()) }];
+        assert_eq!(stamps(&header, &iso), Some(("t".into(), Stamp::Clock(TimeFormat::Iso))));
+        assert_eq!(stamps(&header, &[]), Some(("time_ms".into(), Stamp::Number(1e-3))));
+        assert_eq!(choose(&header, &iso).unwrap()[0].0, "wx_deg_s");
         assert!(chosen("a_g,b_g,c_g,d_g,e_g,f_g,h_g", &[]).unwrap_err().contains("found 7"));
     }
 }

@@ -58,6 +58,24 @@ pub fn si_name(sensor: Sensor, term: Term) -> &'static str {
     }
 }
 
+/// The parameter of the library's sensors that a coefficient sets, and its size for a coefficient of 1. The error of a rounded integral is
+/// uniform over a pulse.
+pub fn parameter(sensor: Sensor, term: Term) -> (&'static str, f64) {
+    let pulse = 12f64.sqrt();
+    match (sensor, term) {
+        (Sensor::Gyro, Term::Quantization) => ("gyro.quantization_rad", pulse),
+        (Sensor::Gyro, Term::RandomWalk) => ("gyro.random_walk_rad_sqrt_s", 1.0),
+        (Sensor::Gyro, Term::Flicker) => ("gyro.flicker_rad_s", 1.0),
+        (Sensor::Gyro, Term::RateRandomWalk) => ("gyro.rate_random_walk_rad_s_sqrt_s", 1.0),
+        (Sensor::Gyro, Term::Ramp) => ("gyro.rate_ramp_rad_s2", 1.0),
+        (Sensor::Accelerometer, Term::Quantization) => ("accel.quantization_m_s", pulse),
+        (Sensor::Accelerometer, Term::RandomWalk) => ("accel.velocity_random_walk_m_s_sqrt_s", 1.0),
+        (Sensor::Accelerometer, Term::Flicker) => ("accel.flicker_m_s2", 1.0),
+        (Sensor::Accelerometer, Term::RateRandomWalk) => ("accel.acceleration_random_walk_m_s2_sqrt_s", 1.0),
+        (Sensor::Accelerometer, Term::Ramp) => ("accel.ramp_m_s3", 1.0),
+    }
+}
+
 /// Name of a coefficient.
 pub fn name(sensor: Sensor, term: Term) -> &'static str {
     match (sensor, term) {

@@ -1,6 +1,6 @@
 //! Coefficients as text, and as a table on the terminal.
 
-use sins::allan::Term;
+use sins::allan::{Filter, Term};
 
 use super::analysis::{Analysis, Coefficient};
 use super::log::Log;
@@ -34,31 +34,59 @@ pub fn density(analysis: &Analysis, coefficient: &Coefficient) -> Option<String>
     is_quoted.then(|| in_unit(coefficient.value, sheet::density(analysis.sensor)))
 }
 
-/// Part of the rows that may be those before by chance, or by coarse quantization.
-const FEW_REPEATS: f64 = 0.2;
+/// Part of the rows that may be those before, where a sensor is sometimes late.
+const FEW_REPEATS: f64 = 0.1;
+
+/// An averaging time.
+fn tau(seconds: f64) -> String {
+    if seconds < 10.0 { format!("{} s", about(seconds)) } else { time_text(seconds) }
+}
+
+/// A number with two digits.
+fn about(value: f64) -> String {
+    let place = 1 - value.log10().floor() as i32;
+    let scale = 10f64.powi(place);
+    format!("{:.*}", place.max(0) as usize, (value * scale).round() / scale)
+}
+
+/// What makes the values depend on their neighbours.
+fn dependence(analysis: &Analysis) -> String {
+    let times = (1.0 / (1.0 - analysis.repeats)).round();
+    if analysis.repeats > FEW_REPEATS {
+        // Repeated by a fixed number, or now and then.
+        let is_regular = (analysis.repeats * times / (times - 1.0) - 1.0).abs() < 0.02;
+        if is_regular {
+            let rate_hz = 1.0 / analysis.estimates[0].tau_s;
+            let [sensor, log] = [rate_hz / times, rate_hz].map(significant);
+            return format!("each value stands {times} times: a sensor of {sensor} Hz in rows of {log} Hz");
+        }
+        let percent = 100.0 * analysis.repeats;
+        return format!(
+            "{percent:.0} % of the values are those of the row before: the sensor is slower than the log"
+        );
+    }
+    match analysis.filter {
+        Some(Filter::FirstOrder(hz)) => format!("the values are those behind a low-pass of first order at about {} Hz", about(hz)),
+        Some(Filter::SecondOrder(hz)) => format!("the values are those behind a low-pass of second order at about {} Hz", about(hz)),
+        Some(Filter::Mean(rows)) => {
+            let about = if rows < 6 { "" } else { "about " };
+            format!("each value is the mean of {about}{rows} of the sensor")
+        },
+        None => "neighbouring values depend on each other, as behind a low-pass, by averaging, or at the upper end of flicker noise".to_owned(),
+    }
+}
 
 /// Remark about averaging times that are left out, and about what the coefficients do not explain.
 pub fn remark(analysis: &Analysis) -> Option<String> {
     if let Some(from_s) = analysis.from_s {
-        let cause = if analysis.repeats > FEW_REPEATS {
-            let percent = 100.0 * analysis.repeats;
-            format!(
-                "{percent:.0} % of the values are those of the row before: the sensor is slower than the log"
-            )
-        } else {
-            "neighbouring values depend on each other, as behind a low-pass, by averaging, or at the upper end of flicker noise"
-                .to_owned()
-        };
-        return Some(format!(
-            "Averaging times below {} are left out of the fit: {cause}.",
-            time_text(from_s)
-        ));
+        let (from, cause) = (tau(from_s), dependence(analysis));
+        return Some(format!("Averaging times below {from} are left out of the fit: {cause}."));
     }
     let what = "something else is in the record, as a Gauss-Markov process or a vibration, and the coefficients have taken what they \
                 could of it";
     let missed = analysis.unexplained().map(|missed| {
         let ratio = significant(missed.deviation / missed.fitted);
-        format!("At {} the deviation is {ratio} times the fit: {what}.", time_text(missed.tau_s))
+        format!("At {} the deviation is {ratio} times the fit: {what}.", tau(missed.tau_s))
     });
     let disagree = || format!("Fits to shorter and to longer averaging times disagree: {what}.");
     (!analysis.is_explained).then(|| missed.unwrap_or_else(disagree))
@@ -68,7 +96,13 @@ pub fn remark(analysis: &Analysis) -> Option<String> {
 pub fn source(log: &Log) -> String {
     let rate = significant(1.0 / log.interval_s);
     let counted = if log.is_counted { " (--rate; the time stamps are not used)" } else { "" };
-    format!("{}: {} samples at {rate} Hz{counted}, {}", log.name, log.count(), time_text(log.duration_s()))
+    let remarks: String = log.remarks.iter().map(|remark| format!("; {remark}")).collect();
+    format!(
+        "{}: {} samples at {rate} Hz{counted}, {}{remarks}",
+        log.name,
+        log.count(),
+        time_text(log.duration_s())
+    )
 }
 
 /// The table for the terminal.

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use sins::allan::Point;
+
 use crate::support::{done, folder, read, rejected, run};
 
 /// A turn at 10 °/s, measured in pulses of a thousandth of a degree while the turntable shakes. The motion of the shaking is
@@ -56,9 +58,10 @@ fn bad_logs_and_orders_are_reported() {
     let path = folder.join("gap.csv");
     // The comment is line 1, the header line 2, row k line k + 3.
     log(&path, 500, 321, 1);
-    let errors = rejected(&folder, &["allan", "gap.csv", "-o", "out.svg"]);
-    assert!(errors.contains("gap.csv:324: column time_s"), "{errors}");
-    assert!(errors.contains("--rate"), "{errors}");
+    let joined = done(&folder, &["allan", "gap.csv", "-o", "joined.svg"]);
+    let words =
+        "gap.csv: 500 samples at 100.0 Hz, 5 s; 1 gap, 0 s in all: the estimates of 2 pieces are joined";
+    assert!(joined.starts_with(words), "{joined}");
     let said = done(&folder, &["allan", "gap.csv", "-o", "counted.svg", "--rate", "100"]);
     assert!(
         said.starts_with("gap.csv: 500 samples at 100.0 Hz (--rate; the time stamps are not used)"),
@@ -72,6 +75,8 @@ fn bad_logs_and_orders_are_reported() {
     ] {
         let errors = rejected(&folder, &[&["allan", "gap.csv"], arguments].concat());
         assert!(errors.contains(expected), "{arguments:?}: {errors}");
+        let is_of_file = !arguments.contains(&"out.png");
+        assert_eq!(is_of_file, errors.contains("begins:\n   1 | # a turntable\n   2 | time_s,"), "{errors}");
     }
     assert!(!folder.join("out.svg").exists(), "nothing is drawn of a bad log");
 }
@@ -117,9 +122,9 @@ fn filtered_averaged_and_repeated_records_have_their_noise() {
     save(&folder.join("low_pass.csv"), low_pass.skip(100));
     for (name, remark) in [
         ("white", None),
-        ("mean", Some("neighbouring values depend on each other")),
-        ("twice", Some("50 % of the values are those of the row before: the sensor is slower than the log")),
-        ("low_pass", Some("neighbouring values depend on each other")),
+        ("mean", Some("below 0.060 s are left out of the fit: each value is the mean of 4 of the sensor")),
+        ("twice", Some("each value stands 2 times: a sensor of 50.00 Hz in rows of 100.0 Hz")),
+        ("low_pass", Some("the values are those behind a low-pass of first order at about 5.6 Hz")),
     ] {
         let table = done(
             &folder,
@@ -154,4 +159,114 @@ fn motion_is_not_noise() {
         let table = done(&folder, &["allan", name, "--rate", "100", "--still"]);
         assert!(table.starts_with(name), "{table}");
     }
+}
+
+/// White noise of N = 0.66 °/√h with stamps as they come: jitter of a bus, lost rows, gaps, dates.
+#[test]
+fn stamps_scatter_and_rows_are_lost() {
+    let folder = folder("stamps");
+    let white = noise(60_000, 0.66, |_| 0.0);
+    let table = |name: &str, header: &str, stamp: &dyn Fn(usize) -> Option<String>| {
+        let rows =
+            white.iter().enumerate().filter_map(|(k, value)| Some(format!("{},{value:.9e}\n", stamp(k)?)));
+        std::fs::write(folder.join(name), format!("{header}\n{}", rows.collect::<String>())).unwrap();
+    };
+    table("batches.csv", "time_s,gyro_x_deg_s", &|k| {
+        Some(format!("{:.4}", (k / 4 * 4) as f64 / 100.0 + (k % 4) as f64 * 2e-4))
+    });
+    table("gaps.csv", "t,GyrX", &|k| {
+        (!(20_000..30_000).contains(&k) && k % 7000 != 6000).then(|| format!("{}", 10_000 * k))
+    });
+    table("dates.csv", "when,GyrX", &|k| {
+        let (minute, second) = (k / 6000 % 60, k % 6000);
+        Some(format!("2024-05-01T23:{:02}:{:02}.{:02}Z", 50 + minute, second / 100, second % 100))
+    });
+    table("lossy.csv", "time_s,gyro_x_deg_s", &|k| (k % 20 != 0).then(|| format!("{:.2}", k as f64 / 100.0)));
+    for (name, arguments, said) in [
+        ("batches.csv", &[][..], "stamps scatter by up to 2.9"),
+        (
+            "gaps.csv",
+            &["--columns", "t=us,GyrX=°/s"],
+            "7 gaps, 100.1 s in all: the estimates of 8 pieces are joined",
+        ),
+        ("dates.csv", &["--columns", "when=iso,GyrX=deg/s"], "60000 samples at 100.0 Hz, 10 min; 95 %"),
+        ("lossy.csv", &["--rate", "100"], "57000 samples at 100.0 Hz (--rate"),
+    ] {
+        let table = done(&folder, &[&["allan", name, "--force"], arguments].concat());
+        let [n, low, high] = random_walk(&table);
+        assert!(
+            table.contains(said) && low < 0.66 && 0.66 < high && high < 1.05 * low && low < n,
+            "{name}: {table}"
+        );
+    }
+    let errors = rejected(&folder, &["allan", "lossy.csv"]);
+    assert!(
+        errors.contains("2999 gaps, and the longest piece between them has 19 rows")
+            && errors.contains("--rate 100.0"),
+        "{errors}"
+    );
+    let errors = rejected(&folder, &["allan", "dates.csv"]);
+    assert!(
+        errors.contains("--columns: when, GyrX") && errors.contains("   2 | 2024-05-01T23:50:00.00Z,"),
+        "{errors}"
+    );
+    let errors = rejected(&folder, &["allan", "dates.csv", "--columns", "GyrX=deg_s"]);
+    assert!(errors.contains("--columns \"NAME=s\""), "{errors}");
+}
+
+/// What the records of 24 sensors show is written as scenes; their flights give records with the same curves.
+#[test]
+fn what_was_found_flies() {
+    let folder = folder("closure");
+    let mut state = 7_u64;
+    let mut from = move |low: f64, high: f64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        low * (high / low).powf((state >> 11) as f64 / (1_u64 << 53) as f64)
+    };
+    let (mut points, mut apart) = (0, 0);
+    for seed in ["1", "2", "3", "4"] {
+        let mut axes =
+            |low: f64, high: f64| format!("[{}, {}, {}]", from(low, high), from(low, high), from(low, high));
+        let scene = format!(
+            "[flight]\nbuiltin = \"rest\"\nhours = 2\nrate_hz = 10\n\
+            [gyro]\nrandom_walk_deg_sqrt_h = {}\nflicker_deg_h = {}\nrate_random_walk_deg_h_sqrt_h = {}\n\
+            [accelerometer]\nrandom_walk_micro_g_sqrt_hz = {}\nflicker_micro_g = {}\nramp_micro_g_h = {}\n",
+            axes(0.01, 1.0),
+            axes(0.1, 100.0),
+            axes(0.1, 100.0),
+            axes(10.0, 1000.0),
+            axes(1.0, 300.0),
+            axes(1.0, 1000.0),
+        );
+        std::fs::write(folder.join("set.toml"), scene).unwrap();
+        let run = |scene: &str, seed: &str, points: &str| {
+            let seed = format!("options.seed={seed}");
+            done(&folder, &["fly", scene, "--set", &seed, "--imu", "imu.csv", "--quiet", "--force"]);
+            done(
+                &folder,
+                &["allan", "sins_out/imu.csv", "--csv", points, "--write", "found.toml", "--force"],
+            );
+            read(folder.join(points))
+        };
+        let [first, second] = [("set.toml", seed, "first.csv"), ("found.toml", "99", "second.csv")]
+            .map(|(scene, seed, points)| run(scene, seed, points));
+        assert_eq!(first.lines().count(), second.lines().count());
+        for (one, other) in first.lines().zip(second.lines()).skip(1) {
+            let band = |line: &str| {
+                let fields: Vec<f64> = line.split(',').skip(1).map(|field| field.parse().unwrap()).collect();
+                let point = Point { tau_s: fields[0], variance: fields[1] * fields[1], degrees: fields[4] };
+                point.interval(0.999)
+            };
+            let (first, second) = (band(one), band(other));
+            points += 1;
+            // The coefficients explain a deviation within its interval or within 5 %.
+            let is_apart = |low: f64, high: f64| low > high * 1.05f64.powi(2);
+            if is_apart(first.low, second.high) || is_apart(second.low, first.high) {
+                apart += 1;
+                println!("seed {seed}:\n{one}\n{other}");
+            }
+        }
+    }
+    println!("{apart} of {points} deviations lie apart");
+    assert!(points > 24 * 30 && apart == 0, "{apart} of {points}");
 }

@@ -18,6 +18,7 @@ pub struct Clock {
 }
 
 impl Clock {
+    /// For rows whose times `mapping` describes.
     pub fn new(mapping: &LogMapping) -> Self {
         Self {
             format: mapping.time_format,

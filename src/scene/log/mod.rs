@@ -19,10 +19,10 @@ use crate::base::error::{Error, ErrorKind, Rule, check_integer};
 use crate::base::memory::{room, room_for_one_more};
 use crate::scene::{Fault, Scene, foreign};
 use crate::truth::FlightSample;
-use clock::Clock;
 use columns::{columns, unread};
 use rows::{Table, check_line, next_row};
 
+pub use clock::Clock;
 pub(in crate::scene) use mapping::TAKES as COLUMN_TAKES;
 pub use mapping::{ColumnFrom, LogColumn, LogMapping, Separator, TimeFormat};
 pub(in crate::scene) use quantity::QUANTITIES;

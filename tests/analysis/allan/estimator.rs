@@ -113,3 +113,43 @@ fn all_five_are_recovered_from_one_record() {
         assert!(found.interval(Term::ALL[term], 0.95).low > 0.0, "{term} is not resolved");
     }
 }
+
+/// A record with gaps: pieces of many lengths, some too short for the longer times.
+#[test]
+fn intervals_hold_for_pieces() {
+    let lengths = [1500, 40, 900, 300, 1000, 40, 3, 700];
+    let estimator = Estimator::of_pieces(&lengths, 1.0).unwrap();
+    for (label, truth) in [
+        ("N", Coefficients { n: 1.0, ..NONE }),
+        ("B", Coefficients { b: 1.0, ..NONE }),
+        ("K", Coefficients { k: 1.0, ..NONE }),
+        ("N and K", Coefficients { n: 1.0, k: 0.01, ..NONE }),
+    ] {
+        let squares = truth.squares();
+        let mut held_deviations = vec![0; estimator.taus_s().len()];
+        let mut held = [0; TERMS];
+        for run in 0..RUNS {
+            let whole = increments(&truth, 6000, 1.0, &mut Normal::new(u64::from(run)));
+            let mut rest = &whole[..];
+            let mut pieces = Vec::new();
+            for (place, length) in lengths.into_iter().enumerate() {
+                pieces.extend(&rest[..length]);
+                rest = &rest[length + [1, 5, 100, 1, 600, 1, 1, 0][place]..];
+            }
+            let found = estimator.estimate(&pieces).unwrap();
+            for (held, point) in held_deviations.iter_mut().zip(&found.points) {
+                *held += u32::from(point.interval(0.95).contains(total(&squares, point.tau_s)));
+            }
+            for term in (0..TERMS).filter(|term| squares[*term] > 0.0) {
+                held[term] += u32::from(found.interval(Term::ALL[term], 0.95).contains(squares[term]));
+            }
+        }
+        println!("{label}: of {RUNS}, deviations {held_deviations:?}, coefficients {held:?}");
+        for (tau_s, held) in estimator.taus_s().iter().zip(&held_deviations) {
+            assert_coverage(&format!("{label}, deviation at {tau_s} s"), *held, false);
+        }
+        for term in (0..TERMS).filter(|term| squares[*term] > 0.0) {
+            assert_coverage(&format!("{label}, {}", Term::ALL[term].letter()), held[term], false);
+        }
+    }
+}

@@ -5,5 +5,6 @@
 mod closure;
 mod dependent;
 mod estimator;
+mod grid;
 mod noises;
 mod terms;

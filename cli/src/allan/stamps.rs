@@ -1,0 +1,172 @@
+//! The interval of a record and its pieces between gaps, from its time stamps.
+
+use std::ops::Range;
+
+/// A step longer than this part of the interval may be a gap.
+const LONG: f64 = 1.5;
+
+/// Rows before and behind a long step that tell whether it is a gap. Behind a late stamp the next ones are on time again; behind a gap none
+/// is.
+const ROWS: usize = 20;
+
+/// Largest number of gaps, as a part of the rows: more of them are stamps that come in batches, each as late as the last row of its batch.
+const MOST_GAPS: f64 = 0.1;
+
+/// Least usual step, as a part of the mean step: a gap is not longer than the record a million times.
+const SHORTEST: f64 = 1e-6;
+
+/// Steps of which the usual one is taken.
+const MOST_STEPS: usize = 100_000;
+
+/// Rounds in which the interval is found: a round leaves that part of its error that the gaps are of the record.
+const ROUNDS: usize = 60;
+
+/// What the stamps of a record say.
+#[derive(Debug, PartialEq)]
+pub struct Stamps {
+    pub interval_s: f64,
+    /// Pieces of rows at equal intervals.
+    pub pieces: Vec<Range<usize>>,
+    /// Intervals that are missing between the pieces.
+    pub lost: usize,
+    /// Largest difference between a step within a piece and the interval, as a part of the interval.
+    pub jitter: f64,
+}
+
+/// Reads stamps [s] in order, at least two.
+pub fn read(times_s: &[f64]) -> Stamps {
+    let mean_s = (times_s[times_s.len() - 1] - times_s[0]) / (times_s.len() - 1) as f64;
+    // If there are gaps, the mean step is too long; if stamps come in batches, the usual step is too short, or nothing.
+    let usual_s = usual(times_s);
+    if usual_s > SHORTEST * mean_s {
+        let found = found(times_s, usual_s);
+        if (found.pieces.len() - 1) as f64 <= MOST_GAPS * times_s.len() as f64 {
+            return found;
+        }
+    }
+    found(times_s, mean_s)
+}
+
+fn steps(times_s: &[f64]) -> impl Iterator<Item = f64> {
+    times_s.windows(2).map(|pair| pair[1] - pair[0])
+}
+
+/// The mean step without gaps. Not the median: stamps with few digits have steps of two lengths, and the median is one of the two.
+fn usual(times_s: &[f64]) -> f64 {
+    let mut some: Vec<f64> = steps(times_s).step_by(1 + times_s.len() / MOST_STEPS).collect();
+    let middle = some.len() / 2;
+    let median = *some.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let single = steps(times_s).filter(|step| *step < 1.75 * median);
+    let (sum, count) = single.fold((0.0, 0_u32), |(sum, count), step| (sum + step, count + 1));
+    if count == 0 { median } else { sum / f64::from(count) }
+}
+
+/// The interval such that rows and gaps fill the time from the first stamp to the last.
+fn found(times_s: &[f64], begin_s: f64) -> Stamps {
+    let length_s = times_s[times_s.len() - 1] - times_s[0];
+    let mut interval_s = begin_s;
+    let mut gaps = gaps(times_s, interval_s);
+    for _ in 0..ROUNDS {
+        let lost: usize = gaps.iter().map(|(_, lost)| lost).sum();
+        let next_s = length_s / (times_s.len() - 1 + lost) as f64;
+        let is_same = next_s == interval_s;
+        interval_s = next_s;
+        if is_same {
+            break;
+        }
+        gaps = self::gaps(times_s, interval_s);
+    }
+    let ends = gaps.iter().map(|(row, _)| row + 1).chain([times_s.len()]);
+    let mut begin = 0;
+    let pieces: Vec<Range<usize>> = ends.map(|end| std::mem::replace(&mut begin, end)..end).collect();
+    let is_gap = |row: usize| gaps.binary_search_by_key(&row, |gap| gap.0).is_ok();
+    let off = |(row, step): (usize, f64)| if is_gap(row) { 0.0 } else { (step / interval_s - 1.0).abs() };
+    let jitter = steps(times_s).enumerate().map(off).fold(0.0, f64::max);
+    Stamps { interval_s, pieces, lost: gaps.iter().map(|(_, lost)| lost).sum(), jitter }
+}
+
+/// The rows before gaps, and how many intervals each gap has more than one.
+fn gaps(times_s: &[f64], interval_s: f64) -> Vec<(usize, usize)> {
+    let mut gaps = Vec::new();
+    let mut begin = 0;
+    for (row, _) in steps(times_s).enumerate().filter(|(_, step)| *step > LONG * interval_s) {
+        // When the row was due, by the stamps before and behind it: the earliest, as stamps are late rather than early.
+        let before =
+            (begin.max(row.saturating_sub(ROWS))..=row).map(|k| times_s[k] + (row - k) as f64 * interval_s);
+        let behind =
+            (row + 1..times_s.len().min(row + 1 + ROWS)).map(|k| times_s[k] - (k - row) as f64 * interval_s);
+        let [before_s, behind_s] =
+            [before.fold(f64::INFINITY, f64::min), behind.fold(f64::INFINITY, f64::min)];
+        let lost = ((behind_s - before_s) / interval_s).round();
+        if lost >= 1.0 {
+            gaps.push((row, lost as usize));
+            begin = row + 1;
+        }
+    }
+    gaps
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows 0 to 999 at 100 Hz, less those that `is_lost`, with the stamps `late`.
+    fn stamps(is_lost: impl Fn(usize) -> bool, late: impl Fn(usize) -> f64) -> Stamps {
+        let times_s: Vec<f64> =
+            (0..1000).filter(|k| !is_lost(*k)).map(|k| 0.01 * (k as f64 + late(k))).collect();
+        read(&times_s)
+    }
+
+    fn jitter(k: usize) -> f64 {
+        (k * 7919 % 97) as f64 / 97.0
+    }
+
+    #[test]
+    fn gaps_are_found_among_stamps_that_scatter() {
+        for (late, jitter) in [
+            ((|_| 0.0) as fn(usize) -> f64, 0.0..0.01),
+            (jitter, 0.5..1.0),
+            (|k| (3.0 * k as f64).round() / 3.0 - k as f64, 0.0..0.5),
+        ] {
+            let whole = stamps(|_| false, late);
+            assert!(
+                (whole.interval_s / 0.01 - 1.0).abs() < 2e-3
+                    && (whole.pieces.len(), whole.pieces[0].len()) == (1, 1000)
+                    && whole.lost == 0,
+                "{whole:?}"
+            );
+            assert!(jitter.contains(&whole.jitter) || whole.jitter == 0.0, "{whole:?}");
+            let lossy = stamps(|k| k == 300 || (500..900).contains(&k), late);
+            // Where a gap begins is known as well as the stamps are.
+            let long: Vec<_> = lossy.pieces.iter().filter(|piece| piece.len() > 5).collect();
+            assert_eq!(
+                (long.len(), long[0], long[1].start, long[2]),
+                (3, &(0..300), 300, &(499..599)),
+                "{lossy:?}"
+            );
+            assert!(lossy.lost.abs_diff(401) <= 1, "{lossy:?}");
+            assert!((lossy.interval_s / 0.01 - 1.0).abs() < 2e-3, "{}", lossy.interval_s);
+        }
+    }
+
+    #[test]
+    fn batches_are_no_gaps() {
+        for late in [|k: usize| (3 - k % 4) as f64, |k: usize| (3 - k % 4) as f64 + 0.02 * (k % 4) as f64] {
+            let batches = stamps(|_| false, late);
+            assert!(
+                (batches.interval_s / 0.01 - 1.0).abs() < 5e-3 && batches.pieces.len() == 1,
+                "{batches:?}"
+            );
+            assert!(batches.jitter > 1.0);
+            let lossy = stamps(|k| (500..600).contains(&k), late);
+            assert_eq!((lossy.pieces, lossy.lost), (vec![0..500, 500..900], 100));
+        }
+    }
+
+    #[test]
+    fn every_twentieth_row_that_is_lost_is_a_gap() {
+        let lossy = stamps(|k| k % 20 == 10, |_| 0.0);
+        assert_eq!((lossy.lost, lossy.pieces.len(), lossy.pieces[1].clone()), (50, 51, 10..29));
+        assert!((lossy.interval_s / 0.01 - 1.0).abs() < 1e-9);
+    }
+}
