@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use sins::scene::Scene;
-use sins::scene::log::FlightLog;
+use sins::scene::log::{FlightLog, survey};
 use sins::truth::judge::Level;
 use sins::units::DEG;
 
@@ -15,6 +15,9 @@ use crate::units::{six_digits, time_text};
 
 /// The first line of a smoothed log.
 const MARK: &str = "# smoothed by sins log";
+
+/// The first line of a file with the columns of a table.
+const MAP_MARK: &str = "# columns that sins log found";
 
 const COLUMNS: &str = "time_s,latitude_deg,longitude_deg,height_m,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,roll_deg,pitch_deg,heading_deg";
 
@@ -30,6 +33,13 @@ pub struct Order {
     /// Reads the log by the [log] of this file, which names the columns of each quantity
     #[arg(long, value_name = "FILE.toml")]
     columns: Option<PathBuf>,
+    /// Looks for the columns of a table of any kind, and writes them into this file for --columns
+    ///
+    /// Known are Garmin G1000, G5 and G3X, X-Plane's Data.txt, FlightGear, SimConnect, Sky Dolly, ArduPilot, AirData, OpenSky, traffic, NCAR's
+    /// research aircraft and JSBSim. Of another table, quantities, units and times are guessed from names, lines of units and values. What
+    /// is not sure is said.
+    #[arg(long, value_name = "MAP.toml", conflicts_with_all = ["columns", "smooth"])]
+    map: Option<PathBuf>,
     /// Exits with code 2 if a finding is doubtful or unusable, as the commands that fly a log do with this option
     #[arg(long, conflicts_with = "smooth")]
     strict: bool,
@@ -57,7 +67,12 @@ pub struct Order {
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let settings = Settings { columns: order.columns.clone(), ..Settings::default() };
+    let table = read_table(&order.file)?;
+    if let Some(map) = &order.map {
+        write_map(order, &table, map)?;
+    }
+    let columns = order.columns.as_ref().or(order.map.as_ref()).cloned();
+    let settings = Settings { columns, ..Settings::default() };
     let mut mapping = settings.mapping()?.unwrap_or_default();
     if order.smooth {
         mapping.smooth_rate_hz = order.rate;
@@ -69,8 +84,15 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     }
     let scene = Scene { log: mapping, ..Scene::default() };
     // Not smoothed: the rows are judged as they are.
-    let log = FlightLog::parse_with(&read_table(&order.file)?, &scene.log)
-        .map_err(|error| of_log(&order.file, error))?;
+    let log = FlightLog::parse_with(&table, &scene.log).map_err(|error| {
+        let failure = of_log(&order.file, error);
+        let has_columns = settings.columns.is_none() && survey(&String::from_utf8_lossy(&table)).is_some();
+        if !has_columns {
+            return failure;
+        }
+        let file = order.file.display();
+        Failure::new(format!("{failure}\n`sins log {file} --map columns.toml` looks for the columns"))
+    })?;
     let findings = judge(&scene, &order.file, &log, log.samples().len());
     let Some(output) = &order.output else {
         let (rows, duration_s) = (log.samples().len(), log.duration_s());
@@ -85,6 +107,9 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         let lines: String = findings.iter().map(|(_, words)| format!("{words}\n")).collect();
         let is_doubtful = findings.iter().any(|(level, _)| *level >= Level::Doubtful);
         print(&(lines + if is_doubtful { "" } else { "nothing is doubtful\n" }))?;
+        if let Some(map) = &order.map {
+            print(&format!("next: `sins fly {} --columns {}`\n", order.file.display(), map.display()))?;
+        }
         if order.strict && is_doubtful {
             return Err(Failure::new(format!("{}: the log is refused (--strict)", order.file.display())));
         }
@@ -97,6 +122,23 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let before = log.notes().len();
     smoothed.notes()[before..].iter().for_each(|note| say(&note.sentence));
     Ok(())
+}
+
+/// Looks for the columns of a table, and writes them.
+fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
+    let file = order.file.display();
+    let Some(found) = survey(&String::from_utf8_lossy(table)) else {
+        let what = "no line at its beginning has names of time, latitude and longitude: write a [log] with the numbers of the columns";
+        return Err(Failure::of_file(&order.file, &what));
+    };
+    let format = found
+        .format
+        .map_or("guessed from names and values".to_owned(), |name| format!("of the format {name}"));
+    let doubts: String = found.doubts.iter().map(|doubt| format!("# not sure: {doubt}\n")).collect();
+    let text = format!("{MAP_MARK} in {file}, {format}\n{doubts}\n[log]\n{}", found.text);
+    Outputs::new(std::slice::from_ref(&order.file), order.force).file(path, MAP_MARK)?.finish(text)?;
+    let doubts: String = found.doubts.iter().map(|doubt| format!("not sure: {doubt}\n")).collect();
+    print(&format!("{}: the columns are {format}\n{doubts}", path.display()))
 }
 
 /// Writes the path as a log.

@@ -1,7 +1,7 @@
 //! `sins log`: what a log has, and a smooth path of it that flies.
 
 use crate::judged::{circle, faulty, write};
-use crate::support::{done, folder, read, rejected, run};
+use crate::support::{done, folder, project_file, read, rejected, rows, run};
 
 #[test]
 fn a_log_is_looked_at() {
@@ -16,6 +16,52 @@ fn a_log_is_looked_at() {
     let (code, said, errors) = run(&folder, &["log", "reversed.csv", "--strict"]);
     assert!(code == 2 && said.contains(": doubtful: ") && errors.contains("refused (--strict)"), "{errors}");
     assert!(rejected(&folder, &["log", "good.csv", "--smooth"]).contains("--output"));
+}
+
+/// A table of somebody else's: its columns are found, and the next command flies it.
+#[test]
+fn columns_are_found_and_fly() {
+    let folder = folder("map");
+    std::fs::copy(project_file("c_examples/flights/cockpit.csv"), folder.join("cockpit.csv")).unwrap();
+    let errors = rejected(&folder, &["log", "cockpit.csv"]);
+    assert!(
+        errors.contains("missing columns: time_s")
+            && errors.contains("`sins log cockpit.csv --map columns.toml`"),
+        "{errors}"
+    );
+    let said = done(&folder, &["log", "cockpit.csv", "--map", "map.toml"]);
+    for words in [
+        "the columns are of the format Garmin G1000\n",
+        "not sure: heading and track",
+        ": unusable: the first 8 rows",
+    ] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    assert!(said.ends_with("next: `sins fly cockpit.csv --columns map.toml`\n"), "{said}");
+    let (code, _, errors) = run(&folder, &["fly", "cockpit.csv", "--columns", "map.toml", "--name", "found"]);
+    assert_eq!(code, 0, "{errors}");
+    // The same path as by the columns that were written by hand, but for the variation, which only the pilot knows, and the geoid.
+    let scene = project_file("c_examples/scenes/cockpit.toml").display().to_string();
+    run(&folder, &["fly", &scene, "--name", "known"]);
+    let [found, known] = ["found", "known"].map(|name| rows(&folder.join(format!("sins_out/{name}.csv"))));
+    assert!(found.len() > 100 && found.len() == known.len(), "{} {}", found.len(), known.len());
+    for (found, known) in found.iter().zip(&known) {
+        for (name, off) in
+            [("truth_latitude_rad", 0.0), ("truth_longitude_rad", 0.0), ("truth_height_m", 38.0)]
+        {
+            let [found, known] = [found, known].map(|row| row[name].parse::<f64>().unwrap());
+            assert!((known - found - off).abs() < 1e-6 * known.abs(), "{name}: {found} {known}");
+        }
+    }
+
+    let errors = rejected(&folder, &["log", "cockpit.csv", "--map", "cockpit.csv"]);
+    assert!(errors.contains("is the input cockpit.csv"), "{errors}");
+    std::fs::write(folder.join("numbers.csv"), "1,2,3\n4,5,6\n").unwrap();
+    let errors = rejected(&folder, &["log", "numbers.csv", "--map", "numbers.toml"]);
+    assert!(
+        errors.contains("no line at its beginning has names") && !folder.join("numbers.toml").exists(),
+        "{errors}"
+    );
 }
 
 /// Each of the faults that smoothing is the remedy of: the path flies without a doubt, and near the circle.

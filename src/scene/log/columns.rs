@@ -186,7 +186,7 @@ pub fn unread(header: &StringRecord, line: u64, columns: &Columns, mapping: &Log
     };
     let note = |(place, column): (usize, &str)| {
         let is_read = columns.iter().flatten().any(|column| column.place == Some(place));
-        let Guess { quantity, unit, sign } = guess(column).filter(is_lacking).filter(|_| !is_read)?;
+        let Guess { quantity, unit, sign, .. } = guess(column).filter(is_lacking).filter(|_| !is_read)?;
         let unit = if unit.is_empty() { String::new() } else { format!(", in {unit}") };
         let sign = if sign < 0.0 { ", with the opposite sign" } else { "" };
         let sentence = format!("{} is not read; is it {}{unit}{sign}?", excerpt(column), name(quantity));

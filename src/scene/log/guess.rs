@@ -11,6 +11,8 @@ pub struct Guess {
     pub unit: &'static str,
     /// -1: the column has the opposite sign.
     pub sign: f64,
+    /// Place of the name among those of the quantity: of two columns the first is the better one.
+    pub rank: usize,
 }
 
 /// Names of quantities, without units, blanks and marks. A name that begins with "-" has the opposite sign.
@@ -28,18 +30,22 @@ const NAMES: &[(&str, &[&str])] = &[
             "elapsedtime",
             "elapsed",
             "realtime",
+            "lcltime",
+            "localtime",
         ],
     ),
-    ("latitude", &["latitude", "lat", "latitudegeodetic"]),
+    ("latitude", &["latitudegeodetic", "latitude", "lat"]),
     ("longitude", &["longitude", "lon", "long", "lng"]),
     (
         "height",
         &[
+            "altellipsoid",
+            "heightellipsoid",
+            "altgps",
+            "altitudegps",
             "height",
             "altitude",
             "alt",
-            "altgps",
-            "altitudegps",
             "altmsl",
             "altitudemsl",
             "altitudeasl",
@@ -47,7 +53,6 @@ const NAMES: &[(&str, &[&str])] = &[
             "ele",
             "hgt",
             "geoaltitude",
-            "altellipsoid",
             "altitudeabovesealevel",
             "ggalt",
         ],
@@ -209,15 +214,18 @@ pub fn guess(name: &str) -> Option<Guess> {
     loop {
         let stem = words.concat();
         let is_one = |known: &&str| known.strip_prefix('-').unwrap_or(known) == stem;
-        let found =
-            NAMES.iter().find_map(|(key, names)| Some((*key, *names.iter().find(|name| is_one(name))?)));
-        if let Some((key, name)) = found {
+        let found = NAMES.iter().find_map(|(key, names)| {
+            let rank = names.iter().position(is_one)?;
+            Some((*key, names[rank], rank))
+        });
+        if let Some((key, name, rank)) = found {
             let quantity = QUANTITIES.iter().position(|quantity| quantity.key == key)?;
             let dimension = QUANTITIES[quantity].dimension;
             // vel_e_ms is one in m/s.
             let unit = if unit == "ms" && dimension == Dimension::Speed { "m/s" } else { unit };
             let unit = if unit_of(dimension, unit).is_some() { unit } else { "" };
-            return Some(Guess { quantity, unit, sign: if name.starts_with('-') { -1.0 } else { 1.0 } });
+            let sign = if name.starts_with('-') { -1.0 } else { 1.0 };
+            return Some(Guess { quantity, unit, sign, rank });
         }
         let is_before = words.len() > 1 && BEFORE.contains(&words[0]);
         if !is_before {
@@ -225,6 +233,17 @@ pub fn guess(name: &str) -> Option<Guess> {
         }
         words.remove(0);
     }
+}
+
+/// The unit that a cell of a line of units has; empty: one that a quantity has anyway.
+pub fn unit(cell: &str) -> Option<&'static str> {
+    let words = words(cell);
+    let of = |length: usize| {
+        let spelled = words.get(..length)?.join(" ");
+        SPELLINGS.iter().find(|(spelling, _)| *spelling == spelled).map(|(_, unit)| *unit)
+    };
+    // What a height is above may stand behind its unit.
+    of(words.len()).or_else(|| of(1))
 }
 
 /// The words of a name in lower case: they end at marks, and where a capital follows a small letter.

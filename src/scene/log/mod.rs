@@ -8,10 +8,12 @@
 mod clock;
 mod columns;
 mod guess;
+mod known;
 mod mapping;
 mod quantity;
 mod rows;
 mod smooth;
+mod survey;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
@@ -27,6 +29,7 @@ pub(in crate::scene) use mapping::TAKES as COLUMN_TAKES;
 pub use mapping::{ColumnFrom, LogColumn, LogMapping, Separator, TimeFormat};
 pub(in crate::scene) use quantity::QUANTITIES;
 pub use quantity::{column_of, quantity_of};
+pub use survey::{Survey, survey};
 
 /// Largest number of columns of a log, and of bytes of a line.
 const MAX_COLUMNS: usize = 1000;
