@@ -9,7 +9,7 @@ use sins::units::DEG;
 
 use crate::failure::Failure;
 use crate::given::{Settings, judge, of_log, read_table};
-use crate::output::Outputs;
+use crate::output::{NO_MARK, Outputs};
 use crate::terminal::{print, say};
 use crate::units::{six_digits, time_text};
 
@@ -108,7 +108,14 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         let is_doubtful = findings.iter().any(|(level, _)| *level >= Level::Doubtful);
         print(&(lines + if is_doubtful { "" } else { "nothing is doubtful\n" }))?;
         if let Some(map) = &order.map {
-            print(&format!("next: `sins fly {} --columns {}`\n", order.file.display(), map.display()))?;
+            // A name that does not end in .csv would be that of a scene.
+            let is_table = order.file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+            let option = if is_table { "" } else { "--log " };
+            print(&format!(
+                "next: `sins fly {option}{} --columns {}`\n",
+                order.file.display(),
+                map.display()
+            ))?;
         }
         if order.strict && is_doubtful {
             return Err(Failure::new(format!("{}: the log is refused (--strict)", order.file.display())));
@@ -136,7 +143,10 @@ fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
         .map_or("guessed from names and values".to_owned(), |name| format!("of the format {name}"));
     let doubts: String = found.doubts.iter().map(|doubt| format!("# not sure: {doubt}\n")).collect();
     let text = format!("{MAP_MARK} in {file}, {format}\n{doubts}\n[log]\n{}", found.text);
-    Outputs::new(std::slice::from_ref(&order.file), order.force).file(path, MAP_MARK)?.finish(text)?;
+    // One that was edited is not replaced.
+    let is_same = std::fs::read(path).is_ok_and(|found| found == text.as_bytes());
+    let mark = if is_same { MAP_MARK } else { NO_MARK };
+    Outputs::new(std::slice::from_ref(&order.file), order.force).file(path, mark)?.finish(text)?;
     let doubts: String = found.doubts.iter().map(|doubt| format!("not sure: {doubt}\n")).collect();
     print(&format!("{}: the columns are {format}\n{doubts}", path.display()))
 }

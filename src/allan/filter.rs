@@ -25,6 +25,9 @@ const CLOSE: f64 = 1.15;
 const STEP: f64 = 0.98;
 const BANDWIDTHS: core::ops::Range<i32> = 0..310;
 
+/// Time over the time constant of a low-pass after which it has forgotten its input.
+const FADED: f64 = 30.0;
+
 /// Most rows over which a filter is looked for.
 const MOST_ROWS: usize = 1000;
 
@@ -48,8 +51,22 @@ impl Filter {
         }
     }
 
-    /// σ²(τ) of means of so many rows each, in order, for white noise with the density 1.
+    /// The density of rows of white noise with the density 1 behind the filter, at frequency 0: what the filter leaves beyond half the rate
+    /// of the rows is folded down to it.
+    fn density(self, interval_s: f64) -> f64 {
+        let rate = match self {
+            Self::FirstOrder(bandwidth_hz) => 2.0 * PI * bandwidth_hz,
+            Self::SecondOrder(bandwidth_hz) => SQRT_2 * PI * bandwidth_hz,
+            Self::Mean(_) => return 1.0,
+        };
+        let rows = (FADED / (rate * interval_s)).ceil() as usize;
+        let covariances = (1..=rows).map(|k| self.covariance(k as f64 * interval_s, interval_s));
+        interval_s * (self.covariance(0.0, interval_s) + 2.0 * covariances.sum::<f64>())
+    }
+
+    /// σ²(τ) of means of so many rows each, in order, for white noise whose rows have the density 1 behind the filter.
     fn variances(self, factors: &[usize], interval_s: f64) -> Vec<f64> {
+        let density = self.density(interval_s);
         let rows = 2 * factors.last().copied().unwrap_or(0);
         // Var(Σ of n rows) = n c(0) + 2 Σ (n - k) c(k): it grows by c(0) + 2 Σ c(k) with each row.
         let mut of_sum = Vec::with_capacity(rows + 1);
@@ -62,7 +79,7 @@ impl Filter {
         of_sum.push(sum);
         let variance = |&factor: &usize| {
             let m = factor as f64;
-            (4.0 * of_sum[factor] - of_sum[2 * factor]) / (2.0 * m * m)
+            (4.0 * of_sum[factor] - of_sum[2 * factor]) / (2.0 * m * m * density)
         };
         factors.iter().map(variance).collect()
     }

@@ -53,6 +53,8 @@ impl Coefficient {
 pub struct Analysis {
     pub name: String,
     pub sensor: Sensor,
+    /// Place of the column among those of its sensor, and how many there are.
+    pub axis: (usize, usize),
     pub estimates: Vec<Estimate>,
     pub coefficients: [Coefficient; TERMS],
     pub fit: Fit,
@@ -77,8 +79,10 @@ impl Analysis {
         let progress = Progress::counting("analysing", 1 + log.series.len());
         let estimator = Estimator::of_pieces(&log.pieces, log.interval_s)?;
         progress.count();
-        let analysis = |series| {
-            let analysis = Self::of_series(series, &estimator);
+        let analysis = |series: &Series| {
+            let of_sensor = || log.series.iter().filter(|other| other.sensor == series.sensor);
+            let axis = of_sensor().position(|other| std::ptr::eq(other, series)).unwrap_or(0);
+            let analysis = Self::of_series(series, (axis, of_sensor().count()), &estimator);
             progress.count();
             analysis
         };
@@ -92,7 +96,7 @@ impl Analysis {
         good.into_iter().collect()
     }
 
-    fn of_series(series: &Series, estimator: &Estimator) -> Result<Self, Failure> {
+    fn of_series(series: &Series, axis: (usize, usize), estimator: &Estimator) -> Result<Self, Failure> {
         let found = estimator
             .estimate(&series.increments)
             .map_err(|error| Failure::new(format!("column \"{}\": {error}", series.name)))?;
@@ -108,6 +112,7 @@ impl Analysis {
         Ok(Self {
             name: series.name.clone(),
             sensor: series.sensor,
+            axis,
             estimates: found.points.iter().map(|point| estimate(point, &found.fit)).collect(),
             coefficients,
             from_s: (from > 0).then(|| found.points[from].tau_s),

@@ -20,7 +20,7 @@ pub use command::Order;
 use crate::drawing::document::PAGE_MARK;
 use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
-use crate::output::Outputs;
+use crate::output::{NO_MARK, Outputs};
 use crate::terminal::print;
 use analysis::Analysis;
 use log::Log;
@@ -33,7 +33,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let points =
         order.points.as_ref().map(|path| outputs.file(path, &records::POINTS.join(","))).transpose()?;
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;
-    let scene = order.scene.as_ref().map(|path| outputs.file(path, scene::MARK)).transpose()?;
+    let scene = order.scene.as_ref().map(|path| outputs.file(path, NO_MARK)).transpose()?;
     let log = Log::read(order)?;
     let analyses = Analysis::of_log(&log)?;
     let drawn = match is_page {

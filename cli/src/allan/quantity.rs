@@ -97,7 +97,8 @@ fn by_name(name: &str) -> Option<Quantity> {
 
 /// Columns of the header `names` that are analysed.
 pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quantity)>, Failure> {
-    for wanted in wanted {
+    let wanted_before = |place: usize, name: &str| wanted[..place].iter().any(|before| before.name == name);
+    for (place, wanted) in wanted.iter().enumerate() {
         let Wanted { name, .. } = wanted;
         if !names.contains(name) {
             let header = listed(names.iter().map(String::as_str));
@@ -105,6 +106,15 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
                 "expected a column \"{name}\" in the header, which has {header}"
             )));
         }
+        if wanted_before(place, name) {
+            return Err(Failure::new(format!("--columns: \"{name}\" stands there twice")));
+        }
+    }
+    if let Some(name) =
+        names.iter().enumerate().find_map(|(place, name)| names[..place].contains(name).then_some(name))
+        && (wanted.is_empty() && by_name(name).is_some() || wanted.iter().any(|wanted| wanted.name == *name))
+    {
+        return Err(Failure::new(format!("two columns are named \"{name}\": give them names of their own")));
     }
     let mut wanted = wanted.iter().filter(|wanted| stamp(wanted).is_none()).peekable();
     let chosen = if wanted.peek().is_none() {

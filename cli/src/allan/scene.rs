@@ -10,8 +10,8 @@ use super::{sheet, table};
 use crate::failure::Failure;
 use crate::units::significant;
 
-/// The first line of such a scene.
-pub const MARK: &str = "# noise that sins allan found";
+/// The begin of such a scene.
+const MARK: &str = "# noise that sins allan found";
 
 /// The longest scene [h]: the record of a week needs no longer one to be compared with.
 const MOST_HOURS: f64 = 48.0;
@@ -23,10 +23,10 @@ pub fn text(log: &Log, analyses: &[Analysis]) -> Result<String, Failure> {
     let mut sections = String::new();
     for (sensor, section) in [(Sensor::Gyro, "gyro"), (Sensor::Accelerometer, "accelerometer")] {
         let axes: Vec<&Analysis> = analyses.iter().filter(|analysis| analysis.sensor == sensor).collect();
-        if axes.len() > 3 {
+        let columns = axes.first().map_or(0, |axis| axis.axis.1);
+        if columns > 3 {
             let what = format!(
-                "--write: {} columns of {section}s: a scene has three axes; choose them with --columns",
-                axes.len()
+                "--write: {columns} columns of {section}s: a scene has three axes; choose them with --columns"
             );
             return Err(Failure::new(what));
         }
@@ -35,10 +35,16 @@ pub fn text(log: &Log, analyses: &[Analysis]) -> Result<String, Failure> {
             continue;
         }
         sections += &format!("\n[{section}]\n{lines}");
-        for (axis, place) in axes.iter().zip(["x", "y", "z"]) {
-            let axis_name = if axes.len() == 1 { "all axes" } else { place };
-            let remark = table::remark(axis).map(|remark| format!(": {remark}")).unwrap_or_default();
-            sections += &format!("# {axis_name}: {}{remark}\n", axis.name);
+        for place in 0..columns {
+            let name = if columns == 1 { "all axes" } else { ["x", "y", "z"][place] };
+            let about = axes.iter().find(|axis| axis.axis.0 == place).map_or(
+                "left out: no noise".to_owned(),
+                |axis| {
+                    let remark = table::remark(axis).map(|remark| format!(": {remark}")).unwrap_or_default();
+                    format!("{}{remark}", printable(&axis.name))
+                },
+            );
+            sections += &format!("# {name}: {about}\n");
         }
     }
     if sections.is_empty() {
@@ -52,16 +58,19 @@ pub fn text(log: &Log, analyses: &[Analysis]) -> Result<String, Failure> {
     let rate = rate_hz.map(|hz| format!("rate_hz = {}\n", digits(hz, 6))).unwrap_or_default();
     let hours = (log.duration_s() / 3600.0).min(MOST_HOURS);
     let text = format!(
-        "{MARK} in {}, with intervals of 95 %.\n\n[flight]\ntitle = {:?}\nbuiltin = \"rest\"\nhours = {}\n{rate}{sections}\n[options]\nsubsamples = 1 # a row of --imu for each sample\n",
-        table::source(log),
-        format!("At rest, with the noise of {}", log.name),
+        "{MARK} in {}, with intervals of 95 %.\n\n[flight]\ntitle = \"At rest, with the noise of {}\"\nbuiltin = \"rest\"\nhours = {}\n{rate}{sections}\n[options]\nsubsamples = 1 # a row of --imu for each sample\n",
+        printable(&table::source(log)),
+        printable(&log.name),
         digits(hours, 6),
     );
     match Scene::parse(text.as_bytes()) {
         Ok(_) => Ok(text),
         Err(faults) => {
             let sentences: Vec<String> = faults.iter().map(|fault| fault.sentence.clone()).collect();
-            Err(Failure::new(format!("--write: the library has no such sensor: {}", sentences.join("; "))))
+            Err(Failure::new(format!(
+                "--write: a scene cannot have what was found: {}",
+                sentences.join("; ")
+            )))
         }
     }
 }
@@ -85,15 +94,23 @@ fn line(axes: &[&Analysis], term: Term, keys: &[KeyLine]) -> Option<String> {
             format!("{} to {}", significant(ends.low / unit_si), significant(ends.high / unit_si))
         })
     };
-    let mut values: Vec<String> = coefficients.iter().map(value).collect();
-    let intervals: Vec<String> = coefficients.iter().map(interval).collect();
-    let values = if values.len() == 1 {
-        values.remove(0)
-    } else {
-        values.resize(3, "0".to_owned());
-        format!("[{}]", values.join(", "))
-    };
+    let (_, columns) = axes[0].axis;
+    let on_axis =
+        |place: usize| axes.iter().position(|axis| axis.axis.0 == place).map(|at| &coefficients[at]);
+    let intervals: Vec<String> =
+        (0..columns).map(|place| on_axis(place).map_or("left out".to_owned(), interval)).collect();
+    let value = |place| on_axis(place).map_or("0".to_owned(), value);
+    let values = if columns == 1 { value(0) } else { format!("[{}]", [0, 1, 2].map(value).join(", ")) };
     Some(format!("{name} = {values} # {}: {}\n", term.letter(), intervals.join(", ")))
+}
+
+/// A text in a comment or in quotes of TOML: marks that it cannot have become question marks.
+fn printable(text: &str) -> String {
+    let is_plain =
+        |letter: char| letter.is_alphanumeric() || letter.is_ascii_graphic() || "° √µ·²³⁻".contains(letter);
+    text.chars()
+        .map(|letter| if is_plain(letter) && !matches!(letter, '"' | '\\') { letter } else { '?' })
+        .collect()
 }
 
 fn key<'k>(keys: &'k [KeyLine], section: &str, name: &str) -> &'k KeyLine {

@@ -6,8 +6,10 @@ use std::ops::Range;
 const LONG: f64 = 1.5;
 
 /// Rows before and behind a long step that tell whether it is a gap. Behind a late stamp the next ones are on time again; behind a gap none
-/// is.
+/// is. Where long steps are near to each other, as between batches of rows with one stamp, it is twice their distance, up to the most.
 const ROWS: usize = 20;
+const MOST_ROWS: usize = 2000;
+const FEW: usize = 5;
 
 /// Largest number of gaps, as a part of the rows: more of them are stamps that come in batches, each as late as the last row of its batch.
 const MOST_GAPS: f64 = 0.1;
@@ -35,16 +37,29 @@ pub struct Stamps {
 
 /// Reads stamps [s] in order, at least two.
 pub fn read(times_s: &[f64]) -> Stamps {
-    let mean_s = (times_s[times_s.len() - 1] - times_s[0]) / (times_s.len() - 1) as f64;
+    let whole = 0..times_s.len() - 1;
+    let mean_s = mean(times_s, &whole, 0);
     // If there are gaps, the mean step is too long; if stamps come in batches, the usual step is too short, or nothing.
     let usual_s = usual(times_s);
     if usual_s > SHORTEST * mean_s {
-        let found = found(times_s, usual_s);
+        let found = found(times_s, &whole, usual_s);
         if (found.pieces.len() - 1) as f64 <= MOST_GAPS * times_s.len() as f64 {
             return found;
         }
     }
-    found(times_s, mean_s)
+    // From the first row of a batch to that of the last: the end of a batch has the stamp of its begin.
+    let mut long =
+        steps(times_s).enumerate().filter(|(_, step)| *step > LONG * mean_s).map(|(row, _)| row + 1);
+    let batches = match (long.next(), long.last()) {
+        (Some(first), Some(last)) => first..last,
+        _ => whole,
+    };
+    found(times_s, &batches, mean(times_s, &batches, 0))
+}
+
+/// The mean interval between two rows, if `lost` rows are missing between them.
+fn mean(times_s: &[f64], rows: &Range<usize>, lost: usize) -> f64 {
+    (times_s[rows.end] - times_s[rows.start]) / (rows.len() + lost) as f64
 }
 
 fn steps(times_s: &[f64]) -> impl Iterator<Item = f64> {
@@ -61,14 +76,13 @@ fn usual(times_s: &[f64]) -> f64 {
     if count == 0 { median } else { sum / f64::from(count) }
 }
 
-/// The interval such that rows and gaps fill the time from the first stamp to the last.
-fn found(times_s: &[f64], begin_s: f64) -> Stamps {
-    let length_s = times_s[times_s.len() - 1] - times_s[0];
+/// The interval such that rows and gaps fill the time from the first of these rows to the last.
+fn found(times_s: &[f64], rows: &Range<usize>, begin_s: f64) -> Stamps {
     let mut interval_s = begin_s;
     let mut gaps = gaps(times_s, interval_s);
     for _ in 0..ROUNDS {
-        let lost: usize = gaps.iter().map(|(_, lost)| lost).sum();
-        let next_s = length_s / (times_s.len() - 1 + lost) as f64;
+        let lost = gaps.iter().filter(|(row, _)| rows.contains(row)).map(|(_, lost)| lost).sum();
+        let next_s = mean(times_s, rows, lost);
         let is_same = next_s == interval_s;
         interval_s = next_s;
         if is_same {
@@ -87,18 +101,23 @@ fn found(times_s: &[f64], begin_s: f64) -> Stamps {
 
 /// The rows before gaps, and how many intervals each gap has more than one.
 fn gaps(times_s: &[f64], interval_s: f64) -> Vec<(usize, usize)> {
+    let is_long = |step: &f64| *step > LONG * interval_s;
+    let apart = 2 * times_s.len() / (1 + steps(times_s).filter(is_long).count());
+    let rows = if apart > MOST_ROWS { ROWS } else { apart.max(ROWS) };
     let mut gaps = Vec::new();
     let mut begin = 0;
-    for (row, _) in steps(times_s).enumerate().filter(|(_, step)| *step > LONG * interval_s) {
+    for (row, _) in steps(times_s).enumerate().filter(|(_, step)| is_long(step)) {
         // When the row was due, by the stamps before and behind it: the earliest, as stamps are late rather than early.
         let before =
-            (begin.max(row.saturating_sub(ROWS))..=row).map(|k| times_s[k] + (row - k) as f64 * interval_s);
+            (begin.max(row.saturating_sub(rows))..=row).map(|k| times_s[k] + (row - k) as f64 * interval_s);
         let behind =
-            (row + 1..times_s.len().min(row + 1 + ROWS)).map(|k| times_s[k] - (k - row) as f64 * interval_s);
+            (row + 1..times_s.len().min(row + 1 + rows)).map(|k| times_s[k] - (k - row) as f64 * interval_s);
         let [before_s, behind_s] =
             [before.fold(f64::INFINITY, f64::min), behind.fold(f64::INFINITY, f64::min)];
         let lost = ((behind_s - before_s) / interval_s).round();
-        if lost >= 1.0 {
+        // A single one is not told from scatter by a few rows.
+        let is_told = row - begin >= FEW && row + FEW < times_s.len();
+        if lost >= if is_told { 1.0 } else { 2.0 } {
             gaps.push((row, lost as usize));
             begin = row + 1;
         }
@@ -160,6 +179,15 @@ mod tests {
             assert!(batches.jitter > 1.0);
             let lossy = stamps(|k| (500..600).contains(&k), late);
             assert_eq!((lossy.pieces, lossy.lost), (vec![0..500, 500..900], 100));
+        }
+    }
+
+    #[test]
+    fn stamps_of_whole_seconds_are_batches() {
+        for batch in [25, 50, 100, 200] {
+            let found = stamps(|_| false, |k| -((k % batch) as f64));
+            assert_eq!(found.pieces.len(), 1, "{batch}: {found:?}");
+            assert!((found.interval_s / 0.01 - 1.0).abs() < 1e-9, "{batch}: {}", found.interval_s);
         }
     }
 

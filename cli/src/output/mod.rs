@@ -38,6 +38,9 @@ struct Rules {
     force: bool,
 }
 
+/// The mark of files that their users edit: none has it, so they are replaced by `--force` only.
+pub const NO_MARK: &str = "\0";
+
 impl Outputs {
     /// `inputs` are never replaced; with `force`, files that this program did not write are replaced.
     pub fn new(inputs: &[PathBuf], force: bool) -> Self {

@@ -210,6 +210,18 @@ fn stamps_scatter_and_rows_are_lost() {
         errors.contains("--columns: when, GyrX") && errors.contains("   2 | 2024-05-01T23:50:00.00Z,"),
         "{errors}"
     );
+    // Rows with the second in which they came.
+    table("seconds.csv", "time_s,gyro_x_deg_s", &|k| Some(format!("{}", k / 100)));
+    let [n, low, high] = random_walk(&done(&folder, &["allan", "seconds.csv"]));
+    assert!(low < 0.66 && 0.66 < high && high < 1.05 * low, "{n} {low} {high}");
+    for columns in ["GyrX=deg_s,GyrX=deg_s", "when=iso,when=deg_s"] {
+        let errors = rejected(&folder, &["allan", "dates.csv", "--columns", columns]);
+        assert!(errors.contains("stands there twice"), "{errors}");
+    }
+    std::fs::write(folder.join("twice.csv"), "time_s,w_deg_s,w_deg_s\n".to_owned() + &"0,1,2\n".repeat(60))
+        .unwrap();
+    let errors = rejected(&folder, &["allan", "twice.csv"]);
+    assert!(errors.contains("two columns are named \"w_deg_s\""), "{errors}");
     let errors = rejected(&folder, &["allan", "dates.csv", "--columns", "GyrX=deg_s"]);
     assert!(errors.contains("--columns \"NAME=s\""), "{errors}");
 }
@@ -269,4 +281,25 @@ fn what_was_found_flies() {
     }
     println!("{apart} of {points} deviations lie apart");
     assert!(points > 24 * 30 && apart == 0, "{apart} of {points}");
+}
+
+/// An axis without noise stays an axis.
+#[test]
+fn axes_keep_their_places() {
+    let folder = folder("axes");
+    let white = noise(6000, 0.66, |_| 0.0);
+    let rows: String = white.iter().map(|value| format!("0,{value:.9e},{:.9e}\n", value * 2.0)).collect();
+    std::fs::write(folder.join("dead.csv"), format!("gyro_x_deg_s,gyro_y_deg_s,gyro_z_deg_s\n{rows}"))
+        .unwrap();
+    let (code, _, errors) = run(&folder, &["allan", "dead.csv", "--rate", "100", "--write", "dead.toml"]);
+    assert!(code == 0 && errors.contains("left out: column \"gyro_x_deg_s\""), "{errors}");
+    let scene = read(folder.join("dead.toml"));
+    assert!(
+        scene.contains("random_walk_deg_sqrt_h = [0, 0.6")
+            && scene.contains("# x: left out: no noise\n# y: gyro_y_deg_s"),
+        "{scene}"
+    );
+    // What was edited is not lost.
+    let (code, _, errors) = run(&folder, &["allan", "dead.csv", "--rate", "100", "--write", "dead.toml"]);
+    assert!(code == 2 && errors.contains("--force"), "{errors}");
 }

@@ -54,6 +54,17 @@ fn columns_are_found_and_fly() {
         }
     }
 
+    // Written again it is the same; what the user has added is not lost.
+    assert_eq!(done(&folder, &["log", "cockpit.csv", "--map", "map.toml"]), said);
+    let edited = read(folder.join("map.toml")) + "geoid = 38\n";
+    std::fs::write(folder.join("map.toml"), &edited).unwrap();
+    let (code, _, errors) = run(&folder, &["log", "cockpit.csv", "--map", "map.toml"]);
+    assert!(code == 2 && errors.contains("map.toml") && read(folder.join("map.toml")) == edited, "{errors}");
+    std::fs::copy(folder.join("cockpit.csv"), folder.join("cockpit.txt")).unwrap();
+    let said = done(&folder, &["log", "cockpit.txt", "--map", "text.toml"]);
+    assert!(said.ends_with("next: `sins fly --log cockpit.txt --columns text.toml`\n"), "{said}");
+    assert_eq!(run(&folder, &["fly", "--log", "cockpit.txt", "--columns", "text.toml", "--quiet"]).0, 0);
+
     let errors = rejected(&folder, &["log", "cockpit.csv", "--map", "cockpit.csv"]);
     assert!(errors.contains("is the input cockpit.csv"), "{errors}");
     std::fs::write(folder.join("numbers.csv"), "1,2,3\n4,5,6\n").unwrap();

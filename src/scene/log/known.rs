@@ -114,7 +114,7 @@ heading = { col = "PLANE HEADING DEGREES TRUE", unit = "rad" }"#,
     },
     Known {
         name: "Sky Dolly",
-        columns: &["Timestamp", "Bank", "Pitch", "Heading", "Altitude"],
+        columns: &["Timestamp", "UTC", "Speed", "Bank", "Pitch", "Heading", "Altitude"],
         keys: r#"time = { col = "Timestamp", unit = "ms" }
 latitude = "Latitude"
 longitude = "Longitude"
@@ -123,11 +123,11 @@ roll = { col = "Bank", sign = -1 }
 pitch = { col = "Pitch", sign = -1 }
 heading = "Heading"
 smooth = "auto""#,
-        doubt: "whole degrees and whole feet are coarse",
+        doubt: "Timestamp is taken as ms, Altitude as ft, Bank and Pitch with the signs of SimConnect: left and nose down are positive",
     },
     Known {
         name: "ArduPilot (POS)",
-        columns: &["TimeUS", "Lat", "Lng", "Alt"],
+        columns: &["TimeUS", "Lat", "Lng", "Alt", "RelHomeAlt"],
         keys: r#"time = { col = "TimeUS", unit = "us" }
 latitude = "Lat"
 longitude = "Lng"

@@ -91,7 +91,8 @@ impl Table<'_> {
             }
             let is_time = quantity == 0;
             let number = match is_time {
-                true => self.clock.next(text),
+                true if self.mapping.separator == Separator::Comma => self.clock.next(text),
+                true => self.clock.next(&text.replace(',', ".")),
                 false => number(text, self.mapping.separator),
             };
             let Some(number) = number else {

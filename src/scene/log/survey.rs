@@ -3,7 +3,9 @@
 use super::guess::{guess, unit};
 use super::known::{KNOWN, Known};
 use super::quantity::{Dimension, QUANTITIES, unit_of};
-use super::{Separator, TimeFormat};
+use super::{Clock, LogMapping, Separator, TimeFormat};
+use crate::base::math::{hypot, sin_cos};
+use crate::base::units::DEG;
 use crate::scene::excerpt;
 use crate::scene::written::text_in_quotes;
 
@@ -24,6 +26,10 @@ const ROWS: usize = 5000;
 
 /// Fewest columns with a name that says its quantity.
 const FEWEST: usize = 3;
+
+/// Speeds over ground of vehicles [m/s], and the radius of the Earth [m], for comparisons.
+const SPEEDS: core::ops::RangeInclusive<f64> = 0.3..=1000.0;
+const RADIUS_M: f64 = 6.371e6;
 
 /// Largest radian of a latitude.
 const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
@@ -49,6 +55,7 @@ pub fn survey(table: &str) -> Option<Survey> {
         Some(known) => grid.of_known(known, &mut survey),
         None => grid.guessed(&mut survey),
     }
+    grid.complete(&mut survey);
     let rate_hz = grid.layout(&mut survey);
     let has =
         |survey: &Survey, key: &str| survey.text.lines().any(|line| line.starts_with(&format!("{key} =")));
@@ -105,11 +112,60 @@ impl<'t> Grid<'t> {
         // Units, or a second line of names.
         let mut units: Vec<Vec<&str>> = Vec::new();
         while let Some(row) = behind.next_if(|row| is_units(row) || quantities(row) >= FEWEST) {
-            skip += 1;
+            // The reader passes comments.
+            skip += usize::from(!row[0].starts_with('#'));
             units.push(row);
         }
         units.extend(lines[..place].iter().map(|line| cells(line, separator)).filter(is_units));
         Some(Self { separator, header: place + 1, names, units, skip, rows: behind.collect() })
+    }
+
+    /// Quantities that come together, and those that every flight has.
+    fn complete(&self, survey: &mut Survey) {
+        let mut has_velocity = false;
+        for group in [["east", "north", "up"], ["speed", "track", "climb"], ["roll", "pitch", "heading"]] {
+            let is_of = |line: &str, key: &str| line.starts_with(&format!("{key} ="));
+            let found: Vec<&str> =
+                group.into_iter().filter(|key| survey.text.lines().any(|line| is_of(line, key))).collect();
+            let is_attitude = group[0] == "roll";
+            let is_second = has_velocity && !is_attitude && !found.is_empty();
+            if found.len() == group.len() && !is_second {
+                has_velocity |= !is_attitude;
+                continue;
+            }
+            let is_left_out = |line: &&str| !group.iter().any(|key| is_of(line, key));
+            let rest: String =
+                survey.text.lines().filter(is_left_out).map(|line| format!("{line}\n")).collect();
+            survey.text = rest;
+            if is_second {
+                survey
+                    .doubts
+                    .push(format!("{} are left out: east, north and up are the velocity", group.join(", ")));
+            } else if !found.is_empty() {
+                let lacking: Vec<&str> = group.into_iter().filter(|key| !found.contains(key)).collect();
+                survey.doubts.push(format!(
+                    "{} is left out: there is no {}",
+                    found.join(", "),
+                    lacking.join(", ")
+                ));
+            }
+        }
+        let has = |survey: &Survey, key: &str| {
+            survey.text.lines().any(|line| line.starts_with(&format!("{key} =")))
+        };
+        if !has(survey, "height") {
+            survey.text.push_str("height = 0\n");
+            survey.doubts.push("there is no height: it is taken as 0".to_owned());
+        }
+        if !has(survey, "time") {
+            survey.text.push_str("time_format = \"row\"\nrate_hz = 1\n");
+            survey.doubts.push("there is no time: a row is taken as a second".to_owned());
+        }
+        for key in ["latitude", "longitude"] {
+            if !has(survey, key) {
+                survey.doubts.push(format!("no column is known as the {key}: name it"));
+            }
+        }
     }
 
     /// The lines about separator, header, comments and time; the rate of the rows.
@@ -120,6 +176,9 @@ impl<'t> Grid<'t> {
         {
             layout += &format!("separator = \"{word}\"\n");
         }
+        if self.names[0].starts_with('#') {
+            layout += "comment = \"!\"\n";
+        }
         if self.header > 1 {
             layout += &format!("header = {}\n", self.header);
         }
@@ -127,9 +186,18 @@ impl<'t> Grid<'t> {
             layout += &format!("skip = {}\n", self.skip);
         }
         survey.text.insert_str(0, &layout);
-        let column = survey.text.lines().find_map(|line| line.strip_prefix("time = "))?;
+        let value = |key: &str| {
+            let begin = format!("{key} = ");
+            survey.text.lines().find_map(|line| line.strip_prefix(begin.as_str()))
+        };
+        let column = value("time")?;
         let name = column.split('"').nth(1)?;
-        let times = self.numbers(self.names.iter().position(|known| *known == name)?);
+        let place = self.names.iter().position(|known| *known == name)?;
+        let word = value("time_format").map_or("s", |quoted| quoted.trim_matches('"'));
+        let (_, time_format) = *TimeFormat::WORDS.iter().find(|(known, _)| *known == word)?;
+        let mut clock = Clock::new(&LogMapping { time_format, ..LogMapping::default() });
+        let times: Vec<f64> =
+            self.rows.iter().filter_map(|row| clock.next(&self.point(row.get(place)?))).collect();
         let scale = ["ms", "us"].into_iter().find(|unit| column.contains(&format!("unit = \"{unit}\"")));
         let scale = scale.and_then(|unit| unit_of(Dimension::Time, unit)).map_or(1.0, |(_, si)| si);
         let [first, .., last] = times[..] else { return None };
@@ -193,8 +261,24 @@ impl<'t> Grid<'t> {
                 ("", "") => format!("{} = {quoted}\n", about.key),
                 _ => format!("{} = {{ col = {quoted}{unit}{sign} }}\n", about.key),
             };
-            if name.to_lowercase().contains("magnetic") || name.eq_ignore_ascii_case("hdg") {
+            let lower = name.to_lowercase();
+            let is_magnetic = lower.contains("magnetic") || lower == "hdg";
+            if is_magnetic
+                && (about.key == "heading" || about.key == "track")
+                && self.place("variation").is_none()
+            {
                 survey.doubts.push(format!("{} may be magnetic: set variation", excerpt(name)));
+            }
+            let is_true =
+                |key| self.place(key).is_none_or(|place| !self.names[place].to_lowercase().contains("mag"));
+            if about.key == "variation" && is_true("heading") && is_true("track") {
+                survey.text.truncate(
+                    survey.text.len() - survey.text.lines().last().map_or(0, |line| line.len() + 1),
+                );
+                survey.doubts.push(format!(
+                    "{} is not used: no name says that the heading is magnetic",
+                    excerpt(name)
+                ));
             }
             if about.key == "height"
                 && !name.to_lowercase().contains("wgs")
@@ -212,10 +296,17 @@ impl<'t> Grid<'t> {
         let name = self.names[place];
         let quoted = text_in_quotes(name);
         let first = self.rows.first().and_then(|row| row.get(place)).copied().unwrap_or_default();
-        let format = if first.contains(':') {
-            if first.contains('-') { TimeFormat::Iso } else { TimeFormat::Hms }
-        } else {
-            TimeFormat::Number
+        let is_read = |time_format| {
+            Clock::new(&LogMapping { time_format, ..LogMapping::default() })
+                .next(&self.point(first))
+                .is_some()
+        };
+        let format = [TimeFormat::Number, TimeFormat::Iso, TimeFormat::Hms]
+            .into_iter()
+            .find(|format| is_read(*format));
+        let Some(format) = format.filter(|format| *format != TimeFormat::Hms || first.contains(':')) else {
+            survey.doubts.push(format!("{} is no time that can be read: {}", excerpt(name), excerpt(first)));
+            return;
         };
         if let Some((word, _)) = TimeFormat::WORDS.iter().find(|(_, known)| *known == format)
             && format != TimeFormat::Number
@@ -228,9 +319,14 @@ impl<'t> Grid<'t> {
             times.windows(2).map(|two| two[1] - two[0]).filter(|step| *step > 0.0).collect();
         steps.sort_by(f64::total_cmp);
         let step = steps.get(steps.len() / 2).copied().unwrap_or(0.0);
-        let unit = match (unit, step) {
-            ("", step) if step >= 3000.0 => "us",
-            ("", step) if step >= 3.0 => "ms",
+        let is_possible =
+            |(_, si): &(&str, f64)| self.speed(DEG, *si).is_some_and(|speed| SPEEDS.contains(&speed));
+        let likely =
+            [("s", 1.0), ("ms", 1e-3), ("us", 1e-6)].into_iter().find(is_possible).map(|(unit, _)| unit);
+        let unit = match (unit, likely, step) {
+            ("", Some(likely), _) => likely,
+            ("", None, step) if step >= 3000.0 => "us",
+            ("", None, step) if step >= 3.0 => "ms",
             _ => unit,
         };
         let has_unit = !(unit.is_empty() || unit == "s");
@@ -247,29 +343,42 @@ impl<'t> Grid<'t> {
     /// The unit of a column that states none, by its values.
     fn unstated(&self, key: &str, dimension: Dimension, place: usize, survey: &mut Survey) -> &'static str {
         let name = excerpt(self.names[place]);
-        let values = self.numbers(place);
-        let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
         match dimension {
             Dimension::Angle if key == "latitude" || key == "longitude" => {
-                // Both in one unit: that of the latitude.
-                let latitude = self.names.iter().position(|name| {
-                    guess(name).is_some_and(|guess| QUANTITIES[guess.quantity].key == "latitude")
-                });
-                let latitudes = latitude.map_or(Vec::new(), |place| self.numbers(place));
-                let is_radian = !latitudes.is_empty() && latitudes.iter().all(|value| value.abs() <= QUARTER);
-                if is_radian {
+                // Both in one unit. Near the equator and Greenwich degrees are as small: the speed tells.
+                let is_small = |key: &str, most: f64| {
+                    let values = self.place(key).map_or(Vec::new(), |place| self.numbers(place));
+                    !values.is_empty() && values.iter().all(|value| value.abs() <= most)
+                };
+                let is_slow = self.speed(1.0, 1.0).is_none_or(|speed| speed <= *SPEEDS.end());
+                if is_small("latitude", QUARTER) && is_small("longitude", 4.0 * QUARTER) && is_slow {
                     survey
                         .doubts
                         .push(format!("{name} is taken as radians: no latitude is above {QUARTER:.2}"));
                     return "rad";
                 }
             }
-            Dimension::Angle
-                if largest <= 2.0 * core::f64::consts::PI
-                    && values.iter().any(|value| value.fract() != 0.0)
-                    && key == "heading" =>
-            {
-                survey.doubts.push(format!("{name} is taken as degrees, and is never above {largest:.2}"));
+            Dimension::Angle if key != "variation" => {
+                let angles = ["roll", "pitch", "heading", "track"]
+                    .map(|key| self.place(key).map_or(Vec::new(), |place| self.numbers(place)));
+                let is_moving = angles.iter().flatten().any(|value| *value != 0.0);
+                let are_radians =
+                    is_moving && angles.iter().flatten().all(|value| value.abs() <= 4.0 * QUARTER);
+                let is_whole = angles.iter().flatten().all(|value| value.fract() == 0.0);
+                let of_position = survey.text.contains("unit = \"rad\"");
+                if are_radians && !is_whole {
+                    let unit = if of_position || !angles[2].is_empty() && largest_of(&angles[2]) > 2.0 {
+                        "rad"
+                    } else {
+                        ""
+                    };
+                    let taken = if unit.is_empty() { "degrees" } else { "radians" };
+                    survey.doubts.push(format!(
+                        "{name} is taken as {taken}: no angle of the attitude is above {:.2}",
+                        4.0 * QUARTER
+                    ));
+                    return unit;
+                }
             }
             Dimension::Length => survey.doubts.push(format!("{name} is taken as m: nothing states its unit")),
             Dimension::Speed => {
@@ -280,11 +389,49 @@ impl<'t> Grid<'t> {
         ""
     }
 
+    /// A cell with a decimal point: between semicolons decimals may follow a comma.
+    fn point(&self, cell: &str) -> String {
+        if self.separator == Separator::Semicolon { cell.replace(',', ".") } else { cell.to_owned() }
+    }
+
+    /// The place of the column with a quantity.
+    fn place(&self, key: &str) -> Option<usize> {
+        let has = |name: &&str| guess(name).is_some_and(|guess| QUANTITIES[guess.quantity].key == key);
+        self.names.iter().position(has)
+    }
+
+    /// The median speed over ground, if positions are of this unit and times of that one [m/s].
+    fn speed(&self, angle_si: f64, time_si: f64) -> Option<f64> {
+        let [latitudes, longitudes] =
+            ["latitude", "longitude"].map(|key| self.place(key).map(|place| self.numbers(place)));
+        let (latitudes, longitudes, times) = (latitudes?, longitudes?, self.numbers(self.place("time")?));
+        if latitudes.len() != times.len() || longitudes.len() != times.len() {
+            return None;
+        }
+        let mut speeds: Vec<f64> = (1..times.len())
+            .filter(|row| times[*row] > times[row - 1])
+            .map(|row| {
+                let of = |values: &[f64]| (values[row] - values[row - 1]) * angle_si;
+                let (_, cos) = sin_cos(latitudes[row] * angle_si);
+                let metres = RADIUS_M * hypot(of(&latitudes), of(&longitudes) * cos);
+                metres / ((times[row] - times[row - 1]) * time_si)
+            })
+            .collect();
+        speeds.sort_by(f64::total_cmp);
+        speeds.get(speeds.len() / 2).copied()
+    }
+
     /// The numbers of a column.
     fn numbers(&self, place: usize) -> Vec<f64> {
-        let number = |row: &Vec<&str>| row.get(place)?.parse().ok().filter(|value: &f64| value.is_finite());
+        let number = |row: &Vec<&str>| {
+            self.point(row.get(place)?).parse().ok().filter(|value: &f64| value.is_finite())
+        };
         self.rows.iter().filter_map(number).collect()
     }
+}
+
+fn largest_of(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
 /// The cells of a line. A comma within quotes separates none.
@@ -300,7 +447,7 @@ fn cells(line: &str, separator: Separator) -> Vec<&str> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{FlightLog, LogMapping};
+    use super::super::FlightLog;
     use super::*;
     use crate::scene::Scene;
 
@@ -355,7 +502,10 @@ mod tests {
             "Timestamp,UTC,Latitude,Longitude,Altitude,Pitch,Bank,Heading,Speed\n\
              0,12:00,48.0,11.0,984,-2,-5,0,164\n1000,12:00,48.00045,11.0,987,-2,-5,0,164\n",
         ),
-        ("ArduPilot (POS)", "TimeUS,Lat,Lng,Alt\n0,48.0,11.0,300\n100000,48.000045,11.0,300.1\n"),
+        (
+            "ArduPilot (POS)",
+            "TimeUS,Lat,Lng,Alt,RelHomeAlt\n0,48.0,11.0,300,0\n100000,48.000045,11.0,300.1,0\n",
+        ),
         (
             "AirData",
             "time(millisecond),datetime(utc),latitude,longitude,altitude_above_seaLevel(feet), xSpeed(mph), ySpeed(mph), zSpeed(mph), compass_heading(degrees), pitch(degrees), roll(degrees)\n\
@@ -443,6 +593,77 @@ mod tests {
                 && found.doubts.iter().any(|doubt| doubt.contains("as m:")),
             "{found:?}"
         );
+
+        let (found, log) =
+            read("Zeit;lat;lon;alt;speed;yaw\n0;48,5;11,25;300,5;50;90\n0,5;48,5;11,2503;300,5;50;90\n");
+        assert!(
+            (log.samples()[0].place.latitude_rad.to_degrees() - 48.5).abs() < 1e-9
+                && (log.duration_s() - 1.0).abs() < 1e-9
+        );
+        for doubt in [
+            "speed is left out: there is no track, climb",
+            "heading is left out: there is no roll, pitch",
+            "a row is taken as a second",
+        ] {
+            assert!(
+                found.doubts.iter().any(|found| found == doubt || found.ends_with(doubt)),
+                "{doubt}: {found:?}"
+            );
+        }
+        let (found, log) = read(
+            "t,lat,lon,gs,track,climb,ve,vn,vu,roll,pitch,yaw\n0,48,11,50,0,1,0,50,1,0,0,0\n0.1,48.00005,11,50,0,1,0,50,1,0,0,0\n",
+        );
+        assert!(
+            !found.text.contains("speed")
+                && found.text.contains("height = 0")
+                && log.samples()[0].v_n.is_some(),
+            "{found:?}"
+        );
+
+        for (table, words, latitude) in [
+            // Radians with decimal commas; degrees near the equator and Greenwich; a second in steps of 5 s.
+            (
+                "t;lat;lon;alt\n0;0,8377;0,19;300\n1;0,83771;0,19;300\n",
+                "latitude = { col = \"lat\", unit = \"rad\" }",
+                47.9966,
+            ),
+            ("t,lat,lon,alt\n0,0.5,1,300\n1,0.50045,1,300\n", "latitude = \"lat\"", 0.5),
+            ("t,lat,lon,alt\n1700000000,48,11,300\n1700000005,48.002,11,300\n", "time = \"t\"\n", 48.0),
+            ("t,lat,lon,alt\n0,48,11,300\n2500,48.0000011,11,300\n", "unit = \"us\"", 48.0),
+            ("# t,lat,lon,alt\n0,48,11,300\n1,48.0005,11,300\n", "comment = \"!\"\n", 48.0),
+            (
+                "t,lat,lon,alt\n# s,deg,deg,ft\n0,48,11,300\n1,48.0005,11,300\n",
+                "height = { col = \"alt\", unit = \"ft\" }",
+                48.0,
+            ),
+            (
+                "t;lat;lon;alt\n12:00:00,0;48;11;300\n12:00:00,1;48,00005;11;300\n",
+                "time_format = \"hms\"",
+                48.0,
+            ),
+        ] {
+            let (found, log) = read(table);
+            assert!(found.text.contains(words), "{words}: {found:?}");
+            assert!(
+                (log.samples()[0].place.latitude_rad.to_degrees() - latitude).abs() < 1e-3
+                    && log.samples().len() == 2,
+                "{found:?}"
+            );
+        }
+        let angles =
+            "t,lat,lon,alt,roll,pitch,yaw\n0,48,11,300,0.3,0.02,3.1\n1,48.0005,11,300,0.3,0.02,3.1\n";
+        assert!(
+            survey_of(angles).text.contains("roll = { col = \"roll\", unit = \"rad\" }"),
+            "{:?}",
+            survey_of(angles)
+        );
+        let north = "t,lat,lon,alt,roll,pitch,True Heading,Declination\n0,48,11,300,1,2,90,4\n1,48.0005,11,300,1,2,90,4\n";
+        assert!(
+            !survey_of(north).text.contains("variation")
+                && survey_of(north).doubts.iter().any(|doubt| doubt.contains("not used"))
+        );
+        let north = "t,lat,lon,alt,roll,pitch,Magnetic Heading,Declination\n0,48,11,300,1,2,90,4\n1,48.0005,11,300,1,2,90,4\n";
+        assert!(survey_of(north).text.contains("variation = \"Declination\"\n"));
 
         let positions = "timestamp,lat,lon,altitude,heading\n1714564800000,48.0,11.0,300,90\n1714564801000,48.0,11.001,300,90\n";
         let (found, _) = read(positions);
