@@ -179,7 +179,8 @@ typedef enum sins_unit_alignment {
     SINS_UNIT_ALIGNMENT_STORED_HEADING = 1,
     /**
      * Only in a simulation: after fast_alignment_s the unit has the true state, with the errors of sins_initial_errors that need no
-     * alignment, drawn for this run.
+     * alignment, drawn for this run. It may be in motion. Until then nothing but rates and forces is valid, and an entered position is not
+     * used.
      */
     SINS_UNIT_ALIGNMENT_FAST = 2,
     /** The same at once, without a test after power-up. */

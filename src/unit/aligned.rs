@@ -36,12 +36,6 @@ impl Unit {
         let earth = simulator.options().earth();
         if self.is_made_up() {
             remove_errors(simulator, &simulator.initial_errors().draw(simulator.options().key))?;
-            if self.entered.is_some() {
-                let Some(present) = simulator.navigation()? else { return Ok(()) };
-                let Navigation { v_n, q_nb, .. } = present.navigation;
-                let place = self.entered_place(&present.navigation, simulator);
-                self.settle(&earth, place, v_n, q_nb, simulator)?;
-            }
             self.become_ready();
             return Ok(());
         }

@@ -95,9 +95,10 @@ impl Unit {
         }
     }
 
-    /// In flight, fixes whose velocity does not change show one direction at most.
+    /// In flight, fixes whose velocity does not change show one direction at most. An alignment that only a simulation can make may be in
+    /// motion, where the measured increments show no vertical.
     fn shows_attitude(&self) -> bool {
-        !self.aligns_in_flight() || self.alignment.in_flight.has_attitude()
+        !self.is_made_up() && (!self.aligns_in_flight() || self.alignment.in_flight.has_attitude())
     }
 
     /// In an alignment at rest the heading is shown from its half on, in flight when it is accurate enough.
@@ -106,7 +107,8 @@ impl Unit {
         if self.aligns_in_flight() {
             return self.alignment.in_flight.has_heading(&parameters);
         }
-        self.alignment.last.is_some()
+        !self.is_made_up()
+            && self.alignment.last.is_some()
             && self.latitude_rad().is_some()
             && self.alignment.elapsed_s >= 0.5 * self.length_s(&parameters)
     }

@@ -45,7 +45,8 @@ pub enum AlignmentKind {
     /// switched on, a gyrocompass.
     StoredHeading,
     /// Only in a simulation: after fast_alignment_s the unit has the true state, with the errors of sins_initial_errors that need no
-    /// alignment, drawn for this run.
+    /// alignment, drawn for this run. It may be in motion. Until then nothing but rates and forces is valid, and an entered position is not
+    /// used.
     Fast,
     /// The same at once, without a test after power-up.
     Instant,

@@ -94,6 +94,40 @@ fn a_fast_alignment_takes_its_time() {
     assert!(aircraft.errors().misalignment_n.norm() < 1e-12);
 }
 
+/// A simulation aligns in motion, where the sensors find no attitude, and away from where the position was entered.
+#[test]
+fn a_made_up_alignment_in_motion_shows_nothing_before_it_is_true() {
+    for kind in [AlignmentKind::Fast, AlignmentKind::Instant] {
+        for speed in [5.0, 20.0, 50.0, 200.0] {
+            let drive = Motion::Drive { acceleration: 5.0, to: speed };
+            let mut aircraft = Aircraft::ideal(45.0);
+            aircraft.unit.select(Mode::Align);
+            aircraft.stand(10.0);
+            aircraft.enter_true_position();
+            aircraft.go(drive, 60.0);
+            aircraft.set_alignment(kind);
+            aircraft.unit.select(Mode::Navigate);
+            for _ in 0..100 {
+                let status = aircraft.go(drive, 1.0);
+                if status.state == State::Navigation {
+                    break;
+                }
+                let valid = aircraft.navigation().validity;
+                assert!(
+                    !valid.attitude && !valid.heading && !valid.position,
+                    "{kind:?}, {speed} m/s: {valid:?}"
+                );
+            }
+            let (errors, shown) = (aircraft.errors(), aircraft.navigation());
+            assert!(shown.validity.position && shown.validity.heading, "{kind:?}, {speed} m/s");
+            assert!(
+                errors.position_n.norm() < 1e-3 && errors.misalignment_n.norm() < 1e-9,
+                "{kind:?}, {speed} m/s: {errors:?}"
+            );
+        }
+    }
+}
+
 /// 78.25° takes 17.2 min; beyond 82° the unit refuses.
 #[test]
 fn high_latitudes_take_longer_and_are_refused_in_the_end() {
