@@ -7,6 +7,7 @@
 
 mod clock;
 mod columns;
+mod grid;
 mod guess;
 mod known;
 mod mapping;

@@ -1,7 +1,8 @@
 //! A look at a table: the `[log]` that reads it, of a known format or guessed from names, units and values.
 
-use super::guess::{guess, unit};
-use super::known::{KNOWN, Known};
+use super::grid::Grid;
+use super::guess::{Guess, guess};
+use super::known::{Known, known};
 use super::quantity::{Dimension, QUANTITIES, unit_of};
 use super::{Clock, LogMapping, Separator, TimeFormat};
 use crate::base::math::{hypot, sin_cos};
@@ -20,595 +21,470 @@ pub struct Survey {
     pub doubts: Vec<String>,
 }
 
-/// Lines in which the names are looked for, and rows whose values are looked at.
-const LINES: usize = 20;
-const ROWS: usize = 5000;
+/// Rate below which rows are smoothed \[Hz\]: at this rate a turn is seen by a few rows.
+const SLOW_HZ: f64 = 10.0;
 
-/// Fewest columns with a name that says its quantity.
-const FEWEST: usize = 3;
-
-/// Speeds over ground of vehicles [m/s], and the radius of the Earth [m], for comparisons.
+/// Speeds over ground of vehicles \[m/s\], and the radius of the Earth \[m\], for comparisons.
 const SPEEDS: core::ops::RangeInclusive<f64> = 0.3..=1000.0;
 const RADIUS_M: f64 = 6.371e6;
 
-/// Largest radian of a latitude.
+/// Largest latitude, and largest angle \[rad\].
 const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
+const TURN: f64 = 4.0 * QUARTER;
 
-/// A table, as it is cut into cells.
-struct Grid<'t> {
-    separator: Separator,
-    /// The line of the names, from 1.
-    header: usize,
-    names: Vec<&'t str>,
-    /// The lines of units, above or below the names.
-    units: Vec<Vec<&'t str>>,
-    /// Rows behind the names that are none.
-    skip: usize,
-    rows: Vec<Vec<&'t str>>,
-}
+/// The quantities of each form of the velocity, and those of the attitude: all of them or none.
+const VELOCITIES: [[&str; 3]; 2] = [["east", "north", "up"], ["speed", "track", "climb"]];
+const ATTITUDE: [&str; 3] = ["roll", "pitch", "heading"];
 
 /// The `[log]` of a table; `None`: no line at its beginning has names of quantities.
 pub fn survey(table: &str) -> Option<Survey> {
     let grid = Grid::of(table)?;
-    let mut survey = Survey { format: None, text: String::new(), doubts: Vec::new() };
-    match known(&grid.names) {
-        Some(known) => grid.of_known(known, &mut survey),
-        None => grid.guessed(&mut survey),
+    let known = known(&grid.names);
+    let mut draft = Draft { grid: &grid, keys: Vec::new(), doubts: Vec::new() };
+    match known {
+        Some(known) => draft.of_known(known),
+        None => draft.guess(),
     }
-    grid.complete(&mut survey);
-    let rate_hz = grid.layout(&mut survey);
-    let has =
-        |survey: &Survey, key: &str| survey.text.lines().any(|line| line.starts_with(&format!("{key} =")));
-    if !has(&survey, "attitude") && ["roll", "pitch", "heading"].iter().any(|key| !has(&survey, key)) {
-        survey.text.push_str("attitude = \"coordinated\"\n");
-        survey
-            .doubts
-            .push("the table has no attitude: that of a coordinated flight without wind is taken".to_owned());
-    }
-    let is_slow = rate_hz.is_some_and(|rate| rate < SLOW_HZ);
-    if !has(&survey, "smooth") && (is_slow || has(&survey, "attitude")) {
-        survey.text.push_str("smooth = \"auto\"\n");
-    }
-    Some(survey)
+    draft.complete();
+    let text = draft.layout().chain(draft.keys).map(|(key, value)| format!("{key} = {value}\n")).collect();
+    Some(Survey { format: known.map(|known| known.name), text, doubts: draft.doubts })
 }
 
-/// The known format whose columns are all there.
-fn known(names: &[&str]) -> Option<&'static Known> {
-    KNOWN.iter().find(|known| known.columns.iter().all(|column| names.contains(column)))
+/// The keys of `[log]`, while they are found.
+struct Draft<'g, 't> {
+    grid: &'g Grid<'t>,
+    /// Each with its value in TOML.
+    keys: Vec<(&'static str, String)>,
+    doubts: Vec<String>,
 }
 
-/// Rate below which rows are smoothed [Hz]: at this rate a turn is seen by a few rows.
-const SLOW_HZ: f64 = 10.0;
-
-impl<'t> Grid<'t> {
-    fn of(table: &'t str) -> Option<Self> {
-        let lines: Vec<&str> = table.trim_start_matches('\u{feff}').lines().take(LINES + ROWS).collect();
-        let separators = [Separator::Comma, Separator::Semicolon, Separator::Tab, Separator::Bar];
-        let quantities = |cells: &[&str]| {
-            let mut found: Vec<usize> =
-                cells.iter().filter_map(|name| guess(name)).map(|guess| guess.quantity).collect();
-            found.sort_unstable();
-            found.dedup();
-            found.len()
-        };
-        let mut best: Option<(usize, Separator, usize)> = None;
-        for separator in separators {
-            for (place, line) in lines.iter().enumerate().take(LINES) {
-                let cells = cells(line, separator);
-                let count = if known(&cells).is_some() { usize::MAX } else { quantities(&cells) };
-                if count >= FEWEST && best.is_none_or(|(most, ..)| count > most) {
-                    best = Some((count, separator, place));
-                }
-            }
-        }
-        let (_, separator, place) = best?;
-        let names = cells(lines[place], separator);
-        let is_units = |row: &Vec<&str>| {
-            let count = row.iter().filter(|cell| unit(cell).is_some()).count();
-            row.len().abs_diff(names.len()) <= 1 && count >= FEWEST
-        };
-        let mut behind = lines[place + 1..].iter().map(|line| cells(line, separator)).peekable();
-        let mut skip = 0;
-        // Units, or a second line of names.
-        let mut units: Vec<Vec<&str>> = Vec::new();
-        while let Some(row) = behind.next_if(|row| is_units(row) || quantities(row) >= FEWEST) {
-            // The reader passes comments.
-            skip += usize::from(!row[0].starts_with('#'));
-            units.push(row);
-        }
-        units.extend(lines[..place].iter().map(|line| cells(line, separator)).filter(is_units));
-        Some(Self { separator, header: place + 1, names, units, skip, rows: behind.collect() })
+impl Draft<'_, '_> {
+    fn value(&self, key: &str) -> Option<&str> {
+        self.keys.iter().find(|(known, _)| *known == key).map(|(_, value)| value.as_str())
     }
 
-    /// Quantities that come together, and those that every flight has.
-    fn complete(&self, survey: &mut Survey) {
-        let mut has_velocity = false;
-        for group in [["east", "north", "up"], ["speed", "track", "climb"], ["roll", "pitch", "heading"]] {
-            let is_of = |line: &str, key: &str| line.starts_with(&format!("{key} ="));
-            let found: Vec<&str> =
-                group.into_iter().filter(|key| survey.text.lines().any(|line| is_of(line, key))).collect();
-            let is_attitude = group[0] == "roll";
-            let is_second = has_velocity && !is_attitude && !found.is_empty();
-            if found.len() == group.len() && !is_second {
-                has_velocity |= !is_attitude;
-                continue;
-            }
-            let is_left_out = |line: &&str| !group.iter().any(|key| is_of(line, key));
-            let rest: String =
-                survey.text.lines().filter(is_left_out).map(|line| format!("{line}\n")).collect();
-            survey.text = rest;
-            if is_second {
-                survey
-                    .doubts
-                    .push(format!("{} are left out: east, north and up are the velocity", group.join(", ")));
-            } else if !found.is_empty() {
-                let lacking: Vec<&str> = group.into_iter().filter(|key| !found.contains(key)).collect();
-                survey.doubts.push(format!(
-                    "{} is left out: there is no {}",
-                    found.join(", "),
-                    lacking.join(", ")
-                ));
-            }
-        }
-        let has = |survey: &Survey, key: &str| {
-            survey.text.lines().any(|line| line.starts_with(&format!("{key} =")))
-        };
-        if !has(survey, "height") {
-            survey.text.push_str("height = 0\n");
-            survey.doubts.push("there is no height: it is taken as 0".to_owned());
-        }
-        if !has(survey, "time") {
-            survey.text.push_str("time_format = \"row\"\nrate_hz = 1\n");
-            survey.doubts.push("there is no time: a row is taken as a second".to_owned());
-        }
-        for key in ["latitude", "longitude"] {
-            if !has(survey, key) {
-                survey.doubts.push(format!("no column is known as the {key}: name it"));
-            }
-        }
+    fn has_all(&self, keys: &[&str]) -> bool {
+        keys.iter().all(|key| self.value(key).is_some())
     }
 
-    /// The lines about separator, header, comments and time; the rate of the rows.
-    fn layout(&self, survey: &mut Survey) -> Option<f64> {
-        let mut layout = String::new();
-        if let Some((word, _)) = Separator::WORDS.iter().find(|(_, separator)| *separator == self.separator)
-            && self.separator != Separator::Comma
-        {
-            layout += &format!("separator = \"{word}\"\n");
-        }
-        if self.names[0].starts_with('#') {
-            layout += "comment = \"!\"\n";
-        }
-        if self.header > 1 {
-            layout += &format!("header = {}\n", self.header);
-        }
-        if self.skip > 0 {
-            layout += &format!("skip = {}\n", self.skip);
-        }
-        survey.text.insert_str(0, &layout);
-        let value = |key: &str| {
-            let begin = format!("{key} = ");
-            survey.text.lines().find_map(|line| line.strip_prefix(begin.as_str()))
-        };
-        let column = value("time")?;
-        let name = column.split('"').nth(1)?;
-        let place = self.names.iter().position(|known| *known == name)?;
-        let word = value("time_format").map_or("s", |quoted| quoted.trim_matches('"'));
-        let (_, time_format) = *TimeFormat::WORDS.iter().find(|(known, _)| *known == word)?;
-        let mut clock = Clock::new(&LogMapping { time_format, ..LogMapping::default() });
-        let times: Vec<f64> =
-            self.rows.iter().filter_map(|row| clock.next(&self.point(row.get(place)?))).collect();
-        let scale = ["ms", "us"].into_iter().find(|unit| column.contains(&format!("unit = \"{unit}\"")));
-        let scale = scale.and_then(|unit| unit_of(Dimension::Time, unit)).map_or(1.0, |(_, si)| si);
-        let [first, .., last] = times[..] else { return None };
-        Some((times.len() - 1) as f64 / ((last - first) * scale))
-            .filter(|rate| rate.is_finite() && *rate > 0.0)
+    fn set(&mut self, key: &'static str, value: impl Into<String>) {
+        self.keys.push((key, value.into()));
+    }
+
+    fn doubt(&mut self, sentence: impl Into<String>) {
+        self.doubts.push(sentence.into());
     }
 
     /// The keys of a known format, as far as their columns are there.
-    fn of_known(&self, known: &Known, survey: &mut Survey) {
-        survey.format = Some(known.name);
-        let mut last = "";
+    fn of_known(&mut self, known: &'static Known) {
         for line in known.keys.lines() {
-            let key = line.split(" =").next().unwrap_or_default();
+            let Some((key, value)) = line.split_once(" = ") else { continue };
             let is_quantity = QUANTITIES.iter().any(|quantity| quantity.key == key);
-            let column = line.split('"').nth(1).unwrap_or_default();
-            if !is_quantity || (key != last && self.names.contains(&column)) {
-                survey.text += &format!("{line}\n");
-                last = key;
+            let column = value.split('"').nth(1).unwrap_or_default();
+            if !is_quantity || (self.value(key).is_none() && self.grid.names.contains(&column)) {
+                self.set(key, value);
             }
         }
-        survey.doubts.extend((!known.doubt.is_empty()).then(|| known.doubt.to_owned()));
+        if !known.doubt.is_empty() {
+            self.doubt(known.doubt);
+        }
     }
 
     /// Keys from the names of the columns.
-    fn guessed(&self, survey: &mut Survey) {
-        let guesses: Vec<_> = self.names.iter().map(|name| guess(name)).collect();
+    fn guess(&mut self) {
         for (quantity, about) in QUANTITIES.iter().enumerate() {
-            let places = (0..self.names.len())
-                .filter(|place| guesses[*place].is_some_and(|guess| guess.quantity == quantity));
-            let mut places: Vec<usize> = places.collect();
-            places.sort_by_key(|place| guesses[*place].map_or(0, |guess| guess.rank));
-            let Some((&place, others)) = places.split_first() else { continue };
-            let name = self.names[place];
-            for other in others {
-                survey.doubts.push(format!(
-                    "{}: {} is taken, {} is not",
+            let mut places: Vec<(Guess, usize)> = self
+                .grid
+                .names
+                .iter()
+                .enumerate()
+                .filter_map(|(place, name)| {
+                    Some((guess(name).filter(|guess| guess.quantity == quantity)?, place))
+                })
+                .collect();
+            places.sort_by_key(|(guess, _)| guess.rank);
+            let Some((&(guess, place), others)) = places.split_first() else { continue };
+            let name = excerpt(self.grid.names[place]);
+            for (_, other) in others {
+                self.doubt(format!(
+                    "{}: column {} ({name}) is taken, column {} ({}) is not",
                     about.key,
-                    excerpt(name),
-                    excerpt(self.names[*other])
+                    place + 1,
+                    other + 1,
+                    excerpt(self.grid.names[*other])
                 ));
             }
-            let Some(guess) = guesses[place] else { continue };
             if about.dimension == Dimension::Time {
-                self.time(place, guess.unit, survey);
+                self.time(place, guess.unit);
                 continue;
             }
-            let stated = self.units.iter().find_map(|row| {
-                unit_of(about.dimension, unit(row.get(place)?)?).filter(|_| unit(row[place]) != Some(""))
-            });
-            let mut unit =
-                if guess.unit.is_empty() { stated.map_or("", |(unit, _)| unit) } else { guess.unit };
-            if unit.is_empty() {
-                unit = self.unstated(about.key, about.dimension, place, survey);
+            if about.key == "variation" && !["heading", "track"].iter().any(|key| self.is_magnetic(key)) {
+                self.doubt(format!("{name} is not used: no name says that the heading is magnetic"));
+                continue;
             }
-            let usual = unit_of(about.dimension, "").map_or("", |(unit, _)| unit);
-            let quoted = text_in_quotes(name);
-            let unit =
-                if unit.is_empty() || unit == usual { String::new() } else { format!(", unit = \"{unit}\"") };
-            let sign = if guess.sign < 0.0 { ", sign = -1" } else { "" };
-            survey.text += &match (unit.as_str(), sign) {
-                ("", "") => format!("{} = {quoted}\n", about.key),
-                _ => format!("{} = {{ col = {quoted}{unit}{sign} }}\n", about.key),
+            let stated = || {
+                self.grid.stated(place).find_map(|unit| unit_of(about.dimension, unit)).map(|(unit, _)| unit)
             };
-            let lower = name.to_lowercase();
-            let is_magnetic = lower.contains("magnetic") || lower == "hdg";
-            if is_magnetic
-                && (about.key == "heading" || about.key == "track")
-                && self.place("variation").is_none()
-            {
-                survey.doubts.push(format!("{} may be magnetic: set variation", excerpt(name)));
-            }
-            let is_true =
-                |key| self.place(key).is_none_or(|place| !self.names[place].to_lowercase().contains("mag"));
-            if about.key == "variation" && is_true("heading") && is_true("track") {
-                survey.text.truncate(
-                    survey.text.len() - survey.text.lines().last().map_or(0, |line| line.len() + 1),
-                );
-                survey.doubts.push(format!(
-                    "{} is not used: no name says that the heading is magnetic",
-                    excerpt(name)
-                ));
-            }
-            if about.key == "height"
-                && !name.to_lowercase().contains("wgs")
-                && !name.to_lowercase().contains("ellips")
-            {
-                survey
-                    .doubts
-                    .push(format!("{} may be above the sea: set geoid if it matters", excerpt(name)));
+            let unit = Some(guess.unit).filter(|unit| !unit.is_empty()).or_else(stated);
+            let unit = unit.unwrap_or_else(|| self.unstated(about.key, about.dimension, &name));
+            let is_usual =
+                unit.is_empty() || unit_of(about.dimension, "").is_some_and(|(usual, _)| usual == unit);
+            let unit = if is_usual { String::new() } else { format!(", unit = \"{unit}\"") };
+            let sign = if guess.sign < 0.0 { ", sign = -1" } else { "" };
+            let column = self.column(place);
+            let is_plain = unit.is_empty() && sign.is_empty() && column.starts_with('"');
+            self.set(about.key, if is_plain { column } else { format!("{{ col = {column}{unit}{sign} }}") });
+            let lower = self.grid.names[place].to_lowercase();
+            if about.key == "height" && !lower.contains("wgs") && !lower.contains("ellips") {
+                self.doubt(format!("{name} may be above the sea: set geoid if it matters"));
             }
         }
+        if self.value("variation").is_none() && self.is_magnetic("heading") {
+            self.doubt("the heading may be magnetic: set variation");
+        }
+    }
+
+    /// A column by its name, or by its number if another has the same.
+    fn column(&self, place: usize) -> String {
+        let name = self.grid.names[place];
+        let is_single = self.grid.names.iter().filter(|other| **other == name).count() == 1;
+        if is_single { text_in_quotes(name) } else { (place + 1).to_string() }
+    }
+
+    /// Whether the name of a quantity's column says that it counts from magnetic north.
+    fn is_magnetic(&self, key: &str) -> bool {
+        let name = self.place(key).map_or(String::new(), |place| self.grid.names[place].to_lowercase());
+        name.contains("mag") || name.contains("compass") || name == "hdg"
     }
 
     /// The keys of the time.
-    fn time(&self, place: usize, unit: &str, survey: &mut Survey) {
-        let name = self.names[place];
-        let quoted = text_in_quotes(name);
-        let first = self.rows.first().and_then(|row| row.get(place)).copied().unwrap_or_default();
-        let is_read = |time_format| {
-            Clock::new(&LogMapping { time_format, ..LogMapping::default() })
-                .next(&self.point(first))
-                .is_some()
-        };
-        let format = [TimeFormat::Number, TimeFormat::Iso, TimeFormat::Hms]
-            .into_iter()
-            .find(|format| is_read(*format));
-        let Some(format) = format.filter(|format| *format != TimeFormat::Hms || first.contains(':')) else {
-            survey.doubts.push(format!("{} is no time that can be read: {}", excerpt(name), excerpt(first)));
-            return;
-        };
-        if let Some((word, _)) = TimeFormat::WORDS.iter().find(|(_, known)| *known == format)
-            && format != TimeFormat::Number
-        {
-            survey.text += &format!("time = {quoted}\ntime_format = \"{word}\"\n");
-            return;
+    fn time(&mut self, place: usize, unit: &str) {
+        let grid = self.grid;
+        let name = excerpt(grid.names[place]);
+        let column = self.column(place);
+        let first = grid.rows.first().and_then(|row| row.get(place)).copied().unwrap_or_default();
+        let is_read = |format| clock(format).next(&grid.point(first)).is_some();
+        let formats = [TimeFormat::Number, TimeFormat::Iso, TimeFormat::Hms];
+        let format = formats.into_iter().find(|format| is_read(*format));
+        match format.filter(|format| *format != TimeFormat::Hms || first.contains(':')) {
+            None => return self.doubt(format!("{name} is no time that can be read: {}", excerpt(first))),
+            Some(TimeFormat::Number) => {}
+            Some(format) => {
+                self.set("time", column);
+                let word =
+                    TimeFormat::WORDS.iter().find(|(_, known)| *known == format).map_or("", |(word, _)| word);
+                return self.set("time_format", format!("\"{word}\""));
+            }
         }
-        let times = self.numbers(place);
-        let mut steps: Vec<f64> =
-            times.windows(2).map(|two| two[1] - two[0]).filter(|step| *step > 0.0).collect();
-        steps.sort_by(f64::total_cmp);
-        let step = steps.get(steps.len() / 2).copied().unwrap_or(0.0);
-        let is_possible =
-            |(_, si): &(&str, f64)| self.speed(DEG, *si).is_some_and(|speed| SPEEDS.contains(&speed));
-        let likely =
-            [("s", 1.0), ("ms", 1e-3), ("us", 1e-6)].into_iter().find(is_possible).map(|(unit, _)| unit);
-        let unit = match (unit, likely, step) {
-            ("", Some(likely), _) => likely,
-            ("", None, step) if step >= 3000.0 => "us",
-            ("", None, step) if step >= 3.0 => "ms",
-            _ => unit,
-        };
-        let has_unit = !(unit.is_empty() || unit == "s");
-        if has_unit && guess(name).is_none_or(|guess| guess.unit.is_empty()) {
-            survey.doubts.push(format!("{} is taken as {unit}: its usual step is {step}", excerpt(name)));
-        }
-        survey.text += &if has_unit {
-            format!("time = {{ col = {quoted}, unit = \"{unit}\" }}\n")
+        let stated = if unit.is_empty() {
+            grid.stated(place).find(|unit| unit_of(Dimension::Time, unit).is_some())
         } else {
-            format!("time = {quoted}\n")
+            Some(unit)
         };
+        let unit = stated.unwrap_or_else(|| {
+            let (unit, why) = self.unit_of_time(&grid.numbers(place));
+            if unit != "s" {
+                self.doubt(format!("{name} is taken as {unit}: {why}"));
+            }
+            unit
+        });
+        let is_plain = unit == "s" && column.starts_with('"');
+        let unit = if unit == "s" { String::new() } else { format!(", unit = \"{unit}\"") };
+        self.set("time", if is_plain { column } else { format!("{{ col = {column}{unit} }}") });
     }
 
-    /// The unit of a column that states none, by its values.
-    fn unstated(&self, key: &str, dimension: Dimension, place: usize, survey: &mut Survey) -> &'static str {
-        let name = excerpt(self.names[place]);
-        match dimension {
+    /// The unit of times that state none, and why: the one that gives the speed of a vehicle, or at rest the one that its steps suggest.
+    fn unit_of_time(&self, times: &[f64]) -> (&'static str, String) {
+        for (unit, si) in [("s", 1.0), ("ms", 1e-3), ("us", 1e-6)] {
+            if let Some(speed) = self.speed(DEG, si).filter(|speed| SPEEDS.contains(speed)) {
+                return (unit, format!("the speed over ground is then {speed:.1} m/s"));
+            }
+        }
+        let step =
+            median(times.windows(2).map(|two| two[1] - two[0]).filter(|step| *step > 0.0)).unwrap_or(0.0);
+        let unit = if step >= 3000.0 {
+            "us"
+        } else if step >= 3.0 {
+            "ms"
+        } else {
+            "s"
+        };
+        (unit, format!("its usual step is {step}"))
+    }
+
+    /// The unit of a column that states none, by its values; empty: the usual one.
+    fn unstated(&mut self, key: &str, dimension: Dimension, name: &str) -> &'static str {
+        let (unit, doubt) = match dimension {
             Dimension::Angle if key == "latitude" || key == "longitude" => {
                 // Both in one unit. Near the equator and Greenwich degrees are as small: the speed tells.
-                let is_small = |key: &str, most: f64| {
-                    let values = self.place(key).map_or(Vec::new(), |place| self.numbers(place));
-                    !values.is_empty() && values.iter().all(|value| value.abs() <= most)
-                };
+                let is_small = |key, most| self.numbers(key).is_some_and(|values| largest(&values) <= most);
                 let is_slow = self.speed(1.0, 1.0).is_none_or(|speed| speed <= *SPEEDS.end());
-                if is_small("latitude", QUARTER) && is_small("longitude", 4.0 * QUARTER) && is_slow {
-                    survey
-                        .doubts
-                        .push(format!("{name} is taken as radians: no latitude is above {QUARTER:.2}"));
-                    return "rad";
+                if !(is_small("latitude", QUARTER) && is_small("longitude", TURN) && is_slow) {
+                    return "";
                 }
+                ("rad", format!("{name} is taken as radians: no latitude is above {QUARTER:.2}"))
             }
             Dimension::Angle if key != "variation" => {
-                let angles = ["roll", "pitch", "heading", "track"]
-                    .map(|key| self.place(key).map_or(Vec::new(), |place| self.numbers(place)));
-                let is_moving = angles.iter().flatten().any(|value| *value != 0.0);
-                let are_radians =
-                    is_moving && angles.iter().flatten().all(|value| value.abs() <= 4.0 * QUARTER);
-                let is_whole = angles.iter().flatten().all(|value| value.fract() == 0.0);
-                let of_position = survey.text.contains("unit = \"rad\"");
-                if are_radians && !is_whole {
-                    let unit = if of_position || !angles[2].is_empty() && largest_of(&angles[2]) > 2.0 {
-                        "rad"
-                    } else {
-                        ""
-                    };
-                    let taken = if unit.is_empty() { "degrees" } else { "radians" };
-                    survey.doubts.push(format!(
-                        "{name} is taken as {taken}: no angle of the attitude is above {:.2}",
-                        4.0 * QUARTER
-                    ));
-                    return unit;
+                let angles: Vec<f64> = ["roll", "pitch", "heading", "track"]
+                    .into_iter()
+                    .filter_map(|key| self.numbers(key))
+                    .flatten()
+                    .collect();
+                let has_fractions = angles.iter().any(|value| value.fract() != 0.0);
+                if !has_fractions || largest(&angles) > TURN {
+                    return "";
                 }
+                // A heading above 2 and never above a turn in radians.
+                let of_position = self.value("latitude").is_some_and(|value| value.contains("\"rad\""));
+                let is_radian =
+                    of_position || self.numbers("heading").is_some_and(|values| largest(&values) > 2.0);
+                let (unit, taken) = if is_radian { ("rad", "radians") } else { ("", "degrees") };
+                (unit, format!("{name} is taken as {taken}: no angle of the attitude is above {TURN:.2}"))
             }
-            Dimension::Length => survey.doubts.push(format!("{name} is taken as m: nothing states its unit")),
-            Dimension::Speed => {
-                survey.doubts.push(format!("{name} is taken as m/s: nothing states its unit"))
+            Dimension::Length => ("", format!("{name} is taken as m: nothing states its unit")),
+            Dimension::Speed => ("", format!("{name} is taken as m/s: nothing states its unit")),
+            _ => return "",
+        };
+        self.doubt(doubt);
+        unit
+    }
+
+    /// Quantities that come together, those that every flight has, and the repair of what is slow or lacks an attitude.
+    fn complete(&mut self) {
+        for group in VELOCITIES.into_iter().chain([ATTITUDE]) {
+            let (found, lacking): (Vec<&str>, Vec<&str>) =
+                group.into_iter().partition(|key| self.value(key).is_some());
+            let is_second = group == VELOCITIES[1] && self.has_all(&VELOCITIES[0]);
+            if found.is_empty() || (lacking.is_empty() && !is_second) {
+                continue;
             }
-            _ => {}
+            self.keys.retain(|(key, _)| !found.contains(key));
+            let why = if is_second {
+                "east, north and up are the velocity".to_owned()
+            } else {
+                format!("there is no {}", lacking.join(", "))
+            };
+            self.doubt(format!("left out: {}; {why}", found.join(", ")));
         }
-        ""
+        if self.value("height").is_none() {
+            self.set("height", "0");
+            self.doubt("there is no height: it is taken as 0");
+        }
+        if self.value("time").is_none() {
+            self.set("time_format", "\"row\"");
+            self.set("rate_hz", "1");
+            self.doubt("there is no time: a row is taken as a second");
+        }
+        for key in ["latitude", "longitude"] {
+            if self.value(key).is_none() {
+                self.doubt(format!("no column is known as the {key}: name it"));
+            }
+        }
+        if self.value("attitude").is_none() && !self.has_all(&ATTITUDE) {
+            self.set("attitude", "\"coordinated\"");
+            self.doubt("no whole attitude is read: that of a coordinated flight without wind is taken");
+        }
+        let is_slow = self.rate_hz().is_some_and(|rate| rate < SLOW_HZ);
+        if self.value("smooth").is_none() && (is_slow || self.value("attitude").is_some()) {
+            self.set("smooth", "\"auto\"");
+        }
     }
 
-    /// A cell with a decimal point: between semicolons decimals may follow a comma.
-    fn point(&self, cell: &str) -> String {
-        if self.separator == Separator::Semicolon { cell.replace(',', ".") } else { cell.to_owned() }
+    /// The keys about separator, comments and lines.
+    fn layout(&self) -> impl Iterator<Item = (&'static str, String)> + use<> {
+        let grid = self.grid;
+        let word = Separator::WORDS
+            .iter()
+            .find(|(_, separator)| *separator == grid.separator)
+            .map_or("", |(word, _)| word);
+        let numbers = |number: usize, usual: usize| {
+            Some(number).filter(|number| *number > usual).map(|number| number.to_string())
+        };
+        let separator = (grid.separator != Separator::Comma).then(|| format!("\"{word}\""));
+        // Names behind the mark of a comment are none of one.
+        let comment = grid.names[0].starts_with('#').then(|| "\"!\"".to_owned());
+        let keys = [
+            ("separator", separator),
+            ("comment", comment),
+            ("header", numbers(grid.header, 1)),
+            ("skip", numbers(grid.skip, 0)),
+        ];
+        keys.into_iter().filter_map(|(key, value)| Some((key, value?)))
     }
 
-    /// The place of the column with a quantity.
+    /// The mean rate of the rows.
+    fn rate_hz(&self) -> Option<f64> {
+        let (place, column) = (self.place("time")?, self.value("time")?);
+        let format = self.value("time_format").map_or("s", |quoted| quoted.trim_matches('"'));
+        let (_, format) = *TimeFormat::WORDS.iter().find(|(word, _)| *word == format)?;
+        let mut clock = clock(format);
+        let times: Vec<f64> =
+            self.grid.rows.iter().filter_map(|row| clock.next(&self.grid.point(row.get(place)?))).collect();
+        let unit = ["ms", "us"].into_iter().find(|unit| column.contains(&format!("\"{unit}\"")));
+        let (_, si) = unit_of(Dimension::Time, unit.unwrap_or("s"))?;
+        let [first, .., last] = times[..] else { return None };
+        Some((times.len() - 1) as f64 / ((last - first) * si)).filter(|rate| *rate > 0.0)
+    }
+
+    /// The place of the column of a quantity.
     fn place(&self, key: &str) -> Option<usize> {
-        let has = |name: &&str| guess(name).is_some_and(|guess| QUANTITIES[guess.quantity].key == key);
-        self.names.iter().position(has)
+        let named = self.value(key).and_then(|value| value.split('"').nth(1));
+        let has = |name: &&str| match named {
+            Some(named) => *name == named,
+            None => guess(name).is_some_and(|guess| QUANTITIES[guess.quantity].key == key),
+        };
+        self.grid.names.iter().position(has)
     }
 
-    /// The median speed over ground, if positions are of this unit and times of that one [m/s].
+    /// The numbers of a quantity, if there are any.
+    fn numbers(&self, key: &str) -> Option<Vec<f64>> {
+        self.place(key).map(|place| self.grid.numbers(place)).filter(|values| !values.is_empty())
+    }
+
+    /// The median speed over ground, if positions are of this unit and times of that one \[m/s\].
     fn speed(&self, angle_si: f64, time_si: f64) -> Option<f64> {
-        let [latitudes, longitudes] =
-            ["latitude", "longitude"].map(|key| self.place(key).map(|place| self.numbers(place)));
-        let (latitudes, longitudes, times) = (latitudes?, longitudes?, self.numbers(self.place("time")?));
+        let (latitudes, longitudes, times) =
+            (self.numbers("latitude")?, self.numbers("longitude")?, self.numbers("time")?);
         if latitudes.len() != times.len() || longitudes.len() != times.len() {
             return None;
         }
-        let mut speeds: Vec<f64> = (1..times.len())
-            .filter(|row| times[*row] > times[row - 1])
-            .map(|row| {
-                let of = |values: &[f64]| (values[row] - values[row - 1]) * angle_si;
-                let (_, cos) = sin_cos(latitudes[row] * angle_si);
-                let metres = RADIUS_M * hypot(of(&latitudes), of(&longitudes) * cos);
-                metres / ((times[row] - times[row - 1]) * time_si)
-            })
-            .collect();
-        speeds.sort_by(f64::total_cmp);
-        speeds.get(speeds.len() / 2).copied()
-    }
-
-    /// The numbers of a column.
-    fn numbers(&self, place: usize) -> Vec<f64> {
-        let number = |row: &Vec<&str>| {
-            self.point(row.get(place)?).parse().ok().filter(|value: &f64| value.is_finite())
+        let speed = |row: usize| {
+            let step = |values: &[f64]| (values[row] - values[row - 1]) * angle_si;
+            let (_, cos) = sin_cos(latitudes[row] * angle_si);
+            RADIUS_M * hypot(step(&latitudes), step(&longitudes) * cos)
+                / ((times[row] - times[row - 1]) * time_si)
         };
-        self.rows.iter().filter_map(number).collect()
+        median((1..times.len()).filter(|row| times[*row] > times[row - 1]).map(speed))
     }
 }
 
-fn largest_of(values: &[f64]) -> f64 {
+fn clock(time_format: TimeFormat) -> Clock {
+    Clock::new(&LogMapping { time_format, ..LogMapping::default() })
+}
+
+fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied()
+}
+
+fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
-/// The cells of a line. A comma within quotes separates none.
-fn cells(line: &str, separator: Separator) -> Vec<&str> {
-    let separator = char::from(separator.byte());
-    let mut is_quoted = false;
-    let is_end = |letter: char| {
-        is_quoted ^= letter == '"';
-        letter == separator && !is_quoted
-    };
-    line.split(is_end).map(|cell| cell.trim().trim_matches('"').trim()).collect()
-}
-
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::super::FlightLog;
     use super::*;
     use crate::scene::Scene;
 
     /// Surveys a table, and reads it as the survey says.
-    fn read(table: &str) -> (Survey, FlightLog) {
+    pub fn read(table: &str) -> (Survey, FlightLog) {
         let survey = survey(table).unwrap_or_else(|| panic!("{table}"));
         let text = format!("[flight]\nfile = \"a.csv\"\n[log]\n{}", survey.text);
         let scene = Scene::parse(text.as_bytes()).unwrap_or_else(|faults| panic!("{faults:?}\n{text}"));
-        let mapping: &LogMapping = &scene.log;
-        let log = FlightLog::parse_with(table.as_bytes(), mapping)
+        let log = FlightLog::parse_with(table.as_bytes(), &scene.log)
             .unwrap_or_else(|error| panic!("{error:?}\n{text}"));
         (survey, log)
     }
 
-    /// A sample of each known format: two seconds, at 48° north and 11° east, at 300 m, climbing, banked to the right.
-    const SAMPLES: [(&str, &str); 13] = [
-        (
-            "Garmin G1000",
-            "#airframe_info, log_version=\"1.00\"\n#yyy-mm-dd, hh:mm:ss, hh:mm, degrees, degrees, ft msl, ft wgs, deg, deg, kt, fpm, deg, deg, deg\n\
-             Lcl Date, Lcl Time, UTCOfst, Latitude, Longitude, AltMSL, AltGPS, Pitch, Roll, GndSpd, VSpd, HDG, TRK, MagVar\n\
-             2024-05-01, 12:00:00, +02:00, 48.0, 11.0, 800, 984.252, 2, 5, 100, 300, 356, 356, 4\n\
-             2024-05-01, 12:00:01, +02:00, 48.00046, 11.0, 805, 989.252, 2, 5, 100, 300, 356, 356, 4\n",
-        ),
-        (
-            "Garmin G5",
-            "UTC Date (yyyy-mm-dd),UTC Time (hh:mm:ss),Latitude (WGS84 deg),Longitude (WGS84 deg),GPS Altitude (WGS84 ft),GPS Velocity E (m/s),GPS Velocity N (m/s),GPS Velocity U (m/s),Pitch (deg),Roll (deg),Magnetic Heading (deg),Magnetic Variation (deg)\n\
-             UTC Date,UTC Time,Latitude,Longitude,Altitude,VelE,VelN,VelU,Pitch,Roll,Heading,MagVar\n\
-             2024-05-01,12:00:00,48.0,11.0,984.252,0,50,1,2,5,356,4\n2024-05-01,12:00:01,48.00045,11.0,987.5,0,50,1,2,5,356,4\n",
-        ),
-        (
-            "Garmin G3X",
-            "Date (yyyy-mm-dd),UTC Time (hh:mm:ss),Latitude (deg),Longitude (deg),GPS Altitude (ft),GPS Velocity E (m/sec),GPS Velocity N (m/sec),GPS Velocity U (m/sec),Pitch (deg),Roll (deg),Magnetic Heading (deg)\n\
-             2024-05-01,12:00:00,48.0,11.0,984.252,0,50,1,2,5,356\n2024-05-01,12:00:01,48.00045,11.0,987.5,0,50,1,2,5,356\n",
-        ),
-        (
-            "X-Plane Data.txt",
-            "   _real,_time |    __lat,__deg |    __lon,__deg |    __alt,ftmsl |    pitch,__deg |    _roll,__deg |    hding,_true |\n\
-             0.0 | 48.0 | 11.0 | 984.252 | 2 | 5 | 0 |\n0.1 | 48.000045 | 11.0 | 984.6 | 2 | 5 | 0 |\n",
-        ),
-        (
-            "FlightGear",
-            "Time,/position/latitude-deg,/position/longitude-deg,/position/altitude-ft,/velocities/speed-north-fps,/velocities/speed-east-fps,/velocities/speed-down-fps,/orientation/roll-deg,/orientation/pitch-deg,/orientation/heading-deg\n\
-             0,48.0,11.0,984.252,164.042,0,-3.28,5,2,0\n50,48.0000225,11.0,984.4,164.042,0,-3.28,5,2,0\n",
-        ),
-        (
-            "SimConnect",
-            "Time,PLANE LATITUDE,PLANE LONGITUDE,PLANE ALTITUDE,VELOCITY WORLD X,VELOCITY WORLD Y,VELOCITY WORLD Z,PLANE PITCH DEGREES,PLANE BANK DEGREES,PLANE HEADING DEGREES TRUE\n\
-             0,48.0,11.0,984.252,0,3.28,164.042,-0.0349,-0.08727,0\n0.05,48.0000225,11.0,984.4,0,3.28,164.042,-0.0349,-0.08727,0\n",
-        ),
-        (
-            "Sky Dolly",
-            "Timestamp,UTC,Latitude,Longitude,Altitude,Pitch,Bank,Heading,Speed\n\
-             0,12:00,48.0,11.0,984,-2,-5,0,164\n1000,12:00,48.00045,11.0,987,-2,-5,0,164\n",
-        ),
-        (
-            "ArduPilot (POS)",
-            "TimeUS,Lat,Lng,Alt,RelHomeAlt\n0,48.0,11.0,300,0\n100000,48.000045,11.0,300.1,0\n",
-        ),
-        (
-            "AirData",
-            "time(millisecond),datetime(utc),latitude,longitude,altitude_above_seaLevel(feet), xSpeed(mph), ySpeed(mph), zSpeed(mph), compass_heading(degrees), pitch(degrees), roll(degrees)\n\
-             0,2024-05-01 12:00:00,48.0,11.0,984.252,111.8,0,-2,0,2,5\n100,2024-05-01 12:00:00,48.000045,11.0,984.6,111.8,0,-2,0,2,5\n",
-        ),
-        (
-            "OpenSky states",
-            "time,icao24,lat,lon,velocity,heading,vertrate,callsign,baroaltitude,geoaltitude,lastposupdate\n\
-             1700000000,3c6444,48.0,11.0,50,0,1,X,290,300,1700000000\n1700000001,3c6444,48.00045,11.0,50,0,1,X,291,301,1700000001\n",
-        ),
-        (
-            "traffic",
-            "timestamp,icao24,latitude,longitude,altitude,groundspeed,track,vertical_rate,callsign\n\
-             2024-05-01 12:00:00+00:00,3c6444,48.0,11.0,984.252,97.2,0,200,X\n2024-05-01 12:00:01+00:00,3c6444,48.00045,11.0,987.5,97.2,0,200,X\n",
-        ),
-        (
-            "NCAR research aircraft",
-            "Time,LATC,LONC,GGALT,GGVEW,GGVNS,GGVSPD,PITCH,ROLL,THDG\n\
-             43200,48.0,11.0,300,0,50,1,2,5,0\n43201,48.00045,11.0,301,0,50,1,2,5,0\n",
-        ),
-        (
-            "JSBSim",
-            "Time,Latitude (deg),Latitude Geodetic (deg),Longitude (deg),Altitude ASL (ft),V_{North} (ft/s),V_{East} (ft/s),V_{Down} (ft/s),Phi (deg),Theta (deg),Psi (deg)\n\
-             0,47.8,48.0,11.0,984.252,164.042,0,-3.28,5,2,0\n0.01,47.8,48.0000045,11.0,984.3,164.042,0,-3.28,5,2,0\n",
-        ),
-    ];
-
-    #[test]
-    fn every_known_format_is_recognized_and_read() {
-        assert_eq!(KNOWN.map(|known| known.name), SAMPLES.map(|(name, _)| name));
-        for (name, table) in SAMPLES {
-            let (survey, log) = read(table);
-            assert_eq!(survey.format, Some(name), "{survey:?}");
-            let sample = log.samples()[0];
-            assert_eq!(log.samples().len(), 2, "{name}");
-            assert!((sample.place.latitude_rad.to_degrees() - 48.0).abs() < 1e-9, "{name}: {sample:?}");
-            assert!((sample.place.longitude_rad.to_degrees() - 11.0).abs() < 1e-9, "{name}: {sample:?}");
-            assert!((sample.place.height_m - 300.0).abs() < 0.1, "{name}: {sample:?}");
-            if !survey.text.contains("coordinated") {
-                let angles =
-                    [sample.euler.roll, sample.euler.pitch, sample.euler.heading].map(f64::to_degrees);
-                assert!(
-                    (angles[0] - 5.0).abs() < 1e-2 && (angles[1] - 2.0).abs() < 1e-2,
-                    "{name}: {angles:?}"
-                );
-                let heading = if name == "Garmin G3X" { 356.0 } else { 0.0 };
-                assert!(
-                    (angles[2] - heading).rem_euclid(360.0).min((heading - angles[2]).rem_euclid(360.0))
-                        < 1e-6,
-                    "{name}: {angles:?}"
-                );
-            }
-            if let Some(v_n) = sample.v_n {
-                let [east, north, up]: [f64; 3] = v_n.into();
-                assert!(
-                    east.abs() < 1e-9 && (north - 50.0).abs() < 2.0 && up > 0.8 && up < 2.0,
-                    "{name}: {v_n:?}"
-                );
-            }
-        }
+    fn doubts(found: &Survey, words: &str) -> bool {
+        found.doubts.iter().any(|doubt| doubt.contains(words))
     }
 
     #[test]
-    fn other_tables_are_guessed() {
+    fn separators_headers_and_lines_of_units_are_found() {
         let (found, log) = read(
             "my logger\ntime;lat;lon;alt;ve;vn;vd;roll;pitch;yaw\nms;deg;deg;ft;kt;kt;kt;deg;deg;deg\n\
              0;48.0;11.0;984.252;0;97.192;-2;5;2;10\n100;48.000045;11.0;984.6;0;97.192;-2;5;2;10\n",
         );
         assert_eq!(found.format, None);
-        let expected = "separator = \"semicolon\"\nheader = 2\nskip = 1\ntime = { col = \"time\", unit = \"ms\" }\nlatitude = \"lat\"\nlongitude = \"lon\"\nheight = { col = \"alt\", unit = \"ft\" }\n";
-        assert!(found.text.starts_with(expected), "{}", found.text);
+        let begin = "separator = \"semicolon\"\nheader = 2\nskip = 1\ntime = { col = \"time\", unit = \"ms\" }\nlatitude = \"lat\"\n";
+        assert!(found.text.starts_with(begin), "{found:?}");
         let sample = log.samples()[1];
         assert!((sample.time_s - 0.1).abs() < 1e-12 && (sample.place.height_m - 300.1).abs() < 0.01);
         assert!((sample.v_n.unwrap().y - 50.0).abs() < 0.01 && sample.v_n.unwrap().z > 0.0);
+        for (table, words) in [
+            ("# t,lat,lon,alt\n0,48,11,300\n1,48.0005,11,300\n", "comment = \"!\"\n"),
+            (
+                "t,lat,lon,alt\n# s,deg,deg,ft\n0,48,11,300\n1,48.0005,11,300\n",
+                "height = { col = \"alt\", unit = \"ft\" }",
+            ),
+        ] {
+            let (found, log) = read(table);
+            assert!(found.text.contains(words) && log.samples().len() == 2, "{words}: {found:?}");
+        }
+        // Of two columns with one name the first, by its number.
+        let (found, log) = read("t,lat,lat,lon,alt\n0,48,1,11,300\n1,48.0005,1,11,300\n");
+        assert!(found.text.contains("latitude = { col = 2 }\n") && doubts(&found, "column 3"), "{found:?}");
+        assert!((log.samples()[0].place.latitude_rad.to_degrees() - 48.0).abs() < 1e-9);
+        assert_eq!(survey("1,2,3\n4,5,6\n"), None);
+        assert_eq!(survey(""), None);
+    }
 
-        let radians = "t,latitude,longitude,altitude,phi,theta,psi\n0,0.8377,0.19,300,0,0,6.1\n1,0.83771,0.19,300,0,0,6.1\n";
-        let found = survey_of(radians);
+    #[test]
+    fn times_are_of_the_unit_that_gives_a_vehicle() {
+        for (times, words) in [
+            (["1700000000", "1700000005"], "time = \"t\"\n"),
+            (["1714564800000", "1714564801000"], "unit = \"ms\""),
+            (["0", "2500000"], "unit = \"us\""),
+            (["2024-05-01T12:00:00Z", "2024-05-01T12:00:01Z"], "time_format = \"iso\""),
+            (["12:00:00", "12:00:01"], "time_format = \"hms\""),
+        ] {
+            let [first, second] = times;
+            let (found, log) = read(&format!("t,lat,lon,alt\n{first},48,11,300\n{second},48.0005,11,300\n"));
+            assert!(
+                found.text.contains(words) && log.duration_s() >= 1.0 && log.duration_s() < 6.0,
+                "{found:?}"
+            );
+            assert!(
+                found.text.contains("smooth = \"auto\"\n")
+                    && found.text.contains("attitude = \"coordinated\"\n")
+            );
+        }
+        // At rest the steps tell.
+        assert!(survey("t,lat,lon,alt\n0,48,11,300\n10,48,11,300\n").unwrap().text.contains("unit = \"ms\""));
+        let decimal_commas = "t;lat;lon;alt\n12:00:00,0;48;11;300\n12:00:00,1;48,00005;11;300\n";
+        assert!((read(decimal_commas).1.duration_s() - 0.1).abs() < 1e-9);
+    }
+
+    #[test]
+    fn angles_are_radians_where_degrees_are_impossible() {
+        let radians = "latitude = { col = \"lat\", unit = \"rad\" }";
+        for (table, words, latitude) in [
+            ("t,lat,lon,alt\n0,0.8377,0.19,300\n1,0.83771,0.19,300\n", radians, 47.9966),
+            ("t;lat;lon;alt\n0;0,8377;0,19;300\n1;0,83771;0,19;300\n", radians, 47.9966),
+            ("t,lat,lon,alt\n0,0.5,1,300\n1,0.50045,1,300\n", "latitude = \"lat\"", 0.5),
+        ] {
+            let (found, log) = read(table);
+            assert!(
+                found.text.contains(words) && doubts(&found, "radians") == (words == radians),
+                "{found:?}"
+            );
+            assert!((log.samples()[0].place.latitude_rad.to_degrees() - latitude).abs() < 1e-3, "{found:?}");
+        }
+        let (found, log) =
+            read("t,lat,lon,alt,roll,pitch,yaw\n0,48,11,300,0.3,0.02,3.1\n1,48.0005,11,300,0.3,0.02,3.1\n");
         assert!(
-            found.text.contains("latitude = { col = \"latitude\", unit = \"rad\" }")
-                && found.text.contains("smooth = \"auto\""),
+            (log.samples()[0].euler.roll - 0.3).abs() < 1e-12 && doubts(&found, "taken as radians"),
             "{found:?}"
         );
-        assert!(
-            found.doubts.iter().any(|doubt| doubt.contains("radians"))
-                && found.doubts.iter().any(|doubt| doubt.contains("as m:")),
-            "{found:?}"
-        );
+    }
 
+    #[test]
+    fn what_is_not_whole_is_left_out() {
         let (found, log) =
             read("Zeit;lat;lon;alt;speed;yaw\n0;48,5;11,25;300,5;50;90\n0,5;48,5;11,2503;300,5;50;90\n");
         assert!(
             (log.samples()[0].place.latitude_rad.to_degrees() - 48.5).abs() < 1e-9
                 && (log.duration_s() - 1.0).abs() < 1e-9
         );
-        for doubt in [
-            "speed is left out: there is no track, climb",
-            "heading is left out: there is no roll, pitch",
-            "a row is taken as a second",
+        for words in [
+            "left out: speed; there is no track, climb",
+            "left out: heading; there is no roll, pitch",
+            "there is no time",
         ] {
-            assert!(
-                found.doubts.iter().any(|found| found == doubt || found.ends_with(doubt)),
-                "{doubt}: {found:?}"
-            );
+            assert!(doubts(&found, words), "{words}: {found:?}");
         }
         let (found, log) = read(
             "t,lat,lon,gs,track,climb,ve,vn,vu,roll,pitch,yaw\n0,48,11,50,0,1,0,50,1,0,0,0\n0.1,48.00005,11,50,0,1,0,50,1,0,0,0\n",
@@ -619,63 +495,24 @@ mod tests {
                 && log.samples()[0].v_n.is_some(),
             "{found:?}"
         );
-
-        for (table, words, latitude) in [
-            // Radians with decimal commas; degrees near the equator and Greenwich; a second in steps of 5 s.
-            (
-                "t;lat;lon;alt\n0;0,8377;0,19;300\n1;0,83771;0,19;300\n",
-                "latitude = { col = \"lat\", unit = \"rad\" }",
-                47.9966,
-            ),
-            ("t,lat,lon,alt\n0,0.5,1,300\n1,0.50045,1,300\n", "latitude = \"lat\"", 0.5),
-            ("t,lat,lon,alt\n1700000000,48,11,300\n1700000005,48.002,11,300\n", "time = \"t\"\n", 48.0),
-            ("t,lat,lon,alt\n0,48,11,300\n2500,48.0000011,11,300\n", "unit = \"us\"", 48.0),
-            ("# t,lat,lon,alt\n0,48,11,300\n1,48.0005,11,300\n", "comment = \"!\"\n", 48.0),
-            (
-                "t,lat,lon,alt\n# s,deg,deg,ft\n0,48,11,300\n1,48.0005,11,300\n",
-                "height = { col = \"alt\", unit = \"ft\" }",
-                48.0,
-            ),
-            (
-                "t;lat;lon;alt\n12:00:00,0;48;11;300\n12:00:00,1;48,00005;11;300\n",
-                "time_format = \"hms\"",
-                48.0,
-            ),
-        ] {
-            let (found, log) = read(table);
-            assert!(found.text.contains(words), "{words}: {found:?}");
-            assert!(
-                (log.samples()[0].place.latitude_rad.to_degrees() - latitude).abs() < 1e-3
-                    && log.samples().len() == 2,
-                "{found:?}"
-            );
-        }
-        let angles =
-            "t,lat,lon,alt,roll,pitch,yaw\n0,48,11,300,0.3,0.02,3.1\n1,48.0005,11,300,0.3,0.02,3.1\n";
-        assert!(
-            survey_of(angles).text.contains("roll = { col = \"roll\", unit = \"rad\" }"),
-            "{:?}",
-            survey_of(angles)
-        );
-        let north = "t,lat,lon,alt,roll,pitch,True Heading,Declination\n0,48,11,300,1,2,90,4\n1,48.0005,11,300,1,2,90,4\n";
-        assert!(
-            !survey_of(north).text.contains("variation")
-                && survey_of(north).doubts.iter().any(|doubt| doubt.contains("not used"))
-        );
-        let north = "t,lat,lon,alt,roll,pitch,Magnetic Heading,Declination\n0,48,11,300,1,2,90,4\n1,48.0005,11,300,1,2,90,4\n";
-        assert!(survey_of(north).text.contains("variation = \"Declination\"\n"));
-
-        let positions = "timestamp,lat,lon,altitude,heading\n1714564800000,48.0,11.0,300,90\n1714564801000,48.0,11.001,300,90\n";
-        let (found, _) = read(positions);
-        assert!(
-            found.text.contains("unit = \"ms\"") && found.text.contains("attitude = \"coordinated\""),
-            "{found:?}"
-        );
-        assert_eq!(survey("1,2,3\n4,5,6\n"), None);
-        assert_eq!(survey(""), None);
     }
 
-    fn survey_of(table: &str) -> Survey {
-        survey(table).unwrap()
+    #[test]
+    fn a_variation_is_for_magnetic_headings() {
+        for (heading, is_magnetic) in
+            [("True Heading", false), ("heading", false), ("Magnetic Heading", true), ("HDG", true)]
+        {
+            let (found, log) = read(&format!(
+                "t,lat,lon,alt,roll,pitch,{heading},Declination\n0,48,11,300,1,2,90,4\n1,48.0005,11,300,1,2,90,4\n"
+            ));
+            let expected = if is_magnetic { 94.0 } else { 90.0 };
+            assert!(
+                (log.samples()[0].euler.heading.to_degrees() - expected).abs() < 1e-9,
+                "{heading}: {found:?}"
+            );
+            assert_eq!(doubts(&found, "is not used"), !is_magnetic, "{found:?}");
+        }
+        let (found, _) = read("t,lat,lon,alt,roll,pitch,HDG\n0,48,11,300,1,2,90\n1,48.0005,11,300,1,2,90\n");
+        assert!(doubts(&found, "may be magnetic"), "{found:?}");
     }
 }
