@@ -4,6 +4,7 @@ use sins::allan::{Estimator, Filter, Fit, Interval, Point, TERMS, Term};
 
 use super::log::{Log, Series};
 use super::quantity::Sensor;
+use super::values;
 use crate::drawing::series::mean;
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -60,8 +61,10 @@ pub struct Analysis {
     pub fit: Fit,
     /// The first averaging time of the fit [s], if shorter ones are left out.
     pub from_s: Option<f64>,
-    /// Whether the fit explains the deviations from there on.
+    /// Whether the fit explains the deviations from there on, and the values are those of a noise.
     pub is_explained: bool,
+    /// What no noise of a sensor does.
+    pub fault: Option<String>,
     /// Among the deviations that the fit does not explain, the place of that with the largest ratio to it.
     missed: Option<usize>,
     /// What is between the noise and the rows, if the times that are left out show it.
@@ -82,7 +85,7 @@ impl Analysis {
         let analysis = |series: &Series| {
             let of_sensor = || log.series.iter().filter(|other| other.sensor == series.sensor);
             let axis = of_sensor().position(|other| std::ptr::eq(other, series)).unwrap_or(0);
-            let analysis = Self::of_series(series, (axis, of_sensor().count()), &estimator);
+            let analysis = Self::of_series(series, &log.pieces, (axis, of_sensor().count()), &estimator);
             progress.count();
             analysis
         };
@@ -96,17 +99,24 @@ impl Analysis {
         good.into_iter().collect()
     }
 
-    fn of_series(series: &Series, axis: (usize, usize), estimator: &Estimator) -> Result<Self, Failure> {
+    fn of_series(
+        series: &Series,
+        pieces: &[usize],
+        axis: (usize, usize),
+        estimator: &Estimator,
+    ) -> Result<Self, Failure> {
         let found = estimator
             .estimate(&series.increments)
             .map_err(|error| Failure::new(format!("column \"{}\": {error}", series.name)))?;
         let from = found.fit.first;
+        let fault = values::fault(&series.increments, pieces, estimator.taus_s()[0]);
+        let is_explained = found.is_explained && fault.is_none();
         let coefficients = Term::ALL.map(|term| {
             if term == Term::Quantization && from > 0 {
                 let interval = Some(Interval { low: 0.0, high: f64::INFINITY });
                 return Coefficient { term, value: 0.0, interval };
             }
-            let interval = found.is_explained.then(|| root(found.interval(term, CONFIDENCE)));
+            let interval = is_explained.then(|| root(found.interval(term, CONFIDENCE)));
             Coefficient { term, value: found.fit.squares[term as usize].max(0.0).sqrt(), interval }
         });
         Ok(Self {
@@ -116,10 +126,11 @@ impl Analysis {
             estimates: found.points.iter().map(|point| estimate(point, &found.fit)).collect(),
             coefficients,
             from_s: (from > 0).then(|| found.points[from].tau_s),
-            is_explained: found.is_explained,
+            is_explained,
+            fault,
             missed: found.unexplained(),
             filter: estimator.filter(&found),
-            repeats: repeats(&series.increments),
+            repeats: values::repeats(&series.increments),
             fit: found.fit,
         })
     }
@@ -128,18 +139,6 @@ impl Analysis {
     pub fn unexplained(&self) -> Option<&Estimate> {
         self.missed.map(|place| &self.estimates[place])
     }
-}
-
-/// Rows between two values that are equal by chance alone.
-const FAR: usize = 101;
-
-fn repeats(values: &[f64]) -> f64 {
-    let equal = |rows: usize| {
-        let pairs = values.iter().zip(values.get(rows..).unwrap_or_default());
-        pairs.filter(|(one, other)| one == other).count() as f64 / values.len() as f64
-    };
-    let chance = equal(FAR);
-    (equal(1) - chance) / (1.0 - chance).max(f64::EPSILON)
 }
 
 /// The largest range of normal numbers over their standard deviation, of as many as a record of a year has seconds.
@@ -233,16 +232,6 @@ pub mod tests {
         let analysis = &Analysis::of_log(&log).unwrap()[0];
         assert!(!analysis.is_explained && analysis.unexplained().is_some());
         assert!(analysis.coefficients.iter().all(|coefficient| coefficient.interval.is_none()));
-    }
-
-    #[test]
-    fn coarse_values_are_no_repeats() {
-        let values: Vec<f64> =
-            made(20_000, 0.0).series[0].increments.iter().map(|x| (x / 1e-6).round()).collect();
-        assert!(values.windows(2).filter(|two| two[0] == two[1]).count() > 5000);
-        assert!(repeats(&values).abs() < 0.02, "{}", repeats(&values));
-        let twice: Vec<f64> = values.iter().flat_map(|value| [*value; 2]).collect();
-        assert!((repeats(&twice) - 0.5).abs() < 0.02, "{}", repeats(&twice));
     }
 
     #[test]

@@ -20,9 +20,6 @@ use crate::units::{significant, time_text};
 /// Scatter of the stamps, as a part of the interval, that is worth a remark.
 const SCATTER: f64 = 0.5;
 
-/// Most pieces between gaps that are read; shorter ones are left out.
-const MOST_PIECES: usize = 100;
-
 /// A column.
 pub struct Series {
     pub name: String,
@@ -82,8 +79,7 @@ impl Log {
             let what = format!("expected at least {FEWEST_SAMPLES} rows, found {}", table.rows());
             return Err(Failure::of_file(path, &what));
         }
-        let mut stamps = stamps(path, &mut table, time.as_ref(), order.rate_hz)?;
-        let remarks = remarks(&mut stamps);
+        let stamps = stamps(path, &mut table, time.as_ref(), order.rate_hz)?;
         let interval_s = stamps.interval_s;
         let series = columns.into_iter().map(|(name, quantity)| {
             let unit = quantity.si * if quantity.is_increment { 1.0 } else { interval_s };
@@ -95,7 +91,7 @@ impl Log {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let series = series.collect::<Result<_, Failure>>()?;
         let is_counted = order.rate_hz.is_some() && time.is_some();
-        let pieces = stamps.pieces.iter().map(Range::len).collect();
+        let (pieces, remarks) = (stamps.pieces.iter().map(Range::len).collect(), remarks(&stamps));
         Ok(Self { name, interval_s, series, pieces, remarks, is_counted, is_still: order.still })
     }
 
@@ -124,31 +120,21 @@ fn begin(path: &Path, failure: Failure) -> Failure {
     if quoted.is_empty() {
         failure
     } else {
-        Failure::new(format!("{failure}\n{} begins:{quoted}", path.display()))
+        Failure::of_kind(failure.kind(), format!("{failure}\n{} begins:{quoted}", path.display()))
     }
 }
 
-/// Sentences about the stamps. Of very many pieces the longest stay.
-fn remarks(stamps: &mut Stamps) -> Vec<String> {
-    let Stamps { interval_s, pieces, lost, jitter } = stamps;
+/// Sentences about the stamps.
+fn remarks(stamps: &Stamps) -> Vec<String> {
+    let Stamps { interval_s, rows, gaps, pieces, lost, jitter } = stamps;
     let mut remarks = Vec::new();
-    let (gaps, rows) = (pieces.len() - 1, pieces.iter().map(Range::len).sum::<usize>());
-    if gaps > 0 {
-        let mut lengths: Vec<usize> = pieces.iter().map(Range::len).collect();
-        lengths.sort_unstable_by(|a, b| b.cmp(a));
-        let least = lengths[lengths.len().min(MOST_PIECES) - 1].max(2);
-        pieces.retain(|piece| piece.len() >= least);
-        pieces.truncate(MOST_PIECES);
-        let used = pieces.iter().map(Range::len).sum::<usize>();
-        let of_them = if used < rows {
-            format!(" with {:.1} % of the rows", 100.0 * used as f64 / rows as f64)
-        } else {
-            String::new()
-        };
-        let (name, lost_s) = (if gaps == 1 { "gap" } else { "gaps" }, time_text(*lost as f64 * *interval_s));
+    if *gaps > 0 {
+        let (used, pieces) = (stamps.used(), pieces.len());
+        let percent = 100.0 * used as f64 / *rows as f64;
+        let of_them = if used < *rows { format!(" with {percent:.1} % of the rows") } else { String::new() };
+        let (name, lost_s) = (if *gaps == 1 { "gap" } else { "gaps" }, time_text(*lost as f64 * *interval_s));
         remarks.push(format!(
-            "{gaps} {name}, {lost_s} in all: the estimates of {} pieces{of_them} are joined",
-            pieces.len()
+            "{gaps} {name}, {lost_s} in all: the estimates of {pieces} pieces{of_them} are joined"
         ));
     }
     if *jitter > SCATTER {
@@ -178,12 +164,7 @@ fn stamps(
     rate_hz: Option<f64>,
 ) -> Result<Stamps, Failure> {
     if let Some(rate_hz) = rate_hz {
-        return Ok(Stamps {
-            interval_s: 1.0 / rate_hz,
-            pieces: std::iter::once(0..table.rows()).collect(),
-            lost: 0,
-            jitter: 0.0,
-        });
+        return Ok(Stamps::counted(table.rows(), 1.0 / rate_hz));
     }
     let Some((name, stamp)) = time else {
         let header = table.header();
@@ -216,7 +197,7 @@ fn stamps(
         let what = format!(
             "column {name}: {} gaps, and the longest piece between them has {longest} rows (limit {FEWEST_SAMPLES}; --rate {}: takes \
              each row as the next)",
-            found.pieces.len() - 1,
+            found.gaps,
             significant(1.0 / found.interval_s)
         );
         return Err(Failure::of_file(path, &what));
@@ -284,19 +265,31 @@ pub mod tests {
         assert!(read("time_s,a_g", None, |_| "4".into()).err().unwrap().contains("all stamps are the same"));
     }
 
+    /// 150 pieces, one of 90 rows and the others of 50 or fewer: 100 are read.
     #[test]
     fn of_many_pieces_the_longest_stay() {
-        let pieces: Vec<Range<usize>> =
-            (0..150).map(|k| 100 * k..100 * k + if k == 70 { 90 } else { 50 }).collect();
-        let mut stamps = Stamps { interval_s: 0.1, pieces, lost: 5000, jitter: 0.0 };
-        let said = remarks(&mut stamps);
-        assert_eq!(
-            said,
-            ["149 gaps, 8.3 min in all: the estimates of 100 pieces with 66.8 % of the rows are joined"]
+        let length = |piece: u32| {
+            if piece == 70 {
+                90
+            } else if piece % 3 == 0 {
+                46
+            } else {
+                50
+            }
+        };
+        let rows = (0..150).flat_map(|piece| (0..length(piece)).map(move |k| (100 * piece + k, piece)));
+        let text: String = rows.map(|(time, piece)| format!("{time},{piece}\n")).collect();
+        let log = Log::from_input(&order(None), format!("time_s,delta_v_m_s\n{text}").as_bytes())
+            .map_err(|failure| failure.to_string());
+        let log = log.unwrap();
+        // 99 of 50 rows and the one of 90; 50 of 46 rows are left out.
+        assert_eq!((log.pieces.len(), log.count()), (100, 5040));
+        assert_eq!((log.series[0].increments[49], log.series[0].increments[50]), (1.0, 2.0));
+        assert!(
+            log.remarks[0].ends_with("the estimates of 100 pieces with 68.7 % of the rows are joined"),
+            "{:?}",
+            log.remarks
         );
-        let mut values: Vec<f64> = (0..15_000).map(f64::from).collect();
-        keep(&mut values, &stamps.pieces);
-        assert!(values.len() == 5040 && values[49] == 49.0 && values[50] == 100.0);
     }
 
     #[test]

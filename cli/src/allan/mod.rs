@@ -1,7 +1,7 @@
 //! The Allan deviation of an IMU log, and the noises that explain it.
 //!
-//! The data flow is `command` → `quantity`, `stamps`, `log` → `analysis` → `diagram`, `document`, `table`, `records`, `scene`. `sheet` has the units
-//! of data sheets. The library has the estimator, [`sins::allan`].
+//! The data flow is `command` → `quantity`, `stamps`, `log` → `values`, `analysis` → `diagram`, `document`, `table`, `records`, `scene`.
+//! `sheet` has the units of data sheets. The library has the estimator, [`sins::allan`].
 
 mod analysis;
 mod command;
@@ -14,6 +14,7 @@ mod scene;
 mod sheet;
 mod stamps;
 mod table;
+mod values;
 
 pub use command::Order;
 

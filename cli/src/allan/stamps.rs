@@ -20,6 +20,9 @@ const SHORTEST: f64 = 1e-6;
 /// Steps of which the usual one is taken.
 const MOST_STEPS: usize = 100_000;
 
+/// Most pieces between gaps that are read.
+const MOST_PIECES: usize = 100;
+
 /// Rounds in which the interval is found: a round leaves that part of its error that the gaps are of the record.
 const ROUNDS: usize = 60;
 
@@ -27,12 +30,37 @@ const ROUNDS: usize = 60;
 #[derive(Debug, PartialEq)]
 pub struct Stamps {
     pub interval_s: f64,
-    /// Pieces of rows at equal intervals.
+    /// Rows, and gaps between them.
+    pub rows: usize,
+    pub gaps: usize,
+    /// The pieces of rows at equal intervals between the gaps; of very many the longest.
     pub pieces: Vec<Range<usize>>,
     /// Intervals that are missing between the pieces.
     pub lost: usize,
     /// Largest difference between a step within a piece and the interval, as a part of the interval.
     pub jitter: f64,
+}
+
+impl Stamps {
+    /// Rows that are each the next sample.
+    pub fn counted(rows: usize, interval_s: f64) -> Self {
+        Self { interval_s, rows, gaps: 0, pieces: std::iter::once(0..rows).collect(), lost: 0, jitter: 0.0 }
+    }
+
+    /// Rows of the pieces.
+    pub fn used(&self) -> usize {
+        self.pieces.iter().map(Range::len).sum()
+    }
+
+    /// Leaves out the shortest of very many pieces, and single rows.
+    fn longest(mut self) -> Self {
+        let mut lengths: Vec<usize> = self.pieces.iter().map(Range::len).collect();
+        lengths.sort_unstable_by(|a, b| b.cmp(a));
+        let least = lengths[lengths.len().min(MOST_PIECES) - 1].max(2);
+        self.pieces.retain(|piece| piece.len() >= least);
+        self.pieces.truncate(MOST_PIECES);
+        self
+    }
 }
 
 /// Reads stamps [s] in order, at least two.
@@ -43,8 +71,8 @@ pub fn read(times_s: &[f64]) -> Stamps {
     let usual_s = usual(times_s);
     if usual_s > SHORTEST * mean_s {
         let found = found(times_s, &whole, usual_s);
-        if (found.pieces.len() - 1) as f64 <= MOST_GAPS * times_s.len() as f64 {
-            return found;
+        if found.gaps as f64 <= MOST_GAPS * times_s.len() as f64 {
+            return found.longest();
         }
     }
     // From the first row of a batch to that of the last: the end of a batch has the stamp of its begin.
@@ -54,7 +82,7 @@ pub fn read(times_s: &[f64]) -> Stamps {
         (Some(first), Some(last)) => first..last,
         _ => whole,
     };
-    found(times_s, &batches, mean(times_s, &batches, 0))
+    found(times_s, &batches, mean(times_s, &batches, 0)).longest()
 }
 
 /// The mean interval between two rows, if `lost` rows are missing between them.
@@ -96,7 +124,8 @@ fn found(times_s: &[f64], rows: &Range<usize>, begin_s: f64) -> Stamps {
     let is_gap = |row: usize| gaps.binary_search_by_key(&row, |gap| gap.0).is_ok();
     let off = |(row, step): (usize, f64)| if is_gap(row) { 0.0 } else { (step / interval_s - 1.0).abs() };
     let jitter = steps(times_s).enumerate().map(off).fold(0.0, f64::max);
-    Stamps { interval_s, pieces, lost: gaps.iter().map(|(_, lost)| lost).sum(), jitter }
+    let lost = gaps.iter().map(|(_, lost)| lost).sum();
+    Stamps { interval_s, rows: times_s.len(), gaps: gaps.len(), pieces, lost, jitter }
 }
 
 /// The rows before gaps, and how many intervals each gap has more than one.

@@ -76,8 +76,11 @@ fn dependence(analysis: &Analysis) -> String {
     }
 }
 
-/// Remark about averaging times that are left out, and about what the coefficients do not explain.
+/// Remark about values that are none of a noise, averaging times that are left out, and what the coefficients do not explain.
 pub fn remark(analysis: &Analysis) -> Option<String> {
+    if let Some(fault) = &analysis.fault {
+        return Some(format!("No interval would hold: {fault}."));
+    }
     if let Some(from_s) = analysis.from_s {
         let (from, cause) = (tau(from_s), dependence(analysis));
         return Some(format!("Averaging times below {from} are left out of the fit: {cause}."));

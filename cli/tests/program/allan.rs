@@ -144,6 +144,34 @@ fn filtered_averaged_and_repeated_records_have_their_noise() {
     }
 }
 
+/// A record with one value that stands out, or that stands still in half of it, gets no interval: none would hold.
+#[test]
+fn a_faulty_record_gets_no_interval() {
+    let folder = folder("faulty");
+    let mut spike = noise(60_000, 0.66, |_| 0.0);
+    spike[30_000] = 50.0;
+    save(&folder.join("spike.csv"), spike.iter().copied());
+    let stuck = noise(60_000, 0.66, |_| 0.0)
+        .into_iter()
+        .enumerate()
+        .map(|(k, value)| if k < 30_000 { value } else { 0.0 });
+    save(&folder.join("stuck.csv"), stuck);
+    for (name, words) in [("spike", "single values stand out"), ("stuck", "one value stands for 300.0 s")] {
+        let table = done(&folder, &["allan", &format!("{name}.csv"), "--rate", "100", "--still"]);
+        assert!(table.contains("No interval would hold: ") && table.contains(words), "{table}");
+        assert!(
+            table.lines().any(|line| line.starts_with("  N ") && line.ends_with("without an interval")),
+            "{table}"
+        );
+        let errors = run(
+            &folder,
+            &["allan", &format!("{name}.csv"), "--rate", "100", "--still", "--write", "s.toml", "--force"],
+        )
+        .2;
+        assert!(errors.contains("nothing to write") && !folder.join("s.toml").exists(), "{errors}");
+    }
+}
+
 /// A sensor is not in motion because its noise is large; one in motion is rejected, unless the user knows better.
 #[test]
 fn motion_is_not_noise() {
