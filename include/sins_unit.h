@@ -179,8 +179,7 @@ typedef enum sins_unit_alignment {
     SINS_UNIT_ALIGNMENT_STORED_HEADING = 1,
     /**
      * Only in a simulation: after fast_alignment_s the unit has the true state, with the errors of sins_initial_errors that need no
-     * alignment, drawn for this run. It may be in motion. Until then nothing but rates and forces is valid, and an entered position is not
-     * used.
+     * alignment, drawn for this run. The vehicle may move. Until then only rates and forces are valid. An entered position is not used.
      */
     SINS_UNIT_ALIGNMENT_FAST = 2,
     /** The same at once, without a test after power-up. */
@@ -388,7 +387,8 @@ typedef enum sins_unit_state {
     SINS_UNIT_STATE_COARSE_ALIGNMENT = 2,
     /**
      * Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored. In flight it begins when the
-     * first windows show an attitude, and the heading is valid when it is as accurate as in_flight_heading_rad.
+     * first windows show an attitude, and the heading is valid when it is as accurate as in_flight_heading_rad. An alignment
+     * of kind SINS_UNIT_ALIGNMENT_FAST shows neither.
      */
     SINS_UNIT_STATE_FINE_ALIGNMENT = 3,
     /** Aligned: it waits for SINS_UNIT_NAV, and continues to align. Its velocity is valid if it was aligned in flight. */

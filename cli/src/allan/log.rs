@@ -271,7 +271,7 @@ pub mod tests {
         let length = |piece: u32| {
             if piece == 70 {
                 90
-            } else if piece % 3 == 0 {
+            } else if u32::is_multiple_of(piece, 3) {
                 46
             } else {
                 50
