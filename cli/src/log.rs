@@ -35,9 +35,8 @@ pub struct Order {
     columns: Option<PathBuf>,
     /// Looks for the columns of a table of any kind, and writes them into this file for --columns
     ///
-    /// Known are Garmin G1000, G5 and G3X, X-Plane's Data.txt, FlightGear, SimConnect, Sky Dolly, ArduPilot, AirData, OpenSky, traffic, NCAR's
-    /// research aircraft and JSBSim. Of another table, quantities, units and times are guessed from names, lines of units and values. What
-    /// is not sure is said.
+    /// Tables of many avionics, simulators and services are known by their columns (docs/your_log.md names them). Of another table, quantities,
+    /// units and times are guessed from names, lines of units and values. What is not sure is said.
     #[arg(long, value_name = "MAP.toml", conflicts_with_all = ["columns", "smooth"])]
     map: Option<PathBuf>,
     /// Exits with code 2 if a finding is doubtful or unusable, as the commands that fly a log do with this option

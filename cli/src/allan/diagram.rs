@@ -29,6 +29,9 @@ const BELOW: f64 = 13.0;
 const LABEL: f64 = 24.0;
 const LETTER: f64 = 8.0;
 
+/// What stands at the line before which averaging times are left out of the fit.
+const LEFT_OUT: &str = "left out";
+
 /// Legend of the lines.
 pub fn legend() -> Legend {
     let entry = |pen, text: &str| (pen, text.to_owned());
@@ -59,6 +62,13 @@ pub fn drawing(analysis: &Analysis) -> Drawing {
         let line = asymptote(analysis, coefficient, (from, right), bottom + LABEL / HEIGHT * (top - bottom));
         notes.extend(label(analysis, coefficient, &line, (left, right)));
         traces.push(Trace::new(Pen::Asymptote, line));
+    }
+    if analysis.from_s.is_some() {
+        traces.push(Trace::new(Pen::Axis, vec![(from, bottom), (from, top)]));
+        let half = 0.5 * LETTER * LEFT_OUT.len() as f64;
+        let knee = (from - left) / (right - left) * PANEL_WIDTH;
+        let shift = ((knee - half).max(half) - knee, -LETTER);
+        notes.push(Note { at: (from, bottom), shift, pen: Pen::Text, text: LEFT_OUT.to_owned() });
     }
     let fitted = |place: f64| (place, (analysis.fit.variance(10f64.powf(place)).sqrt() / unit.si).log10());
     let fit: Points = places((from, right)).map(fitted).collect();
@@ -140,6 +150,20 @@ mod tests {
         let curve: Points = [0.5, 2.0, -1.0, 0.2, 0.8, 1.5].into_iter().map(|y| (0.0, y)).collect();
         let parts: Vec<usize> = within(&curve, (0.0, 1.0)).map(<[_]>::len).collect();
         assert_eq!(parts, [1, 2]);
+    }
+
+    #[test]
+    fn times_that_are_left_out_are_marked() {
+        let mut log = made(20_000, 0.0);
+        let four = |values: &[f64]| 0.25 * values.iter().sum::<f64>();
+        log.series[0].increments = log.series[0].increments.windows(4).map(four).collect();
+        log.pieces = vec![log.series[0].increments.len()];
+        let analysis = &Analysis::of_log(&log).unwrap()[0];
+        let panel = &drawing(analysis).panels[0];
+        let knee = panel.traces.iter().find(|trace| trace.pen == Pen::Axis).unwrap();
+        let from = analysis.from_s.unwrap().log10();
+        assert_eq!(knee.points, [(from, panel.y.low), (from, panel.y.high)]);
+        assert!(panel.notes.iter().any(|note| note.text == LEFT_OUT));
     }
 
     #[test]
