@@ -215,6 +215,11 @@ impl Mechanization {
         }
     }
 
+    /// Begins the loop of the vertical channel anew if its estimate is beyond `limit_m_s2`.
+    pub(crate) fn limit_vertical_bias(&mut self, limit_m_s2: f64) {
+        self.solution.vertical.limit_bias(limit_m_s2);
+    }
+
     /// Adds `dv_e` [m/s], Earth-fixed axes, to the velocity.
     pub fn shift_velocity(&mut self, dv_e: &Vector3<f64>) {
         match &mut self.solution.axes {

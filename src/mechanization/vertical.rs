@@ -175,6 +175,13 @@ impl VerticalLoop {
         self.gains.t = 0.0;
     }
 
+    /// Begins anew if its estimate is beyond `limit_m_s2`.
+    pub(crate) fn limit_bias(&mut self, limit_m_s2: f64) {
+        if self.bias_m_s2.abs() > limit_m_s2 {
+            *self = Self::new();
+        }
+    }
+
     /// Its estimate [m/s²] and its last residual [m].
     pub(crate) fn states(&self) -> [f64; 2] {
         [self.bias_m_s2, self.residual_m]

@@ -1,10 +1,16 @@
-//! Bounds of the errors with which the sensors of an INS at rest show the rotation of the Earth.
+//! Bounds of the errors with which the sensors of an INS at rest show the rotation of the Earth, and gravity.
 
 use nalgebra::Vector3;
 
-use super::Simulator;
+use super::{Mode, Simulator};
+use crate::base::units::STANDARD_GRAVITY as GRAVITY;
 use crate::errors::covariance::{Signals, Variances};
+use crate::mechanization::VerticalLoop;
 use crate::sensors::{PARAMETERS, Sensor, Triad, TriadParameters};
+use crate::truth::TruthPoint;
+
+/// What the loop of the vertical channel estimates of gravity's anomalies, and of an altimeter that drifts \[m/s²\].
+const BESIDE_SENSORS_M_S2: f64 = 5e-4;
 
 /// A bound of an error: the size of what is set, and the standard deviation of what is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,6 +61,21 @@ impl Simulator {
         // A remainder of at most q/2 that changes with the slope 4/a of the weight of each of two windows of length a.
         let of_pulses = 4.0 * self.accel().quantization.amax() / window_s;
         Bound { set: size(&(now - start)) + of_pulses, sigma: variances.accel.amax().sqrt() }
+    }
+
+    /// Begins the loop of the vertical channel anew if no accelerometer errors of up to `sigmas` standard deviations explain what it
+    /// estimates: it comes from failures, or from a solution that was wrong before. A drawn walk began `since_start_s` \[s\] ago.
+    pub(crate) fn limit_vertical_bias(&mut self, sigmas: f64, since_start_s: f64) {
+        const OVER_S: f64 = VerticalLoop::TIME_CONSTANT_S;
+        let signals = Signals { rate_s: Vector3::zeros(), force_s: Vector3::repeat(GRAVITY) };
+        let now_c = self.true_point().and_then(TruthPoint::temperature_c);
+        let [start, now] = self.set_errors(Sensor::Accelerometer, &signals, OVER_S, [now_c; 2]);
+        let variances =
+            Variances::of_means(&self.imperfections.parameters(), &signals, OVER_S, since_start_s);
+        let of_sensors = Bound { set: size(&start).max(size(&now)), sigma: variances.accel.amax().sqrt() };
+        if let Mode::Flying(chain) = &mut self.mode {
+            chain.limit_vertical_bias(of_sensors.at(sigmas) + BESIDE_SENSORS_M_S2);
+        }
     }
 
     /// The errors of a triad that are set, `t` \[s\] ago and now \[u\].

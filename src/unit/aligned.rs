@@ -20,7 +20,7 @@ const LATITUDE_FAILURES: usize = 2;
 /// Tolerance of the cosine of latitude beside that of the gyros, and that of the sine: the aircraft may turn a little.
 const COSINE_TOLERANCE: f64 = 0.004;
 const SINE_TOLERANCE: f64 = 0.2;
-/// Standard deviations of the gyros that the test of the latitude allows.
+/// Standard deviations of the sensors that the test of the latitude and the vertical channel allow.
 const SIGMAS: f64 = 5.0;
 
 impl Unit {
@@ -36,7 +36,7 @@ impl Unit {
         let earth = simulator.options().earth();
         if self.is_made_up() {
             remove_errors(simulator, &simulator.initial_errors().draw(simulator.options().key))?;
-            self.become_ready();
+            self.become_ready(simulator);
             return Ok(());
         }
         self.reasons.no_position = self.entered.is_none();
@@ -56,11 +56,13 @@ impl Unit {
         }
         let Some(q_nb) = self.found_attitude(&at_rest) else { return Ok(()) };
         self.settle(&earth, place, Vector3::zeros(), q_nb, simulator)?;
-        self.become_ready();
+        self.become_ready(simulator);
         Ok(())
     }
 
-    pub(super) fn become_ready(&mut self) {
+    /// The solution is the aligned one, and goes on from here.
+    pub(super) fn become_ready(&mut self, simulator: &mut Simulator) {
+        simulator.limit_vertical_bias(SIGMAS, self.age_s + simulator.initial_errors().alignment_s);
         if self.state != State::Ready {
             self.enter(State::Ready);
         }
@@ -168,7 +170,7 @@ impl Unit {
         let Some(q_in) = self.alignment.levelled(&q_in, &at_rest) else { return Ok(()) };
         let q_nb = self.attitude_in(&q_in);
         self.settle(&earth, place, Vector3::zeros(), q_nb, simulator)?;
-        self.become_ready();
+        self.become_ready(simulator);
         Ok(())
     }
 

@@ -317,7 +317,7 @@ impl Unit {
         if self.is_over_in_flight() && self.alignment.in_flight.has_heading(&parameters) {
             let q_nb = self.attitude_in(&q_in);
             self.settle(&earth, place, v_n, q_nb, simulator)?;
-            self.become_ready();
+            self.become_ready(simulator);
         }
         Ok(())
     }

@@ -5,6 +5,7 @@ use nalgebra::{Quaternion, Vector3};
 use super::UnitParameters;
 use crate::base::math::{rotate, rotation_quaternion};
 use crate::base::snapshot::{CLOCK_S, SIGNALS, stored};
+use crate::mechanization::BodyMotion;
 use crate::signal::Increment;
 
 /// Time over which the force at rest is averaged, and after which a change of velocity is forgotten \[s\]. In it the Earth turns gravity
@@ -36,14 +37,13 @@ impl Default for Inertial {
 }
 
 impl Inertial {
-    /// Turns on by `increments` over `dt` \[s\]. Returns the integral of the specific force over them, inertial axes \[m/s\].
+    /// Turns on by the increments of an update over `dt` \[s\], as the mechanization does. Returns the integral of the specific force over
+    /// them, inertial axes \[m/s\].
     pub fn turn(&mut self, increments: &[Increment], dt: f64) -> Vector3<f64> {
         self.kept_s += dt;
-        let mut velocity_i = Vector3::zeros();
-        for Increment { angle, velocity } in increments {
-            velocity_i += rotate(&self.q_is, &(velocity + 0.5 * angle.cross(velocity)));
-            self.q_is *= rotation_quaternion(angle);
-        }
+        let body = BodyMotion::exact(increments);
+        let velocity_i = rotate(&self.q_is, &body.s1);
+        self.q_is *= rotation_quaternion(&body.rotation);
         self.q_is /= self.q_is.norm_squared().sqrt();
         velocity_i
     }

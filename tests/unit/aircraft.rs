@@ -37,7 +37,7 @@ impl Receiver {
         Self { draws: rand::SeedableRng::seed_from_u64(seed), sigma_m, sigma_m_s }
     }
 
-    fn errors(&mut self, sigma: f64) -> Vector3<f64> {
+    pub fn errors(&mut self, sigma: f64) -> Vector3<f64> {
         Vector3::from_fn(|_, _| sigma * Distribution::<f64>::sample(&StandardNormal, &mut self.draws))
     }
 }

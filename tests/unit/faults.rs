@@ -1,9 +1,9 @@
 //! Tests of the unit: sensors, power, entered positions.
 
 use sins::sensors::{Axis, Failure, SensorOutput};
-use sins::unit::{Mode, Power, State, Stored, UnitParameters};
+use sins::unit::{AlignmentKind, Mode, Power, State, Stored, UnitParameters};
 
-use crate::aircraft::{Aircraft, Motion};
+use crate::aircraft::{Aircraft, Motion, Receiver};
 use crate::support::DEG;
 
 #[test]
@@ -152,4 +152,53 @@ fn entries_at_the_wrong_moment_and_out_of_range_are_rejected() {
     let error = aircraft.unit.update(&mut aircraft.simulator).unwrap_err();
     assert_eq!(error.to_string(), "the unit has taken this step already");
     assert!(aircraft.unit == before);
+}
+
+/// An accelerometer that lost every second interval before the alignment has filled the loop of the vertical channel with an error that no
+/// sensor has. An alignment of any kind begins without it.
+#[test]
+fn what_failures_left_in_the_vertical_channel_does_not_outlive_an_alignment() {
+    const CRUISE: Motion = Motion::Drive { acceleration: 2.0, to: 200.0 };
+    for (kind, rate_hz) in [
+        (AlignmentKind::InFlight, 2.0),
+        (AlignmentKind::InFlight, 10.0),
+        (AlignmentKind::Gyrocompass, 10.0),
+        (AlignmentKind::Fast, 1.0),
+        (AlignmentKind::Instant, 10.0),
+    ] {
+        let is_in_flight = kind == AlignmentKind::InFlight;
+        let mut aircraft = Aircraft::new(40.0, 0, rate_hz, &Default::default());
+        aircraft.roll_rate = 20.0 * DEG;
+        let motion = if is_in_flight { CRUISE } else { Motion::Rest };
+        aircraft.go(motion, 120.0);
+        let output = SensorOutput::Accelerometer(Axis::Z);
+        for step in 0..(60.0 * rate_hz) as usize {
+            aircraft.simulator.set_failure(output, (step % 2 == 0).then_some(Failure::Dead)).unwrap();
+            aircraft.go(motion, 1.0 / rate_hz);
+        }
+        aircraft.simulator.set_failure(output, None).unwrap();
+        aircraft.receiver = is_in_flight.then(|| Receiver::new(1, 0.0, 0.0));
+        aircraft.set_alignment(kind);
+        aircraft.unit.select(Mode::Navigate);
+        aircraft.go(motion, 20.0);
+        if kind == AlignmentKind::Gyrocompass {
+            aircraft.enter_true_position();
+        }
+        for turn in 0..60 {
+            let turns = is_in_flight && turn % 3 == 1;
+            let sign = if turn % 2 == 0 { 3.0 } else { -3.0 };
+            aircraft.go(if turns { Motion::Turn(sign * DEG) } else { motion }, 20.0);
+            let shown = aircraft.navigation();
+            if !shown.validity.velocity {
+                continue;
+            }
+            let truth = aircraft.simulator.truth().unwrap().unwrap().navigation;
+            let (up_m_s, height_m) = (shown.v_n.z - truth.v_n.z, shown.place.height_m - truth.place.height_m);
+            assert!(
+                up_m_s.abs() < 0.05 && height_m.abs() < 3.0,
+                "{kind:?}, {rate_hz} Hz: {up_m_s} m/s, {height_m} m"
+            );
+        }
+        assert_eq!(aircraft.unit.status().state, State::Navigation, "{kind:?}: {:?}", aircraft.unit.status());
+    }
 }

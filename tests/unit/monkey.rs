@@ -157,12 +157,15 @@ impl Oracle {
         let level = self.level();
         let has_ended = shows(now) && !shows(before)
             || before == State::Realignment && matches!(now, State::Ready | State::Navigation)
-            || now == State::Ready && aircraft.kind() != AlignmentKind::InFlight;
+            || now == State::Ready
+                && matches!(aircraft.kind(), AlignmentKind::Gyrocompass | AlignmentKind::StoredHeading);
         if has_ended {
             let keeps_heading = self.realigned;
             let heading = match aircraft.kind() {
                 _ if keeps_heading => self.solution.heading,
                 AlignmentKind::InFlight => SIGMAS * 0.1 * DEG,
+                // Only a simulation can make it, at once and without an error.
+                AlignmentKind::Fast | AlignmentKind::Instant => level,
                 _ => self.heading_at_rest(aircraft, truth, 250.0),
             };
             // A wrong heading turns the way of the vertical since the last window.
@@ -228,6 +231,8 @@ impl Oracle {
         if shown.validity.velocity {
             let off = (shown.v_n - truth.v_n).norm();
             assert!(off <= bounds.velocity, "velocity {off} of {}: {}", bounds.velocity, context());
+            let off = (shown.place.height_m - truth.place.height_m).abs();
+            assert!(off <= bounds.position, "height {off} of {}: {}", bounds.position, context());
         }
         if shown.validity.position {
             let off = metres(&shown.place, &truth.place);
@@ -289,18 +294,19 @@ fn live(seed: u64) -> [u64; 5] {
                 .set_power([Power::Aircraft, Power::Battery, Power::None][draws.random_range(0..3)]),
             8 => aircraft.unit.set_power(Power::Aircraft),
             9 | 10 => {
-                use AlignmentKind::{Gyrocompass, InFlight, StoredHeading};
-                aircraft.set_alignment(
-                    [Gyrocompass, Gyrocompass, StoredHeading, InFlight][draws.random_range(0..4)],
-                );
+                use AlignmentKind::{Fast, Gyrocompass, InFlight, Instant, StoredHeading};
+                let kinds = [Gyrocompass, Gyrocompass, StoredHeading, InFlight, InFlight, Fast, Instant];
+                aircraft.set_alignment(kinds[draws.random_range(0..kinds.len())]);
             }
             11 => {
                 let output = [
                     SensorOutput::Gyro(Axis::Z),
                     SensorOutput::Gyro(Axis::X),
                     SensorOutput::Accelerometer(Axis::Y),
+                    SensorOutput::Accelerometer(Axis::Z),
                 ];
-                failed = Some((output[draws.random_range(0..3)], draws.random_range(0.02..0.5)));
+                let steps = if draws.random_range(0..2) == 0 { 60 } else { 600 };
+                failed = Some((output[draws.random_range(0..4)], draws.random_range(0.02..0.5), steps));
             }
             12 if aircraft.unit.status().state == State::Off => {
                 let Geodetic { latitude_rad, longitude_rad, .. } = aircraft.place();
@@ -332,8 +338,8 @@ fn live(seed: u64) -> [u64; 5] {
         };
         let steps = draws.random_range(0..1500) * if draws.random_range(0..4) == 0 { 4 } else { 1 };
         for step in 0..steps {
-            if let Some((output, probability)) = failed {
-                let is_lost = draws.random::<f64>() < probability && step < 60;
+            if let Some((output, probability, steps)) = failed {
+                let is_lost = draws.random::<f64>() < probability && step < steps;
                 aircraft.simulator.set_failure(output, is_lost.then_some(Failure::Dead)).unwrap();
             }
             // The crew enters the position when it is asked for.

@@ -41,6 +41,14 @@ impl Chain {
         Ok(())
     }
 
+    /// Begins the loops of the vertical channel anew whose estimate is beyond `limit_m_s2`. That of the shadow, which is free of errors, is not.
+    pub fn limit_vertical_bias(&mut self, limit_m_s2: f64) {
+        self.mechanization.limit_vertical_bias(limit_m_s2);
+        if let Some(model) = &mut self.error_model {
+            model.limit_vertical_bias(limit_m_s2);
+        }
+    }
+
     /// From now on the navigator has errors of its own: the closed loop needs a shadow, which continues from `navigator`.
     pub fn part_from_shadow(&mut self, navigator: &Mechanization) {
         if let Some(closed_loop) = &mut self.closed_loop {
