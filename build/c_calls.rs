@@ -58,10 +58,11 @@ const TEXTS: [(&str, &str); 6] = [
 ];
 
 /// Pointers that may be null, of all functions or of one.
-const MAY_BE_NULL: [(&str, &[&str]); 15] = [
+const MAY_BE_NULL: [(&str, &[&str]); 16] = [
     ("", &["written", "needed"]),
     ("sins_create", &["options"]),
     ("sins_unit_create", &["params"]),
+    ("sins_judge_create", &["options"]),
     ("sins_bus_words", &["inputs", "words"]),
     ("sins_recommend", &["configured"]),
     ("sins_error_budget", &["configured", "request", "budget"]),

@@ -13,7 +13,7 @@ use super::read::doc;
 ///
 /// The numbers of the constants are those of snapshots (`codes!`), or else those that the enumeration states: the order of the
 /// variants says nothing.
-const ENUMERATIONS: [(&str, &str, &str, &str); 15] = [
+const ENUMERATIONS: [(&str, &str, &str, &str); 17] = [
     ("sins_frame", "SINS_FRAME", "Frame", "mechanization/mod.rs"),
     ("sins_scheme", "SINS_SCHEME", "Scheme", "mechanization/mod.rs"),
     ("sins_vertical", "SINS_VERTICAL", "VerticalMode", "mechanization/vertical.rs"),
@@ -25,6 +25,8 @@ const ENUMERATIONS: [(&str, &str, &str, &str); 15] = [
     ("sins_errors_source", "SINS_ERRORS", "ErrorSource", "simulator/mod.rs"),
     ("sins_decision", "SINS_DECISION", "Decision", "ensemble/statistics/meets.rs"),
     ("sins_bus_word_status", "SINS_BUS", "WordStatus", "unit/bus/word.rs"),
+    ("sins_finding_kind", "SINS_FINDING", "Kind", "truth/judge/finding.rs"),
+    ("sins_finding_level", "SINS_LEVEL", "Level", "truth/judge/finding.rs"),
     ("sins_channel", "SINS_CHANNEL", "Channel", "truth/flight/manoeuvre.rs"),
     ("sins_unit_power", "SINS_UNIT_POWER", "Power", "unit/panel.rs"),
     ("sins_unit_alignment", "SINS_UNIT_ALIGNMENT", "AlignmentKind", "unit/panel.rs"),

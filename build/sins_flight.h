@@ -1,5 +1,6 @@
 /*
- * sins_flight.h - embedded flights: the library computes the samples from manoeuvres. The conventions are those of sins.h.
+ * sins_flight.h - embedded flights: the library computes the samples from manoeuvres; and a judge of samples, which finds what is wrong with
+ * them. The conventions are those of sins.h.
  *
  * build/ writes this file; do not edit it.
  */
@@ -16,6 +17,10 @@ extern "C" {
 /* Embedded flights. */
 
 @manoeuvre flight
+
+/* Judges of samples. */
+
+@judge
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_flight_sizeof {

@@ -1,5 +1,6 @@
 /*
- * sins_flight.h - embedded flights: the library computes the samples from manoeuvres. The conventions are those of sins.h.
+ * sins_flight.h - embedded flights: the library computes the samples from manoeuvres; and a judge of samples, which finds what is wrong with
+ * them. The conventions are those of sins.h.
  *
  * build/ writes this file; do not edit it.
  */
@@ -189,10 +190,165 @@ SINS_API sins_status SINS_CALL sins_flight_sample_at(const sins_flight *flight, 
  */
 SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
 
+/* Judges of samples. */
+
+/** Most findings of a flight. */
+#define SINS_FINDINGS_MAX 24
+
+/** What was found, and what the figure of the finding is. */
+typedef enum sins_finding_kind {
+    /** Time stamps that are not later than the one before; figure: number of them. */
+    SINS_FINDING_TIME_ORDER = 0,
+    /** A time stamp much nearer to the one before than the others; figure: the shortest interval [s]. */
+    SINS_FINDING_NEAR_STAMPS = 1,
+    /** Intervals of more than 2.5 times each of the two before; figure: the longest [s]. */
+    SINS_FINDING_GAPS = 2,
+    /** Time in milliseconds or microseconds; figure: speed as if it was in seconds [m/s]. */
+    SINS_FINDING_TIME_UNIT = 3,
+    /** Time stamps that scatter about a steady clock; figure: their scatter [s]. */
+    SINS_FINDING_STAMP_JITTER = 4,
+    /** Positions in coarse steps; figure: the step [m]. */
+    SINS_FINDING_COARSE_POSITIONS = 5,
+    /** Positions with noise, without velocities; figure: noise of a component [m]. */
+    SINS_FINDING_NOISY_POSITIONS = 6,
+    /** Velocities with noise; figure: noise of a component [m/s]. */
+    SINS_FINDING_NOISY_VELOCITIES = 7,
+    /** Rows that repeat the position of the row before, while the vehicle moves; figure: share of the moving rows [1]. */
+    SINS_FINDING_HELD_ROWS = 8,
+    /** A position beside the path of its neighbours; figure: the largest distance [m]. */
+    SINS_FINDING_SPIKE = 9,
+    /** An acceleration that few vehicles have; figure: the largest [m/s²]. */
+    SINS_FINDING_ACCELERATION = 10,
+    /** Rows at the start that hold a value from before the first fix, such as 0, from which the next row jumps; figure: number of rows. */
+    SINS_FINDING_NOT_YET_FIXED = 11,
+    /** Velocity in another unit or axes than its name says; figure: size of the velocity over that of the displacement [1]. */
+    SINS_FINDING_VELOCITY_UNIT = 12,
+    /** Velocity that is no multiple of the displacement; figure: the unexplained share of the displacement [1]. */
+    SINS_FINDING_VELOCITY_CONTRADICTS = 13,
+    /** Velocity that contradicts the positions at some times; figure: the largest unexplained displacement [m]. */
+    SINS_FINDING_VELOCITY_AT_TIMES = 14,
+    /** Velocity up that is a multiple of the climb; figure: climb over velocity up [1]. */
+    SINS_FINDING_VERTICAL_UNIT = 15,
+    /** Heading with another sign or unit; figure: how well it follows the track as it is, 0 to 1. */
+    SINS_FINDING_HEADING_UNIT = 16,
+    /** Heading off the track by a constant angle; figure: the angle [rad]. */
+    SINS_FINDING_HEADING_OFF_TRACK = 17,
+    /** An angle that sweeps through a whole turn backwards: it was interpolated through its wrap; figure: the largest false rate [rad/s]. */
+    SINS_FINDING_ANGLE_THROUGH_WRAP = 18,
+    /** Roll with the wrong sign; figure: its slope on the bank that the turns need [1]. */
+    SINS_FINDING_ROLL_SIGN = 19,
+    /** Roll that the turns do not explain; figure: its slope on the bank that the turns need [1]. */
+    SINS_FINDING_ROLL_UNEXPLAINED = 20,
+    /** Pitch with the wrong sign; figure: its slope on the angle of the path [1]. */
+    SINS_FINDING_PITCH_SIGN = 21,
+    /** A nose that points below the path; figure: mean of pitch less angle of the path [rad]. */
+    SINS_FINDING_ATTACK_NEGATIVE = 22,
+    /** Height in feet; figure: slope of pitch on the angle of the path [1]. */
+    SINS_FINDING_HEIGHT_UNIT = 23
+} sins_finding_kind;
+
+/** What a finding means for a flight of these samples. */
+typedef enum sins_finding_level {
+    /** It is true, and harms little. */
+    SINS_LEVEL_NOTE = 0,
+    /** The flight is not that of the vehicle in every respect: the errors of an INS on it are to be doubted. */
+    SINS_LEVEL_DOUBTFUL = 1,
+    /** The errors of an INS on this flight say nothing. */
+    SINS_LEVEL_UNUSABLE = 2
+} sins_finding_level;
+
+/**
+ * A judge of the samples of a flight. A handle is a checked key, like that of a sins_sim, and is never confused with one.
+ * sins_last_error(NULL, ...) on the same thread gives the failures of its functions.
+ */
+typedef struct sins_judge sins_judge;
+
+/** What a judge found. */
+typedef struct sins_finding {
+    /** sizeof(sins_finding) */
+    uint32_t struct_size;
+    /** 0 */
+    uint32_t reserved;
+    /** What was found, of enum sins_finding_kind. */
+    int32_t kind;
+    /** What it means for a flight of these samples, of enum sins_finding_level. */
+    int32_t level;
+    /** Number of the sample where it begins or is largest, the first is 0. */
+    uint64_t sample;
+    /** Time stamp of that sample [s]. */
+    double time_s;
+    /** How often; 0: the whole flight. */
+    uint64_t count;
+    /** Its figure, see enum sins_finding_kind. */
+    double figure;
+    /** False acceleration that is flown for it; 0: none, or unknown [m/s2]. */
+    double acceleration_m_s2;
+    /** Largest horizontal error of an INS with ideal sensors for it, during the flight; 0: none, or unknown [m]. */
+    double ins_error_m;
+    /** It as a sentence, and what to do about it; UTF-8, terminated, cut if it is longer. */
+    char sentence[384];
+} sins_finding;
+
+/**
+ * Creates a judge, which looks at the samples of a flight before an INS flies them, or while it does: a library that is given knots,
+ * degrees, 32-bit positions or held rows computes exact errors of a flight that nobody flew. Of the options it takes the Earth, and the
+ * largest acceleration. NULL: the defaults.
+ *
+ * It has 50 KB. Not for a real-time frame: it allocates. On an error *judge is unchanged, and sins_last_error(NULL, ...) on this thread
+ * gives the reason.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: as sins_create(). SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 judges exist.
+ *
+ * ```c
+ * sins_judge *judge = NULL;
+ * sins_finding found[SINS_FINDINGS_MAX];
+ * size_t doubts = 0, i;
+ * SINS_INIT(found[0]);
+ * SINS_INIT(sample);
+ * sins_judge_create(NULL, &judge);
+ * for (i = 0; i < 1000; i++) {
+ *     sample.time_s = 0.1 * (double)i;
+ *     sample.latitude_rad = 100.0 * sample.time_s / 6356752.0;
+ *     sample.velocity_enu_m_s[1] = 100.0 * 3600.0 / 1852.0;
+ *     sins_judge_push(judge, &sample);
+ * }
+ * sins_judge_get_findings(judge, found, SINS_FINDINGS_MAX, &doubts);
+ * printf("%.47s\n", found[0].sentence);  // velocity is 1.95 times the displacement: knots?
+ * sins_judge_destroy(judge);
+ * ```
+ */
+SINS_API sins_status SINS_CALL sins_judge_create(const sins_options *options, sins_judge **judge);
+
+/**
+ * Looks at the next sample. In the order of the flight; of time stamps that are not later than the one before it takes note. No
+ * allocation, below 1 us.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range; the sample counts as not pushed.
+ */
+SINS_API sins_status SINS_CALL sins_judge_push(sins_judge *judge, const sins_flight_sample *sample);
+
+/**
+ * Reads what was found in the samples so far, the worst first, and their number (count), at most SINS_FINDINGS_MAX.
+ * findings[0].struct_size is the size in bytes of each element of findings. To ask for count only, give NULL for findings and a capacity
+ * of 0. A finding is a statistic: in a flight of less than 200 samples it may come from a few. No allocation, about 0.1 ms.
+ *
+ * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of findings; only count was written.
+ */
+SINS_API sins_status SINS_CALL sins_judge_get_findings(const sins_judge *judge, sins_finding *findings,
+    size_t capacity, size_t *count);
+
+/**
+ * Destroys a judge.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_judge_destroy(sins_judge *judge);
+
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_flight_sizeof {
     SINS_SIZEOF_FLIGHT_START = 72,
-    SINS_SIZEOF_MANOEUVRE = 240
+    SINS_SIZEOF_MANOEUVRE = 240,
+    SINS_SIZEOF_FINDING = 448
 };
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* sins.hpp for sins_flight.h: embedded flights. */
+/* sins.hpp for sins_flight.h: embedded flights, and judges of samples. */
 
 #ifndef SINS_FLIGHT_HPP
 #define SINS_FLIGHT_HPP
@@ -11,6 +11,9 @@ namespace sins {
 namespace detail {
 template <> struct Destroyer<sins_flight> {
     static void destroy(sins_flight *flight) noexcept { sins_flight_destroy(flight); }
+};
+template <> struct Destroyer<sins_judge> {
+    static void destroy(sins_judge *judge) noexcept { sins_judge_destroy(judge); }
 };
 } // namespace detail
 
@@ -32,6 +35,26 @@ public:
     /* Reads the sample at time_s into a struct with struct_size set. */
     void sample_at(double time_s, sins_flight_sample &sample) const {
         detail::done(sins_flight_sample_at(handle_, time_s, &sample), nullptr);
+    }
+};
+
+/* A judge of the samples of a flight. It can be moved, but not copied; a call on a moved-from object throws SINS_ERROR_BAD_HANDLE. */
+class Judge : public detail::Owner<sins_judge> {
+public:
+    Judge() : Owner(detail::given<sins_judge *>(nullptr, sins_judge_create, nullptr)) {}
+
+    explicit Judge(const sins_options &options)
+        : Owner(detail::given<sins_judge *>(nullptr, sins_judge_create, &options)) {}
+
+    void push(const sins_flight_sample &sample) { detail::done(sins_judge_push(handle_, &sample), nullptr); }
+
+    /* What was found so far, the worst first. */
+    std::vector<sins_finding> findings() const {
+        std::vector<sins_finding> found(SINS_FINDINGS_MAX, make<sins_finding>());
+        std::size_t count = 0;
+        detail::done(sins_judge_get_findings(handle_, found.data(), found.size(), &count), nullptr);
+        found.resize(count);
+        return found;
     }
 };
 

@@ -69,6 +69,10 @@
     X(sins_status, sins_flight_duration, (const sins_flight *flight, double *duration_s)) \
     X(sins_status, sins_flight_sample_at, (const sins_flight *flight, double time_s, sins_flight_sample *sample)) \
     X(sins_status, sins_flight_destroy, (sins_flight *flight)) \
+    X(sins_status, sins_judge_create, (const sins_options *options, sins_judge **judge)) \
+    X(sins_status, sins_judge_push, (sins_judge *judge, const sins_flight_sample *sample)) \
+    X(sins_status, sins_judge_get_findings, (const sins_judge *judge, sins_finding *findings, size_t capacity, size_t *count)) \
+    X(sins_status, sins_judge_destroy, (sins_judge *judge)) \
     X(sins_status, sins_recommend, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_requirement *requirement, sins_options *options, sins_cost *cost)) \
     X(sins_status, sins_error_budget, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written, sins_budget *budget)) \
     X(sins_status, sins_unit_create, (const sins_unit_params *params, int32_t mode, sins_unit **unit)) \
@@ -115,6 +119,7 @@
     X(sins_status, sins_ensemble_snapshot_size, (sins_ensemble *ensemble, size_t *size)) \
     X(sins_status, sins_ensemble_snapshot_save, (sins_ensemble *ensemble, void *buffer, size_t capacity, size_t *written)) \
     X(sins_status, sins_ensemble_snapshot_load, (sins_ensemble *ensemble, const void *snapshot, size_t size)) \
+    X(sins_status, sins_judge_push_log, (sins_judge *judge, const sins_log *log)) \
     X(sins_status, sins_play_create, (const sins_scene *scene, const sins_log *log, sins_play **play)) \
     X(sins_status, sins_play_next, (sins_play *play)) \
     X(sins_status, sins_play_push, (sins_play *play, const sins_flight_sample *sample)) \

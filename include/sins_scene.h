@@ -574,6 +574,14 @@ SINS_API sins_status SINS_CALL sins_log_get_sample(const sins_log *log, size_t i
     uint64_t *line);
 
 /**
+ * Looks at the samples of a log, one after the other, as sins_judge_push().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, with the number of the sample; the samples before it were taken.
+ * SINS_ERROR_BAD_HANDLE: judge or log is not a valid handle.
+ */
+SINS_API sins_status SINS_CALL sins_judge_push_log(sins_judge *judge, const sins_log *log);
+
+/**
  * Destroys a flight log.
  *
  * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.

@@ -171,6 +171,13 @@ public:
 
     sins_log_info info() const { return detail::filled<sins_log_info>(nullptr, sins_log_get_info, handle_); }
 
+    /* What a judge finds in the samples, the worst first. */
+    std::vector<sins_finding> findings() const {
+        const Judge judge;
+        detail::done(sins_judge_push_log(judge.handle(), handle_), nullptr);
+        return judge.findings();
+    }
+
     /* line, if not NULL, gets the line of the text on which the sample stands. */
     sins_flight_sample sample(std::size_t index, uint64_t *line = nullptr) const {
         sins_flight_sample sample = make<sins_flight_sample>();

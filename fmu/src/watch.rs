@@ -19,7 +19,8 @@ impl Watch {
     pub fn push(&mut self, scene: &Scene, sample: &FlightSample) -> Vec<String> {
         let judge = self.judge.get_or_insert_with(|| {
             let options = scene.simulator_options();
-            let judge = Judge::new(options.earth(), options.intake.max_acceleration_m_s2);
+            let judge = Judge::new(options.earth(), options.intake.max_acceleration_m_s2)
+                .expect("memory for a judge");
             (Box::new(judge), f64::NEG_INFINITY)
         });
         let (judge, last_s) = judge;
@@ -40,7 +41,6 @@ impl Watch {
 }
 
 fn sentences(judge: &mut Judge, at_end: bool) -> Vec<String> {
-    let sentence =
-        |finding: sins::truth::judge::Finding| format!("truth: {finding}. Remedy: {}", finding.remedy());
+    let sentence = |finding: sins::truth::judge::Finding| format!("truth: {}", finding.with_remedy());
     judge.new_doubts(at_end).map(sentence).collect()
 }

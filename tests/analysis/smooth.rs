@@ -36,7 +36,7 @@ fn smoothed(samples: &[FlightSample]) -> Smoothed {
 
 /// The path of `samples` at 50 Hz has no doubt.
 fn judged(name: &str, path: &Smoothed) {
-    let mut judge = Judge::new(Earth::default(), 2000.0);
+    let mut judge = Judge::new(Earth::default(), 2000.0).unwrap();
     let [start_s, end_s] = path.span_s();
     for k in 0..=((end_s - start_s) * 50.0) as usize {
         judge.push(&path.sample_at(start_s + k as f64 / 50.0).unwrap()).unwrap();

@@ -143,6 +143,22 @@ static inline void every_flight_call(sins_flight *flight, every_call_answer *ans
     EVERY_CALL(sins_flight_sample_at(flight, 0.0, flight_sample));
 }
 
+/* All functions of a sins_judge, except those that destroy it and that read its last failure. */
+static inline void every_judge_call(sins_judge *judge, every_call_answer *answer, void *context)
+{
+    sins_flight_sample flight_sample[2];
+    sins_finding finding[2];
+    size_t size = 0;
+    SINS_INIT(flight_sample[0]);
+    SINS_INIT(flight_sample[1]);
+    flight_sample[1].time_s = 0.01;
+    SINS_INIT(finding[0]);
+    SINS_INIT(finding[1]);
+    EVERY_CALL(sins_judge_push(judge, flight_sample));
+    EVERY_CALL(sins_judge_get_findings(judge, finding, 2, &size));
+    EVERY_CALL(sins_judge_push_log(judge, NULL));
+}
+
 /* All functions of a sins_unit, except those that destroy it and that read its last failure. */
 static inline void every_unit_call(sins_unit *unit, sins_sim *sim, every_call_answer *answer, void *context)
 {
@@ -351,7 +367,7 @@ static inline void every_play_call(sins_play *play, sins_scene *scene, every_cal
 }
 
 /* Every function with null for each pointer that may not be null. */
-static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *unit, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, sins_play *play, every_call_answer *answer, void *context)
+static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *judge, sins_unit *unit, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, sins_play *play, every_call_answer *answer, void *context)
 {
     sins_options options[2];
     sins_flight_sample flight_sample[2];
@@ -360,6 +376,7 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     sins_failure failure[2];
     sins_flight_start flight_start[2];
     sins_manoeuvre manoeuvre[2];
+    sins_finding finding[2];
     sins_requirement requirement[2];
     sins_cost cost[2];
     sins_budget_request budget_request[2];
@@ -399,6 +416,8 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     SINS_INIT(manoeuvre[1]);
     manoeuvre[0].duration_s = manoeuvre[1].duration_s = 60.0;
     manoeuvre[0].kind = manoeuvre[1].kind = SINS_MANOEUVRE_STRAIGHT;
+    SINS_INIT(finding[0]);
+    SINS_INIT(finding[1]);
     SINS_INIT(requirement[0]);
     SINS_INIT(requirement[1]);
     requirement[0].position_m = 1.0;
@@ -474,6 +493,10 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_unit *uni
     EVERY_CALL(sins_flight_create(flight_start, manoeuvre, 2, NULL));
     EVERY_CALL(sins_flight_duration(flight, NULL));
     EVERY_CALL(sins_flight_sample_at(flight, 0.0, NULL));
+    EVERY_CALL(sins_judge_create(options, NULL));
+    EVERY_CALL(sins_judge_push(judge, NULL));
+    EVERY_CALL(sins_judge_get_findings(judge, NULL, 2, &size));
+    EVERY_CALL(sins_judge_get_findings(judge, finding, 2, NULL));
     EVERY_CALL(sins_recommend(sim, NULL, 2, requirement, options, cost));
     EVERY_CALL(sins_recommend(sim, flight_sample, 2, NULL, options, cost));
     EVERY_CALL(sins_recommend(sim, flight_sample, 2, requirement, NULL, cost));

@@ -266,6 +266,7 @@ static void fly(const float_state *state, results *found)
     sins_imu_increment increment = {.struct_size = sizeof increment, .interval_s = 0.0078125, .count = 1};
     float_state normal = get_state(), before, after;
     sins_flight *flight;
+    sins_judge *judge;
     sins_sim *sim, *other;
     int k;
 
@@ -342,6 +343,9 @@ static void fly(const float_state *state, results *found)
     CHECK(sins_get_navigation(other, &found->alone) == SINS_OK);
     every_call(other, ignore, NULL);
     every_flight_call(flight, ignore, NULL);
+    judge = scene_judge();
+    every_judge_call(judge, ignore, NULL);
+    CHECK(sins_judge_destroy(judge) == SINS_OK);
     fly_scene(found);
     fly_ensemble(found);
     fly_unit(found);

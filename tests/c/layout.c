@@ -386,6 +386,19 @@ AT(sins_manoeuvre, amplitude, 96);
 AT(sins_manoeuvre, frequency_hz, 144);
 AT(sins_manoeuvre, phase_rad, 192);
 
+SIZE(sins_finding, SINS_SIZEOF_FINDING, 448);
+AT(sins_finding, struct_size, 0);
+AT(sins_finding, reserved, 4);
+AT(sins_finding, kind, 8);
+AT(sins_finding, level, 12);
+AT(sins_finding, sample, 16);
+AT(sins_finding, time_s, 24);
+AT(sins_finding, count, 32);
+AT(sins_finding, figure, 40);
+AT(sins_finding, acceleration_m_s2, 48);
+AT(sins_finding, ins_error_m, 56);
+AT(sins_finding, sentence, 64);
+
 SIZE(sins_requirement, SINS_SIZEOF_REQUIREMENT, 48);
 AT(sins_requirement, struct_size, 0);
 AT(sins_requirement, time_steps, 4);

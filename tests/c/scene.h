@@ -169,6 +169,16 @@ static inline sins_unit *scene_unit(void)
     return unit;
 }
 
+/* A judge that has found one thing: a time stamp that is not later than the one before. */
+static inline sins_judge *scene_judge(void)
+{
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_judge *judge = NULL;
+    CHECK(sins_judge_create(NULL, &judge) == SINS_OK);
+    CHECK(sins_judge_push(judge, &sample) == SINS_OK && sins_judge_push(judge, &sample) == SINS_OK);
+    return judge;
+}
+
 /* A record of every interval. */
 static inline void scene_fly(sins_sim *sim, const sins_flight_sample *samples, sins_record records[SCENE_COUNT - 1])
 {

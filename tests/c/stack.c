@@ -342,6 +342,9 @@ static void call_without_a_simulator(void)
     sins_accel_params accel = {.struct_size = sizeof accel};
     sins_initial_errors initial = {.struct_size = sizeof initial};
     sins_flight *flight = NULL;
+    sins_judge *judge = NULL;
+    static sins_finding findings[SINS_FINDINGS_MAX];
+    size_t count;
     double duration;
     MEASURE_VALUE(sins_abi_version());
     MEASURE_VALUE(sins_version_string());
@@ -353,6 +356,12 @@ static void call_without_a_simulator(void)
     MEASURE(sins_flight_duration(flight, &duration));
     MEASURE(sins_flight_sample_at(flight, 1.0, &sample));
     MEASURE(sins_flight_destroy(flight));
+    findings[0].struct_size = sizeof findings[0];
+    MEASURE(sins_judge_create(NULL, &judge));
+    MEASURE(sins_judge_push(judge, &sample));
+    MEASURE(sins_judge_push(judge, &sample));
+    MEASURE(sins_judge_get_findings(judge, findings, SINS_FINDINGS_MAX, &count));
+    MEASURE(sins_judge_destroy(judge));
 }
 
 /* A text of the largest size that opens brackets and never closes them. */
@@ -386,6 +395,7 @@ static void call_with_scenes(void)
     sins_flight_sample sample = {.struct_size = sizeof sample};
     sins_scene *scene = NULL, *other = NULL;
     sins_log *log = NULL;
+    sins_judge *judge = NULL;
     sins_sim *sim = NULL;
     sins_flight *flight = NULL;
     sins_flight_start start = {.struct_size = sizeof start};
@@ -457,6 +467,9 @@ static void call_with_scenes(void)
     MEASURE(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, NULL, &log, NULL));
     MEASURE(sins_log_get_info(log, &info));
     MEASURE(sins_log_get_sample(log, 0, &sample, NULL));
+    CHECK(sins_judge_create(NULL, &judge) == SINS_OK);
+    MEASURE(sins_judge_push_log(judge, log));
+    CHECK(sins_judge_destroy(judge) == SINS_OK);
     MEASURE(sins_log_destroy(log));
     log_samples[0] = log_samples[1] = sample;
     log_samples[1].time_s += 1.0;

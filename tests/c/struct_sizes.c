@@ -233,6 +233,8 @@ static void struct_sizes_of_scenes(sins_sim *sim)
 static void struct_sizes(sins_sim *sim, sins_flight *flight)
 {
     sins_sim *fresh = NULL;
+    sins_judge *judge = scene_judge();
+    size_t count = 0;
     CHECK(sins_create(NULL, &fresh) == SINS_OK);
     INPUT_SIZES(sins_options, create_and_destroy(pointer));
     INPUT_SIZES(sins_gyro_params, sins_set_gyro(fresh, pointer));
@@ -287,6 +289,10 @@ static void struct_sizes(sins_sim *sim, sins_flight *flight)
     OUTPUT_SIZES(sins_accel_params, sins_accel_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES(sins_initial_errors, sins_initial_preset(SINS_GRADE_PAPER_SIMULATION2, pointer));
     OUTPUT_SIZES(sins_flight_sample, sins_flight_sample_at(flight, 0.0, pointer));
+    OUTPUT_SIZES(sins_finding, sins_judge_get_findings(judge, pointer, 1, &count));
+    CHECK(count == 1);
+    INPUT_SIZES(sins_flight_sample, sins_judge_push(judge, pointer));
+    CHECK(sins_judge_destroy(judge) == SINS_OK);
     strides(fresh);
     CHECK(sins_destroy(fresh) == SINS_OK);
 }

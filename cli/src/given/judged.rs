@@ -23,13 +23,12 @@ pub struct Trust {
 /// A judge with the Earth and the limits of `scene`.
 pub fn judge_of(scene: &Scene) -> Judge {
     let options = scene.simulator_options();
-    Judge::new(options.earth(), options.intake.max_acceleration_m_s2)
+    Judge::new(options.earth(), options.intake.max_acceleration_m_s2).expect("memory for a judge")
 }
 
 /// A finding in a sentence, with what to do about it.
 pub fn sentence(finding: &Finding) -> String {
-    let remedy = finding.remedy();
-    format!("{}: {finding}. Remedy: {remedy}", finding.level.word())
+    format!("{}: {}", finding.level.word(), finding.with_remedy())
 }
 
 /// The findings in the first `count` samples of a log, and the notes of its reader, each with its line.

@@ -11,7 +11,7 @@ use crate::base::math::SPLIT_MIX_STEP;
 /// Largest number of handles of a kind that exist at the same time.
 pub(in crate::abi) const SLOTS: usize = 4096;
 const SLOT_BITS: u32 = SLOTS.trailing_zeros();
-const KIND_BITS: u32 = 3;
+pub(in crate::abi) const KIND_BITS: u32 = 4;
 /// Generations of a slot; one that has used them all is never used again, so that no key returns.
 pub(in crate::abi) const LAST_GENERATION: usize = usize::MAX >> (SLOT_BITS + KIND_BITS);
 /// Less than every first generation, so small made-up numbers are never keys.

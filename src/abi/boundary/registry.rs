@@ -3,7 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::key::{FirstGeneration, LAST_GENERATION, SLOTS, key_of, kind_of, slot_of};
+use super::key::{FirstGeneration, KIND_BITS, LAST_GENERATION, SLOTS, key_of, kind_of, slot_of};
 use super::lock::{Guard, Lock};
 use crate::abi::failure::{
     Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
@@ -72,6 +72,7 @@ impl<T> Slot<T> {
 impl<T, const KIND: usize> Registry<T, KIND> {
     /// An empty table.
     pub const fn new() -> Self {
+        const { assert!(KIND > 0 && KIND >> KIND_BITS == 0, "a kind is a number of these bits") };
         Self {
             slots: [const { Slot::empty() }; SLOTS],
             next: AtomicUsize::new(0),

@@ -11,6 +11,7 @@ use crate::scene::log::FlightLog;
 use crate::scene::{Course, Fault, Scene};
 use crate::simulator::Simulator;
 use crate::truth::flight::Flight;
+use crate::truth::judge::Judge;
 use crate::unit::Unit;
 
 /// Simulators, each made by [`crate::base::memory::only`], as memory for it can be missing.
@@ -24,6 +25,8 @@ pub(in crate::abi) static ENSEMBLES: Registry<Ensemble, 5> = Registry::new();
 pub(in crate::abi) static UNITS: Registry<Unit, 6> = Registry::new();
 #[cfg(feature = "scenes")]
 pub(in crate::abi) static PLAYS: Registry<PlayHandles, 7> = Registry::new();
+/// Judges, each made as simulators are.
+pub(in crate::abi) static JUDGES: Registry<Box<[Judge; 1]>, 8> = Registry::new();
 
 /// The result of reading a text: a scene, unless the text has faults.
 #[cfg(feature = "scenes")]
@@ -61,6 +64,7 @@ pub(in crate::abi) fn is_inside_a_handle() -> bool {
         || FLIGHTS.is_in_use_here()
         || ENSEMBLES.is_in_use_here()
         || UNITS.is_in_use_here()
+        || JUDGES.is_in_use_here()
 }
 
 /// Called in a forked process: objects that other threads had in use are lost.
@@ -70,6 +74,7 @@ pub(in crate::abi) fn lose_what_others_use() {
     FLIGHTS.lose_what_others_use();
     ENSEMBLES.lose_what_others_use();
     UNITS.lose_what_others_use();
+    JUDGES.lose_what_others_use();
     #[cfg(feature = "scenes")]
     {
         SCENES.lose_what_others_use();

@@ -8,7 +8,10 @@ use super::{sins_scene, with_scene};
 use crate::abi::boundary::handle::{hand_out, with_object};
 use crate::abi::boundary::tables::LOGS;
 use crate::abi::boundary::{enter, enter_without_simulator, remember_as};
-use crate::abi::failure::{Failure, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status};
+use crate::abi::failure::{
+    Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status,
+};
+use crate::abi::judge::{sins_judge, with_judge};
 use crate::abi::memory::{Array, Output, element, interface_struct, put_if_wanted};
 use crate::abi::sample::sins_flight_sample;
 use crate::abi::sentence::Sentence;
@@ -139,6 +142,19 @@ pub unsafe extern "C-unwind" fn sins_log_create(
     })
 }
 
+/// The log of a handle; `None`: null.
+pub(super) fn log_of(log: *const sins_log) -> Result<Option<Arc<FlightLog>>, Failure> {
+    if log.is_null() {
+        return Ok(None);
+    }
+    let mut found = None;
+    let status = LOGS.with(log.addr(), |log| {
+        found = Some(log.clone());
+        Ok(SINS_OK)
+    });
+    found.map(Some).ok_or_else(|| Failure::of_handle(status, "log"))
+}
+
 /// Reads the number of samples of a log, its duration and its title.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_log_get_info(
@@ -176,6 +192,24 @@ pub unsafe extern "C-unwind" fn sins_log_get_sample(
         output.write(&sins_flight_sample::from(found));
         // SAFETY: the host's promise.
         unsafe { put_if_wanted(line, log.line(index).unwrap_or_default()) };
+        Ok(SINS_OK)
+    })
+}
+
+/// Looks at the samples of a log, one after the other, as sins_judge_push().
+///
+/// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, with the number of the sample; the samples before it were taken.
+/// SINS_ERROR_BAD_HANDLE: judge or log is not a valid handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_judge_push_log(
+    judge: *mut sins_judge,
+    log: *const sins_log,
+) -> sins_status {
+    with_judge(judge, |judge| {
+        let log = log_of(log)?.ok_or_else(|| Failure::of_handle(SINS_ERROR_BAD_HANDLE, "log"))?;
+        for (index, sample) in log.samples().iter().enumerate() {
+            judge.push(sample).map_err(|error| Failure::from(error).of_sample(index))?;
+        }
         Ok(SINS_OK)
     })
 }

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use super::log::sins_log;
+use super::log::{log_of, sins_log};
 use super::{sins_scene, with_scene};
 use crate::abi::answer::fill_or_need;
 use crate::abi::boundary::handle::{hand_out, with_object};
-use crate::abi::boundary::tables::{LOGS, PLAYS, PlayHandles, SIMULATORS, UNITS};
+use crate::abi::boundary::tables::{PLAYS, PlayHandles, SIMULATORS, UNITS};
 use crate::abi::boundary::{enter, remember_as};
 use crate::abi::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, SINS_PLAY_END, sins_status};
 use crate::abi::imu::sins_imu;
@@ -121,19 +121,6 @@ pub unsafe extern "C-unwind" fn sins_play_create(
             })
         }
     })
-}
-
-/// The log of a handle; `None`: null.
-fn log_of(log: *const sins_log) -> Result<Option<Arc<FlightLog>>, Failure> {
-    if log.is_null() {
-        return Ok(None);
-    }
-    let mut found = None;
-    let status = LOGS.with(log.addr(), |log| {
-        found = Some(log.clone());
-        Ok(SINS_OK)
-    });
-    found.map(Some).ok_or_else(|| Failure::of_handle(status, "log"))
 }
 
 fn make(scene: &Scene, log: Option<Arc<FlightLog>>) -> Result<PlayHandles, Failure> {

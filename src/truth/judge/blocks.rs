@@ -6,7 +6,9 @@ use super::attitude::Attitudes;
 use super::finding::At;
 use super::row::Row;
 use super::velocity::Velocities;
+use crate::base::error::Error;
 use crate::base::math::Euler;
+use crate::base::memory::filled;
 
 /// Lengths of blocks: 1 s to 512 s.
 const LEVELS: usize = 10;
@@ -84,7 +86,7 @@ pub(super) struct Level {
 
 #[derive(Debug, Clone)]
 pub(super) struct Blocks {
-    levels: [Level; LEVELS],
+    levels: Box<[Level]>,
     growing: Option<Block>,
     /// Unit vector times velocity at the last row.
     products: Option<[Vector3<f64>; 5]>,
@@ -93,10 +95,12 @@ pub(super) struct Blocks {
 }
 
 impl Blocks {
-    pub const fn new() -> Self {
+    /// Allocates the levels, which would be much of a small stack.
+    pub fn new() -> Result<Self, Error> {
         const LEVEL: Level =
             Level { half: None, before: None, velocities: Velocities::new(), attitudes: Attitudes::new() };
-        Self { levels: [LEVEL; LEVELS], growing: None, products: None, up_m_s: 0.0, last: None }
+        let levels = filled(LEVELS, LEVEL)?;
+        Ok(Self { levels, growing: None, products: None, up_m_s: 0.0, last: None })
     }
 
     /// Adds a row.

@@ -4,11 +4,11 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
     /// It is true, and harms little.
-    Note,
+    Note = 0,
     /// The flight is not that of the vehicle in every respect: the errors of an INS on it are to be doubted.
-    Doubtful,
+    Doubtful = 1,
     /// The errors of an INS on this flight say nothing.
-    Unusable,
+    Unusable = 2,
 }
 
 impl Level {
@@ -22,57 +22,57 @@ impl Level {
     }
 }
 
-/// What was found. [`Finding::figure`] is given with each.
+/// What was found, and what the figure of the finding is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Time stamps that are not later than the one before; figure: number of them.
-    TimeOrder,
+    TimeOrder = 0,
     /// A time stamp much nearer to the one before than the others; figure: the shortest interval [s].
-    NearStamps,
+    NearStamps = 1,
     /// Intervals of more than 2.5 times each of the two before; figure: the longest [s].
-    Gaps,
+    Gaps = 2,
     /// Time in milliseconds or microseconds; figure: speed as if it was in seconds [m/s].
-    TimeUnit,
+    TimeUnit = 3,
     /// Time stamps that scatter about a steady clock; figure: their scatter [s].
-    StampJitter,
+    StampJitter = 4,
     /// Positions in coarse steps; figure: the step [m].
-    CoarsePositions,
+    CoarsePositions = 5,
     /// Positions with noise, without velocities; figure: noise of a component [m].
-    NoisyPositions,
+    NoisyPositions = 6,
     /// Velocities with noise; figure: noise of a component [m/s].
-    NoisyVelocities,
+    NoisyVelocities = 7,
     /// Rows that repeat the position of the row before, while the vehicle moves; figure: share of the moving rows [1].
-    HeldRows,
+    HeldRows = 8,
     /// A position beside the path of its neighbours; figure: the largest distance [m].
-    Spike,
+    Spike = 9,
     /// An acceleration that few vehicles have; figure: the largest [m/s²].
-    Acceleration,
+    Acceleration = 10,
     /// Rows at the start that hold a value from before the first fix, such as 0, from which the next row jumps; figure: number of rows.
-    NotYetFixed,
+    NotYetFixed = 11,
     /// Velocity in another unit or axes than its name says; figure: size of the velocity over that of the displacement [1].
-    VelocityUnit,
+    VelocityUnit = 12,
     /// Velocity that is no multiple of the displacement; figure: the unexplained share of the displacement [1].
-    VelocityContradicts,
+    VelocityContradicts = 13,
     /// Velocity that contradicts the positions at some times; figure: the largest unexplained displacement [m].
-    VelocityAtTimes,
+    VelocityAtTimes = 14,
     /// Velocity up that is a multiple of the climb; figure: climb over velocity up [1].
-    VerticalUnit,
+    VerticalUnit = 15,
     /// Heading with another sign or unit; figure: how well it follows the track as it is, 0 to 1.
-    HeadingUnit,
+    HeadingUnit = 16,
     /// Heading off the track by a constant angle; figure: the angle [rad].
-    HeadingOffTrack,
+    HeadingOffTrack = 17,
     /// An angle that sweeps through a whole turn backwards: it was interpolated through its wrap; figure: the largest false rate [rad/s].
-    AngleThroughWrap,
+    AngleThroughWrap = 18,
     /// Roll with the wrong sign; figure: its slope on the bank that the turns need [1].
-    RollSign,
+    RollSign = 19,
     /// Roll that the turns do not explain; figure: its slope on the bank that the turns need [1].
-    RollUnexplained,
+    RollUnexplained = 20,
     /// Pitch with the wrong sign; figure: its slope on the angle of the path [1].
-    PitchSign,
+    PitchSign = 21,
     /// A nose that points below the path; figure: mean of pitch less angle of the path [rad].
-    AttackNegative,
+    AttackNegative = 22,
     /// Height in feet; figure: slope of pitch on the angle of the path [1].
-    HeightUnit,
+    HeightUnit = 23,
 }
 
 /// What explains a finding.
@@ -122,7 +122,20 @@ pub struct Finding {
     pub(super) clue: Clue,
 }
 
+struct WithRemedy(Finding);
+
+impl core::fmt::Display for WithRemedy {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{}. Remedy: {}", self.0, self.0.remedy())
+    }
+}
+
 impl Finding {
+    /// It as a sentence, and what to do about it.
+    pub fn with_remedy(&self) -> impl core::fmt::Display {
+        WithRemedy(*self)
+    }
+
     /// What to do about it.
     pub fn remedy(&self) -> &'static str {
         match self.kind {

@@ -42,7 +42,7 @@ const DOUBTS_FROM: u64 = 200;
 /// Differences until the noise of the positions is known.
 const KNOWN_NOISE: u64 = 8;
 
-/// Judges the samples of a flight. It has 50 KB, and allocates nothing.
+/// Judges the samples of a flight. It has 50 KB, and allocates nothing more.
 #[derive(Debug, Clone)]
 pub struct Judge {
     earth: Earth,
@@ -69,8 +69,8 @@ pub struct Judge {
 impl Judge {
     /// A judge of a flight on `earth`, in which a mean acceleration above `max_acceleration_m_s2` [m/s²] between two samples is unusable
     /// ([`IntakeLimits::max_acceleration_m_s2`](super::IntakeLimits)).
-    pub fn new(earth: Earth, max_acceleration_m_s2: f64) -> Self {
-        Self {
+    pub fn new(earth: Earth, max_acceleration_m_s2: f64) -> Result<Self, Error> {
+        Ok(Self {
             earth,
             max_acceleration_m_s2,
             rows: 0,
@@ -80,14 +80,14 @@ impl Judge {
             first_late: At::default(),
             stamps: Stamps::new(),
             resolution: Resolution::new(),
-            noise: Noise::new(),
-            velocity_noise: Noise::new(),
+            noise: Noise::new()?,
+            velocity_noise: Noise::new()?,
             positions: Positions::new(),
-            blocks: Blocks::new(),
+            blocks: Blocks::new()?,
             wraps: [const { Wrap::new() }; 2],
             effect: Effect::new(),
             given: 0,
-        }
+        })
     }
 
     /// The step of which all heights are multiples [m]; 0: none.

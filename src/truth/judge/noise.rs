@@ -6,6 +6,8 @@
 use nalgebra::Vector3;
 
 use super::histogram::Histogram;
+use crate::base::error::Error;
+use crate::base::memory::filled;
 
 /// Median of the size of a normal number, over its standard deviation.
 const MEDIAN_SIZE: f64 = 0.674_489_750_196_081_7;
@@ -23,8 +25,9 @@ const LEAST: u64 = 20;
 
 #[derive(Debug, Clone)]
 pub(super) struct Noise {
-    third: [Histogram; 3],
-    fourth: [Histogram; 3],
+    /// Of each component, as those of the fourth.
+    third: Box<[Histogram]>,
+    fourth: Box<[Histogram]>,
     /// Number of second differences above half a step, of each component.
     above_half_step: [u64; 3],
     /// First, second and third difference at the last value; the number of them that are known.
@@ -35,16 +38,16 @@ pub(super) struct Noise {
 }
 
 impl Noise {
-    pub const fn new() -> Self {
-        const EMPTY: [Histogram; 3] = [const { Histogram::new() }; 3];
-        Self {
-            third: EMPTY,
-            fourth: EMPTY,
+    /// Allocates the histograms, which would be much of a small stack.
+    pub fn new() -> Result<Self, Error> {
+        Ok(Self {
+            third: filled(3, Histogram::new())?,
+            fourth: filled(3, Histogram::new())?,
             above_half_step: [0; 3],
             differences: [Vector3::new(0.0, 0.0, 0.0); 3],
             known: 0,
             unchanged: 0,
-        }
+        })
     }
 
     /// Adds the rate of change of the values over the last interval, in axes that do not turn. `local` gives the components that are

@@ -31,7 +31,7 @@ pub(super) struct Rows {
 
 /// The rows of `samples`.
 pub(super) fn rows(earth: &Earth, samples: &[FlightSample]) -> Result<Rows, Error> {
-    let mut judge = Judge::new(*earth, f64::INFINITY);
+    let mut judge = Judge::new(*earth, f64::INFINITY)?;
     for (index, sample) in samples.iter().enumerate() {
         judge.push(sample).map_err(|error| error.at(index))?;
     }

@@ -9,7 +9,7 @@ use sins::truth::{FlightSample, IntakeLimits};
 
 /// The findings in `samples`.
 fn judged(samples: &[FlightSample]) -> Vec<Finding> {
-    let mut judge = Judge::new(Earth::default(), IntakeLimits::default().max_acceleration_m_s2);
+    let mut judge = Judge::new(Earth::default(), IntakeLimits::default().max_acceleration_m_s2).unwrap();
     for sample in samples {
         judge.push(sample).unwrap();
     }

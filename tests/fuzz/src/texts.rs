@@ -139,6 +139,39 @@ pub fn parse_scene(text: &[u8]) -> *mut sins_scene {
 }
 
 /// Reads a text: it is a log, and all its samples can be read, or it has a fault.
+/// A judge finds the same in a log and in its samples.
+fn check_judge(log: *const sins_log, samples: &[sins_flight_sample]) {
+    let judges = [(); 2].map(|()| {
+        let mut judge = null_mut();
+        assert_eq!(call!(sins_judge_create(null(), &mut judge)), SINS_OK);
+        judge
+    });
+    assert_eq!(call!(sins_judge_push_log(judges[0], log)), SINS_OK);
+    for sample in samples {
+        assert_eq!(call!(sins_judge_push(judges[1], sample)), SINS_OK);
+    }
+    let found = judges.map(|judge| {
+        let (mut findings, mut count) = ([init::<sins_finding>(); SINS_FINDINGS_MAX], 0);
+        let status =
+            call!(sins_judge_get_findings(judge, findings.as_mut_ptr(), SINS_FINDINGS_MAX, &mut count));
+        assert!(status == SINS_OK && count <= SINS_FINDINGS_MAX);
+        assert_eq!(call!(sins_judge_destroy(judge)), SINS_OK);
+        findings[..count].iter().for_each(|finding| check_finding(finding, samples.len() as u64));
+        format!("{:?}", &findings[..count])
+    });
+    assert_eq!(found[0], found[1], "findings of a log and of its samples");
+}
+
+fn check_finding(finding: &sins_finding, samples: u64) {
+    let sentence: Vec<u8> =
+        finding.sentence.iter().map(|&byte| byte as u8).take_while(|&byte| byte != 0).collect();
+    let is_sentence = std::str::from_utf8(&sentence).is_ok_and(|text| text.contains(". Remedy: "));
+    let numbers = [finding.figure, finding.acceleration_m_s2, finding.ins_error_m];
+    assert!(is_sentence && sentence.len() < finding.sentence.len(), "{finding:?}");
+    assert!((SINS_LEVEL_NOTE..=SINS_LEVEL_UNUSABLE).contains(&finding.level), "{finding:?}");
+    assert!(finding.sample < samples && numbers.iter().all(|number| number.is_finite()), "{finding:?}");
+}
+
 pub fn check_log(text: &[u8]) {
     let text = text.to_vec().into_boxed_slice();
     let (mut log, mut fault) = (null_mut(), init::<sins_fault>());
@@ -164,6 +197,7 @@ pub fn check_log(text: &[u8]) {
     let mut copy = null_mut();
     let status = call!(sins_log_create(samples.as_ptr(), samples.len(), &mut copy));
     assert_eq!(status, SINS_OK, "a log of the samples of a log");
+    check_judge(copy, &samples);
     assert_eq!(call!(sins_log_destroy(copy)), SINS_OK);
     let status = call!(sins_log_get_sample(log, info.samples as usize, &mut init(), null_mut()));
     assert_eq!(status, SINS_ERROR_INVALID_ARGUMENT);
