@@ -47,6 +47,8 @@ pub struct FlightLog {
     notes: Vec<Fault>,
     /// As which it was read; `None`: the default, also of a log without a text.
     mapping: Option<Box<LogMapping>>,
+    /// Whether its samples have an attitude; otherwise that of a coordinated flight takes its place.
+    has_attitude: bool,
 }
 
 /// Why a text is not a valid log.
@@ -119,6 +121,7 @@ impl FlightLog {
         let mut log = Self {
             title: title(text, comment),
             samples: Vec::new(),
+            has_attitude: !mapping.is_coordinated,
             lines: Vec::new(),
             notes,
             mapping: (*mapping != LogMapping::default()).then(|| Box::new(mapping.clone())),
@@ -204,7 +207,14 @@ impl FlightLog {
     pub(crate) fn with_room(count: usize) -> Result<Self, Error> {
         check_integer("count", count, 2, u64::MAX)?;
         let samples = room(count)?;
-        Ok(Self { title: String::new(), samples, lines: Vec::new(), notes: Vec::new(), mapping: None })
+        Ok(Self {
+            title: String::new(),
+            samples,
+            lines: Vec::new(),
+            notes: Vec::new(),
+            has_attitude: true,
+            mapping: None,
+        })
     }
 
     /// Appends a sample with values in their ranges, later than the one before.
@@ -249,6 +259,11 @@ impl FlightLog {
     }
 
     /// From the first to the last sample [s].
+    /// Whether its samples have an attitude; otherwise that of a coordinated flight takes its place.
+    pub fn has_attitude(&self) -> bool {
+        self.has_attitude
+    }
+
     pub fn duration_s(&self) -> f64 {
         match self.samples.as_slice() {
             [first, .., last] => last.time_s - first.time_s,
