@@ -5,7 +5,7 @@ use csv::StringRecord;
 use super::Separator;
 use super::guess::{guess, unit};
 use super::known::known;
-use super::rows::{cells, is_missing, names_of, number};
+use super::rows::{cells, is_missing, names_of, number, unmarked};
 
 /// Lines in which the names are looked for, and rows whose values are looked at.
 const LINES: usize = 20;
@@ -64,7 +64,7 @@ impl Grid {
         while let Some(row) = behind.next_if(|row| is_units(row) || quantities(row) >= FEWEST) {
             // The reader passes comments.
             skip += usize::from(!row[0].starts_with(comment));
-            units.push(names_of(&row, separator));
+            units.push(unmarked(&row, separator));
         }
         units.extend(lines[..place].iter().map(row).filter(is_units));
         Some(Self { separator, header: place + 1, names, comment, units, skip, rows: behind.collect() })

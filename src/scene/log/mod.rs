@@ -114,7 +114,7 @@ impl FlightLog {
         let has_names = mapping.header > 0;
         let names = if has_names { names_of(&row, mapping.separator) } else { row.clone() };
         let columns = columns(&names, line, mapping)?;
-        let width = names.len();
+        let (header, width) = (row.clone(), names.len());
         let notes = if has_names { unread(&names, line, &columns, mapping) } else { Vec::new() };
         let mut log = Self {
             title: title(text, comment),
@@ -141,7 +141,7 @@ impl FlightLog {
             }
             // A recorder that begins anew writes the names anew; a line of blanks has one cell.
             let is_blank = row.len() < width && row.iter().all(str::is_empty);
-            if is_mapped && (is_blank || has_names && row == names) {
+            if is_mapped && (is_blank || has_names && row == header) {
                 continue;
             }
             let is_beyond = |field: &str| !is_mapped || !field.is_empty();

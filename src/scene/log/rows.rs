@@ -73,22 +73,38 @@ pub fn cells(line: &str, separator: Separator) -> StringRecord {
 
 /// The cells without quotes around them: the reader keeps those that stand behind a blank.
 fn unquoted(row: StringRecord) -> StringRecord {
-    let bare = |cell: &str| cell.strip_prefix('"')?.strip_suffix('"').map(|cell| cell.trim().to_owned());
-    if !row.iter().any(|cell| bare(cell).is_some()) {
+    if !row.iter().any(|cell| cell.starts_with('"')) {
         return row;
     }
-    row.iter().map(|cell| bare(cell).unwrap_or_else(|| cell.to_owned())).collect()
+    let bare = row
+        .iter()
+        .map(|cell| cell.strip_prefix('"').and_then(|cell| cell.strip_suffix('"')).map_or(cell, str::trim));
+    bare.collect()
 }
 
-/// The names in a row, without the mark of a comment before them. Between blanks it may stand alone.
-pub fn names_of(row: &StringRecord, separator: Separator) -> StringRecord {
-    let mut names = row.iter();
-    let first = names.next().map(|first| match first.trim_start_matches(['#', '%']).trim_start() {
+/// The cells without the mark of a comment before them. Between blanks it may stand alone.
+pub fn unmarked(row: &StringRecord, separator: Separator) -> StringRecord {
+    let mut cells = row.iter();
+    let first = cells.next().map(|first| match first.trim_start_matches(['#', '%']).trim_start() {
         "" if separator == Separator::Blanks => None,
         "" => Some(first),
         name => Some(name),
     });
-    first.flatten().into_iter().chain(names).collect()
+    first.flatten().into_iter().chain(cells).collect()
+}
+
+/// The names in a row. Between blanks a unit in brackets belongs to the name before it.
+pub fn names_of(row: &StringRecord, separator: Separator) -> StringRecord {
+    let row = unmarked(row, separator);
+    let is_unit = |cell: &str| cell.starts_with(['[', '(']) && cell.ends_with([']', ')']);
+    let mut names: Vec<String> = Vec::new();
+    for cell in &row {
+        match names.last_mut() {
+            Some(name) if separator == Separator::Blanks && is_unit(cell) => *name += &format!(" {cell}"),
+            _ => names.push(cell.to_owned()),
+        }
+    }
+    names.into()
 }
 
 /// Reads the next row of `text` and gives its line; `None` at the end.

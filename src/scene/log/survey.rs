@@ -448,6 +448,8 @@ pub mod tests {
             "   t \t lat lon  alt  \n  0  48 11\t300 \n\n 1 48.0005  11 300",
             "% t  lat  lon  alt\n  0 48 11 300\n  1 48.0005 11 300\n",
             "%t lat lon alt\n0,0 48,0 11 300\n1,0 48,0005 11 300\n",
+            "Time [s] lat [deg]  lon [deg] alt [m]\n0 48 11 300\nTime [s] lat [deg]  lon [deg] alt [m]\n1 48.0005 11 300\n",
+            "# t lat lon alt\n# [s] [deg] [deg] [m]\n0 48 11 300\n1 48.0005 11 300\n",
             "# made up\n# t lat lon alt\n# s deg deg m\n0 48 11 300\n1 48.0005 11 300\n",
         ] {
             let (found, log) = read(table);
