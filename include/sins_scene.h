@@ -529,7 +529,8 @@ typedef struct sins_log_info {
 
 /**
  * Reads a flight log as the [log] of a scene says: which column has which quantity, in which unit, and whether its path is smoothed; a scene
- * flies only a log that was read by its own [log]. NULL for scene, or a scene without [log]: comma-separated values in UTF-8, in lines that end with LF or CR LF. The first line that is not a
+ * flies only a log that was read by its own [log]. The text is UTF-8, UTF-16 with a byte order mark, or otherwise Windows-1252.
+ * NULL for scene, or a scene without [log]: comma-separated values in lines that end with LF or CR LF. The first line that is not a
  * comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns
  * is a fault:
  *
@@ -540,7 +541,8 @@ typedef struct sins_log_info {
  * The three velocities are all present or all absent; so are the three rates, and the three forces. Without velocities the
  * samples have SINS_SAMPLE_NO_VELOCITY. Two columns of one quantity are a fault. Frames and signs are those of
  * sins_flight_sample. A log has at least two samples, each later than the one before. The ranges of the values are checked
- * when a sample is pushed. The library does not keep the bytes. Not for a real-time frame: it allocates, 184 bytes a sample.
+ * when a sample is pushed. The library does not keep the bytes. Not for a real-time frame: it allocates, 184 bytes a
+ * sample, and room for the text if it is not UTF-8.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
  * sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.

@@ -85,7 +85,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     // Not smoothed: the rows are judged as they are.
     let log = FlightLog::parse_with(&table, &scene.log).map_err(|error| {
         let failure = of_log(&order.file, error);
-        let has_columns = settings.columns.is_none() && survey(&String::from_utf8_lossy(&table)).is_some();
+        let has_columns = settings.columns.is_none() && survey(&table).is_some();
         if !has_columns {
             return failure;
         }
@@ -133,8 +133,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
 /// Looks for the columns of a table, and writes them.
 fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
     let file = order.file.display();
-    let Some(found) = survey(&String::from_utf8_lossy(table)) else {
-        let what = "no line at its beginning has names of time, latitude and longitude: write a [log] with the numbers of the columns";
+    let Some(found) = survey(table) else {
+        let what = "no line at its beginning has names of time, latitude and longitude: write a [log] with header = 0 and the numbers of the columns, as latitude = { col = 2 }";
         return Err(Failure::of_file(&order.file, &what));
     };
     let format = found

@@ -120,7 +120,7 @@ fn a_fault_has_its_line_its_column_and_a_sentence() {
     }
     let mut bytes = format!("{HEADER}\n{row}1,45,0,0,0,0,").into_bytes();
     bytes.push(0xff);
-    assert_eq!(fault(&bytes).2, "not UTF-8");
+    assert_eq!(fault(&bytes).2, "heading_deg: expected a finite number, found \"\u{ff}\"");
 }
 
 /// Each byte of a small log is replaced in turn with each of 30 others. Each text has an answer.

@@ -270,3 +270,36 @@ fn columns_read_back_as_they_are_written() {
         assert_eq!(faults[0].line, 4, "{text}: {faults:?}");
     }
 }
+
+/// A name in another encoding is found by a mapping in UTF-8.
+#[test]
+fn names_in_every_encoding_are_found() {
+    let mapping = "time = \"t\"\nlatitude = \"Breite [°]\"\nlongitude = \"Länge [°]\"\nheight = \"Höhe [m]\"\nroll = 0\npitch = 0\nheading = 0";
+    let table = "t,Breite [°],Länge [°],Höhe [m]\r\n0,48,11,300\r\n1,48,11,301\r\n";
+    let units = |mark: u16| [mark].into_iter().chain(table.encode_utf16());
+    // Each of these letters is one byte of Latin-1, of its own number.
+    let latin: Vec<u8> = table.chars().map(|letter| u8::try_from(u32::from(letter)).unwrap()).collect();
+    for bytes in [
+        table.as_bytes().to_vec(),
+        [b"\xef\xbb\xbf", table.as_bytes()].concat(),
+        units(0xfeff).flat_map(u16::to_le_bytes).collect(),
+        units(0xfeff).flat_map(u16::to_be_bytes).collect(),
+        latin,
+    ] {
+        let log = FlightLog::parse_with(&bytes, &scene(mapping).log).unwrap();
+        assert_eq!((log.samples()[1].place.height_m, log.line(1)), (301.0, Some(3)));
+    }
+}
+
+/// A comma in a number that cannot be read is explained.
+#[test]
+fn commas_in_numbers_are_explained() {
+    let places = "time = \"t\"\nlatitude = \"lat\"\nlongitude = \"lon\"\nheight = \"alt\"\nroll = 0\npitch = 0\nheading = 0\n";
+    let (line, column, sentence) = fault(places, "t,lat,lon,alt\n0,48,11,\"1,300.5\"\n");
+    assert_eq!((line, column), (2, 4));
+    assert!(
+        sentence
+            .starts_with("alt: expected a finite number, found \"1,300.5\"; write decimals behind a point"),
+        "{sentence}"
+    );
+}

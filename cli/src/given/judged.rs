@@ -34,6 +34,9 @@ pub fn sentence(finding: &Finding) -> String {
 /// The findings in the first `count` samples of a log, and the notes of its reader, each with its line.
 pub fn judge(scene: &Scene, path: &Path, log: &FlightLog, count: usize) -> Vec<(Level, String)> {
     let mut judge = judge_of(scene);
+    if !log.has_attitude() {
+        judge = judge.without_attitude();
+    }
     for sample in &log.samples()[..count] {
         // Each value of a log is in its range.
         if judge.push(sample).is_err() {

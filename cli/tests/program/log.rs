@@ -134,6 +134,14 @@ fn a_log_without_attitude_flies_with_a_coordinated_one() {
     for row in rows_of(&folder.join("truth.csv")).iter().filter(|row| (20.0..130.0).contains(&row[0])) {
         assert!((row[7] - 23.1).abs() < 0.3 && (row[8] - 2.0).abs() < 0.4, "{row:?}");
     }
+    // An attitude that is not flown is not judged: neither columns of the log, nor their absence.
+    let east: String = (0..3000)
+        .map(|k| format!("{},47,{},500,10,20,{}\n", f64::from(k) * 0.1, 8.0 + f64::from(k) * 1e-4, k % 360))
+        .collect();
+    let header = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
+    std::fs::write(folder.join("east.csv"), format!("{header}{east}")).unwrap();
+    let said = done(&folder, &["log", "east.csv", "--coordinated"]);
+    assert_eq!(said, "east.csv: 3000 rows over 5 min, 10 Hz, without velocities\nnothing is doubtful\n");
 }
 
 fn rows_of(path: &std::path::Path) -> Vec<Vec<f64>> {

@@ -40,6 +40,8 @@ impl Clock {
         match self.format {
             TimeFormat::Hms => "hh:mm:ss",
             TimeFormat::Iso => "a date and a time, as 2024-05-01T12:30:00Z",
+            TimeFormat::Dmy => "a date and a time, as 31.05.2024 12:30:00",
+            TimeFormat::Mdy => "a date and a time, as 05/31/2024 12:30:00",
             TimeFormat::Number | TimeFormat::Row => "a finite number",
         }
     }
@@ -58,8 +60,8 @@ impl Clock {
                 self.last_s = time_s;
                 Some(self.days * DAY_S + time_s)
             }
-            TimeFormat::Iso => {
-                let (day, time_s) = date_and_time(text)?;
+            TimeFormat::Iso | TimeFormat::Dmy | TimeFormat::Mdy => {
+                let (day, time_s) = date_and_time(text, self.format)?;
                 let first = *self.first_day.get_or_insert(day);
                 Some((day - first) as f64 * DAY_S + time_s)
             }
@@ -74,8 +76,15 @@ fn digits(text: &str, is_last: bool) -> Option<f64> {
     (begins && text.chars().all(is_valid)).then(|| text.parse().ok()).flatten()
 }
 
-/// Seconds of hh:mm:ss, hh:mm or hhmmss.
+/// Seconds of hh:mm:ss, hh:mm or hhmmss; with AM or PM behind it 12 hours are counted twice.
 fn time_of_day(text: &str) -> Option<f64> {
+    let letters = text.len().checked_sub(2).and_then(|at| text.split_at_checked(at));
+    let half = letters.filter(|(_, half)| ["am", "pm"].contains(&half.to_ascii_lowercase().as_str()));
+    if let Some((twelve, half)) = half {
+        let time_s = time_of_day(twelve.trim_end())?;
+        let hour = (3600.0..13.0 * 3600.0).contains(&time_s).then_some(time_s % (0.5 * DAY_S))?;
+        return Some(if half.eq_ignore_ascii_case("pm") { hour + 0.5 * DAY_S } else { hour });
+    }
     let parts: Vec<&str> = match text.split(':').collect::<Vec<_>>().as_slice() {
         [whole] if whole.len() >= 6 && whole.is_ascii() => vec![&whole[..2], &whole[2..4], &whole[4..]],
         [_] => return None,
@@ -89,9 +98,15 @@ fn time_of_day(text: &str) -> Option<f64> {
 }
 
 /// Day, and the seconds since its midnight, in UTC if an offset is given.
-fn date_and_time(text: &str) -> Option<(i64, f64)> {
+fn date_and_time(text: &str, format: TimeFormat) -> Option<(i64, f64)> {
     let (date, time) = text.split_once(['T', ' '])?;
-    let [year, month, day] = date.split('-').collect::<Vec<_>>()[..] else { return None };
+    let [first, second, third] = date.split(['-', '/', '.']).collect::<Vec<_>>()[..] else { return None };
+    let [year, month, day] = match format {
+        TimeFormat::Dmy => [third, second, first],
+        TimeFormat::Mdy => [third, first, second],
+        _ if first.len() != 4 => return None,
+        _ => [first, second, third],
+    };
     let [year, month, day] = [digits(year, false)?, digits(month, false)?, digits(day, false)?];
     if !(1.0..=9999.0).contains(&year) || !(1.0..=12.0).contains(&month) || !(1.0..=31.0).contains(&day) {
         return None;
@@ -133,7 +148,7 @@ mod tests {
 
     #[test]
     fn times_of_each_format() {
-        use TimeFormat::{Hms, Iso, Number, Row};
+        use TimeFormat::{Dmy, Hms, Iso, Mdy, Number, Row};
         assert_eq!(times(Number, &["1.5", "x"]), [Some(1.5), None]);
         assert_eq!(times(Row, &["", "7", ""]), [Some(0.0), Some(0.02), Some(0.04)]);
         let over_midnight =
@@ -163,5 +178,13 @@ mod tests {
             None,
         ];
         assert_eq!(times(Iso, &dates), expected);
+        assert_eq!(times(Iso, &["2024/02/28 12:00", "28.02.24 12:00"]), [Some(0.5 * DAY_S), None]);
+        let days = ["28.11.2026 13:05:09.25", "29-11-2026 00:00:00", "11/28/2026 1:05:09"];
+        assert_eq!(times(Dmy, &days), [Some(47109.25), Some(DAY_S), None]);
+        assert_eq!(times(Dmy, &["31/12/26 00:00", "1/1/27 00:00"]), [Some(0.0), Some(DAY_S)]);
+        let months =
+            ["11/28/2026 1:05:09 PM", "11/28/2026 12:00:01 am", "11/29/2026 12:00 PM", "28.11.2026 13:05"];
+        assert_eq!(times(Mdy, &months), [Some(47109.0), Some(1.0), Some(1.5 * DAY_S), None]);
+        assert_eq!(times(Hms, &["1:00:00 PM", "13:00:00 PM", "0:10 AM"]), [Some(46800.0), None, None]);
     }
 }

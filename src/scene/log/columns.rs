@@ -56,7 +56,7 @@ pub fn has_quaternion(columns: &Columns) -> bool {
 pub fn columns(header: &StringRecord, line: u64, mapping: &LogMapping) -> Result<Columns, LogError> {
     let mut columns = [const { None }; COUNT];
     for (quantity, column) in columns.iter_mut().enumerate() {
-        if mapping.is_coordinated && ATTITUDE.contains(&quantity) {
+        if mapping.is_coordinated && (ATTITUDE.contains(&quantity) || QUATERNION.contains(&quantity)) {
             continue;
         }
         *column = match &mapping.columns[quantity].from {

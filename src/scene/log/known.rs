@@ -1,5 +1,7 @@
 //! Formats of flight logs that are known by the names of their columns.
 
+use csv::StringRecord;
+
 /// A format.
 pub struct Known {
     /// Its name.
@@ -13,8 +15,8 @@ pub struct Known {
 }
 
 /// The known format whose columns are all there.
-pub fn known(names: &[&str]) -> Option<&'static Known> {
-    KNOWN.iter().find(|known| known.columns.iter().all(|column| names.contains(column)))
+pub fn known(names: &StringRecord) -> Option<&'static Known> {
+    KNOWN.iter().find(|known| known.columns.iter().all(|column| names.iter().any(|name| name == *column)))
 }
 
 /// The formats. Of two that fit, the first is taken.

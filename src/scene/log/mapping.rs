@@ -1,5 +1,7 @@
 //! `[log]`: how the table of a log is read, and what is repaired.
 
+use std::borrow::Cow;
+
 use super::quantity::{QUANTITIES, Quantity, unit_of, units_of};
 use crate::scene::value::Value;
 use crate::scene::written::{number_text, text_in_quotes};
@@ -46,25 +48,35 @@ pub enum TimeFormat {
     Number,
     /// hh:mm:ss or hhmmss, with decimals; a day is added at midnight.
     Hms,
-    /// Date and time in ISO 8601. Times count from the midnight before the first row.
+    /// Date and time in ISO 8601, year, month and day also between slashes or points. Times count from the midnight before the first row.
     Iso,
+    /// Day, month and year between points, slashes or hyphens, and a time; otherwise as ISO 8601.
+    Dmy,
+    /// Month, day and year, and a time; otherwise as ISO 8601.
+    Mdy,
     /// Not at all: the rows have a rate.
     Row,
 }
 
 impl TimeFormat {
     /// Words of a scene.
-    pub const WORDS: [(&str, Self); 4] =
-        [("s", Self::Number), ("hms", Self::Hms), ("iso", Self::Iso), ("row", Self::Row)];
+    pub const WORDS: [(&str, Self); 6] = [
+        ("s", Self::Number),
+        ("hms", Self::Hms),
+        ("iso", Self::Iso),
+        ("row", Self::Row),
+        ("dmy", Self::Dmy),
+        ("mdy", Self::Mdy),
+    ];
 }
 
-/// What separates fields.
+/// What separates fields. Where it is no comma, decimals may follow one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Separator {
     /// Commas.
     #[default]
     Comma,
-    /// Semicolons; decimals may follow a comma.
+    /// Semicolons.
     Semicolon,
     /// Tabs.
     Tab,
@@ -92,6 +104,12 @@ impl Separator {
             Self::Bar => b'|',
             Self::Blanks => b' ',
         }
+    }
+
+    /// A cell with a decimal point. Where fields are not separated by commas, decimals may follow one.
+    pub(super) fn with_point(self, cell: &str) -> Cow<'_, str> {
+        let has_comma = self != Self::Comma && cell.matches(',').count() == 1;
+        if has_comma { cell.replace(',', ".").into() } else { cell.into() }
     }
 }
 

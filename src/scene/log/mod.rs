@@ -15,15 +15,17 @@ mod quantity;
 mod rows;
 mod smooth;
 mod survey;
+mod text;
 
-use csv::{ReaderBuilder, StringRecord, Trim};
+use csv::StringRecord;
 
 use crate::base::error::{Error, ErrorKind, Rule, check_integer};
 use crate::base::memory::{room, room_for_one_more};
 use crate::scene::{Fault, Scene, foreign};
 use crate::truth::FlightSample;
 use columns::{columns, unread};
-use rows::{Table, check_line, next_row};
+use rows::{Table, check_line, names_of, next_row, reader, single_blanks};
+use text::decoded;
 
 pub use clock::Clock;
 pub(in crate::scene) use mapping::TAKES as COLUMN_TAKES;
@@ -45,6 +47,8 @@ pub struct FlightLog {
     /// The line of each sample, from 1; none of samples without a text.
     lines: Vec<u64>,
     notes: Vec<Fault>,
+    /// Whether its samples have an attitude; otherwise that of a coordinated flight takes its place.
+    has_attitude: bool,
     /// As which it was read; `None`: the default, also of a log without a text.
     mapping: Option<Box<LogMapping>>,
 }
@@ -72,7 +76,8 @@ impl FlightLog {
     /// As [`FlightLog::parse`], of a table that is read as `mapping` says. A row in which a value is missing is then left out; so is, of
     /// a log that will be smoothed, a row that is not later than the one before.
     pub fn parse_with(text: &[u8], mapping: &LogMapping) -> Result<Self, LogError> {
-        Self::parse_log(text, mapping).map_err(|error| match (&error, foreign(text)) {
+        let text = decoded(text).map_err(LogError::Memory)?;
+        Self::parse_log(text.as_bytes(), mapping).map_err(|error| match (&error, foreign(text.as_bytes())) {
             (LogError::Fault(_), Some(what)) if !mapping.is_foreign() => {
                 fault(1, 1, format!("is {what}: expected a flight log, a table of comma-separated values"))
             }
@@ -81,7 +86,6 @@ impl FlightLog {
     }
 
     fn parse_log(text: &[u8], mapping: &LogMapping) -> Result<Self, LogError> {
-        let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
         for (line, number) in text.split_inclusive(|byte| *byte == b'\n').zip(1..) {
             check_line(line).map_err(|sentence| fault(number, 1, sentence))?;
         }
@@ -92,13 +96,7 @@ impl FlightLog {
         let with_single_blanks =
             if mapping.separator == Separator::Blanks { single_blanks(text)? } else { Vec::new() };
         let text = if with_single_blanks.is_empty() { text } else { &with_single_blanks };
-        let mut reader = ReaderBuilder::new()
-            .comment(Some(comment))
-            .delimiter(mapping.separator.byte())
-            .flexible(true)
-            .has_headers(false)
-            .trim(Trim::All)
-            .from_reader(text);
+        let mut reader = reader(text, mapping.separator, Some(comment));
         let mut row = StringRecord::new();
         let first = loop {
             match next_row(&mut reader, text, comment, &mut row)? {
@@ -106,28 +104,31 @@ impl FlightLog {
                 first => break first,
             }
         };
-        let names = "as time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad";
+        let expected = "as time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad";
         let Some(line) = first else {
-            return Err(fault(1, 1, format!("no header: expected the names of the columns, {names}")));
+            return Err(fault(1, 1, format!("no header: expected the names of the columns, {expected}")));
         };
         if row.len() > MAX_COLUMNS {
             return Err(fault(line, 1, format!("{} columns: a log has at most {MAX_COLUMNS}", row.len())));
         }
-        let columns = columns(&row, line, mapping)?;
-        let width = row.len();
-        let notes = if mapping.header > 0 { unread(&row, line, &columns, mapping) } else { Vec::new() };
+        let has_names = mapping.header > 0;
+        let names = if has_names { names_of(&row, mapping.separator) } else { row.clone() };
+        let columns = columns(&names, line, mapping)?;
+        let (header, width) = (row.clone(), names.len());
+        let notes = if has_names { unread(&names, line, &columns, mapping) } else { Vec::new() };
         let mut log = Self {
             title: title(text, comment),
             samples: Vec::new(),
             lines: Vec::new(),
             notes,
+            has_attitude: !mapping.is_coordinated,
             mapping: (*mapping != LogMapping::default()).then(|| Box::new(mapping.clone())),
         };
         let is_mapped = mapping.is_foreign();
         let mut table = Table { columns, mapping, is_mapped, clock: Clock::new(mapping) };
         let (mut left_out, mut late, mut to_skip) = (None, 0_u64, mapping.skip);
         // Without names the first row is one of values.
-        let mut first = (mapping.header == 0).then_some(line);
+        let mut first = (!has_names).then_some(line);
         loop {
             let line = match first.take() {
                 Some(line) => Some(line),
@@ -138,10 +139,18 @@ impl FlightLog {
                 to_skip -= 1;
                 continue;
             }
+            // A recorder that begins anew writes the names anew; a line of blanks has one cell.
+            let is_blank = row.len() < width && row.iter().all(str::is_empty);
+            if is_mapped && (is_blank || has_names && row == header) {
+                continue;
+            }
             let is_beyond = |field: &str| !is_mapped || !field.is_empty();
             if row.len() > width && row.iter().skip(width).any(is_beyond) {
                 // Decimal commas do this: each value is cut in two, and what stands behind it moves to the next column.
-                let sentence = format!("{} fields, and the header names {width} columns", row.len());
+                let sentence = format!(
+                    "{} fields, and the header names {width} columns; are there decimal commas?",
+                    row.len()
+                );
                 return Err(fault(line, width + 1, sentence));
             }
             let Some(sample) = table.sample(&row, line)? else {
@@ -204,7 +213,14 @@ impl FlightLog {
     pub(crate) fn with_room(count: usize) -> Result<Self, Error> {
         check_integer("count", count, 2, u64::MAX)?;
         let samples = room(count)?;
-        Ok(Self { title: String::new(), samples, lines: Vec::new(), notes: Vec::new(), mapping: None })
+        Ok(Self {
+            title: String::new(),
+            samples,
+            lines: Vec::new(),
+            notes: Vec::new(),
+            has_attitude: true,
+            mapping: None,
+        })
     }
 
     /// Appends a sample with values in their ranges, later than the one before.
@@ -243,6 +259,11 @@ impl FlightLog {
         &self.notes
     }
 
+    /// Whether its samples have an attitude; otherwise that of a coordinated flight takes its place.
+    pub fn has_attitude(&self) -> bool {
+        self.has_attitude
+    }
+
     /// The line of the text on which sample `index` stands, from 1.
     pub fn line(&self, index: usize) -> Option<u64> {
         self.lines.get(index).copied()
@@ -255,18 +276,6 @@ impl FlightLog {
             _ => 0.0,
         }
     }
-}
-
-/// The text with a single blank in place of several, and none at the beginning of a line.
-fn single_blanks(text: &[u8]) -> Result<Vec<u8>, LogError> {
-    let mut single = room(text.len()).map_err(LogError::Memory)?;
-    for byte in text {
-        let byte = if *byte == b'\t' { b' ' } else { *byte };
-        if byte != b' ' || !matches!(single.last(), None | Some(b' ' | b'\n')) {
-            single.push(byte);
-        }
-    }
-    Ok(single)
 }
 
 /// The comment with which a log begins.

@@ -92,10 +92,11 @@ pub const VARIATION: usize = 27;
 pub const GEOID: usize = 28;
 
 /// The units, and their sizes in SI. The first of a dimension is that of a key of `[log]` that states none.
-const UNITS: [(&str, Dimension, f64); 22] = [
+const UNITS: [(&str, Dimension, f64); 23] = [
     ("s", Time, 1.0),
     ("ms", Time, 1e-3),
     ("us", Time, 1e-6),
+    ("ns", Time, 1e-9),
     ("deg", Angle, DEG),
     ("rad", Angle, 1.0),
     ("m", Length, 1.0),

@@ -1,6 +1,6 @@
 //! The rows of a log: lines, values, samples.
 
-use csv::StringRecord;
+use csv::{ReaderBuilder, StringRecord, Trim};
 use nalgebra::{Quaternion, Vector3};
 
 use super::clock::Clock;
@@ -11,6 +11,7 @@ use super::quantity::{
 use super::{LogError, LogMapping, MAX_LINE, Separator, fault};
 use crate::base::error::Error;
 use crate::base::math::{Euler, attitude_from_euler, euler_from_attitude, rotate, sin_cos};
+use crate::base::memory::room;
 use crate::earth::Geodetic;
 use crate::scene::excerpt;
 use crate::truth::FlightSample;
@@ -30,6 +31,82 @@ pub fn check_line(line: &[u8]) -> Result<(), String> {
     Ok(())
 }
 
+/// A reader of the rows of a text.
+pub fn reader(text: &[u8], separator: Separator, comment: Option<u8>) -> csv::Reader<&[u8]> {
+    ReaderBuilder::new()
+        .comment(comment)
+        .delimiter(separator.byte())
+        .flexible(true)
+        .has_headers(false)
+        .trim(Trim::All)
+        .from_reader(text)
+}
+
+/// The text with a single blank in place of several, and none at the ends of a line.
+pub fn single_blanks(text: &[u8]) -> Result<Vec<u8>, LogError> {
+    let mut single = room(text.len()).map_err(LogError::Memory)?;
+    for byte in text {
+        let byte = if *byte == b'\t' { b' ' } else { *byte };
+        if matches!(byte, b'\r' | b'\n') && single.last() == Some(&b' ') {
+            single.pop();
+        }
+        if byte != b' ' || !matches!(single.last(), None | Some(b' ' | b'\n')) {
+            single.push(byte);
+        }
+    }
+    if single.last() == Some(&b' ') {
+        single.pop();
+    }
+    Ok(single)
+}
+
+/// The cells of a single line, as they are those of a row.
+pub fn cells(line: &str, separator: Separator) -> StringRecord {
+    let single = if separator == Separator::Blanks { single_blanks(line.as_bytes()).ok() } else { None };
+    let line = single.as_deref().unwrap_or(line.as_bytes());
+    let mut row = StringRecord::new();
+    match reader(line, separator, None).read_record(&mut row) {
+        Ok(true) => unquoted(row),
+        _ => StringRecord::new(),
+    }
+}
+
+/// The cells without quotes around them: the reader keeps those that stand behind a blank.
+fn unquoted(row: StringRecord) -> StringRecord {
+    if !row.iter().any(|cell| cell.starts_with('"')) {
+        return row;
+    }
+    let bare = row
+        .iter()
+        .map(|cell| cell.strip_prefix('"').and_then(|cell| cell.strip_suffix('"')).map_or(cell, str::trim));
+    bare.collect()
+}
+
+/// The cells without the mark of a comment before them. Between blanks it may stand alone.
+pub fn unmarked(row: &StringRecord, separator: Separator) -> StringRecord {
+    let mut cells = row.iter();
+    let first = cells.next().map(|first| match first.trim_start_matches(['#', '%']).trim_start() {
+        "" if separator == Separator::Blanks => None,
+        "" => Some(first),
+        name => Some(name),
+    });
+    first.flatten().into_iter().chain(cells).collect()
+}
+
+/// The names in a row. Between blanks a unit in brackets belongs to the name before it.
+pub fn names_of(row: &StringRecord, separator: Separator) -> StringRecord {
+    let row = unmarked(row, separator);
+    let is_unit = |cell: &str| cell.starts_with(['[', '(']) && cell.ends_with([']', ')']);
+    let mut names: Vec<String> = Vec::new();
+    for cell in &row {
+        match names.last_mut() {
+            Some(name) if separator == Separator::Blanks && is_unit(cell) => *name += &format!(" {cell}"),
+            _ => names.push(cell.to_owned()),
+        }
+    }
+    names.into()
+}
+
 /// Reads the next row of `text` and gives its line; `None` at the end.
 pub fn next_row(
     reader: &mut csv::Reader<&[u8]>,
@@ -45,15 +122,12 @@ pub fn next_row(
         before.line() + rest.split(|byte| *byte == b'\n').take_while(is_skipped).count() as u64
     };
     match reader.read_record(row) {
-        Ok(true) => Ok(Some(line())),
-        Ok(false) => Ok(None),
-        Err(error) => {
-            let sentence = match error.kind() {
-                csv::ErrorKind::Utf8 { .. } => "not UTF-8".to_owned(),
-                _ => "not a row of comma-separated values".to_owned(),
-            };
-            Err(fault(line(), 1, sentence))
+        Ok(true) => {
+            *row = unquoted(core::mem::take(row));
+            Ok(Some(line()))
         }
+        Ok(false) => Ok(None),
+        Err(_) => Err(fault(line(), 1, "not a row of comma-separated values".to_owned())),
     }
 }
 
@@ -91,13 +165,13 @@ impl Table<'_> {
             }
             let is_time = quantity == 0;
             let number = match is_time {
-                true if self.mapping.separator == Separator::Comma => self.clock.next(text),
-                true => self.clock.next(&text.replace(',', ".")),
+                true => self.clock.next(&self.mapping.separator.with_point(text)),
                 false => number(text, self.mapping.separator),
             };
             let Some(number) = number else {
                 let what = if is_time { self.clock.expected() } else { "a finite number" };
-                let sentence = format!("{name}: expected {what}, found \"{}\"", excerpt(text));
+                let hint = if text.contains(',') { COMMA_HINT } else { "" };
+                let sentence = format!("{name}: expected {what}, found \"{}\"{hint}", excerpt(text));
                 return Err(fault(line, place + 1, sentence));
             };
             let factor = if is_time && !self.clock.is_number() { 1.0 } else { column.factor };
@@ -157,19 +231,22 @@ impl Table<'_> {
     }
 }
 
+/// What stands in a cell without a value.
+const NOTHING: [&str; 9] = ["", "nan", "-nan", "na", "n/a", "null", "none", "-", "--"];
+
+/// What to do about a comma in a number.
+const COMMA_HINT: &str =
+    "; write decimals behind a point and no marks between thousands, or set log.separator";
+
 /// Whether a cell has no value.
-fn is_missing(text: &str, missing: Option<f64>) -> bool {
+pub fn is_missing(text: &str, missing: Option<f64>) -> bool {
     let is_it = |missing: f64| text.parse::<f64>().is_ok_and(|number| number == missing);
-    text.is_empty() || text.eq_ignore_ascii_case("nan") || missing.is_some_and(is_it)
+    NOTHING.iter().any(|nothing| text.eq_ignore_ascii_case(nothing)) || missing.is_some_and(is_it)
 }
 
-/// The number in a cell. Where fields are not separated by commas, decimals may follow one.
-fn number(text: &str, separator: Separator) -> Option<f64> {
-    let number = text.parse().ok().or_else(|| {
-        let may_have_comma = separator != Separator::Comma && text.matches(',').count() == 1;
-        may_have_comma.then(|| text.replace(',', ".").parse().ok()).flatten()
-    });
-    number.filter(|number: &f64| number.is_finite())
+/// The number in a cell.
+pub fn number(text: &str, separator: Separator) -> Option<f64> {
+    separator.with_point(text).parse().ok().filter(|number: &f64| number.is_finite())
 }
 
 /// A value out of its range: its column and its limits in the unit of the column.

@@ -55,7 +55,14 @@ impl FlightLog {
         let said = said(&smoothed, had_velocities).into_iter();
         let said = said.map(|sentence| Fault { sentence, ..Fault::default() });
         let notes = self.notes.iter().cloned().chain(said).collect();
-        Ok(Self { title: self.title.clone(), samples, lines, notes, mapping: self.mapping.clone() })
+        Ok(Self {
+            title: self.title.clone(),
+            samples,
+            lines,
+            notes,
+            has_attitude: true,
+            mapping: self.mapping.clone(),
+        })
     }
 }
 

@@ -4,11 +4,12 @@ use super::grid::Grid;
 use super::guess::{Guess, guess};
 use super::known::{Known, known};
 use super::quantity::{Dimension, QUANTITIES, unit_of};
+use super::text::decoded;
 use super::{Clock, LogMapping, Separator, TimeFormat};
 use crate::base::math::{hypot, sin_cos};
 use crate::base::units::DEG;
-use crate::scene::excerpt;
 use crate::scene::written::text_in_quotes;
+use crate::scene::{MAX_TEXT_VALUE, excerpt};
 
 /// What a table has.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,10 +38,10 @@ const VELOCITIES: [[&str; 3]; 2] = [["east", "north", "up"], ["speed", "track", 
 const ATTITUDE: [&str; 3] = ["roll", "pitch", "heading"];
 
 /// The `[log]` of a table; `None`: no line at its beginning has names of quantities.
-pub fn survey(table: &str) -> Option<Survey> {
-    let grid = Grid::of(table)?;
+pub fn survey(table: &[u8]) -> Option<Survey> {
+    let grid = Grid::of(&decoded(table).ok()?)?;
     let known = known(&grid.names);
-    let mut draft = Draft { grid: &grid, keys: Vec::new(), doubts: Vec::new() };
+    let mut draft = Draft { grid: &grid, places: Vec::new(), keys: Vec::new(), doubts: Vec::new() };
     match known {
         Some(known) => draft.of_known(known),
         None => draft.guess(),
@@ -51,14 +52,16 @@ pub fn survey(table: &str) -> Option<Survey> {
 }
 
 /// The keys of `[log]`, while they are found.
-struct Draft<'g, 't> {
-    grid: &'g Grid<'t>,
+struct Draft<'g> {
+    grid: &'g Grid,
+    /// The column of each quantity that has one.
+    places: Vec<(&'static str, usize)>,
     /// Each with its value in TOML.
     keys: Vec<(&'static str, String)>,
     doubts: Vec<String>,
 }
 
-impl Draft<'_, '_> {
+impl Draft<'_> {
     fn value(&self, key: &str) -> Option<&str> {
         self.keys.iter().find(|(known, _)| *known == key).map(|(_, value)| value.as_str())
     }
@@ -81,9 +84,13 @@ impl Draft<'_, '_> {
             let Some((key, value)) = line.split_once(" = ") else { continue };
             let is_quantity = QUANTITIES.iter().any(|quantity| quantity.key == key);
             let column = value.split('"').nth(1).unwrap_or_default();
-            if !is_quantity || (self.value(key).is_none() && self.grid.names.contains(&column)) {
-                self.set(key, value);
+            let place = self.grid.names.iter().position(|name| name == column);
+            match place.filter(|_| is_quantity && self.value(key).is_none()) {
+                Some(place) => self.places.push((key, place)),
+                None if is_quantity => continue,
+                None => {}
             }
+            self.set(key, value);
         }
         if !known.doubt.is_empty() {
             self.doubt(known.doubt);
@@ -92,26 +99,25 @@ impl Draft<'_, '_> {
 
     /// Keys from the names of the columns.
     fn guess(&mut self) {
-        for (quantity, about) in QUANTITIES.iter().enumerate() {
-            let mut places: Vec<(Guess, usize)> = self
-                .grid
-                .names
-                .iter()
-                .enumerate()
-                .filter_map(|(place, name)| {
-                    Some((guess(name).filter(|guess| guess.quantity == quantity)?, place))
-                })
-                .collect();
-            places.sort_by_key(|(guess, _)| guess.rank);
-            let Some((&(guess, place), others)) = places.split_first() else { continue };
-            let name = excerpt(self.grid.names[place]);
+        let guesses = self.grid.names.iter().enumerate();
+        let mut guesses: Vec<(Guess, usize)> =
+            guesses.filter_map(|(place, name)| Some((guess(name)?, place))).collect();
+        guesses.sort_by_key(|(guess, _)| (guess.quantity, guess.rank));
+        let of_quantities: Vec<_> =
+            guesses.chunk_by(|(one, _), (other, _)| one.quantity == other.quantity).collect();
+        self.places =
+            of_quantities.iter().map(|them| (QUANTITIES[them[0].0.quantity].key, them[0].1)).collect();
+        for them in of_quantities {
+            let Some((&(guess, place), others)) = them.split_first() else { continue };
+            let about = &QUANTITIES[guess.quantity];
+            let name = excerpt(&self.grid.names[place]);
             for (_, other) in others {
                 self.doubt(format!(
                     "{}: column {} ({name}) is taken, column {} ({}) is not",
                     about.key,
                     place + 1,
                     other + 1,
-                    excerpt(self.grid.names[*other])
+                    excerpt(&self.grid.names[*other])
                 ));
             }
             if about.dimension == Dimension::Time {
@@ -144,11 +150,12 @@ impl Draft<'_, '_> {
         }
     }
 
-    /// A column by its name, or by its number if another has the same.
+    /// A column by its name, or by its number if another has the same or a scene cannot write it.
     fn column(&self, place: usize) -> String {
-        let name = self.grid.names[place];
-        let is_single = self.grid.names.iter().filter(|other| **other == name).count() == 1;
-        if is_single { text_in_quotes(name) } else { (place + 1).to_string() }
+        let name = &self.grid.names[place];
+        let is_single = self.grid.names.iter().filter(|other| *other == name).count() == 1;
+        let is_written = name.len() <= MAX_TEXT_VALUE && !name.chars().any(char::is_control);
+        if is_single && is_written { text_in_quotes(name) } else { (place + 1).to_string() }
     }
 
     /// Whether the name of a quantity's column says that it counts from magnetic north.
@@ -160,12 +167,25 @@ impl Draft<'_, '_> {
     /// The keys of the time.
     fn time(&mut self, place: usize, unit: &str) {
         let grid = self.grid;
-        let name = excerpt(grid.names[place]);
+        let name = excerpt(&grid.names[place]);
         let column = self.column(place);
-        let first = grid.rows.first().and_then(|row| row.get(place)).copied().unwrap_or_default();
-        let is_read = |format| clock(format).next(&grid.point(first)).is_some();
-        let formats = [TimeFormat::Number, TimeFormat::Iso, TimeFormat::Hms];
-        let format = formats.into_iter().find(|format| is_read(*format));
+        let is_read = |cell: &str, format| clock(format).next(&grid.separator.with_point(cell)).is_some();
+        let first = grid.cells(place).next().unwrap_or("0");
+        let formats =
+            [TimeFormat::Number, TimeFormat::Iso, TimeFormat::Dmy, TimeFormat::Mdy, TimeFormat::Hms];
+        let mut format = formats.into_iter().find(|format| is_read(first, *format));
+        if let Some(TimeFormat::Dmy | TimeFormat::Mdy) = format {
+            let reads_alone =
+                |one, other| grid.cells(place).any(|cell| is_read(cell, one) && !is_read(cell, other));
+            let is_day_first = reads_alone(TimeFormat::Dmy, TimeFormat::Mdy);
+            if !is_day_first && !reads_alone(TimeFormat::Mdy, TimeFormat::Dmy) {
+                self.doubt(format!(
+                    "{name} is taken as day, month, year: no day is above 12; otherwise time_format = \"mdy\""
+                ));
+            } else if !is_day_first {
+                format = Some(TimeFormat::Mdy);
+            }
+        }
         match format.filter(|format| *format != TimeFormat::Hms || first.contains(':')) {
             None => return self.doubt(format!("{name} is no time that can be read: {}", excerpt(first))),
             Some(TimeFormat::Number) => {}
@@ -195,14 +215,16 @@ impl Draft<'_, '_> {
 
     /// The unit of times that state none, and why: the one that gives the speed of a vehicle, or at rest the one that its steps suggest.
     fn unit_of_time(&self, times: &[f64]) -> (&'static str, String) {
-        for (unit, si) in [("s", 1.0), ("ms", 1e-3), ("us", 1e-6)] {
+        for (unit, si) in [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)] {
             if let Some(speed) = self.speed(DEG, si).filter(|speed| SPEEDS.contains(speed)) {
                 return (unit, format!("the speed over ground is then {speed:.1} m/s"));
             }
         }
         let step =
             median(times.windows(2).map(|two| two[1] - two[0]).filter(|step| *step > 0.0)).unwrap_or(0.0);
-        let unit = if step >= 3000.0 {
+        let unit = if step >= 3e6 {
+            "ns"
+        } else if step >= 3e3 {
             "us"
         } else if step >= 3.0 {
             "ms"
@@ -301,8 +323,7 @@ impl Draft<'_, '_> {
             Some(number).filter(|number| *number > usual).map(|number| number.to_string())
         };
         let separator = (grid.separator != Separator::Comma).then(|| format!("\"{word}\""));
-        // Names behind the mark of a comment are none of one.
-        let comment = grid.names[0].starts_with('#').then(|| "\"!\"".to_owned());
+        let comment = (grid.comment != '#').then(|| format!("\"{}\"", grid.comment));
         let keys = [
             ("separator", separator),
             ("comment", comment),
@@ -318,9 +339,12 @@ impl Draft<'_, '_> {
         let format = self.value("time_format").map_or("s", |quoted| quoted.trim_matches('"'));
         let (_, format) = *TimeFormat::WORDS.iter().find(|(word, _)| *word == format)?;
         let mut clock = clock(format);
-        let times: Vec<f64> =
-            self.grid.rows.iter().filter_map(|row| clock.next(&self.grid.point(row.get(place)?))).collect();
-        let unit = ["ms", "us"].into_iter().find(|unit| column.contains(&format!("\"{unit}\"")));
+        let times: Vec<f64> = self
+            .grid
+            .cells(place)
+            .filter_map(|cell| clock.next(&self.grid.separator.with_point(cell)))
+            .collect();
+        let unit = ["ms", "us", "ns"].into_iter().find(|unit| column.contains(&format!("\"{unit}\"")));
         let (_, si) = unit_of(Dimension::Time, unit.unwrap_or("s"))?;
         let [first, .., last] = times[..] else { return None };
         Some((times.len() - 1) as f64 / ((last - first) * si)).filter(|rate| *rate > 0.0)
@@ -328,12 +352,7 @@ impl Draft<'_, '_> {
 
     /// The place of the column of a quantity.
     fn place(&self, key: &str) -> Option<usize> {
-        let named = self.value(key).and_then(|value| value.split('"').nth(1));
-        let has = |name: &&str| match named {
-            Some(named) => *name == named,
-            None => guess(name).is_some_and(|guess| QUANTITIES[guess.quantity].key == key),
-        };
-        self.grid.names.iter().position(has)
+        self.places.iter().find(|(known, _)| *known == key).map(|(_, place)| *place)
     }
 
     /// The numbers of a quantity, if there are any.
@@ -380,7 +399,7 @@ pub mod tests {
 
     /// Surveys a table, and reads it as the survey says.
     pub fn read(table: &str) -> (Survey, FlightLog) {
-        let survey = survey(table).unwrap_or_else(|| panic!("{table}"));
+        let survey = survey(table.as_bytes()).unwrap_or_else(|| panic!("{table}"));
         let text = format!("[flight]\nfile = \"a.csv\"\n[log]\n{}", survey.text);
         let scene = Scene::parse(text.as_bytes()).unwrap_or_else(|faults| panic!("{faults:?}\n{text}"));
         let log = FlightLog::parse_with(table.as_bytes(), &scene.log)
@@ -418,8 +437,91 @@ pub mod tests {
         let (found, log) = read("t,lat,lat,lon,alt\n0,48,1,11,300\n1,48.0005,1,11,300\n");
         assert!(found.text.contains("latitude = { col = 2 }\n") && doubts(&found, "column 3"), "{found:?}");
         assert!((log.samples()[0].place.latitude_rad.to_degrees() - 48.0).abs() < 1e-9);
-        assert_eq!(survey("1,2,3\n4,5,6\n"), None);
-        assert_eq!(survey(""), None);
+        assert_eq!(survey(b"1,2,3\n4,5,6\n"), None);
+        assert_eq!(survey(b""), None);
+    }
+
+    #[test]
+    fn fields_between_blanks_are_found() {
+        for table in [
+            "t lat lon alt\n0 48 11 300\n1 48.0005 11 300\n",
+            "   t \t lat lon  alt  \n  0  48 11\t300 \n\n 1 48.0005  11 300",
+            "% t  lat  lon  alt\n  0 48 11 300\n  1 48.0005 11 300\n",
+            "%t lat lon alt\n0,0 48,0 11 300\n1,0 48,0005 11 300\n",
+            "Time [s] lat [deg]  lon [deg] alt [m]\n0 48 11 300\nTime [s] lat [deg]  lon [deg] alt [m]\n1 48.0005 11 300\n",
+            "# t lat lon alt\n# [s] [deg] [deg] [m]\n0 48 11 300\n1 48.0005 11 300\n",
+            "# made up\n# t lat lon alt\n# s deg deg m\n0 48 11 300\n1 48.0005 11 300\n",
+        ] {
+            let (found, log) = read(table);
+            assert!(found.text.starts_with("separator = \"blanks\"\n"), "{found:?}");
+            let sample = log.samples()[1];
+            let degrees = sample.place.latitude_rad.to_degrees();
+            assert!((sample.time_s, log.samples().len()) == (1.0, 2), "{table}");
+            assert!(
+                (degrees - 48.0005).abs() < 1e-9 && sample.place.height_m == 300.0,
+                "{table}: {sample:?}"
+            );
+        }
+        // A lone mark between commas is the name of a column.
+        let (found, _) = read("%,t,lat,lon,alt\n7,0,48,11,300\n8,1,48.0005,11,300\n");
+        assert!(found.text.starts_with("time = \"t\"\n"), "{found:?}");
+    }
+
+    #[test]
+    fn day_and_month_are_told_apart_by_values_above_12() {
+        for (days, words, is_assumed) in [
+            (["28.11.2026 13:05:09.20", "28.11.2026 13:05:10.20"], "time_format = \"dmy\"\n", false),
+            (["12/11/2026 23:59:59.5", "13/11/2026 00:00:00.5"], "time_format = \"dmy\"\n", false),
+            (["11/12/2026 11:59:59.5 PM", "11/13/2026 12:00:00.5 AM"], "time_format = \"mdy\"\n", false),
+            (["05/06/2026 13:05:09", "05/06/2026 13:05:10"], "time_format = \"dmy\"\n", true),
+            (["2026/11/28 13:05:09", "2026/11/28 13:05:10"], "time_format = \"iso\"\n", false),
+        ] {
+            let [first, second] = days;
+            let (found, log) =
+                read(&format!("Date,lat,lon,alt\n,48,11,300\n{first},48,11,300\n{second},48.0005,11,300\n"));
+            assert!(found.text.contains(words), "{found:?}");
+            assert_eq!(
+                (doubts(&found, "no day is above 12"), log.duration_s()),
+                (is_assumed, 1.0),
+                "{first}"
+            );
+        }
+        // A date beside a time of day is not needed.
+        let (found, log) = read(
+            "Date;Time;lat;lon;alt\n28.11.2026;23:59:59;48;11;300\n29.11.2026;00:00:00;48,0005;11;300\n",
+        );
+        assert!(
+            found.text.contains("time = \"Time\"\ntime_format = \"hms\"\n") && log.duration_s() == 1.0,
+            "{found:?}"
+        );
+    }
+
+    #[test]
+    fn names_in_quotes_are_found_again() {
+        for (names, height) in [
+            (
+                "t,lat,lon,\"Altitude \"\"MSL\"\", ft\"",
+                r#"height = { col = "Altitude \"MSL\", ft", unit = "ft" }"#,
+            ),
+            (r"t,lat,lon,alt\ft", r#"height = { col = "alt\\ft", unit = "ft" }"#),
+            ("t,lat,lon,\"alt\tft\"", "height = { col = 4, unit = \"ft\" }"),
+            ("\"t\", \"lat\", \"lon\", \"alt_ft\"", r#"height = { col = "alt_ft", unit = "ft" }"#),
+        ] {
+            let (found, log) = read(&format!("{names}\n0, \"48\",11,1000\n1,48.0005,11,1000\n"));
+            assert!(found.text.contains(height), "{found:?}");
+            assert!((log.samples()[0].place.height_m - 304.8).abs() < 1e-9, "{names}");
+        }
+    }
+
+    #[test]
+    fn cells_without_a_value_and_repeated_names_are_passed_over() {
+        let names = "t,lat,lon,alt";
+        for nothing in ["", "NaN", "-nan", "N/A", "NA", "null", "None", "-", "--"] {
+            let (_, log) = read(&format!(
+                "{names}\n{nothing},48,11,300\n0,48,11,300\n{names}\n1,48.0005,{nothing},300\n1,48.0005,11,300\n"
+            ));
+            assert_eq!((log.samples().len(), log.duration_s()), (2, 1.0), "{nothing}");
+        }
     }
 
     #[test]
@@ -428,6 +530,7 @@ pub mod tests {
             (["1700000000", "1700000005"], "time = \"t\"\n"),
             (["1714564800000", "1714564801000"], "unit = \"ms\""),
             (["0", "2500000"], "unit = \"us\""),
+            (["1714564800000000000", "1714564802000000000"], "unit = \"ns\""),
             (["2024-05-01T12:00:00Z", "2024-05-01T12:00:01Z"], "time_format = \"iso\""),
             (["12:00:00", "12:00:01"], "time_format = \"hms\""),
         ] {
@@ -443,7 +546,9 @@ pub mod tests {
             );
         }
         // At rest the steps tell.
-        assert!(survey("t,lat,lon,alt\n0,48,11,300\n10,48,11,300\n").unwrap().text.contains("unit = \"ms\""));
+        assert!(
+            survey(b"t,lat,lon,alt\n0,48,11,300\n10,48,11,300\n").unwrap().text.contains("unit = \"ms\"")
+        );
         let decimal_commas = "t;lat;lon;alt\n12:00:00,0;48;11;300\n12:00:00,1;48,00005;11;300\n";
         assert!((read(decimal_commas).1.duration_s() - 0.1).abs() < 1e-9);
     }

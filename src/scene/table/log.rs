@@ -50,7 +50,7 @@ pub const FORMAT: &[Key] = &[
     text(L, "comment", "#", "mark with which a comment begins", |d| &mut d.scene.log.comment),
     number!(L, N, "missing", si(""), "number that stands for a missing value; a row with one is left out",
         "log.missing" in (-1e300, 1e300) => one(log_missing)),
-    choice!(L, "time_format", "how times are written: a number, hh:mm:ss, ISO 8601, or not at all", "log.time_format" => scene.log.time_format, TimeFormat::WORDS),
+    choice!(L, "time_format", "how times are written: a number, hh:mm:ss, ISO 8601, day or month before the year (dmy, mdy), or not at all", "log.time_format" => scene.log.time_format, TimeFormat::WORDS),
     number!(L, N, "rate_hz", si("Hz"), "rate of rows without times",
         "log.rate_hz" in (1e-3, 2e4) => one(log_rate_hz)),
     choice!(L, "track_is", "north of the track; the variation is added to a magnetic one",

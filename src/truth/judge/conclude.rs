@@ -67,7 +67,9 @@ impl Judge {
             self.find_in_stamps(&mut found);
             self.find_in_positions(&mut found);
             self.find_in_velocities(&mut found);
-            self.find_in_attitudes(&mut found);
+            if self.has_attitude {
+                self.find_in_attitudes(&mut found);
+            }
         }
         let rank = |finding: &Option<Finding>| core::cmp::Reverse(finding.map(|finding| finding.level));
         found.list.sort_by_key(rank);

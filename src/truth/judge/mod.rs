@@ -47,6 +47,7 @@ const KNOWN_NOISE: u64 = 8;
 pub struct Judge {
     earth: Earth,
     max_acceleration_m_s2: f64,
+    has_attitude: bool,
     /// Samples pushed.
     rows: u64,
     first_s: f64,
@@ -73,6 +74,7 @@ impl Judge {
         Ok(Self {
             earth,
             max_acceleration_m_s2,
+            has_attitude: true,
             rows: 0,
             first_s: 0.0,
             last: None,
@@ -88,6 +90,11 @@ impl Judge {
             effect: Effect::new(),
             given: 0,
         })
+    }
+
+    /// A judge that passes over the attitudes of the samples.
+    pub fn without_attitude(self) -> Self {
+        Self { has_attitude: false, ..self }
     }
 
     /// The step of which all heights are multiples [m]; 0: none.
