@@ -75,6 +75,23 @@ pub enum Kind {
     HeightUnit,
 }
 
+impl Kind {
+    /// Whether it compares the attitude with the path, or an angle of the attitude with itself.
+    pub fn is_of_attitude(self) -> bool {
+        matches!(
+            self,
+            Self::HeadingUnit
+                | Self::HeadingOffTrack
+                | Self::AngleThroughWrap
+                | Self::RollSign
+                | Self::RollUnexplained
+                | Self::PitchSign
+                | Self::AttackNegative
+                | Self::HeightUnit
+        )
+    }
+}
+
 /// What explains a finding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Clue {
