@@ -75,6 +75,7 @@ FILES = {
     "host.c": re.search("```c\n(.*?)```", README, re.DOTALL)[1],
     "specification.toml": re.search("```toml\n(title.*?)```", ENSEMBLES, re.DOTALL)[1],
     "imu.csv": "t,GyrX,GyrY,GyrZ\n" + "".join(f"{k}0000,{k * 7919 % 97},{k * 7907 % 89},{k * 7901 % 83}\n" for k in range(6000)),
+    "flight.igc": "AXXX001\nHFDTE250726\n" + "".join(f"B1200{k:02}4830{k * 13:03}N01130000EA0100001060\n" for k in range(60)),
     "SCENE.toml": "[flight]\nbuiltin = 'rest'\nhours = 2\nrate_hz = 1\n[gyro]\npreset = 'navigation'\n",
 }
 

@@ -8,7 +8,7 @@ use sins::truth::judge::Level;
 use sins::units::DEG;
 
 use crate::failure::Failure;
-use crate::given::{Settings, judge, of_log, read_table};
+use crate::given::{Settings, is_log, judge, of_log, read_table};
 use crate::output::{NO_MARK, Outputs};
 use crate::terminal::{print, say};
 use crate::units::{six_digits, time_text};
@@ -28,7 +28,7 @@ const COLUMNS: &str = "time_s,latitude_deg,longitude_deg,height_m,velocity_east_
 /// The path is written as a log that `sins fly` flies.
 #[derive(Debug, clap::Args)]
 pub struct Order {
-    /// Flight log ("-": standard input)
+    /// Flight log: a table, or a flight record in IGC or GPX ("-": standard input)
     file: PathBuf,
     /// Reads the log by the [log] of this file, which names the columns of each quantity
     #[arg(long, value_name = "FILE.toml")]
@@ -68,7 +68,10 @@ pub struct Order {
 pub fn run(order: &Order) -> Result<(), Failure> {
     let table = read_table(&order.file)?;
     if let Some(map) = &order.map {
-        write_map(order, &table, map)?;
+        if table.note.is_some() {
+            return Err(Failure::of_file(&order.file, &"is a flight record, which flies without --map"));
+        }
+        write_map(order, &table.text, map)?;
     }
     let columns = order.columns.as_ref().or(order.map.as_ref()).cloned();
     let settings = Settings { columns, ..Settings::default() };
@@ -81,18 +84,19 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     if let Some(degrees) = order.coordinated {
         (mapping.is_coordinated, mapping.attack_rad) = (true, degrees * DEG);
     }
+    table.complete(&mut mapping);
     let scene = Scene { log: mapping, ..Scene::default() };
     // Not smoothed: the rows are judged as they are.
-    let log = FlightLog::parse_with(&table, &scene.log).map_err(|error| {
+    let log = FlightLog::parse_with(&table.text, &scene.log).map_err(|error| {
         let failure = of_log(&order.file, error);
-        let has_columns = settings.columns.is_none() && survey(&table).is_some();
-        if !has_columns {
+        let may_have_columns = settings.columns.is_none() && table.note.is_none();
+        if !may_have_columns || survey(&table.text).is_none() {
             return failure;
         }
         let file = order.file.display();
         Failure::new(format!("{failure}\n`sins log {file} --map columns.toml` looks for the columns"))
     })?;
-    let findings = judge(&scene, &order.file, &log, log.samples().len());
+    let findings = judge(&scene, &order.file, &log, table.note, log.samples().len());
     let Some(output) = &order.output else {
         let (rows, duration_s) = (log.samples().len(), log.duration_s());
         let rate_hz = six_digits((rows - 1) as f64 / duration_s);
@@ -107,9 +111,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         let is_doubtful = findings.iter().any(|(level, _)| *level >= Level::Doubtful);
         print(&(lines + if is_doubtful { "" } else { "nothing is doubtful\n" }))?;
         if let Some(map) = &order.map {
-            // A name that does not end in .csv would be that of a scene.
-            let is_table = order.file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
-            let option = if is_table { "" } else { "--log " };
+            // The name of a table that does not end in .csv would be that of a scene.
+            let option = if is_log(order.file.as_os_str()) { "" } else { "--log " };
             print(&format!(
                 "next: `sins fly {option}{} --columns {}`\n",
                 order.file.display(),

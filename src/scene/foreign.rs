@@ -3,6 +3,12 @@
 /// Number of bytes that are looked at.
 const LOOKED_AT: usize = 4096;
 
+/// What [`foreign`] says of a flight record in IGC.
+pub const IGC: &str = "a flight record of a glider (IGC)";
+
+/// What [`foreign`] says of a track in GPX.
+pub const GPX: &str = "a track of a receiver (GPX)";
+
 /// Place of bytes in a file, the bytes, and what the file is.
 const BYTES: [(usize, &[u8], &str); 36] = [
     (0, b"PK\x03\x04", "a compressed file (zip, also of a workbook or a KMZ)"),
@@ -45,7 +51,7 @@ const BYTES: [(usize, &[u8], &str); 36] = [
 
 /// Beginning of a text or of the name of its first element, and what the text is.
 const WORDS: [(&str, &str); 13] = [
-    ("<gpx", "a track of a receiver (GPX)"),
+    ("<gpx", GPX),
     ("<kml", "a map (KML)"),
     ("<TrainingCenterDatabase", "a log of a sports watch (TCX)"),
     ("<html", "a page (HTML)"),
@@ -98,7 +104,7 @@ fn of_lines(text: &str) -> Option<&'static str> {
             && letters[15..23].iter().all(u8::is_ascii_digit)
     };
     if text.lines().any(|line| line.starts_with("HFDTE") || is_fix(line)) {
-        return Some("a flight record of a glider (IGC)");
+        return Some(IGC);
     }
     let is_record =
         |line: &str| ["COMM,", "ACFT,", "TAIL,", "DATA,"].iter().any(|word| line.starts_with(word));

@@ -34,12 +34,11 @@ mod written;
 
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub use fault::{About, Fault, MAX_FAULTS};
-pub use foreign::foreign;
+pub use foreign::{GPX, IGC, foreign};
 pub use limits::Limits;
 pub(crate) use list::key_line;
 pub use list::{KeyKind, KeyLine, key_of_field, keys, keys_text};
-pub(crate) use names::excerpt;
-pub use names::{listed, nearest};
+pub use names::{excerpt, listed, nearest};
 pub use panel::{Action, PlannedAction, UnitPlan};
 pub(crate) use play::shown;
 pub use play::{Course, Play, Shown, Source, Spacing, Stopped};

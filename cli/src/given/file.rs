@@ -9,7 +9,7 @@ use sins::scene::{MAX_TEXT, foreign};
 use crate::failure::Failure;
 
 /// Number of bytes that show what a file is.
-const BEGIN: u64 = 4096;
+pub const BEGIN: u64 = 4096;
 
 /// Opens an input; a device is rejected.
 pub fn open(path: &Path) -> Result<File, Failure> {

@@ -31,8 +31,14 @@ pub fn sentence(finding: &Finding) -> String {
     format!("{}: {}", finding.level.word(), finding.with_remedy())
 }
 
-/// The findings in the first `count` samples of a log, and the notes of its reader, each with its line.
-pub fn judge(scene: &Scene, path: &Path, log: &FlightLog, count: usize) -> Vec<(Level, String)> {
+/// The findings in the first `count` samples of a log, what was `assumed` of it, and the notes of its reader, each with its line.
+pub fn judge(
+    scene: &Scene,
+    path: &Path,
+    log: &FlightLog,
+    assumed: Option<String>,
+    count: usize,
+) -> Vec<(Level, String)> {
     let mut judge = judge_of(scene);
     if !log.has_attitude() {
         judge = judge.without_attitude();
@@ -48,11 +54,13 @@ pub fn judge(scene: &Scene, path: &Path, log: &FlightLog, count: usize) -> Vec<(
         _ => path.display().to_string(),
     };
     let words = |finding: Finding| (finding.level, format!("{}: {}", place(&finding), sentence(&finding)));
-    let noted = log.notes().iter().map(|note| {
-        let line = if note.line > 0 { format!(":{}", note.line) } else { String::new() };
+    let noted = |line: usize, sentence: &str| {
+        let line = if line > 0 { format!(":{line}") } else { String::new() };
         let word = Level::Note.word();
-        (Level::Note, format!("{}{line}: {word}: {}", path.display(), note.sentence))
-    });
+        (Level::Note, format!("{}{line}: {word}: {sentence}", path.display()))
+    };
+    let assumed = assumed.iter().map(|sentence| noted(0, sentence));
+    let noted = assumed.chain(log.notes().iter().map(|note| noted(note.line, &note.sentence)));
     judge.findings().map(words).chain(noted).collect()
 }
 

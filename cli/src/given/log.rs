@@ -7,11 +7,16 @@ use sins::scene::Scene;
 use sins::scene::log::{FlightLog, LogError};
 
 use super::file::reject_device;
+use super::record::Table;
 use crate::failure::Failure;
 
-/// The log at `path`, read and repaired as `scene` says; "-" means standard input.
-pub fn read_log(path: &Path, scene: &Scene) -> Result<FlightLog, Failure> {
-    scene.read_log(&read_table(path)?).map_err(|error| of_log(path, error))
+/// The log at `path`, read and repaired as `scene` says, and what was assumed of a flight record; "-" means standard input. The
+/// `[log]` of the scene is completed for a flight record.
+pub fn read_log(path: &Path, scene: &mut Scene) -> Result<(FlightLog, Option<String>), Failure> {
+    let table = read_table(path)?;
+    table.complete(&mut scene.log);
+    let log = scene.read_log(&table.text).map_err(|error| of_log(path, error))?;
+    Ok((log, table.note))
 }
 
 /// The failure about a log at `path`.
@@ -23,8 +28,8 @@ pub fn of_log(path: &Path, error: LogError) -> Failure {
     }
 }
 
-/// The text of the table at `path`; "-" means standard input.
-pub fn read_table(path: &Path) -> Result<Vec<u8>, Failure> {
+/// The table of the log at `path`; "-" means standard input.
+pub fn read_table(path: &Path) -> Result<Table, Failure> {
     reject_device(path)?;
     let read = if path == Path::new("-") {
         let mut bytes = Vec::new();
@@ -32,5 +37,5 @@ pub fn read_table(path: &Path) -> Result<Vec<u8>, Failure> {
     } else {
         std::fs::read(path)
     };
-    read.map_err(|error| Failure::of_input(path, &error))
+    Table::of_file(path, read.map_err(|error| Failure::of_input(path, &error))?)
 }

@@ -6,6 +6,7 @@ mod gaps;
 mod judged;
 mod left_out;
 mod log;
+mod record;
 mod settings;
 mod text;
 mod whole;
@@ -103,13 +104,16 @@ impl Given {
             }
             name = name_of(log);
         }
+        let mut note = None;
         let (source, log) = match &scene.flight {
             FlightSource::Log(file) => {
                 let path = match log {
                     Some(path) => path.to_owned(),
                     None => text.folder().join(file),
                 };
-                let log = read_log(&path, &scene).map_err(|failure| text.at("flight", "file", failure))?;
+                let read = read_log(&path, &mut scene);
+                let (log, assumed) = read.map_err(|failure| text.at("flight", "file", failure))?;
+                note = assumed;
                 if scene.temperature.is_some() && log.samples()[0].temperature_c.is_some() {
                     let what = Failure::new("flight.temperature_c: the log has a column of that name");
                     return Err(text.at("flight", "temperature_c", what));
@@ -143,7 +147,7 @@ impl Given {
             log,
         };
         if let (Source::Log(log), Some(path)) = (&given.source, &given.log) {
-            let findings = judged::judge(&given.scene, path, log, count);
+            let findings = judged::judge(&given.scene, path, log, note, count);
             let refused = trust.take(&findings).err();
             match gaps::find(&given.scene, log, count) {
                 Ok(gaps) => given.gaps = gaps,

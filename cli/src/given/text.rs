@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use sins::scene::{BUILTIN_SCENES, Fault, Scene, foreign, nearest};
 
 use super::file::read_text;
+use super::record::is_record;
 use super::settings::Settings;
 use crate::failure::Failure;
 
@@ -115,9 +116,13 @@ fn line_of(text: &str, section: &str, key: &str) -> Option<u64> {
     None
 }
 
-/// Whether `name` is the name of a flight log.
+/// Whether `name` is the name of a flight log, or of a file that is a flight record.
 pub fn is_log(name: &OsStr) -> bool {
-    name == "-" || Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+    const ENDINGS: [&str; 3] = ["csv", "igc", "gpx"];
+    let path = Path::new(name);
+    let has_ending =
+        path.extension().is_some_and(|ending| ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known)));
+    name == "-" || has_ending || is_record(path)
 }
 
 /// Whether a text begins with the header of a flight log.

@@ -173,19 +173,12 @@ fn a_bad_sample_is_reported_in_the_words_of_the_log() {
 #[test]
 fn files_of_other_kinds_are_named() {
     let folder = with_log("foreign");
-    let igc = "AXCS123\r\nHFDTE250726\r\nB1201014807038N01131000EA0054500580\r\n";
     let long = format!("{{\"a\": \"{}\"}}", "x".repeat(2 << 20));
     for (name, content, what) in [
-        ("flight.igc", igc.as_bytes(), "a flight record of a glider (IGC)"),
         (
             "flight.fdr",
-            b"A\n2\n\nCOMM, a flight\nACFT, Aircraft/x.acf\nDATA, 1,2\n",
+            &b"A\n2\n\nCOMM, a flight\nACFT, Aircraft/x.acf\nDATA, 1,2\n"[..],
             "a flight record of X-Plane (FDR)",
-        ),
-        (
-            "flight.gpx",
-            b"<?xml version=\"1.0\"?>\n<gpx version=\"1.1\"></gpx>\n",
-            "a track of a receiver (GPX)",
         ),
         ("flight.kml", b"<?xml version=\"1.0\"?>\n<kml></kml>\n", "a map (KML)"),
         ("flight.ulg", b"ULog\x01\x12\x35\x01\0\0\0\0", "a log of PX4 (ULog)"),
@@ -212,7 +205,7 @@ fn files_of_other_kinds_are_named() {
             assert!(line.starts_with(file) && line.contains(&format!("is {what}")), "{order:?}: {errors}");
         }
     }
-    let errors = rejected(&folder, &["fly", "flight.igc"]);
+    let errors = rejected(&folder, &["fly", "flight.fdr"]);
     let advice = "a flight of your own is a log in a file .csv; docs/your_log.md says what a log has\n";
     assert!(errors.ends_with(advice), "{errors}");
     // What nobody knows is read as what its name says.

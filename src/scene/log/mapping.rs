@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::quantity::{QUANTITIES, Quantity, unit_of, units_of};
+use super::quantity::{Q0, QUANTITIES, Quantity, ROLL, VARIATION, VELOCITY, unit_of, units_of};
 use crate::scene::value::Value;
 use crate::scene::written::{number_text, text_in_quotes};
 use crate::scene::{MAX_TEXT_VALUE, excerpt, listed, nearest};
@@ -152,6 +152,12 @@ impl LogMapping {
     /// Whether the path is smoothed: so it is too if the attitude follows from it.
     pub fn smooths(&self) -> bool {
         self.smooth || self.is_coordinated
+    }
+
+    /// Whether it says where an angle of the attitude or a part of its quaternion stands.
+    pub fn names_attitude(&self) -> bool {
+        let is_named = |quantity: usize| self.columns[quantity].from != ColumnFrom::OwnName;
+        (ROLL..VELOCITY).chain(Q0..VARIATION).any(is_named)
     }
 
     /// Whether the table is another than one of the library's own.
