@@ -11,6 +11,7 @@ mod grid;
 mod guess;
 mod known;
 mod mapping;
+mod nameless;
 mod quantity;
 mod rows;
 mod smooth;

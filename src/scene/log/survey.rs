@@ -3,6 +3,7 @@
 use super::grid::Grid;
 use super::guess::{Guess, guess};
 use super::known::{Known, known};
+use super::nameless::nameless;
 use super::quantity::{Dimension, QUANTITIES, unit_of};
 use super::text::decoded;
 use super::{Clock, LogMapping, Separator, TimeFormat};
@@ -37,9 +38,10 @@ const TURN: f64 = 4.0 * QUARTER;
 const VELOCITIES: [[&str; 3]; 2] = [["east", "north", "up"], ["speed", "track", "climb"]];
 const ATTITUDE: [&str; 3] = ["roll", "pitch", "heading"];
 
-/// The `[log]` of a table; `None`: no line at its beginning has names of quantities.
+/// The `[log]` of a table; `None`: no line at its beginning has names of quantities, and its numbers are of no known format.
 pub fn survey(table: &[u8]) -> Option<Survey> {
-    let grid = Grid::of(&decoded(table).ok()?)?;
+    let table = decoded(table).ok()?;
+    let Some(grid) = Grid::of(&table) else { return nameless(&table) };
     let known = known(&grid.names);
     let mut draft = Draft { grid: &grid, places: Vec::new(), keys: Vec::new(), doubts: Vec::new() };
     match known {
@@ -137,9 +139,7 @@ impl Draft<'_> {
                 unit.is_empty() || unit_of(about.dimension, "").is_some_and(|(usual, _)| usual == unit);
             let unit = if is_usual { String::new() } else { format!(", unit = \"{unit}\"") };
             let sign = if guess.sign < 0.0 { ", sign = -1" } else { "" };
-            let column = self.column(place);
-            let is_plain = unit.is_empty() && sign.is_empty() && column.starts_with('"');
-            self.set(about.key, if is_plain { column } else { format!("{{ col = {column}{unit}{sign} }}") });
+            self.set(about.key, self.column(place, &format!("{unit}{sign}")));
             let lower = self.grid.names[place].to_lowercase();
             if about.key == "height" && !lower.contains("wgs") && !lower.contains("ellips") {
                 self.doubt(format!("{name} may be above the sea: set geoid if it matters"));
@@ -150,12 +150,16 @@ impl Draft<'_> {
         }
     }
 
-    /// A column by its name, or by its number if another has the same or a scene cannot write it.
-    fn column(&self, place: usize) -> String {
+    /// The value of a key: a column, with more than its place. It is named, or numbered if another has the same name or a scene cannot
+    /// write it.
+    fn column(&self, place: usize, more: &str) -> String {
         let name = &self.grid.names[place];
         let is_single = self.grid.names.iter().filter(|other| *other == name).count() == 1;
         let is_written = name.len() <= MAX_TEXT_VALUE && !name.chars().any(char::is_control);
-        if is_single && is_written { text_in_quotes(name) } else { (place + 1).to_string() }
+        let is_named = is_single && is_written;
+        let column = if is_named { text_in_quotes(name) } else { (place + 1).to_string() };
+        // A number alone would be a constant.
+        if is_named && more.is_empty() { column } else { format!("{{ col = {column}{more} }}") }
     }
 
     /// Whether the name of a quantity's column says that it counts from magnetic north.
@@ -168,7 +172,6 @@ impl Draft<'_> {
     fn time(&mut self, place: usize, unit: &str) {
         let grid = self.grid;
         let name = excerpt(&grid.names[place]);
-        let column = self.column(place);
         let is_read = |cell: &str, format| clock(format).next(&grid.separator.with_point(cell)).is_some();
         let first = grid.cells(place).next().unwrap_or("0");
         let formats =
@@ -190,7 +193,7 @@ impl Draft<'_> {
             None => return self.doubt(format!("{name} is no time that can be read: {}", excerpt(first))),
             Some(TimeFormat::Number) => {}
             Some(format) => {
-                self.set("time", column);
+                self.set("time", self.column(place, ""));
                 let word =
                     TimeFormat::WORDS.iter().find(|(_, known)| *known == format).map_or("", |(word, _)| word);
                 return self.set("time_format", format!("\"{word}\""));
@@ -208,9 +211,8 @@ impl Draft<'_> {
             }
             unit
         });
-        let is_plain = unit == "s" && column.starts_with('"');
         let unit = if unit == "s" { String::new() } else { format!(", unit = \"{unit}\"") };
-        self.set("time", if is_plain { column } else { format!("{{ col = {column}{unit} }}") });
+        self.set("time", self.column(place, &unit));
     }
 
     /// The unit of times that state none, and why: the one that gives the speed of a vehicle, or at rest the one that its steps suggest.
@@ -521,6 +523,17 @@ pub mod tests {
                 "{names}\n{nothing},48,11,300\n0,48,11,300\n{names}\n1,48.0005,{nothing},300\n1,48.0005,11,300\n"
             ));
             assert_eq!((log.samples().len(), log.duration_s()), (2, 1.0), "{nothing}");
+        }
+    }
+
+    /// A column of a name that another has too is read by its number, and a time of day not as a constant.
+    #[test]
+    fn of_two_columns_of_one_name_the_first_is_read() {
+        for times in [["12:00:00", "12:00:01"], ["10", "11"]] {
+            let [first, second] = times;
+            let (found, log) =
+                read(&format!("time,lat,lon,alt,time\n{first},48,11,300,7\n{second},48.0005,11,300,7\n"));
+            assert_eq!((log.samples().len(), log.duration_s()), (2, 1.0), "{found:?}");
         }
     }
 
