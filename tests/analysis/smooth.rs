@@ -143,3 +143,40 @@ fn a_coordinated_attitude_is_that_of_the_turns() {
     let error = Smoothed::new(&Earth::default(), &inverted, &options).unwrap_err().to_string();
     assert!(error.contains("coordinated attitude is not defined"), "{error}");
 }
+
+/// Heights that are all 0, as those of a table without one, stay 0.
+#[test]
+fn a_height_of_zero_is_a_height() {
+    let flight = &flown()[0];
+    let flat: Vec<FlightSample> = noisy(&flight.at(1.0), 1.0)
+        .into_iter()
+        .map(|mut sample| {
+            sample.place.height_m = 0.0;
+            sample
+        })
+        .collect();
+    let path = smoothed(&flat);
+    let [start_s, end_s] = path.span_s();
+    for k in 0..100 {
+        let sample = path.sample_at(start_s + (end_s - start_s) * f64::from(k) / 99.0).unwrap();
+        assert!(sample.place.height_m.abs() < 1e-3, "{sample:?}");
+    }
+}
+
+/// Two flights in one file, or one wrong stamp: no path leads from one to the other.
+#[test]
+fn a_gap_of_an_hour_is_not_bridged() {
+    let flight = &flown()[0];
+    let mut rows = flight.at(1.0);
+    let later = rows.len() / 2;
+    rows[later..].iter_mut().for_each(|row| row.time_s += 3600.0);
+    let error = Smoothed::new(&Earth::default(), &rows, &SmoothOptions::default()).unwrap_err();
+    assert_eq!(error.index, Some(later));
+    let text = error.to_string();
+    assert!(
+        text.ends_with("= 3601: a path is fitted to one flight at a time, whose gaps are at most 300"),
+        "{text}"
+    );
+    rows[later..].iter_mut().for_each(|row| row.time_s -= 3400.0);
+    smoothed(&rows);
+}

@@ -79,7 +79,9 @@ impl<const N: usize> Curve<N> {
         let found = spectrum(&even(times_s, &without, period_s)?, period_s)?;
         let cutoff_hz = found.cutoff_hz.min(cap_hz).max(1.5 / span_s);
         let largest = values.iter().flatten().map(|value| value.abs()).fold(0.0, f64::max);
-        let sigma = sigma.unwrap_or(0.0).max(found.white).max(1e-12 * largest).max(f64::MIN_POSITIVE);
+        // Values that are all 0 have no size.
+        let size = if largest > 0.0 { largest } else { 1.0 };
+        let sigma = sigma.unwrap_or(0.0).max(found.white).max(1e-12 * size);
         let parabola = parabola(times_s, values);
         let steps = values.windows(2).map(|two| distance(&two[0], &two[1]));
         let least = LEAST_SHARE * median(steps)? / (N as f64).sqrt();

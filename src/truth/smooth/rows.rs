@@ -11,6 +11,10 @@ use super::fit::median;
 /// Rows that a fit needs.
 const LEAST: usize = 20;
 
+/// Longest gap that is bridged \[s\], or in usual intervals if these are long: behind a longer one there is another flight, or a wrong stamp.
+const LONGEST_GAP_S: f64 = 300.0;
+const GAP_INTERVALS: f64 = 30.0;
+
 /// Share of the usual interval below which a row is too near to the row before.
 const NEAR: f64 = 0.2;
 
@@ -40,6 +44,17 @@ pub(super) fn rows(earth: &Earth, samples: &[FlightSample]) -> Result<Rows, Erro
     let zeros = (count_of(Kind::NotYetFixed) as usize).min(samples.len());
     let is_steady_clock = judge.findings().any(|finding| finding.kind == Kind::StampJitter);
     let kept = &samples[zeros..];
+    let longest_s = LONGEST_GAP_S.max(GAP_INTERVALS * usual_s(kept)?);
+    for (index, two) in kept.windows(2).enumerate() {
+        let gap_s = two[1].time_s - two[0].time_s;
+        if gap_s > longest_s {
+            let rule = Rule::AtMost(
+                "a path is fitted to one flight at a time, whose gaps are at most",
+                longest_s.into(),
+            );
+            return Err(Error::invalid("gap_s", gap_s, rule).at(zeros + index + 1));
+        }
+    }
     let mut list: Vec<FlightSample> = room(kept.len())?;
     fresh(earth, kept, &mut list)?;
     if list.len() < LEAST {
@@ -55,11 +70,16 @@ pub(super) fn rows(earth: &Earth, samples: &[FlightSample]) -> Result<Rows, Erro
     Ok(Rows { samples: list, times_s, is_steady_clock, left_out, height_step_m: judge.height_step_m() })
 }
 
+/// The usual interval of `samples` [s].
+fn usual_s(samples: &[FlightSample]) -> Result<f64, Error> {
+    median(samples.windows(2).map(|two| two[1].time_s - two[0].time_s))
+}
+
 /// Keeps the first row of each run of equal positions while the vehicle moves; at rest a row for each interval of the receiver; and none
 /// nearer to the row before than a fifth of the usual interval.
 fn fresh(earth: &Earth, samples: &[FlightSample], list: &mut Vec<FlightSample>) -> Result<(), Error> {
     let count = samples.len();
-    let usual_s = median(samples.windows(2).map(|two| two[1].time_s - two[0].time_s))?;
+    let usual_s = usual_s(samples)?;
     let mut path_m: Vec<f64> = room(count)?;
     let mut length_m = 0.0;
     path_m.push(0.0);
