@@ -34,7 +34,7 @@ test("the module has every function of the header, with its arguments but those 
         const told = /^\w*\(?([^)]*)\)/.exec(sins[name].toString())[1].split(", ").filter(Boolean);
         assert.deepEqual(told, declared.filter((one) => told.includes(one)), name);
         const left = declared.filter((one) => !told.includes(one));
-        const returned = /^(sim|flight|unit|scene|play|log|ensemble|buffer|capacity|needed|count|size|written|repeat|duration_s|line|run|runs|first_run)$/;
+        const returned = /^(sim|flight|judge|unit|scene|play|log|ensemble|buffer|capacity|needed|count|size|written|repeat|duration_s|line|run|runs|first_run)$/;
         assert.ok(left.every((one) => returned.test(one)), `${name}: ${left}`);
     }
 });
