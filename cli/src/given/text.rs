@@ -78,9 +78,11 @@ impl Text {
                     "a flight of your own is a log in a file .csv; docs/your_log.md says what a log has"
                 }
                 None => {
-                    "is read as a scene in TOML, because its name does not end in .csv; docs/your_log.md says what a log has"
+                    "is read as a scene in TOML, because its name does not end in .csv; --log takes a log of any name"
                 }
             };
+            // A table has a fault in each line.
+            failures.truncate(1);
             failures.push(Failure::of_file(path, &what));
         }
         Failure::all(failures)
