@@ -51,9 +51,10 @@
  * Same bits. The same options, seed, samples and settings give the same outputs bit for bit on every platform, however the
  *   samples are split into calls (times excepted, as ns_per_step of sins_cost). Each random effect has its own stream.
  *
- * Beside it: sins_flight.h, embedded flights; sins_analysis.h, which options a flight needs, and which effects matter; sins_unit.h, the
- * unit with its modes; sins_ensemble.h, ensembles of runs; sins_scene.h, scenes and flight logs; sins.hpp and its kin, classes for C++;
- * sins_functions.h, a table of all functions for hosts that look them up. build/ writes the *.h files; do not edit them.
+ * Beside it: sins_flight.h, embedded flights, and a judge of samples; sins_analysis.h, which options a flight needs, and which effects
+ * matter; sins_unit.h, the unit with its modes; sins_ensemble.h, ensembles of runs; sins_scene.h, scenes and flight logs; sins.hpp and
+ * its kin, classes for C++; sins_functions.h, a table of all functions for hosts that look them up. build/ writes the *.h files; do not
+ * edit them.
  */
 
 #ifndef SINS_H

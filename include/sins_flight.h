@@ -294,7 +294,7 @@ typedef struct sins_finding {
  * degrees, 32-bit positions or held rows computes exact errors of a flight that nobody flew. Of the options it takes the Earth, and the
  * largest acceleration. NULL: the defaults.
  *
- * It has 50 KB. Not for a real-time frame: it allocates. On an error *judge is unchanged, and sins_last_error(NULL, ...) on this thread
+ * It takes 50 KB. Not for a real-time frame: it allocates. On an error *judge is unchanged, and sins_last_error(NULL, ...) on this thread
  * gives the reason.
  *
  * SINS_ERROR_INVALID_ARGUMENT: as sins_create(). SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 judges exist.
@@ -320,8 +320,8 @@ typedef struct sins_finding {
 SINS_API sins_status SINS_CALL sins_judge_create(const sins_options *options, sins_judge **judge);
 
 /**
- * Looks at the next sample. In the order of the flight; of time stamps that are not later than the one before it takes note. No
- * allocation, below 1 us.
+ * Looks at the next sample of the flight. A time stamp that is not later than the one before becomes a finding. No allocation, less than
+ * 1 us.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range; the sample counts as not pushed.
  */
@@ -330,7 +330,7 @@ SINS_API sins_status SINS_CALL sins_judge_push(sins_judge *judge, const sins_fli
 /**
  * Reads what was found in the samples so far, the worst first, and their number (count), at most SINS_FINDINGS_MAX.
  * findings[0].struct_size is the size in bytes of each element of findings. To ask for count only, give NULL for findings and a capacity
- * of 0. A finding is a statistic: in a flight of less than 200 samples it may come from a few. No allocation, about 0.1 ms.
+ * of 0. A finding is a statistic: in a flight of less than 200 samples it may come from a few. No allocation.
  *
  * SINS_ERROR_BUFFER_TOO_SMALL: capacity is less than the number of findings; only count was written.
  */

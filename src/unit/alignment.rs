@@ -185,6 +185,7 @@ impl Alignment {
         let weight = (1.0 - cos) * dt;
         window.weight += weight;
         window.time_s += weight * middle_s;
+        // With the variance of time within the interval itself.
         window.time_s2 += weight * (middle_s * middle_s + dt * dt / 12.0);
         window.force_i += velocity_i * (weight / dt);
         window.acceleration_e += acceleration_e * weight;

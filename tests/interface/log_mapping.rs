@@ -1,5 +1,6 @@
 //! Tables with other columns, units, signs, axes and times, read by `[log]`.
 
+use sins::abi::*;
 use sins::scene::Scene;
 use sins::scene::log::{FlightLog, LogError};
 use sins::truth::FlightSample;
@@ -302,4 +303,38 @@ fn commas_in_numbers_are_explained() {
             .starts_with("alt: expected a finite number, found \"1,300.5\"; write decimals behind a point"),
         "{sentence}"
     );
+}
+
+/// A host that pushes a log to a judge: an attitude that is not flown, here of a heading to the north on a way to the east, is not judged.
+#[test]
+fn a_judge_passes_over_the_attitude_of_a_coordinated_log() {
+    let rows: String = (0..3000)
+        .map(|k| format!("{},47,{},500,0,0,0\n", f64::from(k) * 0.1, 8.0 + f64::from(k) * 1e-4))
+        .collect();
+    let table = format!("time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n{rows}");
+    let kinds = |mapping: &str| -> Vec<i32> {
+        let text = format!("[flight]\nfile = \"a.csv\"\n[log]\n{mapping}\n");
+        let (mut scene, mut log, mut judge) =
+            (std::ptr::null_mut(), std::ptr::null_mut(), std::ptr::null_mut());
+        let mut found: [sins_finding; SINS_FINDINGS_MAX] = [unsafe { std::mem::zeroed() }; SINS_FINDINGS_MAX];
+        found[0].struct_size = size_of::<sins_finding>() as u32;
+        let mut count = 0;
+        // SAFETY: each pointer is to a variable, or to a text of the length that stands behind it.
+        unsafe {
+            assert_eq!(sins_scene_parse(text.as_ptr().cast(), text.len(), &mut scene), SINS_OK);
+            let status =
+                sins_log_parse(table.as_ptr().cast(), table.len(), scene, &mut log, std::ptr::null_mut());
+            assert_eq!(status, SINS_OK);
+            assert_eq!(sins_judge_create(std::ptr::null(), &mut judge), SINS_OK);
+            assert_eq!(sins_judge_push_log(judge, log), SINS_OK);
+            let status = sins_judge_get_findings(judge, found.as_mut_ptr(), found.len(), &mut count);
+            assert_eq!(status, SINS_OK);
+            assert_eq!(sins_judge_destroy(judge), SINS_OK);
+            assert_eq!(sins_log_destroy(log), SINS_OK);
+            assert_eq!(sins_scene_destroy(scene), SINS_OK);
+        }
+        found[..count].iter().map(|finding| finding.kind).collect()
+    };
+    assert_eq!(kinds(""), [SINS_FINDING_HEADING_OFF_TRACK]);
+    assert_eq!(kinds("attitude = \"coordinated\""), []);
 }

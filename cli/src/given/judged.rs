@@ -41,7 +41,7 @@ pub fn judge(
 ) -> Vec<(Level, String)> {
     let mut judge = judge_of(scene);
     if !log.has_attitude() {
-        judge = judge.without_attitude();
+        judge.ignore_attitude();
     }
     for sample in &log.samples()[..count] {
         // Each value of a log is in its range.

@@ -81,8 +81,10 @@ impl Text {
                     "is read as a scene in TOML, because its name does not end in .csv; --log takes a log of any name"
                 }
             };
-            // A table has a fault in each line.
-            failures.truncate(1);
+            // Without a value it is no scene, and each line is a fault.
+            if !self.bytes.contains(&b'=') {
+                failures.truncate(1);
+            }
             failures.push(Failure::of_file(path, &what));
         }
         Failure::all(failures)

@@ -61,7 +61,7 @@ fn level_of(acceleration_m_s2: f64) -> Option<Level> {
 
 impl Judge {
     /// What is found in the samples so far, the worst first.
-    pub fn findings(&self) -> impl Iterator<Item = Finding> + use<> {
+    pub fn findings(&self) -> impl Iterator<Item = Finding> + Clone + use<> {
         let mut found = Findings { list: [None; MAX_FINDINGS], count: 0 };
         if self.rows > 1 {
             self.find_in_stamps(&mut found);

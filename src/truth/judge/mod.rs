@@ -92,9 +92,9 @@ impl Judge {
         })
     }
 
-    /// A judge that passes over the attitudes of the samples.
-    pub fn without_attitude(self) -> Self {
-        Self { has_attitude: false, ..self }
+    /// Passes over the attitudes of the samples: they are not those of the vehicle.
+    pub fn ignore_attitude(&mut self) {
+        self.has_attitude = false;
     }
 
     /// The step of which all heights are multiples [m]; 0: none.
