@@ -222,7 +222,8 @@ impl Unit {
         }
         let felt_l = rotate_inverse(&self.q_il, velocity_i);
         let size = felt_l.norm_squared().sqrt();
-        if size > 0.0 {
+        // A lost accelerometer shows another vertical, at the full rate.
+        if size > 0.0 && self.has_signal {
             let share = (dt / parameters.erection_time_s).min(1.0);
             self.q_il *= rotation_quaternion(&(Vector3::z().cross(&felt_l) * (share / size)));
             self.q_il /= self.q_il.norm_squared().sqrt();

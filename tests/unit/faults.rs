@@ -202,3 +202,23 @@ fn what_failures_left_in_the_vertical_channel_does_not_outlive_an_alignment() {
         assert_eq!(aircraft.unit.status().state, State::Navigation, "{kind:?}: {:?}", aircraft.unit.status());
     }
 }
+
+/// The vertical accelerometer loses intervals in ATT, less than makes a fault: they show no vertical, and the attitude goes on by the gyros.
+#[test]
+fn a_lost_accelerometer_does_not_tilt_the_attitude() {
+    let mut aircraft = Aircraft::new(40.0, 0, 10.0, &crate::aircraft::papers_sensors());
+    aircraft.unit.select(Mode::Attitude);
+    aircraft.until(Motion::Rest, State::Attitude, 60.0);
+    aircraft.stand(600.0);
+    let before = aircraft.navigation().euler;
+    let output = SensorOutput::Accelerometer(Axis::Z);
+    for lost in [true, false].repeat(8) {
+        aircraft.simulator.set_failure(output, lost.then_some(Failure::Dead)).unwrap();
+        aircraft.stand(0.1);
+    }
+    let (shown, status) = (aircraft.navigation(), aircraft.unit.status());
+    assert!(shown.validity.attitude && status.state == State::Attitude, "{status:?}");
+    let tilted = (shown.euler.roll - before.roll).hypot(shown.euler.pitch - before.pitch);
+    // The Earth turns the vertical by 1.2e-4 rad.
+    assert!(tilted < 2e-4, "{tilted} rad");
+}

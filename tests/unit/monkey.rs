@@ -133,7 +133,8 @@ impl Oracle {
         *velocity += force * DT + self.accel.noise * DT / 5.0;
         *position += *velocity * DT;
         // What the crew does.
-        if status.state == State::Test {
+        // An alignment at once has no test.
+        if status.state == State::Test || self.last == State::Off {
             self.switched_on = truth.place;
         }
         let is_aligning =
