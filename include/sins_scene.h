@@ -577,7 +577,7 @@ SINS_API sins_status SINS_CALL sins_log_get_sample(const sins_log *log, size_t i
 
 /**
  * Looks at the samples of a log, one after the other, as sins_judge_push(). Where a coordinated flight stands in for the attitude of the
- * log, attitudes are not judged.
+ * log, attitudes are not judged. What was wrong in the rows of a log that was smoothed is found too, as a note if the path does not have it.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, with the number of the sample; the samples before it were taken.
  * SINS_ERROR_BAD_HANDLE: judge or log is not a valid handle.

@@ -77,6 +77,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let settings = Settings { columns, ..Settings::default() };
     let mut mapping = settings.mapping()?.unwrap_or_default();
     if order.smooth {
+        mapping.smooth = true;
         mapping.smooth_rate_hz = order.rate;
         mapping.position_sigma_m = order.position_sigma;
         mapping.attitude_sigma_rad = order.attitude_sigma.map(|degrees| degrees * DEG);
@@ -86,8 +87,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     }
     table.complete(&mut mapping);
     let scene = Scene { log: mapping, ..Scene::default() };
-    // Not smoothed: the rows are judged as they are.
-    let log = FlightLog::parse_with(&table.text, &scene.log).map_err(|error| {
+    let rows = FlightLog::parse_with(&table.text, &scene.log).map_err(|error| {
         let failure = of_log(&order.file, error);
         let may_have_columns = settings.columns.is_none() && table.note.is_none();
         if !may_have_columns || survey(&table.text).is_none() {
@@ -96,40 +96,58 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         let file = order.file.display();
         Failure::new(format!("{failure}\n`sins log {file} --map columns.toml` looks for the columns"))
     })?;
-    let findings = judge(&scene, &order.file, &log, table.note, log.samples().len());
-    let Some(output) = &order.output else {
-        let (rows, duration_s) = (log.samples().len(), log.duration_s());
-        let rate_hz = six_digits((rows - 1) as f64 / duration_s);
-        let has = |is: bool| if is { "with" } else { "without" };
-        let velocities = has(log.samples()[0].v_n.is_some());
-        print(&format!(
-            "{}: {rows} rows over {}, {rate_hz} Hz, {velocities} velocities\n",
-            order.file.display(),
-            time_text(duration_s)
-        ))?;
-        let lines: String = findings.iter().map(|(_, words)| format!("{words}\n")).collect();
-        let is_doubtful = findings.iter().any(|(level, _)| *level >= Level::Doubtful);
-        print(&(lines + if is_doubtful { "" } else { "nothing is doubtful\n" }))?;
-        if let Some(map) = &order.map {
-            // The name of a table that does not end in .csv would be that of a scene.
-            let option = if is_log(order.file.as_os_str()) { "" } else { "--log " };
-            print(&format!(
-                "next: `sins fly {option}{} --columns {}`\n",
-                order.file.display(),
-                map.display()
-            ))?;
-        }
-        if order.strict && is_doubtful {
-            return Err(Failure::new(format!("{}: the log is refused (--strict)", order.file.display())));
-        }
-        return Ok(());
+    // What flies is judged.
+    let smoothed = scene.log.smooths().then(|| rows.smoothed(&scene.options.earth(), &scene.log));
+    let (log, failure) = match smoothed {
+        Some(Ok(path)) => (path, None),
+        Some(Err(error)) => (rows.clone(), Some(of_log(&order.file, error))),
+        None => (rows.clone(), None),
     };
-    findings.iter().for_each(|(_, words)| say(words));
-    let smoothed =
-        log.smoothed(&scene.options.earth(), &scene.log).map_err(|error| of_log(&order.file, error))?;
-    write(order, output, &smoothed)?;
-    let before = log.notes().len();
-    smoothed.notes()[before..].iter().for_each(|note| say(&note.sentence));
+    let findings = judge(&scene, &order.file, &log, table.note, log.samples().len());
+    match &order.output {
+        Some(output) => {
+            findings.iter().for_each(|(_, words)| say(words));
+            failure.map_or_else(|| write(order, output, &log), Err)
+        }
+        None => {
+            print_rows(order, &rows)?;
+            print(&findings.iter().map(|(_, words)| format!("{words}\n")).collect::<String>())?;
+            failure.map_or_else(|| conclude(order, &findings), Err)
+        }
+    }
+}
+
+/// Prints what the rows are.
+fn print_rows(order: &Order, log: &FlightLog) -> Result<(), Failure> {
+    let (rows, duration_s) = (log.samples().len(), log.duration_s());
+    let rate_hz = six_digits((rows - 1) as f64 / duration_s);
+    let has = |is: bool| if is { "with" } else { "without" };
+    let velocities = has(log.samples()[0].v_n.is_some());
+    let (file, time) = (order.file.display(), time_text(duration_s));
+    print(&format!("{file}: {rows} rows over {time}, {rate_hz} Hz, {velocities} velocities\n"))
+}
+
+/// Says what the findings mean, and what comes next.
+fn conclude(order: &Order, findings: &[(Level, String)]) -> Result<(), Failure> {
+    let worst = findings.iter().map(|(level, _)| *level).max();
+    if worst < Some(Level::Doubtful) {
+        print("nothing is doubtful\n")?;
+    }
+    let file = order.file.display();
+    if let Some(map) = &order.map {
+        let map = map.display();
+        // The name of a table that does not end in .csv would be that of a scene.
+        let option = if is_log(order.file.as_os_str()) { "" } else { "--log " };
+        print(&match worst {
+            Some(Level::Unusable) => {
+                format!("next: mend {map}, and look again: `sins log {file} --columns {map}`\n")
+            }
+            _ => format!("next: `sins fly {option}{file} --columns {map}`\n"),
+        })?;
+    }
+    if order.strict && worst >= Some(Level::Doubtful) {
+        return Err(Failure::new(format!("{file}: the log is refused (--strict)")));
+    }
     Ok(())
 }
 
@@ -137,7 +155,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
 fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
     let file = order.file.display();
     let Some(found) = survey(table) else {
-        let what = "no line at its beginning has names of time, latitude and longitude: write a [log] with header = 0 and the numbers of the columns, as latitude = { col = 2 }";
+        let what = "no line at its beginning has known names of time, latitude and longitude: write a [log] with the names of the columns, as latitude = \"Y\", or, where no line has names, header = 0 and their numbers, as latitude = { col = 2 }";
         return Err(Failure::of_file(&order.file, &what));
     };
     let format = found

@@ -126,6 +126,12 @@ impl Scene {
         if !matches!(self.log.comment.as_bytes(), [letter] if letter.is_ascii_punctuation()) {
             conflicts.push(at_odds("log.comment", "must be a single mark, as #"));
         }
+        if self.log.only.is_empty() != self.log.only_column.is_empty() {
+            conflicts.push(at_odds(
+                "log.only",
+                "comes with log.only_column: a column, and its cell in the rows that are read",
+            ));
+        }
         if self.unit.start.is_none() && !self.panel.is_empty() {
             conflicts.push(at_odds("unit.start", "must be off or nav: [[panel]] needs a unit"));
         }

@@ -2,7 +2,7 @@
 
 use sins::earth::Earth;
 use sins::truth::FlightSample;
-use sins::truth::judge::{Judge, Level};
+use sins::truth::judge::{Judge, Kind, Level};
 use sins::truth::smooth::{SmoothOptions, Smoothed};
 
 use crate::judge::faults::{float32, held, move_by, noisy, stale};
@@ -49,6 +49,31 @@ fn judged(name: &str, path: &Smoothed) {
 fn flown() -> Vec<Good> {
     let scenes = ["racetrack", "commuter", "patrol"].map(|name| flights::scene(name, 50.0));
     scenes.into_iter().chain([flights::log("airliner_cruise")]).collect()
+}
+
+/// A receiver that stands still for 20 s while the vehicle flies on has no fixes there: neither rests nor jumps are flown.
+#[test]
+fn fixes_that_froze_are_left_out() {
+    for flight in flown() {
+        let mut rows = without_velocities(&flight.at(1.0));
+        let mut frozen = 0;
+        for first in (60..rows.len() - 40).step_by(250) {
+            let place = rows[first].place;
+            let (way, _) = Earth::default().displacement(&place, &rows[first + 19].place);
+            frozen += if way.norm() > 200.0 { 19 } else { 0 };
+            rows[first..(first + 20)].iter_mut().for_each(|row| row.place = place);
+        }
+        let path = smoothed(&rows);
+        judged(&flight.name, &path);
+        let held = path.findings.iter().find(|finding| finding.kind == Kind::HeldRows);
+        assert!(held.is_some(), "{}: {:?}", flight.name, path.findings);
+        let [start_s, end_s] = path.span_s();
+        let velocity = |k: usize| path.sample_at(start_s + k as f64 / 50.0).unwrap().v_n.unwrap();
+        let steps = 1..=((end_s - start_s) * 50.0) as usize;
+        let largest = steps.map(|k| (velocity(k) - velocity(k - 1)).norm() * 50.0).fold(0.0, f64::max);
+        println!("{}: {largest:.1} m/s2, {} left out", flight.name, path.left_out);
+        assert!(path.left_out >= frozen && largest < 30.0, "{}: {largest}", flight.name);
+    }
 }
 
 /// Noise of a horizontal component, whose vertical part is half larger. The path is nearer to the flight than the rows; its velocity errs by the

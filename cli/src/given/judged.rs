@@ -40,18 +40,10 @@ pub fn judge(
     count: usize,
 ) -> Vec<(Level, String)> {
     let mut judge = judge_of(scene);
-    if !log.has_attitude() {
-        judge.ignore_attitude();
-    }
-    for sample in &log.samples()[..count] {
-        // Each value of a log is in its range.
-        if judge.push(sample).is_err() {
-            break;
-        }
-    }
-    let place = |finding: &Finding| match log.line(finding.at.row as usize) {
-        Some(line) if finding.count > 0 => format!("{}:{line}", path.display()),
-        _ => path.display().to_string(),
+    log.judge(&mut judge, count).expect("each value of a log is in its range");
+    let place = |finding: &Finding| match log.line_of(finding) {
+        Some(line) => format!("{}:{line}", path.display()),
+        None => path.display().to_string(),
     };
     let words = |finding: Finding| (finding.level, format!("{}: {}", place(&finding), sentence(&finding)));
     let noted = |line: usize, sentence: &str| {

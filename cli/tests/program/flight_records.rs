@@ -194,6 +194,13 @@ fn an_igc_record_is_read() {
     for row in &rows(&folder.join("sins_out/flight.csv"))[100..200] {
         assert!(number(row, "truth_roll_rad").abs() < 1e-9, "{row:?}");
     }
+    // The record says what its heights are above; the text may be in UTF-16.
+    let text = String::from_utf8_lossy(&bytes).replacen("LXXX", "HFALGALTGPS:GEO\r\nLXXX", 1);
+    let units = text.encode_utf16().flat_map(u16::to_le_bytes);
+    std::fs::write(folder.join("wide.igc"), [0xff, 0xfe].into_iter().chain(units).collect::<Vec<u8>>())
+        .unwrap();
+    let said = done(&folder, &["log", "wide.igc"]);
+    assert!(said.contains("heights of GNSS, above the geoid, as the record says: set log.geoid"), "{said}");
     let errors = rejected(&folder, &["log", "flight.igc", "--map", "map.toml"]);
     assert_eq!(errors, "flight.igc: is a flight record, which flies without --map\n");
 
@@ -287,7 +294,7 @@ fn a_gpx_track_is_read() {
         &[
             "flight.gpx: 241 rows",
             "left out: 2 without time, 1 without ele",
-            "1 rows are left out: not later than the row before",
+            "note: 1 time stamp: not later than the one before, first at 86379 s: these rows are left out\n",
         ],
     );
     assert_eq!(smoothed(&folder, "flight.gpx", &[]).1[0][0], 86_280.0);

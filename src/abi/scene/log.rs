@@ -199,7 +199,7 @@ pub unsafe extern "C-unwind" fn sins_log_get_sample(
 }
 
 /// Looks at the samples of a log, one after the other, as sins_judge_push(). Where a coordinated flight stands in for the attitude of the
-/// log, attitudes are not judged.
+/// log, attitudes are not judged. What was wrong in the rows of a log that was smoothed is found too, as a note if the path does not have it.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, with the number of the sample; the samples before it were taken.
 /// SINS_ERROR_BAD_HANDLE: judge or log is not a valid handle.
@@ -210,12 +210,8 @@ pub unsafe extern "C-unwind" fn sins_judge_push_log(
 ) -> sins_status {
     with_judge(judge, |judge| {
         let log = log_of(log)?.ok_or_else(|| Failure::of_handle(SINS_ERROR_BAD_HANDLE, "log"))?;
-        if !log.has_attitude() {
-            judge.ignore_attitude();
-        }
-        for (index, sample) in log.samples().iter().enumerate() {
-            judge.push(sample).map_err(|error| Failure::from(error).of_sample(index))?;
-        }
+        let judged = log.judge(judge, log.samples().len());
+        judged.map_err(|(index, error)| Failure::from(error).of_sample(index))?;
         Ok(SINS_OK)
     })
 }

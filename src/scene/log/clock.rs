@@ -4,6 +4,9 @@ use super::mapping::{LogMapping, TimeFormat};
 
 const DAY_S: f64 = 86400.0;
 
+/// Largest offset of a zone from UTC.
+const LARGEST_OFFSET_H: f64 = 14.0;
+
 /// The times of the rows, one after the other.
 #[derive(Debug)]
 pub struct Clock {
@@ -120,7 +123,11 @@ fn date_and_time(text: &str, format: TimeFormat) -> Option<(i64, f64)> {
                 None if time.len() == at + 5 => time[at + 1..].split_at_checked(2)?,
                 None => (&time[at + 1..], "0"),
             };
-            let offset_s = (digits(hours, false)? * 60.0 + digits(minutes, false)?) * 60.0;
+            let (hours, minutes) = (digits(hours, false)?, digits(minutes, false)?);
+            if hours > LARGEST_OFFSET_H || minutes >= 60.0 {
+                return None;
+            }
+            let offset_s = (hours * 60.0 + minutes) * 60.0;
             (&time[..at], if time[at..].starts_with('-') { -offset_s } else { offset_s })
         }
     };
@@ -167,6 +174,8 @@ mod tests {
             "2025-02-28T00:00:00Z",
             "2024-13-01T00:00:00Z",
             "2024-02-28",
+            "2024-02-29T00:00:00+99:00",
+            "2024-02-29T00:00:00+01:60",
         ];
         let expected = [
             Some(86399.25),
@@ -174,6 +183,8 @@ mod tests {
             Some(1.0 * DAY_S + 23.0 * 3600.0),
             Some(2.0 * DAY_S + 3600.0),
             Some(366.0 * DAY_S),
+            None,
+            None,
             None,
             None,
         ];

@@ -130,22 +130,8 @@ fn mapped_column(
     let refused = |sentence: String| Err(fault(line, 1, format!("log.{key}: {sentence}")));
     match &mapped.from {
         ColumnFrom::Name(wanted) => {
-            let mut places = header.iter().enumerate().filter(|(_, name)| name.trim() == wanted);
-            match (places.next(), places.next()) {
-                (Some((place, _)), None) => {
-                    Ok(Column { place: Some(place), factor, offset, name: wanted.clone() })
-                }
-                (Some(_), Some((place, _))) => {
-                    let sentence = format!("log.{key}: an earlier column is {} too", excerpt(wanted));
-                    Err(fault(line, place + 1, sentence))
-                }
-                (None, _) => {
-                    let near = nearest(wanted, header.iter())
-                        .map_or(String::new(), |name| format!("; did you mean {}?", excerpt(name)));
-                    let names = listed(header.iter());
-                    refused(format!("no column {}; the header has {names}{near}", excerpt(wanted)))
-                }
-            }
+            let place = place_of(header, line, key, wanted)?;
+            Ok(Column { place: Some(place), factor, offset, name: wanted.clone() })
         }
         ColumnFrom::Number(number) if *number > header.len() => {
             refused(format!("no column {number}: the row has {}", header.len()))
@@ -158,6 +144,31 @@ fn mapped_column(
             Ok(Column { place: None, factor, offset: value * factor + offset, name: key.to_owned() })
         }
     }
+}
+
+/// The place of the column that the key of `[log]` names.
+fn place_of(header: &StringRecord, line: u64, key: &str, wanted: &str) -> Result<usize, LogError> {
+    let mut places = header.iter().enumerate().filter(|(_, name)| name.trim() == wanted);
+    match (places.next(), places.next()) {
+        (Some((place, _)), None) => Ok(place),
+        (Some(_), Some((place, _))) => {
+            let sentence = format!("log.{key}: an earlier column is {} too", excerpt(wanted));
+            Err(fault(line, place + 1, sentence))
+        }
+        (None, _) => {
+            let near = nearest(wanted, header.iter())
+                .map_or(String::new(), |name| format!("; did you mean {}?", excerpt(name)));
+            let names = listed(header.iter());
+            let sentence = format!("log.{key}: no column {}; the header has {names}{near}", excerpt(wanted));
+            Err(fault(line, 1, sentence))
+        }
+    }
+}
+
+/// The place of the column that tells vehicles apart.
+pub fn only_place(header: &StringRecord, line: u64, mapping: &LogMapping) -> Result<Option<usize>, LogError> {
+    let wanted = &mapping.only_column;
+    if wanted.is_empty() { Ok(None) } else { place_of(header, line, "only_column", wanted).map(Some) }
 }
 
 /// Checks that no quantity is given in two forms.

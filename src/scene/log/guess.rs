@@ -38,10 +38,12 @@ const NAMES: &[(&str, &[&str])] = &[
             "gpssow",
             "tow",
             "gpstow",
+            "zeit",
+            "uhrzeit",
         ],
     ),
-    ("latitude", &["latitudegeodetic", "latitude", "lat"]),
-    ("longitude", &["longitude", "lon", "long", "lng"]),
+    ("latitude", &["latitudegeodetic", "latitude", "lat", "breite", "breitengrad"]),
+    ("longitude", &["longitude", "lon", "long", "lng", "länge", "laenge", "längengrad", "laengengrad"]),
     (
         "height",
         &[
@@ -62,10 +64,12 @@ const NAMES: &[(&str, &[&str])] = &[
             "altitudeabovesealevel",
             "ggalt",
             "h",
+            "höhe",
+            "hoehe",
         ],
     ),
-    ("roll", &["roll", "phi", "bank", "rolldeg", "rollangle", "bankangle"]),
-    ("pitch", &["pitch", "theta", "pitchangle"]),
+    ("roll", &["roll", "rollwinkel", "phi", "bank", "rolldeg", "rollangle", "bankangle"]),
+    ("pitch", &["pitch", "nickwinkel", "theta", "pitchangle"]),
     (
         "heading",
         &[
@@ -78,6 +82,7 @@ const NAMES: &[(&str, &[&str])] = &[
             "trueheading",
             "compassheading",
             "magneticheading",
+            "steuerkurs",
         ],
     ),
     (
@@ -129,8 +134,8 @@ const NAMES: &[(&str, &[&str])] = &[
             "-speeddown",
         ],
     ),
-    ("speed", &["speed", "groundspeed", "gs", "gndspd", "gspeed", "sog"]),
-    ("track", &["track", "course", "trk", "cog", "groundtrack", "trackangle"]),
+    ("speed", &["speed", "groundspeed", "gs", "gndspd", "gspeed", "sog", "geschwindigkeit"]),
+    ("track", &["track", "course", "trk", "cog", "groundtrack", "trackangle", "kurs"]),
     (
         "climb",
         &["climb", "vspd", "verticalspeed", "verticalrate", "vertrate", "climbrate", "vs", "rateofclimb"],

@@ -134,6 +134,11 @@ pub struct LogMapping {
     pub missing: Option<f64>,
     /// The character with which comments begin.
     pub comment: String,
+    /// Of a table with the rows of several vehicles: the column that tells them apart, and its cell in the rows that are read. Empty:
+    /// every row is read.
+    pub only_column: String,
+    /// See [`Self::only_column`].
+    pub only: String,
     /// Whether the path is smoothed ([`crate::truth::smooth`]).
     pub smooth: bool,
     /// Rate of the samples of a smoothed path [Hz].
@@ -197,6 +202,8 @@ impl Default for LogMapping {
             skip: 0,
             missing: None,
             comment: "#".to_owned(),
+            only_column: String::new(),
+            only: String::new(),
             smooth: false,
             smooth_rate_hz: 50.0,
             position_sigma_m: None,

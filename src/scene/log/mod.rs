@@ -22,11 +22,11 @@ use csv::StringRecord;
 
 use crate::base::error::{Error, ErrorKind, Rule, check_integer};
 use crate::base::memory::{room, room_for_one_more};
-use crate::scene::{Fault, Scene, foreign};
+use crate::scene::{Fault, Scene, excerpt, foreign};
 use crate::truth::FlightSample;
-use columns::{columns, unread};
+use crate::truth::judge::{At, Finding, Judge};
+use columns::{columns, only_place, unread};
 use rows::{Table, check_line, names_of, next_row, reader, single_blanks};
-use text::decoded;
 
 pub use clock::Clock;
 pub(in crate::scene) use mapping::TAKES as COLUMN_TAKES;
@@ -34,6 +34,7 @@ pub use mapping::{ColumnFrom, LogColumn, LogMapping, Separator, TimeFormat};
 pub(in crate::scene) use quantity::QUANTITIES;
 pub use quantity::{column_of, quantity_of};
 pub use survey::{Survey, survey};
+pub use text::decoded;
 
 /// Largest number of columns of a log, and of bytes of a line.
 const MAX_COLUMNS: usize = 1000;
@@ -50,6 +51,8 @@ pub struct FlightLog {
     notes: Vec<Fault>,
     /// Whether its samples have an attitude; otherwise that of a coordinated flight takes its place.
     has_attitude: bool,
+    /// What was found in the rows of a smoothed log, and the line of each.
+    of_rows: Vec<(Finding, u64)>,
     /// As which it was read; `None`: the default, also of a log without a text.
     mapping: Option<Box<LogMapping>>,
 }
@@ -122,12 +125,15 @@ impl FlightLog {
             samples: Vec::new(),
             lines: Vec::new(),
             notes,
+            of_rows: Vec::new(),
             has_attitude: !mapping.is_coordinated,
             mapping: (*mapping != LogMapping::default()).then(|| Box::new(mapping.clone())),
         };
         let is_mapped = mapping.is_foreign();
         let mut table = Table { columns, mapping, is_mapped, clock: Clock::new(mapping) };
-        let (mut left_out, mut late, mut to_skip) = (None, 0_u64, mapping.skip);
+        let (mut left_out, mut repeats, mut to_skip) = (None, 0_u64, mapping.skip);
+        let mut late: Option<(u64, u64, f64)> = None;
+        let (only, mut others) = (only_place(&names, line, mapping)?, 0_u64);
         // Without names the first row is one of values.
         let mut first = (!has_names).then_some(line);
         loop {
@@ -154,13 +160,23 @@ impl FlightLog {
                 );
                 return Err(fault(line, width + 1, sentence));
             }
+            if only.is_some_and(|place| row.get(place) != Some(&mapping.only)) {
+                others += 1;
+                continue;
+            }
             let Some(sample) = table.sample(&row, line)? else {
                 let (count, first) = left_out.unwrap_or((0_u64, line));
                 left_out = Some((count + 1, first));
                 continue;
             };
-            if mapping.smooths() && log.samples.last().is_some_and(|last| sample.time_s <= last.time_s) {
-                late += 1;
+            if mapping.smooths()
+                && let Some(last) = log.samples.last()
+                && sample.time_s <= last.time_s
+            {
+                match sample.time_s == last.time_s && sample.place == last.place {
+                    true => repeats += 1,
+                    false => late.get_or_insert((0, line, sample.time_s)).0 += 1,
+                }
                 continue;
             }
             log.push(sample, line)?;
@@ -170,9 +186,20 @@ impl FlightLog {
             let sentence = format!("{count} {rows} left out, the first here: a value is missing");
             log.notes.push(Fault { line: line as usize, column: 1, sentence, ..Fault::default() });
         }
-        if late > 0 {
-            let sentence = format!("{late} rows are left out: not later than the row before");
+        if others > 0 {
+            let (column, only) = (excerpt(&mapping.only_column), excerpt(&mapping.only));
+            let sentence = format!("{others} rows of others are left out: {column} is not {only}");
             log.notes.push(Fault { sentence, ..Fault::default() });
+        }
+        if repeats > 0 {
+            let rows = if repeats == 1 { "row is" } else { "rows are" };
+            let sentence = format!("{repeats} {rows} left out: equal to the row before");
+            log.notes.push(Fault { sentence, ..Fault::default() });
+        }
+        if let Some((count, line, time_s)) = late {
+            let at = At { row: log.samples.partition_point(|sample| sample.time_s < time_s) as u64, time_s };
+            let rows = count + log.samples.len() as u64;
+            log.of_rows.push((Finding::of_late_rows(count, rows, at), line));
         }
         if log.samples.len() < 2 {
             let line = 1 + text.iter().filter(|byte| **byte == b'\n').count();
@@ -219,6 +246,7 @@ impl FlightLog {
             samples,
             lines: Vec::new(),
             notes: Vec::new(),
+            of_rows: Vec::new(),
             has_attitude: true,
             mapping: None,
         })
@@ -260,9 +288,22 @@ impl FlightLog {
         &self.notes
     }
 
-    /// Whether its samples have an attitude; otherwise that of a coordinated flight takes its place.
-    pub fn has_attitude(&self) -> bool {
-        self.has_attitude
+    /// Pushes its first `count` samples into `judge`, and what was found in the rows of a smoothed log. An error has the number of a sample.
+    pub fn judge(&self, judge: &mut Judge, count: usize) -> Result<(), (usize, Error)> {
+        if !self.has_attitude {
+            judge.ignore_attitude();
+        }
+        judge.add_of_rows(self.of_rows.iter().map(|(finding, _)| *finding));
+        for (index, sample) in self.samples.iter().take(count).enumerate() {
+            judge.push(sample).map_err(|error| (index, error))?;
+        }
+        Ok(())
+    }
+
+    /// The line of a finding of its judge, from 1.
+    pub fn line_of(&self, finding: &Finding) -> Option<u64> {
+        let of_row = self.of_rows.iter().find(|(known, _)| known == finding).map(|(_, line)| *line);
+        of_row.or_else(|| self.line(finding.at.row as usize)).filter(|_| finding.count > 0)
     }
 
     /// The line of the text on which sample `index` stands, from 1.

@@ -55,11 +55,19 @@ impl FlightLog {
         let said = said(&smoothed, had_velocities).into_iter();
         let said = said.map(|sentence| Fault { sentence, ..Fault::default() });
         let notes = self.notes.iter().cloned().chain(said).collect();
+        let mut of_rows = self.of_rows.clone();
+        of_rows.extend(smoothed.findings.iter().map(|finding| {
+            let line = self.line(finding.at.row as usize).unwrap_or_default();
+            let after_s = (finding.at.time_s - start_s).max(0.0);
+            let row = ((after_s * rate_hz) as u64).min(count as u64 - 1);
+            (finding.of_rows(row), line)
+        }));
         Ok(Self {
             title: self.title.clone(),
             samples,
             lines,
             notes,
+            of_rows,
             has_attitude: true,
             mapping: self.mapping.clone(),
         })

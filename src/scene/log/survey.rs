@@ -34,6 +34,28 @@ const RADIUS_M: f64 = 6.371e6;
 const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
 const TURN: f64 = 4.0 * QUARTER;
 
+/// Step of the heights that a transponder sends [ft], and the number of different ones that show it.
+const TRANSPONDER_FT: f64 = 25.0;
+const FEW: usize = 5;
+
+/// Names of columns that tell vehicles apart.
+const VEHICLES: [&str; 14] = [
+    "icao24",
+    "icao",
+    "hex",
+    "hexident",
+    "callsign",
+    "registration",
+    "tail",
+    "tailnumber",
+    "aircraft",
+    "aircraftid",
+    "vehicle",
+    "vehicleid",
+    "mmsi",
+    "deviceid",
+];
+
 /// The quantities of each form of the velocity, and those of the attitude: all of them or none.
 const VELOCITIES: [[&str; 3]; 2] = [["east", "north", "up"], ["speed", "track", "climb"]];
 const ATTITUDE: [&str; 3] = ["roll", "pitch", "heading"];
@@ -48,6 +70,7 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
         Some(known) => draft.of_known(known),
         None => draft.guess(),
     }
+    draft.only_one();
     draft.complete();
     let text = draft.layout().chain(draft.keys).map(|(key, value)| format!("{key} = {value}\n")).collect();
     Some(Survey { format: known.map(|known| known.name), text, doubts: draft.doubts })
@@ -265,12 +288,53 @@ impl Draft<'_> {
                 let (unit, taken) = if is_radian { ("rad", "radians") } else { ("", "degrees") };
                 (unit, format!("{name} is taken as {taken}: no angle of the attitude is above {TURN:.2}"))
             }
+            Dimension::Length if key == "height" && self.has_steps_of_feet() => (
+                "ft",
+                format!(
+                    "{name} is taken as ft: its values are multiples of {TRANSPONDER_FT}, as a transponder's are"
+                ),
+            ),
             Dimension::Length => ("", format!("{name} is taken as m: nothing states its unit")),
             Dimension::Speed => ("", format!("{name} is taken as m/s: nothing states its unit")),
             _ => return "",
         };
         self.doubt(doubt);
         unit
+    }
+
+    /// Whether the heights have the steps of a transponder.
+    fn has_steps_of_feet(&self) -> bool {
+        let heights = self.numbers("height").unwrap_or_default();
+        let mut different = heights.clone();
+        different.sort_by(f64::total_cmp);
+        different.dedup();
+        different.len() > FEW && heights.iter().all(|height| height % TRANSPONDER_FT == 0.0)
+    }
+
+    /// The rows of one vehicle, if a column tells several apart: of the one that has most.
+    fn only_one(&mut self) {
+        let grid = self.grid;
+        let letters = |name: &str| name.chars().filter(|letter| letter.is_alphanumeric()).collect::<String>();
+        let place_of =
+            |known: &&str| grid.names.iter().position(|name| letters(name).to_lowercase() == *known);
+        let Some(place) = VEHICLES.iter().find_map(place_of) else { return };
+        let mut cells: Vec<&str> = grid.cells(place).collect();
+        cells.sort_unstable();
+        let vehicles: Vec<&[&str]> = cells.chunk_by(|one, other| one == other).collect();
+        let Some(most) =
+            vehicles.iter().min_by_key(|rows| core::cmp::Reverse(rows.len())).filter(|_| vehicles.len() > 1)
+        else {
+            return;
+        };
+        let (column, only) = (&grid.names[place], most[0]);
+        self.doubt(format!(
+            "{} has {} vehicles: the rows of {} are read, which has most; only = ... takes another",
+            excerpt(column),
+            vehicles.len(),
+            excerpt(only)
+        ));
+        self.set("only_column", text_in_quotes(column));
+        self.set("only", text_in_quotes(only));
     }
 
     /// Quantities that come together, those that every flight has, and the repair of what is slow or lacks an attitude.
@@ -562,6 +626,8 @@ pub mod tests {
         assert!(
             survey(b"t,lat,lon,alt\n0,48,11,300\n10,48,11,300\n").unwrap().text.contains("unit = \"ms\"")
         );
+        let (found, log) = read("Zeit;Breite;Länge;Höhe;Rollwinkel\n0;48,5;11;300;1\n1;48,5005;11;300;1\n");
+        assert!(doubts(&found, "left out: roll") && log.samples()[1].time_s == 1.0, "{found:?}");
         let decimal_commas = "t;lat;lon;alt\n12:00:00,0;48;11;300\n12:00:00,1;48,00005;11;300\n";
         assert!((read(decimal_commas).1.duration_s() - 0.1).abs() < 1e-9);
     }
@@ -592,7 +658,7 @@ pub mod tests {
     #[test]
     fn what_is_not_whole_is_left_out() {
         let (found, log) =
-            read("Zeit;lat;lon;alt;speed;yaw\n0;48,5;11,25;300,5;50;90\n0,5;48,5;11,2503;300,5;50;90\n");
+            read("Moment;lat;lon;alt;speed;yaw\n0;48,5;11,25;300,5;50;90\n0,5;48,5;11,2503;300,5;50;90\n");
         assert!(
             (log.samples()[0].place.latitude_rad.to_degrees() - 48.5).abs() < 1e-9
                 && (log.duration_s() - 1.0).abs() < 1e-9
@@ -613,6 +679,43 @@ pub mod tests {
                 && log.samples()[0].v_n.is_some(),
             "{found:?}"
         );
+    }
+
+    #[test]
+    fn of_several_vehicles_one_is_read() {
+        let row = |k: u32, who: &str, latitude: f64| format!("{k},{who},{latitude},11,300\n");
+        let mut table = "time,icao24,lat,lon,altitude\n".to_owned();
+        for k in 0..10 {
+            table += &row(k, "ab12", 48.0 + f64::from(k) * 1e-3);
+            table += &if k < 8 { row(k, "cd34", 51.0) } else { String::new() };
+        }
+        let (found, log) = read(&table);
+        assert!(doubts(&found, "icao24 has 2 vehicles: the rows of ab12 are read"), "{found:?}");
+        assert_eq!(log.samples().len(), 10);
+        assert!(
+            log.notes()
+                .iter()
+                .any(|note| note.sentence == "8 rows of others are left out: icao24 is not ab12")
+        );
+        let (found, log) = read(&table.replace("cd34", "ab12"));
+        assert!(!found.text.contains("only"), "{found:?}");
+        let mut judge = crate::truth::judge::Judge::new(crate::earth::Earth::default(), 2000.0).unwrap();
+        log.judge(&mut judge, log.samples().len()).unwrap();
+        let late =
+            judge.findings().find(|finding| finding.kind == crate::truth::judge::Kind::TimeOrder).unwrap();
+        assert_eq!((late.count, late.level), (8, crate::truth::judge::Level::Doubtful), "{late}");
+    }
+
+    #[test]
+    fn heights_in_steps_of_a_transponder_are_feet() {
+        let table = |step: f64| {
+            let rows = (0..9)
+                .map(|k| format!("{k},{},11,{}\n", 48.0 + f64::from(k) * 1e-3, 9850.0 + f64::from(k) * step));
+            "t,lat,lon,alt\n".to_owned() + &rows.collect::<String>()
+        };
+        for (step, words) in [(25.0, "is taken as ft"), (20.0, "is taken as m"), (0.0, "is taken as m")] {
+            assert!(doubts(&survey(table(step).as_bytes()).unwrap(), words), "{step}");
+        }
     }
 
     #[test]

@@ -10,6 +10,9 @@ use crate::base::units::{DEG, STANDARD_GRAVITY as G};
 /// Blocks that a judgement needs.
 const LEAST: f64 = 9.0;
 
+/// Length of the mean direction of the track below which a flight goes in all directions.
+const ALL_ROUND: f64 = 0.3;
+
 /// What a heading may be instead: sign and factor.
 const HEADINGS: [(&str, f64); 4] = [
     ("", 1.0),
@@ -76,8 +79,8 @@ pub(super) struct Attitudes {
     count: f64,
     track: Direction,
     headings: [Direction; 4],
-    /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank².
-    turns: [f64; 4],
+    /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank², Σ pitch bank.
+    turns: [f64; 5],
     climb: Regression,
 }
 
@@ -87,7 +90,7 @@ impl Attitudes {
             count: 0.0,
             track: Direction::NONE,
             headings: [Direction::NONE; 4],
-            turns: [0.0; 4],
+            turns: [0.0; 5],
             climb: Regression::NONE,
         }
     }
@@ -117,7 +120,9 @@ impl Attitudes {
         let bank = atan(speed * turn / (0.5 * length_s) / G);
         if (5.0 * DEG..75.0 * DEG).contains(&bank.abs()) && sin_cos(pitch).1.abs() > 0.5 {
             let has_sign = f64::from(u8::from((roll < 0.0) == (bank < 0.0) && roll != 0.0));
-            for (sum, term) in self.turns.iter_mut().zip([1.0, has_sign, roll * bank, bank * bank]) {
+            for (sum, term) in
+                self.turns.iter_mut().zip([1.0, has_sign, roll * bank, bank * bank, pitch * bank])
+            {
                 *sum += term;
             }
         }
@@ -143,23 +148,29 @@ impl Attitudes {
         (best.0.length() / self.count > 0.9).then_some((as_it_is, Clue::Known(best.1.0)))
     }
 
-    /// Angle of the heading off the track [rad], if it is constant and large.
+    /// Angle of the heading off the track [rad], if it is constant and large. Wind makes no constant angle in a flight in all directions.
     pub fn heading_offset(&self) -> Option<f64> {
         let sum = &self.headings[0];
         let angle = atan2(sum.sine, sum.cosine);
-        let is_off = sum.length() / self.count > 0.9 && angle.abs() > 45.0 * DEG;
+        let least = if self.track.length() / self.count < ALL_ROUND { 5.0 } else { 45.0 };
+        let is_off = sum.length() / self.count > 0.9 && angle.abs() > least * DEG;
         (self.is_enough() && is_off).then_some(angle)
     }
 
-    /// Slope of the roll on the bank that the turns need, if it is wrong, and whether the sign is.
-    pub fn roll(&self) -> Option<(f64, bool)> {
-        let [count, with_sign, mixed, bank2] = self.turns;
+    /// Slope of the roll on the bank that the turns need, if it is wrong, and what explains it.
+    pub fn roll(&self) -> Option<(f64, Clue)> {
+        let [count, with_sign, mixed, bank2, of_pitch] = self.turns;
         if count < 6.0 {
             return None;
         }
         let slope = mixed / bank2;
         let is_opposite = slope < 0.0 && with_sign < 0.2 * count;
-        (is_opposite || !(0.1..=5.0).contains(&slope)).then_some((slope, is_opposite))
+        let clue = match (of_pitch / bank2).abs() {
+            0.6..1.6 if slope.abs() < 0.4 => Clue::Known("roll and pitch are exchanged"),
+            _ if is_opposite => Clue::Known("opposite sign"),
+            _ => Clue::None,
+        };
+        (clue != Clue::None || !(0.1..=5.0).contains(&slope)).then_some((slope, clue))
     }
 
     /// Slope of the pitch on the angle of the path, if the path varies: if the sign of pitch is wrong, or the height is in feet (true).

@@ -45,6 +45,7 @@ fn finding(kind: Kind, level: Level, figure: f64) -> Finding {
         acceleration_m_s2: 0.0,
         ins_error_m: 0.0,
         clue: Clue::None,
+        is_of_rows: false,
     }
 }
 
@@ -69,6 +70,11 @@ impl Judge {
             self.find_in_velocities(&mut found);
             if self.has_attitude {
                 self.find_in_attitudes(&mut found);
+            }
+        }
+        for finding in self.of_rows.iter().flatten() {
+            if !found.list.iter().flatten().any(|own| own.kind == finding.kind) {
+                found.add(*finding);
             }
         }
         let rank = |finding: &Option<Finding>| core::cmp::Reverse(finding.map(|finding| finding.level));
@@ -185,10 +191,14 @@ impl Judge {
         let limit = self.max_acceleration_m_s2;
         let (level, largest, clue) = if flown.value > limit {
             (Level::Unusable, flown, Clue::Limit(limit))
-        } else if self.has_velocity() || jump.value < MANOEUVRE_M_S2 {
-            return;
         } else {
-            (if jump.value > JOLT_M_S2 { Level::Doubtful } else { Level::Note }, jump, Clue::None)
+            // With velocities a jump of the positions is not flown, and theirs is.
+            let largest = if self.has_velocity() { flown } else { jump };
+            if largest.value < MANOEUVRE_M_S2 {
+                return;
+            }
+            let level = if largest.value > JOLT_M_S2 { Level::Doubtful } else { Level::Note };
+            (level, largest, Clue::None)
         };
         let own = finding(Kind::Acceleration, level, largest.value);
         found.add(Finding { at: largest.at, count: 1, clue, ..own });
@@ -276,8 +286,10 @@ impl Judge {
             found.add(finding(Kind::HeadingOffTrack, Level::Note, angle));
         }
         match attitudes.roll() {
-            Some((slope, true)) => found.add(finding(Kind::RollSign, Level::Unusable, slope)),
-            Some((slope, false)) => found.add(finding(Kind::RollUnexplained, Level::Note, slope)),
+            Some((slope, clue @ Clue::Known(_))) => {
+                found.add(Finding { clue, ..finding(Kind::RollSign, Level::Unusable, slope) });
+            }
+            Some((slope, _)) => found.add(finding(Kind::RollUnexplained, Level::Note, slope)),
             None => {}
         }
         match attitudes.pitch() {

@@ -120,17 +120,88 @@ pub struct Finding {
     /// Largest horizontal error of an INS with ideal sensors for it, during the flight; 0: none, or unknown [m].
     pub ins_error_m: f64,
     pub(super) clue: Clue,
+    /// Whether it is one of the rows of a smoothed path, and not flown: they were repaired, or are not used.
+    pub is_of_rows: bool,
 }
 
 struct WithRemedy(Finding);
 
 impl core::fmt::Display for WithRemedy {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "{}. Remedy: {}", self.0, self.0.remedy())
+        match self.0.is_of_rows {
+            true => write!(f, "{}: {}", self.0, self.0.repair()),
+            false => write!(f, "{}. Remedy: {}", self.0, self.0.remedy()),
+        }
     }
 }
 
+/// Share of the rows above which rows that are left out for their stamps are doubtful: they are no single packets that came late.
+const LATE_SHARE: f64 = 0.01;
+
 impl Finding {
+    /// `late` of `rows` rows were left out of a path because their stamps are not later than the one before; the first is `at`.
+    pub(crate) fn of_late_rows(late: u64, rows: u64, at: At) -> Self {
+        let is_doubtful = late as f64 > LATE_SHARE * rows as f64;
+        Self {
+            kind: Kind::TimeOrder,
+            level: if is_doubtful { Level::Doubtful } else { Level::Note },
+            at,
+            count: late,
+            figure: late as f64,
+            acceleration_m_s2: 0.0,
+            ins_error_m: 0.0,
+            clue: Clue::None,
+            is_of_rows: true,
+        }
+    }
+
+    /// It, found in the rows that a path was fitted to, at the sample `row` of the path: what the path does not have is a note.
+    pub(crate) fn of_rows(self, row: u64) -> Self {
+        let at = At { row, ..self.at };
+        let is_in_path = matches!(
+            self.kind,
+            Kind::TimeUnit
+                | Kind::VerticalUnit
+                | Kind::HeadingUnit
+                | Kind::HeadingOffTrack
+                | Kind::AngleThroughWrap
+                | Kind::RollSign
+                | Kind::RollUnexplained
+                | Kind::PitchSign
+                | Kind::AttackNegative
+                | Kind::HeightUnit
+        );
+        match is_in_path {
+            true => Self { at, ..self },
+            false => Self {
+                level: Level::Note,
+                acceleration_m_s2: 0.0,
+                ins_error_m: 0.0,
+                is_of_rows: true,
+                at,
+                ..self
+            },
+        }
+    }
+
+    /// What was done about it in the rows of a smoothed path.
+    fn repair(&self) -> &'static str {
+        match self.kind {
+            Kind::TimeOrder if self.level > Level::Note => {
+                "these rows are left out; are they those of another vehicle, or of another flight?"
+            }
+            Kind::TimeOrder | Kind::NearStamps | Kind::HeldRows | Kind::NotYetFixed => {
+                "these rows are left out"
+            }
+            Kind::Gaps => "the path bridges it",
+            Kind::NoisyVelocities
+            | Kind::VelocityUnit
+            | Kind::VelocityContradicts
+            | Kind::VelocityAtTimes => "it is not flown, the velocity of the path is",
+            _ => "smoothed",
+        }
+    }
+
     /// It as a sentence, and what to do about it.
     pub fn with_remedy(&self) -> impl core::fmt::Display {
         WithRemedy(*self)

@@ -63,6 +63,8 @@ pub struct Judge {
     blocks: Blocks,
     wraps: [Wrap; 2],
     effect: Effect,
+    /// What was found in the rows of a smoothed path.
+    of_rows: [Option<Finding>; MAX_FINDINGS],
     /// A bit for each kind of finding that [`Self::new_doubts`] has given.
     given: u32,
 }
@@ -88,6 +90,7 @@ impl Judge {
             blocks: Blocks::new()?,
             wraps: [const { Wrap::new() }; 2],
             effect: Effect::new(),
+            of_rows: [None; MAX_FINDINGS],
             given: 0,
         })
     }
@@ -95,6 +98,13 @@ impl Judge {
     /// Passes over the attitudes of the samples: they are not those of the vehicle.
     pub fn ignore_attitude(&mut self) {
         self.has_attitude = false;
+    }
+
+    /// Adds what was found in the rows that the samples are a smoothed path of.
+    pub(crate) fn add_of_rows(&mut self, findings: impl Iterator<Item = Finding>) {
+        for (place, finding) in self.of_rows.iter_mut().zip(findings) {
+            *place = Some(finding);
+        }
     }
 
     /// The step of which all heights are multiples [m]; 0: none.

@@ -94,10 +94,14 @@ impl fmt::Display for Finding {
                 )?;
                 if self.count > 1 { write!(f, " ({} times)", self.count) } else { Ok(()) }
             }
-            (Kind::RollSign, _) => write!(
+            (Kind::RollSign, Clue::Known("opposite sign")) => write!(
                 f,
                 "roll has the opposite sign of the turns (slope {figure}): positive is right wing down"
             ),
+            (Kind::RollSign, clue) => {
+                write!(f, "roll does not explain the turns (slope {figure}), and pitch does")?;
+                known(f, &clue)
+            }
             (Kind::RollUnexplained, _) => {
                 write!(f, "roll does not explain the turns (slope {figure}, expected about 1)")
             }

@@ -21,6 +21,7 @@ use crate::base::math::{Euler, atan2, attitude_from_euler, euler_from_attitude, 
 use crate::base::memory::room;
 use crate::earth::{Earth, Geodetic};
 use crate::truth::FlightSample;
+use crate::truth::judge::Finding;
 use fit::{Curve, Samples};
 use rows::Rows;
 
@@ -67,6 +68,8 @@ pub struct Smoothed {
     pub left_out: u64,
     /// Whether the stamps were replaced by those of a steady clock.
     pub is_steady_clock: bool,
+    /// What was found in the rows.
+    pub findings: Vec<Finding>,
     /// Whether the attitude was assumed, see [`SmoothOptions::coordinated_attack_rad`].
     pub is_coordinated: bool,
 }
@@ -80,7 +83,7 @@ impl Smoothed {
         ] {
             sigma.map_or(Ok(()), |sigma| check_range(field, sigma, 1e-9, 1e4))?;
         }
-        let rows = rows::rows(earth, samples)?;
+        let rows = rows::rows(earth, samples, options.coordinated_attack_rad.is_none())?;
         let Rows { samples, times_s, .. } = &rows;
         let middle = samples[samples.len() / 2].place;
         let scale_m = earth.radii(sin_cos(middle.latitude_rad).0).transverse_m;
@@ -124,6 +127,7 @@ impl Smoothed {
             span_s,
             left_out: rows.left_out,
             is_steady_clock: rows.is_steady_clock,
+            findings: rows.findings,
             is_coordinated: options.coordinated_attack_rad.is_some(),
         })
     }

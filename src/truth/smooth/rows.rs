@@ -4,7 +4,7 @@ use crate::base::error::{Error, Rule};
 use crate::base::memory::room;
 use crate::earth::Earth;
 use crate::truth::FlightSample;
-use crate::truth::judge::{Judge, Kind};
+use crate::truth::judge::{Finding, Judge, Kind, MAX_FINDINGS};
 
 use super::fit::median;
 
@@ -31,11 +31,16 @@ pub(super) struct Rows {
     pub left_out: u64,
     /// The step of the heights [m]; 0: none.
     pub height_step_m: f64,
+    /// What was found in all rows.
+    pub findings: Vec<Finding>,
 }
 
 /// The rows of `samples`.
-pub(super) fn rows(earth: &Earth, samples: &[FlightSample]) -> Result<Rows, Error> {
+pub(super) fn rows(earth: &Earth, samples: &[FlightSample], has_attitude: bool) -> Result<Rows, Error> {
     let mut judge = Judge::new(*earth, f64::INFINITY)?;
+    if !has_attitude {
+        judge.ignore_attitude();
+    }
     for (index, sample) in samples.iter().enumerate() {
         judge.push(sample).map_err(|error| error.at(index))?;
     }
@@ -67,7 +72,10 @@ pub(super) fn rows(earth: &Earth, samples: &[FlightSample]) -> Result<Rows, Erro
         steady(&mut times_s)?;
     }
     let left_out = (samples.len() - list.len()) as u64;
-    Ok(Rows { samples: list, times_s, is_steady_clock, left_out, height_step_m: judge.height_step_m() })
+    let mut findings = room(MAX_FINDINGS)?;
+    findings.extend(judge.findings());
+    let height_step_m = judge.height_step_m();
+    Ok(Rows { samples: list, times_s, is_steady_clock, left_out, height_step_m, findings })
 }
 
 /// The usual interval of `samples` [s].
@@ -97,8 +105,27 @@ fn fresh(earth: &Earth, samples: &[FlightSample], list: &mut Vec<FlightSample>) 
     let is_slow = held as f64 > HELD * count as f64 && length_m > 0.0;
     let mean = if count > 1 { speed(0, count - 1) } else { 0.0 };
     let reach = (count / 200).max(1);
-    let moves =
-        |k: usize| !is_slow || speed(k.saturating_sub(reach), (k + reach).min(count - 1)) > MOVING * mean;
+    // For each row, the one behind the run of equal positions that it belongs to, and the first of the run.
+    let mut run_of: Vec<[usize; 2]> = room(count)?;
+    let mut first = 0;
+    while first < count {
+        let next = (first + 1..count).find(|&k| !is_held(k)).unwrap_or(count);
+        run_of.extend((first..next).map(|_| [first, next.min(count - 1)]));
+        first = next;
+    }
+    // Fixes that froze end with the way that was made meanwhile. An outlier behind a rest is followed by the place of the rest.
+    let through_run = |[first, next]: [usize; 2]| {
+        let way_m = |k: usize| {
+            let (way, _) = earth.displacement(&samples[first].place, &samples[k.min(count - 1)].place);
+            way.norm_squared().sqrt()
+        };
+        let time_s = samples[next].time_s - samples[first].time_s;
+        if time_s > 0.0 { way_m(next).min(way_m(next + 1)) / time_s } else { 0.0 }
+    };
+    let moves = |k: usize| {
+        let near = speed(k.saturating_sub(reach), (k + reach).min(count - 1));
+        !is_slow || near > MOVING * mean || through_run(run_of[k]) > MOVING * mean
+    };
     // The interval of the receiver.
     let mut fresh_s: Vec<f64> = room(count)?;
     if is_slow {

@@ -257,6 +257,14 @@ fn attitudes_of_another_sign_or_unit_are_found() {
     // The fighter is inverted half of its time: its roll does not explain the turns.
     let roll = of_each(Kind::RollSign, Level::Unusable, &|sample| sample.euler.roll *= -1.0);
     assert_eq!(roll, ["fighter_aerobatics"]);
+    let exchanged = of_each(Kind::RollSign, Level::Unusable, &|sample| {
+        let euler = &mut sample.euler;
+        (euler.roll, euler.pitch) = (euler.pitch, euler.roll);
+    });
+    assert_eq!(exchanged, ["aerobatics"]);
+    // Those that fly in all directions.
+    let magnetic = of_each(Kind::HeadingOffTrack, Level::Note, &|sample| sample.euler.heading -= 9.0 * DEG);
+    assert_eq!(magnetic, ["commuter", "airliner_cruise"]);
     // Those that are nearly level.
     let pitch = of_each(Kind::PitchSign, Level::Unusable, &|sample| sample.euler.pitch *= -1.0);
     assert_eq!(pitch, ["racetrack", "patrol", "airliner_cruise"]);

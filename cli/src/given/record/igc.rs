@@ -59,10 +59,15 @@ struct Fix {
 pub fn table(record: &[u8]) -> Result<(Rows, String), Fault> {
     let mut clock = Clock::new(&LogMapping { time_format: TimeFormat::Hms, ..LogMapping::default() });
     let (mut fixes, mut without_position, mut digits) = (Vec::new(), 0, Digits::default());
+    let mut gnss_above = "above the ellipsoid";
     for (bytes, line) in record.split(|byte| *byte == b'\n').zip(1..) {
         let record = String::from_utf8_lossy(bytes);
         if record.starts_with('I') {
             digits = Digits::of(&record);
+        }
+        // HFALG: what GNSS heights are above.
+        if record.starts_with("HFALG") && record.contains("GEO") {
+            gnss_above = "above the geoid, as the record says: set log.geoid if it matters";
         }
         if !record.starts_with('B') {
             continue;
@@ -89,12 +94,12 @@ pub fn table(record: &[u8]) -> Result<(Rows, String), Fault> {
         rows.push(line, time_s, &[latitude_deg, longitude_deg, height_m, pressure_m]);
     }
     let heights = match without_gnss {
-        0 => "heights of GNSS, above the ellipsoid".to_owned(),
+        0 => format!("heights of GNSS, {gnss_above}"),
         all if all == rows.count => {
             "pressure altitudes as heights, because those of GNSS are 0 or missing".to_owned()
         }
         some => format!(
-            "heights of GNSS, above the ellipsoid; {some} of them are 0 or missing: there the change of the pressure altitude continues them"
+            "heights of GNSS, {gnss_above}; {some} of them are 0 or missing: there the change of the pressure altitude continues them"
         ),
     };
     let left_out = left_out(&[(without_position, "without a position (V)")]);

@@ -6,7 +6,7 @@ mod igc;
 use std::io::Read;
 use std::path::Path;
 
-use sins::scene::log::LogMapping;
+use sins::scene::log::{LogMapping, decoded};
 use sins::scene::{GPX, IGC, foreign};
 
 use super::file::{BEGIN, open};
@@ -27,12 +27,13 @@ type Fault = (u64, String);
 impl Table {
     /// The table of a file: the file itself, or what a flight record holds.
     pub fn of_file(path: &Path, file: Vec<u8>) -> Result<Self, Failure> {
-        let read = match foreign(&file) {
+        let text = decoded(&file).map_err(|error| Failure::of_file(path, &error))?;
+        let read = match foreign(text.as_bytes()) {
             Some(IGC) => igc::table,
             Some(GPX) => gpx::table,
             _ => return Ok(Self { text: file, note: None }),
         };
-        let (rows, note) = read(&file).map_err(|(line, sentence)| match line {
+        let (rows, note) = read(text.as_bytes()).map_err(|(line, sentence)| match line {
             0 => Failure::of_file(path, &sentence),
             line => Failure::of_line(path, line, &sentence),
         })?;
@@ -54,7 +55,7 @@ pub fn is_record(path: &Path) -> bool {
     let mut begin = Vec::new();
     let is_read =
         path.is_file() && open(path).is_ok_and(|file| file.take(BEGIN).read_to_end(&mut begin).is_ok());
-    is_read && matches!(foreign(&begin), Some(IGC | GPX))
+    is_read && decoded(&begin).is_ok_and(|text| matches!(foreign(text.as_bytes()), Some(IGC | GPX)))
 }
 
 /// The rows of a table. Each stands on the line of its fix in the file, so that messages about a row have the line of the file; where
