@@ -167,3 +167,23 @@ fn the_library_has_its_digests() {
     println!("{words}");
     assert!(output.status.success(), "{words}{}", String::from_utf8_lossy(&output.stderr));
 }
+
+/// The page about the files of a flight has each column that a flight with everything writes.
+#[test]
+fn every_column_has_its_place_in_the_docs() {
+    let folder = folder("documented");
+    let scene = project_file("c_examples/scenes/day.toml").display().to_string();
+    let order = ["fly", &scene, "-q", "--hours", "0.01", "--imu", "imu.csv", "--bus", "bus.csv"];
+    done(&folder, &[&order[..], &["--name", "f", "--set", "options.covariance=on"]].concat());
+    let page = read(project_file("docs/records.md"));
+    let mut count = 0;
+    for file in ["f.csv", "f_unit.csv", "imu.csv", "bus.csv"] {
+        for column in read(folder.join("sins_out").join(file)).lines().next().unwrap().split(',') {
+            assert!(page.contains(&format!("`{column}`")), "{file}: {column}");
+            count += 1;
+        }
+    }
+    assert_eq!(count, 51 + 9 + 5 + 10 + 6);
+    let summary = read(folder.join("sins_out/f_summary.csv"));
+    assert!(page.contains(&format!("`{}`", summary.lines().next().unwrap())));
+}
