@@ -57,6 +57,10 @@ const TEXTS: [(&str, &str); 6] = [
     ("name", "patrol"),
 ];
 
+/// Numbers that are arguments, and that 0 is not.
+const NUMBERS: [(&str, &str); 4] =
+    [("grade", "SINS_GRADE_CONSUMER"), ("word", "0x600000cb"), ("radius_m", "1.0"), ("percent", "95.0")];
+
 /// Pointers that may be null, of all functions or of one.
 const MAY_BE_NULL: [(&str, &[&str]); 16] = [
     ("", &["written", "needed"]),
@@ -120,7 +124,7 @@ fn is_call_of(function: &Function, handle: &str) -> bool {
 }
 
 /// The struct or handle that a type points to.
-fn pointee(kind: &Type) -> Option<&str> {
+pub fn pointee(kind: &Type) -> Option<&str> {
     match kind {
         Type::Const(target) | Type::Mut(target) => match &**target {
             Type::Named(name) => Some(name),
@@ -131,7 +135,7 @@ fn pointee(kind: &Type) -> Option<&str> {
 }
 
 /// The handle that a function makes.
-fn made(kind: &Type) -> Option<&str> {
+pub fn made(kind: &Type) -> Option<&str> {
     if let Type::Mut(target) = kind { pointee(target) } else { None }
 }
 
@@ -150,7 +154,7 @@ fn null_calls(interface: &Interface) -> String {
                 lines += &format!(
                     "    EVERY_CALL({}({}));\n",
                     function.name,
-                    arguments(interface, function, Some(index))
+                    arguments(interface, function, Some((index, Replaced::Null)))
                 );
             }
         }
@@ -167,13 +171,32 @@ fn null_calls(interface: &Interface) -> String {
     )
 }
 
-/// The arguments of a call; null for that of the index `null`.
-fn arguments(interface: &Interface, function: &Function, null: Option<usize>) -> String {
+/// What stands for one argument of a call.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Replaced {
+    Null,
+    /// `pointer`, to one struct.
+    Pointer,
+}
+
+/// The arguments of a call, of which one may be replaced.
+pub fn arguments(interface: &Interface, function: &Function, replaced: Option<(usize, Replaced)>) -> String {
     let of = |index: usize| -> String {
         let argument = &function.arguments[index];
         let is_buffer = function.is_array(index);
-        if null == Some(index) {
-            return "NULL".to_owned();
+        match replaced {
+            Some((at, Replaced::Null)) if at == index => return "NULL".to_owned(),
+            Some((at, Replaced::Pointer)) if at == index => return "pointer".to_owned(),
+            Some((at, Replaced::Pointer)) if at + 1 == index && argument.kind == Type::Size => {
+                return "1".to_owned();
+            }
+            Some((_, Replaced::Pointer))
+                if pointee(&argument.kind) == Some("sins_sim")
+                    && may_be_null(&function.name, &argument.name) =>
+            {
+                return "NULL".to_owned();
+            }
+            _ => {}
         }
         if let Some(handle) = made(&argument.kind) {
             return format!("&made_{}", handle.trim_start_matches("sins_"));
@@ -219,15 +242,18 @@ fn arguments(interface: &Interface, function: &Function, null: Option<usize>) ->
                 _ => "0".to_owned(),
             },
             Type::Uint64 => "SCENE_FIRST_RUN".to_owned(),
-            Type::Double => "0.0".to_owned(),
-            _ => "0".to_owned(),
+            kind => {
+                let number =
+                    NUMBERS.iter().find(|(name, _)| *name == argument.name).map(|(_, number)| *number);
+                number.unwrap_or(if *kind == Type::Double { "0.0" } else { "0" }).to_owned()
+            }
         }
     };
     (0..function.arguments.len()).map(of).collect::<Vec<_>>().join(", ")
 }
 
 /// The variables that calls use, with their contents.
-fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
+pub fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
     let words: BTreeSet<&str> = calls.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let (mut declared, mut set) = (String::new(), String::new());
     for one in &interface.structs {
@@ -262,14 +288,18 @@ fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
     declared + &set
 }
 
+/// The function that destroys a handle.
+pub fn destroy(handle: &str) -> String {
+    if handle == "sins_sim" { "sins_destroy".to_owned() } else { format!("{handle}_destroy") }
+}
+
 /// Destroys what the calls made, but for handles that they lend.
 fn end(functions: &[&Function]) -> String {
     let mut text = String::new();
     let making = functions.iter().filter(|one| !one.name.contains("_get_"));
     for handle in making.flat_map(|one| &one.arguments).filter_map(|argument| made(&argument.kind)) {
         let noun = handle.trim_start_matches("sins_");
-        let destroy = if noun == "sim" { "sins_destroy".to_owned() } else { format!("{handle}_destroy") };
-        text += &format!("    CHECK(made_{noun} == NULL || {destroy}(made_{noun}) == SINS_OK);\n");
+        text += &format!("    CHECK(made_{noun} == NULL || {}(made_{noun}) == SINS_OK);\n", destroy(handle));
     }
     if functions.iter().any(|one| one.name == "sins_scene_prepare_ensemble") {
         text +=

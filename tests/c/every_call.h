@@ -477,9 +477,9 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *ju
     EVERY_CALL(sins_get_mounting(sim, NULL));
     EVERY_CALL(sins_set_gravity_disturbance(sim, NULL));
     EVERY_CALL(sins_get_gravity_disturbance(sim, NULL));
-    EVERY_CALL(sins_gyro_preset(0, NULL));
-    EVERY_CALL(sins_accel_preset(0, NULL));
-    EVERY_CALL(sins_initial_preset(0, NULL));
+    EVERY_CALL(sins_gyro_preset(SINS_GRADE_CONSUMER, NULL));
+    EVERY_CALL(sins_accel_preset(SINS_GRADE_CONSUMER, NULL));
+    EVERY_CALL(sins_initial_preset(SINS_GRADE_CONSUMER, NULL));
     EVERY_CALL(sins_get_imu_update(sim, 0, NULL));
     EVERY_CALL(sins_start_navigation(sim, NULL));
     EVERY_CALL(sins_push_imu(sim, NULL));
@@ -515,7 +515,7 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *ju
     EVERY_CALL(sins_bus_words(unit_status, NULL, bus_inputs, 0.0, 0.0, bus_word, 2, &size));
     EVERY_CALL(sins_bus_words(unit_status, unit_navigation, bus_inputs, 0.0, 0.0, bus_word, 2, NULL));
     EVERY_CALL(sins_bus_get_label(0, NULL));
-    EVERY_CALL(sins_bus_decode(0, 0, NULL));
+    EVERY_CALL(sins_bus_decode(0x600000cb, 0, NULL));
     EVERY_CALL(sins_ensemble_create(sim, SCENE_FIRST_RUN, 1, NULL));
     EVERY_CALL(sins_ensemble_push_sample(ensemble, NULL));
     EVERY_CALL(sins_ensemble_run(ensemble, NULL, 2));
@@ -534,8 +534,8 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *ju
     EVERY_CALL(sins_statistics_merge(statistics, NULL));
     EVERY_CALL(sins_statistics_figures(NULL, figures));
     EVERY_CALL(sins_statistics_figures(statistics, NULL));
-    EVERY_CALL(sins_meets(NULL, 0.0, 0.0, verdict));
-    EVERY_CALL(sins_meets(statistics, 0.0, 0.0, NULL));
+    EVERY_CALL(sins_meets(NULL, 1.0, 95.0, verdict));
+    EVERY_CALL(sins_meets(statistics, 1.0, 95.0, NULL));
     EVERY_CALL(sins_ensemble_snapshot_size(ensemble, NULL));
     EVERY_CALL(sins_ensemble_snapshot_save(ensemble, NULL, sizeof bytes, &size));
     EVERY_CALL(sins_ensemble_snapshot_load(ensemble, NULL, size));
