@@ -27,7 +27,14 @@ static inline void every_answer_is(const char *call, sins_status status, void *c
     CHECK(status == *(const sins_status *)context);
 }
 
+#ifndef EVERY_CALL
 #define EVERY_CALL(call) answer(#call, call, context)
+#endif
+
+/* A program with a small stack has `static` here. */
+#ifndef EVERY_CALL_STORAGE
+#define EVERY_CALL_STORAGE
+#endif
 ";
 
 /// Contents of structs that are not valid if they are zero, or that say more if they are not.
@@ -84,8 +91,10 @@ const MAY_BE_NULL: [(&str, &[&str]); 16] = [
 pub fn write(interface: &Interface) -> String {
     let mut text = HEAD.to_owned();
     for handle in &interface.handles {
-        let of_handle: Vec<&Function> =
+        let mut of_handle: Vec<&Function> =
             interface.functions.iter().filter(|one| is_call_of(one, handle)).collect();
+        // What reads and what sets stands first: after the others the state has changed.
+        of_handle.sort_by_key(|one| (!one.name.contains("_get_"), !one.name.contains("_set_")));
         let noun = handle.trim_start_matches("sins_");
         let name = if noun == "sim" { "every_call".to_owned() } else { format!("every_{noun}_call") };
         let other = match noun {
@@ -105,7 +114,30 @@ pub fn write(interface: &Interface) -> String {
             end(&of_handle)
         );
     }
-    text + &null_calls(interface) + "\n#endif\n"
+    text + &other_calls(interface) + &null_calls(interface) + "\n#endif\n"
+}
+
+/// The functions of no handle; those that need a simulator or a scene get it.
+fn other_calls(interface: &Interface) -> String {
+    let is_other = |one: &&Function| {
+        let is_of_handle = interface.handles.iter().any(|handle| is_call_of(one, handle));
+        let is_left_out = one.name.ends_with("destroy") || one.name.starts_with("sins_last_error");
+        !is_of_handle && !is_left_out && returns_status(one)
+    };
+    let mut lines = String::new();
+    for one in interface.functions.iter().filter(is_other) {
+        lines += &format!("    EVERY_CALL({}({}));\n", one.name, arguments(interface, one, None));
+        lines += &end(&[one]);
+    }
+    format!(
+        "\n/* All functions of no handle. */\nstatic inline void every_other_call(sins_sim *sim, sins_scene *scene, every_call_answer \
+         *answer, void *context)\n{{\n{}{lines}}}\n",
+        variables(interface, &lines, "other")
+    )
+}
+
+fn returns_status(function: &Function) -> bool {
+    function.result == Type::Named("sins_status".to_owned())
 }
 
 /// Whether this argument of this function may be null.
@@ -140,9 +172,7 @@ pub fn made(kind: &Type) -> Option<&str> {
 }
 
 fn null_calls(interface: &Interface) -> String {
-    let is_here = |one: &&Function| {
-        !one.name.starts_with("sins_last_error") && one.result == Type::Named("sins_status".to_owned())
-    };
+    let is_here = |one: &&Function| !one.name.starts_with("sins_last_error") && returns_status(one);
     let functions: Vec<&Function> = interface.functions.iter().filter(is_here).collect();
     let mut lines = String::new();
     for function in &functions {
@@ -205,6 +235,9 @@ pub fn arguments(interface: &Interface, function: &Function, replaced: Option<(u
             let noun = name.trim_start_matches("sins_");
             return match noun {
                 "log" if index > 0 => "NULL".to_owned(),
+                _ if function.arguments[..index].iter().any(|before| pointee(&before.kind) == Some(name)) => {
+                    format!("{noun} + 1")
+                }
                 _ => noun.to_owned(),
             };
         }
@@ -259,7 +292,7 @@ pub fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
     for one in &interface.structs {
         let name = one.name.trim_start_matches("sins_");
         if words.contains(name) {
-            declared += &format!("    {} {name}[2];\n", one.name);
+            declared += &format!("    EVERY_CALL_STORAGE {} {name}[2];\n", one.name);
             set += &format!("    SINS_INIT({name}[0]);\n    SINS_INIT({name}[1]);\n");
             let contents = CONTENTS.iter().filter(|(of, _)| *of == name);
             set.extend(contents.map(|(_, contents)| format!("    {contents}\n")));
@@ -276,7 +309,7 @@ pub fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
     }
     let size = if noun == "sim" { "SINS_SNAPSHOT_MAX_SIZE" } else { "SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE" };
     for (name, line) in [
-        ("bytes", format!("unsigned char bytes[{size}] = \"\";")),
+        ("bytes", format!("EVERY_CALL_STORAGE unsigned char bytes[{size}] = \"\";")),
         ("size", "size_t size = 0;".to_owned()),
         ("word", "uint64_t word = 0;".to_owned()),
         ("numbers", "double numbers[6] = {0.0};".to_owned()),

@@ -11,29 +11,29 @@
 /* First the structs that functions write: the calls behind them change what the handles stand for. */
 static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *judge, sins_unit *unit, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, sins_play *play)
 {
-    sins_options options[2];
-    sins_flight_sample flight_sample[2];
-    sins_covariance covariance[2];
-    sins_record record[2];
-    sins_flight_start flight_start[2];
-    sins_manoeuvre manoeuvre[2];
-    sins_requirement requirement[2];
-    sins_cost cost[2];
-    sins_budget_request budget_request[2];
-    sins_budget_row budget_row[2];
-    sins_budget budget[2];
-    sins_unit_status unit_status[2];
-    sins_unit_navigation unit_navigation[2];
-    sins_bus_inputs bus_inputs[2];
-    sins_bus_word bus_word[2];
-    sins_statistics statistics[2];
-    sins_figures figures[2];
-    sins_verdict verdict[2];
+    EVERY_CALL_STORAGE sins_options options[2];
+    EVERY_CALL_STORAGE sins_flight_sample flight_sample[2];
+    EVERY_CALL_STORAGE sins_covariance covariance[2];
+    EVERY_CALL_STORAGE sins_record record[2];
+    EVERY_CALL_STORAGE sins_flight_start flight_start[2];
+    EVERY_CALL_STORAGE sins_manoeuvre manoeuvre[2];
+    EVERY_CALL_STORAGE sins_requirement requirement[2];
+    EVERY_CALL_STORAGE sins_cost cost[2];
+    EVERY_CALL_STORAGE sins_budget_request budget_request[2];
+    EVERY_CALL_STORAGE sins_budget_row budget_row[2];
+    EVERY_CALL_STORAGE sins_budget budget[2];
+    EVERY_CALL_STORAGE sins_unit_status unit_status[2];
+    EVERY_CALL_STORAGE sins_unit_navigation unit_navigation[2];
+    EVERY_CALL_STORAGE sins_bus_inputs bus_inputs[2];
+    EVERY_CALL_STORAGE sins_bus_word bus_word[2];
+    EVERY_CALL_STORAGE sins_statistics statistics[2];
+    EVERY_CALL_STORAGE sins_figures figures[2];
+    EVERY_CALL_STORAGE sins_verdict verdict[2];
     sins_sim *made_sim = NULL;
     sins_flight *made_flight = NULL;
     sins_judge *made_judge = NULL;
     sins_unit *made_unit = NULL;
-    unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
+    EVERY_CALL_STORAGE unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
     size_t size = 0;
     uint64_t word = 0;
     double numbers[6] = {0.0};
@@ -165,7 +165,7 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     INPUT_SIZES(sins_flight_sample, sins_ensemble_reposition(ensemble, pointer));
     INPUT_SIZES(sins_failure, sins_ensemble_set_failure(ensemble, 0, 0, pointer));
     INPUT_SIZES(sins_correction, sins_ensemble_correct(ensemble, SCENE_FIRST_RUN, pointer));
-    INPUT_SIZES(sins_statistics, sins_statistics_merge(pointer, statistics));
+    INPUT_SIZES(sins_statistics, sins_statistics_merge(pointer, statistics + 1));
     INPUT_SIZES(sins_statistics, sins_statistics_merge(statistics, pointer));
     INPUT_SIZES(sins_statistics, sins_statistics_figures(pointer, figures));
     INPUT_SIZES(sins_statistics, sins_meets(pointer, 1.0, 95.0, verdict));

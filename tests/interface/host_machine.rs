@@ -53,7 +53,7 @@ fn every_function_and_struct_is_in_the_programs() {
         if !['(', ')', ','].iter().any(|behind| wrapper.contains(&format!("{name}{behind}"))) {
             missing.push(format!("{name} in sins.hpp"));
         }
-        if !stack.contains(&format!("{name}(")) {
+        if ![&stack, &calls].iter().any(|program| program.contains(&format!("{name}("))) {
             missing.push(format!("{name} in stack.c"));
         }
         if !fuzzed.iter().any(|source| source.contains(&format!("{name}("))) {
