@@ -20,6 +20,8 @@ mod c_functions;
 mod c_header;
 #[path = "build/c_layout.rs"]
 mod c_layout;
+#[path = "build/c_struct_calls.rs"]
+mod c_struct_calls;
 #[path = "build/c_types.rs"]
 mod c_types;
 #[path = "build/enumerations.rs"]

@@ -27,7 +27,14 @@ static inline void every_answer_is(const char *call, sins_status status, void *c
     CHECK(status == *(const sins_status *)context);
 }
 
+#ifndef EVERY_CALL
 #define EVERY_CALL(call) answer(#call, call, context)
+#endif
+
+/* A program with a small stack has `static` here. */
+#ifndef EVERY_CALL_STORAGE
+#define EVERY_CALL_STORAGE
+#endif
 ";
 
 /// Contents of structs that are not valid if they are zero, or that say more if they are not.
@@ -57,6 +64,10 @@ const TEXTS: [(&str, &str); 6] = [
     ("name", "patrol"),
 ];
 
+/// Numbers that are arguments, and that 0 is not.
+const NUMBERS: [(&str, &str); 4] =
+    [("grade", "SINS_GRADE_CONSUMER"), ("word", "0x600000cb"), ("radius_m", "1.0"), ("percent", "95.0")];
+
 /// Pointers that may be null, of all functions or of one.
 const MAY_BE_NULL: [(&str, &[&str]); 16] = [
     ("", &["written", "needed"]),
@@ -80,8 +91,10 @@ const MAY_BE_NULL: [(&str, &[&str]); 16] = [
 pub fn write(interface: &Interface) -> String {
     let mut text = HEAD.to_owned();
     for handle in &interface.handles {
-        let of_handle: Vec<&Function> =
+        let mut of_handle: Vec<&Function> =
             interface.functions.iter().filter(|one| is_call_of(one, handle)).collect();
+        // What reads and what sets stands first: after the others the state has changed.
+        of_handle.sort_by_key(|one| (!one.name.contains("_get_"), !one.name.contains("_set_")));
         let noun = handle.trim_start_matches("sins_");
         let name = if noun == "sim" { "every_call".to_owned() } else { format!("every_{noun}_call") };
         let other = match noun {
@@ -101,7 +114,30 @@ pub fn write(interface: &Interface) -> String {
             end(&of_handle)
         );
     }
-    text + &null_calls(interface) + "\n#endif\n"
+    text + &other_calls(interface) + &null_calls(interface) + "\n#endif\n"
+}
+
+/// The functions of no handle; those that need a simulator or a scene get it.
+fn other_calls(interface: &Interface) -> String {
+    let is_other = |one: &&Function| {
+        let is_of_handle = interface.handles.iter().any(|handle| is_call_of(one, handle));
+        let is_left_out = one.name.ends_with("destroy") || one.name.starts_with("sins_last_error");
+        !is_of_handle && !is_left_out && returns_status(one)
+    };
+    let mut lines = String::new();
+    for one in interface.functions.iter().filter(is_other) {
+        lines += &format!("    EVERY_CALL({}({}));\n", one.name, arguments(interface, one, None));
+        lines += &end(&[one]);
+    }
+    format!(
+        "\n/* All functions of no handle. */\nstatic inline void every_other_call(sins_sim *sim, sins_scene *scene, every_call_answer \
+         *answer, void *context)\n{{\n{}{lines}}}\n",
+        variables(interface, &lines, "other")
+    )
+}
+
+fn returns_status(function: &Function) -> bool {
+    function.result == Type::Named("sins_status".to_owned())
 }
 
 /// Whether this argument of this function may be null.
@@ -120,7 +156,7 @@ fn is_call_of(function: &Function, handle: &str) -> bool {
 }
 
 /// The struct or handle that a type points to.
-fn pointee(kind: &Type) -> Option<&str> {
+pub fn pointee(kind: &Type) -> Option<&str> {
     match kind {
         Type::Const(target) | Type::Mut(target) => match &**target {
             Type::Named(name) => Some(name),
@@ -131,14 +167,12 @@ fn pointee(kind: &Type) -> Option<&str> {
 }
 
 /// The handle that a function makes.
-fn made(kind: &Type) -> Option<&str> {
+pub fn made(kind: &Type) -> Option<&str> {
     if let Type::Mut(target) = kind { pointee(target) } else { None }
 }
 
 fn null_calls(interface: &Interface) -> String {
-    let is_here = |one: &&Function| {
-        !one.name.starts_with("sins_last_error") && one.result == Type::Named("sins_status".to_owned())
-    };
+    let is_here = |one: &&Function| !one.name.starts_with("sins_last_error") && returns_status(one);
     let functions: Vec<&Function> = interface.functions.iter().filter(is_here).collect();
     let mut lines = String::new();
     for function in &functions {
@@ -150,7 +184,7 @@ fn null_calls(interface: &Interface) -> String {
                 lines += &format!(
                     "    EVERY_CALL({}({}));\n",
                     function.name,
-                    arguments(interface, function, Some(index))
+                    arguments(interface, function, Some((index, Replaced::Null)))
                 );
             }
         }
@@ -167,13 +201,32 @@ fn null_calls(interface: &Interface) -> String {
     )
 }
 
-/// The arguments of a call; null for that of the index `null`.
-fn arguments(interface: &Interface, function: &Function, null: Option<usize>) -> String {
+/// What stands for one argument of a call.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Replaced {
+    Null,
+    /// `pointer`, to one struct.
+    Pointer,
+}
+
+/// The arguments of a call, of which one may be replaced.
+pub fn arguments(interface: &Interface, function: &Function, replaced: Option<(usize, Replaced)>) -> String {
     let of = |index: usize| -> String {
         let argument = &function.arguments[index];
         let is_buffer = function.is_array(index);
-        if null == Some(index) {
-            return "NULL".to_owned();
+        match replaced {
+            Some((at, Replaced::Null)) if at == index => return "NULL".to_owned(),
+            Some((at, Replaced::Pointer)) if at == index => return "pointer".to_owned(),
+            Some((at, Replaced::Pointer)) if at + 1 == index && argument.kind == Type::Size => {
+                return "1".to_owned();
+            }
+            Some((_, Replaced::Pointer))
+                if pointee(&argument.kind) == Some("sins_sim")
+                    && may_be_null(&function.name, &argument.name) =>
+            {
+                return "NULL".to_owned();
+            }
+            _ => {}
         }
         if let Some(handle) = made(&argument.kind) {
             return format!("&made_{}", handle.trim_start_matches("sins_"));
@@ -182,6 +235,9 @@ fn arguments(interface: &Interface, function: &Function, null: Option<usize>) ->
             let noun = name.trim_start_matches("sins_");
             return match noun {
                 "log" if index > 0 => "NULL".to_owned(),
+                _ if function.arguments[..index].iter().any(|before| pointee(&before.kind) == Some(name)) => {
+                    format!("{noun} + 1")
+                }
                 _ => noun.to_owned(),
             };
         }
@@ -219,21 +275,24 @@ fn arguments(interface: &Interface, function: &Function, null: Option<usize>) ->
                 _ => "0".to_owned(),
             },
             Type::Uint64 => "SCENE_FIRST_RUN".to_owned(),
-            Type::Double => "0.0".to_owned(),
-            _ => "0".to_owned(),
+            kind => {
+                let number =
+                    NUMBERS.iter().find(|(name, _)| *name == argument.name).map(|(_, number)| *number);
+                number.unwrap_or(if *kind == Type::Double { "0.0" } else { "0" }).to_owned()
+            }
         }
     };
     (0..function.arguments.len()).map(of).collect::<Vec<_>>().join(", ")
 }
 
 /// The variables that calls use, with their contents.
-fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
+pub fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
     let words: BTreeSet<&str> = calls.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let (mut declared, mut set) = (String::new(), String::new());
     for one in &interface.structs {
         let name = one.name.trim_start_matches("sins_");
         if words.contains(name) {
-            declared += &format!("    {} {name}[2];\n", one.name);
+            declared += &format!("    EVERY_CALL_STORAGE {} {name}[2];\n", one.name);
             set += &format!("    SINS_INIT({name}[0]);\n    SINS_INIT({name}[1]);\n");
             let contents = CONTENTS.iter().filter(|(of, _)| *of == name);
             set.extend(contents.map(|(_, contents)| format!("    {contents}\n")));
@@ -250,7 +309,7 @@ fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
     }
     let size = if noun == "sim" { "SINS_SNAPSHOT_MAX_SIZE" } else { "SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE" };
     for (name, line) in [
-        ("bytes", format!("unsigned char bytes[{size}] = \"\";")),
+        ("bytes", format!("EVERY_CALL_STORAGE unsigned char bytes[{size}] = \"\";")),
         ("size", "size_t size = 0;".to_owned()),
         ("word", "uint64_t word = 0;".to_owned()),
         ("numbers", "double numbers[6] = {0.0};".to_owned()),
@@ -262,14 +321,18 @@ fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
     declared + &set
 }
 
+/// The function that destroys a handle.
+pub fn destroy(handle: &str) -> String {
+    if handle == "sins_sim" { "sins_destroy".to_owned() } else { format!("{handle}_destroy") }
+}
+
 /// Destroys what the calls made, but for handles that they lend.
 fn end(functions: &[&Function]) -> String {
     let mut text = String::new();
     let making = functions.iter().filter(|one| !one.name.contains("_get_"));
     for handle in making.flat_map(|one| &one.arguments).filter_map(|argument| made(&argument.kind)) {
         let noun = handle.trim_start_matches("sins_");
-        let destroy = if noun == "sim" { "sins_destroy".to_owned() } else { format!("{handle}_destroy") };
-        text += &format!("    CHECK(made_{noun} == NULL || {destroy}(made_{noun}) == SINS_OK);\n");
+        text += &format!("    CHECK(made_{noun} == NULL || {}(made_{noun}) == SINS_OK);\n", destroy(handle));
     }
     if functions.iter().any(|one| one.name == "sins_scene_prepare_ensemble") {
         text +=

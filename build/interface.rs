@@ -8,7 +8,9 @@ use std::path::Path;
 use super::c_header;
 use super::model::Interface;
 use super::template::{Source, Template};
-use super::{ada, c_calls, c_functions, c_layout, fortran, javascript, own, python, typescript};
+use super::{
+    ada, c_calls, c_functions, c_layout, c_struct_calls, fortran, javascript, own, python, typescript,
+};
 
 /// The headers. Each includes those above it whose types it uses.
 const HEADERS: [(&str, &str); 6] = [
@@ -83,10 +85,11 @@ fn headers(_: &[Template], interface: &Interface, _: &[Source], _: &Path) -> Vec
     tables(interface).into()
 }
 
-fn tables(interface: &Interface) -> [Output; 3] {
+fn tables(interface: &Interface) -> [Output; 4] {
     [
         ("include/sins_functions.h", c_functions::write(interface)),
         ("tests/c/every_call.h", c_calls::write(interface)),
+        ("tests/c/every_struct.h", c_struct_calls::write(interface)),
         ("tests/c/layout.c", c_layout::write(interface)),
     ]
 }

@@ -5,7 +5,7 @@ use core::slice::{from_mut, from_ref};
 use nalgebra::Vector3;
 
 use super::effects::{
-    BatchOutputs, Conditions, Count, EffectPlace, Effects, From, Into, Outputs, SharedInput, StateRows,
+    BatchOutputs, Conditions, Count, EffectPlace, Effects, Outputs, PutLane, SharedInput, StateRows, TakeLane,
 };
 use super::failing::FailingTriad;
 use super::failure::{Axis, Failure, SensorOutput};
@@ -235,12 +235,12 @@ impl Triad {
 
     /// Copies the states of this run into a lane.
     pub(crate) fn put_into(&mut self, rows: &mut StateRows, lane: usize) {
-        self.effects.visit(&mut Into { rows, lane, next: Count::default() });
+        self.effects.visit(&mut PutLane { rows, lane, next: Count::default() });
     }
 
     /// Copies the states of this run from a lane.
     pub(crate) fn take_from(&mut self, rows: &StateRows, lane: usize) {
-        self.effects.visit(&mut From { rows, lane, next: Count::default() });
+        self.effects.visit(&mut TakeLane { rows, lane, next: Count::default() });
     }
 
     /// Takes over the states of the failures of another run, which has the same failures.

@@ -46,7 +46,7 @@ pub(super) enum LastInterval {
     /// No interval was flown yet.
     None,
     /// The increments of the interval are in the chain.
-    Flown {
+    InParts {
         time_s: f64,
         interval_s: f64,
         /// The INS navigated on the ideal increments.
@@ -56,9 +56,9 @@ pub(super) enum LastInterval {
         flags: ImuFlags,
         vertical_unaided: bool,
     },
-    /// The ideal increments are known as their sum only, as a snapshot stores them. The increments on which the INS navigated are in the
-    /// chain, in an ensemble their sum alone.
-    Loaded { imu: ImuInterval, vertical_unaided: bool },
+    /// The ideal increments are known as their sum only, as a snapshot and an ensemble keep them. The increments on which the INS
+    /// navigated are in the chain, in an ensemble their sum alone.
+    Summed { imu: ImuInterval, vertical_unaided: bool },
 }
 
 impl LastInterval {
@@ -66,8 +66,8 @@ impl LastInterval {
     pub fn move_to(&mut self, now_s: f64) {
         match self {
             Self::None => {}
-            Self::Flown { time_s, .. } => *time_s = now_s,
-            Self::Loaded { imu, .. } => imu.time_s = now_s,
+            Self::InParts { time_s, .. } => *time_s = now_s,
+            Self::Summed { imu, .. } => imu.time_s = now_s,
         }
     }
 
@@ -75,8 +75,8 @@ impl LastInterval {
     pub fn length_s(&self) -> Option<f64> {
         match *self {
             Self::None => None,
-            Self::Flown { interval_s, .. } => Some(interval_s),
-            Self::Loaded { imu, .. } => Some(imu.interval_s),
+            Self::InParts { interval_s, .. } => Some(interval_s),
+            Self::Summed { imu, .. } => Some(imu.interval_s),
         }
     }
 
@@ -84,7 +84,7 @@ impl LastInterval {
     pub fn vertical_unaided(&self) -> Option<bool> {
         match *self {
             Self::None => None,
-            Self::Flown { vertical_unaided, .. } | Self::Loaded { vertical_unaided, .. } => {
+            Self::InParts { vertical_unaided, .. } | Self::Summed { vertical_unaided, .. } => {
                 Some(vertical_unaided)
             }
         }

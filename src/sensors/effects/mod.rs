@@ -42,7 +42,7 @@ use rows::{effects, for_active};
 pub(crate) use sense::SharedInput;
 use states::Aside;
 pub(crate) use states::StateRows;
-pub(super) use states::{Count, From, Into, States, Visitor};
+pub(super) use states::{Count, PutLane, States, TakeLane, Visitor};
 
 pub(crate) use flicker::PROCESSES as FLICKER_PROCESSES;
 pub(crate) use gauss_markov::MarkovStep;

@@ -80,13 +80,13 @@ impl Count {
 }
 
 /// Copies constants, numbers and streams into a lane.
-pub(in crate::sensors) struct Into<'a> {
+pub(in crate::sensors) struct PutLane<'a> {
     pub rows: &'a mut StateRows,
     pub lane: usize,
     pub next: Count,
 }
 
-impl Visitor for Into<'_> {
+impl Visitor for PutLane<'_> {
     fn constant(&mut self, number: &mut f64) {
         self.rows.constants[self.next.constants][self.lane] = *number;
         self.next.constant(number);
@@ -105,13 +105,13 @@ impl Visitor for Into<'_> {
 }
 
 /// Copies constants, numbers and streams from a lane.
-pub(in crate::sensors) struct From<'a> {
+pub(in crate::sensors) struct TakeLane<'a> {
     pub rows: &'a StateRows,
     pub lane: usize,
     pub next: Count,
 }
 
-impl Visitor for From<'_> {
+impl Visitor for TakeLane<'_> {
     fn constant(&mut self, number: &mut f64) {
         *number = self.rows.constants[self.next.constants][self.lane];
         self.next.constant(number);

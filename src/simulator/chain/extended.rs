@@ -133,7 +133,7 @@ impl Chain {
         };
         let vertical_unaided = self.options.vertical == VerticalMode::Free;
         self.views = Views::default();
-        self.last = LastInterval::Loaded { imu, vertical_unaided };
+        self.last = LastInterval::Summed { imu, vertical_unaided };
         self.conclude(motion, recent);
     }
 

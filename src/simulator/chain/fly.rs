@@ -126,7 +126,7 @@ impl Chain {
             Self::undo_imperfections(&self.options, self.disturbance.is_some(), imperfections);
             return Err(error);
         }
-        self.last = LastInterval::Flown {
+        self.last = LastInterval::InParts {
             time_s: next.time_s,
             interval_s: t,
             on_ideal,

@@ -169,16 +169,16 @@ impl Chain {
 
     pub fn ideal_increments(&self) -> &[Increment] {
         match self.last {
-            LastInterval::Flown { .. } => &self.signals.ideal[self.parts.clone()],
-            LastInterval::None | LastInterval::Loaded { .. } => &[],
+            LastInterval::InParts { .. } => &self.signals.ideal[self.parts.clone()],
+            LastInterval::None | LastInterval::Summed { .. } => &[],
         }
     }
 
     pub fn imu(&self) -> Option<ImuInterval> {
         match self.last {
             LastInterval::None => None,
-            LastInterval::Loaded { imu, .. } => Some(imu),
-            LastInterval::Flown { time_s, interval_s, on_ideal, measured, flags, .. } => {
+            LastInterval::Summed { imu, .. } => Some(imu),
+            LastInterval::InParts { time_s, interval_s, on_ideal, measured, flags, .. } => {
                 let (ideal, navigated) = self.signals.of(&self.parts, on_ideal);
                 let (ideal, compensated) = (Increment::sum(ideal), Increment::sum(navigated));
                 let measured = measured.unwrap_or(compensated);
@@ -199,8 +199,8 @@ impl Chain {
     fn flown_on(&self) -> &[Increment] {
         match self.last {
             LastInterval::None => &[],
-            LastInterval::Flown { on_ideal, .. } => self.signals.of(&self.parts, on_ideal).1,
-            LastInterval::Loaded { .. } => self.signals.of(&self.parts, false).1,
+            LastInterval::InParts { on_ideal, .. } => self.signals.of(&self.parts, on_ideal).1,
+            LastInterval::Summed { .. } => self.signals.of(&self.parts, false).1,
         }
     }
 

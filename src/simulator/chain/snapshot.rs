@@ -72,7 +72,7 @@ impl Stored for Chain {
         self.signals.measured[..count].load(from)?;
         self.parts = 0..count;
         let vertical_unaided = from.flag()?;
-        self.last = imu.map_or(LastInterval::None, |imu| LastInterval::Loaded { imu, vertical_unaided });
+        self.last = imu.map_or(LastInterval::None, |imu| LastInterval::Summed { imu, vertical_unaided });
         self.north_unknown = from.flag()?;
         self.block.as_mut_slice().load(from)?;
         self.disturbance.as_mut_slice().load(from)?;

@@ -82,7 +82,7 @@ impl Disturbed {
     /// Copies the run's gravity and error-free velocity into `chain`.
     pub fn give(&self, chain: &mut Chain) {
         chain.disturbance = Some(self.flown.disturbance);
-        if let LastInterval::Loaded { imu, .. } = &mut chain.last {
+        if let LastInterval::Summed { imu, .. } = &mut chain.last {
             imu.ideal.velocity = self.flown.velocity;
         }
     }

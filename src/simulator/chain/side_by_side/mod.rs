@@ -167,7 +167,7 @@ impl SideBySide {
         chain.error_model = batch.error_model(lane, &self.earth);
         chain.north_unknown = batch.north_unknown[lane];
         chain.compensation = batch.compensation(lane);
-        if let LastInterval::Loaded { imu, vertical_unaided } = &mut chain.last {
+        if let LastInterval::Summed { imu, vertical_unaided } = &mut chain.last {
             imu.measured = increment_of(&batch.state.measured, lane);
             imu.compensated = batch.navigated(lane);
             Report { flags: imu.flags, is_unaided: *vertical_unaided } = batch.state.reports[lane];
