@@ -127,7 +127,7 @@ impl Scene {
             conflicts.push(at_odds("log.comment", "must be a single mark, as #"));
         }
         if self.unit.start.is_none() && !self.panel.is_empty() {
-            conflicts.push(at_odds("unit.start", "must be off or nav: [[panel]] needs a unit"));
+            conflicts.push(at_odds("panel", "needs a unit: unit.start must be off or nav"));
         }
         if self.options.vertical != VerticalMode::Damped {
             if self.errors.altimeter != AltimeterParameters::default() {
