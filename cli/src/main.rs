@@ -32,6 +32,7 @@ mod scene;
 mod table;
 mod terminal;
 mod units;
+mod written;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

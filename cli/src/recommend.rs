@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use sins::analysis::recommend::{
-    MAX_SAMPLES, Motion, Piece as Figures, Recommendation, Requirement, Setup, SolutionError, recommend_by,
-    step_time_ns,
+    MAX_SAMPLES, Motion, Piece as Figures, Recommendation, Requirement, Rung, Setup, SolutionError,
+    recommend_by, step_time_ns,
 };
 use sins::math::{attitude_from_euler, relative_rotation, rotate_inverse, rotation_vector};
 use sins::truth::FlightSample;
@@ -84,7 +84,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         false => String::new(),
     };
     let judged = judged(&given, order, &pieces)?;
-    print(&(text(&given, &answer, &judged) + &timed))?;
+    let next = format!("next: `{}` flies with them\n", flight_with(&given, &answer.rung));
+    print(&(text(&given, &answer, &judged) + &timed + &next))?;
     if answer.met {
         return Ok(());
     }
@@ -98,7 +99,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
 /// Number of pairs of intervals at which a longer scene is searched for its hardest parts.
 const SEARCHED: usize = 300_000;
 /// Length of a piece of a longer scene [s].
-const PIECE_S: f64 = 60.0;
+pub const PIECE_S: f64 = 60.0;
 
 /// A part of the scene.
 struct Piece {
@@ -152,16 +153,23 @@ fn pieces(order: &Order, given: &Given) -> Result<Vec<Piece>, Failure> {
     if order.piece.is_some() || count <= MAX_SAMPLES || latest_s <= given.time_s(first) {
         return Ok(vec![Piece::new(given, first, last)?]);
     }
-    // In the middle of its piece.
+    let parts = hardest_parts(given, first, last)?;
+    parts.into_iter().map(|(first, last)| Piece::new(given, first, last)).collect()
+}
+
+/// First and last sample of the hardest parts of the scene between two samples that are more than a piece apart: one for the largest of
+/// each of [`HARD`], which is in its middle.
+pub fn hardest_parts(given: &Given, first: usize, last: usize) -> Result<Vec<(usize, usize)>, Failure> {
+    let latest_s = given.time_s(last) - PIECE_S;
     let begin_s = |at: usize| (given.time_s(at) - PIECE_S / 2.0).clamp(given.time_s(first), latest_s);
-    let mut parts = hardest(given, first, count)?.map(|(_, at)| {
-        let begin = given.index_at(begin_s(at)).min(end - 1);
+    let mut parts = hardest(given, first, last - first + 1)?.map(|(_, at)| {
+        let begin = given.index_at(begin_s(at)).min(last - 1);
         (begin, given.index_at(begin_s(at) + PIECE_S).clamp(begin + 1, begin + MAX_SAMPLES - 1))
     });
     parts.sort_unstable();
     let mut parts = parts.to_vec();
     parts.dedup();
-    parts.into_iter().map(|(first, last)| Piece::new(given, first, last)).collect()
+    Ok(parts)
 }
 
 /// What makes a part of the scene hard.
@@ -238,6 +246,19 @@ fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> Result<String, Fail
         if pieces.len() == 1 { "1 piece".to_owned() } else { format!("{} pieces", pieces.len()) },
         begins.join(", ")
     ))
+}
+
+/// The command that flies the scene with the options of `rung`.
+fn flight_with(given: &Given, rung: &Rung) -> String {
+    let scene = given.origin.trim_end_matches(" (built in)");
+    let (scheme, subsamples, updates) = (rung.scheme.word(), rung.subsamples, rung.updates_per_sample);
+    let settings = [
+        format!("scheme={scheme}"),
+        format!("subsamples={subsamples}"),
+        format!("updates_per_sample={updates}"),
+    ];
+    let settings = settings.map(|setting| format!(" --set options.{setting}")).concat();
+    format!("sins fly {scene}{settings}")
 }
 
 /// Text of the answer: the options as in a scene, and their remaining errors.

@@ -133,7 +133,7 @@ impl Scene {
             ));
         }
         if self.unit.start.is_none() && !self.panel.is_empty() {
-            conflicts.push(at_odds("unit.start", "must be off or nav: [[panel]] needs a unit"));
+            conflicts.push(at_odds("panel", "needs a unit: unit.start must be off or nav"));
         }
         if self.options.vertical != VerticalMode::Damped {
             if self.errors.altimeter != AltimeterParameters::default() {

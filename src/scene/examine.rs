@@ -8,7 +8,7 @@ use super::reader::{Item, Reader};
 use super::site::ValuePath;
 use super::table::KEYS;
 use super::value::put_back;
-use super::{BUILTIN_SCENES, Scene};
+use super::{BUILTIN_SCENES, FlightSource, Scene};
 use crate::base::error::{Error, ErrorKind, Value};
 
 impl Reader<'_> {
@@ -64,6 +64,7 @@ impl Reader<'_> {
             while let Err(error) = self.draft.validate(section) {
                 self.add_error(&error, &item);
                 let Some((index, _)) = item.of_field(error.field) else { break };
+                self.sections[section as usize].rejected.push(index);
                 if self.faults.are_many() || !put_back(&mut self.draft, &KEYS[index]) {
                     break;
                 }
@@ -88,10 +89,15 @@ impl Reader<'_> {
 
     /// Notes an error of the library at the key that set the field.
     pub(super) fn add_error(&mut self, error: &Error, item: &Item) {
+        self.add_error_with(error, item, "");
+    }
+
+    /// The same with the reason for the limit.
+    fn add_error_with(&mut self, error: &Error, item: &Item, why: &str) {
         let Some((index, span)) = item.of_field(error.field) else {
             let lacks_memory = error.kind == ErrorKind::OutOfMemory;
             let about = About { path: item.site.to_string(), lacks_memory, ..About::default() };
-            return self.faults.add_about(item.begin(), error.to_string(), about);
+            return self.faults.add_about(item.begin(), format!("{error}{why}"), about);
         };
         let (key, element) = (&KEYS[index], error.index);
         let count = if let Target::Numbers { shape, .. } = key.target { shape.count() } else { 1 };
@@ -103,7 +109,31 @@ impl Reader<'_> {
         // A value in SI may be beyond all numbers in a small unit.
         let value = error.value.map(Value::as_f64).filter(|value| value.is_finite());
         let about = About { path: path.to_string(), value, minimum, maximum, lacks_memory: false };
-        self.faults.add_about(span, key.sentence_of(&error), about);
+        self.faults.add_about(span, key.sentence_of(&error) + why, about);
+    }
+
+    /// Checks each manoeuvre of the text at the speed with which it begins. Behind a manoeuvre with a fault the speed is not known, so the
+    /// limits are the widest.
+    fn check_manoeuvres(&mut self, scene: &Scene) {
+        let FlightSource::Path(path) = &scene.flight else { return };
+        let is_known = !self.section(Section::Flight).lacks("speed_m_s");
+        let mut known_m_s = is_known.then_some(path.start.speed_m_s);
+        for (item, manoeuvre) in self.items.clone().iter().zip(&path.manoeuvres) {
+            if item.is_of_no_kind || !item.rejected.is_empty() {
+                known_m_s = None;
+                continue;
+            }
+            let speed_m_s = known_m_s.unwrap_or_else(|| manoeuvre.widest_speed_m_s());
+            match manoeuvre.validate(speed_m_s) {
+                Ok(()) => known_m_s = known_m_s.map(|speed_m_s| manoeuvre.speed_after(speed_m_s)),
+                Err(error) => {
+                    known_m_s = known_m_s.filter(|_| !manoeuvre.changes_speed());
+                    let why =
+                        manoeuvre.reason(&error, speed_m_s).map_or(String::new(), |why| format!(": {why}"));
+                    self.add_error_with(&error, item, &why);
+                }
+            }
+        }
     }
 
     /// Checks the flight, without integrating it.
@@ -130,6 +160,7 @@ impl Reader<'_> {
     pub(super) fn into_scene(mut self) -> Result<Scene, Vec<Fault>> {
         let scene = self.scene();
         self.check_conflicts(&scene);
+        self.check_manoeuvres(&scene);
         if self.faults.is_empty() {
             self.check_flight(&scene);
         }

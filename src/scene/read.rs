@@ -112,6 +112,9 @@ impl Reader<'_> {
                         }
                         let head = element.span();
                         self.place = [place, 0];
+                        if place == 0 {
+                            self.sections[section as usize] = Item::empty(section.into(), head.clone());
+                        }
                         match element.get_ref() {
                             DeValue::Table(item) if section == Section::Manoeuvre => {
                                 self.read_manoeuvre(head, item);
@@ -146,7 +149,7 @@ impl Reader<'_> {
 
     fn read_manoeuvre(&mut self, head: Span, section_table: &DeTable<'_>) {
         self.draft.manoeuvre = ManoeuvreFields::default();
-        let item = self.read_keys(Section::Manoeuvre, head.clone(), section_table);
+        let mut item = self.read_keys(Section::Manoeuvre, head.clone(), section_table);
         if let Some(DeValue::Array(sinusoids)) = section_table.get("sinusoid").map(|value| value.get_ref()) {
             for (place, sinusoid) in sinusoids.iter().enumerate() {
                 self.place[1] = place;
@@ -166,6 +169,8 @@ impl Reader<'_> {
             if kind != "sinusoids" && !self.draft.manoeuvre.sinusoids.terms().is_empty() {
                 self.faults.add(&head, format!("[[manoeuvre.sinusoid]]: {kind} has none"));
             }
+        } else {
+            item.is_of_no_kind = true;
         }
         if self.items.len() == MAX_MANOEUVRES {
             self.faults.add(&head, format!("[[manoeuvre]]: more than {MAX_MANOEUVRES}"));
@@ -231,8 +236,12 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the text sets all keys that the item in the draft requires; notes the first that it does not set.
+    /// Whether the text sets all keys that the item in the draft requires; notes the first that it does not set. What an item of an unknown
+    /// kind requires and uses is not known: it has one fault.
     fn has_all(&mut self, item: &Item) -> bool {
+        if ["kind", "sensor", "channel"].iter().any(|name| item.lacks(name)) {
+            return false;
+        }
         let section = item.site.section;
         let missing = table::of_section(section)
             .map(|(_, key)| key)

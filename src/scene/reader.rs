@@ -23,12 +23,16 @@ pub(super) struct Item {
     pub site: Site,
     pub head: Span,
     pub keys: Vec<(usize, Span)>,
+    /// The keys whose values were not taken, so that the draft has a default in their place.
+    pub rejected: Vec<usize>,
+    /// Whether its kind is missing or unknown.
+    pub is_of_no_kind: bool,
 }
 
 impl Item {
     /// One without keys.
     pub fn empty(site: Site, head: Span) -> Self {
-        Self { site, head, keys: Vec::new() }
+        Self { site, head, keys: Vec::new(), rejected: Vec::new(), is_of_no_kind: false }
     }
 
     /// Where it begins: its head, or its first key if settings alone make it.
@@ -39,6 +43,11 @@ impl Item {
     /// Where the key of `name` stands.
     pub fn key(&self, name: &str) -> Option<&Span> {
         self.keys.iter().find(|(index, _)| KEYS[*index].name == name).map(|(_, span)| span)
+    }
+
+    /// Whether the value of the key of `name` was not taken.
+    pub fn lacks(&self, name: &str) -> bool {
+        self.rejected.iter().any(|index| KEYS[*index].name == name)
     }
 
     /// The key of a field that an error names, and where the text sets it; else the head of the item.
@@ -96,6 +105,7 @@ impl Reader<'_> {
                 self.faults.name(&at.span(), site, Some(index));
                 self.faults.name(&value.span(), site, Some(index));
                 if let Err(sentence) = put(&mut self.draft, key, in_si, &Value::of(value.get_ref())) {
+                    item.rejected.push(index);
                     self.faults.add(&value.span(), sentence);
                 }
             }
@@ -115,7 +125,9 @@ impl Reader<'_> {
                 // A fault is one of the setting, not of the text that it changes.
                 item.keys.retain(|(other, _)| *other != index);
                 item.keys.push((index, setting.span.clone()));
+                item.rejected.retain(|other| *other != index);
                 if let Err(sentence) = put {
+                    item.rejected.push(index);
                     let about = About { path: setting.path.to_string(), ..About::default() };
                     self.faults.add_about(&setting.span, sentence, about);
                 }

@@ -324,8 +324,8 @@ fn what_does_not_go_together_is_told() {
     );
     one(
         &format!("{flight}[[panel]]\nkind = \"nav\"\nat_s = 3\n"),
-        1,
-        "unit.start: must be off or nav: [[panel]] needs a unit",
+        3,
+        "panel: needs a unit: unit.start must be off or nav",
     );
     one(
         &format!("{flight}[unit]\nerection_s = -3\n"),

@@ -27,7 +27,8 @@ pub struct Order {
     /// Folder of all outputs
     #[arg(short, long, value_name = "DIR", default_value = "sins_out/curve")]
     pub out: PathBuf,
-    /// Flies two minutes of each scene instead of an hour, with fewer repetitions
+    /// Flies two minutes of each test flight instead of an hour, with fewer repetitions. A scene of manoeuvres is judged by its hardest minutes, those
+    /// that `sins recommend` takes, whose errors are predicted for the whole of it
     #[arg(long)]
     quick: bool,
     /// Adds the instructions of a step from this file, which `benches/instructions.sh matrix` prints
@@ -49,7 +50,7 @@ pub struct Effort {
     pub sensor_runs: u64,
 }
 
-const FULL: Effort = Effort { duration_s: 3600.0, rounds: 31, sensor_runs: 8 };
+pub const FULL: Effort = Effort { duration_s: 3600.0, rounds: 31, sensor_runs: 8 };
 const QUICK: Effort = Effort { duration_s: 120.0, rounds: 5, sensor_runs: 4 };
 
 /// One of the flights, or all of them.

@@ -2,6 +2,7 @@
 
 use sins::Options;
 use sins::earth::Earth;
+use sins::truth::FlightSample;
 use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid, Sinusoids};
 
 use super::reference::Judge;
@@ -9,7 +10,7 @@ use super::scene::{Rate, Scene};
 use crate::failure::Failure;
 
 /// Rates at which the scenes are sampled [Hz]: each divides the first.
-const RATES_HZ: [u32; 6] = [400, 200, 100, 50, 20, 10];
+pub const RATES_HZ: [u32; 6] = [400, 200, 100, 50, 20, 10];
 
 /// The airliner's speed, in the cruise and across the pole [m/s].
 const CRUISE_M_S: f64 = 240.0;
@@ -49,7 +50,7 @@ impl Embedded {
         let (start, manoeuvres) = (self.plan)(duration_s);
         let flight = Flight::new(&start, &manoeuvres)?;
         let Self { name, title, highest_hz, .. } = *self;
-        Sampled { name, title, highest_hz, base: Options::default() }.scene(&flight, duration_s)
+        Sampled { name, title, highest_hz, base: Options::default() }.scene(&flight, 0.0, duration_s)
     }
 }
 
@@ -62,12 +63,13 @@ pub struct Sampled<'a> {
 }
 
 impl Sampled<'_> {
-    /// The scene of the first `duration_s` [s] of `flight`.
-    pub fn scene(&self, flight: &Flight, duration_s: f64) -> Result<Scene, Failure> {
+    /// The scene of the `duration_s` [s] of `flight` from `from_s` on, a multiple of the longest sample interval.
+    pub fn scene(&self, flight: &Flight, from_s: f64, duration_s: f64) -> Result<Scene, Failure> {
         let highest = RATES_HZ[0];
         // The epsilon keeps the last sample if rounding puts it just past the end.
         let count = (duration_s * f64::from(highest) + 1e-6).floor() as usize;
-        let samples = (0..=count)
+        let before = (from_s * f64::from(highest)).round() as usize;
+        let samples = (before..=before + count)
             .map(|k| flight.sample_at((k as f64 / f64::from(highest)).min(flight.duration_s())))
             .collect::<Result<Vec<_>, _>>()?;
         let rates: Vec<Rate> = RATES_HZ.map(|hz| Rate::stated((highest / hz) as usize, f64::from(hz))).into();
@@ -83,6 +85,15 @@ impl Sampled<'_> {
             base: self.base,
         })
     }
+}
+
+/// The first `duration_s` [s] of `flight` at the lowest rate.
+pub fn coarse(flight: &Flight, duration_s: f64) -> Result<(Rate, Vec<FlightSample>), Failure> {
+    let hz = RATES_HZ[RATES_HZ.len() - 1];
+    let count = (duration_s * f64::from(hz) + 1e-6).floor() as usize;
+    let sample = |k: usize| flight.sample_at((k as f64 / f64::from(hz)).min(flight.duration_s()));
+    let samples = (0..=count).map(sample).collect::<Result<Vec<_>, _>>()?;
+    Ok((Rate::stated(1, f64::from(hz)), samples))
 }
 
 fn term(channel: Channel, amplitude: f64, frequency_hz: f64, phase_rad: f64) -> Sinusoid {

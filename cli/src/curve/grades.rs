@@ -4,7 +4,7 @@ use sins::analysis::recommend::{Refusal, Track};
 use sins::sensors::{self, StreamKey, TriadParameters};
 use sins::{Options, Simulator};
 
-use super::scene::{Rate, Scene};
+use super::scene::{Pieces, Rate, Scene};
 use crate::parallel::in_parallel;
 use crate::progress::Progress;
 
@@ -30,16 +30,23 @@ pub fn grades() -> [Grade; 2] {
 }
 
 /// Largest position error on the way that each grade adds to the solution of ideal sensors; root mean square over `runs` [m].
-pub fn effects(scene: &Scene, runs: u64) -> Result<[f64; 2], Refusal> {
-    let Some(rate) = scene.rates.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else {
-        return Ok([0.0; 2]);
+pub fn effects(pieces: &Pieces, runs: u64) -> Result<[f64; 2], Refusal> {
+    let flown = match (&pieces.coarse, pieces.scenes.first()) {
+        (Some((rate, samples)), Some(scene)) => {
+            let instants = Scene::instants(samples.len(), &[*rate], 1);
+            Some((scene, *rate, samples.clone(), instants))
+        }
+        (None, Some(scene)) => {
+            let nearest = scene.rates.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            nearest.map(|rate| (scene, *rate, scene.samples_at(rate), scene.instants_at(rate)))
+        }
+        (_, None) => None,
     };
+    let Some((scene, rate, samples, instants)) = flown else { return Ok([0.0; 2]) };
     let ideal = Grade { name: "ideal", gyro: Default::default(), accel: Default::default() };
     let [navigation, tactical] = grades();
     let mut flights = vec![(ideal, 0)];
     flights.extend((1..=runs).map(|run| (navigation, run)).chain((1..=runs).map(|run| (tactical, run))));
-    let samples = scene.samples_at(rate);
-    let instants = scene.instants_at(rate);
     let what = format!("{}: flying sensors with errors", scene.name);
     let progress = Progress::flying(what, samples.len() * flights.len(), false);
     let tracks = in_parallel(&flights, |(grade, run)| {
@@ -74,7 +81,7 @@ mod tests {
     #[test]
     fn better_sensors_err_less() {
         let scene = embedded::ALL[0].scene(120.0).unwrap();
-        let [navigation, tactical] = effects(&scene, 4).unwrap();
+        let [navigation, tactical] = effects(&Pieces::whole(scene), 4).unwrap();
         // ½ a t² is 0.7 m for a = 1e-5 g. The second axis and the random bias change it by a factor.
         assert!(navigation > 0.1 && navigation < 7.0, "{navigation}");
         assert!(tactical > 20.0 * navigation && tactical < 1e3, "{tactical}");

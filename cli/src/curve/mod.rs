@@ -32,8 +32,9 @@ use crate::output::Outputs;
 use crate::places::svg;
 use crate::rows::TABLE_MARK;
 use crate::terminal::{print, say};
+use crate::written;
 use instructions::Instructions;
-use scene::Scene;
+use scene::Pieces;
 use survey::Survey;
 
 /// Surveys the scenes of `order` and writes the files.
@@ -59,33 +60,39 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         embedded.iter().map(|embedded| embedded.name).chain(given.iter().map(|given| given.name.as_str()));
     let pictures = names.map(|name| file(&svg(name)?, PICTURE_MARK));
     let pictures = pictures.collect::<Result<Vec<_>, _>>()?;
+    let own = [&table_file, &points_file, &scenes_file].into_iter().chain(&pictures);
+    let paths: Vec<PathBuf> = own.map(|file| file.path().to_owned()).collect();
 
     let (mut surveys, mut courses) = (Vec::new(), Vec::new());
-    let scenes = embedded.iter().map(|embedded| embedded.scene(effort.duration_s));
-    for scene in scenes.chain(given.iter().map(|given| own::scene(given, effort.duration_s))) {
-        let scene: Scene = scene?;
-        say(&format!("{}: {}", scene.name, scene.title));
-        let (survey, course) = Survey::flown(&scene, &effort)?;
+    let scenes = embedded.iter().map(|embedded| embedded.scene(effort.duration_s).map(Pieces::whole));
+    for pieces in scenes.chain(given.iter().map(|given| own::scene(given, &effort))) {
+        let pieces: Pieces = pieces?;
+        if let Some(scene) = pieces.scenes.first() {
+            say(&format!("{}: {}{}", scene.name, scene.title, pieces.text()));
+        }
+        let (survey, course) = Survey::flown(&pieces, &effort)?;
         surveys.push(survey);
         courses.push(course);
     }
     let costs = timing::costs(&courses, effort.rounds)?;
-    let mut written = Vec::new();
+    let mut finished = Vec::new();
     for ((survey, costs), picture) in surveys.iter_mut().zip(costs).zip(pictures) {
         survey.set_costs(&costs);
         front::mark(&mut survey.points);
-        written.push(picture.finish(diagram::diagram(survey)?));
+        finished.push(picture.finish(diagram::diagram(survey)?));
     }
     let table = table::table(&surveys);
     let notes = front::costlier_and_less_accurate(&surveys)
         .iter()
         .map(|line| format!("{line}\n"))
         .collect::<String>();
-    written.extend([
+    finished.extend([
         points_file.finish(records::points(&surveys, &instructions)?),
         scenes_file.finish(records::scenes(&surveys)?),
         table_file.finish(format!("{TABLE_MARK}\n\n{table}")),
         print(&(table + &notes)),
     ]);
-    Failure::each(written)
+    Failure::each(finished)?;
+    let next = "`sins recommend SCENE --position METRES` chooses the options of a scene";
+    print(&written::text(&paths, Some(next)))
 }

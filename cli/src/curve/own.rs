@@ -6,18 +6,21 @@ use sins::scene::{FlightSource, builtin};
 use sins::truth::FlightSample;
 use sins::truth::flight::Manoeuvre;
 
+use super::command::{Effort, FULL};
 use super::embedded;
 use super::reference::Judge;
-use super::scene::{Rate, Scene};
+use super::scene::{Pieces, Rate, Scene};
 use crate::failure::Failure;
 use crate::given::Given;
+use crate::recommend::{PIECE_S, hardest_parts};
 
 /// Lowest rate [Hz] and number of samples that must remain when the samples of a log are thinned.
 const LOWEST_HZ: f64 = 10.0;
 const FEWEST_SAMPLES: usize = 120;
 
-/// The scene of `given`: a whole log, or at most `most_s` [s] of a flight in closed form.
-pub fn scene(given: &Given, most_s: f64) -> Result<Scene, Failure> {
+/// The scene of `given` in one piece: a whole log, or at most `effort.duration_s` of a flight in closed form; or in the hardest pieces of the
+/// time for which the full effort flies, if that is longer.
+pub fn scene(given: &Given, effort: &Effort) -> Result<Pieces, Failure> {
     let scene = &given.scene;
     let base =
         Options { ellipsoid: scene.options.ellipsoid, gravity: scene.options.gravity, ..Options::default() };
@@ -29,9 +32,20 @@ pub fn scene(given: &Given, most_s: f64) -> Result<Scene, Failure> {
                 highest_hz: highest_hz(&scene.flight),
                 base,
             };
-            what.scene(flight, given.duration_s.min(most_s))
+            let whole_s = given.duration_s.min(FULL.duration_s);
+            if whole_s <= effort.duration_s {
+                return Ok(Pieces::whole(what.scene(flight, 0.0, whole_s)?));
+            }
+            let begin_s = |(first, _): (usize, usize)| {
+                let longest_s = 1.0 / f64::from(embedded::RATES_HZ[embedded::RATES_HZ.len() - 1]);
+                (given.time_s(first) / longest_s + 1e-6).floor() * longest_s
+            };
+            let parts = hardest_parts(given, 0, given.index_at(whole_s))?.into_iter();
+            let scenes = parts.map(|part| what.scene(flight, begin_s(part), PIECE_S));
+            let scenes = scenes.collect::<Result<_, _>>()?;
+            Ok(Pieces { scenes, whole_s, coarse: Some(embedded::coarse(flight, whole_s)?) })
         }
-        None => of_log(given, base),
+        None => of_log(given, base).map(Pieces::whole),
     }
 }
 

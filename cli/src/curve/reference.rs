@@ -88,6 +88,14 @@ impl Judge {
     }
 }
 
+impl Judgement {
+    /// The larger errors of two; at the floor is what both have there.
+    pub fn worse(&self, other: &Self) -> Self {
+        let at_floor = [0, 1, 2].map(|part| self.at_floor[part] && other.at_floor[part]);
+        Self { error: self.error.max(&other.error), at_floor }
+    }
+}
+
 /// `error`, but no smaller than `floor`.
 fn clamped(error: &SolutionError, floor: &SolutionError) -> Judgement {
     let (parts, floors) = (error.parts(), floor.parts());

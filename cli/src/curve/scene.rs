@@ -1,6 +1,7 @@
 //! A scene: the samples of a flight, the rates at which the simulator gets them, and the reference for its solutions.
 
 use sins::Options;
+use sins::analysis::recommend::{Growth, Piece, Refusal};
 use sins::truth::{FlightSample, IntakeLimits};
 
 use super::reference::Judge;
@@ -52,6 +53,52 @@ pub struct Scene {
     pub judge: Judge,
     /// Recommended options, with ellipsoid and gravity of the scene.
     pub base: Options,
+}
+
+/// A scene in pieces, by which its configurations are judged: the whole scene, or its hardest parts.
+pub struct Pieces {
+    pub scenes: Vec<Scene>,
+    /// Of a scene that is not flown whole: all of it at the lowest rate, for what needs no more.
+    pub coarse: Option<(Rate, Vec<FlightSample>)>,
+    /// Length of the whole scene [s].
+    pub whole_s: f64,
+}
+
+impl Pieces {
+    pub fn whole(scene: Scene) -> Self {
+        Self { whole_s: scene.duration_s(), scenes: vec![scene], coarse: None }
+    }
+
+    /// The pieces in words; empty: it is flown whole.
+    pub fn text(&self) -> String {
+        if let [_] = self.scenes[..] {
+            return String::new();
+        }
+        let begins: Vec<String> =
+            self.scenes.iter().map(|scene| format!("{:.6} s", scene.samples[0].time_s)).collect();
+        let (count, piece_s) = (begins.len(), self.scenes[0].duration_s());
+        format!(
+            "; judged by its {count} hardest pieces of {piece_s} s, at {}, predicted for the whole",
+            begins.join(", ")
+        )
+    }
+
+    /// The same in few words, behind the title.
+    pub fn note(&self) -> &'static str {
+        if let [_] = self.scenes[..] { "" } else { " (predicted from its hardest minutes)" }
+    }
+
+    /// How the errors of each piece grow over the whole scene.
+    pub fn growths(&self) -> Result<Vec<Growth>, Refusal> {
+        let of = |scene: &Scene| {
+            let options = match scene.rates.first() {
+                Some(rate) => rate.applied_to(&scene.base),
+                None => scene.base,
+            };
+            Ok(Growth::new(&Piece::new(&options, &scene.samples)?, self.whole_s, options.vertical))
+        };
+        self.scenes.iter().map(of).collect()
+    }
 }
 
 impl Scene {

@@ -6,7 +6,7 @@ use super::command::Effort;
 use super::configuration::Configuration;
 use super::matrix::Outcome;
 use super::reference::Judgement;
-use super::scene::{Rate, Scene};
+use super::scene::{Pieces, Rate, Scene};
 use super::timing::Course;
 use super::{grades, matrix};
 use crate::failure::Failure;
@@ -70,9 +70,40 @@ impl Point {
 }
 
 impl Survey {
-    /// Flies all configurations on `scene`. Returns their errors, and the course that is still to be timed.
-    pub fn flown(scene: &Scene, effort: &Effort) -> Result<(Self, Course), Failure> {
-        let outcomes = matrix::outcomes(scene, &Configuration::all());
+    /// Flies all configurations on `pieces`. Returns their errors, the largest that a piece predicts for the whole scene, and the course that
+    /// is still to be timed.
+    pub fn flown(pieces: &Pieces, effort: &Effort) -> Result<(Self, Course), Failure> {
+        let scene = pieces.scenes.first().ok_or_else(|| Failure::new("a scene without a piece"))?;
+        // A scene that is flown whole has its own errors.
+        let growths = if pieces.scenes.len() > 1 { pieces.growths()? } else { Vec::new() };
+        let grown = |piece: usize, error: &SolutionError| match growths.get(piece) {
+            Some(growth) => growth.of(error),
+            None => *error,
+        };
+        let largest = |of: &dyn Fn(&Scene) -> SolutionError| {
+            let errors = pieces.scenes.iter().enumerate().map(|(piece, scene)| grown(piece, &of(scene)));
+            errors.fold(SolutionError::default(), |most, error| most.max(&error))
+        };
+        let mut outcomes: Vec<(Rate, Configuration, Outcome)> = Vec::new();
+        for (piece, scene) in pieces.scenes.iter().enumerate() {
+            let mut flown = matrix::outcomes(scene, &Configuration::all());
+            for (_, _, outcome) in &mut flown {
+                if let Ok(judgement) = outcome {
+                    judgement.error = grown(piece, &judgement.error);
+                }
+            }
+            if piece == 0 {
+                outcomes = flown;
+                continue;
+            }
+            for ((_, _, outcome), (_, _, other)) in outcomes.iter_mut().zip(flown) {
+                match (outcome.as_mut(), other) {
+                    (Ok(one), Ok(other)) => *one = one.worse(&other),
+                    (Ok(_), Err(refusal)) => *outcome = Err(refusal),
+                    (Err(_), _) => {}
+                }
+            }
+        }
         let candidates = outcomes.iter().filter(|(_, _, outcome)| outcome.is_ok());
         let course = Course::new(scene, candidates.map(|(rate, which, _)| (*rate, *which)).collect());
         let point = |(rate, configuration, outcome): (Rate, Configuration, Outcome)| Point {
@@ -86,13 +117,13 @@ impl Survey {
         };
         let survey = Self {
             name: scene.name.clone(),
-            title: scene.title.clone(),
-            duration_s: scene.duration_s(),
-            uncertainty: scene.judge.uncertainty,
-            floor: scene.judge.floor(),
+            title: scene.title.clone() + pieces.note(),
+            duration_s: pieces.whole_s,
+            uncertainty: largest(&|scene| scene.judge.uncertainty),
+            floor: largest(&|scene| scene.judge.floor()),
             reference: scene.judge.description,
             points: outcomes.into_iter().map(point).collect(),
-            sensors_m: grades::effects(scene, effort.sensor_runs)?,
+            sensors_m: grades::effects(pieces, effort.sensor_runs)?,
         };
         Ok((survey, course))
     }

@@ -8,6 +8,39 @@ fn find<'a>(rows: &'a [Row], scheme: &str, frame: &str, rate_hz: &str) -> &'a Ro
     rows.iter().find(|row| wanted.iter().all(|(column, value)| row[*column] == *value)).unwrap()
 }
 
+/// What `--quick` says of an hour of straight legs and turns holds for the whole hour: the configuration that it names for an error of 1 m
+/// is flown whole. The coarse one that would do in the first two minutes has a hundred times the error in the hour, and is said to have.
+#[test]
+fn a_quick_survey_of_a_long_scene_holds_for_the_whole_of_it() {
+    let folder = folder("quick");
+    let (code, said, errors) = run(&folder, &["curve", "racetrack", "--quick", "-o", "out"]);
+    assert_eq!(code, 0, "{errors}");
+    assert!(errors.contains("; judged by its 4 hardest pieces of 60 s, at "), "{errors}");
+    assert!(said.contains(" (predicted from its hardest minutes) | 60 min |"), "{said}");
+    let all = rows(&folder.join("out/curve.csv"));
+    let whole_m = |row: &Row| {
+        let set = |key: &str, value: &str| ["--set".to_owned(), format!("{key}={value}")];
+        let mut order: Vec<String> = ["fly", "racetrack", "-q"].map(str::to_owned).into();
+        for key in ["scheme", "subsamples", "updates_per_sample", "frame"] {
+            order.extend(set(&format!("options.{key}"), &row[key]));
+        }
+        order.extend(set("flight.rate_hz", &row["rate_hz"]));
+        let (code, _, errors) = run(&folder, &order.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(code, 0, "{errors}");
+        let summary = rows(&folder.join("sins_out/racetrack_summary.csv"));
+        number(summary.iter().find(|figure| figure["key"] == "max_position_m").unwrap(), "value")
+    };
+    let cheapest = all
+        .iter()
+        .filter(|row| row["on_front"] == "1" && number(row, "position_m") <= 1.0)
+        .min_by(|a, b| number(a, "cost_ns_per_s").total_cmp(&number(b, "cost_ns_per_s")))
+        .unwrap();
+    assert!(whole_m(cheapest) <= 1.0, "{cheapest:?}");
+    let coarse = find(&all, "paper", "geographic", "10");
+    let (said_m, flown_m) = (number(coarse, "position_m"), whole_m(coarse));
+    assert!(flown_m > 100.0 && said_m >= flown_m, "{said_m} {flown_m}");
+}
+
 #[test]
 fn accuracy_and_its_cost_are_measured() {
     let folder = folder("curve");

@@ -2,6 +2,7 @@
 
 mod allan;
 mod budget;
+mod checked;
 #[cfg(unix)]
 mod columns;
 mod complete_files;

@@ -134,7 +134,50 @@ impl ManoeuvreFields {
     }
 }
 
+/// Greatest speed that a manoeuvre can reach [m/s].
+const GREATEST_SPEED_M_S: f64 = 10e3;
+
 impl Manoeuvre {
+    /// Speed at its end [m/s], if it begins at `speed_m_s`.
+    pub(crate) fn speed_after(&self, speed_m_s: f64) -> f64 {
+        let Self::Accelerate { speed_change_m_s, .. } = self else { return speed_m_s };
+        // A full stop is exactly 0, without rounding.
+        let speed = speed_m_s + speed_change_m_s;
+        if speed.abs() < 1e-12 * speed_m_s { 0.0 } else { speed }
+    }
+
+    /// Whether the speed at its end is another than at its begin.
+    pub(crate) fn changes_speed(&self) -> bool {
+        matches!(self, Self::Accelerate { .. })
+    }
+
+    /// Speed at its begin with which its limits are the widest [m/s].
+    pub(crate) fn widest_speed_m_s(&self) -> f64 {
+        match self {
+            Self::Rest { .. } => 0.0,
+            Self::Accelerate { speed_change_m_s, .. } if *speed_change_m_s > 0.0 => 0.0,
+            _ => GREATEST_SPEED_M_S,
+        }
+    }
+
+    /// Why the limit in an error of [`Self::validate`] at `speed_m_s` is what it is; `None`: the limit is the same in each flight.
+    pub(crate) fn reason(&self, error: &Error, speed_m_s: f64) -> Option<String> {
+        match (self, error.field) {
+            (Self::Climb { duration_s, ramp_s, .. }, "manoeuvre.height_change_m") => Some(format!(
+                "{duration_s} s at {speed_m_s} m/s, less a ramp of {} s, with a climb angle below 64 deg",
+                ramp_s.min(0.5 * duration_s)
+            )),
+            (Self::Accelerate { .. }, "manoeuvre.speed_change_m_s") => Some(format!(
+                "the speed before it is {speed_m_s} m/s, and it must stay from 0 to {GREATEST_SPEED_M_S} m/s"
+            )),
+            (Self::Sinusoids { .. }, field) if field.starts_with("manoeuvre.amplitude") => {
+                let is_speed = matches!(error.rule, Rule::Between(_, high) if high == speed_m_s);
+                is_speed.then(|| format!("the speed before it is {speed_m_s} m/s, and it must stay above 0"))
+            }
+            _ => None,
+        }
+    }
+
     /// Checks every field, for a manoeuvre that begins at `speed_m_s`.
     pub(crate) fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
         let duration = |duration_s: f64| check_range("manoeuvre.duration_s", duration_s, 1e-3, 1e8);
@@ -162,7 +205,12 @@ impl Manoeuvre {
             }
             Self::Straight { duration_s } => duration(duration_s),
             Self::Accelerate { duration_s, speed_change_m_s } => {
-                check_range("manoeuvre.speed_change_m_s", speed_change_m_s, -speed_m_s, 10e3 - speed_m_s)?;
+                check_range(
+                    "manoeuvre.speed_change_m_s",
+                    speed_change_m_s,
+                    -speed_m_s,
+                    GREATEST_SPEED_M_S - speed_m_s,
+                )?;
                 duration(duration_s)
             }
             Self::Climb { duration_s, height_change_m, ramp_s } => {

@@ -95,17 +95,11 @@ impl Segment {
 
     /// Speed and course at its end.
     pub fn leaves(&self) -> (f64, f64) {
-        match self.manoeuvre {
-            Manoeuvre::Accelerate { speed_change_m_s, .. } => {
-                // A full stop is exactly 0, without rounding.
-                let speed = self.speed_m_s + speed_change_m_s;
-                (if speed.abs() < 1e-12 * self.speed_m_s { 0.0 } else { speed }, self.course_rad)
-            }
-            Manoeuvre::Turn { heading_change_rad, .. } => {
-                (self.speed_m_s, self.course_rad + heading_change_rad)
-            }
-            _ => (self.speed_m_s, self.course_rad),
-        }
+        let course_rad = match self.manoeuvre {
+            Manoeuvre::Turn { heading_change_rad, .. } => self.course_rad + heading_change_rad,
+            _ => self.course_rad,
+        };
+        (self.manoeuvre.speed_after(self.speed_m_s), course_rad)
     }
 
     /// The motion at `time_s` of the flight.
