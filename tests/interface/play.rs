@@ -1,13 +1,12 @@
 //! A scene in flight gives the bits of the calls one by one, in Rust and in C, from any snapshot; a rejected sample changes nothing.
 
 use std::ffi::c_void;
-use std::path::Path;
 use std::ptr::{null, null_mut};
 use std::sync::Arc;
 
 use sins::abi::*;
 use sins::scene::log::FlightLog;
-use sins::scene::{BUILTIN_SCENES, FlightSource, Play, Scene, Source, builtin};
+use sins::scene::{Play, Scene, Source};
 use sins::snapshot::{SnapshotOf, seal};
 use sins::truth::FlightSample;
 use sins::unit::Unit;
@@ -16,7 +15,7 @@ use sins::{ErrorKind, Simulator, Step};
 use crate::scene_functions::parsed;
 use crate::support::init;
 use crate::support::moments::reads;
-use crate::support::random_scenes::random_scene;
+use crate::support::scenes::{Coverage, FlownScene, named_scenes, random_scene};
 
 /// A scene with its log, if its flight is one.
 struct Given {
@@ -25,13 +24,17 @@ struct Given {
     log: Option<(Arc<FlightLog>, String)>,
 }
 
+impl From<FlownScene> for Given {
+    fn from(made: FlownScene) -> Self {
+        let scene = made.scene();
+        let log = made.log.map(|text| (Arc::new(scene.read_log(text.as_bytes()).unwrap()), text));
+        Self { name: made.name, scene: Arc::new(scene), log }
+    }
+}
+
 impl Given {
     fn random(seed: u64) -> Self {
-        let made = random_scene(seed, true);
-        let scene = Scene::parse(made.text.as_bytes())
-            .unwrap_or_else(|faults| panic!("scene {seed}: {faults:?}\n{}", made.text));
-        let log = made.log.map(|text| (Arc::new(FlightLog::parse(text.as_bytes()).unwrap()), text));
-        Self { name: format!("random scene {seed}"), scene: Arc::new(scene), log }
+        Self::from(random_scene(seed, true))
     }
 
     fn source(&self) -> Source {
@@ -128,38 +131,22 @@ fn by_play(given: &Given, saved: usize) -> Outcome {
     outcome
 }
 
-fn scenes() -> impl Iterator<Item = Given> {
-    let file = |name: &str| {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("c_examples/scenes");
-        let mut scene = Scene::parse(&std::fs::read(folder.join(name)).unwrap()).unwrap();
-        let log = match &scene.flight {
-            FlightSource::Log(path) => Some(std::fs::read_to_string(folder.join(path)).unwrap()),
-            _ => None,
-        };
-        let log = log.map(|text| (Arc::new(FlightLog::parse(text.as_bytes()).unwrap()), text));
-        // The day of a unit is flown as a whole.
-        if name != "day.toml" {
-            scene.duration_s = Some(100.0);
-        }
-        Given { name: name.to_owned(), scene: Arc::new(scene), log }
-    };
-    let files = ["day.toml", "drone.toml", "fighter.toml", "patrol.toml", "resets.toml", "trainer.toml"];
-    let of_name = |(name, _): &(&str, &str)| {
-        let mut scene = builtin(name).unwrap();
-        scene.duration_s = Some(scene.flown_s().unwrap().min(200.0));
-        Given { name: (*name).to_owned(), scene: Arc::new(scene), log: None }
-    };
-    files.into_iter().map(file).chain(BUILTIN_SCENES.iter().map(of_name))
-}
-
 #[test]
 fn every_scene_flies_to_the_bits_of_its_calls() {
-    for given in scenes() {
+    for given in named_scenes([100.0, 200.0]).into_iter().map(Given::from) {
         let calls = by_calls(&given);
         assert_eq!(calls.error, None, "{}", given.name);
         let count = given.samples().len();
         assert!(by_play(&given, count / 3) == calls, "{}", given.name);
     }
+}
+
+#[test]
+fn random_scenes_say_all_that_a_scene_can_say() {
+    let mut coverage = Coverage::default();
+    (0..300).for_each(|seed| coverage.add(&random_scene(seed, true).text));
+    named_scenes([100.0, 100.0]).iter().for_each(|scene| coverage.add(&scene.text));
+    assert_eq!(coverage.missing(), [""; 0]);
 }
 
 #[test]
@@ -170,7 +157,10 @@ fn random_scenes_fly_to_the_bits_of_their_calls() {
         let calls = by_calls(&given);
         logs += usize::from(given.log.is_some());
         units += usize::from(given.scene.unit.start.is_some());
-        stopped += usize::from(calls.error.is_some());
+        if let Some((_, error)) = &calls.error {
+            stopped += 1;
+            println!("{}: {error}", given.name);
+        }
         assert!(by_play(&given, (seed as usize * 37) % 1200) == calls, "{}", given.name);
     }
     println!(
@@ -182,8 +172,10 @@ fn random_scenes_fly_to_the_bits_of_their_calls() {
 /// What is left out of a plan is found: without its updates a scene ends elsewhere.
 #[test]
 fn a_player_that_forgets_the_updates_is_found() {
-    let given =
-        Given::random((0..).find(|seed| random_scene(*seed, false).text.contains("[[update]]")).unwrap());
+    let with_updates = (0..).map(Given::random).find(|given| {
+        given.scene.updates.iter().any(|planned| planned.at_s < 30.0) && by_calls(given).error.is_none()
+    });
+    let given = with_updates.unwrap();
     let mut scene = (*given.scene).clone();
     scene.updates.clear();
     let forgetful = Given { scene: Arc::new(scene), log: given.log.clone(), name: String::new() };
@@ -227,7 +219,7 @@ fn by_c(given: &Given, piece: usize) -> (Vec<Vec<u64>>, sins_status, String) {
     let ended = unsafe {
         if let Some((_, text)) = &given.log {
             assert_eq!(
-                sins_log_parse(text.as_ptr().cast(), text.len(), null(), &mut log, null_mut()),
+                sins_log_parse(text.as_ptr().cast(), text.len(), scene, &mut log, null_mut()),
                 SINS_OK
             );
         }
@@ -323,7 +315,10 @@ fn the_c_functions_fly_to_the_bits_of_the_calls() {
 
 #[test]
 fn a_snapshot_that_is_damaged_or_of_another_scene_is_rejected_and_changes_nothing() {
-    let given = Given::random((0..).find(|seed| random_scene(*seed, false).text.contains("[unit]")).unwrap());
+    let with_unit = (0..)
+        .map(Given::random)
+        .find(|given| given.scene.unit.start.is_some() && by_calls(given).error.is_none());
+    let given = with_unit.unwrap();
     let mut play = given.play();
     (0..500).for_each(|_| assert!(play.fly_next().unwrap().is_some()));
     let saved = |play: &Play| {

@@ -20,9 +20,9 @@ pub mod closed_form;
 pub mod moments;
 pub mod orbits;
 pub mod patrol;
-#[cfg(feature = "scenes")]
-pub mod random_scenes;
 pub mod runs;
+#[cfg(feature = "scenes")]
+pub mod scenes;
 
 pub const DEG: f64 = std::f64::consts::PI / 180.0;
 pub const DEG_PER_HOUR: f64 = DEG / 3600.0;

@@ -24,9 +24,9 @@ mod pages;
 #[cfg(target_os = "linux")]
 mod progress;
 #[cfg(target_os = "linux")]
-#[path = "../../../tests/support/random_scenes.rs"]
-mod random_scenes;
-#[cfg(target_os = "linux")]
 mod same_records;
+#[cfg(target_os = "linux")]
+#[path = "../../../tests/support/scenes/mod.rs"]
+mod scenes;
 mod support;
 mod unit;

@@ -7,14 +7,16 @@ use std::sync::OnceLock;
 
 use crate::support::{done, folder, numbers, project_file, read};
 
-/// Builds a C program with the library that was built with this test; the library is beside the test's own program.
+/// Builds a C or C++ program with the library that was built with this test; the library is beside the test's own program.
 pub fn link(name: &str, source: &str) -> PathBuf {
     let folder = folder(&format!("build_{name}"));
     let library = std::env::current_exe().unwrap().with_file_name("libsins.so");
     std::fs::copy(&library, folder.join("libsins.so")).unwrap();
     let program = folder.join(name);
-    let status = Command::new(std::env::var_os("CC").unwrap_or_else(|| "cc".into()))
-        .args(["-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-o"])
+    let (variable, compiler, standard) =
+        if source.ends_with(".cpp") { ("CXX", "c++", "-std=c++11") } else { ("CC", "cc", "-std=c99") };
+    let status = Command::new(std::env::var_os(variable).unwrap_or_else(|| compiler.into()))
+        .args([standard, "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-o"])
         .arg(&program)
         .arg("-I")
         .arg(project_file("include"))

@@ -1,13 +1,12 @@
 //! Calls of a master: corrections, parts of intervals, wrong calls, calls in random order, the URI of the resources, a doubtful truth.
 
 mod corrections;
+#[path = "../../../tests/support/scenes/mod.rs"]
+mod flown_scenes;
 mod misuse;
 mod panel;
 mod parts;
 mod random_calls;
-#[allow(dead_code, reason = "a master has no logs")]
-#[path = "../../../tests/support/random_scenes.rs"]
-mod random_scenes;
 mod scenes;
 mod support;
 mod uri;
