@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::hemisphere::sides;
 use super::quantity::{Q0, QUANTITIES, Quantity, ROLL, VARIATION, VELOCITY, unit_of, units_of};
 use crate::scene::value::Value;
 use crate::scene::written::{number_text, text_in_quotes};
@@ -21,6 +22,18 @@ pub enum ColumnFrom {
     Constant(f64),
 }
 
+impl ColumnFrom {
+    /// In TOML; empty: it has its own name.
+    fn text(&self) -> String {
+        match self {
+            Self::OwnName => String::new(),
+            Self::Name(name) => text_in_quotes(name),
+            Self::Number(number) => number.to_string(),
+            Self::Constant(value) => number_text(*value),
+        }
+    }
+}
+
 /// How a quantity is read: value = scale · unit · cell + add.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogColumn {
@@ -32,11 +45,13 @@ pub struct LogColumn {
     pub scale: f64,
     /// Added to the value, in the unit that it has without a stated one.
     pub add: f64,
+    /// Where the letter of the hemisphere of a latitude or a longitude stands, S and W being negative; `OwnName`: it has none.
+    pub hemisphere: ColumnFrom,
 }
 
 impl Default for LogColumn {
     fn default() -> Self {
-        Self { from: ColumnFrom::OwnName, unit: "", scale: 1.0, add: 0.0 }
+        Self::OWN_NAME
     }
 }
 
@@ -187,8 +202,7 @@ impl LogMapping {
 impl Default for LogMapping {
     fn default() -> Self {
         Self {
-            columns: [const { LogColumn { from: ColumnFrom::OwnName, unit: "", scale: 1.0, add: 0.0 } };
-                QUANTITIES.len()],
+            columns: [LogColumn::OWN_NAME; QUANTITIES.len()],
             time_format: TimeFormat::Number,
             rate_hz: None,
             is_track_magnetic: false,
@@ -212,6 +226,10 @@ pub(in crate::scene) const TAKES: &str =
     "\"NAME\" of a column, { col = \"NAME\", unit = \"ft\" }, or a number";
 
 impl LogColumn {
+    /// That of the quantity's own name.
+    const OWN_NAME: Self =
+        Self { from: ColumnFrom::OwnName, unit: "", scale: 1.0, add: 0.0, hemisphere: ColumnFrom::OwnName };
+
     /// The column that a value of a text describes; on an error what is wrong.
     pub(in crate::scene) fn of(value: &Value, quantity: usize) -> Result<Self, String> {
         let Quantity { key, dimension, .. } = QUANTITIES[quantity];
@@ -221,6 +239,15 @@ impl LogColumn {
                 return Err(format!("log.{key}: expected the name of a column, without control characters"));
             }
             Ok(ColumnFrom::Name(name.to_owned()))
+        };
+        let place = |part: &str, value: &Value| match value {
+            Value::Text(text) => name(text),
+            Value::Whole(number) => {
+                let place = usize::try_from(*number).ok().filter(|place| (1..=1000).contains(place));
+                let expected = || format!("log.{key}.{part}: expected a column from 1 to 1000");
+                place.map(ColumnFrom::Number).ok_or_else(expected)
+            }
+            _ => Err(format!("log.{key}.{part}: expected the name or the number of a column")),
         };
         let parts = match value {
             Value::Text(text) => return Ok(Self { from: name(text)?, ..Self::default() }),
@@ -239,13 +266,7 @@ impl LogColumn {
                 ("col" | "value", _) if column.from != ColumnFrom::OwnName => {
                     return Err(format!("log.{key}: expected either col or value"));
                 }
-                ("col", Value::Text(text)) => column.from = name(text)?,
-                ("col", Value::Whole(number)) => {
-                    let place = usize::try_from(*number).ok().filter(|place| (1..=1000).contains(place));
-                    column.from =
-                        ColumnFrom::Number(place.ok_or_else(|| expected("a column from 1 to 1000"))?);
-                }
-                ("col", _) => return Err(expected("the name or the number of a column")),
+                ("col", value) => column.from = place(part, value)?,
                 ("value", _) => column.from = ColumnFrom::Constant(number()?),
                 ("unit", Value::Text(text)) if !text.is_empty() && unit_of(dimension, text).is_some() => {
                     column.unit = unit_of(dimension, text).map_or("", |(unit, _)| unit);
@@ -269,8 +290,12 @@ impl LogColumn {
                     column.scale *= scale;
                 }
                 ("add", _) => column.add = number()?,
+                ("hemisphere", _) if sides(quantity).is_none() => {
+                    return Err(format!("log.{key}.{part}: only latitude and longitude have one"));
+                }
+                ("hemisphere", value) => column.hemisphere = place(part, value)?,
                 _ => {
-                    let names = ["col", "value", "unit", "sign", "scale", "add"];
+                    let names = ["col", "value", "unit", "sign", "scale", "add", "hemisphere"];
                     let near = nearest(part, names.into_iter())
                         .map_or(String::new(), |near| format!("; did you mean {near}?"));
                     let names = listed(names.into_iter());
@@ -284,6 +309,9 @@ impl LogColumn {
         if column.from == ColumnFrom::OwnName {
             return Err(format!("log.{key}: expected its col or its value"));
         }
+        if matches!(column.from, ColumnFrom::Constant(_)) && column.hemisphere != ColumnFrom::OwnName {
+            return Err(format!("log.{key}: a value has no hemisphere; give its col"));
+        }
         Ok(column)
     }
 
@@ -291,9 +319,8 @@ impl LogColumn {
     pub(in crate::scene) fn text(&self) -> String {
         let from = match &self.from {
             ColumnFrom::OwnName => return String::new(),
-            ColumnFrom::Name(name) => format!("col = {}", text_in_quotes(name)),
-            ColumnFrom::Number(number) => format!("col = {number}"),
             ColumnFrom::Constant(value) => format!("value = {}", number_text(*value)),
+            from => format!("col = {}", from.text()),
         };
         let is_plain = *self == Self { from: self.from.clone(), ..Self::default() };
         match &self.from {
@@ -312,6 +339,9 @@ impl LogColumn {
         }
         if self.add != 0.0 {
             text += &format!(", add = {}", number_text(self.add));
+        }
+        if self.hemisphere != ColumnFrom::OwnName {
+            text += &format!(", hemisphere = {}", self.hemisphere.text());
         }
         text + " }"
     }

@@ -9,6 +9,7 @@ mod clock;
 mod columns;
 mod grid;
 mod guess;
+mod hemisphere;
 mod known;
 mod mapping;
 mod nameless;

@@ -5,6 +5,7 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::clock::Clock;
 use super::columns::{COUNT, Columns, has, has_quaternion};
+use super::hemisphere::{sides, signed};
 use super::quantity::{
     FORCE, FORWARD, GEOID, Q0, RATE, SPEED, TEMPERATURE, TRACK, VARIATION, VELOCITY, name, quantity_of,
 };
@@ -159,14 +160,19 @@ impl Table<'_> {
             let Some(text) = row.get(place) else {
                 return Err(fault(line, place + 1, format!("the line ends before {name}")));
             };
-            if self.is_mapped && is_missing(text, self.mapping.missing) {
+            let letter = column.hemisphere.map(|place| (place, row.get(place).unwrap_or_default()));
+            let has_no_letter = letter.is_some_and(|(_, letter)| is_missing(letter, None));
+            if self.is_mapped && (is_missing(text, self.mapping.missing) || has_no_letter) {
                 is_whole = false;
                 continue;
             }
+            let separator = self.mapping.separator;
             let is_time = quantity == 0;
-            let number = match is_time {
-                true => self.clock.next(&self.mapping.separator.with_point(text)),
-                false => number(text, self.mapping.separator),
+            let number = match sides(quantity) {
+                _ if is_time => self.clock.next(&separator.with_point(text)),
+                Some(sides) => signed((place, text), letter, sides, separator)
+                    .map_err(|(place, sentence)| fault(line, place + 1, format!("{name}: {sentence}")))?,
+                None => number(text, separator),
             };
             let Some(number) = number else {
                 let what = if is_time { self.clock.expected() } else { "a finite number" };
