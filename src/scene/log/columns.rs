@@ -4,8 +4,9 @@ use core::ops::Range;
 
 use csv::StringRecord;
 
+use super::column::ColumnFrom;
 use super::guess::{Guess, guess, hemisphere_of};
-use super::mapping::{ColumnFrom, LogMapping, TimeFormat};
+use super::mapping::{LogMapping, TimeFormat};
 use super::quantity::{
     FORCE, FORWARD, OF_SAMPLE, Q0, QUANTITIES, RATE, ROLL, SPEED, TEMPERATURE, VARIATION, VELOCITY,
     in_degrees, name,
@@ -35,6 +36,8 @@ pub struct Column {
     pub place: Option<usize>,
     pub factor: f64,
     pub offset: f64,
+    /// Which part of the cell it is, from 1; 0: the whole cell.
+    pub part: usize,
     /// Place of the letter of the hemisphere; `None`: it has none of its own.
     pub hemisphere: Option<usize>,
     /// Name of the column.
@@ -114,8 +117,14 @@ fn own_column(header: &StringRecord, line: u64, quantity: usize) -> Result<Optio
             let sentence = format!("{name}: an earlier column has that quantity");
             return Err(fault(line, place + 1, sentence));
         }
-        column =
-            Some(Column { place: Some(place), factor, offset: 0.0, hemisphere: None, name: name.to_owned() });
+        column = Some(Column {
+            place: Some(place),
+            factor,
+            offset: 0.0,
+            part: 0,
+            hemisphere: None,
+            name: name.to_owned(),
+        });
     }
     Ok(column)
 }
@@ -138,7 +147,7 @@ fn mapped_column(
         ColumnFrom::Constant(value) => (value * factor + offset, key.to_owned()),
         ColumnFrom::OwnName => (offset, key.to_owned()),
     };
-    Ok(Column { place, factor, offset, hemisphere, name })
+    Ok(Column { place, factor, offset, part: mapped.part, hemisphere, name })
 }
 
 /// The place in a row of the column that `key` gives; `None`: it gives none.
