@@ -28,7 +28,7 @@ const COLUMNS: &str = "time_s,latitude_deg,longitude_deg,height_m,velocity_east_
 /// The path is written as a log that `sins fly` flies.
 #[derive(Debug, clap::Args)]
 pub struct Order {
-    /// Flight log: a table, or a flight record in IGC or GPX ("-": standard input)
+    /// Flight log: a table, or a flight record in IGC, GPX or FDR ("-": standard input)
     file: PathBuf,
     /// Reads the log by the [log] of this file, which names the columns of each quantity
     #[arg(long, value_name = "FILE.toml")]

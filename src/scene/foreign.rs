@@ -9,6 +9,9 @@ pub const IGC: &str = "a flight record of a glider (IGC)";
 /// What [`foreign`] says of a track in GPX.
 pub const GPX: &str = "a track of a receiver (GPX)";
 
+/// What [`foreign`] says of a file of the flight data recorder of X-Plane.
+pub const FDR: &str = "a flight record of X-Plane (FDR)";
+
 /// Place of bytes in a file, the bytes, and what the file is.
 const BYTES: [(usize, &[u8], &str); 36] = [
     (0, b"PK\x03\x04", "a compressed file (zip, also of a workbook or a KMZ)"),
@@ -78,7 +81,7 @@ pub fn foreign(file: &[u8]) -> Option<&'static str> {
     if control * 20 > begin.len() {
         return Some("a binary file");
     }
-    let text = String::from_utf8_lossy(begin).replace('\r', "");
+    let text = String::from_utf8_lossy(begin).replace("\r\n", "\n").replace('\r', "\n");
     let text = text.trim_start_matches('\u{feff}').trim_start();
     let element = text.starts_with('<').then(|| first_element(text)).flatten().unwrap_or(text);
     let words = || WORDS.iter().find(|(word, _)| element.starts_with(word)).map(|(_, what)| *what);
@@ -106,10 +109,11 @@ fn of_lines(text: &str) -> Option<&'static str> {
     if text.lines().any(|line| line.starts_with("HFDTE") || is_fix(line)) {
         return Some(IGC);
     }
-    let is_record =
-        |line: &str| ["COMM,", "ACFT,", "TAIL,", "DATA,"].iter().any(|word| line.starts_with(word));
+    let is_record = |line: &str| {
+        ["COMM,", "ACFT,", "TAIL,", "DATE,", "DREF,", "DATA,"].iter().any(|word| line.starts_with(word))
+    };
     if matches!(first, "A" | "I") && text.lines().any(is_record) {
-        return Some("a flight record of X-Plane (FDR)");
+        return Some(FDR);
     }
     if first.contains("_real,_time") && first.contains('|') {
         return Some("a data output of X-Plane (Data.txt)");
@@ -132,6 +136,7 @@ mod tests {
             ("AXCS123\nB1201014807038N01131000EA0054500580\n", "IGC"),
             ("A\n2\n\nCOMM, a flight\nACFT, Aircraft/x.acf\n", "FDR"),
             ("I\n3\nDATA, 1,2,3\n", "FDR"),
+            ("A\r4\rTAIL,N1\r", "FDR"),
             ("\u{feff}<?xml version=\"1.0\"?>\n<!-- a > b --><gpx version=\"1.1\">", "GPX"),
             ("<?xml version=\"1.0\"?><kml>", "KML"),
             ("<fdm_config>", "XML"),

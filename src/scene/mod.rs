@@ -34,7 +34,7 @@ mod written;
 
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub use fault::{About, Fault, MAX_FAULTS};
-pub use foreign::{GPX, IGC, foreign};
+pub use foreign::{FDR, GPX, IGC, foreign};
 pub use limits::Limits;
 pub(crate) use list::key_line;
 pub use list::{KeyKind, KeyLine, key_of_field, keys, keys_text};

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 /// The scene to fly.
 #[derive(Debug, clap::Args)]
 pub struct SceneArguments {
-    /// A built-in scene (`sins scene list`), a file SCENE.toml, or a flight log LOG.csv, also in IGC or GPX ("-": standard input)
+    /// A built-in scene (`sins scene list`), a file SCENE.toml, or a flight log LOG.csv, also in IGC, GPX or FDR ("-": standard input)
     #[arg(value_name = "SCENE")]
     scene: Option<OsString>,
     /// Flies this flight log instead of the scene's own flight

@@ -122,7 +122,7 @@ fn line_of(text: &str, section: &str, key: &str) -> Option<u64> {
 
 /// Whether `name` is the name of a flight log, or of a file that is a flight record.
 pub fn is_log(name: &OsStr) -> bool {
-    const ENDINGS: [&str; 3] = ["csv", "igc", "gpx"];
+    const ENDINGS: [&str; 4] = ["csv", "igc", "gpx", "fdr"];
     let path = Path::new(name);
     let has_ending =
         path.extension().is_some_and(|ending| ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known)));

@@ -11,6 +11,7 @@ mod curve;
 #[cfg(target_os = "linux")]
 mod doors;
 mod ensemble;
+mod fdr;
 mod flight_records;
 mod fly;
 mod increments;

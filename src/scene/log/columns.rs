@@ -4,8 +4,9 @@ use core::ops::Range;
 
 use csv::StringRecord;
 
-use super::guess::{Guess, guess};
-use super::mapping::{ColumnFrom, LogMapping, TimeFormat};
+use super::column::ColumnFrom;
+use super::guess::{Guess, guess, hemisphere_of};
+use super::mapping::{LogMapping, TimeFormat};
 use super::quantity::{
     FORCE, FORWARD, OF_SAMPLE, Q0, QUANTITIES, RATE, ROLL, SPEED, TEMPERATURE, VARIATION, VELOCITY,
     in_degrees, name,
@@ -35,6 +36,10 @@ pub struct Column {
     pub place: Option<usize>,
     pub factor: f64,
     pub offset: f64,
+    /// Which part of the cell it is, from 1; 0: the whole cell.
+    pub part: usize,
+    /// Place of the letter of the hemisphere; `None`: it has none of its own.
+    pub hemisphere: Option<usize>,
     /// Name of the column.
     pub name: String,
 }
@@ -112,7 +117,14 @@ fn own_column(header: &StringRecord, line: u64, quantity: usize) -> Result<Optio
             let sentence = format!("{name}: an earlier column has that quantity");
             return Err(fault(line, place + 1, sentence));
         }
-        column = Some(Column { place: Some(place), factor, offset: 0.0, name: name.to_owned() });
+        column = Some(Column {
+            place: Some(place),
+            factor,
+            offset: 0.0,
+            part: 0,
+            hemisphere: None,
+            name: name.to_owned(),
+        });
     }
     Ok(column)
 }
@@ -127,48 +139,55 @@ fn mapped_column(
     let mapped = &mapping.columns[quantity];
     let key = QUANTITIES[quantity].key;
     let [factor, offset] = mapped.factor_and_offset(quantity);
+    let place = place_of(header, line, &mapped.from, key)?;
+    let hemisphere = place_of(header, line, &mapped.hemisphere, &format!("{key}.hemisphere"))?;
+    let (offset, name) = match &mapped.from {
+        ColumnFrom::Name(name) => (offset, name.clone()),
+        ColumnFrom::Number(number) => (offset, format!("column {number}")),
+        ColumnFrom::Constant(value) => (value * factor + offset, key.to_owned()),
+        ColumnFrom::OwnName => (offset, key.to_owned()),
+    };
+    Ok(Column { place, factor, offset, part: mapped.part, hemisphere, name })
+}
+
+/// The place in a row of the column that `key` gives; `None`: it gives none.
+fn place_of(
+    header: &StringRecord,
+    line: u64,
+    from: &ColumnFrom,
+    key: &str,
+) -> Result<Option<usize>, LogError> {
     let refused = |sentence: String| Err(fault(line, 1, format!("log.{key}: {sentence}")));
-    match &mapped.from {
+    match from {
         ColumnFrom::Name(wanted) => {
-            let place = place_of(header, line, key, wanted)?;
-            Ok(Column { place: Some(place), factor, offset, name: wanted.clone() })
+            let mut places = header.iter().enumerate().filter(|(_, name)| name.trim() == wanted);
+            match (places.next(), places.next()) {
+                (Some((place, _)), None) => Ok(Some(place)),
+                (Some(_), Some((place, _))) => {
+                    let sentence = format!("log.{key}: an earlier column is {} too", excerpt(wanted));
+                    Err(fault(line, place + 1, sentence))
+                }
+                (None, _) => {
+                    let near = nearest(wanted, header.iter())
+                        .map_or(String::new(), |name| format!("; did you mean {}?", excerpt(name)));
+                    let names = listed(header.iter());
+                    refused(format!("no column {}; the header has {names}{near}", excerpt(wanted)))
+                }
+            }
         }
         ColumnFrom::Number(number) if *number > header.len() => {
             refused(format!("no column {number}: the row has {}", header.len()))
         }
-        ColumnFrom::Number(number) => {
-            Ok(Column { place: Some(number - 1), factor, offset, name: format!("column {number}") })
-        }
-        ColumnFrom::OwnName | ColumnFrom::Constant(_) => {
-            let value = if let ColumnFrom::Constant(value) = mapped.from { value } else { 0.0 };
-            Ok(Column { place: None, factor, offset: value * factor + offset, name: key.to_owned() })
-        }
-    }
-}
-
-/// The place of the column that the key of `[log]` names.
-fn place_of(header: &StringRecord, line: u64, key: &str, wanted: &str) -> Result<usize, LogError> {
-    let mut places = header.iter().enumerate().filter(|(_, name)| name.trim() == wanted);
-    match (places.next(), places.next()) {
-        (Some((place, _)), None) => Ok(place),
-        (Some(_), Some((place, _))) => {
-            let sentence = format!("log.{key}: an earlier column is {} too", excerpt(wanted));
-            Err(fault(line, place + 1, sentence))
-        }
-        (None, _) => {
-            let near = nearest(wanted, header.iter())
-                .map_or(String::new(), |name| format!("; did you mean {}?", excerpt(name)));
-            let names = listed(header.iter());
-            let sentence = format!("log.{key}: no column {}; the header has {names}{near}", excerpt(wanted));
-            Err(fault(line, 1, sentence))
-        }
+        ColumnFrom::Number(number) => Ok(Some(number - 1)),
+        ColumnFrom::OwnName | ColumnFrom::Constant(_) => Ok(None),
     }
 }
 
 /// The place of the column that tells vehicles apart.
 pub fn only_place(header: &StringRecord, line: u64, mapping: &LogMapping) -> Result<Option<usize>, LogError> {
     let wanted = &mapping.only_column;
-    if wanted.is_empty() { Ok(None) } else { place_of(header, line, "only_column", wanted).map(Some) }
+    let from = if wanted.is_empty() { ColumnFrom::OwnName } else { ColumnFrom::Name(wanted.clone()) };
+    place_of(header, line, &from, "only_column")
 }
 
 /// Checks that no quantity is given in two forms.
@@ -196,7 +215,13 @@ pub fn unread(header: &StringRecord, line: u64, columns: &Columns, mapping: &Log
         (1..OF_SAMPLE).contains(&quantity) && !is_known
     };
     let note = |(place, column): (usize, &str)| {
-        let is_read = columns.iter().flatten().any(|column| column.place == Some(place));
+        let is_it = |of: Option<usize>| of == Some(place);
+        let is_read = columns.iter().flatten().any(|column| is_it(column.place) || is_it(column.hemisphere));
+        if let Some(quantity) = hemisphere_of(column).filter(|_| !is_read) {
+            let key = QUANTITIES[quantity].key;
+            let sentence = format!("{} is not read; is it log.{key}.hemisphere?", excerpt(column));
+            return Some(Fault { line: line as usize, column: place + 1, sentence, ..Fault::default() });
+        }
         let Guess { quantity, unit, sign, .. } = guess(column).filter(is_lacking).filter(|_| !is_read)?;
         let unit = if unit.is_empty() { String::new() } else { format!(", in {unit}") };
         let sign = if sign < 0.0 { ", with the opposite sign" } else { "" };

@@ -1,6 +1,6 @@
 //! What the name of a column says: quantity, unit and sign.
 
-use super::quantity::{Dimension, QUANTITIES, unit_of};
+use super::quantity::{Dimension, LATITUDE, LONGITUDE, QUANTITIES, unit_of};
 
 /// What a column has, by its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -144,6 +144,13 @@ const NAMES: &[(&str, &[&str])] = &[
     ("temperature", &["temperature", "temp", "oat", "imutemp"]),
 ];
 
+/// Names of columns with the letter of a hemisphere, without blanks and marks, and the words behind them that do not change them.
+const HEMISPHERES: [(usize, &[&str]); 2] = [
+    (LATITUDE, &["ns", "latns", "latitudens", "northsouth", "latside", "latitudeside"]),
+    (LONGITUDE, &["ew", "lonew", "longew", "longitudeew", "eastwest", "lonside", "longitudeside"]),
+];
+const AFTER: [&str; 3] = ["indicator", "hemisphere", "ind"];
+
 /// Words before a quantity that do not change it.
 const BEFORE: [&str; 14] = [
     "gps",
@@ -248,6 +255,13 @@ pub fn guess(name: &str) -> Option<Guess> {
         }
         words.remove(0);
     }
+}
+
+/// The quantity whose hemisphere the column of this name has; `None`: the name says no such thing.
+pub fn hemisphere_of(name: &str) -> Option<usize> {
+    let stem = words(name).concat();
+    let stem = AFTER.iter().find_map(|end| stem.strip_suffix(end)).unwrap_or(&stem);
+    HEMISPHERES.iter().find(|(_, names)| names.contains(&stem)).map(|(quantity, _)| *quantity)
 }
 
 /// The unit that a cell of a line of units has; empty: one that a quantity has anyway.

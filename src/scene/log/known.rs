@@ -20,7 +20,7 @@ pub fn known(names: &StringRecord) -> Option<&'static Known> {
 }
 
 /// The formats. Of two that fit, the first is taken.
-const KNOWN: [Known; 13] = [
+const KNOWN: [Known; 14] = [
     Known {
         name: "Garmin G1000",
         columns: &["Lcl Time", "AltMSL", "GndSpd", "TRK", "VSpd"],
@@ -190,6 +190,17 @@ attitude = "coordinated""#,
         doubt: "one aircraft a file: select the rows of one icao24",
     },
     Known {
+        name: "Flightradar24",
+        columns: &["Timestamp", "UTC", "Callsign", "Position", "Altitude", "Speed", "Direction"],
+        keys: r#"time = "Timestamp"
+latitude = { col = "Position", part = 1 }
+longitude = { col = "Position", part = 2 }
+height = { col = "Altitude", unit = "ft" }
+smooth = "auto"
+attitude = "coordinated""#,
+        doubt: "Altitude is a pressure altitude; Speed and Direction are not read, since without a climb rate they are no whole velocity",
+    },
+    Known {
         name: "NCAR research aircraft",
         columns: &["Time", "LATC", "LONC", "GGALT", "THDG"],
         keys: r#"time = "Time"
@@ -229,7 +240,7 @@ mod tests {
     use super::*;
 
     /// A sample of each known format: two seconds, at 48° north and 11° east, at 300 m, climbing, banked to the right.
-    const SAMPLES: [(&str, &str); 13] = [
+    const SAMPLES: [(&str, &str); 14] = [
         (
             "Garmin G1000",
             "#airframe_info, log_version=\"1.00\"\n#yyy-mm-dd, hh:mm:ss, hh:mm, degrees, degrees, ft msl, ft wgs, deg, deg, kt, fpm, deg, deg, deg\n\
@@ -286,6 +297,12 @@ mod tests {
             "traffic",
             "timestamp,icao24,latitude,longitude,altitude,groundspeed,track,vertical_rate,callsign\n\
              2024-05-01 12:00:00+00:00,3c6444,48.0,11.0,984.252,97.2,0,200,X\n2024-05-01 12:00:01+00:00,3c6444,48.00045,11.0,987.5,97.2,0,200,X\n",
+        ),
+        (
+            "Flightradar24",
+            "Timestamp,UTC,Callsign,Position,Altitude,Speed,Direction\n\
+             1714564800,2024-05-01T12:00:00Z,X1,\"48.0,11.0\",984.252,97,0\n\
+             1714564830,2024-05-01T12:00:30Z,X1,\"48.0135,11.0\",1000,97,0\n",
         ),
         (
             "NCAR research aircraft",

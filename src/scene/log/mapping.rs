@@ -2,43 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::quantity::{Q0, QUANTITIES, Quantity, ROLL, VARIATION, VELOCITY, unit_of, units_of};
-use crate::scene::value::Value;
-use crate::scene::written::{number_text, text_in_quotes};
-use crate::scene::{MAX_TEXT_VALUE, excerpt, listed, nearest};
-
-/// Where the values of a quantity stand.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub enum ColumnFrom {
-    /// In the column of the quantity's own name, if the log has it.
-    #[default]
-    OwnName,
-    /// In the column of this name.
-    Name(String),
-    /// In the column of this number, from 1.
-    Number(usize),
-    /// In no column: it is this number.
-    Constant(f64),
-}
-
-/// How a quantity is read: value = scale · unit · cell + add.
-#[derive(Debug, Clone, PartialEq)]
-pub struct LogColumn {
-    /// Where its values stand.
-    pub from: ColumnFrom,
-    /// Its unit; empty: deg, m, m/s, rad/s, m/s², °C or s.
-    pub unit: &'static str,
-    /// Factor of a cell; -1: the opposite sign.
-    pub scale: f64,
-    /// Added to the value, in the unit that it has without a stated one.
-    pub add: f64,
-}
-
-impl Default for LogColumn {
-    fn default() -> Self {
-        Self { from: ColumnFrom::OwnName, unit: "", scale: 1.0, add: 0.0 }
-    }
-}
+use super::column::{ColumnFrom, LogColumn};
+use super::quantity::{Q0, QUANTITIES, ROLL, VARIATION, VELOCITY};
 
 /// How times are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -192,8 +157,7 @@ impl LogMapping {
 impl Default for LogMapping {
     fn default() -> Self {
         Self {
-            columns: [const { LogColumn { from: ColumnFrom::OwnName, unit: "", scale: 1.0, add: 0.0 } };
-                QUANTITIES.len()],
+            columns: [LogColumn::OWN_NAME; QUANTITIES.len()],
             time_format: TimeFormat::Number,
             rate_hz: None,
             is_track_magnetic: false,
@@ -211,122 +175,5 @@ impl Default for LogMapping {
             is_coordinated: false,
             attack_rad: 0.0,
         }
-    }
-}
-
-/// What a column takes, in words.
-pub(in crate::scene) const TAKES: &str =
-    "\"NAME\" of a column, { col = \"NAME\", unit = \"ft\" }, or a number";
-
-impl LogColumn {
-    /// The column that a value of a text describes; on an error what is wrong.
-    pub(in crate::scene) fn of(value: &Value, quantity: usize) -> Result<Self, String> {
-        let Quantity { key, dimension, .. } = QUANTITIES[quantity];
-        let name = |text: &str| {
-            let name = text.trim();
-            if name.is_empty() || name.chars().any(char::is_control) || name.len() > MAX_TEXT_VALUE {
-                return Err(format!("log.{key}: expected the name of a column, without control characters"));
-            }
-            Ok(ColumnFrom::Name(name.to_owned()))
-        };
-        let parts = match value {
-            Value::Text(text) => return Ok(Self { from: name(text)?, ..Self::default() }),
-            Value::Whole(_) | Value::Number(_) => {
-                let constant = value.number().unwrap_or_default();
-                return Ok(Self { from: ColumnFrom::Constant(constant), ..Self::default() });
-            }
-            Value::Table(parts) => parts,
-            _ => return Err(format!("log.{key}: expected {TAKES}")),
-        };
-        let mut column = Self::default();
-        for (part, value) in parts {
-            let expected = |what: &str| format!("log.{key}.{part}: expected {what}");
-            let number = || value.number().ok_or_else(|| expected("a number"));
-            match (part.as_str(), value) {
-                ("col" | "value", _) if column.from != ColumnFrom::OwnName => {
-                    return Err(format!("log.{key}: expected either col or value"));
-                }
-                ("col", Value::Text(text)) => column.from = name(text)?,
-                ("col", Value::Whole(number)) => {
-                    let place = usize::try_from(*number).ok().filter(|place| (1..=1000).contains(place));
-                    column.from =
-                        ColumnFrom::Number(place.ok_or_else(|| expected("a column from 1 to 1000"))?);
-                }
-                ("col", _) => return Err(expected("the name or the number of a column")),
-                ("value", _) => column.from = ColumnFrom::Constant(number()?),
-                ("unit", Value::Text(text)) if !text.is_empty() && unit_of(dimension, text).is_some() => {
-                    column.unit = unit_of(dimension, text).map_or("", |(unit, _)| unit);
-                }
-                ("unit", _) => {
-                    let units: Vec<&str> = units_of(dimension).collect();
-                    return Err(expected(&units.join(", ")));
-                }
-                ("sign", _) => {
-                    let sign = number()?;
-                    if sign.abs() != 1.0 {
-                        return Err(expected("1 or -1"));
-                    }
-                    column.scale *= sign;
-                }
-                ("scale", _) => {
-                    let scale = number()?;
-                    if scale == 0.0 {
-                        return Err(expected("a number that is not 0"));
-                    }
-                    column.scale *= scale;
-                }
-                ("add", _) => column.add = number()?,
-                _ => {
-                    let names = ["col", "value", "unit", "sign", "scale", "add"];
-                    let near = nearest(part, names.into_iter())
-                        .map_or(String::new(), |near| format!("; did you mean {near}?"));
-                    let names = listed(names.into_iter());
-                    return Err(format!(
-                        "log.{key}: no such part: {}; expected {names}{near}",
-                        excerpt(part)
-                    ));
-                }
-            }
-        }
-        if column.from == ColumnFrom::OwnName {
-            return Err(format!("log.{key}: expected its col or its value"));
-        }
-        Ok(column)
-    }
-
-    /// The column in TOML, which reads back to the bit; empty: the quantity has its own name.
-    pub(in crate::scene) fn text(&self) -> String {
-        let from = match &self.from {
-            ColumnFrom::OwnName => return String::new(),
-            ColumnFrom::Name(name) => format!("col = {}", text_in_quotes(name)),
-            ColumnFrom::Number(number) => format!("col = {number}"),
-            ColumnFrom::Constant(value) => format!("value = {}", number_text(*value)),
-        };
-        let is_plain = *self == Self { from: self.from.clone(), ..Self::default() };
-        match &self.from {
-            ColumnFrom::Name(name) if is_plain => return text_in_quotes(name),
-            ColumnFrom::Constant(value) if is_plain => return number_text(*value),
-            _ => {}
-        }
-        let mut text = format!("{{ {from}");
-        if !self.unit.is_empty() {
-            text += &format!(", unit = \"{}\"", self.unit);
-        }
-        match self.scale {
-            1.0 => {}
-            -1.0 => text += ", sign = -1",
-            scale => text += &format!(", scale = {}", number_text(scale)),
-        }
-        if self.add != 0.0 {
-            text += &format!(", add = {}", number_text(self.add));
-        }
-        text + " }"
-    }
-
-    /// A cell in SI is this number times the cell, plus the second one.
-    pub(super) fn factor_and_offset(&self, quantity: usize) -> [f64; 2] {
-        let dimension = QUANTITIES[quantity].dimension;
-        let si = |unit| unit_of(dimension, unit).map_or(1.0, |(_, si)| si);
-        [self.scale * si(self.unit), self.add * si("")]
     }
 }

@@ -6,9 +6,11 @@
 //! commas cause it.
 
 mod clock;
+mod column;
 mod columns;
 mod grid;
 mod guess;
+mod hemisphere;
 mod known;
 mod mapping;
 mod nameless;
@@ -29,8 +31,9 @@ use columns::{columns, only_place, unread};
 use rows::{Table, check_line, names_of, next_row, reader, single_blanks};
 
 pub use clock::Clock;
-pub(in crate::scene) use mapping::TAKES as COLUMN_TAKES;
-pub use mapping::{ColumnFrom, LogColumn, LogMapping, Separator, TimeFormat};
+pub(in crate::scene) use column::TAKES as COLUMN_TAKES;
+pub use column::{ColumnFrom, LogColumn};
+pub use mapping::{LogMapping, Separator, TimeFormat};
 pub(in crate::scene) use quantity::QUANTITIES;
 pub use quantity::{column_of, quantity_of};
 pub use survey::{Survey, survey};

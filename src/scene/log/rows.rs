@@ -5,6 +5,7 @@ use nalgebra::{Quaternion, Vector3};
 
 use super::clock::Clock;
 use super::columns::{COUNT, Columns, has, has_quaternion};
+use super::hemisphere::{sides, signed};
 use super::quantity::{
     FORCE, FORWARD, GEOID, Q0, RATE, SPEED, TEMPERATURE, TRACK, VARIATION, VELOCITY, name, quantity_of,
 };
@@ -159,14 +160,23 @@ impl Table<'_> {
             let Some(text) = row.get(place) else {
                 return Err(fault(line, place + 1, format!("the line ends before {name}")));
             };
-            if self.is_mapped && is_missing(text, self.mapping.missing) {
+            let Some(text) = part_of(text, column.part) else {
+                let sentence = format!("{name}: expected {} parts, found \"{}\"", column.part, excerpt(text));
+                return Err(fault(line, place + 1, sentence));
+            };
+            let letter = column.hemisphere.map(|place| (place, row.get(place).unwrap_or_default()));
+            let has_no_letter = letter.is_some_and(|(_, letter)| is_missing(letter, None));
+            if self.is_mapped && (is_missing(text, self.mapping.missing) || has_no_letter) {
                 is_whole = false;
                 continue;
             }
+            let separator = self.mapping.separator;
             let is_time = quantity == 0;
-            let number = match is_time {
-                true => self.clock.next(&self.mapping.separator.with_point(text)),
-                false => number(text, self.mapping.separator),
+            let number = match sides(quantity) {
+                _ if is_time => self.clock.next(&separator.with_point(text)),
+                Some(sides) => signed((place, text), letter, sides, separator)
+                    .map_err(|(place, sentence)| fault(line, place + 1, format!("{name}: {sentence}")))?,
+                None => number(text, separator),
             };
             let Some(number) = number else {
                 let what = if is_time { self.clock.expected() } else { "a finite number" };
@@ -244,6 +254,20 @@ pub fn is_missing(text: &str, missing: Option<f64>) -> bool {
     NOTHING.iter().any(|nothing| text.eq_ignore_ascii_case(nothing)) || missing.is_some_and(is_it)
 }
 
+/// Part `part` of a cell, from 1, or with 0 the whole cell; of a cell without a value the whole too. Parts stand between semicolons, blanks
+/// or commas: the first of these that the cell has.
+pub fn part_of(text: &str, part: usize) -> Option<&str> {
+    let Some(index) = part.checked_sub(1).filter(|_| !is_missing(text, None)) else { return Some(text) };
+    let part = if text.contains(';') {
+        text.split(';').nth(index)
+    } else if text.contains(char::is_whitespace) {
+        text.split_whitespace().nth(index)
+    } else {
+        text.split(',').nth(index)
+    };
+    part.map(|part| part.trim().trim_end_matches(','))
+}
+
 /// The number in a cell.
 pub fn number(text: &str, separator: Separator) -> Option<f64> {
     separator.with_point(text).parse().ok().filter(|number: &f64| number.is_finite())
@@ -265,4 +289,53 @@ fn out_of_range(error: &Error, line: u64, columns: &Columns) -> LogError {
         own.sentence_about(&column.name)
     };
     fault(line, column.place.map_or(1, |place| place + 1), sentence)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{FlightLog, LogError};
+    use super::*;
+    use crate::scene::Scene;
+
+    #[test]
+    fn a_cell_has_parts() {
+        for text in ["48.1,11.5,x", "48.1, 11.5, x", "48.1 11.5 x", "48.1; 11.5 ;x"] {
+            let parts = [1, 2, 3, 4].map(|part| part_of(text, part));
+            assert_eq!(parts, [Some("48.1"), Some("11.5"), Some("x"), None], "{text}");
+            assert_eq!(part_of(text, 0), Some(text));
+        }
+        assert_eq!(part_of("N/A", 2), Some("N/A"));
+    }
+
+    #[test]
+    fn a_position_in_one_cell_is_read() {
+        let text = "[flight]\nfile = \"a.csv\"\n[log]\ntime = \"t\"\nlatitude = { col = \"at\", part = 1 }\n\
+            longitude = { col = \"at\", part = 2 }\nheight = 0\nroll = 0\npitch = 0\nheading = 0\n";
+        let scene = Scene::parse(text.as_bytes()).unwrap();
+        assert_eq!(Scene::parse(scene.write().as_bytes()).unwrap().log, scene.log);
+        let read = |cells: [&str; 3]| {
+            let rows: String = cells.iter().zip(0..).map(|(cell, t)| format!("{t},\"{cell}\"\n")).collect();
+            FlightLog::parse_with(format!("t,at\n{rows}").as_bytes(), &scene.log)
+        };
+        let log = read(["48.1,11.5", "", "33.5S 11.5W"]).unwrap();
+        let places = [0, 1].map(|row| log.samples()[row].place);
+        let degrees = places.map(|place| [place.latitude_rad, place.longitude_rad].map(f64::to_degrees));
+        for (found, expected) in degrees.as_flattened().iter().zip([48.1, 11.5, -33.5, -11.5]) {
+            assert!((found - expected).abs() < 1e-12, "{degrees:?}");
+        }
+        assert_eq!(log.notes()[0].sentence, "1 row is left out, the first here: a value is missing");
+        let Err(LogError::Fault(fault)) = read(["48.1,11.5", "48.1", "48.1,11.5"]) else { panic!() };
+        assert_eq!(
+            (fault.line, fault.column, fault.sentence.as_str()),
+            (3, 2, "at: expected 2 parts, found \"48.1\"")
+        );
+        for part in ["0", "101", "\"1\""] {
+            let text = text.replace("part = 1", &format!("part = {part}"));
+            let sentence = Scene::parse(text.as_bytes()).unwrap_err()[0].sentence.clone();
+            assert!(
+                sentence.contains("log.latitude.part: expected a part of a cell, from 1 to 100"),
+                "{sentence}"
+            );
+        }
+    }
 }

@@ -1,7 +1,8 @@
 //! A look at a table: the `[log]` that reads it, of a known format or guessed from names, units and values.
 
 use super::grid::Grid;
-use super::guess::{Guess, guess};
+use super::guess::{Guess, guess, hemisphere_of};
+use super::hemisphere::{sides, sign_of};
 use super::known::{Known, known};
 use super::nameless::nameless;
 use super::quantity::{Dimension, QUANTITIES, unit_of};
@@ -162,7 +163,10 @@ impl Draft<'_> {
                 unit.is_empty() || unit_of(about.dimension, "").is_some_and(|(usual, _)| usual == unit);
             let unit = if is_usual { String::new() } else { format!(", unit = \"{unit}\"") };
             let sign = if guess.sign < 0.0 { ", sign = -1" } else { "" };
-            self.set(about.key, self.column(place, &format!("{unit}{sign}")));
+            let hemisphere = self.hemisphere(guess.quantity, place).map_or(String::new(), |letters| {
+                format!(", hemisphere = {}", self.named_or_numbered(letters))
+            });
+            self.set(about.key, self.column(place, &format!("{unit}{sign}{hemisphere}")));
             let lower = self.grid.names[place].to_lowercase();
             if about.key == "height" && !lower.contains("wgs") && !lower.contains("ellips") {
                 self.doubt(format!("{name} may be above the sea: set geoid if it matters"));
@@ -173,15 +177,32 @@ impl Draft<'_> {
         }
     }
 
-    /// The value of a key: a column, with more than its place. It is named, or numbered if another has the same name or a scene cannot
-    /// write it.
-    fn column(&self, place: usize, more: &str) -> String {
+    /// The column with the letters of the hemisphere of a quantity in column `place`: its name says so, or it stands beside, and its cells
+    /// are letters of hemispheres.
+    fn hemisphere(&self, quantity: usize, place: usize) -> Option<usize> {
+        let sides = sides(quantity)?;
+        let has_letters = |letters: &usize| {
+            let mut cells = self.grid.cells(*letters).peekable();
+            cells.peek().is_some() && cells.all(|cell| sign_of(cell, sides).is_some())
+        };
+        let names = self.grid.names.iter().map(hemisphere_of).enumerate();
+        let of_name = names.filter(|(_, found)| *found == Some(quantity)).map(|(letters, _)| letters);
+        of_name.chain([place + 1]).chain(place.checked_sub(1)).find(has_letters)
+    }
+
+    /// A column in TOML: its name, or its number if another has the same name or a scene cannot write it.
+    fn named_or_numbered(&self, place: usize) -> String {
         let name = &self.grid.names[place];
         let is_single = self.grid.names.iter().filter(|other| *other == name).count() == 1;
         let is_written = name.len() <= MAX_TEXT_VALUE && !name.chars().any(char::is_control);
-        let is_named = is_single && is_written;
-        let column = if is_named { text_in_quotes(name) } else { (place + 1).to_string() };
+        if is_single && is_written { text_in_quotes(name) } else { (place + 1).to_string() }
+    }
+
+    /// The value of a key: a column, with more than its place.
+    fn column(&self, place: usize, more: &str) -> String {
+        let column = self.named_or_numbered(place);
         // A number alone would be a constant.
+        let is_named = column.starts_with('"');
         if is_named && more.is_empty() { column } else { format!("{{ col = {column}{more} }}") }
     }
 
@@ -653,6 +674,31 @@ pub mod tests {
             (log.samples()[0].euler.roll - 0.3).abs() < 1e-12 && doubts(&found, "taken as radians"),
             "{found:?}"
         );
+    }
+
+    #[test]
+    fn letters_of_hemispheres_are_found() {
+        for (names, letters) in [
+            ("t,lat,N/S,lon,E/W,alt", ["N/S", "E/W"]),
+            ("t,lat,dir 1,lon,dir 2,alt", ["dir 1", "dir 2"]),
+            ("t,lat,NS Indicator,lon,Longitude E/W,alt", ["NS Indicator", "Longitude E/W"]),
+        ] {
+            let (found, log) = read(&format!("{names}\n0,33.5,S,70.5,W,300\n1,33.5,S,70.5001,W,300\n"));
+            let [ns, ew] = letters;
+            let keys = format!(
+                "latitude = {{ col = \"lat\", hemisphere = \"{ns}\" }}\nlongitude = {{ col = \"lon\", hemisphere = \"{ew}\" }}\n"
+            );
+            assert!(found.text.contains(&keys), "{found:?}");
+            let place = log.samples()[0].place;
+            assert!((place.latitude_rad.to_degrees() + 33.5).abs() < 1e-12, "{place:?}");
+            assert!((place.longitude_rad.to_degrees() + 70.5).abs() < 1e-12, "{place:?}");
+            assert!(log.notes().is_empty(), "{:?}", log.notes());
+        }
+        // Letters of the wind are none of the position, wherever they stand.
+        let (found, _) = read("t,wind,lat,lon,alt\n0,W,33.5,70.5,300\n1,S,33.5,70.5001,300\n");
+        assert!(!found.text.contains("hemisphere"), "{found:?}");
+        let (_, log) = read("t,lat,lon,alt\n0,33.5S,W70.5,300\n1,33.5S,W70.5001,300\n");
+        assert!(log.samples()[0].place.latitude_rad < 0.0 && log.samples()[0].place.longitude_rad < 0.0);
     }
 
     #[test]

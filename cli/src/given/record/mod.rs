@@ -1,5 +1,6 @@
-//! Flight records that are no tables: they become tables of the library's own columns, without an attitude.
+//! Flight records that are no tables: they become tables of the library's own columns.
 
+mod fdr;
 mod gpx;
 mod igc;
 
@@ -7,7 +8,7 @@ use std::io::Read;
 use std::path::Path;
 
 use sins::scene::log::{LogMapping, decoded};
-use sins::scene::{GPX, IGC, foreign};
+use sins::scene::{FDR, GPX, IGC, foreign};
 
 use super::file::{BEGIN, open};
 use crate::failure::Failure;
@@ -19,6 +20,8 @@ pub struct Table {
     pub text: Vec<u8>,
     /// What was assumed of a flight record, in a sentence; `None`: the file is a table itself.
     pub note: Option<String>,
+    /// Whether it has columns of the attitude, if it is a flight record.
+    has_attitude: bool,
 }
 
 /// Line of a fault, from 1, or 0 for the whole file; and what is wrong there.
@@ -31,21 +34,23 @@ impl Table {
         let read = match foreign(text.as_bytes()) {
             Some(IGC) => igc::table,
             Some(GPX) => gpx::table,
-            _ => return Ok(Self { text: file, note: None }),
+            Some(FDR) => fdr::table,
+            _ => return Ok(Self { text: file, note: None, has_attitude: false }),
         };
+        let has_attitude = foreign(text.as_bytes()) == Some(FDR);
         let (rows, note) = read(text.as_bytes()).map_err(|(line, sentence)| match line {
             0 => Failure::of_file(path, &sentence),
             line => Failure::of_line(path, line, &sentence),
         })?;
-        Ok(Self { text: rows.text.into_bytes(), note: Some(note) })
+        Ok(Self { text: rows.text.into_bytes(), note: Some(note), has_attitude })
     }
 
     /// Adds what a flight record needs to `mapping`: its path is smoothed, and its attitude is that of a coordinated flight unless
-    /// the mapping has another.
+    /// the record or the mapping has another.
     pub fn complete(&self, mapping: &mut LogMapping) {
         if self.note.is_some() {
             mapping.smooth = true;
-            mapping.is_coordinated |= !mapping.names_attitude();
+            mapping.is_coordinated |= !self.has_attitude && !mapping.names_attitude();
         }
     }
 }
@@ -55,7 +60,7 @@ pub fn is_record(path: &Path) -> bool {
     let mut begin = Vec::new();
     let is_read =
         path.is_file() && open(path).is_ok_and(|file| file.take(BEGIN).read_to_end(&mut begin).is_ok());
-    is_read && decoded(&begin).is_ok_and(|text| matches!(foreign(text.as_bytes()), Some(IGC | GPX)))
+    is_read && decoded(&begin).is_ok_and(|text| matches!(foreign(text.as_bytes()), Some(IGC | GPX | FDR)))
 }
 
 /// The rows of a table. Each stands on the line of its fix in the file, so that messages about a row have the line of the file; where
