@@ -36,6 +36,7 @@ pub use column::{ColumnFrom, LogColumn};
 pub use mapping::{LogMapping, Separator, TimeFormat};
 pub(in crate::scene) use quantity::QUANTITIES;
 pub use quantity::{column_of, quantity_of};
+pub use smooth::RowOfPath;
 pub use survey::{Survey, survey};
 pub use text::decoded;
 
@@ -56,6 +57,8 @@ pub struct FlightLog {
     has_attitude: bool,
     /// What was found in the rows of a smoothed log, and the line of each.
     of_rows: Vec<(Finding, u64)>,
+    /// The rows that the path of a smoothed log was fitted to.
+    rows: Vec<RowOfPath>,
     /// As which it was read; `None`: the default, also of a log without a text.
     mapping: Option<Box<LogMapping>>,
 }
@@ -129,6 +132,7 @@ impl FlightLog {
             lines: Vec::new(),
             notes,
             of_rows: Vec::new(),
+            rows: Vec::new(),
             has_attitude: !mapping.is_coordinated,
             mapping: (*mapping != LogMapping::default()).then(|| Box::new(mapping.clone())),
         };
@@ -250,6 +254,7 @@ impl FlightLog {
             lines: Vec::new(),
             notes: Vec::new(),
             of_rows: Vec::new(),
+            rows: Vec::new(),
             has_attitude: true,
             mapping: None,
         })
@@ -301,6 +306,11 @@ impl FlightLog {
             judge.push(sample).map_err(|error| (index, error))?;
         }
         Ok(())
+    }
+
+    /// The rows that the path of a smoothed log was fitted to, from its start on, also those without weight; empty: it is no path.
+    pub fn rows(&self) -> &[RowOfPath] {
+        &self.rows
     }
 
     /// The line of a finding of its judge, from 1.

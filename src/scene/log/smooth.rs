@@ -1,14 +1,28 @@
 //! The smoothed path of a log, as a log.
 
+use nalgebra::Vector3;
+
 use super::{FlightLog, LogError, LogMapping, fault};
 use crate::base::memory::room;
 use crate::base::units::DEG;
-use crate::earth::Earth;
+use crate::earth::{Earth, Geodetic};
 use crate::scene::{Fault, Scene};
+use crate::truth::FlightSample;
 use crate::truth::smooth::{SmoothOptions, Smoothed, SmoothedPart};
 
 /// Most samples of a smoothed log.
 const MOST_SAMPLES: f64 = 1e8;
+
+/// A row that a path was fitted to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RowOfPath {
+    /// Its time stamp [s].
+    pub time_s: f64,
+    /// Its position.
+    pub place: Geodetic,
+    /// Its position less that of the path at its time stamp, east, north, up [m].
+    pub residual_n: Vector3<f64>,
+}
 
 impl Scene {
     /// The log in a text, read and repaired as [`Scene::log`] says.
@@ -51,6 +65,15 @@ impl FlightLog {
             }
             lines.push(self.lines[row]);
         }
+        let mut rows = room(self.samples.len()).map_err(LogError::Memory)?;
+        for FlightSample { time_s, place, .. } in &self.samples {
+            // Rows from before the first fix are before the path.
+            let Ok(path) = smoothed.sample_at(*time_s) else { continue };
+            let (d_e, axes) = earth.displacement(place, &path.place);
+            let [east, north, _] = axes.map(|axis| axis.dot(&d_e));
+            let residual_n = Vector3::new(east, north, place.height_m - path.place.height_m);
+            rows.push(RowOfPath { time_s: *time_s, place: *place, residual_n });
+        }
         let had_velocities = self.samples[0].v_n.is_some();
         let said = said(&smoothed, had_velocities).into_iter();
         let said = said.map(|sentence| Fault { sentence, ..Fault::default() });
@@ -68,6 +91,7 @@ impl FlightLog {
             lines,
             notes,
             of_rows,
+            rows,
             has_attitude: true,
             mapping: self.mapping.clone(),
         })

@@ -1,0 +1,35 @@
+//! The rows of a log beside the smooth path that was fitted to them, as a file.
+
+use std::io::Write;
+
+use sins::records;
+use sins::scene::log::RowOfPath;
+
+use crate::failure::Failure;
+use crate::output::OutputFile;
+
+/// Columns of the file: a row, and its position less that of the path.
+pub const COLUMNS: [&str; 7] = [
+    "time_s",
+    "latitude_rad",
+    "longitude_rad",
+    "height_m",
+    "residual_east_m",
+    "residual_north_m",
+    "residual_up_m",
+];
+
+/// Writes the rows up to `end_s`, and puts the file in place.
+pub fn write(mut file: OutputFile, rows: &[RowOfPath], end_s: f64) -> Result<(), Failure> {
+    let head = std::iter::once(COLUMNS.join(","));
+    let lines = rows.iter().take_while(|row| row.time_s <= end_s).map(|row| {
+        let [east, north, up] = row.residual_n.into();
+        let place = &row.place;
+        let values = [row.time_s, place.latitude_rad, place.longitude_rad, place.height_m, east, north, up];
+        records::line(values.into_iter())
+    });
+    let text: String = head.chain(lines).map(|line| line + "\n").collect();
+    file.reserve(0)?;
+    file.write_all(text.as_bytes()).map_err(|error| Failure::of_output(file.path(), &error))?;
+    file.commit_lines()
+}
