@@ -81,6 +81,7 @@ impl Sampled<'_> {
             rates,
             judge,
             base: self.base,
+            warnings: Vec::new(),
         })
     }
 }

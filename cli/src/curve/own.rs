@@ -18,6 +18,12 @@ const FEWEST_SAMPLES: usize = 120;
 
 /// The scene of `given`: a whole log, or at most `most_s` [s] of a flight in closed form.
 pub fn scene(given: &Given, most_s: f64) -> Result<Scene, Failure> {
+    let mut made = without_warnings(given, most_s)?;
+    made.warnings = given.warnings(given.without_updates());
+    Ok(made)
+}
+
+fn without_warnings(given: &Given, most_s: f64) -> Result<Scene, Failure> {
     let scene = &given.scene;
     let base =
         Options { ellipsoid: scene.options.ellipsoid, gravity: scene.options.gravity, ..Options::default() };
@@ -57,7 +63,8 @@ fn of_log(given: &Given, base: Options) -> Result<Scene, Failure> {
             None => Failure::new(format!("{}: {error}", given.origin)),
         })?;
     let title = format!("{} s at {} Hz", round(given.duration_s), round(own_hz));
-    Ok(Scene { name: given.name.clone(), title, highest_hz: 0.0, samples, rates, judge, base })
+    let (name, warnings) = (given.name.clone(), Vec::new());
+    Ok(Scene { name, title, highest_hz: 0.0, samples, rates, judge, base, warnings })
 }
 
 /// Highest frequency of the sinusoids of a flight [Hz]; 0 without sinusoids.
