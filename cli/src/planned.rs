@@ -1,17 +1,25 @@
-//! The planned failures of a scene, in words and as times.
+//! The planned failures of a scene, in words and as times, and its planned updates in words.
 
-use sins::scene::{PlannedFailure, Scene};
+use sins::scene::{PlannedFailure, PlannedUpdate, Scene, Updated};
 use sins::sensors::{Axis, Failure, SensorOutput};
 
 use crate::drawing::failures::Span;
 
 /// Each failure with its time, numbered if there are several; "none" if there are no failures.
-pub fn text(scene: &Scene) -> String {
+pub fn failures(scene: &Scene) -> String {
     let numbered = |(number, planned)| format!("{number} {}", words(planned));
     match scene.failures.as_slice() {
         [] => "none".to_owned(),
         [planned] => words(planned),
         several => (1..).zip(several).map(numbered).collect::<Vec<String>>().join(", "),
+    }
+}
+
+/// Each update with its time; "none" if there are no updates.
+pub fn updates(scene: &Scene) -> String {
+    match scene.updates.as_slice() {
+        [] => "none".to_owned(),
+        updates => updates.iter().map(update_text).collect::<Vec<String>>().join(", "),
     }
 }
 
@@ -45,4 +53,18 @@ fn words(planned: &PlannedFailure) -> String {
     let until_s = planned.failing.until_s;
     let until = if until_s.is_finite() { format!("{until_s} s") } else { "the end".to_owned() };
     format!("{output} {kind} {} s to {until}", planned.failing.from_s)
+}
+
+fn update_text(planned: &PlannedUpdate) -> String {
+    let PlannedUpdate { updated, at_s, every_s, sigma_n } = planned;
+    let (what, axes, unit) = match updated {
+        Updated::Position => ("position", 3, "m"),
+        Updated::HorizontalPosition => ("horizontal position", 2, "m"),
+        Updated::Velocity => ("velocity", 3, "m/s"),
+    };
+    let every = if every_s.is_finite() { format!(" every {every_s} s") } else { String::new() };
+    let sigma = &sigma_n.as_slice()[..axes];
+    let is_same = sigma.iter().all(|size| *size == sigma[0]);
+    let sizes: Vec<String> = sigma[..if is_same { 1 } else { axes }].iter().map(f64::to_string).collect();
+    format!("{what} {at_s} s{every} sigma {} {unit}", sizes.join(" "))
 }

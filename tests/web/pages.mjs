@@ -4,57 +4,26 @@
 //     SINS=target/release/sins node --test tests/web/pages.mjs      see tests/web.sh
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync } from "node:fs";
-import { resolve } from "node:path";
+import { readFileSync } from "node:fs";
 import test, { after, before } from "node:test";
-import { pathToFileURL } from "node:url";
 
-import { browser } from "./browser.mjs";
+import { caption_of, opened, out, point, rows_of, saved, sins, start, stop, text_of } from "./drawings.mjs";
 
-const { SINS } = process.env, out = resolve("target/web/pages"), MOST_BYTES = 8192;
-let chromium;
-
-const sins = (...order) => execFileSync(SINS, order, { cwd: out });
+const MOST_BYTES = 8192;
 
 before(async () => {
-    mkdirSync(out, { recursive: true });
     const quiet = ["--quiet", "--force", "--out", out];
     sins("fly", "simulation2", "--set", "flight.hours=2", ...quiet);
     sins("fly", "aerobatics", "--set", "flight.hours=0.05", "--preset", "tactical", ...quiet);
     sins("report", "simulation2.csv", "aerobatics.csv", "-o", "report.html", "--force");
     sins("ensemble", "simulation2", "--runs", "16", "--set", "flight.hours=0.2", ...quiet);
-    chromium = await browser();
+    await start();
 });
-after(() => chromium.close());
-
-/** A page, opened from its file. Errors within it fail the test; requests to others too. */
-async function opened(context, name, options = {}) {
-    const browsing = await chromium.newContext({ viewport: { width: 1360, height: 900 }, ...options }), page = await browsing.newPage(), errors = [];
-    page.on("pageerror", (error) => errors.push(error.stack));
-    page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
-    page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || errors.push(request.url()));
-    context.after(async () => {
-        await browsing.close();
-        assert.deepEqual(errors, []);
-    });
-    await page.goto(pathToFileURL(`${out}/${name}.html`).href);
-    return page;
-}
+after(stop);
 
 /** The panel with a caption, in the figures of a run. */
 const panel = (page, run, caption) => page.locator(`[data-run="${run}"] .panel`, { has: page.locator(`.caption:text("${caption}")`) }).first();
-const caption_of = (own) => own.locator(".caption").innerHTML();
-const text_of = (own) => own.locator(".caption").evaluate((caption) => caption.textContent);
 const parts_shown = (page, run) => page.locator(`[data-run="${run}"] .panel.part`).count();
-
-/** Points at a share of a panel, from left to right. */
-async function point(page, own, share) {
-    const hit = own.locator(".hit");
-    await hit.scrollIntoViewIfNeeded();
-    const box = await hit.boundingBox();
-    await page.mouse.move(box.x + share * box.width, box.y + box.height / 2);
-}
 
 /** Columns of a file of records. */
 function records(name) {
@@ -137,11 +106,7 @@ test("keys do the same, and what they show is said", async (context) => {
 
 test("a drawing is saved as SVG, and its data as CSV", async (context) => {
     const page = await opened(context, "report"), figure = page.locator("figure", { has: page.locator('.caption:text("position east")') }).first();
-    const save = async (kind) => {
-        const [download] = await Promise.all([page.waitForEvent("download"), figure.locator(".save button", { hasText: kind }).first().click()]);
-        return [download.suggestedFilename(), readFileSync(await download.path(), "utf8")];
-    };
-    const [svg_name, svg] = await save("svg");
+    const [svg_name, svg] = await saved(page, figure, "svg");
     assert.match(svg_name, /\.svg$/);
     const size = await page.evaluate((text) => new Promise((done) => {
         const faults = new DOMParser().parseFromString(text, "image/svg+xml").querySelectorAll("parsererror").length, image = new Image();
@@ -151,7 +116,7 @@ test("a drawing is saved as SVG, and its data as CSV", async (context) => {
     }), svg);
     assert.ok(size?.[0] === 0 && size[1] > 400 && size[2] > 400, `${size}`);
     assert.match(svg, /data 2: navigation minus truth/); // with its legend
-    const [, csv] = await save("csv"), rows = csv.trim().split("\n").map((line) => JSON.parse(`[${line.replace(/^panel.*$/, '"head"')}]`)), all = records("simulation2");
+    const rows = await rows_of(page, figure), all = records("simulation2");
     const east = rows.filter(([caption, line]) => caption?.startsWith("position east") && line?.startsWith("data 2"));
     assert.ok(east.length > 100);
     const most_m = Math.max(...all.navigation_error_position_east_m.map(Math.abs));

@@ -7,7 +7,7 @@ use super::sheet;
 use crate::drawing::axis::Axis;
 use crate::drawing::figure::Legend;
 use crate::drawing::pen::Pen;
-use crate::drawing::plot::{Drawing, Note, PANEL_WIDTH, Panel, Trace, WIDTH};
+use crate::drawing::plot::{Drawing, LEFT, Note, PANEL_WIDTH, Panel, Trace, WIDTH};
 use crate::drawing::series::{Points, bounds};
 use crate::units::in_unit;
 
@@ -78,7 +78,7 @@ pub fn drawing(analysis: &Analysis) -> Drawing {
     let mut panel = Panel::new(caption, Axis::decades(bottom, top, 6), HEIGHT, traces);
     panel.notes = notes;
     let x = Axis::decades(left, right, 8);
-    Drawing { width: WIDTH, x, x_label: "averaging time [s]".to_owned(), panels: vec![panel] }
+    Drawing { width: WIDTH, left: LEFT, x, x_label: "averaging time [s]".to_owned(), panels: vec![panel] }
 }
 
 /// Logarithms of averaging time and of `value` in the unit of the axis.

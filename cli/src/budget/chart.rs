@@ -1,53 +1,30 @@
-//! Bars: position, velocity and attitude side by side, a line for each effect.
-
-use maud::{Markup, html};
+//! Bars: a drawing for each of position, velocity and attitude, with a bar for each effect. The axis is linear, so that bars of twice the
+//! length are errors of twice the size.
 
 use super::survey::{Kind, Line, Survey};
-use super::table::Columns;
-use crate::drawing::axis::Axis;
+use super::table::{self, Columns};
+use crate::drawing::axis::{Axis, Scale};
 use crate::drawing::figure::Legend;
 use crate::drawing::pen::Pen;
-use crate::drawing::plot::FINE;
-use crate::drawing::series::positive_range;
-use crate::units::{Unit, short};
+use crate::drawing::plot::{Drawing, Label, Mark, Note, Panel, RIGHT, Trace};
+use crate::units::{Unit, short, six_digits};
 
-/// Widths of the names, of a panel and of the value after its longest bar; heights of a line, of its bar, of the panels' titles and
-/// of the ticks below [drawing units].
+/// Widths of the names, of the room left of bars without names, and of a panel; height of a line [drawing units].
 const NAMES: f64 = 222.0;
-const PANEL: f64 = 215.0;
-const VALUE: f64 = 95.0;
+const NO_NAMES: f64 = 16.0;
+const PANEL: f64 = 290.0;
 const LINE: f64 = 22.0;
-const BAR: f64 = 13.0;
-const TITLE: f64 = 24.0;
-const TICKS: f64 = 26.0;
 
-/// How the three panels are arranged: side by side, or above one another on a narrow page.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Layout {
-    Row,
-    Column,
-}
+/// Length of the axis as a multiple of its longest bar: room for its value.
+const ROOM: f64 = 1.35;
 
-impl Layout {
-    /// Width and height of the chart of `survey` [drawing units].
-    pub fn size(self, survey: &Survey) -> (f64, f64) {
-        let (width, height) = (PANEL + VALUE, height(survey));
-        match self {
-            Self::Row => (NAMES + 3.0 * width, height),
-            Self::Column => (NAMES + width, 3.0 * height),
-        }
-    }
-}
+/// Distance of a value from the end of its bar [drawing units].
+const BESIDE: f64 = 6.0;
 
-/// Largest number of decades that a panel shows.
-const DECADES: f64 = 9.0;
+/// Largest ratio of the limit to the longest bar at which the limit is drawn.
+const FAR: f64 = 3.0;
 
-const QUANTITIES: [&str; 3] = ["position", "velocity", "attitude"];
-
-/// Height of a panel with its title and ticks.
-fn height(survey: &Survey) -> f64 {
-    TITLE + survey.lines().len() as f64 * LINE + TICKS
-}
+pub const QUANTITIES: [&str; 3] = ["position", "velocity", "attitude"];
 
 pub fn legend(survey: &Survey) -> Legend {
     let entry = |pen, text: &str| (pen, text.to_owned());
@@ -63,103 +40,96 @@ pub fn legend(survey: &Survey) -> Legend {
     legend
 }
 
-/// The chart as the inside of an SVG element, in the units of the table.
-pub fn chart(survey: &Survey, layout: Layout) -> Markup {
+/// The bars of part `part` of the errors, in the unit of the table; the names stand left of the bars, if they are wanted.
+pub fn drawing(survey: &Survey, part: usize, has_names: bool) -> Drawing {
     let lines = survey.lines();
-    let units = Columns::of(survey).units;
-    let moved = |k: f64| match layout {
-        Layout::Row => (k * (PANEL + VALUE), 0.0),
-        Layout::Column => (0.0, k * height(survey)),
-    };
-    html! {
-        @for (k, unit) in units.into_iter().enumerate() {
-            @let (right, down) = moved(k as f64);
-            g transform={ "translate(" (right * FINE) " " (down * FINE) ")" } {
-                @if k == 0 || layout == Layout::Column {
-                    @for (k, line) in lines.iter().enumerate() {
-                        text class=(label_class(line)) x=((NAMES - 8.0) * FINE) y=(text_y(k)) { (line.name) }
-                    }
-                }
-                (panel(&lines, survey.request.limits.parts()[k], k, unit))
-            }
-        }
-    }
-}
-
-fn label_class(line: &Line) -> &'static str {
-    if line.can_be_left_out { "label left-out" } else { "label" }
-}
-
-/// Base line of the text of line `k` [pixels].
-fn text_y(k: usize) -> f64 {
-    (TITLE + (k as f64 + 0.7) * LINE) * FINE
-}
-
-/// The panel of part `part` of the errors.
-fn panel(lines: &[Line], limit: f64, part: usize, unit: Unit) -> Markup {
-    let left = NAMES;
-    let (title, limit) = (QUANTITIES[part], limit / unit.si);
+    let unit = Columns::of(survey).units[part];
+    let (count, limit) = (lines.len(), survey.request.limits.parts()[part] / unit.si);
     let value = |line: &Line| line.worst.parts()[part] / unit.si;
-    let axis = axis(lines.iter().map(value).chain([limit]));
-    let at = |value: f64| {
-        let share = (value.log10() - axis.low) / (axis.high - axis.low);
-        PANEL * share.clamp(0.0, 1.0)
+    let longest = lines.iter().map(value).fold(0.0, f64::max);
+    let is_near = limit > 0.0 && limit <= FAR * longest;
+    let most = if is_near { limit.max(longest) } else { longest };
+    let x = Axis::linear(0.0, if most > 0.0 { ROOM * most } else { 1.0 }, 4);
+    // The first line is the highest.
+    let row = |k: usize| (count - 1 - k) as f64;
+    let name = |line: &Line| if has_names { line.name.to_owned() } else { String::new() };
+    let ticks = lines.iter().enumerate().rev().map(|(k, line)| (row(k), name(line))).collect();
+    let y = Axis { low: -0.5, high: count as f64 - 0.5, ticks, scale: Scale::Names };
+    let bars = lines.iter().enumerate().map(|(k, line)| Trace {
+        label: Some(label(line, value(line), unit)),
+        ..Trace::new(pen(line), vec![(0.0, row(k)), (value(line), row(k))])
+    });
+    let caption = format!("{} [{}]", QUANTITIES[part], unit.name);
+    let mut panel = Panel::new(caption, y, count as f64 * LINE, bars.collect());
+    panel.marks.extend(is_near.then(|| Mark { at: limit, pen: Pen::Limit, text: String::new() }));
+    panel.notes.extend(lines.iter().enumerate().map(|(k, line)| Note {
+        at: (value(line), row(k)),
+        shift: (BESIDE, 0.0),
+        pen: Pen::Value,
+        text: short(value(line)),
+    }));
+    let left = if has_names { NAMES } else { NO_NAMES };
+    let x_label = format!("largest error in the flight [{}]", unit.name);
+    Drawing { width: left + PANEL + RIGHT, left, x, x_label, panels: vec![panel] }
+}
+
+fn label(line: &Line, value: f64, unit: Unit) -> Label {
+    let kind = match table::kind(line) {
+        "" => String::new(),
+        kind => format!(" ({kind})"),
     };
-    let bottom = TITLE + lines.len() as f64 * LINE;
-    html! {
-        text class="title" x=(left * FINE) y=(0.65 * TITLE * FINE) { (title) " [" (unit.name) "]" }
-        @for (place, tick) in &axis.ticks {
-            (upright(Pen::Grid, left + at(10f64.powf(*place)), TITLE, bottom))
-            text class="tick" x=((left + at(10f64.powf(*place))) * FINE) y=((bottom + 18.0) * FINE) { (tick) }
-        }
-        @if limit > 0.0 { (upright(Pen::Limit, left + at(limit), TITLE, bottom)) }
-        @for (k, line) in lines.iter().enumerate() {
-            (bar(line, at(value(line)), left, k))
-            text class="value" x=((left + at(value(line)) + 6.0) * FINE) y=(text_y(k)) {
-                (short(value(line)))
-            }
-        }
-        (upright(Pen::Axis, left, TITLE, bottom))
+    let text = format!("{}{kind}: {} {}", line.name, short(value), unit.name);
+    Label { text, values: [six_digits(value).to_string(), String::new()] }
+}
+
+fn pen(line: &Line) -> Pen {
+    match (line.kind, line.can_be_left_out) {
+        (Kind::Random, false) => Pen::Random,
+        (Kind::Random, true) => Pen::PaleRandom,
+        (Kind::Deterministic, false) => Pen::Deterministic,
+        (Kind::Deterministic, true) => Pen::PaleDeterministic,
+        (Kind::Own, _) => Pen::Own,
+        (Kind::Together, _) => Pen::Together,
     }
-}
-
-fn upright(pen: Pen, x: f64, top: f64, bottom: f64) -> Markup {
-    html! { line class=(pen.class()) x1=(x * FINE) x2=(x * FINE) y1=(top * FINE) y2=(bottom * FINE) {} }
-}
-
-fn bar(line: &Line, width: f64, left: f64, k: usize) -> Markup {
-    let pen = match line.kind {
-        Kind::Random => Pen::Random,
-        Kind::Deterministic => Pen::Deterministic,
-        Kind::Own => Pen::Own,
-        Kind::Together => Pen::Together,
-    };
-    let class =
-        if line.can_be_left_out { format!("{} left-out", pen.class()) } else { pen.class().to_owned() };
-    let top = TITLE + k as f64 * LINE + 0.5 * (LINE - BAR);
-    html! {
-        rect class=(class) x=(left * FINE) y=(top * FINE) width=(width * FINE) height=(BAR * FINE) {}
-    }
-}
-
-/// Powers of ten that contain `values`, except values that are too small to be seen next to the largest.
-fn axis(values: impl Iterator<Item = f64>) -> Axis {
-    let (low, high) = positive_range(values);
-    let (low, high) = (low.log10(), high.log10());
-    // Half a decade is added so that the smallest value has a bar.
-    Axis::decades((low - 0.5).max(high - DECADES), high.max(low + 1.0), 5)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::survey::tests::made;
     use super::*;
 
+    /// The lengths of two bars are to each other as their errors are, and no bar is longer than the root sum of squares.
     #[test]
-    fn the_axis_holds_what_can_be_seen() {
-        let decades = axis([3.0, 0.0, 2e-4, f64::INFINITY].into_iter());
-        assert!(decades.low < 2e-4f64.log10() && decades.high == 3f64.log10());
-        assert_eq!(axis([1.0, 1e-30].into_iter()).low, -DECADES);
-        let nothing = axis([0.0].into_iter());
-        assert!(nothing.low < nothing.high);
+    fn bars_can_be_compared() {
+        let survey = made();
+        let drawing = drawing(&survey, 0, true);
+        let ends: Vec<f64> =
+            drawing.panels[0].traces.iter().map(|bar| drawing.x.share(bar.points[1].0)).collect();
+        let errors: Vec<f64> = survey.lines().iter().map(|line| line.worst.position_m).collect();
+        assert!(
+            ends.iter().zip(&errors).all(|(end, error)| (end / ends[0] - error / errors[0]).abs() < 1e-12)
+        );
+        assert!(drawing.panels[0].traces.iter().all(|bar| drawing.x.share(bar.points[0].0) == 0.0));
+        let place = survey.lines().iter().position(|line| line.name == "root sum of squares").unwrap();
+        assert!(
+            errors[..place].iter().all(|error| *error <= errors[place])
+                && errors[place] < errors[0] + errors[1]
+        );
+    }
+
+    #[test]
+    fn a_limit_that_is_far_away_does_not_shorten_the_bars() {
+        let mut survey = made();
+        let marks = |survey: &Survey| drawing(survey, 0, true).panels[0].marks.len();
+        assert_eq!(marks(&survey), 1);
+        survey.request.limits.position_m = 1e6;
+        assert_eq!(marks(&survey), 0);
+        assert!(drawing(&survey, 0, true).x.high < 2.0);
+    }
+
+    #[test]
+    fn without_errors_there_is_an_axis() {
+        let drawing = drawing(&made(), 2, true);
+        assert!(drawing.x.low == 0.0 && drawing.x.high == 1.0);
     }
 }

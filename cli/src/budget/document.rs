@@ -1,24 +1,35 @@
 //! The charts as SVG files, and all of them as a page with their tables.
 
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
+use sins::analysis::recommend::SolutionError;
 
-use super::chart::Layout;
+use super::chart::QUANTITIES;
 use super::survey::{Line, Survey};
 use super::{chart, table};
 use crate::drawing::document as page;
 use crate::drawing::figure::Figure;
 use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
 use crate::drawing::plot::FINE;
+use crate::failure::Failure;
+use crate::units::short;
 
-/// The chart of a scene as a file.
-pub fn picture(survey: &Survey) -> String {
-    let (top, (width, height)) = (TITLE + LEGEND, Layout::Row.size(survey));
+/// The chart of a scene as a file: position, velocity and attitude side by side.
+pub fn picture(survey: &Survey) -> Result<String, Failure> {
+    let top = TITLE + LEGEND;
+    let (mut right, mut bottom, mut panels) = (MARGIN, top, String::new());
+    for part in 0..QUANTITIES.len() {
+        let drawing = chart::drawing(survey, part, part == 0);
+        let svg = PreEscaped(drawing.svg(QUANTITIES[part])?);
+        panels += &placed(right, top, drawing.width, drawing.height(), &svg).into_string();
+        right += drawing.width;
+        bottom = top + drawing.height();
+    }
     let content = html! {
         text class="title" x=(MARGIN * FINE) y=(0.8 * TITLE * FINE) { (title(survey)) }
         (legend_row(&chart::legend(survey), TITLE))
-        (placed(MARGIN, top, width, height, &chart::chart(survey, Layout::Row)))
+        (PreEscaped(panels))
     };
-    file(width + 2.0 * MARGIN, top + height + MARGIN, &content)
+    Ok(file(right + MARGIN, bottom + MARGIN, &content))
 }
 
 fn title(survey: &Survey) -> String {
@@ -26,7 +37,8 @@ fn title(survey: &Survey) -> String {
 }
 
 /// The page with the charts and tables of all scenes.
-pub fn page(surveys: &[Survey]) -> String {
+pub fn page(surveys: &[Survey]) -> Result<String, Failure> {
+    let sections = surveys.iter().map(section).collect::<Result<Vec<_>, _>>()?;
     let body = html! {
         header {
             h1 { "Error budget" }
@@ -37,35 +49,37 @@ pub fn page(surveys: &[Survey]) -> String {
             }
         }
         main {
-            @for survey in surveys {
-                section {
-                    h2 { (survey.name) }
-                    p { (survey.title) "." }
-                    @for finding in &survey.findings { p.remark { "Flight data: " (finding) "." } }
-                    div.figures.wide { (page::figure(&figure(survey))) }
-                    div.table { (figures(survey)) }
-                }
-            }
+            @for section in &sections { (section) }
         }
     };
-    page::document("Error budget", &body)
+    Ok(page::document("Error budget", &body))
 }
 
-fn figure(survey: &Survey) -> Figure {
-    let alt = format!("Error budget. {}", title(survey));
-    // The style sheet shows one of them, by the width of the page.
-    let drawings = [("plot broad", Layout::Row), ("plot narrow", Layout::Column)].map(|(class, layout)| {
-        let (width, height) = layout.size(survey);
-        let view = format!("0 0 {} {}", width * FINE, height * FINE);
-        let chart = chart::chart(survey, layout);
-        html! { svg class=(class) role="img" aria-label=(alt) viewBox=(view) { (chart) } }.into_string()
-    });
-    Figure {
-        title: "Which effects matter".to_owned(),
-        legend: chart::legend(survey),
-        drawings: drawings.into(),
-        note: table::remark(survey),
-    }
+fn section(survey: &Survey) -> Result<Markup, Failure> {
+    let drawn = (0..QUANTITIES.len()).map(|part| figure(survey, part)).collect::<Result<Vec<_>, _>>()?;
+    Ok(html! {
+        section data-run=(survey.name) {
+            h2 { (survey.name) }
+            p { (survey.title) "." }
+            @for warning in &survey.warnings { p.remark { (warning) } }
+            div.figures.bars { @for drawn in &drawn { (page::figure(drawn)) } }
+            p.source { (table::remark(survey)) }
+            div.table { (figures(survey)) }
+        }
+    })
+}
+
+/// The bars of part `part` of the errors.
+fn figure(survey: &Survey, part: usize) -> Result<Figure, Failure> {
+    let unit = table::Columns::of(survey).units[part];
+    let value = |error: &SolutionError| format!("{} {}", short(error.parts()[part] / unit.si), unit.name);
+    let note = format!(
+        "All together {}; the root sum of squares of the effects is {}.",
+        value(&survey.budget.total),
+        value(&survey.root_sum_of_squares())
+    );
+    let title = format!("Effects on the {}", QUANTITIES[part]);
+    Figure::new(title, "", chart::legend(survey), &chart::drawing(survey, part, true), note)
 }
 
 fn figures(survey: &Survey) -> Markup {
@@ -84,54 +98,20 @@ fn figures(survey: &Survey) -> Markup {
 
 #[cfg(test)]
 mod tests {
-    use sins::analysis::budget::{Budget, BudgetRequest, BudgetRow, Costs, EFFECTS, SigmaInterval};
-    use sins::analysis::recommend::SolutionError;
-
+    use super::super::survey::tests::made;
     use super::*;
-
-    fn error(position_m: f64) -> SolutionError {
-        SolutionError { position_m, velocity_m_s: 1e-3 * position_m, attitude_rad: 0.0 }
-    }
-
-    fn made() -> Survey {
-        let row = |field: &str, position_m: f64, can_be_left_out| BudgetRow {
-            effect: EFFECTS.iter().find(|effect| effect.field == field).unwrap(),
-            worst: error(position_m),
-            end: error(position_m),
-            share: position_m,
-            can_be_left_out,
-        };
-        Survey {
-            name: "a<b".into(),
-            title: "made & flown".into(),
-            request: BudgetRequest { limits: error(1.0), ..Default::default() },
-            budget: Budget {
-                span_s: 600.0,
-                own: (error(1e-7), error(1e-8)),
-                rows: vec![row("gyro.bias_rad_s", 1234.0, false), row("gyro.bias_sigma_rad_s", 0.5, true)],
-                total: error(1234.1),
-                remainder: error(0.0),
-                left_out: error(0.5),
-                runs: 16,
-                interval: SigmaInterval::of(16),
-                flights: 51,
-            },
-            costs: Some(Costs { own_ns: 600.0, total_ns: 640.0, saved_ns: vec![30.0, 10.4] }),
-            findings: Vec::new(),
-        }
-    }
 
     #[test]
     fn picture_and_page_stand_alone() {
         let surveys = [made()];
-        let (svg, page) = (picture(&surveys[0]), page(&surveys));
+        let (svg, page) = (picture(&surveys[0]).unwrap(), page(&surveys).unwrap());
         assert!(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"") && svg.ends_with("</svg>\n"));
         assert!(page.starts_with("<!DOCTYPE html>") && page.contains("<code>gyro.bias_sigma_deg_h</code>"));
         assert!(!page.contains("rad_s"), "keys of a scene, not fields of the interface");
         for (text, addresses) in [(&svg, 1), (&page, 0)] {
             assert_eq!(text.matches("http").count(), addresses, "nothing from outside");
             assert!(text.contains("a&lt;b") && !text.contains("a<b") && text.contains("made &amp; flown"));
-            for class in ["deterministic", "random left-out", "own", "together", "limit", "label left-out"] {
+            for class in ["deterministic", "pale-random", "own", "together", "limit", "note value"] {
                 assert!(text.contains(&format!("class=\"{class}\"")), "{class}");
             }
         }
@@ -152,34 +132,34 @@ mod tests {
         let survey = Survey { costs: None, ..made() };
         let tables = table::tables(std::slice::from_ref(&survey));
         assert!(tables.contains("| attitude [rad] |\n|---|---|---|---|---|\n"), "{tables}");
-        assert!(!page(&[survey]).contains("[ns]"));
+        assert!(!page(&[survey]).unwrap().contains("[ns]"));
     }
 
     /// Chart and table have the same units.
     #[test]
     fn a_budget_has_one_unit() {
-        let page = page(&[made()]);
-        assert_eq!(page.matches("position [km]").count(), 3, "two layouts and the table");
+        let page = page(&[made()]).unwrap();
+        assert_eq!(page.matches("position [km]").count(), 2, "bars and table");
         assert_eq!(page.matches("position [m]").count(), 0);
-        // The bias and all together are 1.2 km and 1.2 m/s, in both layouts and in the table.
+        // The bias, the root sum of squares and all together are 1.2 km and 1.2 m/s, at the bars and in the table.
         assert_eq!(page.matches(">1.2<").count(), 3 * 2 * 2);
     }
 
     /// The line of the limit is drawn first, and the labels over it have a halo.
     #[test]
     fn a_limit_does_not_strike_its_labels_through() {
-        let svg = picture(&made());
-        let (limit, label) = (svg.find("<line class=\"limit\""), svg.find("class=\"value\""));
+        let svg = picture(&made()).unwrap();
+        let (limit, label) = (svg.find("<path class=\"limit\""), svg.find("class=\"note value\""));
         assert!(limit.is_some() && limit < label);
         let rule = svg.split(".plot text {").nth(1).and_then(|rest| rest.split('}').next()).unwrap();
         assert!(rule.contains("paint-order: stroke") && rule.contains("stroke: var(--halo)"), "{rule}");
     }
 
     #[test]
-    fn the_table_has_a_line_for_each_effect_and_three_more() {
+    fn the_table_has_a_line_for_each_effect_and_four_more() {
         let tables = table::tables(&[made()]);
         let lines: Vec<&str> = tables.lines().filter(|line| line.starts_with("| ")).collect();
-        assert_eq!(lines.len(), 1 + 2 + 3);
+        assert_eq!(lines.len(), 1 + 2 + 4);
         assert_eq!(lines[0], "| effect |  | position [km] | velocity [m/s] | attitude [rad] | a step [ns] |");
         assert_eq!(lines[1], "| gyro bias |  | 1.2 | 1.2 | 0 | 30 |");
         assert_eq!(lines[2], "| gyro turn-on bias | 1σ, can be left out | 5.0×10⁻⁴ | 5.0×10⁻⁴ | 0 | 10 |");

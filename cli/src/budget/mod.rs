@@ -45,10 +45,10 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let surveys = Survey::of_all(&scenes, &request, order.time_steps)?;
     let tables = table::tables(&surveys);
     let text = records::records(&surveys)?;
-    let drawn =
-        surveys.iter().zip(pictures).map(|(survey, picture)| picture.finish(document::picture(survey)));
+    let drawn = surveys.iter().map(document::picture).collect::<Result<Vec<_>, _>>()?;
+    let drawn = drawn.into_iter().zip(pictures).map(|(drawn, picture)| picture.finish(drawn));
     Failure::each(drawn.chain([
-        page.finish(document::page(&surveys)),
+        page.finish(document::page(&surveys)?),
         rows.finish(text),
         table.finish(format!("{TABLE_MARK}\n\n{tables}")),
         print(&tables),

@@ -56,9 +56,9 @@ impl Scene {
         Ok(sample)
     }
 
-    /// What the judge found in the flight data, in sentences.
-    pub fn findings(&self) -> &[String] {
-        &self.given.findings
+    /// What a reader must know before the figures, in sentences.
+    pub fn warnings(&self) -> Vec<String> {
+        self.given.warnings(self.given.left_out())
     }
 
     /// Place of a refused sample; without an index, the origin of the scene.

@@ -30,8 +30,8 @@ pub struct Survey {
     pub budget: Budget,
     /// Times of a step, if they are wanted.
     pub costs: Option<Costs>,
-    /// What is doubtful in the flight data, in sentences.
-    pub findings: Vec<String>,
+    /// What is doubtful in the flight data, and what is not flown, in sentences.
+    pub warnings: Vec<String>,
 }
 
 /// Kind of a line of chart and table.
@@ -85,13 +85,27 @@ impl Survey {
             let budget = budget.map_err(refused)?;
             let costs = if time_steps { Some(costs(scene, &budget)?) } else { None };
             let (name, title) = (scene.name.clone(), scene.title.clone());
-            let findings = scene.findings().to_vec();
-            Ok(Self { name, title, request: *request, budget, costs, findings })
+            let warnings = scene.warnings();
+            Ok(Self { name, title, request: *request, budget, costs, warnings })
         });
         surveyed.collect()
     }
 
-    /// Lines of the effects (the largest first), of the mechanization, of the unexplained remainder, and of all effects together.
+    /// Root sum of squares of the contributions of all effects: at least the largest of them, while all effects together may be less in
+    /// the runs that are flown.
+    pub fn root_sum_of_squares(&self) -> SolutionError {
+        let of = |part: fn(&SolutionError) -> f64| {
+            self.budget.rows.iter().map(|row| part(&row.worst).powi(2)).sum::<f64>().sqrt()
+        };
+        SolutionError {
+            position_m: of(|error| error.position_m),
+            velocity_m_s: of(|error| error.velocity_m_s),
+            attitude_rad: of(|error| error.attitude_rad),
+        }
+    }
+
+    /// Lines of the effects (the largest first), of the mechanization, of the unexplained remainder, of the root sum
+    /// of squares, and of all effects together.
     pub fn lines(&self) -> Vec<Line> {
         let Budget { own, rows, total, remainder, .. } = &self.budget;
         let costs = self.costs.as_ref();
@@ -116,6 +130,8 @@ impl Survey {
         let mut lines: Vec<Line> = effects.collect();
         lines.push(other("mechanization", Kind::Own, own.0, Some(own.1), costs.map(|costs| costs.own_ns)));
         lines.push(other("not their sum", Kind::Together, *remainder, None, None));
+        let sum = self.root_sum_of_squares();
+        lines.push(other("root sum of squares", Kind::Together, sum, None, None));
         lines.push(other("all together", Kind::Together, *total, None, costs.map(|costs| costs.total_ns)));
         lines
     }
@@ -128,4 +144,44 @@ fn costs(scene: &Scene, budget: &Budget) -> Result<Costs, Failure> {
     let _timing = Progress::working(format!("timing a step of {}", scene.name));
     let effects = budget.rows.iter().map(|row| row.effect);
     Ok(step_costs_ns(&scene.options, &flown, &scene.parameters, effects)?)
+}
+
+#[cfg(test)]
+pub mod tests {
+    use sins::analysis::budget::{BudgetRow, EFFECTS, SigmaInterval};
+
+    use super::*;
+
+    fn error(position_m: f64) -> SolutionError {
+        SolutionError { position_m, velocity_m_s: 1e-3 * position_m, attitude_rad: 0.0 }
+    }
+
+    /// A budget of two effects: a bias of more than a kilometre, and a random one of half a metre.
+    pub fn made() -> Survey {
+        let row = |field: &str, position_m: f64, can_be_left_out| BudgetRow {
+            effect: EFFECTS.iter().find(|effect| effect.field == field).unwrap(),
+            worst: error(position_m),
+            end: error(position_m),
+            share: position_m,
+            can_be_left_out,
+        };
+        Survey {
+            name: "a<b".into(),
+            title: "made & flown".into(),
+            request: BudgetRequest { limits: error(1.0), ..Default::default() },
+            budget: Budget {
+                span_s: 600.0,
+                own: (error(1e-7), error(1e-8)),
+                rows: vec![row("gyro.bias_rad_s", 1234.0, false), row("gyro.bias_sigma_rad_s", 0.5, true)],
+                total: error(1234.1),
+                remainder: error(0.0),
+                left_out: error(0.5),
+                runs: 16,
+                interval: SigmaInterval::of(16),
+                flights: 51,
+            },
+            costs: Some(Costs { own_ns: 600.0, total_ns: 640.0, saved_ns: vec![30.0, 10.4] }),
+            warnings: Vec::new(),
+        }
+    }
 }

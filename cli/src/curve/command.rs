@@ -9,7 +9,7 @@ use crate::given::{Settings, Trust};
 /// Measures what accuracy costs: computing time and error of each scheme, number of subsamples, sample rate and choice of axes,
 /// without sensor errors
 ///
-/// Writes into DIR: curve.csv, a row for each configuration; scenes.csv, a row for each scene; SCENE.svg; table.md, which it also
+/// Writes into DIR: curve.html; curve.csv, a row for each configuration; scenes.csv, a row for each scene; SCENE.svg; table.md, which it also
 /// prints. Uses the ellipsoid and the gravity of a scene, but not its scheme, its axes or its sensor errors: --preset has no
 /// effect.
 #[derive(Debug, clap::Args)]

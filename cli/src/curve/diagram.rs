@@ -13,10 +13,10 @@ use crate::drawing::axis::{Axis, Scale};
 use crate::drawing::figure::Legend;
 use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
 use crate::drawing::pen::Pen;
-use crate::drawing::plot::{Dot, Drawing, FINE, Mark, Note, Panel, Trace};
+use crate::drawing::plot::{Dot, Drawing, FINE, LEFT, Label, Mark, Note, Panel, RIGHT, Trace};
 use crate::drawing::series::{Points, positive_range};
 use crate::failure::Failure;
-use crate::units::time_text;
+use crate::units::{six_digits, time_text, two_digits};
 
 /// Size of the drawing and of its axes [drawing units].
 const WIDTH: f64 = 860.0;
@@ -35,10 +35,13 @@ const RING: f64 = 8.5;
 const BELOW: (f64, f64) = (16.0, 9.0);
 const ABOVE: (f64, f64) = (-16.0, -9.0);
 
+/// Distance of the lines of navigation and of tactical grade from which both have their words above them [drawing units].
+const WORDS: f64 = 75.0;
+
 /// Height of a line of text below the drawing [drawing units].
 const LINE: f64 = 20.0;
 
-const HOW_TO_READ: [&str; 2] = [
+pub const HOW_TO_READ: [&str; 2] = [
     "Accuracy increases to the right. Right of the line of the sensors' own error, more accuracy is of no use.",
     "Numbers in dots: subsamples, × updates in a sample. At rings: samples a second.",
 ];
@@ -46,7 +49,7 @@ const HOW_TO_READ: [&str; 2] = [
 /// SVG file of the diagram.
 pub fn diagram(survey: &Survey) -> Result<String, Failure> {
     let title = format!("{}: {}, {}", survey.name, survey.title, time_text(survey.duration_s));
-    let drawing = drawing(survey);
+    let drawing = drawing(survey, WIDTH);
     let svg = drawing.svg(&format!("What accuracy costs. {title}"))?;
     let [first, second] = legends(survey);
     let top = TITLE + 2.0 * LEGEND - 14.0;
@@ -63,7 +66,8 @@ pub fn diagram(survey: &Survey) -> Result<String, Failure> {
     Ok(file(WIDTH + 2.0 * MARGIN, below + HOW_TO_READ.len() as f64 * LINE, &content))
 }
 
-fn legends(survey: &Survey) -> [Legend; 2] {
+/// The legend, in two rows.
+pub fn legends(survey: &Survey) -> [Legend; 2] {
     let entry = |pen, text: &str| (pen, text.to_owned());
     let first = vec![
         entry(Pen::PaperScheme, "paper"),
@@ -84,15 +88,17 @@ fn legends(survey: &Survey) -> [Legend; 2] {
     [first, second]
 }
 
-fn drawing(survey: &Survey) -> Drawing {
+/// The drawing, `width` wide [drawing units].
+pub fn drawing(survey: &Survey, width: f64) -> Drawing {
     let measured: Vec<(&Point, &Measured)> =
         survey.points.iter().filter_map(|point| Some((point, point.measured.as_ref().ok()?))).collect();
     let (low, high) = positive_range(measured.iter().map(|(_, measured)| measured.cost_ns * MICRO));
     let cost = Axis::decades(low.log10() - 0.15, high.log10() + 0.2, 8);
     let errors = measured.iter().map(|(_, measured)| measured.position_m());
     let errors = errors.chain(survey.sensors_m).chain([survey.floor.position_m]);
+    let x = accuracy(positive_range(errors));
     let mut panel = Panel::new("time for a simulated second [µs]", cost, HEIGHT, traces(survey));
-    panel.marks = marks(survey);
+    panel.marks = marks(survey, &x, width - LEFT - RIGHT);
     panel.dots = measured.iter().map(|(point, measured)| dot(point, measured)).collect();
     panel.notes = measured.iter().filter_map(|(point, measured)| digit(point, measured)).collect();
     for (pen, configuration, shift) in [
@@ -101,17 +107,12 @@ fn drawing(survey: &Survey) -> Drawing {
     ] {
         for (point, measured) in measured.iter().filter(|(point, _)| point.configuration == configuration) {
             let at = place(measured);
-            panel.dots.push(Dot { at, pen, radius: RING });
+            panel.dots.push(Dot { at, pen, radius: RING, label: None });
             panel.notes.push(Note { at, shift, pen, text: short(point.rate_hz) });
         }
     }
     let x_label = "largest position error on the way [m]";
-    Drawing {
-        width: WIDTH,
-        x: accuracy(positive_range(errors)),
-        x_label: x_label.to_owned(),
-        panels: vec![panel],
-    }
+    Drawing { width, left: LEFT, x, x_label: x_label.to_owned(), panels: vec![panel] }
 }
 
 /// Axis of powers of ten that decrease to the right; positions are negative logarithms.
@@ -150,11 +151,13 @@ fn steps(front: impl Iterator<Item = (f64, f64)>) -> Points {
     steps
 }
 
-fn marks(survey: &Survey) -> Vec<Mark> {
+/// Lines of the errors of sensors and of the floor, on an axis that is `width` long [drawing units].
+fn marks(survey: &Survey, x: &Axis, width: f64) -> Vec<Mark> {
     let [navigation, tactical] = survey.sensors_m;
+    let apart = width * (navigation / tactical).log10().abs() / (x.high - x.low);
     [
         (navigation, Pen::Navigation, "navigation"),
-        (tactical, Pen::Tactical, "tactical"),
+        (tactical, Pen::Tactical, if apart < WORDS { "" } else { "tactical" }),
         (survey.floor.position_m, Pen::Floor, "floor"),
     ]
     .into_iter()
@@ -181,7 +184,18 @@ fn dot(point: &Point, measured: &Measured) -> Dot {
         1 => RADIUS,
         _ => WIDE,
     };
-    Dot { at: place(measured), pen: pen(point.configuration, !point.is_undersampled), radius }
+    let (position_m, cost_us) = (measured.position_m(), measured.cost_ns * MICRO);
+    let text = format!(
+        "{} @ {} Hz: {}, {} µs a second{}",
+        point.configuration.name(),
+        short(point.rate_hz),
+        rounded(position_m),
+        two_digits(cost_us),
+        if point.is_undersampled { ", too few samples" } else { "" }
+    );
+    let values = [position_m, cost_us].map(|value| six_digits(value).to_string());
+    let pen = pen(point.configuration, !point.is_undersampled);
+    Dot { at: place(measured), pen, radius, label: Some(Label { text, values }) }
 }
 
 /// Number of subsamples as a text in the dot, if the dot has room.

@@ -83,6 +83,7 @@ impl Sampled<'_> {
             rates,
             judge,
             base: self.base,
+            warnings: Vec::new(),
         })
     }
 }

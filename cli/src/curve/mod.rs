@@ -2,11 +2,13 @@
 //! ways, without sensor errors.
 //!
 //! The data flow is `command` → `embedded`, `own` → `scene`, `reference` → `matrix` (errors), `timing` (costs), `grades` (errors
-//! that sensors would cause) → `survey` → `front` → `records`, `table`, `diagram`.
+//! that sensors would cause) → `survey` → `front` → `records`, `table`, `diagram`,
+//! `document`.
 
 mod command;
 mod configuration;
 mod diagram;
+mod document;
 mod embedded;
 mod front;
 mod grades;
@@ -24,6 +26,7 @@ pub use command::Order;
 
 use std::path::PathBuf;
 
+use crate::drawing::document::PAGE_MARK;
 use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
 use crate::fly::FOR_LOGS;
@@ -53,6 +56,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let mut outputs = Outputs::new(&inputs, order.force);
     outputs.folder(&order.out)?;
     let mut file = |name: &str, mark: &str| outputs.file(&order.out.join(name), mark);
+    let page = file("curve.html", PAGE_MARK)?;
     let points_file = file("curve.csv", &records::POINTS.join(","))?;
     let scenes_file = file("scenes.csv", &records::SCENES.join(","))?;
     let table_file = file("table.md", TABLE_MARK)?;
@@ -60,7 +64,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         embedded.iter().map(|embedded| embedded.name).chain(given.iter().map(|given| given.name.as_str()));
     let pictures = names.map(|name| file(&svg(name)?, PICTURE_MARK));
     let pictures = pictures.collect::<Result<Vec<_>, _>>()?;
-    let own = [&table_file, &points_file, &scenes_file].into_iter().chain(&pictures);
+    let own = [&page, &table_file, &points_file, &scenes_file].into_iter().chain(&pictures);
     let paths: Vec<PathBuf> = own.map(|file| file.path().to_owned()).collect();
 
     let (mut surveys, mut courses) = (Vec::new(), Vec::new());
@@ -87,6 +91,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         .map(|line| format!("{line}\n"))
         .collect::<String>();
     finished.extend([
+        page.finish(document::page(&surveys)?),
         points_file.finish(records::points(&surveys, &instructions)?),
         scenes_file.finish(records::scenes(&surveys)?),
         table_file.finish(format!("{TABLE_MARK}\n\n{table}")),

@@ -21,6 +21,14 @@ const FEWEST_SAMPLES: usize = 120;
 /// The scene of `given` in one piece: a whole log, or at most `effort.duration_s` of a flight in closed form; or in the hardest pieces of the
 /// time for which the full effort flies, if that is longer.
 pub fn scene(given: &Given, effort: &Effort) -> Result<Pieces, Failure> {
+    let mut made = without_warnings(given, effort)?;
+    for scene in &mut made.scenes {
+        scene.warnings = given.warnings(given.without_updates());
+    }
+    Ok(made)
+}
+
+fn without_warnings(given: &Given, effort: &Effort) -> Result<Pieces, Failure> {
     let scene = &given.scene;
     let base =
         Options { ellipsoid: scene.options.ellipsoid, gravity: scene.options.gravity, ..Options::default() };
@@ -71,7 +79,8 @@ fn of_log(given: &Given, base: Options) -> Result<Scene, Failure> {
             None => Failure::new(format!("{}: {error}", given.origin)),
         })?;
     let title = format!("{} s at {} Hz", round(given.duration_s), round(own_hz));
-    Ok(Scene { name: given.name.clone(), title, highest_hz: 0.0, samples, rates, judge, base })
+    let (name, warnings) = (given.name.clone(), Vec::new());
+    Ok(Scene { name, title, highest_hz: 0.0, samples, rates, judge, base, warnings })
 }
 
 /// Highest frequency of the sinusoids of a flight [Hz]; 0 without sinusoids.

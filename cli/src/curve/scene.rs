@@ -53,6 +53,8 @@ pub struct Scene {
     pub judge: Judge,
     /// Recommended options, with ellipsoid and gravity of the scene.
     pub base: Options,
+    /// What is doubtful in the flight data, and what is not flown, in sentences.
+    pub warnings: Vec<String>,
 }
 
 /// A scene in pieces, by which its configurations are judged: the whole scene, or its hardest parts.

@@ -44,6 +44,8 @@ pub struct Survey {
     pub points: Vec<Point>,
     /// Position errors that sensors of navigation and of tactical grade cause [m].
     pub sensors_m: [f64; 2],
+    /// What is doubtful in the flight data, and what is not flown, in sentences.
+    pub warnings: Vec<String>,
 }
 
 #[cfg(test)]
@@ -52,7 +54,17 @@ impl Survey {
     pub fn made(name: &str, duration_s: f64, points: Vec<Point>, sensors_m: [f64; 2]) -> Self {
         let floor = SolutionError { position_m: 1e-7, ..Default::default() };
         let (name, title) = (name.into(), "made".into());
-        Self { name, title, duration_s, uncertainty: floor, floor, reference: "", points, sensors_m }
+        Self {
+            name,
+            title,
+            duration_s,
+            uncertainty: floor,
+            floor,
+            reference: "",
+            points,
+            sensors_m,
+            warnings: Vec::new(),
+        }
     }
 }
 
@@ -124,6 +136,7 @@ impl Survey {
             reference: scene.judge.description,
             points: outcomes.into_iter().map(point).collect(),
             sensors_m: grades::effects(pieces, effort.sensor_runs)?,
+            warnings: scene.warnings.clone(),
         };
         Ok((survey, course))
     }

@@ -4,26 +4,27 @@ use super::front::cheapest;
 use super::survey::Survey;
 use crate::units::{self, brief, time_text, two_digits};
 
-/// Accuracies of the columns, with their names [m].
-const ACCURACIES_M: [(&str, f64); 4] = [("100 m", 100.0), ("1 m", 1.0), ("1 cm", 0.01), ("1 mm", 0.001)];
+/// Heads of the columns.
+pub const HEADS: [&str; 7] = ["scene", "flown for", "100 m", "1 m", "1 cm", "1 mm", "sensors' own error"];
+
+/// Accuracies of the columns in the middle [m].
+const ACCURACIES_M: [f64; 4] = [100.0, 1.0, 0.01, 0.001];
 
 /// Table as Markdown: a row for each scene. Accuracies are the largest errors in the time for which a scene is flown: errors of a
 /// longer time cannot be derived from them.
 pub fn table(surveys: &[Survey]) -> String {
-    let mut text = String::from("| scene | flown for |");
-    for (name, _) in ACCURACIES_M {
-        text += &format!(" {name} |");
-    }
-    text += " sensors' own error |\n|---|---|---|---|---|---|---|\n";
-    for survey in surveys {
-        text += &format!("| {}: {} | {} |", survey.name, survey.title, time_text(survey.duration_s));
-        for (_, position_m) in ACCURACIES_M {
-            text += &format!(" {} |", cell(survey, position_m));
-        }
-        let [navigation, tactical] = survey.sensors_m.map(rounded);
-        text += &format!(" {navigation}; {tactical} |\n");
-    }
-    text
+    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+    let head = line(&HEADS.map(str::to_owned)) + "|---|---|---|---|---|---|---|\n";
+    surveys.iter().fold(head, |text, survey| text + &line(&cells(survey)))
+}
+
+/// The row of a scene.
+pub fn cells(survey: &Survey) -> [String; 7] {
+    let [hundred, one, centimetre, millimetre] = ACCURACIES_M.map(|position_m| cell(survey, position_m));
+    let [navigation, tactical] = survey.sensors_m.map(rounded);
+    let scene = format!("{}: {}", survey.name, survey.title);
+    let (time, sensors) = (time_text(survey.duration_s), format!("{navigation}; {tactical}"));
+    [scene, time, hundred, one, centimetre, millimetre, sensors]
 }
 
 /// The cheapest configuration with an error of at most `position_m` [m] in the scene.

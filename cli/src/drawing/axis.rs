@@ -115,7 +115,9 @@ impl Axis {
 
     /// The axis for the script of a page: its first position, its length, 0 or the sign of the logarithms, its unit; or its names.
     pub fn data(&self, unit: &str) -> String {
-        let names = || self.ticks.iter().map(|(_, name)| name.as_str()).collect::<Vec<_>>().join(" ");
+        // A space within a name does not end it.
+        let names =
+            || self.ticks.iter().map(|(_, name)| name.replace(' ', "\u{a0}")).collect::<Vec<_>>().join(" ");
         let scale = match self.scale {
             Scale::Linear => format!("0 {unit}"),
             Scale::Logarithm => format!("1 {unit}"),

@@ -11,7 +11,7 @@ use super::script::script;
 const STYLES: [&str; 2] = [include_str!("plot.css"), include_str!("page.css")];
 
 /// What the script does. Without script it is hidden.
-const HELP: &str = "Point at a curve for the values at a time; drag to enlarge a part, double-click to go back. Keys: \
+const HELP: &str = "Point at a curve, a dot or a bar for its values; drag to enlarge a part, double-click to go back. Keys: \
                     ← and → move the cursor, + and − enlarge and reduce, Esc goes back.";
 
 /// Mark near the beginning of every page, by which the program recognizes its own pages.

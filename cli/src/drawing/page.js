@@ -2,6 +2,7 @@
 // script the page is complete.
 // Places are shares of an axis, 0 to 1, from left to right and from below. Panels of a run with the same x axis are a group, with its
 // track: they have one cursor, and show the same part. Another panel with dots is a map of its own, with a cursor in two directions.
+// Where dots or bars have titles, the cursor goes from one to the next, and its values are the title.
 {
 const { ceil, floor, hypot, log10, max, min, round } = Math;
 const all = (parent, what) => [...parent.querySelectorAll(what)], first = (parent, what) => parent.querySelector(what),
@@ -51,34 +52,39 @@ first(document, '.help').hidden = false;
 const groups = {}, said = add(document.body, 'p', { class: 'said', 'aria-live': 'polite' });
 all(document, '.panel').forEach((g, number) => {
   const [left, top, width, height] = g.dataset.box.split(' ').map(Number), begin = [left, top + height], size = [width, -height],
-    x = axis(g.dataset.x), y = axis(g.dataset.y), time = g.dataset.t, isMap = first(g, 'circle'), isLone = isMap && !time,
+    x = axis(g.dataset.x), y = axis(g.dataset.y), time = g.dataset.t, isMap = first(g, 'circle'),
+    isList = first(g, 'title'), isLone = isList || isMap && !time,
     svg = g.parentNode, figure = g.closest('figure'), caption = first(g, '.caption'), title = caption.textContent,
     run = g.closest('[data-run]')?.dataset.run || '', group = groups[isLone ? number : run + (time || g.dataset.x)] ||= { panels: [] };
-  let read, part, drag;
+  let read, part, drag, mark;
 
   // The lines and the dots: places right, up, and of a track in time.
   const lines = () => read ||= all(g, '.inner :is(path, circle)').map(one => {
     const line = [[], [], []], sums = [0, 0], add = (sum, k, unit) => line[k].push(k % 2 + sum / unit);
     line.name = one.getAttribute('class');
-    if (isMap && one.matches('circle')) ['cx', 'cy'].map((name, k) => add(parseFloat(one.getAttribute(name)), k, k ? -100 : 100));
+    line.title = first(one, 'title')?.textContent;
+    line.data = one.dataset;
+    if (one.matches('circle')) ['cx', 'cy'].map((name, k) => add(parseFloat(one.getAttribute(name)), k, k ? -100 : 100));
     else if (one.matches('[d*=l]')) one.getAttribute('d').match(/-?\d+/g).forEach((step, k) => add(sums[k % 2] += +step, k % 2, size[k % 2] * 10));
     one.dataset.t?.split(' ').reduce((sum, step) => (add(sum += +step, 2, 1e5), sum), 0);
+    if (line.title) [0, 1].map(k => line[k].splice(0, line[k].length - 1)), line[2] = [line];
     return line;
   });
-  const pixel = at => at.map((at, k) => begin[k] + size[k] * (at - part[k][0]) / length(part[k]));
+  const pixel = at => at.map((at, k) => begin[k] + size[k] * clamp(0, (at - part[k][0]) / length(part[k]), 1));
   const show = at => {
     remove(g, '.cursor');
     const cursor = add(g, 'g', { class: 'cursor' }), readout = add(caption, 'tspan', { class: 'cursor' });
     const write = (name, words) => {
       add(readout, 'tspan', { class: name }, name && ' ▪');
-      add(readout, 'tspan', {}, ' ' + words);
+      readout.append(' ' + words);
     };
-    const point = (name, at) => {
+    const point = (name, at, words = x.text(at[0]) + ', ' + y.text(at[1])) => {
       const [cx, cy] = pixel(at);
       add(cursor, 'circle', { cx, cy, r: 45 });
-      write(name, x.text(at[0]) + ', ' + y.text(at[1]));
+      write(name, words);
     };
-    if (isLone) point('', at);
+    if (isList) point((mark = at).name, [at[0][0], at[1][0]], at.title);
+    else if (isLone) point('', at);
     else if (time) for (const line of lines()) {
       const here = [0, 1].map(k => extent([line], 2, k, [at])[0]);
       if (isFinite(here[0])) point(line.name, here);
@@ -126,7 +132,7 @@ all(document, '.panel').forEach((g, number) => {
     }
   };
   const look = at => {
-    group.at = at[0] ?? at;
+    group.at = +(at[0] ?? at);
     group.panels.forEach(panel => panel.show(at));
   };
   const zoom = (from, to) => {
@@ -147,8 +153,8 @@ all(document, '.panel').forEach((g, number) => {
   };
   hit.onpointermove = e => {
     const at = place(e);
-    // Of a track: the time of its nearest point.
-    look(time ? lines().flatMap(line => line[2].map((time, k) => [hypot(line[0][k] - at[0], line[1][k] - at[1]), time])).sort((a, b) => a[0] - b[0])[0][1] : isMap ? at : at[0]);
+    // The nearest dot or bar, or of a track the time of its nearest point.
+    look(time || isList ? lines().flatMap(line => line[2].map((found, k) => [hypot(!y.isNamed && line[0][k] - at[0], line[1][k] - at[1]), found])).sort((a, b) => a[0] - b[0])[0][1] : isMap ? at : at[0]);
     if (!drag) return;
     const [[x, right], [y, below]] = [0, 1].map(k => range([pixel(drag)[k], pixel(at)[k]]));
     add(first(g, 'g.cursor'), 'rect', { x, width: right - x, y: isMap ? y : top, height: isMap ? below - y : height });
@@ -164,7 +170,8 @@ all(document, '.panel').forEach((g, number) => {
     const here = group.at ?? middle(group.part), wide = length(group.part);
     const step = { ArrowLeft: -.01, ArrowRight: .01 }[e.key] * (e.shiftKey ? 10 : 1), factor = { '+': .25, '-': 1 }[e.key];
     const at = clamp(group.part[0], here + step * wide, group.part[1]);
-    if (step) look(isLone ? [at, middle(part[1])] : at);
+    const marks = lines().filter(line => line.title);
+    if (step) look(isList ? marks[clamp(0, marks.indexOf(mark) + 100 * step, marks.length - 1)] : isLone ? [at, middle(part[1])] : at);
     else if (factor) zoom(here - factor * wide, here + factor * wide);
     else if (e.key === 'Escape') zoom(0, 1);
     else return;
@@ -175,7 +182,7 @@ all(document, '.panel').forEach((g, number) => {
   // The data of all panels of the drawing, and the drawing with its legend.
   const legend = all(figure, '.legend li').map(li => [first(li, 'svg'), li.textContent, first(li, 'svg *').getAttribute('class')]);
   svg.rows = (svg.rows || []).concat(() => lines().flatMap(line => line[0].map((at, k) =>
-    [title, legend.find(entry => entry[2] === line.name)?.[1], time ? axis(time).text(line[2][k], 6) : '', x.text(at, 6), y.text(line[1][k], 6)].map(JSON.stringify))));
+    [title, line.title || legend.find(entry => entry[2] === line.name)?.[1], time ? axis(time).text(line[2][k], 6) : '', line.data.x || x.text(at, 6), line.data.y || y.text(line[1][k], 6)].map(JSON.stringify))));
   if (svg.rows.length > 1) return;
   const picture = () => {
     const sheet = svg.cloneNode(true), [,, wide, high] = sheet.getAttribute('viewBox').split(' '), head = 200 * legend.length + 100;

@@ -32,7 +32,7 @@ macro_rules! pens {
 }
 
 pens! {
-    Text "text", Grid "grid", Axis "axis",
+    Text "text", Axis "axis",
     /// Computed values: thin, dark, over `Reference`.
     Computed "computed",
     /// Values that `Computed` is compared with: broad, light.
@@ -71,6 +71,10 @@ pens! {
     Asymptote "asymptote",
     /// Bars of a random effect, of a deterministic effect, of the mechanization, and of all effects together.
     Random "random", Deterministic "deterministic", Own "own", Together "together",
+    /// Bars of effects that can be left out.
+    PaleRandom "pale-random", PaleDeterministic "pale-deterministic",
+    /// The value at a bar.
+    Value "value",
     /// Limit within which effects may be left out.
     Limit "limit",
     /// End of one run of an ensemble, and number of runs in a bar of the histogram.

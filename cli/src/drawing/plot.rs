@@ -10,7 +10,7 @@ pub const FINE: f64 = 10.0;
 /// Width of a drawing, unless it states another [drawing units]; a phone shows it at two thirds.
 pub const WIDTH: f64 = 520.0;
 
-/// Room for the labels left of the panels, the margin right, the caption above, the marks' texts under it, the x axis
+/// Usual room for the labels left of the panels, the margin right, the caption above, the marks' texts under it, the x axis
 /// [drawing units].
 pub const LEFT: f64 = 72.0;
 pub const RIGHT: f64 = 22.0;
@@ -22,10 +22,20 @@ pub const GAP: f64 = 6.0;
 /// Width of the panels [drawing units].
 pub const PANEL_WIDTH: f64 = WIDTH - LEFT - RIGHT;
 
+/// What a reader is told of a dot or of the end of a bar.
+#[derive(Clone)]
+pub struct Label {
+    pub text: String,
+    /// Its values in the units of the axes, right and up; empty: that of the axis.
+    pub values: [String; 2],
+}
+
 /// A line.
 pub struct Trace {
     pub points: Points,
     pub pen: Pen,
+    /// Of a bar, which goes from its first point to its second.
+    pub label: Option<Label>,
     /// Time of each point of a track since the start of the run [s].
     pub time_s: Vec<f64>,
 }
@@ -43,6 +53,7 @@ pub struct Dot {
     pub pen: Pen,
     /// Radius [drawing units].
     pub radius: f64,
+    pub label: Option<Label>,
 }
 
 /// Text with its middle at a point, shifted right and down by `shift` [drawing units].
@@ -70,8 +81,9 @@ pub struct Panel {
 
 /// Panels from top to bottom.
 pub struct Drawing {
-    /// Width [drawing units].
+    /// Width, and room for the labels left of the panels [drawing units].
     pub width: f64,
+    pub left: f64,
     pub x: Axis,
     pub x_label: String,
     pub panels: Vec<Panel>,
@@ -79,7 +91,7 @@ pub struct Drawing {
 
 impl Trace {
     pub fn new(pen: Pen, points: Points) -> Self {
-        Self { points, pen, time_s: Vec::new() }
+        Self { points, pen, label: None, time_s: Vec::new() }
     }
 }
 
@@ -127,7 +139,8 @@ mod tests {
     fn a_drawing_of_another_height_is_that_high() {
         let panel = |height| Panel::new("", Axis::linear(0.0, 1.0, 4), height, Vec::new());
         let panels = vec![panel(100.0), panel(50.0)];
-        let drawing = Drawing { width: WIDTH, x: Axis::linear(0.0, 1.0, 4), x_label: String::new(), panels };
+        let x = Axis::linear(0.0, 1.0, 4);
+        let drawing = Drawing { width: WIDTH, left: LEFT, x, x_label: String::new(), panels };
         let drawing = drawing.of_height(500.0);
         assert_eq!(drawing.height(), 500.0);
         assert!((drawing.panels[0].height - 2.0 * drawing.panels[1].height).abs() < 1e-9);

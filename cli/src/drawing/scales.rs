@@ -1,7 +1,7 @@
 //! Scales that drawings of different reports share: a time axis, y axes with zero, equal scales of east and north.
 
 use super::axis::{Axis, TimeAxis};
-use super::plot::{Drawing, PANEL_WIDTH, Panel, Trace, WIDTH};
+use super::plot::{Drawing, LEFT, PANEL_WIDTH, Panel, Trace, WIDTH};
 use super::series::{Points, bounds, thinned};
 use crate::units::Unit;
 
@@ -16,7 +16,7 @@ pub fn time_axis(duration_s: f64) -> TimeAxis {
 /// A drawing of `panels` above one another, on one time axis.
 pub fn over_time(time: TimeAxis, panels: Vec<Panel>) -> Drawing {
     let x_label = format!("time since the start [{}]", time.unit);
-    Drawing { width: WIDTH, x_label, x: time.axis, panels }
+    Drawing { width: WIDTH, left: LEFT, x_label, x: time.axis, panels }
 }
 
 /// Points (time [s], value [SI]) in the units of their axes.

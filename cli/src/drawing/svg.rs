@@ -9,7 +9,7 @@ use std::fmt::{self, Write};
 use maud::html;
 
 use super::axis::TimeAxis;
-use super::plot::{Drawing, FINE, GAP, LEFT, Panel, RIGHT, Trace};
+use super::plot::{Drawing, FINE, GAP, Label, Panel, RIGHT, Trace};
 use crate::failure::Failure;
 
 /// Parts of a pixel in which lines are written, and parts of its run in which the time of a track is written.
@@ -62,7 +62,7 @@ impl Frame<'_> {
     /// Left and upper edge of the axes, their width and their height [drawing units].
     fn sides(&self) -> [f64; 4] {
         let Self { drawing, panel, top, .. } = self;
-        [LEFT, top + panel.above(), drawing.width - LEFT - RIGHT, panel.height]
+        [drawing.left, top + panel.above(), drawing.width - drawing.left - RIGHT, panel.height]
     }
 
     /// Place of a point from the left and the upper edge of the axes, as shares of their width and height.
@@ -100,12 +100,13 @@ impl Frame<'_> {
         self.write_dots_and_notes(text)?;
         text.write_str("</svg></svg>\n")?;
         for mark in panel.marks.iter().filter(|mark| !mark.text.is_empty()) {
-            let (x, y) = (pixel(LEFT + sides[2] * drawing.x.share(mark.at)), pixel(sides[1] - MARK_ABOVE));
+            let (x, y) =
+                (pixel(sides[0] + sides[2] * drawing.x.share(mark.at)), pixel(sides[1] - MARK_ABOVE));
             writeln!(text, "<text class=\"mark\" x=\"{x}\" y=\"{y}\">{}</text>", escaped(&mark.text))?;
         }
         if self.is_last {
             let name = escaped(&drawing.x_label);
-            let (middle, below) = (pixel(LEFT + 0.5 * sides[2]), pixel(sides[1] + sides[3] + NAME_BELOW));
+            let (middle, below) = (pixel(sides[0] + 0.5 * sides[2]), pixel(sides[1] + sides[3] + NAME_BELOW));
             writeln!(text, "<text class=\"x-name\" x=\"{middle}\" y=\"{below}\" dy=\".8em\">{name}</text>")?;
         }
         text.write_str("</g>\n")
@@ -160,7 +161,7 @@ impl Frame<'_> {
         if let Some(time) = &self.panel.time {
             write_times(&trace.time_s, time, text)?;
         }
-        text.write_str("/>\n")
+        close("path", trace.label.as_ref(), text)
     }
 
     fn write_dots_and_notes(&self, text: &mut String) -> fmt::Result {
@@ -168,7 +169,8 @@ impl Frame<'_> {
         for dot in &self.panel.dots {
             let (x, y) = self.share(dot.at);
             let (x, y, radius) = (percent(x), percent(y), pixel(dot.radius));
-            writeln!(text, "<circle class=\"{}\" cx=\"{x}%\" cy=\"{y}%\" r=\"{radius}\"/>", dot.pen.class())?;
+            write!(text, "<circle class=\"{}\" cx=\"{x}%\" cy=\"{y}%\" r=\"{radius}\"", dot.pen.class())?;
+            close("circle", dot.label.as_ref(), text)?;
         }
         for note in &self.panel.notes {
             let (x, y) = self.share(note.at);
@@ -182,6 +184,15 @@ impl Frame<'_> {
         }
         Ok(())
     }
+}
+
+/// The end of an element, with what its label says and its values.
+fn close(name: &str, label: Option<&Label>, text: &mut String) -> fmt::Result {
+    let Some(Label { text: words, values }) = label else { return text.write_str("/>\n") };
+    for (axis, value) in ["x", "y"].iter().zip(values).filter(|(_, value)| !value.is_empty()) {
+        write!(text, " data-{axis}=\"{}\"", escaped(value))?;
+    }
+    writeln!(text, "><title>{}</title></{name}>", escaped(words))
 }
 
 /// Times of the points of a track: the first, then from each to the next, in parts of the time axis.
@@ -219,11 +230,12 @@ mod tests {
     use super::*;
     use crate::drawing::axis::{Axis, Scale};
     use crate::drawing::pen::Pen;
-    use crate::drawing::plot::{Dot, Mark, Note, WIDTH};
+    use crate::drawing::plot::{Dot, LEFT, Mark, Note, WIDTH};
 
     fn drawing(panel: Panel) -> Drawing {
         Drawing {
             width: WIDTH,
+            left: LEFT,
             x: Axis::linear(0.0, 10.0, 5),
             x_label: "time [s]".into(),
             panels: vec![panel],
@@ -236,7 +248,7 @@ mod tests {
         let traces = vec![Trace::new(Pen::East, vec![(0.0, -1.0), (5.0, 0.5), (10.0, 1.0)])];
         let mut panel = Panel::new("east <m>", y, 100.0, traces);
         panel.marks.push(Mark { at: 5.0, pen: Pen::Schuler, text: "Schuler".into() });
-        panel.dots.push(Dot { at: (2.5, 0.0), pen: Pen::Start, radius: 6.0 });
+        panel.dots.push(Dot { at: (2.5, 0.0), pen: Pen::Start, radius: 6.0, label: None });
         panel.notes.push(Note { at: (0.0, 0.5), shift: (0.0, 2.0), pen: Pen::Digit, text: "begin".into() });
         let svg = drawing(panel).svg("a \"line\"").unwrap();
         assert!(

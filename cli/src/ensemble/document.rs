@@ -35,15 +35,12 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
         main {
             section.run {
                 div.intro {
-                    p {
-                        (study.given.title) "."
-                        @if !study.given.scene.failures.is_empty() { " Failures: " (planned::text(&study.given.scene)) "." }
-                    }
+                    p { (study.given.title) "." }
                     p.source {
                         (study.runs()) ". Flown: " (time_text(study.given.duration_s)) ". A row of statistics each "
                         (time_text(study.plan.every_s)) "."
                     }
-                    @for finding in &study.given.findings { p.remark { "Flight data: " (finding) "." } }
+                    @for warning in warnings(study) { p.remark { (warning) } }
                     @if !study.results.diverged.is_empty() {
                         p.remark { "Runs that diverged are left out of the statistics from that moment on." }
                     }
@@ -66,6 +63,15 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
         }
     };
     Ok(document(&title, &body))
+}
+
+/// What a reader must know before the curves, in sentences.
+fn warnings(study: &Study) -> Vec<String> {
+    let scene = &study.given.scene;
+    let planned = [("Failures", planned::failures(scene)), ("Updates by fixes", planned::updates(scene))];
+    let planned = planned.into_iter().filter(|(_, what)| what != "none");
+    let planned = planned.map(|(name, what)| format!("{name}: {what}."));
+    study.given.warnings([]).into_iter().chain(planned).collect()
 }
 
 /// The last row of each of the error data that is on.

@@ -6,7 +6,7 @@ use super::table::radial;
 use crate::drawing::axis::Axis;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
-use crate::drawing::plot::{Dot, Drawing, Mark, Panel, Trace, WIDTH};
+use crate::drawing::plot::{Dot, Drawing, LEFT, Mark, Panel, Trace, WIDTH};
 use crate::drawing::scales::equal_axes;
 use crate::drawing::series::{Points, range};
 use crate::failure::Failure;
@@ -90,11 +90,12 @@ pub fn scatter(study: &Study) -> Result<Option<Figure>, Failure> {
     let traces = ellipses.map(|(pen, points)| Trace::new(pen, points.into_iter().map(scaled).collect()));
     let caption = format!("north [{}]", unit.name);
     let mut panel = Panel::new(caption, y, HEIGHT, traces.into());
-    let dot = |place: &[f64; 2]| Dot { at: scaled((place[0], place[1])), pen: Pen::Run, radius: 2.5 };
+    let dot =
+        |place: &[f64; 2]| Dot { at: scaled((place[0], place[1])), pen: Pen::Run, radius: 2.5, label: None };
     panel.dots.extend(dots.iter().map(dot));
-    panel.dots.push(Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 5.0 });
+    panel.dots.push(Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 5.0, label: None });
     let x_label = format!("east [{}]", unit.name);
-    let drawing = Drawing { width: WIDTH, x, x_label, panels: vec![panel] };
+    let drawing = Drawing { width: WIDTH, left: LEFT, x, x_label, panels: vec![panel] };
 
     let share = |share: f64| {
         let inside = places.iter().filter(|place| normal.distance(**place) <= within(share)).count();
@@ -146,7 +147,7 @@ pub fn histogram(study: &Study) -> Result<Option<Figure>, Failure> {
     panel.marks.extend(limits.filter(|limit| *limit < largest).map(|limit| mark(limit, Pen::Limit, "limit")));
     let x = Axis::linear(0.0, 1.04 * largest / unit.si, 6);
     let x_label = format!("horizontal position error [{}]", unit.name);
-    let drawing = Drawing { width: WIDTH, x, x_label, panels: vec![panel] };
+    let drawing = Drawing { width: WIDTH, left: LEFT, x, x_label, panels: vec![panel] };
     let beyond = |limit: f64| radii.iter().filter(|radius| **radius > limit).count();
     let note =
         format!("Beyond CEP50 are {} of {} runs, beyond R95 {}.", beyond(cep50), radii.len(), beyond(r95));

@@ -1,13 +1,14 @@
 //! Figures of a flight: what was flown, and its accuracy.
 
 use sins::errors::AccuracyFigures;
-use sins::scene::{PlannedUpdate, Scene, Updated};
+use sins::scene::Scene;
 use sins::unit::{Mode, State};
 use sins::{ClosureFigures, TrimFigures};
 
 use super::flight::Flown;
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
+use crate::planned;
 use crate::units::six_digits;
 
 /// Smallest number of samples for a rate of growth: one sample defines no slope.
@@ -145,13 +146,8 @@ impl<'a> Figures<'a> {
     pub fn updates(&self) -> String {
         let Scene { updates, options, .. } = self.scene();
         let is_left_out = options.covariance && !updates.is_empty();
-        listed(updates.iter().map(update_text)) + if is_left_out { "; not in the covariance" } else { "" }
+        planned::updates(self.scene()) + if is_left_out { "; not in the covariance" } else { "" }
     }
-}
-
-fn listed(items: impl Iterator<Item = String>) -> String {
-    let words: Vec<String> = items.collect();
-    if words.is_empty() { "none".to_owned() } else { words.join(", ") }
 }
 
 /// Name of what a key sets, without the explanation after the name.
@@ -171,20 +167,6 @@ fn rounded(value: &str) -> String {
         None => number(part),
     });
     words.collect::<String>().replace('"', "")
-}
-
-fn update_text(planned: &PlannedUpdate) -> String {
-    let PlannedUpdate { updated, at_s, every_s, sigma_n } = planned;
-    let (what, axes, unit) = match updated {
-        Updated::Position => ("position", 3, "m"),
-        Updated::HorizontalPosition => ("horizontal position", 2, "m"),
-        Updated::Velocity => ("velocity", 3, "m/s"),
-    };
-    let every = if every_s.is_finite() { format!(" every {every_s} s") } else { String::new() };
-    let sigma = &sigma_n.as_slice()[..axes];
-    let is_same = sigma.iter().all(|size| *size == sigma[0]);
-    let sizes: Vec<String> = sigma[..if is_same { 1 } else { axes }].iter().map(f64::to_string).collect();
-    format!("{what} {at_s} s{every} sigma {} {unit}", sizes.join(" "))
 }
 
 #[cfg(test)]

@@ -43,7 +43,7 @@ fn setting(figures: &Figures, records: &Path) -> String {
     if let Some(unit) = figures.unit() {
         line("unit", unit);
     }
-    line("failures", planned::text(figures.scene()));
+    line("failures", planned::failures(figures.scene()));
     line("updates", figures.updates());
     line("options", figures.set_in("options"));
     if let Some(gaps) = given.gaps_text() {

@@ -88,7 +88,7 @@ fn settings(figures: &Figures, rows: &mut Rows) {
     ] {
         rows.text(key, &figures.set_in(section), label);
     }
-    rows.text("failures_text", &planned::text(scene), "failures");
+    rows.text("failures_text", &planned::failures(scene), "failures");
     rows.text("updates_text", &figures.updates(), "updates by fixes");
     for (number, (from_s, until_s)) in (1..).zip(planned::spans(scene)) {
         for (end, time_s) in [("from", Some(from_s)), ("until", until_s)] {

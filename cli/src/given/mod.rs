@@ -269,6 +269,14 @@ impl Given {
         }
     }
 
+    /// What a reader must know before the figures, in sentences: what is doubtful in the flight data, gaps, and what is `left_out`.
+    pub fn warnings(&self, left_out: impl IntoIterator<Item = String>) -> Vec<String> {
+        let findings = self.findings.iter().map(|finding| format!("Flight data: {finding}."));
+        let gaps = self.gaps_text().map(|gaps| format!("Gaps in the flight data: {gaps}."));
+        let left_out = left_out.into_iter().map(|what| format!("Flown {what}."));
+        findings.chain(gaps).chain(left_out).collect()
+    }
+
     /// The gaps of the log in words; `None`: it has none.
     pub fn gaps_text(&self) -> Option<String> {
         let Gaps { count, longest_s, index } = self.gaps;

@@ -7,7 +7,7 @@ use realfft::RealFftPlanner;
 use crate::drawing::axis::Axis;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
-use crate::drawing::plot::{Drawing, Mark, PANEL_WIDTH, Panel, Trace, WIDTH};
+use crate::drawing::plot::{Drawing, LEFT, Mark, PANEL_WIDTH, Panel, Trace, WIDTH};
 use crate::drawing::series::{Points, mean, straight_line};
 use crate::failure::Failure;
 use crate::report::run::Run;
@@ -141,7 +141,7 @@ pub fn figure(run: &Run) -> Result<Option<Figure>, Failure> {
         2.0 * 3600.0 / duration_s,
     );
     let x = Axis::periods(low, high, (high - low) * TICK_ROOM / PANEL_WIDTH);
-    let drawing = Drawing { width: WIDTH, x, x_label: "period".to_owned(), panels: vec![panel] };
+    let drawing = Drawing { width: WIDTH, left: LEFT, x, x_label: "period".to_owned(), panels: vec![panel] };
     let title = "Spectrum of the horizontal velocity errors";
     Figure::new(title, ", amplitude over period", legend, &drawing, note).map(Some)
 }

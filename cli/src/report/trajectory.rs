@@ -3,7 +3,7 @@
 use crate::drawing::axis::Axis;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
-use crate::drawing::plot::{Dot, Drawing, Panel, Trace, WIDTH};
+use crate::drawing::plot::{Dot, Drawing, LEFT, Panel, Trace, WIDTH};
 use crate::drawing::scales::{equal_axes, over_time, scaled, time_axis};
 use crate::drawing::series::{Points, bounds, outline, range};
 use crate::failure::Failure;
@@ -129,11 +129,11 @@ fn track(
     let end =
         truth.points.last().map_or((0.0, 0.0), |point| (point.east_m / unit.si, point.north_m / unit.si));
     panel.dots.extend([
-        Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 6.0 },
-        Dot { at: end, pen: Pen::End, radius: 6.0 },
+        Dot { at: (0.0, 0.0), pen: Pen::Start, radius: 6.0, label: None },
+        Dot { at: end, pen: Pen::End, radius: 6.0, label: None },
     ]);
     let x_label = format!("east of the start [{}]", unit.name);
-    let drawing = Drawing { width: WIDTH, x, x_label, panels: vec![panel] };
+    let drawing = Drawing { width: WIDTH, left: LEFT, x, x_label, panels: vec![panel] };
     let far = truth.points.iter().fold(0.0, |most: f64, point| most.max(point.east_m.hypot(point.north_m)));
     let note = format!(
         "Farthest from the start: {}. Start at latitude {:.4}°, longitude {:.4}°.",
