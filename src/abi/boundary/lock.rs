@@ -1,5 +1,6 @@
 //! A lock that knows the thread that holds it. If that thread takes the lock again, also in a signal handler, it gets
-//! an error, and does not wait for itself for ever. The word of the lock is the name of the owner, so both change at the same moment.
+//! an error, and does not wait for itself for ever. The word of the lock is the name of the owner, so both change at the same moment:
+//! between a mutex of a library and an owner word beside it, a signal handler would wait for its own thread for ever.
 
 use core::cell::UnsafeCell;
 use core::ops::{Deref, DerefMut};
