@@ -45,6 +45,8 @@ pens! {
     Fit "fit", NauticalMile "nautical-mile", Schuler "schuler", Foucault "foucault", Day "day", Start "start" dot,
     /// End of the truth.
     End "end" dot,
+    /// Rows of a log.
+    Row "row" dot,
     /// Begin and end of a failure of a sensor.
     Failure "failure",
     /// Computed values at the end of a long track.

@@ -7,6 +7,7 @@ mod figures;
 mod flight;
 mod imu;
 mod print;
+mod rows;
 mod summary;
 mod unit;
 
@@ -29,6 +30,7 @@ pub use bus::line as bus_line;
 pub use figures::Figures;
 pub use flight::{Files, InFlight, Shown, Stopped};
 pub use print::text;
+pub use rows::COLUMNS as ROW_COLUMNS;
 pub use summary::{LONGEST, MARK};
 pub use unit::{COLUMNS as UNIT_COLUMNS, UnitFiles};
 
@@ -37,7 +39,7 @@ pub const FOR_LOGS: &str = "[flight]\nfile = \"log\"\n";
 
 /// Flies a scene, writes its records (DIR/NAME.csv) and figures (DIR/NAME_summary.csv), and prints a summary
 ///
-/// The states of a unit ([unit] in the scene) are written into DIR/NAME_unit.csv.
+/// The states of a unit ([unit] in the scene) are written into DIR/NAME_unit.csv, the rows of a log that was smoothed into DIR/NAME_rows.csv.
 ///
 /// A log without a scene is flown with ideal sensors.
 #[derive(Debug, clap::Args)]
@@ -83,6 +85,9 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         },
         unit: unit(order, &given, &mut outputs, &folder, &file("_unit.csv"))?,
     };
+    let rows = given.rows_of_path();
+    let rows_file = (!rows.is_empty()).then(|| outputs.file(&file("_rows.csv"), &rows::COLUMNS.join(",")));
+    let rows_file = rows_file.transpose()?;
     let quiet = order.output.is_quiet(&given);
     interrupt::graceful();
     let (files, flown, ended) = flight::fly(&given, play, files, quiet)?;
@@ -93,7 +98,11 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     }
     let figures = Figures::gather(&given, &name, every_s, &flown, ended.is_err());
     let finished = figures.and_then(|figures| {
+        let of_rows = rows_file.as_ref().map(|file| file.path().to_owned());
         let paths = [files.paths(), vec![summary_file.path().to_owned()]].concat();
+        let paths: Vec<PathBuf> = paths.into_iter().chain(of_rows).collect();
+        let last = given.sample((flown.steps as usize).min(given.count - 1))?;
+        rows_file.map_or(Ok(()), |file| rows::write(file, rows, last.time_s))?;
         let written = finish(&figures, files, summary_file);
         written.and(if quiet { Ok(()) } else { print(&(text(&figures, &file(".csv")) + &list(&paths))) })
     });

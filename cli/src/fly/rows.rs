@@ -29,7 +29,6 @@ pub fn write(mut file: OutputFile, rows: &[RowOfPath], end_s: f64) -> Result<(),
         records::line(values.into_iter())
     });
     let text: String = head.chain(lines).map(|line| line + "\n").collect();
-    file.reserve(0)?;
     file.write_all(text.as_bytes()).map_err(|error| Failure::of_output(file.path(), &error))?;
     file.commit_lines()
 }

@@ -119,6 +119,8 @@ fn flight(figures: &Figures, rows: &mut Rows) {
     rows.whole("records", flown.records, "records written");
     rows.whole("gaps", figures.given.gaps.count, "gaps in the log, which were bridged");
     rows.number("gap_longest_s", figures.given.gaps.longest_s, "s", "longest gap in the log");
+    let label = "rows of the log that the smooth path was fitted to";
+    rows.whole("log_rows", figures.given.rows_of_path().len() as u64, label);
     for (number, finding) in (1..).zip(&figures.given.findings) {
         rows.text(
             &format!("finding_{number}_text"),

@@ -17,6 +17,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use sins::scene::{Course, FlightSource, Play, Samples, Scene, Source};
+use sins::scene::log::RowOfPath;
 use sins::truth::FlightSample;
 use sins::truth::flight::Flight;
 use sins::{Error, ErrorKind};
@@ -250,6 +251,14 @@ impl Given {
                 if is_nearer { before } else { behind }
             }
             Source::Flight(_) | Source::Host => ((time_s / self.period_s).round() as usize).min(last),
+        }
+    }
+
+    /// The rows that the path of a smoothed log was fitted to.
+    pub fn rows_of_path(&self) -> &[RowOfPath] {
+        match &self.source {
+            Source::Log(log) => log.rows(),
+            Source::Flight(_) | Source::Host => &[],
         }
     }
 

@@ -11,6 +11,7 @@ mod page;
 mod path;
 mod picture;
 mod radial;
+mod rows;
 mod run;
 mod sensors;
 mod sentence;
@@ -31,11 +32,14 @@ use crate::progress::Progress;
 use crate::terminal::print;
 use run::Run;
 
+/// Ends of the names of files beside records.
+const BESIDE: [&str; 3] = ["_summary.csv", "_unit.csv", "_rows.csv"];
+
 /// Draws recorded runs on one self-contained page (sins_out/report.html)
 #[derive(Debug, clap::Args)]
 pub struct Order {
-    /// Records that `sins fly` wrote, each with its RUN_summary.csv in the same folder. Arguments that end in _summary.csv or
-    /// _unit.csv are ignored: *.csv means all runs of a folder
+    /// Records that `sins fly` wrote, each with its RUN_summary.csv in the same folder. Arguments that end in _summary.csv,
+    /// _unit.csv or _rows.csv are ignored: *.csv means all runs of a folder
     #[arg(required = true, value_name = "RUN.csv")]
     runs: Vec<PathBuf>,
     /// The page [default: sins_out/report.html]
@@ -50,12 +54,12 @@ pub struct Order {
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let is_beside = |path: &str| path.ends_with("_summary.csv") || path.ends_with("_unit.csv");
+    let is_beside = |path: &str| BESIDE.iter().any(|ending| path.ends_with(ending));
     let is_run = |path: &&PathBuf| !is_beside(&path.to_string_lossy());
     let paths: Vec<&PathBuf> = order.runs.iter().filter(is_run).collect();
     if paths.is_empty() {
         return Err(Failure::new(
-            "expected at least one RUN.csv; found only files that end in _summary.csv or _unit.csv",
+            "expected at least one RUN.csv; found only files that end in _summary.csv, _unit.csv or _rows.csv",
         ));
     }
     let inputs: Vec<PathBuf> =

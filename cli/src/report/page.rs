@@ -66,6 +66,7 @@ fn section(runs: &[Run], place: usize, first: usize) -> Result<Markup, Failure> 
     } else {
         drawn.extend(figures::others(run)?);
     }
+    drawn.extend(rows::figure(run)?);
     let rows: Vec<_> = run.summary.rows.iter().collect();
     let (flown, measured) = rows.split_at(rows.iter().position(|row| row.is_error()).unwrap_or(rows.len()));
     Ok(html! {

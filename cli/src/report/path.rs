@@ -127,7 +127,7 @@ fn between(from: (Point, [f64; 3]), to: (Point, [f64; 3]), tolerance_m: f64) -> 
 
 /// Distances east and north [m] from the first place of `origin`, in the azimuthal equidistant projection, so that tracks over a
 /// pole or over the date line stay connected; `later_s` [s] later by the velocity of each record.
-fn local(path: &Places, origin: &Places, later_s: f64) -> (Vec<f64>, Vec<f64>) {
+pub fn local(path: &Places, origin: &Places, later_s: f64) -> (Vec<f64>, Vec<f64>) {
     let earth = Earth::new(Ellipsoid::Wgs84, GravityModel::Normal);
     let height_m = origin.height_m[0];
     let place = |path: &Places, record: usize| Geodetic {

@@ -10,6 +10,7 @@ use crate::drawing::failures::Span;
 use crate::failure::Failure;
 use crate::given::open_table;
 use crate::places::beside;
+use crate::report::rows::Rows;
 use crate::report::summary::Summary;
 use crate::table::Table;
 use sins::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
@@ -39,6 +40,8 @@ pub struct Run {
     /// States of the unit, each with its begin [s]; empty: there was no unit.
     pub states: Vec<(f64, State)>,
     pub summary: Summary,
+    /// The rows of a smoothed log.
+    pub rows: Option<Rows>,
 }
 
 /// A path over the ground.
@@ -85,6 +88,9 @@ impl Run {
         let row = |k: usize| Record::of_values(&std::array::from_fn(|column| columns[column][k]));
         let records: Vec<Record> = (0..lines.len()).map(row).collect();
         let time_s = since_start(path, &lines, &records)?;
+        let start_s = records.first().map_or(0.0, |record| record.time_s);
+        let has_rows = summary.number("log_rows").is_some_and(|count| count > 0.0);
+        let rows = if has_rows { Rows::read(path, start_s)? } else { None };
         let model_was_on = records.iter().any(|record| record.model_error.flags & NOT_COMPUTED == 0);
         let sigma = table.has(SIGMA_COLUMNS[0]).then(|| Errors::of_sigmas(&mut table)).transpose()?;
         let axes = |of: fn(&Record) -> &Vector3<f64>| axes(&records, of);
@@ -101,6 +107,7 @@ impl Run {
             accel_error_m_s2: axes(|record| &record.accel_error),
             failures_s: summary.failures_s(),
             states: summary.states(),
+            rows,
             summary,
         })
     }

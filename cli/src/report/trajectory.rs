@@ -43,6 +43,7 @@ pub fn figure(run: &Run, height: f64) -> Result<Figure, Failure> {
             time_text(run.duration_s())
         );
     }
+    legend.extend(run.rows.iter().map(|_| (Pen::Row, "rows of the log".to_owned())));
     legend.extend([(Pen::Start, "start".to_owned()), (Pen::End, "end of the true path".to_owned())]);
     let (track, track_note) = track(run, [&truth, &navigation], stretch_s, height - HEIGHT - AROUND)?;
     let (heights, height_note) = heights(run, [&truth, &navigation], stretch_s.unwrap_or(run.duration_s()))?;
@@ -123,7 +124,13 @@ fn track(
         Trace { time_s, ..Trace::new(pen, points) }
     });
     let caption = format!("north of the start [{}]", unit.name);
+    let rows = run.rows.iter().flat_map(|rows| rows.dots(&run.truth, unit.si));
+    let is_inside = |dot: &Dot| {
+        (x.low..=x.high).contains(&dot.at.0) && (y.low..=y.high).contains(&dot.at.1)
+    };
+    let rows: Vec<Dot> = rows.filter(is_inside).collect();
     let mut panel = Panel::new(caption, y, height, traces.collect());
+    panel.dots.extend(rows);
     panel.time = Some(time_axis(run.duration_s()));
     let truth = paths[0];
     let end =
