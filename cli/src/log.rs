@@ -12,6 +12,7 @@ use crate::given::{Settings, is_log, judge, of_log, read_table};
 use crate::output::{NO_MARK, Outputs};
 use crate::terminal::{print, say};
 use crate::units::{six_digits, time_text};
+use crate::written;
 
 /// The first line of a smoothed log.
 const MARK: &str = "# smoothed by sins log";
@@ -113,11 +114,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         if let Some(map) = &order.map {
             // The name of a table that does not end in .csv would be that of a scene.
             let option = if is_log(order.file.as_os_str()) { "" } else { "--log " };
-            print(&format!(
-                "next: `sins fly {option}{} --columns {}`\n",
-                order.file.display(),
-                map.display()
-            ))?;
+            let next = format!("`sins fly {option}{} --columns {}`", order.file.display(), map.display());
+            print(&written::text(&[map], Some(&next)))?;
         }
         if order.strict && is_doubtful {
             return Err(Failure::new(format!("{}: the log is refused (--strict)", order.file.display())));
@@ -128,6 +126,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let smoothed =
         log.smoothed(&scene.options.earth(), &scene.log).map_err(|error| of_log(&order.file, error))?;
     write(order, output, &smoothed)?;
+    print(&written::text(&[output], Some(&format!("`sins fly {}`", output.display()))))?;
     let before = log.notes().len();
     smoothed.notes()[before..].iter().for_each(|note| say(&note.sentence));
     Ok(())

@@ -30,3 +30,4 @@ mod random_scenes;
 mod same_records;
 mod support;
 mod unit;
+mod written;
