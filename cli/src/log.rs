@@ -12,6 +12,7 @@ use crate::given::{Settings, is_log, judge, of_log, read_table};
 use crate::output::{NO_MARK, Outputs};
 use crate::terminal::{print, say};
 use crate::units::{six_digits, time_text};
+use crate::written;
 
 /// The first line of a smoothed log.
 const MARK: &str = "# smoothed by sins log";
@@ -107,7 +108,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     match &order.output {
         Some(output) => {
             findings.iter().for_each(|(_, words)| say(words));
-            failure.map_or_else(|| write(order, output, &log), Err)
+            failure.map_or_else(|| write(order, output, &log), Err)?;
+            print(&written::text(&[output], Some(&format!("`sins fly {}`", output.display()))))
         }
         None => {
             print_rows(order, &rows)?;
@@ -135,15 +137,16 @@ fn conclude(order: &Order, findings: &[(Level, String)]) -> Result<(), Failure> 
     }
     let file = order.file.display();
     if let Some(map) = &order.map {
-        let map = map.display();
+        let columns = map.display();
         // The name of a table that does not end in .csv would be that of a scene.
         let option = if is_log(order.file.as_os_str()) { "" } else { "--log " };
-        print(&match worst {
+        let next = match worst {
             Some(Level::Unusable) => {
-                format!("next: mend {map}, and look again: `sins log {file} --columns {map}`\n")
+                format!("mend {columns}, and look again: `sins log {file} --columns {columns}`")
             }
-            _ => format!("next: `sins fly {option}{file} --columns {map}`\n"),
-        })?;
+            _ => format!("`sins fly {option}{file} --columns {columns}`"),
+        };
+        print(&written::text(&[map], Some(&next)))?;
     }
     if order.strict && worst >= Some(Level::Doubtful) {
         return Err(Failure::new(format!("{file}: the log is refused (--strict)")));

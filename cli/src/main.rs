@@ -129,6 +129,36 @@ const MEANT: [(&[&str], &str); 8] = [
     (&["set", "params", "parameters", "options"], "keys"),
 ];
 
+/// Words for which there is no option, and what does what they say.
+const MEANT_OPTIONS: [(&[&str], &str); 7] = [
+    (
+        &["--duration", "--time", "--length", "--seconds", "--minutes"],
+        "--hours HOURS, or --set flight.hours=HOURS",
+    ),
+    (&["--output", "--output-dir", "--folder", "--dir"], "--out DIR, or -o FILE for one file"),
+    (&["--seed"], "--set options.seed=N"),
+    (&["--run", "--n", "--count"], "--runs N of `sins ensemble`; --set options.run=N flies one run"),
+    (&["--dt", "--rate", "--hz", "--frequency", "--step"], "--set flight.rate_hz=HZ"),
+    (&["--grade", "--sensors", "--imu-grade"], "--preset GRADE"),
+    (&["--param", "--params", "--config", "--key"], "--set section.key=value; `sins keys` lists the keys"),
+];
+
+/// What was meant by a word that is no command, or no option.
+fn meant(error: &clap::Error) -> Option<String> {
+    let given = |kind| match error.get(kind) {
+        Some(ContextValue::String(word)) => Some(word.as_str()),
+        _ => None,
+    };
+    let of = |words: &[(&[&str], &'static str)], word: &str| {
+        words.iter().find(|(words, _)| words.contains(&word)).map(|(_, meant)| *meant)
+    };
+    if let Some(command) = given(ContextKind::InvalidSubcommand) {
+        return of(&MEANT, command).map(|meant| format!("`sins {meant}`"));
+    }
+    let option = given(ContextKind::InvalidArg).filter(|_| error.kind() == ErrorKind::UnknownArgument)?;
+    of(&MEANT_OPTIONS, option).map(str::to_owned)
+}
+
 /// Help, the version, or what is wrong with the command line.
 fn answer(error: &clap::Error) -> ExitCode {
     let text = error.render().to_string();
@@ -140,10 +170,8 @@ fn answer(error: &clap::Error) -> ExitCode {
         };
     }
     terminal::say(text.trim_end());
-    if let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand)
-        && let Some((_, meant)) = MEANT.iter().find(|(words, _)| words.contains(&word.as_str()))
-    {
-        terminal::say(&format!("\n  tip: `sins {meant}`"));
+    if let Some(meant) = meant(error) {
+        terminal::say(&format!("\n  tip: {meant}"));
     }
     ExitCode::from(2)
 }

@@ -2,8 +2,10 @@
 
 use sins::scene::{PlannedFailure, PlannedUpdate, Scene, Updated};
 use sins::sensors::{Axis, Failure, SensorOutput};
+use sins::units::DEG_PER_SQRT_HOUR;
 
-use crate::drawing::failures::Span;
+use crate::drawing::events::{Events, Span, Update};
+use crate::units::{DEG_PER_HOUR, MICRO_G, six_digits};
 
 /// Each failure with its time, numbered if there are several; "none" if there are no failures.
 pub fn failures(scene: &Scene) -> String {
@@ -31,6 +33,18 @@ pub fn spans(scene: &Scene) -> Vec<Span> {
     scene.failures.iter().map(span).collect()
 }
 
+/// The times of the updates.
+pub fn times_of_updates(scene: &Scene) -> Vec<Update> {
+    let times =
+        |planned: &PlannedUpdate| (planned.at_s, Some(planned.every_s).filter(|every_s| every_s.is_finite()));
+    scene.updates.iter().map(times).collect()
+}
+
+/// What is planned, to be marked over time.
+pub fn events(scene: &Scene) -> Events {
+    Events { failures: spans(scene), updates: times_of_updates(scene), ..Events::default() }
+}
+
 fn words(planned: &PlannedFailure) -> String {
     let axis = |axis: Axis| match axis {
         Axis::X => "x",
@@ -50,9 +64,27 @@ fn words(planned: &PlannedFailure) -> String {
         Failure::Noise { .. } => "noise",
         Failure::DropOuts { .. } => "drop-outs",
     };
+    let (size_si, unit) = match planned.output {
+        SensorOutput::Gyro(_) => (DEG_PER_HOUR.si, "deg/h"),
+        SensorOutput::Accelerometer(_) => (MICRO_G.si, "micro-g"),
+        SensorOutput::Altimeter => (1.0, "m"),
+    };
+    let size = match planned.failure {
+        Failure::Stuck | Failure::Dead => String::new(),
+        Failure::BiasStep { size } => format!(" {} {unit}", six_digits(size / size_si)),
+        Failure::Spikes { size, interval_s, duration_s } => {
+            format!(" {} {unit}, each {interval_s} s for {duration_s} s,", six_digits(size / size_si))
+        }
+        Failure::Noise { density } => match planned.output {
+            SensorOutput::Gyro(_) => format!(" {} deg/sqrt(h)", six_digits(density / DEG_PER_SQRT_HOUR)),
+            _ => format!(" {} {unit}/sqrt(Hz)", six_digits(density / size_si)),
+        },
+        Failure::DropOuts { interval_s, .. } if interval_s > 0.0 => format!(" each {interval_s} s,"),
+        Failure::DropOuts { probability, .. } => format!(" with probability {probability},"),
+    };
     let until_s = planned.failing.until_s;
     let until = if until_s.is_finite() { format!("{until_s} s") } else { "the end".to_owned() };
-    format!("{output} {kind} {} s to {until}", planned.failing.from_s)
+    format!("{output} {kind}{size} {} s to {until}", planned.failing.from_s)
 }
 
 fn update_text(planned: &PlannedUpdate) -> String {

@@ -39,7 +39,7 @@ use alignment::Alignment;
 use inertial::{Inertial, Motion};
 
 /// While the unit does not navigate, the solution of the simulator is brought back to the truth after this time \[s\].
-const KEEP_S: f64 = 60.0;
+pub const KEEP_S: f64 = 60.0;
 
 /// A unit.
 #[derive(Debug, Clone, Copy, PartialEq)]

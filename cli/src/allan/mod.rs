@@ -18,11 +18,14 @@ mod values;
 
 pub use command::Order;
 
+use std::path::PathBuf;
+
 use crate::drawing::document::PAGE_MARK;
 use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
 use crate::output::{NO_MARK, Outputs};
 use crate::terminal::print;
+use crate::written;
 use analysis::Analysis;
 use log::Log;
 
@@ -42,14 +45,23 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         false => document::picture(&log, &analyses)?,
     };
     // The figures are told also if no scene can be made of them.
-    let written = scene.map(|file| file.finish(scene::text(&log, &analyses)?));
+    let scene_written = scene.map(|file| file.finish(scene::text(&log, &analyses)?));
     let tables = [(points, records::points(&analyses)?), (fit, records::coefficients(&analyses)?)];
     let tables = tables.map(|(file, text)| file.map_or(Ok(()), |file| file.finish(text)));
+    let paths = [Some(order.output()), order.points.clone(), order.fit(), order.scene.clone()];
+    let paths: Vec<PathBuf> = paths.into_iter().flatten().collect();
     Failure::each(
         [drawn_file.finish(drawn)]
             .into_iter()
             .chain(tables)
             .chain([print(&table::table(&log, &analyses))])
-            .chain(written),
-    )
+            .chain(scene_written),
+    )?;
+    let next = match &order.scene {
+        Some(scene) => {
+            format!("`sins fly {} --imu IMU.csv` makes a record that can be compared", scene.display())
+        }
+        None => written::open(&order.output()),
+    };
+    print(&written::text(&paths, Some(&next)))
 }

@@ -22,6 +22,7 @@ use crate::output::Outputs;
 use crate::places::svg;
 use crate::rows::TABLE_MARK;
 use crate::terminal::print;
+use crate::written;
 use scene::Scene;
 use survey::Survey;
 
@@ -41,6 +42,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let table = file("table.md", TABLE_MARK)?;
     let pictures = scenes.iter().map(|scene| file(&svg(&scene.name)?, PICTURE_MARK));
     let pictures = pictures.collect::<Result<Vec<_>, _>>()?;
+    let own = [&page, &rows, &table].into_iter().chain(&pictures);
+    let paths: Vec<PathBuf> = own.map(|file| file.path().to_owned()).collect();
 
     let surveys = Survey::of_all(&scenes, &request, order.time_steps)?;
     let tables = table::tables(&surveys);
@@ -52,5 +55,6 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         rows.finish(text),
         table.finish(format!("{TABLE_MARK}\n\n{tables}")),
         print(&tables),
-    ]))
+    ]))?;
+    print(&written::text(&paths, Some(&written::open(&paths[0]))))
 }

@@ -2,7 +2,7 @@
 
 pub mod axis;
 pub mod document;
-pub mod failures;
+pub mod events;
 pub mod figure;
 pub mod file;
 mod foot;

@@ -49,6 +49,8 @@ pens! {
     Row "row" dot,
     /// Begin and end of a failure of a sensor.
     Failure "failure",
+    /// An update by a fix, and the end of an alignment.
+    Correction "correction",
     /// Computed values at the end of a long track.
     Late "late",
     /// Points of a scheme, and the line that joins them.

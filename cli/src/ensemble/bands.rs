@@ -2,13 +2,12 @@
 //! in quantiles.
 
 use super::flight::LEAST_SPEED;
-use super::plan::Data;
+use super::plan::{Data, Due};
 use super::requirement::{Measure, along_cross};
 use super::results::State;
 use super::study::{Quantity, Study};
 use super::table::Row;
 use crate::drawing::axis::TimeAxis;
-use crate::drawing::failures;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::Trace;
@@ -63,8 +62,8 @@ fn bands(
         panel(format!("{name} {axis} [{}]", unit.name), 130.0, 5, lines.traces(&time, unit))
     });
     let mut panels: Vec<_> = panels.collect();
-    let failures = planned::spans(&study.given.scene);
-    failures::mark(&failures, &time, &mut panels);
+    let events = planned::events(&study.given.scene);
+    events.mark(&time, &mut panels);
     let drawn = study.results.drawn.len();
     let mut legend = vec![
         (Pen::Computed, "mean of the runs".to_owned()),
@@ -73,7 +72,7 @@ fn bands(
         (Pen::Record, if drawn == 1 { "the run".to_owned() } else { format!("the first {drawn} runs") }),
     ];
     legend.extend(lines.iter().flat_map(|(_, lines)| lines.limits.legend()).take(1));
-    legend.extend(failures::legend(&failures));
+    legend.extend(events.legend(&time));
     let sigma = |(axis, lines): &(&str, Lines)| {
         format!("{axis} {}", with_unit(lines.sigma.last().copied().unwrap_or(0.0), family))
     };
@@ -91,7 +90,8 @@ struct Limits(Vec<Points>);
 impl Limits {
     fn of(study: &Study, measure: Measure) -> Self {
         let dues = study.plan.requirements.iter().filter(|due| due.requirement.measure == measure);
-        Self(dues.map(|due| vec![(0.0, due.requirement.limit_at(0.0)), (due.time_s, due.limit)]).collect())
+        let begin = |due: &Due| (due.grows_from_s.unwrap_or(0.0), due.requirement.limit_at(0.0));
+        Self(dues.map(|due| vec![begin(due), (due.time_s, due.limit)]).collect())
     }
 
     /// Without those that would make errors of `size` too small to see.
@@ -206,8 +206,8 @@ pub fn radial(study: &Study) -> Result<Figure, Failure> {
         format!("At the end: CEP50 {cep50}, R95 {r95}, largest {largest}.")
     });
     let mut panels = vec![panel(format!("horizontal error [{}]", unit.name), 400.0, 6, traces)];
-    let failures = planned::spans(&study.given.scene);
-    failures::mark(&failures, &time, &mut panels);
-    legend.extend(failures::legend(&failures));
+    let events = planned::events(&study.given.scene);
+    events.mark(&time, &mut panels);
+    legend.extend(events.legend(&time));
     Figure::new("Horizontal position error", " over time", legend, &over_time(time, panels), note)
 }

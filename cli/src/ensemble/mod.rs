@@ -21,6 +21,8 @@ mod verdict;
 
 pub use command::Order;
 
+use std::path::PathBuf;
+
 use sins::analysis::budget::Effect;
 use sins::scene::Scene;
 use sins::sensors;
@@ -31,6 +33,7 @@ use crate::interrupt;
 use crate::output::Outputs;
 use crate::parallel::cores;
 use crate::terminal;
+use crate::written;
 use checkpoint::Checkpoint;
 use plan::Plan;
 use results::Results;
@@ -65,6 +68,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         _ => Some(outputs.file(&file("_meets.csv"), &verdict::COLUMNS.join(","))?),
     };
 
+    let own = [&page_file, &statistics_file, &runs_file].into_iter().chain(&verdicts_file);
+    let paths: Vec<PathBuf> = own.map(|file| file.path().to_owned()).collect();
     let quiet = order.output.is_quiet(&given);
     let threads = order.threads.map_or_else(cores, |threads| threads as usize);
     let before = results.runs(&plan);
@@ -83,7 +88,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let judged = verdict::verdicts(&study)?;
     let (page, verdicts) = (document::page(&study, &judged)?, verdict::file(&judged)?);
     let runs = table::write_runs(&plan, &results, &mut runs_file);
-    let written = Failure::each([
+    let finished = Failure::each([
         statistics_file.finish(table::statistics(&study.rows)),
         runs.map_err(|error| Failure::of_output(runs_file.path(), &error)).and_then(|()| runs_file.commit()),
         page_file.finish(page),
@@ -91,9 +96,12 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     ]);
     let printed = match quiet {
         true => Ok(()),
-        false => terminal::print(&print::text(&study, &judged, &flown, threads, &file(".html"))),
+        false => {
+            let list = written::text(&paths, Some(&written::open(&paths[0])));
+            terminal::print(&(print::text(&study, &judged, &flown, threads) + &list))
+        }
     };
-    match written {
+    match finished {
         Ok(()) => checkpoint.remove()?,
         // The runs are not lost.
         Err(failure) => {

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use sins::mechanization::VerticalMode;
+use sins::unit::{Mode, State};
 
 use super::command::Order;
 use super::requirement::{Measure, Requirement};
@@ -66,6 +67,8 @@ pub struct Due {
     /// Time of the sample since the start, and the limit at that time [SI].
     pub time_s: f64,
     pub limit: f64,
+    /// Time since the start from which the limit grows [s]; `None`: it does not grow.
+    pub grows_from_s: Option<f64>,
 }
 
 impl Due {
@@ -96,7 +99,8 @@ impl Plan {
         let rows = (given.duration_s / every_s) as usize;
         let mut instants: Vec<usize> = (0..=rows).map(|row| given.index_at(row as f64 * every_s)).collect();
         instants.push(given.count - 1);
-        let requirements = due(given, requirements)?;
+        let first_run = order.first_run.unwrap_or(given.scene.options.key.run);
+        let requirements = due(given, first_run, requirements)?;
         instants.extend(requirements.iter().map(|due| due.index));
         instants.sort_unstable();
         instants.dedup();
@@ -107,7 +111,6 @@ impl Plan {
         if given.scene.unit.start.is_some() {
             sources.push(Data::Shown);
         }
-        let first_run = order.first_run.unwrap_or(given.scene.options.key.run);
         if first_run.checked_add(order.runs - 1).is_none() {
             let what = format!(
                 "--runs {}: expected the last run below 2^64, from --first-run {first_run}",
@@ -147,10 +150,28 @@ impl Plan {
     }
 }
 
+/// When the unit of a scene begins to navigate in its first run, since the start [s]; 0 if it navigates from the start on.
+fn navigation_s(given: &Given, first_run: u64) -> Result<f64, Failure> {
+    if given.scene.unit.start != Some(Mode::Off) {
+        return Ok(0.0);
+    }
+    let mut play = given.play_of_run(first_run)?;
+    for index in 0..given.count {
+        play.push(&given.sample(index)?).map_err(|stopped| given.failure_at(index, &stopped.error))?;
+        if play.unit().is_some_and(|unit| unit.status().state == State::Navigation) {
+            return Ok(given.time_s(index));
+        }
+    }
+    let what = "--meets: a limit that grows with the time counts from NAV, and the unit does not navigate";
+    Err(Failure::new(what))
+}
+
 /// Those of `requirements` that apply to the flight, with the samples at which they are due.
-fn due(given: &Given, requirements: Vec<Requirement>) -> Result<Vec<Due>, Failure> {
+fn due(given: &Given, first_run: u64, requirements: Vec<Requirement>) -> Result<Vec<Due>, Failure> {
     let (last, flown) = (given.count - 1, time_text(given.duration_s));
     let is_given = !requirements.is_empty();
+    let grows = requirements.iter().any(|one| one.grows);
+    let nav_s = if grows { navigation_s(given, first_run)? } else { 0.0 };
     let applying = requirements.into_iter().filter(|one| one.applies(given.duration_s));
     let dues = applying.map(|requirement| {
         let index = requirement.time_s.map_or(last, |time_s| given.index_at(time_s));
@@ -165,8 +186,16 @@ fn due(given: &Given, requirements: Vec<Requirement>) -> Result<Vec<Due>, Failur
             return Err(Failure::new(what));
         }
         let time_s = given.sample(index)?.time_s - given.start_s;
-        let limit = requirement.limit_at(time_s);
-        Ok(Due { requirement, index, time_s, limit })
+        let grows_from_s = requirement.grows.then_some(nav_s);
+        if grows_from_s.is_some_and(|from_s| from_s >= time_s) {
+            let what = format!(
+                "--meets: {} is due before the unit navigates, {nav_s} s after the start: its limit grows from then on",
+                requirement.quantity
+            );
+            return Err(Failure::new(what));
+        }
+        let limit = requirement.limit_at(time_s - grows_from_s.unwrap_or(0.0));
+        Ok(Due { requirement, index, time_s, limit, grows_from_s })
     });
     let dues: Vec<Due> = dues.collect::<Result<_, _>>()?;
     if is_given && dues.is_empty() {

@@ -1,15 +1,13 @@
 //! Text for the terminal.
 
-use std::path::Path;
-
 use super::flight::Flown;
 use super::plan::Data;
 use super::study::{QUANTITIES, Study};
 use super::verdict::{self, Judged};
 use crate::units::{LENGTH, brief, time_text, usual, with_unit};
 
-/// The statistics at the end, and how fast the runs were flown; the page is at `page`.
-pub fn text(study: &Study, judged: &[Judged], flown: &Flown, threads: usize, page: &Path) -> String {
+/// The statistics at the end, and how fast the runs were flown.
+pub fn text(study: &Study, judged: &[Judged], flown: &Flown, threads: usize) -> String {
     let given = study.given;
     let mut text =
         format!("{}: {}\n  {}; {}\n", study.name, given.title, study.runs(), time_text(given.duration_s));
@@ -63,7 +61,7 @@ pub fn text(study: &Study, judged: &[Judged], flown: &Flown, threads: usize, pag
             if threads == 1 { "" } else { "s" }
         );
     }
-    text + &format!("  {}\n", page.display())
+    text
 }
 
 /// The sections of the scene that set errors, in words.

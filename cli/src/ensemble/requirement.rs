@@ -90,7 +90,7 @@ pub fn along_cross(state: &State, track_rad: f64) -> [f64; 2] {
 }
 
 impl Requirement {
-    /// The limit [SI] at `time_s` since the start.
+    /// The limit [SI] at `time_s` since it began to grow.
     pub fn limit_at(&self, time_s: f64) -> f64 {
         if self.grows { self.limit * time_s } else { self.limit }
     }

@@ -51,10 +51,13 @@ impl Judged<'_> {
 
     /// What is required: "position_horizontal: 95 % within 22.22 km at 6 h".
     fn required(&self) -> String {
-        let Due { requirement, time_s, limit, .. } = self.due;
+        let Due { requirement, time_s, limit, grows_from_s, .. } = self.due;
         let limit = with_unit(*limit, requirement.family);
         let (quantity, percent) = (requirement.quantity, requirement.percent);
-        format!("{quantity}: {percent} % of the flights within {limit} after {}", time_text(*time_s))
+        let nav_s = grows_from_s.filter(|from_s| *from_s > 0.0);
+        let since =
+            nav_s.map_or(String::new(), |nav_s| format!(", which grows from NAV at {} on", time_text(nav_s)));
+        format!("{quantity}: {percent} % of the flights within {limit} after {}{since}", time_text(*time_s))
     }
 
     /// What was found: the fraction of the runs with its interval.

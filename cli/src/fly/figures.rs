@@ -1,14 +1,16 @@
 //! Figures of a flight: what was flown, and its accuracy.
 
 use sins::errors::AccuracyFigures;
-use sins::scene::Scene;
+use sins::scene::{PlannedUpdate, Scene};
 use sins::unit::{Mode, State};
 use sins::{ClosureFigures, TrimFigures};
 
 use super::flight::Flown;
+use super::navigation::Navigation;
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
 use crate::planned;
+use crate::report::SCHULER_S;
 use crate::units::six_digits;
 
 /// Smallest number of samples for a rate of growth: one sample defines no slope.
@@ -53,34 +55,68 @@ impl<'a> Figures<'a> {
         1e9 * self.flown.seconds / self.flown.steps.max(1) as f64
     }
 
-    /// Whether there are rates of growth.
-    pub fn has_rates(&self) -> bool {
-        self.why_no_rates().is_none()
+    /// The navigation from whose begin the rates count.
+    pub fn navigation(&self) -> Option<&Navigation> {
+        self.flown.navigation.as_ref()
     }
 
-    /// Why there are no rates of growth; `None`: there are. They are computed from a fixed time on, which a short flight does not reach.
-    /// They are errors over the time since the start: an alignment in flight and an update start the errors anew.
-    pub fn why_no_rates(&self) -> Option<String> {
-        let scene = self.scene();
-        if !scene.updates.is_empty() {
-            return Some("none: the updates start the errors anew".to_owned());
+    /// The rates: RER, R50, R95; or why there are none. They are errors over the time since NAV, so an update after it, which leaves other
+    /// errors than those that have grown since, leaves no rate; and before the end of a Schuler period they depend on the moment.
+    pub fn rates(&self) -> Result<&AccuracyFigures, String> {
+        let navigation = self.grown()?;
+        let flown_s = navigation.duration_s();
+        if flown_s < SCHULER_S {
+            let (least, flown) = (six_digits(SCHULER_S / 60.0), six_digits((flown_s / 6.0).round() / 10.0));
+            return Err(format!(
+                "none: they need {least} min of navigation, a Schuler period, and it navigated {flown} min"
+            ));
         }
-        if scene.unit.start == Some(Mode::Off) {
-            return Some("none: they count from the start, and the unit aligns on the way".to_owned());
+        Ok(&navigation.figures)
+    }
+
+    /// The slope of the line through the horizontal error [m/s]; or why there is none. The line begins at a fixed time after NAV.
+    pub fn slope(&self) -> Result<f64, String> {
+        let figures = &self.grown()?.figures;
+        match figures.window_samples {
+            0..LEAST_SAMPLES => Err(format!("none before {} s of navigation", figures.window_start_s)),
+            _ => Ok(figures.radial_error_slope_m_s),
         }
-        let from_s = self.accuracy.window_start_s;
-        (self.accuracy.window_samples < LEAST_SAMPLES).then(|| format!("none before {from_s} s of flight"))
+    }
+
+    /// The navigation, if its errors have grown by themselves.
+    fn grown(&self) -> Result<&Navigation, String> {
+        let navigation = self.navigation().ok_or("none: the unit did not navigate")?;
+        let is_corrected = |update: &PlannedUpdate| {
+            update.at_s < navigation.until_s
+                && (update.every_s.is_finite() || update.at_s > navigation.from_s)
+        };
+        match self.scene().updates.iter().any(is_corrected) {
+            true => Err("none: an update after NAV starts the errors anew".to_owned()),
+            false => Ok(navigation),
+        }
     }
 
     /// How the start came about.
     pub fn start(&self) -> String {
         match self.scene().unit.start {
             Some(Mode::Off) => "those that the alignment of the unit leaves".to_owned(),
-            _ => self.set_in("start"),
+            _ => {
+                let set = self.scene().changed_keys();
+                let is_set =
+                    |is: fn(&str) -> bool| set.iter().any(|key| key.section == "start" && is(key.name));
+                let ways = [
+                    ("aligned at rest", is_set(|name| name == "alignment")),
+                    ("drawn", is_set(|name| name.contains("_sigma_"))),
+                    ("given", is_set(|name| !name.contains("_sigma_") && !name.starts_with("alignment"))),
+                ];
+                let ways: Vec<&str> = ways.iter().filter(|(_, is)| *is).map(|(way, _)| *way).collect();
+                let words = self.set_in("start");
+                if ways.is_empty() { words } else { format!("{}: {words}", ways.join(" and ")) }
+            }
         }
     }
 
-    /// The states of the unit with their times, how long it aligned, and what it showed at the end; `None`: the scene has no unit.
+    /// The states of the unit with their times, and how long it aligned; `None`: the scene has no unit.
     pub fn unit(&self) -> Option<String> {
         self.scene().unit.start?;
         let (states, end_s) = (&self.flown.states, self.accuracy.duration_s);
@@ -98,12 +134,7 @@ impl<'a> Figures<'a> {
             .iter()
             .map(|(from_s, state)| format!("{} {} s", state.word(), six_digits(*from_s)))
             .collect();
-        let shown = self.flown.shown_at_end.as_deref().unwrap_or("nothing");
-        Some(format!(
-            "{}; {:.1} min of alignment; valid at the end: {shown}",
-            words.join(", "),
-            aligned_s / 60.0
-        ))
+        Some(format!("{}; {:.1} min of alignment", words.join(", "), aligned_s / 60.0))
     }
 
     /// Extremes of the true motion: key, value, unit, label and time stamp of each. Empty unless the scene requests them.

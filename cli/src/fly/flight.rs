@@ -4,15 +4,16 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use nalgebra::Vector3;
 use sins::errors::AccuracyFigures;
 use sins::records;
 use sins::scene::{self, Play};
 use sins::truth::{FlightSample, TruthSummary};
-use sins::unit::{Mode, State, Status, Unit, UnitNavigation, UnitParameters};
+use sins::unit::{Mode, State, Unit, UnitParameters};
 use sins::{ClosureFigures, Error, ErrorSource, TrimFigures};
 
 use super::imu;
+use super::navigation::{Navigation, Navigations};
+use super::shown::{self, Reason, Shown};
 use super::unit::UnitFiles;
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
@@ -54,8 +55,12 @@ pub struct Flown {
     /// Largest |error data 1 - error data 2| of the records: position [m], velocity [m/s].
     pub largest_difference: [f64; 2],
     pub accuracy: Option<(AccuracyFigures, ClosureFigures, TrimFigures)>,
-    /// What the unit shows at the end: its valid outputs, and its reasons; empty: nothing.
+    /// The longest navigation; without a unit, the whole flight; `None`: the unit did not navigate.
+    pub navigation: Option<Navigation>,
+    /// What the unit shows at the end, and how wrong it is; `None`: there is no unit.
     pub shown_at_end: Option<String>,
+    /// Why outputs of the unit were not valid, in the order of their begins.
+    pub reasons: Vec<Reason>,
     /// States of the unit, each with the time of its begin [s].
     pub states: Vec<(f64, State)>,
     /// Summary of the true motion, if the scene requests it.
@@ -109,19 +114,12 @@ impl From<Failure> for Stopped {
     }
 }
 
-/// What an INS shows, and its error.
-pub struct Shown {
-    pub status: Status,
-    pub navigation: UnitNavigation,
-    /// Position error of the solution, east, north, up [m].
-    pub position_error_n: Vector3<f64>,
-}
-
 /// A flight in progress, with its files.
 pub struct InFlight {
     play: Play,
     files: Files,
     flown: Flown,
+    navigations: Navigations,
     /// Whether the last interval has its record, and its row of the unit.
     is_recorded: [bool; 2],
 }
@@ -136,7 +134,13 @@ impl InFlight {
         if files.unit.is_some() && play.unit().is_none() {
             play.set_unit(Unit::new(&UnitParameters::default(), Mode::Navigate)?);
         }
-        Ok(Self { play, files, flown: Flown::default(), is_recorded: [true; 2] })
+        Ok(Self {
+            play,
+            files,
+            flown: Flown::default(),
+            navigations: Navigations::default(),
+            is_recorded: [true; 2],
+        })
     }
 
     /// What the INS shows after the last interval. Without a unit, it navigates.
@@ -195,6 +199,12 @@ impl InFlight {
             let written = imu::write_rows(file, simulator, interval.time_s);
             written.map_err(|error| Failure::of_output(file.path(), &error))?;
         }
+        if let Some(unit) = self.play.unit() {
+            let time_s = interval.time_s - self.play.course().start_s().unwrap_or_default();
+            let status = unit.status();
+            self.navigations.take(status.state, simulator, time_s)?;
+            shown::note(&mut self.flown.reasons, &status.reasons, time_s);
+        }
         if let (Some(files), Some(unit)) = (&mut self.files.unit, self.play.unit()) {
             let words = files.send(unit, simulator, &interval)?;
             files.write(&words)?;
@@ -250,8 +260,14 @@ impl InFlight {
         let simulator = self.play.simulator();
         if let Ok(Some((_, accuracy, closure))) = simulator.accuracy() {
             self.flown.accuracy = Some((accuracy, closure, simulator.trim()?.unwrap_or_default()));
+            self.flown.navigation = match self.play.unit() {
+                Some(_) => std::mem::take(&mut self.navigations).longest(accuracy.duration_s),
+                None => Some(Navigation::whole(accuracy)),
+            };
         }
-        self.flown.shown_at_end = self.play.unit().map(|unit| shown(&unit.status()));
+        if self.play.unit().is_some() && self.play.simulator().imu().is_some() {
+            self.flown.shown_at_end = Some(self.shown()?.at_end(self.play.simulator())?);
+        }
         if self.play.course().scene().options.truth_summary {
             self.flown.truth = simulator.truth_summary()?;
         }
@@ -261,16 +277,6 @@ impl InFlight {
 
     fn keep(&mut self, record: &Record) -> Result<(), Failure> {
         keep(&mut self.flown, &mut self.files.records, record)
-    }
-}
-
-/// What a unit shows, in words.
-fn shown(status: &Status) -> String {
-    let valid = status.validity.words();
-    let valid = if valid.is_empty() { "nothing".to_owned() } else { valid.replace(' ', ", ") };
-    match status.reasons.words() {
-        reasons if reasons.is_empty() => valid,
-        reasons => format!("{valid} ({})", reasons.replace(' ', ", ")),
     }
 }
 

@@ -6,8 +6,10 @@ mod bus;
 mod figures;
 mod flight;
 mod imu;
+mod navigation;
 mod print;
 mod rows;
+mod shown;
 mod summary;
 mod unit;
 
@@ -23,14 +25,16 @@ use crate::interrupt;
 use crate::output::{OutputFile, Outputs};
 use crate::places::{OutputArguments, below};
 use crate::terminal::print;
+use crate::written;
 use bus::Bus;
 use sins::record::COLUMNS;
 
 pub use bus::line as bus_line;
 pub use figures::Figures;
-pub use flight::{Files, InFlight, Shown, Stopped};
+pub use flight::{Files, InFlight, Stopped};
 pub use print::text;
 pub use rows::COLUMNS as ROW_COLUMNS;
+pub use shown::Shown;
 pub use summary::{LONGEST, MARK};
 pub use unit::{COLUMNS as UNIT_COLUMNS, UnitFiles};
 
@@ -103,8 +107,12 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         let paths: Vec<PathBuf> = paths.into_iter().chain(of_rows).collect();
         let last = given.sample((flown.steps as usize).min(given.count - 1))?;
         rows_file.map_or(Ok(()), |file| rows::write(file, rows, last.time_s))?;
-        let written = finish(&figures, files, summary_file);
-        written.and(if quiet { Ok(()) } else { print(&(text(&figures, &file(".csv")) + &list(&paths))) })
+        finish(&figures, files, summary_file)?;
+        if quiet {
+            return Ok(());
+        }
+        let next = written::report(&paths);
+        print(&(text(&figures, &file(".csv")) + &written::text(&paths, next.as_deref())))
     });
     match ended {
         // The files say themselves what the disk did not take.
@@ -145,28 +153,6 @@ pub fn finish(figures: &Figures, files: Files, summary_file: OutputFile) -> Resu
         summary_file.finish(text),
         records.commit_lines(),
     ])
-}
-
-/// The files that were written, each with its size, and what to do with the first, the records.
-pub fn list(paths: &[PathBuf]) -> String {
-    let mut text = "\nwritten\n".to_owned();
-    for path in paths {
-        let size = std::fs::metadata(path).map_or(0, |file| file.len());
-        text += &format!("  {:<50} {}\n", path.display(), size_text(size));
-    }
-    match paths.first() {
-        Some(records) => text + &format!("next: `sins report {}` draws the flight\n", records.display()),
-        None => String::new(),
-    }
-}
-
-/// A size of a file in words.
-fn size_text(bytes: u64) -> String {
-    match bytes {
-        0..1000 => format!("{bytes} B"),
-        1000..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),
-        _ => format!("{:.1} MB", bytes as f64 / 1e6),
-    }
 }
 
 /// The files of the unit, if the scene has a unit or the words of one are wanted.

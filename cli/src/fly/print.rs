@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use sins::units::{ARCMIN, NMI_PER_HOUR};
 
 use super::figures::Figures;
+use super::shown::Reason;
 use crate::planned;
 use crate::units::{six_digits, time_text};
 
@@ -42,6 +43,10 @@ fn setting(figures: &Figures, records: &Path) -> String {
     line("start errors", figures.start());
     if let Some(unit) = figures.unit() {
         line("unit", unit);
+        line("valid at end", flown.shown_at_end.clone().unwrap_or_default());
+        if !flown.reasons.is_empty() {
+            line("invalid for", flown.reasons.iter().map(Reason::text).collect::<Vec<_>>().join("; "));
+        }
     }
     line("failures", planned::failures(figures.scene()));
     line("updates", figures.updates());
@@ -103,22 +108,32 @@ fn closure(figures: &Figures) -> String {
 }
 
 fn accuracy(figures: &Figures) -> String {
-    let (accuracy, flown) = (&figures.accuracy, figures.flown);
+    let flown = figures.flown;
     let mut text = "\naccuracy of this run (one run, no statistics of many)\n".to_owned();
+    let mut counted = String::new();
     let mut line =
         |what: &str, value: f64, unit: &str| text += &format!("  {what:<72}{} {unit}\n", number(value));
-    if figures.has_rates() {
+    if let Some(navigation) = figures.navigation().filter(|_| figures.slope().is_ok()) {
+        let [from, until] = [navigation.from_s, navigation.until_s].map(six_digits);
+        counted = format!(
+            "  rates and slope: from the begin of the navigation (NAV) at {from} s to its end at {until} s\n"
+        );
+    }
+    if let Ok(rates) = figures.rates() {
         for (what, value_m_s) in [
             (
-                "rms of RER = sqrt(mean RER^2), RER = horizontal error / time",
-                accuracy.radial_error_rate_rms_m_s,
+                "rms of RER = sqrt(mean RER^2), RER = horizontal error / time since NAV",
+                rates.radial_error_rate_rms_m_s,
             ),
-            ("R50 = 0.8326 sqrt(mean RER^2)", accuracy.cep_rate_m_s()),
-            ("R95 = 1.7308 sqrt(mean RER^2)", accuracy.radial_95_rate_m_s()),
-            ("slope of the least-squares line through the horizontal error", accuracy.radial_error_slope_m_s),
+            ("R50 = 0.8326 sqrt(mean RER^2)", rates.cep_rate_m_s()),
+            ("R95 = 1.7308 sqrt(mean RER^2)", rates.radial_95_rate_m_s()),
         ] {
             line(what, value_m_s / NMI_PER_HOUR, "nmi/h");
         }
+    }
+    if let Ok(slope_m_s) = figures.slope() {
+        let what = "slope of the least-squares line through the horizontal error";
+        line(what, slope_m_s / NMI_PER_HOUR, "nmi/h");
     }
     line("largest |position error| of the records", flown.largest[0], "m");
     if flown.has_axes() {
@@ -137,8 +152,9 @@ fn accuracy(figures: &Figures) -> String {
             flown.near_pole, flown.records
         );
     }
-    if let Some(why) = figures.why_no_rates() {
-        text += &format!("  radial error rates, R50, slope: {why}\n");
+    for (what, why) in [("RER, R50, R95", figures.rates().err()), ("slope", figures.slope().err())] {
+        text += &why.map_or(String::new(), |why| format!("  {what}: {why}\n"));
     }
+    text += &counted;
     text
 }

@@ -1,9 +1,11 @@
 //! The figures as a file: a row for each, with key, value, unit and label.
 
 use nalgebra::Vector3;
+use sins::errors::AccuracyFigures;
 use sins::units::NMI_PER_HOUR;
 
 use super::figures::Figures;
+use super::shown::Reason;
 use crate::failure::{Failure, printable};
 use crate::planned;
 use crate::rows;
@@ -82,14 +84,26 @@ fn settings(figures: &Figures, rows: &mut Rows) {
         ("gyro_text", "gyro", "gyro errors"),
         ("accel_text", "accelerometer", "accelerometer errors"),
         ("altimeter_text", "altimeter", "altimeter errors"),
-        ("start_text", "start", "initial errors"),
         ("mounting_text", "mounting", "mounting of the sensor block"),
         ("gravity_text", "gravity", "gravity disturbance"),
     ] {
         rows.text(key, &figures.set_in(section), label);
     }
+    rows.text("start_text", &figures.start(), "initial errors");
     rows.text("failures_text", &planned::failures(scene), "failures");
     rows.text("updates_text", &figures.updates(), "updates by fixes");
+    for (number, (at_s, every_s)) in (1..).zip(planned::times_of_updates(scene)) {
+        for (key, time_s) in [("at", Some(at_s)), ("every", every_s)] {
+            if let Some(time_s) = time_s {
+                rows.number(
+                    &format!("update_{number}_{key}_s"),
+                    time_s,
+                    "s",
+                    &format!("update {number}, {key}"),
+                );
+            }
+        }
+    }
     for (number, (from_s, until_s)) in (1..).zip(planned::spans(scene)) {
         for (end, time_s) in [("from", Some(from_s)), ("until", until_s)] {
             if let Some(time_s) = time_s {
@@ -110,6 +124,20 @@ fn flight(figures: &Figures, rows: &mut Rows) {
             "s",
             &format!("state {number} of the unit, from"),
         );
+    }
+    for (number, Reason { words, from_s, until_s }) in (1..).zip(&flown.reasons) {
+        rows.text(
+            &format!("unit_reason_{number}_text"),
+            words,
+            &format!("reason {number} for outputs that are not valid"),
+        );
+        for (end, time_s) in [("from", from_s), ("until", until_s)] {
+            let label = format!("reason {number}, {end}");
+            rows.number(&format!("unit_reason_{number}_{end}_s"), *time_s, "s", &label);
+        }
+    }
+    if let Some(shown) = &flown.shown_at_end {
+        rows.text("unit_end_text", shown, "what the unit shows at the end");
     }
     rows.number("duration_s", figures.accuracy.duration_s, "s", "simulated time");
     rows.whole("steps", flown.steps, "navigation steps (sample intervals)");
@@ -152,28 +180,36 @@ fn closure(figures: &Figures, rows: &mut Rows) {
 
 fn accuracy(figures: &Figures, rows: &mut Rows) {
     let (accuracy, flown) = (&figures.accuracy, figures.flown);
+    let rates = figures.rates().ok();
     for (key, value_m_s, label) in [
         (
             "rer_rms_nmi_h",
-            accuracy.radial_error_rate_rms_m_s,
-            "rms radial error rate RER (horizontal position error / time)",
+            rates.map(|rates| rates.radial_error_rate_rms_m_s),
+            "rms radial error rate RER (horizontal position error / time since NAV)",
         ),
-        ("r50_nmi_h", accuracy.cep_rate_m_s(), "R50 = 0.8326 rms(RER), the CEP rate"),
-        ("r95_nmi_h", accuracy.radial_95_rate_m_s(), "R95 = 1.7308 rms(RER)"),
+        (
+            "r50_nmi_h",
+            rates.map(AccuracyFigures::cep_rate_m_s),
+            "R50 = 0.8326 rms(RER), the CEP rate since NAV",
+        ),
+        ("r95_nmi_h", rates.map(AccuracyFigures::radial_95_rate_m_s), "R95 = 1.7308 rms(RER), since NAV"),
         (
             "slope_nmi_h",
-            accuracy.radial_error_slope_m_s,
-            "growth of the horizontal position error (slope of the least-squares line)",
+            figures.slope().ok(),
+            "growth of the horizontal position error since NAV (slope of the least-squares line)",
         ),
     ] {
-        if figures.has_rates() {
-            rows.number(key, value_m_s / NMI_PER_HOUR, "nmi/h", label);
-        } else {
-            rows.text(key, "none", label);
+        match value_m_s {
+            Some(value_m_s) => rows.number(key, value_m_s / NMI_PER_HOUR, "nmi/h", label),
+            None => rows.text(key, "none", label),
         }
     }
-    let label = "error rates and growth are evaluated from this time on";
-    rows.number("window_start_s", accuracy.window_start_s, "s", label);
+    if let Some(navigation) = figures.navigation() {
+        rows.number("nav_from_s", navigation.from_s, "s", "NAV: error rates and growth count from this time");
+        rows.number("nav_until_s", navigation.until_s, "s", "end of the navigation");
+        let start_s = navigation.from_s + navigation.figures.window_start_s;
+        rows.number("window_start_s", start_s, "s", "error rates and growth are evaluated from this time on");
+    }
     rows.number("max_position_m", flown.largest[0], "m", "largest position error");
     if flown.has_axes() {
         rows.axes("velocity_rms_{}_m_s", "m/s", &accuracy.velocity_rms_n, "rms velocity error");

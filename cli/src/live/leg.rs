@@ -11,9 +11,10 @@ use sins::truth::judge::Judge;
 use super::blank::Blank;
 use super::log::Log;
 use crate::failure::Failure;
-use crate::fly::{Figures, Files, InFlight, Stopped, finish, list, text};
+use crate::fly::{Figures, Files, InFlight, Stopped, finish, text};
 use crate::given::{Given, judge_of, sentence};
 use crate::output::OutputFile;
+use crate::written;
 
 /// A flight in progress.
 pub struct Leg<'a> {
@@ -126,6 +127,10 @@ impl<'a> Leg<'a> {
         let figures = Figures::gather(&given, &self.name, every_s, &flown, is_stopped)?;
         let paths = [files.paths(), vec![self.summary.path().to_owned()]].concat();
         let written = Failure::each([log, finish(&figures, files, self.summary)]);
-        Ok(Some(Ended { words: text(&figures, &records) + &list(&paths), records, written }))
+        Ok(Some(Ended {
+            words: text(&figures, &records) + &written::text(&paths, written::report(&paths).as_deref()),
+            records,
+            written,
+        }))
     }
 }

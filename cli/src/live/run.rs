@@ -19,6 +19,7 @@ use crate::interrupt;
 use crate::output::{OutputFile, Outputs};
 use crate::report;
 use crate::units::six_digits;
+use crate::written;
 
 /// Number of samples after which the period of packets without a time is compared with the motion, and the largest deviation.
 const COMPARED: u64 = 200;
@@ -290,7 +291,7 @@ impl<'a> Live<'a> {
         if let Some(page) = page.filter(|_| !records.is_empty()) {
             let path = page.path().to_owned();
             match report::draw(&records, page, None) {
-                Ok(()) => self.voice.print(&format!("{}\n", path.display())),
+                Ok(()) => self.voice.print(&written::text(&[&path], Some(&written::open(&path)))),
                 Err(failure) => {
                     let hint = format!("`sins report {}` draws the flight", records[0].display());
                     failures.push(failure.with(&hint));

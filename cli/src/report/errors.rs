@@ -1,6 +1,5 @@
 //! Attitude, velocity and position errors over time: error data 2 over error data 1.
 
-use crate::drawing::failures;
 use crate::drawing::figure::{Figure, Legend};
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::{Drawing, Panel, Trace};
@@ -118,7 +117,7 @@ pub fn drawing(run: &Run, quantity: &Quantity) -> Drawing {
             .map(|(pen, values)| Trace::new(pen, line(&run.time_s, values, &time, unit)));
         panels.push(panel(format!("difference of the two [{}]", unit.name), 80.0, 4, traces.collect()));
     }
-    failures::mark(&run.failures_s, &time, &mut panels);
+    run.events.mark(&time, &mut panels);
     panels.extend(unit::band(run, &time));
     over_time(time, panels)
 }
@@ -137,7 +136,7 @@ pub fn legend(run: &Run, quantity: &Quantity) -> Legend {
         let names = PENS.into_iter().zip(EAST_NORTH_UP).take(axes(run, quantity));
         legend.extend(names.map(|(pen, name)| (pen, format!("difference, {name}"))));
     }
-    legend.extend(failures::legend(&run.failures_s));
+    legend.extend(run.events.legend(&time_axis(run.duration_s())));
     legend
 }
 

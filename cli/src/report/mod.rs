@@ -30,10 +30,13 @@ use crate::output::{OutputFile, Outputs};
 use crate::places::OUTPUT_FOLDER;
 use crate::progress::Progress;
 use crate::terminal::print;
+use crate::written;
 use run::Run;
 
 /// Ends of the names of files beside records.
 const BESIDE: [&str; 3] = ["_summary.csv", "_unit.csv", "_rows.csv"];
+
+pub use spectrum::SCHULER_S;
 
 /// Draws recorded runs on one self-contained page (sins_out/report.html)
 #[derive(Debug, clap::Args)]
@@ -75,7 +78,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let page_file = outputs.file(&output, PAGE_MARK)?;
     let picture_file = order.picture.as_ref().map(|path| outputs.file(path, PICTURE_MARK)).transpose()?;
     draw(&paths, page_file, picture_file)?;
-    print(&format!("{}\n", output.display()))
+    let paths: Vec<&PathBuf> = [Some(&output), order.picture.as_ref()].into_iter().flatten().collect();
+    print(&written::text(&paths, Some(&written::open(&output))))
 }
 
 /// Draws recorded runs on a page, and the first one as a picture.

@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::report::comparison::{comparison, list};
 use crate::report::figures;
 use crate::report::overview;
+use crate::report::rows;
 use crate::report::run::Run;
 use crate::report::sentence::{is_rounding, most_telling, sentence};
 use crate::report::unit;

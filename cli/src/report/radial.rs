@@ -1,6 +1,5 @@
 //! The radial position error over time, with its growth.
 
-use crate::drawing::failures;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::Trace;
@@ -11,7 +10,7 @@ use crate::report::figures::LOWER;
 use crate::report::run::Run;
 use crate::units::{self, fitting, significant, time_text, with_unit};
 
-/// Time from which the radial error is fitted [s], the same as in the library's accuracy figures.
+/// Time since NAV from which the radial error is fitted [s], the same as in the library's accuracy figures.
 const FIT_FROM_S: f64 = 300.0;
 
 /// The line of 1 nmi/h is drawn if the ratio of the largest error and the line is within this factor.
@@ -20,6 +19,7 @@ const COMPARABLE: f64 = 30.0;
 /// The straight line through the radial error [m], [m/s].
 struct Growth {
     from_s: f64,
+    until_s: f64,
     level: f64,
     slope: f64,
 }
@@ -27,8 +27,11 @@ struct Growth {
 /// The straight line; `None` for flights that end before its beginning. The slope is taken from the summary, so that page and
 /// summary show the same number. The summary's slope is computed from each second if the records are farther apart.
 fn growth(run: &Run, radius: &[f64]) -> Option<Growth> {
-    let window = run.time_s.iter().position(|t| *t >= FIT_FROM_S)?;
-    let (times, radius) = (&run.time_s[window..], &radius[window..]);
+    let number = |key: &str, default: f64| run.summary.number(key).unwrap_or(default);
+    let [from_s, until_s] = [number("window_start_s", FIT_FROM_S), number("nav_until_s", f64::INFINITY)];
+    let end = run.time_s.partition_point(|t| *t <= until_s);
+    let window = run.time_s[..end].iter().position(|t| *t >= from_s)?;
+    let (times, radius) = (&run.time_s[window..end], &radius[window..end]);
     let (level, slope) = match run.summary.value("slope_nmi_h") {
         Some(_) => {
             let slope = run.summary.number("slope_nmi_h")? * units::NMI_PER_HOUR.si;
@@ -37,7 +40,7 @@ fn growth(run: &Run, radius: &[f64]) -> Option<Growth> {
         None if times.len() > 1 => straight_line(times, radius),
         None => return None,
     };
-    Some(Growth { from_s: times[0], level, slope })
+    Some(Growth { from_s: times[0], until_s: *times.last()?, level, slope })
 }
 
 /// Horizontal position error with its straight line and the line of 1 nmi/h.
@@ -55,15 +58,15 @@ pub fn figure(run: &Run) -> Result<Figure, Failure> {
     let mut traces = vec![Trace::new(Pen::Computed, line(&run.time_s, &radius, &time, unit))];
     let mut legend = vec![(Pen::Computed, "horizontal distance from truth".to_owned())];
     let rate = match growth(run, &radius) {
-        Some(Growth { from_s, level, slope }) => {
+        Some(Growth { from_s, until_s, level, slope }) => {
             let rate =
                 format!("{} {}", significant(slope / units::NMI_PER_HOUR.si), units::NMI_PER_HOUR.name);
             let text = format!("least-squares line from {} on, slope {rate}", time_text(from_s));
-            traces.push(Trace::new(Pen::Fit, straight((level, slope), from_s, end)));
+            traces.push(Trace::new(Pen::Fit, straight((level, slope), from_s, until_s)));
             legend.push((Pen::Fit, text));
             rate
         }
-        None => format!("none, it counts from {} on", time_text(FIT_FROM_S)),
+        None => format!("none, it counts from {} after NAV on", time_text(FIT_FROM_S)),
     };
     let mile = units::NMI_PER_HOUR.si;
     if largest < COMPARABLE * mile * end && mile * end < COMPARABLE * largest {
@@ -73,8 +76,8 @@ pub fn figure(run: &Run) -> Result<Figure, Failure> {
     }
     let note = format!("Largest: {}. Slope of the straight line: {rate}.", with_unit(largest, units::LENGTH));
     let mut panels = [panel(format!("radial position error [{}]", unit.name), 260.0, 6, traces)];
-    failures::mark(&run.failures_s, &time, &mut panels);
-    legend.extend(failures::legend(&run.failures_s));
+    run.events.mark(&time, &mut panels);
+    legend.extend(run.events.legend(&time));
     Figure::new(
         "Radial position error",
         " over time",

@@ -73,11 +73,13 @@ pub fn figure(run: &Run) -> Result<Option<Figure>, Failure> {
     let largest = rows.residual_m.each_ref().map(|values| magnitude(values));
     let unit = fitting(largest.iter().copied().fold(0.0, f64::max), LENGTH);
     let axes = EAST_NORTH_UP.iter().zip(&rows.residual_m);
-    let panels = axes.map(|(axis, values)| {
-        let trace = Trace::new(Pen::Record, line(&rows.time_s, values, &time, unit));
-        panel(format!("{axis} [{}]", unit.name), 100.0, 5, vec![trace])
-    });
-    let drawing = over_time(time, panels.collect()).of_height(LOWER);
+    let panels: Vec<_> = axes
+        .map(|(axis, values)| {
+            let trace = Trace::new(Pen::Record, line(&rows.time_s, values, &time, unit));
+            panel(format!("{axis} [{}]", unit.name), 100.0, 5, vec![trace])
+        })
+        .collect();
+    let drawing = over_time(time, panels).of_height(LOWER);
     let rms = rows.residual_m.each_ref().map(|values| {
         let squares: f64 = values.iter().map(|value| value * value).sum();
         with_unit((squares / values.len().max(1) as f64).sqrt(), LENGTH)

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::Vector3;
 use sins::unit::State;
 
-use crate::drawing::failures::Span;
+use crate::drawing::events::Events;
 use crate::failure::Failure;
 use crate::given::open_table;
 use crate::places::beside;
@@ -35,8 +35,8 @@ pub struct Run {
     pub gyro_error_rad_s: [Vec<f64>; 3],
     /// Error of the accelerometers, measured less ideal, x, y, z [m/s²].
     pub accel_error_m_s2: [Vec<f64>; 3],
-    /// Failures of the sensors.
-    pub failures_s: Vec<Span>,
+    /// Failures of the sensors, and corrections of the solution.
+    pub events: Events,
     /// States of the unit, each with its begin [s]; empty: there was no unit.
     pub states: Vec<(f64, State)>,
     pub summary: Summary,
@@ -105,7 +105,7 @@ impl Run {
             sigma,
             gyro_error_rad_s: axes(|record| &record.gyro_error),
             accel_error_m_s2: axes(|record| &record.accel_error),
-            failures_s: summary.failures_s(),
+            events: summary.events(),
             states: summary.states(),
             rows,
             summary,

@@ -1,6 +1,5 @@
 //! The errors of the sensors over time.
 
-use crate::drawing::failures;
 use crate::drawing::figure::Figure;
 use crate::drawing::pen::Pen;
 use crate::drawing::plot::Trace;
@@ -37,14 +36,14 @@ pub fn figure(run: &Run, title: &str, values: &[Vec<f64>; 3], unit: Unit) -> Res
             panel(format!("{axis} [{}]", unit.name), 100.0, 5, traces)
         })
         .collect();
-    failures::mark(&run.failures_s, &time, &mut panels);
-    let drawing = over_time(time, panels).of_height(LOWER);
+    run.events.mark(&time, &mut panels);
     let stretch = time_text(run.duration_s() / MEANS as f64);
     let mut legend = vec![
         (Pen::Record, "measured minus ideal, each record".to_owned()),
         (Pen::Computed, format!("mean over {stretch}")),
     ];
-    legend.extend(failures::legend(&run.failures_s));
+    legend.extend(run.events.legend(&time));
+    let drawing = over_time(time, panels).of_height(LOWER);
     let [x, y, z] = values.map(|values| significant(mean(values) / unit.si));
     let note = format!("Mean over the run: x {x}, y {y}, z {z} {}.", unit.name);
     Figure::new(title, " over time", legend, &drawing, note).map(Some)

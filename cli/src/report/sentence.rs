@@ -2,7 +2,6 @@
 
 use crate::drawing::series::magnitude;
 use crate::report::run::Run;
-use crate::report::spectrum::SCHULER_S;
 use crate::report::summary::Row;
 use crate::units::{LENGTH, time_text, with_unit};
 
@@ -34,8 +33,10 @@ pub fn sentence(run: &Run) -> String {
     if largest > PASSED * end {
         sentence += &format!(", at most {}", with_unit(largest, LENGTH));
     }
-    if let Some(rate) = figure("r50_nmi_h").filter(|_| run.duration_s() > SCHULER_S) {
-        sentence += &format!(", R50 {rate}");
+    if let Some(rate) = figure("r50_nmi_h") {
+        let from_s = run.summary.number("nav_from_s").filter(|from_s| *from_s > 0.0);
+        let since = from_s.map_or(String::new(), |from_s| format!(" since NAV at {}", time_text(from_s)));
+        sentence += &format!(", R50 {rate}{since}");
     }
     let up = run.errors.position_m[2].last().copied().unwrap_or(0.0);
     if !run.follows_height() && up.abs() > end {

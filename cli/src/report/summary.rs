@@ -5,7 +5,7 @@ use std::path::Path;
 
 use csv::ReaderBuilder;
 
-use crate::drawing::failures::Span;
+use crate::drawing::events::Events;
 use sins::scene::listed;
 use sins::unit::State;
 
@@ -67,10 +67,23 @@ impl Summary {
         self.value(key)?.parse().ok().filter(|value: &f64| value.is_finite())
     }
 
-    /// Failures of the sensors.
-    pub fn failures_s(&self) -> Vec<Span> {
-        let time = |number: u32, end: &str| self.number(&format!("failure_{number}_{end}_s"));
-        (1..).map_while(|number| Some((time(number, "from")?, time(number, "until")))).collect()
+    /// Failures of the sensors, updates by fixes, and the ends of the alignments of the unit.
+    pub fn events(&self) -> Events {
+        let spans = |what: &str, from: &str, to: &str| {
+            let time = |number: u32, end: &str| self.number(&format!("{what}_{number}_{end}_s"));
+            (1..).map_while(|number| Some((time(number, from)?, time(number, to)))).collect()
+        };
+        let aligns = |state: State| matches!(state, State::FineAlignment | State::Realignment);
+        let states = self.states();
+        let alignments_s = states.windows(2).filter(|pair| aligns(pair[0].1) && !aligns(pair[1].1));
+        Events {
+            failures: spans("failure", "from", "until"),
+            updates: spans("update", "at", "every"),
+            alignments_s: alignments_s
+                .filter(|pair| matches!(pair[1].1, State::Ready | State::Navigation))
+                .map(|pair| pair[1].0)
+                .collect(),
+        }
     }
 
     /// States of the unit, each with its begin [s].

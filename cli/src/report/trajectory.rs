@@ -125,9 +125,7 @@ fn track(
     });
     let caption = format!("north of the start [{}]", unit.name);
     let rows = run.rows.iter().flat_map(|rows| rows.dots(&run.truth, unit.si));
-    let is_inside = |dot: &Dot| {
-        (x.low..=x.high).contains(&dot.at.0) && (y.low..=y.high).contains(&dot.at.1)
-    };
+    let is_inside = |dot: &Dot| (x.low..=x.high).contains(&dot.at.0) && (y.low..=y.high).contains(&dot.at.1);
     let rows: Vec<Dot> = rows.filter(is_inside).collect();
     let mut panel = Panel::new(caption, y, height, traces.collect());
     panel.dots.extend(rows);

@@ -1,6 +1,6 @@
 //! What a reader must know before the curves: faults of the truth, gaps, failures, updates, and outputs that are not valid.
 
-use sins::unit::State;
+use sins::unit::{KEEP_S, State};
 
 use crate::report::overview;
 use crate::report::run::Run;
@@ -43,6 +43,7 @@ pub fn warnings(run: &Run) -> Vec<String> {
     let updates = run.summary.value("updates_text").filter(|updates| !["", "none"].contains(updates));
     said.extend(updates.map(|updates| format!("Updates by fixes: {updates}.")));
     said.extend(invalid_outputs(run));
+    said.extend(kept_solution(run));
     if run.model.is_none() && run.is_of_paper() {
         said.push("The error differential equations (error data 1) were off.".to_owned());
     }
@@ -87,6 +88,17 @@ fn invalid_outputs(run: &Run) -> Option<String> {
     (!spans.is_empty()).then(|| format!("The unit does not navigate {}.", spans.join(", and ")))
 }
 
+/// What the curves of a solution show that the unit does not show.
+fn kept_solution(run: &Run) -> Option<String> {
+    let shows = |state: State| matches!(state, State::Ready | State::Navigation | State::Realignment);
+    run.states.iter().any(|(_, state)| !shows(*state)).then(|| {
+        format!(
+            "While the unit shows no position, it sets its solution to the truth each {KEEP_S} s: the sawtooth in the curves there is no \
+             error that it shows."
+        )
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -124,6 +136,8 @@ mod tests {
             "Failures: gyro z dead.",
             "Updates by fixes: position at 5 min.",
             "The unit does not navigate between 0 s and 60 s, and between 90 s and 2 min.",
+            "While the unit shows no position, it sets its solution to the truth each 60 s: the sawtooth in the curves there is no \
+             error that it shows.",
             "The error differential equations were outside their validity between 20 s and 2 min: misalignment above 2 degrees or \
              displacement above 100 km.",
             "Near a pole at 50 s: the up misalignment, and the east and north velocity errors, have no meaning there.",

@@ -143,7 +143,7 @@ fn a_failure_acts_between_its_times() {
     assert_eq!(column(&failed, "velocity_increment_z_m_s")[41..44], [0.0; 3]);
     assert_eq!(seconds(&undisturbed, &failed, "velocity_increment_x_m_s"), []);
     let summary = read(folder.join("sins_out/scene_summary.csv"));
-    let reported = "3 accelerometer z dead 40.5 s to 43.2 s, 4 gyro z bias step 115 s to the end";
+    let reported = "3 accelerometer z dead 40.5 s to 43.2 s, 4 gyro z bias step 1 deg/h 115 s to the end";
     assert!(summary.contains(reported), "{summary}");
 
     // 49 times a 49th of a second is less than a second by rounding. The step still begins at 1 s.

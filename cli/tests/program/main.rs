@@ -31,3 +31,4 @@ mod same_records;
 mod scenes;
 mod support;
 mod unit;
+mod written;

@@ -22,14 +22,18 @@ fn failures_are_named_and_marked() {
     done(&folder, &["fly", "scene.toml", "--quiet"]);
     done(&folder, &["report", "sins_out/scene.csv"]);
     let page = read(folder.join("sins_out/report.html"));
-    assert_eq!(page.matches("gyro z bias step 60 s to 90 s").count(), 3, "overview, heading, settings");
+    assert_eq!(
+        page.matches("gyro z bias step 100 deg/h 60 s to 90 s").count(),
+        3,
+        "overview, heading, settings"
+    );
     // Begin and end in three panels of three errors, in the radial error and in the three panels of the gyros.
     let marks = page.matches("<path class=\"failure\"").count();
     assert_eq!(marks, 2 * (3 * 3 + 1 + 3));
     assert!(page.contains("<circle class=\"end\""));
     done(&folder, &["ensemble", "scene.toml", "--preset", "tactical", "--runs", "16", "--quiet"]);
     let page = read(folder.join("sins_out/scene_ensemble.html"));
-    assert!(page.contains("Failures: gyro z bias step 60 s to 90 s."));
+    assert!(page.contains("Failures: gyro z bias step 100 deg/h 60 s to 90 s."));
     // In the panels of three errors, of the error along and across the track, and of the horizontal error.
     assert_eq!(page.matches("<path class=\"failure\"").count(), 2 * (3 * 3 + 2 + 1));
 }

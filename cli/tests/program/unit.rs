@@ -1,6 +1,6 @@
 //! The unit of a scene: its states as a file and in the summary, and its words of ARINC 429.
 
-use crate::support::{done, folder, project_file, read, rejected, run};
+use crate::support::{done, folder, number, numbers, project_file, read, rejected, rows, run};
 
 const SCENE: &str = "
 [flight]
@@ -94,6 +94,82 @@ sigma_m_s = [0.1, 0.1, 0.1]
         assert_eq!(row.split(',').nth(1), Some(last), "{row}");
         assert_eq!(row.contains("no-position"), name == "without");
     }
+}
+
+/// R50 and the slope count from NAV: those of the errors of the records over the time since then. An update after it leaves none.
+#[test]
+fn rates_count_from_nav() {
+    let folder = folder("unit_rates");
+    let text = SCENE.replace("duration_s = 120", "duration_s = 5200").replace("at_s = 110", "at_s = 5160");
+    let bias = "[accelerometer]\nbias_micro_g = 50\n[output]\nevery_s = 1\n";
+    let update = |at_s: u32| format!("[[update]]\nkind = \"position\"\nat_s = {at_s}\nsigma_m = [9, 9, 9]\n");
+    let fly = |name: &str, more: &str| {
+        std::fs::write(folder.join(name).with_extension("toml"), [&text, bias, more].concat()).unwrap();
+        done(&folder, &["fly", &format!("{name}.toml")])
+    };
+    let figure = |name: &str, key: &str| {
+        let summary = rows(&folder.join(format!("sins_out/{name}_summary.csv")));
+        summary.into_iter().find(|row| row["key"] == key).unwrap()
+    };
+    let said = fly("whole", "");
+    let from_s = number(&figure("whole", "nav_from_s"), "value");
+    assert!((from_s - 75.0).abs() < 0.5, "{from_s}");
+    assert!(
+        said.contains(&format!("from the begin of the navigation (NAV) at {from_s} s to its end at 5160")),
+        "{said}"
+    );
+    let (names, records) = numbers(&folder.join("sins_out/whole.csv"));
+    let column = |name: &str| names.iter().position(|other| other == name).unwrap();
+    let [east, north] = ["east", "north"].map(|axis| column(&format!("navigation_error_position_{axis}_m")));
+    let squares: Vec<f64> = records
+        .iter()
+        .map(|row| (row[0] - from_s, row[east].hypot(row[north])))
+        .filter(|(t, _)| (300.0..5160.0 - from_s).contains(t))
+        .map(|(t, radius)| (radius / t).powi(2))
+        .collect();
+    let r50 = (2f64.ln() * squares.iter().sum::<f64>() / squares.len() as f64).sqrt() * 3600.0 / 1852.0;
+    let found = number(&figure("whole", "r50_nmi_h"), "value");
+    // The samples and the records are each a second, at other fractions of it: over 4800 s they differ by less than 1e-3.
+    assert!(r50 > 0.01 && (found / r50 - 1.0).abs() < 1e-3, "{found} {r50}");
+    done(&folder, &["report", "sins_out/whole.csv"]);
+    assert!(read(folder.join("sins_out/report.html")).contains(" since NAV at "));
+
+    fly("before", &update(60));
+    assert_ne!(figure("before", "r50_nmi_h")["value"], "none");
+    let said = fly("after", &update(2000));
+    assert!(said.contains("RER, R50, R95: none: an update after NAV starts the errors anew"), "{said}");
+    assert_eq!(figure("after", "slope_nmi_h")["value"], "none");
+    done(&folder, &["report", "sins_out/after.csv"]);
+    let page = read(folder.join("sins_out/report.html"));
+    // The update and the end of the alignment, in three panels of three errors, in the radial error and in the panels of the accelerometers.
+    assert_eq!(page.matches("<path class=\"correction\"").count(), 2 * (3 * 3 + 1 + 3));
+    assert!(page.contains("update by a fix; end of an alignment, which corrects the solution"));
+    assert!(page.contains("sets its solution to the truth each 60 s: the sawtooth"));
+}
+
+/// A limit that grows counts from NAV; one that is due before is rejected.
+#[test]
+fn a_growing_limit_counts_from_nav() {
+    let folder = folder("unit_limit");
+    std::fs::copy(project_file("c_examples/scenes/day.toml"), folder.join("day.toml")).unwrap();
+    let requirement = |time_h: &str| {
+        let limit =
+            format!("quantity = \"position_horizontal\"\npercent = 50\nlimit_nmi_h = 9\ntime_h = {time_h}\n");
+        std::fs::write(folder.join("limit.toml"), format!("[[requirement]]\n{limit}")).unwrap();
+    };
+    let order =
+        ["ensemble", "day.toml", "--hours", "0.25", "--runs", "2", "--meets", "limit.toml", "--threads", "1"];
+    requirement("0.25");
+    let (code, said, errors) = run(&folder, &order);
+    assert_eq!(code, 4, "two runs decide nothing: {errors}");
+    let verdict = rows(&folder.join("sins_out/day_ensemble_meets.csv")).remove(0);
+    // The selector is turned to NAV at 700 s, and the unit takes it with the next interval.
+    let grown_s = number(&verdict, "limit_si") / (9.0 * 1852.0 / 3600.0);
+    assert!((grown_s - 200.0).abs() <= 0.1, "{grown_s}");
+    assert!(said.contains("after 15 min, which grows from NAV at 11.7 min on"), "{said}");
+    requirement("0.19");
+    let errors = rejected(&folder, &order);
+    assert!(errors.contains("position_horizontal is due before the unit navigates, 700"), "{errors}");
 }
 
 /// Time, label, value and status of the words of a flight.
