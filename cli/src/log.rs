@@ -10,6 +10,7 @@ use sins::units::DEG;
 use crate::failure::Failure;
 use crate::given::{Settings, is_log, judge, of_log, read_table};
 use crate::output::{NO_MARK, Outputs};
+use crate::siblings;
 use crate::terminal::{print, say};
 use crate::units::{six_digits, time_text};
 
@@ -66,7 +67,7 @@ pub struct Order {
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let table = read_table(&order.file)?;
+    let mut table = read_table(&order.file)?;
     if let Some(map) = &order.map {
         if table.note.is_some() {
             return Err(Failure::of_file(&order.file, &"is a flight record, which flies without --map"));
@@ -85,6 +86,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         (mapping.is_coordinated, mapping.attack_rad) = (true, degrees * DEG);
     }
     table.complete(&mut mapping);
+    table.join(&order.file, &mut mapping)?;
     let scene = Scene { log: mapping, ..Scene::default() };
     // Not smoothed: the rows are judged as they are.
     let log = FlightLog::parse_with(&table.text, &scene.log).map_err(|error| {
@@ -127,7 +129,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     findings.iter().for_each(|(_, words)| say(words));
     let smoothed =
         log.smoothed(&scene.options.earth(), &scene.log).map_err(|error| of_log(&order.file, error))?;
-    write(order, output, &smoothed)?;
+    let inputs: Vec<PathBuf> = [order.file.clone()].into_iter().chain(table.others).collect();
+    write(order, &inputs, output, &smoothed)?;
     let before = log.notes().len();
     smoothed.notes()[before..].iter().for_each(|note| say(&note.sentence));
     Ok(())
@@ -136,10 +139,11 @@ pub fn run(order: &Order) -> Result<(), Failure> {
 /// Looks for the columns of a table, and writes them.
 fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
     let file = order.file.display();
-    let Some(found) = survey(table) else {
+    let Some(mut found) = survey(table) else {
         let what = "no line at its beginning has names of time, latitude and longitude: write a [log] with header = 0 and the numbers of the columns, as latitude = { col = 2 }";
         return Err(Failure::of_file(&order.file, &what));
     };
+    siblings::add(&order.file, &mut found);
     let format = found
         .format
         .map_or("guessed from names and values".to_owned(), |name| format!("of the format {name}"));
@@ -154,8 +158,8 @@ fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
 }
 
 /// Writes the path as a log.
-fn write(order: &Order, path: &Path, smoothed: &FlightLog) -> Result<(), Failure> {
-    let mut file = Outputs::new(std::slice::from_ref(&order.file), order.force).file(path, MARK)?;
+fn write(order: &Order, inputs: &[PathBuf], path: &Path, smoothed: &FlightLog) -> Result<(), Failure> {
+    let mut file = Outputs::new(inputs, order.force).file(path, MARK)?;
     let mut line = |text: &str| {
         use std::io::Write;
         writeln!(file, "{text}").map_err(|error| Failure::of_output(path, &error))

@@ -28,5 +28,6 @@ mod progress;
 mod random_scenes;
 #[cfg(target_os = "linux")]
 mod same_records;
+mod several_files;
 mod support;
 mod unit;

@@ -34,8 +34,7 @@ pub use clock::Clock;
 pub(in crate::scene) use column::TAKES as COLUMN_TAKES;
 pub use column::{ColumnFrom, LogColumn};
 pub use mapping::{LogMapping, Separator, TimeFormat};
-pub(in crate::scene) use quantity::QUANTITIES;
-pub use quantity::{column_of, quantity_of};
+pub use quantity::{QUANTITIES, column_of, quantity_of};
 pub use survey::{Survey, survey};
 
 /// Largest number of columns of a log, and of bytes of a line.
