@@ -75,6 +75,8 @@ FILES = {
     "host.c": re.search("```c\n(.*?)```", README, re.DOTALL)[1],
     "specification.toml": re.search("```toml\n(title.*?)```", ENSEMBLES, re.DOTALL)[1],
     "imu.csv": "t,GyrX,GyrY,GyrZ\n" + "".join(f"{k}0000,{k * 7919 % 97},{k * 7907 % 89},{k * 7901 % 83}\n" for k in range(6000)),
+    "POS.csv": "TimeUS,Lat,Lng,Alt,RelHomeAlt\n" + "".join(f"{k * 200000},{48 + k * 9e-5:.7f},11,500,0\n" for k in range(60)),
+    "ATT.csv": "TimeUS,Roll,Pitch,Yaw\n" + "".join(f"{k * 40000},0,2,0\n" for k in range(300)),
     "flight.igc": "AXXX001\nHFDTE250726\n" + "".join(f"B1200{k:02}4830{k * 13:03}N01130000EA0100001060\n" for k in range(60)),
     "SCENE.toml": "[flight]\nbuiltin = 'rest'\nhours = 2\nrate_hz = 1\n[gyro]\npreset = 'navigation'\n",
 }

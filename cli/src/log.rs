@@ -10,6 +10,7 @@ use sins::units::DEG;
 use crate::failure::Failure;
 use crate::given::{Settings, is_log, judge, of_log, read_table};
 use crate::output::{NO_MARK, Outputs};
+use crate::siblings;
 use crate::terminal::{print, say};
 use crate::units::{six_digits, time_text};
 use crate::written;
@@ -67,7 +68,7 @@ pub struct Order {
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let table = read_table(&order.file)?;
+    let mut table = read_table(&order.file)?;
     if let Some(map) = &order.map {
         if table.note.is_some() {
             return Err(Failure::of_file(&order.file, &"is a flight record, which flies without --map"));
@@ -87,6 +88,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         (mapping.is_coordinated, mapping.attack_rad) = (true, degrees * DEG);
     }
     table.complete(&mut mapping);
+    table.join(&order.file, &mut mapping)?;
     let scene = Scene { log: mapping, ..Scene::default() };
     let rows = FlightLog::parse_with(&table.text, &scene.log).map_err(|error| {
         let failure = of_log(&order.file, error);
@@ -108,7 +110,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     match &order.output {
         Some(output) => {
             findings.iter().for_each(|(_, words)| say(words));
-            failure.map_or_else(|| write(order, output, &log), Err)?;
+            let inputs: Vec<PathBuf> = [order.file.clone()].into_iter().chain(table.others).collect();
+            failure.map_or_else(|| write(order, &inputs, output, &log), Err)?;
             print(&written::text(&[output], Some(&format!("`sins fly {}`", output.display()))))
         }
         None => {
@@ -157,10 +160,11 @@ fn conclude(order: &Order, findings: &[(Level, String)]) -> Result<(), Failure> 
 /// Looks for the columns of a table, and writes them.
 fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
     let file = order.file.display();
-    let Some(found) = survey(table) else {
+    let Some(mut found) = survey(table) else {
         let what = "no line at its beginning has known names of time, latitude and longitude: write a [log] with the names of the columns, as latitude = \"Y\", or, where no line has names, header = 0 and their numbers, as latitude = { col = 2 }";
         return Err(Failure::of_file(&order.file, &what));
     };
+    siblings::add(&order.file, &mut found);
     let format = found
         .format
         .map_or("guessed from names and values".to_owned(), |name| format!("of the format {name}"));
@@ -175,8 +179,8 @@ fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
 }
 
 /// Writes the path as a log.
-fn write(order: &Order, path: &Path, smoothed: &FlightLog) -> Result<(), Failure> {
-    let mut file = Outputs::new(std::slice::from_ref(&order.file), order.force).file(path, MARK)?;
+fn write(order: &Order, inputs: &[PathBuf], path: &Path, smoothed: &FlightLog) -> Result<(), Failure> {
+    let mut file = Outputs::new(inputs, order.force).file(path, MARK)?;
     let mut line = |text: &str| {
         use std::io::Write;
         writeln!(file, "{text}").map_err(|error| Failure::of_output(path, &error))

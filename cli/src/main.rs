@@ -29,6 +29,7 @@ mod recommend;
 mod report;
 mod rows;
 mod scene;
+mod siblings;
 mod table;
 mod terminal;
 mod units;

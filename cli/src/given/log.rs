@@ -10,13 +10,14 @@ use super::file::reject_device;
 use super::record::Table;
 use crate::failure::Failure;
 
-/// The log at `path`, read and repaired as `scene` says, and what was assumed of a flight record; "-" means standard input. The
-/// `[log]` of the scene is completed for a flight record.
-pub fn read_log(path: &Path, scene: &mut Scene) -> Result<(FlightLog, Option<String>), Failure> {
-    let table = read_table(path)?;
+/// The log at `path`, read and repaired as `scene` says, and the table that it was read from; "-" means standard input. The `[log]` of
+/// the scene is completed for a flight record, and becomes that of the one table of several files.
+pub fn read_log(path: &Path, scene: &mut Scene) -> Result<(FlightLog, Table), Failure> {
+    let mut table = read_table(path)?;
     table.complete(&mut scene.log);
+    table.join(path, &mut scene.log)?;
     let log = scene.read_log(&table.text).map_err(|error| of_log(path, error))?;
-    Ok((log, table.note))
+    Ok((log, table))
 }
 
 /// The failure about a log at `path`.

@@ -113,13 +113,14 @@ impl Given {
                     None => text.folder().join(file),
                 };
                 let read = read_log(&path, &mut scene);
-                let (log, assumed) = read.map_err(|failure| text.at("flight", "file", failure))?;
-                note = assumed;
+                let (log, table) = read.map_err(|failure| text.at("flight", "file", failure))?;
+                note = table.note;
                 if scene.temperature.is_some() && log.samples()[0].temperature_c.is_some() {
                     let what = Failure::new("flight.temperature_c: the log has a column of that name");
                     return Err(text.at("flight", "temperature_c", what));
                 }
                 inputs.push(path.clone());
+                inputs.extend(table.others);
                 (Source::Log(Arc::new(log)), Some(path))
             }
             _ => (Source::flight_of(&scene)?, None),

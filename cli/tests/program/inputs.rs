@@ -175,12 +175,7 @@ fn files_of_other_kinds_are_named() {
     let folder = with_log("foreign");
     let long = format!("{{\"a\": \"{}\"}}", "x".repeat(2 << 20));
     for (name, content, what) in [
-        (
-            "flight.fdr",
-            &b"A\n2\n\nCOMM, a flight\nACFT, Aircraft/x.acf\nDATA, 1,2\n"[..],
-            "a flight record of X-Plane (FDR)",
-        ),
-        ("flight.kml", b"<?xml version=\"1.0\"?>\n<kml></kml>\n", "a map (KML)"),
+        ("flight.kml", &b"<?xml version=\"1.0\"?>\n<kml></kml>\n"[..], "a map (KML)"),
         ("flight.ulg", b"ULog\x01\x12\x35\x01\0\0\0\0", "a log of PX4 (ULog)"),
         ("flight.xlsx", b"PK\x03\x04\x14\0\x06\0", "a compressed file (zip"),
         ("flight.nmea", b"$GPGGA,123519,4807.038,N\n", "sentences of a receiver (NMEA 0183)"),
@@ -205,7 +200,7 @@ fn files_of_other_kinds_are_named() {
             assert!(line.starts_with(file) && line.contains(&format!("is {what}")), "{order:?}: {errors}");
         }
     }
-    let errors = rejected(&folder, &["fly", "flight.fdr"]);
+    let errors = rejected(&folder, &["fly", "flight.kml"]);
     let advice = "a flight of your own is a log in a file .csv; docs/your_log.md says what a log has\n";
     assert!(errors.ends_with(advice), "{errors}");
     // What nobody knows is read as what its name says.

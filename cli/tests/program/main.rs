@@ -29,6 +29,7 @@ mod same_records;
 #[cfg(target_os = "linux")]
 #[path = "../../../tests/support/scenes/mod.rs"]
 mod scenes;
+mod several_files;
 mod support;
 mod unit;
 mod written;

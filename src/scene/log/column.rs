@@ -43,6 +43,8 @@ pub struct LogColumn {
     pub scale: f64,
     /// Added to the value, in the unit that it has without a stated one.
     pub add: f64,
+    /// File beside the log that has the column; empty: the log itself. The library reads one table, and the program joins them.
+    pub file: String,
     /// Which part of a cell of several values it is, from 1; 0: the whole cell.
     pub part: usize,
     /// Where the letter of the hemisphere of a latitude or a longitude stands, S and W being negative; `OwnName`: it has none.
@@ -66,6 +68,7 @@ impl LogColumn {
         unit: "",
         scale: 1.0,
         add: 0.0,
+        file: String::new(),
         part: 0,
         hemisphere: ColumnFrom::OwnName,
     };
@@ -73,9 +76,12 @@ impl LogColumn {
     /// The column that a value of a text describes; on an error what is wrong.
     pub(in crate::scene) fn of(value: &Value, quantity: usize) -> Result<Self, String> {
         let Quantity { key, dimension, .. } = QUANTITIES[quantity];
+        let is_name = |text: &str| {
+            !text.is_empty() && !text.chars().any(char::is_control) && text.len() <= MAX_TEXT_VALUE
+        };
         let name = |text: &str| {
             let name = text.trim();
-            if name.is_empty() || name.chars().any(char::is_control) || name.len() > MAX_TEXT_VALUE {
+            if !is_name(name) {
                 return Err(format!("log.{key}: expected the name of a column, without control characters"));
             }
             Ok(ColumnFrom::Name(name.to_owned()))
@@ -130,6 +136,11 @@ impl LogColumn {
                     column.scale *= scale;
                 }
                 ("add", _) => column.add = number()?,
+                ("file", _) if ["time", "latitude", "longitude"].contains(&key) => {
+                    return Err(format!("log.{key}.file: times and positions are those of the log itself"));
+                }
+                ("file", Value::Text(text)) if is_name(text) => column.file.clone_from(text),
+                ("file", _) => return Err(expected("the name of a file beside the log")),
                 ("part", Value::Whole(number @ 1..=100)) => column.part = *number as usize,
                 ("part", _) => return Err(expected("a part of a cell, from 1 to 100")),
                 ("hemisphere", _) if sides(quantity).is_none() => {
@@ -137,7 +148,8 @@ impl LogColumn {
                 }
                 ("hemisphere", value) => column.hemisphere = place(part, value)?,
                 _ => {
-                    let names = ["col", "value", "unit", "sign", "scale", "add", "part", "hemisphere"];
+                    let names =
+                        ["col", "value", "unit", "sign", "scale", "add", "file", "part", "hemisphere"];
                     let near = nearest(part, names.into_iter())
                         .map_or(String::new(), |near| format!("; did you mean {near}?"));
                     let names = listed(names.into_iter());
@@ -151,9 +163,10 @@ impl LogColumn {
         if column.from == ColumnFrom::OwnName {
             return Err(format!("log.{key}: expected its col or its value"));
         }
-        let is_of_cells = column.part > 0 || column.hemisphere != ColumnFrom::OwnName;
+        let is_of_cells =
+            column.part > 0 || column.hemisphere != ColumnFrom::OwnName || !column.file.is_empty();
         if matches!(column.from, ColumnFrom::Constant(_)) && is_of_cells {
-            return Err(format!("log.{key}: a value has no part and no hemisphere; give its col"));
+            return Err(format!("log.{key}: a value has no file, no part and no hemisphere; give its col"));
         }
         Ok(column)
     }
@@ -183,6 +196,9 @@ impl LogColumn {
         if self.add != 0.0 {
             text += &format!(", add = {}", number_text(self.add));
         }
+        if !self.file.is_empty() {
+            text += &format!(", file = {}", text_in_quotes(&self.file));
+        }
         if self.part > 0 {
             text += &format!(", part = {}", self.part);
         }
@@ -197,5 +213,50 @@ impl LogColumn {
         let dimension = QUANTITIES[quantity].dimension;
         let si = |unit| unit_of(dimension, unit).map_or(1.0, |(_, si)| si);
         [self.scale * si(self.unit), self.add * si("")]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{FlightLog, LogError};
+    use crate::scene::Scene;
+
+    /// The program joins files; the library reads one text, and says so.
+    #[test]
+    fn a_column_of_another_file_is_written_and_not_read() {
+        let scene =
+            |keys: &str| Scene::parse(format!("[flight]\nfile = \"a.csv\"\n[log]\n{keys}\n").as_bytes());
+        let of_file = scene("roll = { col = \"Roll\", file = \"ATT \\\"1\\\".csv\" }").unwrap();
+        assert_eq!(of_file.log.columns[super::super::quantity::ROLL].file, "ATT \"1\".csv");
+        assert_eq!(Scene::parse(of_file.write().as_bytes()).unwrap().log, of_file.log);
+        let table = "time_s,latitude_deg,longitude_deg,height_m,pitch_deg,heading_deg,Roll\n0,48,11,0,0,0,0\n1,48,11,0,0,0,0\n";
+        let Err(LogError::Fault(fault)) = FlightLog::parse_with(table.as_bytes(), &of_file.log) else {
+            panic!()
+        };
+        assert!(
+            fault
+                .sentence
+                .starts_with("log.roll: stands in ATT \"1\".csv, and a text is one table; `sins log"),
+            "{fault:?}"
+        );
+        for (keys, words) in [
+            (
+                "time = { col = \"t\", file = \"a.csv\" }",
+                "log.time.file: times and positions are those of the log itself",
+            ),
+            ("longitude = { col = \"l\", file = \"a.csv\" }", "log.longitude.file: times and positions"),
+            (
+                "roll = { col = \"r\", file = \"\" }",
+                "log.roll.file: expected the name of a file beside the log",
+            ),
+            ("roll = { col = \"r\", file = 1 }", "log.roll.file: expected the name of a file beside the log"),
+            (
+                "roll = { value = 1, file = \"a.csv\" }",
+                "log.roll: a value has no file, no part and no hemisphere",
+            ),
+        ] {
+            let faults = scene(keys).unwrap_err();
+            assert!(faults[0].sentence.contains(words), "{faults:?}");
+        }
     }
 }

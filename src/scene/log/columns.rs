@@ -138,6 +138,13 @@ fn mapped_column(
 ) -> Result<Column, LogError> {
     let mapped = &mapping.columns[quantity];
     let key = QUANTITIES[quantity].key;
+    if !mapped.file.is_empty() {
+        let file = excerpt(&mapped.file);
+        let sentence = format!(
+            "log.{key}: stands in {file}, and a text is one table; `sins log LOG.csv --columns MAP.toml --smooth -o TRUTH.csv` joins the files"
+        );
+        return Err(fault(0, 1, sentence));
+    }
     let [factor, offset] = mapped.factor_and_offset(quantity);
     let place = place_of(header, line, &mapped.from, key)?;
     let hemisphere = place_of(header, line, &mapped.hemisphere, &format!("{key}.hemisphere"))?;

@@ -143,7 +143,7 @@ mod tests {
             ),
             (
                 "latitude = { value = 2, hemisphere = 2 }",
-                "log.latitude: a value has no part and no hemisphere; give its col",
+                "log.latitude: a value has no file, no part and no hemisphere; give its col",
             ),
             (
                 "latitude = { col = 1, hemisphere = 0 }",

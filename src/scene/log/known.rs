@@ -20,7 +20,7 @@ pub fn known(names: &StringRecord) -> Option<&'static Known> {
 }
 
 /// The formats. Of two that fit, the first is taken.
-const KNOWN: [Known; 14] = [
+const KNOWN: [Known; 15] = [
     Known {
         name: "Garmin G1000",
         columns: &["Lcl Time", "AltMSL", "GndSpd", "TRK", "VSpd"],
@@ -144,6 +144,18 @@ attitude = "coordinated""#,
         doubt: "the file of this message has no attitude, so that of a coordinated flight is taken; a multicopter has another",
     },
     Known {
+        name: "PX4 (vehicle_global_position)",
+        columns: &["timestamp", "lat", "lon", "alt", "eph", "epv"],
+        keys: r#"time = { col = "timestamp", unit = "us" }
+latitude = "lat"
+longitude = "lon"
+height = "alt_ellipsoid"
+height = "alt"
+smooth = "auto"
+attitude = "coordinated""#,
+        doubt: "the file of this topic has no attitude, so that of a coordinated flight is taken; a multicopter has another",
+    },
+    Known {
         name: "AirData",
         columns: &["time(millisecond)", "xSpeed(mph)", "compass_heading(degrees)"],
         keys: r#"time = { col = "time(millisecond)", unit = "ms" }
@@ -240,7 +252,7 @@ mod tests {
     use super::*;
 
     /// A sample of each known format: two seconds, at 48° north and 11° east, at 300 m, climbing, banked to the right.
-    const SAMPLES: [(&str, &str); 14] = [
+    const SAMPLES: [(&str, &str); 15] = [
         (
             "Garmin G1000",
             "#airframe_info, log_version=\"1.00\"\n#yyy-mm-dd, hh:mm:ss, hh:mm, degrees, degrees, ft msl, ft wgs, deg, deg, kt, fpm, deg, deg, deg\n\
@@ -282,6 +294,11 @@ mod tests {
         (
             "ArduPilot (POS)",
             "TimeUS,Lat,Lng,Alt,RelHomeAlt\n0,48.0,11.0,300,0\n100000,48.000045,11.0,300.1,0\n",
+        ),
+        (
+            "PX4 (vehicle_global_position)",
+            "timestamp,timestamp_sample,lat,lon,alt,alt_ellipsoid,delta_alt,eph,epv\n\
+             0,0,48.0,11.0,260,300,0,1,1\n200000,200000,48.00009,11.0,260,300.2,0,1,1\n",
         ),
         (
             "AirData",

@@ -130,8 +130,8 @@ impl LogMapping {
         (ROLL..VELOCITY).chain(Q0..VARIATION).any(is_named)
     }
 
-    /// Whether the table is another than one of the library's own.
-    pub(super) fn is_foreign(&self) -> bool {
+    /// The same repair of a table of the library's own columns.
+    pub fn of_own_columns(&self) -> Self {
         let Self {
             smooth,
             smooth_rate_hz,
@@ -141,7 +141,7 @@ impl LogMapping {
             attack_rad,
             ..
         } = *self;
-        let own = Self {
+        Self {
             smooth,
             smooth_rate_hz,
             position_sigma_m,
@@ -149,8 +149,12 @@ impl LogMapping {
             is_coordinated,
             attack_rad,
             ..Self::default()
-        };
-        *self != own
+        }
+    }
+
+    /// Whether the table is another than one of the library's own.
+    pub(super) fn is_foreign(&self) -> bool {
+        *self != self.of_own_columns()
     }
 }
 

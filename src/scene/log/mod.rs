@@ -34,8 +34,7 @@ pub use clock::Clock;
 pub(in crate::scene) use column::TAKES as COLUMN_TAKES;
 pub use column::{ColumnFrom, LogColumn};
 pub use mapping::{LogMapping, Separator, TimeFormat};
-pub(in crate::scene) use quantity::QUANTITIES;
-pub use quantity::{column_of, quantity_of};
+pub use quantity::{QUANTITIES, column_of, quantity_of};
 pub use smooth::RowOfPath;
 pub use survey::{Survey, survey};
 pub use text::decoded;
@@ -294,6 +293,11 @@ impl FlightLog {
     /// What is no fault, and yet hardly meant: columns that are not read, and look like a quantity.
     pub fn notes(&self) -> &[Fault] {
         &self.notes
+    }
+
+    /// Whether its samples have an attitude; otherwise that of a coordinated flight takes its place.
+    pub fn has_attitude(&self) -> bool {
+        self.has_attitude
     }
 
     /// Pushes its first `count` samples into `judge`, and what was found in the rows of a smoothed log. An error has the number of a sample.

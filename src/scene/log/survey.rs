@@ -375,6 +375,18 @@ impl Draft<'_> {
             };
             self.doubt(format!("left out: {}; {why}", found.join(", ")));
         }
+        for key in ["latitude", "longitude"] {
+            // Receivers and old logs write whole numbers of 1e-7 deg.
+            if self.numbers(key).is_some_and(|values| largest(&values) > 1000.0) {
+                let Some(place) = self.place(key) else { continue };
+                let value = self.column(place, ", scale = 1e-7");
+                self.keys
+                    .iter_mut()
+                    .filter(|(known, _)| *known == key)
+                    .for_each(|(_, old)| old.clone_from(&value));
+                self.doubt(format!("{} is taken as 1e-7 deg", excerpt(&self.grid.names[place])));
+            }
+        }
         if self.value("height").is_none() {
             self.set("height", "0");
             self.doubt("there is no height: it is taken as 0");
@@ -674,6 +686,19 @@ pub mod tests {
             (log.samples()[0].euler.roll - 0.3).abs() < 1e-12 && doubts(&found, "taken as radians"),
             "{found:?}"
         );
+    }
+
+    #[test]
+    fn whole_numbers_of_a_position_are_scaled() {
+        for names in ["timestamp,lat,lon,alt,eph,epv", "t,lat,lon,alt,a,b"] {
+            let (found, log) = read(&format!(
+                "{names}\n0,-335000000,705000000,300,1,1\n1000000,-335000900,705000000,300,1,1\n"
+            ));
+            assert!(doubts(&found, "lat is taken as 1e-7 deg"), "{found:?}");
+            let place = log.samples()[0].place;
+            assert!((place.latitude_rad.to_degrees() + 33.5).abs() < 1e-12, "{place:?}");
+            assert!((place.longitude_rad.to_degrees() - 70.5).abs() < 1e-12, "{place:?}");
+        }
     }
 
     #[test]

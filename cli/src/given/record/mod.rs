@@ -1,11 +1,12 @@
-//! Flight records that are no tables: they become tables of the library's own columns.
+//! Flight records that are no tables, and logs of several files: they become tables of the library's own columns.
 
 mod fdr;
 mod gpx;
 mod igc;
+mod joined;
 
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use sins::scene::log::{LogMapping, decoded};
 use sins::scene::{FDR, GPX, IGC, foreign};
@@ -18,9 +19,12 @@ use crate::units::six_digits;
 pub struct Table {
     /// Comma-separated values.
     pub text: Vec<u8>,
-    /// What was assumed of a flight record, in a sentence; `None`: the file is a table itself.
+    /// What was assumed of a flight record, or how files were joined, in a sentence; `None`: the file is a table itself.
     pub note: Option<String>,
-    /// Whether it has columns of the attitude, if it is a flight record.
+    /// Files that were joined with it.
+    pub others: Vec<PathBuf>,
+    /// Whether it was a flight record, and if so, whether it has columns of the attitude.
+    is_record: bool,
     has_attitude: bool,
 }
 
@@ -35,20 +39,24 @@ impl Table {
             Some(IGC) => igc::table,
             Some(GPX) => gpx::table,
             Some(FDR) => fdr::table,
-            _ => return Ok(Self { text: file, note: None, has_attitude: false }),
+            _ => {
+                let others = Vec::new();
+                return Ok(Self { text: file, note: None, others, is_record: false, has_attitude: false });
+            }
         };
         let has_attitude = foreign(text.as_bytes()) == Some(FDR);
         let (rows, note) = read(text.as_bytes()).map_err(|(line, sentence)| match line {
             0 => Failure::of_file(path, &sentence),
             line => Failure::of_line(path, line, &sentence),
         })?;
-        Ok(Self { text: rows.text.into_bytes(), note: Some(note), has_attitude })
+        let text = rows.text.into_bytes();
+        Ok(Self { text, note: Some(note), others: Vec::new(), is_record: true, has_attitude })
     }
 
     /// Adds what a flight record needs to `mapping`: its path is smoothed, and its attitude is that of a coordinated flight unless
     /// the record or the mapping has another.
     pub fn complete(&self, mapping: &mut LogMapping) {
-        if self.note.is_some() {
+        if self.is_record {
             mapping.smooth = true;
             mapping.is_coordinated |= !self.has_attitude && !mapping.names_attitude();
         }
