@@ -12,7 +12,7 @@ const HEAD: &str = "\
 #ifndef EVERY_STRUCT_H
 #define EVERY_STRUCT_H
 
-#include \"scene.h\"
+#include \"every_call.h\"
 ";
 
 /// Structs that a function reads and writes.

@@ -56,7 +56,9 @@ pub use altimeter::{Altimeter, AltimeterParameters};
 pub use altimeter_table::ALTIMETER;
 pub use draw::StandardNormal;
 pub use effects::EffectPlace;
-pub(crate) use effects::{FLICKER_PROCESSES, SharedInput, StateRows};
+pub(crate) use effects::{
+    FLICKER_PROCESSES, Kind, OF_SIGNAL, Processes, SharedInput, StateRows, element_sigmas,
+};
 pub(crate) use failing::FailingTriad;
 pub(crate) use failure::FailureFields;
 pub use failure::{Axis, Failure, SensorOutput};

@@ -6,7 +6,7 @@
 #ifndef EVERY_STRUCT_H
 #define EVERY_STRUCT_H
 
-#include "scene.h"
+#include "every_call.h"
 
 /* First the structs that functions write: the calls behind them change what the handles stand for. */
 static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *judge, sins_unit *unit, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, sins_play *play)

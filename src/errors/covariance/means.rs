@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 
 use super::line::Advance;
-use super::sources::{AXES, COUNT, Input, Kind, Parameters, Source};
+use super::sources::{AXES, Input, Parameters, Source};
+use crate::sensors::Kind;
 
 /// The signals of an INS at rest, sensor axes: angular rate \[rad/s\] and specific force \[m/s²\].
 #[derive(Debug, Clone, Copy)]
@@ -33,9 +34,7 @@ impl Variances {
         of_white_noise: f64,
     ) -> Self {
         let mut sum = Self::default();
-        for source in
-            (0..COUNT).map(|place| Source::at(place, parameters)).filter(|source| source.sigma != 0.0)
-        {
+        for source in Source::all(parameters).filter(|source| source.sigma != 0.0) {
             match source.input {
                 Input::Axis(axis) => sum.add(axis, of(&source)),
                 Input::Element(element) => {

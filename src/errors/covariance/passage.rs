@@ -205,8 +205,7 @@ impl Root {
             let density = stretch.noise(axis, parameters.of_axis(axis).random_walk[axis % 3]);
             *rest = Spread::of_white_noise(density, stretch.length_s);
         }
-        for (place, sensitivity) in self.sensitivities.iter_mut().enumerate() {
-            let source = Source::at(place, parameters);
+        for (source, sensitivity) in Source::all(parameters).zip(&mut self.sensitivities) {
             let step = source.advance(stretch.length_s, stretch.ground_m, &mut self.walks);
             if source.sigma == 0.0 && *sensitivity == Column::zeros() {
                 continue;

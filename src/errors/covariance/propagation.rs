@@ -135,8 +135,7 @@ impl Propagation {
             }
         };
         let mut own = [0.0; AXES];
-        for place in 0..COUNT {
-            let source = Source::at(place, parameters);
+        for (source, sensitivity) in Source::all(parameters).zip(&mut root.sensitivities) {
             let step = match t {
                 0.0 => Advance::still(source.deviation(&root.walks)),
                 _ => source.advance(t, 0.0, &mut root.walks),
@@ -144,7 +143,7 @@ impl Propagation {
             let (of_start, of_draw) = (step.of_start.mean, step.of_draw.mean);
             let of_end = of_start * step.decay + of_draw * step.diffusion;
             if of_end != 0.0 {
-                root.sensitivities[place] = column(source.input, of_end);
+                *sensitivity = column(source.input, of_end);
             }
             add(source.input, of_start * step.diffusion - of_draw * step.decay);
             if let Input::Axis(axis) = source.input {

@@ -37,8 +37,7 @@ pub(super) fn covariance_of(
     let t = truth.interval_s;
     // Before the first step the INS has no rate.
     let has_rate = block.is_some() && t > 0.0;
-    for (place, sensitivity) in root.sensitivities.iter().enumerate() {
-        let source = Source::at(place, parameters);
+    for (source, sensitivity) in Source::all(parameters).zip(&root.sensitivities) {
         let mut errors = at.errors(sensitivity);
         if let (Input::Axis(axis @ 0..3), true) = (source.input, has_rate) {
             let (share, _) = parameters.outputs[axis];

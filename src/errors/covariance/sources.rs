@@ -3,7 +3,10 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::line::Advance;
-use crate::sensors::{AltimeterParameters, FLICKER_PROCESSES, GravityDisturbanceParameters, TriadParameters};
+use crate::sensors::{
+    AltimeterParameters, GravityDisturbanceParameters, Kind, OF_SIGNAL, Processes, TriadParameters,
+    element_sigmas,
+};
 
 /// The random errors that the host has set.
 #[derive(Clone, Copy)]
@@ -30,8 +33,6 @@ impl Parameters<'_> {
     }
 }
 
-const FLICKER: usize = FLICKER_PROCESSES.len();
-
 /// Sensor axes: three gyros, three accelerometers.
 pub const AXES: usize = 6;
 
@@ -42,7 +43,14 @@ pub const ELEMENTS: usize = 18;
 pub const FIELDS: usize = 3;
 
 /// Number of possible processes.
-pub const COUNT: usize = 3 * AXES + FLICKER * AXES + ELEMENTS + FIELDS + 1;
+pub const COUNT: usize = {
+    let (mut of_axis, mut k) = (0, 0);
+    while k < OF_SIGNAL.len() {
+        of_axis += OF_SIGNAL[k].count;
+        k += 1;
+    }
+    of_axis * AXES + ELEMENTS + FIELDS + 1
+};
 
 /// The quantity to which a process adds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,21 +84,7 @@ impl Input {
     }
 }
 
-/// The evolution of a process.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Kind {
-    /// Drawn once a run.
-    Constant,
-    /// Gauss-Markov of this correlation time [s].
-    Markov(f64),
-    /// Gauss-Markov of this correlation distance over ground [m].
-    MarkovOverGround(f64),
-    /// Random walk from 0 at the start of the run.
-    Walk,
-}
-
-/// A process: the quantity to which it adds, its evolution, and its standard deviation, of a walk that after 1 s, which is its density
-/// [u/√s].
+/// A process: the quantity to which it adds, its evolution, and its standard deviation; of a walk its density [u/√s].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Source {
     pub input: Input,
@@ -99,50 +93,34 @@ pub struct Source {
 }
 
 impl Source {
-    /// The process at `place` of [`COUNT`]; unused processes have a sigma of 0.
-    pub fn at(place: usize, parameters: &Parameters<'_>) -> Self {
-        let triad = |axis: usize| parameters.of_axis(axis);
-        let constant = |input, sigma| Self { input, kind: Kind::Constant, sigma };
-        let mut place = place;
-        if place < AXES {
-            return constant(Input::Axis(place), triad(place).bias_sigma[place % 3]);
-        }
-        place -= AXES;
-        if place < AXES {
-            let (sigma, time_s) =
-                (triad(place).markov_sigma[place % 3], triad(place).markov_time_s[place % 3]);
-            return Self { input: Input::Axis(place), kind: Kind::Markov(time_s), sigma };
-        }
-        place -= AXES;
-        if place < AXES {
-            let sigma = triad(place).rate_random_walk[place % 3];
-            return Self { input: Input::Axis(place), kind: Kind::Walk, sigma };
-        }
-        place -= AXES;
-        if place < AXES * FLICKER {
-            let (axis, (time_s, deviation)) = (place / FLICKER, FLICKER_PROCESSES[place % FLICKER]);
-            let sigma = triad(axis).flicker[axis % 3] * deviation;
-            return Self { input: Input::Axis(axis), kind: Kind::Markov(time_s), sigma };
-        }
-        place -= AXES * FLICKER;
-        if place < ELEMENTS {
-            let triad = triad(place / 9 * 3);
-            let (row, column) = (place % 3, place / 3 % 3);
-            let sigma = if row == column {
-                triad.scale_factor_sigma[row]
-            } else {
-                triad.misalignment_sigma[(row, column)]
-            };
-            return constant(Input::Element(place), sigma);
-        }
-        place -= ELEMENTS;
-        if place < FIELDS {
-            let field = parameters.gravity.fields()[place];
-            let kind = Kind::MarkovOverGround(field.distance_m);
-            return Self { input: Input::Field(place), kind, sigma: field.sigma };
-        }
-        let AltimeterParameters { markov_sigma_m, markov_time_s, .. } = *parameters.altimeter;
-        Self { input: Input::Altimeter, kind: Kind::Markov(markov_time_s), sigma: markov_sigma_m }
+    /// The [`COUNT`] possible processes; unused ones have a sigma of 0.
+    pub fn all(parameters: &Parameters<'_>) -> impl Iterator<Item = Self> {
+        let Parameters { gyro, accel, altimeter, .. } = *parameters;
+        let triad = move |axis| if axis < 3 { gyro } else { accel };
+        let of_axis = move |(effect, axis): (&Processes, usize), process| {
+            let (kind, sigma) = (effect.of)(triad(axis), axis % 3, process);
+            Self { input: Input::Axis(axis), kind, sigma }
+        };
+        let of_signal = OF_SIGNAL.iter().flat_map(|effect| (0..AXES).map(move |axis| (effect, axis)));
+        let of_signal =
+            of_signal.flat_map(move |place| (0..place.0.count).map(move |process| of_axis(place, process)));
+        let sigmas = [element_sigmas(gyro), element_sigmas(accel)];
+        let elements = (0..ELEMENTS).map(move |element| Self {
+            input: Input::Element(element),
+            kind: Kind::Constant,
+            sigma: sigmas[element / 9][element % 9],
+        });
+        let fields = parameters.gravity.fields().into_iter().enumerate().map(|(field, of)| Self {
+            input: Input::Field(field),
+            kind: Kind::MarkovOverGround(of.distance_m),
+            sigma: of.sigma,
+        });
+        let altimeter = Self {
+            input: Input::Altimeter,
+            kind: Kind::Markov(altimeter.markov_time_s),
+            sigma: altimeter.markov_sigma_m,
+        };
+        of_signal.chain(elements).chain(fields).chain([altimeter])
     }
 
     /// Its evolution over `t` [s] and `ground_m` [m] over ground. `walks` are the variances [u²] of the walk of each axis: those at the

@@ -6,6 +6,7 @@ use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::{Purpose, Stream, StreamKey};
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
+use super::process::{Kind, Processes};
 use super::states::{States, Visitor};
 use crate::base::snapshot::stored;
 use crate::signal::RUNS;
@@ -21,6 +22,10 @@ pub(in crate::sensors) struct Bias {
 }
 
 stored!(Bias {} rebuilt { turn_on, value });
+
+/// Its processes.
+pub(super) const RANDOM: Processes =
+    Processes { count: 1, of: |triad, axis, _| (Kind::Constant, triad.bias_sigma[axis]) };
 
 impl Effect for Bias {
     fn new(key: StreamKey, sensor: Sensor) -> Self {

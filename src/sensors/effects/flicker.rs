@@ -8,6 +8,7 @@ use super::super::stream::{Purpose, Stream, StreamKey};
 use super::effect::{Added, Effect};
 use super::gauss_markov::MarkovStep;
 use super::outputs::{BatchOutputs, Outputs};
+use super::process::{Kind, Processes};
 use super::states::{States, Visitor};
 use crate::base::snapshot::{WALKS, stored};
 use crate::signal::RUNS;
@@ -57,6 +58,15 @@ pub(in crate::sensors) struct Flicker {
 }
 
 stored!(Flicker { x: WALKS, streams } rebuilt { instability, steps, own });
+
+/// Its processes.
+pub(super) const RANDOM: Processes = Processes {
+    count: PROCESSES.len(),
+    of: |triad, axis, process| {
+        let (time_s, deviation) = PROCESSES[process];
+        (Kind::Markov(time_s), triad.flicker[axis] * deviation)
+    },
+};
 
 impl Effect for Flicker {
     fn new(key: StreamKey, sensor: Sensor) -> Self {

@@ -7,6 +7,7 @@ use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::{Purpose, Stream, StreamKey};
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
+use super::process::{Kind, Processes};
 use super::states::{States, Visitor};
 use crate::base::math::{exp_m1, tanh};
 use crate::base::snapshot::{WALKS, stored};
@@ -93,6 +94,12 @@ pub(in crate::sensors) struct GaussMarkov {
 }
 
 stored!(GaussMarkov { x: WALKS, streams } rebuilt { sigma, time_s, steps });
+
+/// Its processes.
+pub(super) const RANDOM: Processes = Processes {
+    count: 1,
+    of: |triad, axis, _| (Kind::Markov(triad.markov_time_s[axis]), triad.markov_sigma[axis]),
+};
 
 impl Effect for GaussMarkov {
     fn new(key: StreamKey, sensor: Sensor) -> Self {

@@ -21,6 +21,11 @@ pub(in crate::sensors) struct Linear {
 
 stored!(Linear {} rebuilt { turn_on, matrix });
 
+/// Standard deviation of each element.
+pub(crate) fn sigma(parameters: &TriadParameters) -> Matrix3<f64> {
+    parameters.misalignment_sigma + Matrix3::from_diagonal(&parameters.scale_factor_sigma)
+}
+
 impl Effect for Linear {
     fn new(key: StreamKey, sensor: Sensor) -> Self {
         let mut scale_factors = Stream::triad(key, sensor.source(), Purpose::ScaleFactor);
@@ -34,8 +39,7 @@ impl Effect for Linear {
 
     fn set(&mut self, parameters: &TriadParameters) -> bool {
         let given = parameters.misalignment + Matrix3::from_diagonal(&parameters.scale_factor);
-        let sigma = parameters.misalignment_sigma + Matrix3::from_diagonal(&parameters.scale_factor_sigma);
-        self.matrix = given + sigma.component_mul(&self.turn_on);
+        self.matrix = given + sigma(parameters).component_mul(&self.turn_on);
         self.matrix != Matrix3::zeros()
     }
 

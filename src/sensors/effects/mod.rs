@@ -15,6 +15,7 @@ mod gauss_markov;
 mod linear;
 mod outputs;
 mod plan;
+mod process;
 mod quadratic;
 mod quantization;
 mod ramp;
@@ -46,6 +47,8 @@ pub(super) use states::{Count, PutLane, States, TakeLane, Visitor};
 
 pub(crate) use flicker::PROCESSES as FLICKER_PROCESSES;
 pub(crate) use gauss_markov::MarkovStep;
+pub(crate) use linear::sigma as element_sigmas;
+pub(crate) use process::{Kind, OF_SIGNAL, Processes};
 
 effects! {
     // Change the input of the sensors.

@@ -7,6 +7,7 @@ use super::super::parameters::{Sensor, TriadParameters};
 use super::super::stream::{Purpose, Stream, StreamKey};
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
+use super::process::{Kind, Processes};
 use super::states::{States, Visitor};
 use crate::base::snapshot::{WALKS, stored};
 use crate::signal::RUNS;
@@ -33,6 +34,10 @@ stored!(RateRandomWalk { value: WALKS, streams } rebuilt { density, root });
 
 /// 1/√12
 const INTEGRAL_OWN: f64 = 0.288_675_134_594_812_9;
+
+/// Its processes.
+pub(super) const RANDOM: Processes =
+    Processes { count: 1, of: |triad, axis, _| (Kind::Walk, triad.rate_random_walk[axis]) };
 
 impl Effect for RateRandomWalk {
     fn new(key: StreamKey, sensor: Sensor) -> Self {
