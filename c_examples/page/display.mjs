@@ -175,7 +175,7 @@ export class Display {
     draw() {
         const { points } = this;
         this.curves.show(this.quantity, points, this.has_model);
-        if (points) this.track.show([points.true_place, points.place]);
+        if (points) this.track.show([points.true_path, points.path]);
         else this.track.show([this.path?.place]);
         this.made.classList.toggle("old", Boolean(this.now && this.flown_text !== this.scene.text));
     }

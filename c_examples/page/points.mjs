@@ -1,4 +1,5 @@
-// Points of the curves in memory of a fixed size: when it is full, every second point is dropped.
+// Points of the curves in memory of a fixed size: when it is full, every second point is dropped. The paths of the map keep all, because
+// a path turns between points that are dropped.
 
 /** Most points. */
 const MOST = 4096;
@@ -33,6 +34,9 @@ export class Points {
         this.time = records.offset("time_s");
         this.columns = Array.from({ length: 1 + 3 * this.triples.length }, () => new Float64Array(MOST));
         [this.count, this.stride, this.seen] = [0, 1, 0];
+        // Latitude and longitude of the truth and of the INS.
+        this.of_path = [OF_RECORD.true_place, OF_RECORD.place].flatMap((path) => [0, 1].map((k) => records.offset(path) + k));
+        [this.path, this.places] = [this.of_path.map(() => new Float64Array(2 * LEAST + 1)), 0];
     }
 
     is_due(index, is_last) {
@@ -41,6 +45,8 @@ export class Points {
 
     /** Adds the record and the interval as a point, if its turn has come. */
     add(start_s, is_last) {
+        this.of_path.forEach((offset, k) => (this.path[k][this.places] = this.records.numbers[offset]));
+        this.places++;
         if (this.seen++ % this.stride !== 0 && !is_last) return;
         if (this.count === MOST) this.halve();
         const at = this.count++;
@@ -59,10 +65,11 @@ export class Points {
         this.stride *= 2;
     }
 
-    /** A copy: the times, and by the names of the triples three columns each. */
+    /** A copy: the times, by the names of the triples three columns each, and the paths. */
     copy() {
         const [time, ...others] = this.columns.map((column) => column.slice(0, this.count));
         const triples = this.triples.map(([name], triple) => [name, others.slice(3 * triple, 3 * triple + 3)]);
-        return { time, ...Object.fromEntries(triples) };
+        const [latitude, longitude, ...path] = this.path.map((column) => column.slice(0, this.places));
+        return { time, ...Object.fromEntries(triples), true_path: [latitude, longitude], path };
     }
 }

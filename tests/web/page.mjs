@@ -134,6 +134,36 @@ test("the paper's figures 3 to 5: open the page, press Start", async (context) =
     assert.ok(picture.length > 10000);
 });
 
+test("the map of 48 hours turns where the path turns", async (context) => {
+    const page = await opened(context);
+    // The lines that are drawn on canvases of the map.
+    await page.evaluate(() => {
+        const own = CanvasRenderingContext2D.prototype, { beginPath, lineTo } = own;
+        own.beginPath = function () {
+            if (this.canvas.closest(".plot")) (window.lines = (window.lines ?? []).slice(-100)).push([]);
+            return beginPath.call(this);
+        };
+        own.lineTo = function (x, y) {
+            if (this.canvas.closest(".plot")) window.lines.at(-1).push([x, y]);
+            return lineTo.call(this, x, y);
+        };
+    });
+    await set(page, "flight.rate_hz", "2");
+    await set(page, "flight.hours", "48");
+    await fly(page);
+    const tracks = (await page.evaluate(() => window.lines)).filter((line) => line.length > 1000).slice(-2);
+    assert.equal(tracks.length, 2);
+    for (const track of tracks) {
+        // Points that are nearer than two pixels do not show a direction.
+        const far = [track[0]];
+        for (const at of track) if (Math.hypot(at[0] - far.at(-1)[0], at[1] - far.at(-1)[1]) >= 2) far.push(at);
+        const directions = far.slice(1).map(([x, y], k) => Math.atan2(y - far[k][1], x - far[k][0]));
+        const turns = directions.slice(1).map((angle, k) => Math.abs(Math.atan2(Math.sin(angle - directions[k]), Math.cos(angle - directions[k]))));
+        console.log(`map: ${track.length} points, largest turn ${((Math.max(...turns) * 180) / Math.PI).toFixed(0)} deg`);
+        assert.ok(Math.max(...turns) < Math.PI / 3, `${Math.max(...turns)}`);
+    }
+});
+
 test("a bias that is set in the form flies as in sins fly", async (context) => {
     const page = await opened(context, { hash: "#commuter" });
     await set(page, "flight.hours", "0.05");

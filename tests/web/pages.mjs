@@ -17,6 +17,9 @@ before(async () => {
     sins("fly", "aerobatics", "--set", "flight.hours=0.05", "--preset", "tactical", ...quiet);
     sins("report", "simulation2.csv", "aerobatics.csv", "-o", "report.html", "--force");
     sins("ensemble", "simulation2", "--runs", "16", "--set", "flight.hours=0.2", ...quiet);
+    for (const [scene, ...more] of [["simulation1"], ["coning"], ["rest", "--preset", "ideal", "--name", "ideal"]]) sins("fly", scene, "--set", "flight.hours=0.1", ...more, ...quiet);
+    sins("report", "simulation2.csv", "-o", "one.html", "--force");
+    sins("report", "simulation1.csv", "ideal.csv", "simulation2.csv", "aerobatics.csv", "coning.csv", "-o", "five.html", "--force");
     await start();
 });
 after(stop);
@@ -59,6 +62,28 @@ test("a cursor shows the values of all panels of the run at that time: those of 
     }
     await page.mouse.move(2, 2);
     assert.equal(await page.locator(".cursor").count(), 0);
+});
+
+test("the first screen has the sentence, the map and the position errors of the run that says most", async (context) => {
+    for (const [name, count] of [["one", 1], ["five", 5]]) {
+        for (const viewport of [{ width: 800, height: 800 }, { width: 1280, height: 800 }, { width: 1920, height: 800 }]) {
+            const page = await opened(context, name, { viewport }), figures = page.locator("main > .figures");
+            const bottom = async (own) => ((box) => box.y + box.height)(await own.boundingBox());
+            const lead = page.locator(".lead");
+            const map = figures.locator(".panel", { hasText: "north of the start" }).locator(".inner").first();
+            const position = figures.locator(".panel", { hasText: "position east" }).locator(".inner").first();
+            for (const own of [lead, map, position]) assert.ok((await bottom(own)) <= viewport.height, `${name} ${viewport.width}: ${await bottom(own)}`);
+            assert.match(await lead.innerText(), /After .* the INS is .* off/);
+            const sections = await page.locator("section.run").all();
+            assert.equal(sections.length, count);
+            for (const section of sections) {
+                const is_rounding = /no error beyond rounding/.test(await section.innerText());
+                assert.equal((await section.locator(".panel").count()) === 0, is_rounding, `${name}: ${await section.getAttribute("id")}`);
+            }
+            // That of ideal sensors is among the five.
+            assert.equal((await page.locator("section.run", { hasText: "no error beyond rounding" }).count()) > 0, name === "five");
+        }
+    }
 });
 
 test("drag enlarges all panels of the run, double-click goes back", async (context) => {

@@ -17,9 +17,9 @@ use crate::units::short;
 pub fn picture(survey: &Survey) -> Result<String, Failure> {
     let top = TITLE + LEGEND;
     let (mut right, mut bottom, mut panels) = (MARGIN, top, String::new());
-    for part in 0..QUANTITIES.len() {
+    for (part, quantity) in QUANTITIES.iter().enumerate() {
         let drawing = chart::drawing(survey, part, part == 0);
-        let svg = PreEscaped(drawing.svg(QUANTITIES[part])?);
+        let svg = PreEscaped(drawing.svg(quantity)?);
         panels += &placed(right, top, drawing.width, drawing.height(), &svg).into_string();
         right += drawing.width;
         bottom = top + drawing.height();

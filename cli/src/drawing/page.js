@@ -156,8 +156,8 @@ all(document, '.panel').forEach((g, number) => {
     // The nearest dot or bar, or of a track the time of its nearest point.
     look(time || isList ? lines().flatMap(line => line[2].map((found, k) => [hypot(!y.isNamed && line[0][k] - at[0], line[1][k] - at[1]), found])).sort((a, b) => a[0] - b[0])[0][1] : isMap ? at : at[0]);
     if (!drag) return;
-    const [[x, right], [y, below]] = [0, 1].map(k => range([pixel(drag)[k], pixel(at)[k]]));
-    add(first(g, 'g.cursor'), 'rect', { x, width: right - x, y: isMap ? y : top, height: isMap ? below - y : height });
+    const [[from, to], [above, below]] = [0, 1].map(k => range([pixel(drag)[k], pixel(at)[k]]));
+    add(first(g, 'g.cursor'), 'rect', { x: from, width: to - from, y: isMap ? above : top, height: isMap ? below - above : height });
   };
   hit.onpointerup = e => {
     const ends = place(e).map((at, k) => range([drag[k], at]));

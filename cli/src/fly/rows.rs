@@ -26,7 +26,7 @@ pub fn write(mut file: OutputFile, rows: &[RowOfPath], end_s: f64) -> Result<(),
         let [east, north, up] = row.residual_n.into();
         let place = &row.place;
         let values = [row.time_s, place.latitude_rad, place.longitude_rad, place.height_m, east, north, up];
-        records::line(values.into_iter())
+        records::line(values)
     });
     let text: String = head.chain(lines).map(|line| line + "\n").collect();
     file.write_all(text.as_bytes()).map_err(|error| Failure::of_output(file.path(), &error))?;

@@ -16,18 +16,23 @@ fn the_patrol_and_a_log_have_their_budgets() {
     let of = |scene: &str| all.iter().filter(|row| row["scene"] == scene).collect::<Vec<&Row>>();
     let (patrol, airliner) = (of("simulation2"), of("airliner_cruise"));
     let names = |rows: &[&Row]| rows.iter().map(|row| row["effect"].clone()).collect::<Vec<String>>();
-    // Effects: the paper's two errors of two sensors, and the five errors that a navigation grade states. The three other rows are
+    // Effects: the paper's two errors of two sensors, and the five errors that a navigation grade states. The four other rows are
     // no effects.
-    assert_eq!((patrol.len(), airliner.len()), (4 + 3, 5 + 3));
+    assert_eq!((patrol.len(), airliner.len()), (4 + 4, 5 + 4));
     for rows in [&patrol, &airliner] {
         let count = rows.len();
-        assert_eq!(names(&rows[count - 3..]), ["mechanization", "not their sum", "all together"]);
-        let sizes: Vec<f64> = rows[..count - 3].iter().map(|row| number(row, "position_m")).collect();
+        assert_eq!(
+            names(&rows[count - 4..]),
+            ["mechanization", "not their sum", "root sum of squares", "all together"]
+        );
+        let sizes: Vec<f64> = rows[..count - 4].iter().map(|row| number(row, "position_m")).collect();
         // The error of the mechanization is smaller than the error of any sensor. All errors together are more than half of the
         // largest.
-        assert!(sizes.iter().all(|size| *size > 100.0 * number(rows[count - 3], "position_m")), "{sizes:?}");
+        assert!(sizes.iter().all(|size| *size > 100.0 * number(rows[count - 4], "position_m")), "{sizes:?}");
         assert!(number(rows[count - 1], "position_m") > 0.5 * sizes[0]);
-        assert!(number(rows[count - 2], "position_m") < 1e-3 * number(rows[count - 1], "position_m"));
+        let sum = sizes.iter().map(|size| size * size).sum::<f64>().sqrt();
+        assert!((number(rows[count - 2], "position_m") / sum - 1.0).abs() < 1e-5);
+        assert!(number(rows[count - 3], "position_m") < 1e-3 * number(rows[count - 1], "position_m"));
     }
     // Three minutes of a bias b of 1e-5 g along three axes: the error is at most b t^2/2 of three axes. The patrol has turned by
     // less than 1.5 rad by then, so the error is at least a tenth of b t^2/2 of two axes.

@@ -102,6 +102,7 @@ fn accuracy_and_its_cost_are_measured() {
     assert!(said.starts_with(table) && table.contains("| scene | flown for | 100 m |"));
     for name in ["aerobatics", "pole", "airliner_cruise"] {
         assert!(read(out.join(name).with_extension("svg")).contains("<svg"));
+        assert!(read(out.join("curve.html")).contains(&format!("<h3>{name}: ")), "{name}");
     }
 }
 
