@@ -12,8 +12,13 @@ const HARD_M_S2: f64 = 200.0;
 
 /// The remarks of `run`, each a sentence or two.
 pub fn warnings(run: &Run) -> Vec<String> {
-    let mut said: Vec<String> =
-        run.summary.findings().map(|finding| format!("Flight data: {finding}.")).collect();
+    let (notes, doubts): (Vec<&str>, Vec<&str>) =
+        run.summary.findings().partition(|finding| finding.contains(": note: "));
+    let mut said: Vec<String> = doubts.iter().map(|finding| format!("Flight data: {finding}.")).collect();
+    if !notes.is_empty() {
+        let notes = counted(notes.len() as f64, "note");
+        said.push(format!("Flight data: {notes}, among the settings and figures of the run."));
+    }
     let count = |key: &str| run.summary.number(key).filter(|count| *count > 0.0);
     let text = |key: &str| run.summary.row(key).map(Row::text).unwrap_or_default();
     if count("interrupted").is_some() {
