@@ -1,9 +1,10 @@
 //! Random scenes as texts, each with a part of what a scene can plan: unit, panel, updates, failures, temperature, a log. The same seed
 //! gives the same scene.
 
-use sins::math::mix;
 use sins::records::Number;
 use sins::scene::Scene;
+
+use super::draws::Draws;
 
 /// Time flown [s].
 const SECONDS: usize = 120;
@@ -15,22 +16,7 @@ pub struct RandomScene {
     pub log: Option<String>,
 }
 
-struct Draws(u64);
-
 impl Draws {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 = self.0.wrapping_add(1);
-        (mix(self.0) % limit as u64) as usize
-    }
-
-    fn one_in(&mut self, count: usize) -> bool {
-        self.below(count) == 0
-    }
-
-    fn of(&mut self, words: &[&'static str]) -> &'static str {
-        words[self.below(words.len())]
-    }
-
     /// A time of the flight in quarters of a second, which are not all at samples.
     fn time_s(&mut self) -> f64 {
         self.below(4 * SECONDS) as f64 / 4.0
@@ -39,7 +25,7 @@ impl Draws {
 
 /// The scene of `seed`. `with_log`: its flight may be a log.
 pub fn random_scene(seed: u64, with_log: bool) -> RandomScene {
-    let mut draws = Draws(mix(seed));
+    let mut draws = Draws::new(seed);
     let rest_s = 10 + draws.below(60);
     let flight = format!(
         "[flight]\nlatitude_deg = {}\nlongitude_deg = {}\nheight_m = {}\nheading_deg = {}\nrate_hz = {RATE_HZ}\n",
