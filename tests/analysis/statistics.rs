@@ -9,7 +9,7 @@ use sins::mechanization::VerticalMode;
 use sins::sensors::{InitialErrorParameters, TriadParameters, paper_simulation2};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
-use crate::support::any_use::Draws;
+use crate::support::draws::Draws;
 use crate::support::resting_sample;
 
 type States = SVector<f64, 9>;

@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use sins::math::{SPLIT_MIX_STEP, mix};
 use sins::scene::{BUILTIN_SCENES, Fault, FlightSource, MAX_FAULTS, MAX_TEXT, Scene, keys};
+
+use crate::support::draws::Draws;
 
 /// The text of an example scene.
 fn example(name: &str) -> String {
@@ -41,22 +42,9 @@ fn a_scene_that_is_written_reads_back_to_the_bit() {
     }
 }
 
-/// A separate number generator (Vigna's SplitMix64), so that each run of the test draws the same numbers.
-struct Draws(u64);
-
-impl Draws {
-    fn next(&mut self) -> u64 {
-        let next = mix(self.0);
-        self.0 = self.0.wrapping_add(SPLIT_MIX_STEP);
-        next
-    }
-
-    /// Any size from 1e-12 to 1e3, with all digits.
-    fn number(&mut self) -> f64 {
-        let fraction = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
-        let sign = if self.next().is_multiple_of(2) { 1.0 } else { -1.0 };
-        sign * 10f64.powf(-12.0 + 15.0 * fraction)
-    }
+/// Any size from 1e-12 to 1e3, with all digits.
+fn any_size(draws: &mut Draws) -> f64 {
+    draws.of(&[-1.0, 1.0]) * 10f64.powf(-12.0 + 15.0 * draws.unit())
 }
 
 /// The text before and after the line of a key, such that the key is valid.
@@ -136,7 +124,7 @@ fn around(section: &str, name: &str) -> (String, String) {
 /// and read again to the same scene. At least ten values of each key must be accepted, so that the test covers every key.
 #[test]
 fn every_key_is_read_written_and_read_again_to_the_same_value() {
-    let mut draws = Draws(1);
+    let mut draws = Draws::new(1);
     for key in keys().into_iter().filter(|key| key.takes.contains("number")) {
         let (before, behind) = around(key.section, key.name);
         for name in [Some(key.name), key.si_name].into_iter().flatten() {
@@ -148,7 +136,7 @@ fn every_key_is_read_written_and_read_again_to_the_same_value() {
             });
             let special = [0.0, -0.0, ends[0], ends[1]];
             for round in 0..400 {
-                let mut value = special.get(round).copied().unwrap_or_else(|| draws.number().abs());
+                let mut value = special.get(round).copied().unwrap_or_else(|| any_size(&mut draws).abs());
                 // A roll needs whole turns: it ends with the roll angle of its begin.
                 if round >= special.len() && (key.takes == "a whole number" || key.name == "turns") {
                     value = 1.0 + (round % 5) as f64;
@@ -365,7 +353,7 @@ fn any_bytes_have_an_answer() {
 /// accepted scene is written and read again.
 #[test]
 fn altered_texts_have_an_answer() {
-    let mut draws = Draws(2);
+    let mut draws = Draws::new(2);
     for text in examples() {
         for _ in 0..2_000 {
             let mut bytes = text.clone().into_bytes();

@@ -11,7 +11,8 @@ use sins::truth::{FlightSample, IntakeLimits};
 use sins::{Options, Simulator};
 
 use crate::support;
-use crate::support::any_use::{Draws, Host};
+use crate::support::any_use::Host;
+use crate::support::draws::Draws;
 use crate::support::moments::{Call, reads, snapshot};
 
 const HOSTS: u64 = if cfg!(feature = "long-tests") { 5000 } else { 300 };

@@ -2,11 +2,11 @@
 //! simulator that works.
 
 use nalgebra::Vector3;
-use sins::math::mix;
 use sins::signal::mounting::MountingParameters;
 use sins::snapshot::{SnapshotOf, seal};
 use sins::{ErrorKind, Options, Simulator};
 
+use crate::support::draws::Draws;
 use crate::support::moments::{reads, snapshot};
 use crate::support::resting_sample;
 use crate::support::runs::{Run, everything_at_once, largest, runs};
@@ -87,20 +87,6 @@ fn forged(words: &[u64]) -> Vec<u8> {
     bytes
 }
 
-/// Uniform numbers, the same every time.
-struct Draws(u64);
-
-impl Draws {
-    fn next(&mut self) -> u64 {
-        self.0 += 1;
-        mix(self.0)
-    }
-
-    fn below(&mut self, limit: usize) -> usize {
-        (self.next() % limit as u64) as usize
-    }
-}
-
 /// A value that a forger would put in place of a word.
 fn wild(draws: &mut Draws, word: u64) -> u64 {
     let value = f64::from_bits(word);
@@ -144,7 +130,7 @@ fn works(simulator: &mut Simulator, run: &Run, from: usize) {
 #[test]
 fn forged_snapshots_are_refused_or_work() {
     let rounds = if cfg!(feature = "long-tests") { 20_000 } else { 400 };
-    let mut draws = Draws(0);
+    let mut draws = Draws::new(0);
     let (mut accepted, mut all) = (0, 0);
     for run in runs() {
         let mut straight = Simulator::new(&run.options).unwrap();
@@ -254,7 +240,7 @@ fn each_word_forged_is_refused_or_a_simulator_of_numbers() {
 /// Random bytes that are not of the format, with a good header.
 #[test]
 fn noise_with_a_good_header_is_refused() {
-    let mut draws = Draws(1 << 32);
+    let mut draws = Draws::new(1);
     let mut simulator = in_flight();
     let good = snapshot(&simulator);
     for length in 24..2000 {

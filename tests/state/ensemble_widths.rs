@@ -17,7 +17,7 @@ use sins::truth::{FlightSample, Pushed};
 use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
 use crate::support;
-use crate::support::any_use::Draws;
+use crate::support::draws::Draws;
 use crate::support::moments::{altimeter, every_effect, initial};
 
 const FIRST_RUN: u64 = 40;

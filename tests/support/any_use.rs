@@ -6,7 +6,7 @@ use sins::Options;
 use sins::earth::Geodetic;
 use sins::earth::state::{BodyAxes, Navigation, StateErrors};
 use sins::errors::correction::{Compensation, Correction};
-use sins::math::{Euler, mix};
+use sins::math::Euler;
 use sins::mechanization::{Frame, Scheme, VerticalMode};
 use sins::sensors::{
     AltimeterParameters, Axis, Failure, GravityDisturbanceParameters, GravityField, InitialErrorParameters,
@@ -16,29 +16,10 @@ use sins::signal::Increment;
 use sins::signal::mounting::MountingParameters;
 use sins::truth::{FlightSample, IntakeLimits};
 
+use super::draws::Draws;
 use super::moments::Call;
 
-/// Uniform random numbers.
-pub struct Draws(u64);
-
 impl Draws {
-    pub fn new(seed: u64) -> Self {
-        Self(mix(seed))
-    }
-
-    pub fn below(&mut self, limit: usize) -> usize {
-        self.0 = self.0.wrapping_add(1);
-        (mix(self.0) % limit as u64) as usize
-    }
-
-    pub fn one_in(&mut self, count: usize) -> bool {
-        self.below(count) == 0
-    }
-
-    pub fn of<T: Copy>(&mut self, values: &[T]) -> T {
-        values[self.below(values.len())]
-    }
-
     pub fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.below(1 << 30) as f64 / f64::from(1 << 30)
     }

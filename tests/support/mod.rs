@@ -17,6 +17,7 @@ pub mod any_use;
 pub mod budget;
 pub mod c_programs;
 pub mod closed_form;
+pub mod draws;
 pub mod moments;
 pub mod orbits;
 pub mod patrol;

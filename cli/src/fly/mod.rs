@@ -107,12 +107,11 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         let paths: Vec<PathBuf> = paths.into_iter().chain(of_rows).collect();
         let last = given.sample((flown.steps as usize).min(given.count - 1))?;
         rows_file.map_or(Ok(()), |file| rows::write(file, rows, last.time_s))?;
-        finish(&figures, files, summary_file)?;
-        if quiet {
-            return Ok(());
-        }
+        // A disk that is full is told behind the figures.
+        let finished = finish(&figures, files, summary_file);
         let next = written::report(&paths);
-        print(&(text(&figures, &file(".csv")) + &written::text(&paths, next.as_deref())))
+        let text = || text(&figures, &file(".csv")) + &written::text(&paths, next.as_deref());
+        finished.and(if quiet { Ok(()) } else { print(&text()) })
     });
     match ended {
         // The files say themselves what the disk did not take.

@@ -10,6 +10,10 @@ mod conditions;
 mod curve;
 #[cfg(target_os = "linux")]
 mod doors;
+#[cfg(target_os = "linux")]
+#[allow(dead_code, reason = "random scenes use a part of it")]
+#[path = "../../../tests/support/draws.rs"]
+mod draws;
 mod ensemble;
 mod fdr;
 mod flight_records;

@@ -1,6 +1,9 @@
 //! Calls of a master: corrections, parts of intervals, wrong calls, calls in random order, the URI of the resources, a doubtful truth.
 
 mod corrections;
+#[allow(dead_code, reason = "random scenes use a part of it")]
+#[path = "../../../tests/support/draws.rs"]
+mod draws;
 #[path = "../../../tests/support/scenes/mod.rs"]
 mod flown_scenes;
 mod misuse;

@@ -199,7 +199,7 @@ impl FlightLog {
         }
         if repeats > 0 {
             let rows = if repeats == 1 { "row is" } else { "rows are" };
-            let sentence = format!("{repeats} {rows} left out: equal to the row before");
+            let sentence = format!("{repeats} {rows} left out: at the time of the row before");
             log.notes.push(Fault { sentence, ..Fault::default() });
         }
         if let Some((count, line, time_s)) = late {

@@ -16,7 +16,8 @@ use sins::sensors::{
 use sins::truth::FlightSample;
 use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
 
-use crate::support::any_use::{Draws, Host};
+use crate::support::any_use::Host;
+use crate::support::draws::Draws;
 use crate::support::moments::{Call, every_effect, flown, samples, setting};
 use crate::support::runs::{Run, everything_at_once, runs};
 

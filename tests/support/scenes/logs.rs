@@ -7,7 +7,7 @@ use sins::records::Number;
 use sins::scene::Scene;
 use sins::truth::FlightSample;
 
-use super::random::Draws;
+use super::draws::Draws;
 
 const DEG: f64 = PI / 180.0;
 const FT: f64 = 0.3048;

@@ -13,6 +13,8 @@ pub use random::{Coverage, random_scene};
 use std::path::Path;
 use std::sync::Arc;
 
+use super::draws;
+
 use sins::scene::log::FlightLog;
 use sins::scene::{Play, Scene, Source};
 

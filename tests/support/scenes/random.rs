@@ -2,32 +2,17 @@
 
 use std::collections::BTreeSet;
 
-use sins::math::mix;
 use sins::scene::{KeyKind, KeyLine, Scene, keys};
 
 use super::FlownScene;
+use super::draws::Draws;
 use super::logs::{Log, log_of};
 
 /// A time after which nothing is planned [s].
 const SECONDS: usize = 120;
 const RATE_HZ: usize = 10;
 
-pub struct Draws(u64);
-
 impl Draws {
-    pub fn below(&mut self, limit: usize) -> usize {
-        self.0 = self.0.wrapping_add(1);
-        (mix(self.0) % limit as u64) as usize
-    }
-
-    pub fn one_in(&mut self, count: usize) -> bool {
-        self.below(count) == 0
-    }
-
-    pub fn of(&mut self, words: &[&'static str]) -> &'static str {
-        words[self.below(words.len())]
-    }
-
     /// A time of the flight in quarters of a second, which are not all at samples.
     fn time_s(&mut self) -> f64 {
         self.below(4 * SECONDS) as f64 / 4.0
@@ -50,7 +35,7 @@ const BY_HAND: [&str; 5] = [
 
 /// The scene of `seed`. `with_log`: its flight may be a log.
 pub fn random_scene(seed: u64, with_log: bool) -> FlownScene {
-    let mut draws = Draws(mix(seed));
+    let mut draws = Draws::new(seed);
     let name = format!("random_{seed}");
     let flight = flight(&mut draws);
     let log = (with_log && draws.one_in(3)).then(|| log_of(&cleaned(&flight), &mut draws));
