@@ -317,6 +317,11 @@ impl FlightLog {
         &self.rows
     }
 
+    /// What was found in the rows when they were read or smoothed, each with its line.
+    pub fn of_rows(&self) -> &[(Finding, u64)] {
+        &self.of_rows
+    }
+
     /// The line of a finding of its judge, from 1.
     pub fn line_of(&self, finding: &Finding) -> Option<u64> {
         let of_row = self.of_rows.iter().find(|(known, _)| known == finding).map(|(_, line)| *line);

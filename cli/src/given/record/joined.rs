@@ -235,6 +235,10 @@ impl Table {
                 let line = if said.line > 0 { format!(":{}", said.line) } else { String::new() };
                 notes.push(format!("{}{line}: {}", path.display(), said.sentence));
             }
+            let late = log.of_rows().iter();
+            notes.extend(
+                late.map(|(found, line)| format!("{}:{line}: {}", path.display(), found.with_remedy())),
+            );
         };
         note(path, &log);
         let mut others = Vec::new();
