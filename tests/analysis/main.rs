@@ -14,5 +14,7 @@ mod judge;
 mod recommend;
 #[cfg(feature = "scenes")]
 mod smooth;
+#[cfg(feature = "scenes")]
+mod smooth_cep;
 mod statistics;
 mod truth_summary;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use crate::support::{done, folder, numbers, project_file, read};
+use crate::support::{done, folder, numbers, project_file, read, run};
 
 /// Builds a C or C++ program with the library that was built with this test; the library is beside the test's own program.
 pub fn link(name: &str, source: &str) -> PathBuf {
@@ -186,6 +186,15 @@ fn every_column_has_its_place_in_the_docs() {
         }
     }
     assert_eq!(count, 51 + 9 + 5 + 10 + 6);
+    let smoothed = project_file("c_examples/scenes/cockpit.toml").display().to_string();
+    assert_eq!(run(&folder, &["fly", &smoothed, "-q", "--hours", "0.01", "--name", "c"]).0, 0);
+    let rows = read(folder.join("sins_out/c_rows.csv"));
+    let mut lines = rows.lines();
+    assert!(lines.next().unwrap().split(',').all(|column| page.contains(&format!("`{column}`"))));
+    // 36 s of 5 Hz, and no row behind the last record.
+    let times: Vec<f64> = lines.map(|line| line.split(',').next().unwrap().parse().unwrap()).collect();
+    let [first, last] = [times[0], times[times.len() - 1]];
+    assert!((170..190).contains(&times.len()) && (35.0..=36.01).contains(&(last - first)), "{first} {last}");
     let summary = read(folder.join("sins_out/f_summary.csv"));
     assert!(page.contains(&format!("`{}`", summary.lines().next().unwrap())));
 }

@@ -147,11 +147,13 @@ impl Manoeuvre {
     }
 
     /// Whether the speed at its end is another than at its begin.
+    #[cfg(feature = "scenes")]
     pub(crate) fn changes_speed(&self) -> bool {
         matches!(self, Self::Accelerate { .. })
     }
 
     /// Speed at its begin with which its limits are the widest [m/s].
+    #[cfg(feature = "scenes")]
     pub(crate) fn widest_speed_m_s(&self) -> f64 {
         match self {
             Self::Rest { .. } => 0.0,
@@ -161,6 +163,7 @@ impl Manoeuvre {
     }
 
     /// Why the limit in an error of [`Self::validate`] at `speed_m_s` is what it is; `None`: the limit is the same in each flight.
+    #[cfg(feature = "scenes")]
     pub(crate) fn reason(&self, error: &Error, speed_m_s: f64) -> Option<String> {
         match (self, error.field) {
             (Self::Climb { duration_s, ramp_s, .. }, "manoeuvre.height_change_m") => Some(format!(

@@ -135,9 +135,7 @@ impl core::fmt::Display for WithRemedy {
     }
 }
 
-/// Share of the rows above which rows that are left out for their stamps are doubtful: they are no single packets that came late.
-const LATE_SHARE: f64 = 0.01;
-
+#[cfg(feature = "scenes")]
 impl Finding {
     /// `late` of `rows` rows were left out of a path because their stamps are not later than the one before; the first is `at`.
     pub(crate) fn of_late_rows(late: u64, rows: u64, at: At) -> Self {
@@ -183,7 +181,13 @@ impl Finding {
             },
         }
     }
+}
 
+/// Share of the rows above which rows that are left out for their stamps are doubtful: they are no single packets that came late.
+#[cfg(feature = "scenes")]
+const LATE_SHARE: f64 = 0.01;
+
+impl Finding {
     /// What was done about it in the rows of a smoothed path.
     fn repair(&self) -> &'static str {
         match self.kind {

@@ -101,6 +101,7 @@ impl Judge {
     }
 
     /// Adds what was found in the rows that the samples are a smoothed path of.
+    #[cfg(feature = "scenes")]
     pub(crate) fn add_of_rows(&mut self, findings: impl Iterator<Item = Finding>) {
         for (place, finding) in self.of_rows.iter_mut().zip(findings) {
             *place = Some(finding);

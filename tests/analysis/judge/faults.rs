@@ -13,21 +13,21 @@ use crate::support::DEG;
 const RADIUS_M: f64 = 6.37e6;
 
 /// Uniform numbers from -1 to 1.
-struct Draws(u64);
+pub struct Draws(pub u64);
 
 impl Draws {
-    fn uniform(&mut self) -> f64 {
+    pub fn uniform(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(1);
         (mix(self.0.wrapping_mul(0x9e37_79b9_7f4a_7c15)) >> 11) as f64 / 2f64.powi(52) - 1.0
     }
 
     /// Nearly normal, of deviation 1.
-    fn normal(&mut self) -> f64 {
+    pub fn normal(&mut self) -> f64 {
         (0..12).map(|_| self.uniform()).sum::<f64>() / 2.0
     }
 }
 
-fn each(samples: &[FlightSample], mut damage: impl FnMut(usize, &mut FlightSample)) -> Samples {
+pub fn each(samples: &[FlightSample], mut damage: impl FnMut(usize, &mut FlightSample)) -> Samples {
     let mut damaged = samples.to_vec();
     damaged.iter_mut().enumerate().for_each(|(k, sample)| damage(k, sample));
     damaged
