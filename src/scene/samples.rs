@@ -42,6 +42,12 @@ impl Scene {
 
     fn samples_of_log(&self, log: &FlightLog) -> Result<Samples, Error> {
         log.check_read_by(self)?;
+        if let Some(temperature) = &self.temperature
+            && log.samples()[0].temperature_c.is_some()
+        {
+            let rule = Rule::Sentence("must not be set for a log with the temperature of its own");
+            return Err(Error::invalid("flight.temperature_c", temperature.at_start_c, rule));
+        }
         let start_s = log.samples()[0].time_s;
         let wanted_s = self.duration_s.unwrap_or(f64::INFINITY) * (1.0 + ROUNDING);
         if let Some(duration_s) = self.duration_s
@@ -71,5 +77,31 @@ impl Scene {
             return Err(Error::invalid("output.every_s", self.output.every_s.unwrap_or_default(), rule));
         }
         Ok(intervals as u64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_flight_has_one_temperature() {
+        let log = |more: [&str; 3]| {
+            let [name, first, second] = more;
+            let angles = "latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg";
+            let text =
+                format!("time_s,{angles}{name}\n0,48,11,500,0,0,0{first}\n1,48,11,500,0,0,0{second}\n");
+            FlightLog::parse(text.as_bytes()).unwrap()
+        };
+        let scene =
+            |more: &str| Scene::parse(format!("[flight]\nfile = \"a.csv\"\n{more}").as_bytes()).unwrap();
+        let (own, without) = (log([",temperature_c", ",20", ",21"]), log(["", "", ""]));
+        let set = scene("temperature_c = 15\n");
+        assert!(scene("").samples(Some(&own)).is_ok() && set.samples(Some(&without)).is_ok());
+        let error = set.samples(Some(&own)).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "flight.temperature_c = 15: must not be set for a log with the temperature of its own"
+        );
     }
 }
