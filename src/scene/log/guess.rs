@@ -152,11 +152,12 @@ const HEMISPHERES: [(usize, &[&str]); 2] = [
 const AFTER: [&str; 3] = ["indicator", "hemisphere", "ind"];
 
 /// Words before a quantity that do not change it.
-const BEFORE: [&str; 14] = [
+const BEFORE: [&str; 15] = [
     "gps",
     "gnss",
     "ins",
     "nav",
+    "pos",
     "position",
     "positions",
     "velocities",
@@ -314,6 +315,8 @@ mod tests {
             ("PLANE LATITUDE", "latitude", "", 1.0),
             ("vertical_rate", "climb", "", 1.0),
             ("lat_rad", "latitude", "rad", 1.0),
+            ("ref_pos_lat (deg)", "latitude", "deg", 1.0),
+            ("ref_Yaw (deg)", "heading", "deg", 1.0),
             // A unit that is none of the quantity is left out.
             ("heading_ft", "heading", "", 1.0),
         ] {
