@@ -258,11 +258,12 @@ fn columns_read_back_as_they_are_written() {
         ("height = { col = \"A\", add = \"x\" }", "log.height.add: expected a number"),
         (
             "height = { colum = \"A\" }",
-            "log.height: no such part: colum; expected col, value, unit, sign, scale, add; did you mean col?",
+            "log.height: no such part: colum; expected col, value, unit, sign, scale, add, file, part, hemisphere; did you mean col?",
         ),
         ("hieght = \"A\"", "did you mean height?"),
         ("separator = \",\"", "expected comma, semicolon, tab, bar, blanks"),
         ("comment = \"//\"", "log.comment: must be a single mark, as #"),
+        ("only = \"a\"", "log.only: comes with log.only_column"),
         ("rate_hz = 0", "log.rate_hz = 0: must be from 0.001 to 20000"),
     ] {
         let faults =

@@ -260,6 +260,14 @@ fn recorded(truths: &[Truth], draws: &mut Draws, rate_hz: f64, is_upright: bool)
         keys += "skip = 1\n";
         rows.insert(0, vec!["unit".to_owned(); names.len()]);
     }
+    if draws.one_in(4) {
+        keys += "only_column = \"Id\"\nonly = \"a\"\n";
+        names.push("Id");
+        let of_both = |row: Vec<String>| {
+            ["a", "b"].map(|id| row.iter().cloned().chain([id.to_owned()]).collect::<Vec<String>>())
+        };
+        rows = rows.into_iter().flat_map(of_both).collect();
+    }
     let mut text = table(separator, &names, rows.into_iter());
     if is_behind {
         keys += "header = 3\n";
