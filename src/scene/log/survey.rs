@@ -40,7 +40,7 @@ const TRANSPONDER_FT: f64 = 25.0;
 const FEW: usize = 5;
 
 /// Names of columns that tell vehicles apart.
-const VEHICLES: [&str; 14] = [
+const VEHICLES: [&str; 15] = [
     "icao24",
     "icao",
     "hex",
@@ -55,6 +55,7 @@ const VEHICLES: [&str; 14] = [
     "vehicleid",
     "mmsi",
     "deviceid",
+    "id",
 ];
 
 /// The quantities of each form of the velocity, and those of the attitude: all of them or none.
@@ -342,14 +343,16 @@ impl Draft<'_> {
         let mut cells: Vec<&str> = grid.cells(place).collect();
         cells.sort_unstable();
         let vehicles: Vec<&[&str]> = cells.chunk_by(|one, other| one == other).collect();
-        let Some(most) =
-            vehicles.iter().min_by_key(|rows| core::cmp::Reverse(rows.len())).filter(|_| vehicles.len() > 1)
+        let Some(most) = vehicles
+            .iter()
+            .min_by_key(|rows| core::cmp::Reverse(rows.len()))
+            .filter(|most| vehicles.len() > 1 && most.len() > FEW)
         else {
             return;
         };
         let (column, only) = (&grid.names[place], most[0]);
         self.doubt(format!(
-            "{} has {} vehicles: the rows of {} are read, which has most; only = ... takes another",
+            "{} has {} vehicles: the rows of {} are read; only = ... takes another",
             excerpt(column),
             vehicles.len(),
             excerpt(only)
@@ -761,7 +764,7 @@ pub mod tests {
             table += &if k < 8 { row(k, "cd34", 51.0) } else { String::new() };
         }
         let (found, log) = read(&table);
-        assert!(doubts(&found, "icao24 has 2 vehicles: the rows of ab12 are read"), "{found:?}");
+        assert!(doubts(&found, "icao24 has 2 vehicles: the rows of ab12 are read; only"), "{found:?}");
         assert_eq!(log.samples().len(), 10);
         assert!(
             log.notes()
@@ -769,6 +772,10 @@ pub mod tests {
                 .any(|note| note.sentence == "8 rows of others are left out: icao24 is not ab12")
         );
         let (found, log) = read(&table.replace("cd34", "ab12"));
+        assert!(!found.text.contains("only"), "{found:?}");
+        // Numbers of rows tell no vehicles apart.
+        let numbered = (0..10).map(|k| format!("{k},{k},{},11,300\n", 48.0 + f64::from(k) * 1e-3));
+        let (found, _) = read(&("time,id,lat,lon,altitude\n".to_owned() + &numbered.collect::<String>()));
         assert!(!found.text.contains("only"), "{found:?}");
         let mut judge = crate::truth::judge::Judge::new(crate::earth::Earth::default(), 2000.0).unwrap();
         log.judge(&mut judge, log.samples().len()).unwrap();

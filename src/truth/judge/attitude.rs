@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::blocks::{Block, Coarseness, End};
-use super::finding::Clue;
+use super::finding::{Clue, Level};
 use crate::base::math::{atan, atan2, hypot, sin_cos, wrap_angle};
 use crate::base::units::{DEG, STANDARD_GRAVITY as G};
 
@@ -148,13 +148,15 @@ impl Attitudes {
         (best.0.length() / self.count > 0.9).then_some((as_it_is, Clue::Known(best.1.0)))
     }
 
-    /// Angle of the heading off the track [rad], if it is constant and large. Wind makes no constant angle in a flight in all directions.
-    pub fn heading_offset(&self) -> Option<f64> {
+    /// Angle of the heading off the track [rad], if it is constant and large, and what that means: wind makes no constant angle in a flight
+    /// in all directions.
+    pub fn heading_offset(&self) -> Option<(f64, Level)> {
         let sum = &self.headings[0];
         let angle = atan2(sum.sine, sum.cosine);
-        let least = if self.track.length() / self.count < ALL_ROUND { 5.0 } else { 45.0 };
+        let is_all_round = self.track.length() / self.count < ALL_ROUND;
+        let (least, level) = if is_all_round { (5.0, Level::Doubtful) } else { (45.0, Level::Note) };
         let is_off = sum.length() / self.count > 0.9 && angle.abs() > least * DEG;
-        (self.is_enough() && is_off).then_some(angle)
+        (self.is_enough() && is_off).then_some((angle, level))
     }
 
     /// Slope of the roll on the bank that the turns need, if it is wrong, and what explains it.

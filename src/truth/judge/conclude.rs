@@ -282,8 +282,8 @@ impl Judge {
         };
         if let Some((follows, clue)) = attitudes.heading_unit() {
             found.add(Finding { clue, ..finding(Kind::HeadingUnit, Level::Unusable, follows) });
-        } else if let Some(angle) = attitudes.heading_offset() {
-            found.add(finding(Kind::HeadingOffTrack, Level::Note, angle));
+        } else if let Some((angle, level)) = attitudes.heading_offset() {
+            found.add(finding(Kind::HeadingOffTrack, level, angle));
         }
         match attitudes.roll() {
             Some((slope, clue @ Clue::Known(_))) => {

@@ -126,6 +126,9 @@ pub struct Finding {
 
 struct WithRemedy(Finding);
 
+/// Noise of positions that no receiver has [m].
+const TWO_VEHICLES_M: f64 = 500.0;
+
 impl core::fmt::Display for WithRemedy {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self.0.is_of_rows {
@@ -168,7 +171,7 @@ impl Finding {
                 | Kind::PitchSign
                 | Kind::AttackNegative
                 | Kind::HeightUnit
-        );
+        ) || self.is_of_two();
         match is_in_path {
             true => Self { at, ..self },
             false => Self {
@@ -211,8 +214,16 @@ impl Finding {
         WithRemedy(*self)
     }
 
+    /// Whether positions scatter so much that they are hardly those of one vehicle.
+    fn is_of_two(&self) -> bool {
+        self.kind == Kind::NoisyPositions && self.figure > TWO_VEHICLES_M
+    }
+
     /// What to do about it.
     pub fn remedy(&self) -> &'static str {
+        if self.is_of_two() {
+            return "if the rows are those of several vehicles, leave the others out";
+        }
         match self.kind {
             Kind::TimeOrder => "sort the rows, or leave the late ones out",
             Kind::NearStamps => "leave one of each pair out, or smooth the log",

@@ -263,7 +263,8 @@ fn attitudes_of_another_sign_or_unit_are_found() {
     });
     assert_eq!(exchanged, ["aerobatics"]);
     // Those that fly in all directions.
-    let magnetic = of_each(Kind::HeadingOffTrack, Level::Note, &|sample| sample.euler.heading -= 9.0 * DEG);
+    let magnetic =
+        of_each(Kind::HeadingOffTrack, Level::Doubtful, &|sample| sample.euler.heading -= 9.0 * DEG);
     assert_eq!(magnetic, ["commuter", "airliner_cruise"]);
     // Those that are nearly level.
     let pitch = of_each(Kind::PitchSign, Level::Unusable, &|sample| sample.euler.pitch *= -1.0);
