@@ -147,6 +147,20 @@ fn what_the_rows_had_is_said_of_their_path() {
         let (code, said, errors) = run(&folder, command);
         assert!(code == 0 && (said + &errors).contains(late), "{errors}");
     }
+    // Another vehicle between the rows, 15 km off.
+    std::fs::write(folder.join("track.toml"), "[log]\nattitude = \"coordinated\"\n").unwrap();
+    let other = |row: &[f64; 9]| {
+        let mut other = *row;
+        (other[0], other[1], other[2]) = (row[0] + 0.04, row[1] + 0.1, row[2] + 0.1);
+        [*row, other]
+    };
+    write(&folder.join("two.csv"), &rows.iter().flat_map(other).collect::<Vec<_>>(), false);
+    let (code, _, errors) =
+        run(&folder, &[&["fly", "-q", "two.csv", "--columns", "track.toml"][..]].concat());
+    assert!(
+        code == 2 && errors.contains("unusable: positions have ") && errors.contains("several vehicles"),
+        "{errors}"
+    );
     // One packet that came late.
     let mut late = rows.clone();
     late.swap(700, 701);

@@ -8,6 +8,7 @@ use crate::base::units::DEG;
 use crate::earth::{Earth, Geodetic};
 use crate::scene::{Fault, Scene};
 use crate::truth::FlightSample;
+use crate::truth::judge::Finding;
 use crate::truth::smooth::{SmoothOptions, Smoothed, SmoothedPart};
 
 /// Most samples of a smoothed log.
@@ -85,6 +86,7 @@ impl FlightLog {
             let row = ((after_s * rate_hz) as u64).min(count as u64 - 1);
             (finding.of_rows(row), line)
         }));
+        of_rows.extend(Finding::of_scatter(smoothed.position().noise).map(|finding| (finding, 0)));
         Ok(Self {
             title: self.title.clone(),
             samples,

@@ -156,6 +156,22 @@ impl Finding {
         }
     }
 
+    /// The rows of a path have a noise of `noise_m` [m] about it, if that is more than one vehicle makes.
+    pub(crate) fn of_scatter(noise_m: f64) -> Option<Self> {
+        let found = Self {
+            kind: Kind::NoisyPositions,
+            level: Level::Unusable,
+            at: At::default(),
+            count: 0,
+            figure: noise_m,
+            acceleration_m_s2: 0.0,
+            ins_error_m: 0.0,
+            clue: Clue::None,
+            is_of_rows: false,
+        };
+        Some(found).filter(Self::is_of_two)
+    }
+
     /// It, found in the rows that a path was fitted to, at the sample `row` of the path: what the path does not have is a note.
     pub(crate) fn of_rows(self, row: u64) -> Self {
         let at = At { row, ..self.at };
