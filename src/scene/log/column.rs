@@ -52,8 +52,17 @@ pub struct LogColumn {
 }
 
 impl Default for LogColumn {
+    /// That of the quantity's own name.
     fn default() -> Self {
-        Self::OWN_NAME
+        Self {
+            from: ColumnFrom::OwnName,
+            unit: "",
+            scale: 1.0,
+            add: 0.0,
+            file: String::new(),
+            part: 0,
+            hemisphere: ColumnFrom::OwnName,
+        }
     }
 }
 
@@ -62,17 +71,6 @@ pub(in crate::scene) const TAKES: &str =
     "\"NAME\" of a column, { col = \"NAME\", unit = \"ft\" }, or a number";
 
 impl LogColumn {
-    /// That of the quantity's own name.
-    pub(super) const OWN_NAME: Self = Self {
-        from: ColumnFrom::OwnName,
-        unit: "",
-        scale: 1.0,
-        add: 0.0,
-        file: String::new(),
-        part: 0,
-        hemisphere: ColumnFrom::OwnName,
-    };
-
     /// The column that a value of a text describes; on an error what is wrong.
     pub(in crate::scene) fn of(value: &Value, quantity: usize) -> Result<Self, String> {
         let Quantity { key, dimension, .. } = QUANTITIES[quantity];

@@ -81,8 +81,8 @@ impl Separator {
 /// How the table of a log is read, and what is repaired.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogMapping {
-    /// Each quantity.
-    pub columns: [LogColumn; QUANTITIES.len()],
+    /// Each quantity. They are not part of the struct, which would take 5 KB of a stack.
+    pub columns: Box<[LogColumn]>,
     /// How times are written.
     pub time_format: TimeFormat,
     /// Rate of the rows if times are not written [Hz].
@@ -161,7 +161,7 @@ impl LogMapping {
 impl Default for LogMapping {
     fn default() -> Self {
         Self {
-            columns: [LogColumn::OWN_NAME; QUANTITIES.len()],
+            columns: vec![LogColumn::default(); QUANTITIES.len()].into(),
             time_format: TimeFormat::Number,
             rate_hz: None,
             is_track_magnetic: false,
