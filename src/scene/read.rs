@@ -67,7 +67,7 @@ impl Scene {
         let mut reader = Reader {
             faults,
             draft: Draft::of_nothing(),
-            sections: Section::ALL.map(|section| Item::empty(section.into(), 0..0)),
+            sections: Section::ALL.iter().map(|section| Item::empty((*section).into(), 0..0)).collect(),
             manoeuvres: Vec::new(),
             items: Vec::new(),
             place: [0; 2],

@@ -66,7 +66,8 @@ pub(super) struct Reader<'t> {
     pub faults: Faults<'t>,
     /// On the heap: a scene can have the flight of another one, which is read within its own reading.
     pub draft: Box<Draft>,
-    pub sections: [Item; Section::ALL.len()],
+    /// Those in single brackets and the heads of lists, on the heap for the same reason.
+    pub sections: Vec<Item>,
     pub manoeuvres: Vec<Manoeuvre>,
     /// Where each manoeuvre stands.
     pub items: Vec<Item>,
