@@ -106,9 +106,11 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         let paths = [files.paths(), vec![summary_file.path().to_owned()]].concat();
         let paths: Vec<PathBuf> = paths.into_iter().chain(of_rows).collect();
         let last = given.sample((flown.steps as usize).min(given.count - 1))?;
-        rows_file.map_or(Ok(()), |file| rows::write(file, rows, last.time_s))?;
         // A disk that is full is told behind the figures.
-        let finished = finish(&figures, files, summary_file);
+        let finished = Failure::each([
+            rows_file.map_or(Ok(()), |file| rows::write(file, rows, last.time_s)),
+            finish(&figures, files, summary_file),
+        ]);
         let next = written::report(&paths);
         let text = || text(&figures, &file(".csv")) + &written::text(&paths, next.as_deref());
         finished.and(if quiet { Ok(()) } else { print(&text()) })

@@ -29,6 +29,7 @@ pub fn write(mut file: OutputFile, rows: &[RowOfPath], end_s: f64) -> Result<(),
         records::line(values)
     });
     let text: String = head.chain(lines).map(|line| line + "\n").collect();
-    file.write_all(text.as_bytes()).map_err(|error| Failure::of_output(file.path(), &error))?;
+    // The file remembers the first error, and keeps the lines before it.
+    let _ = file.write_all(text.as_bytes());
     file.commit_lines()
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::support::{done, folder, names, numbers, read, result, sins};
+use crate::support::{done, folder, names, numbers, project_file, read, result, sins};
 
 /// Waits until a temporary file exists.
 fn wait_for_part(out: &Path) {
@@ -145,6 +145,25 @@ fn whole_rows(path: &Path) -> usize {
     let (columns, rows) = numbers(path);
     assert!(rows.iter().all(|row| row.len() == columns.len()) && read(path).ends_with('\n'));
     rows.len()
+}
+
+/// The rows of a smoothed log take no other file with them.
+#[test]
+fn a_full_disk_keeps_the_records_beside_the_rows_of_a_log() {
+    let folder = folder("full_rows");
+    let scene = project_file("c_examples/scenes/cockpit.toml");
+    let program = env!("CARGO_BIN_EXE_sins");
+    let script = format!(
+        "trap '' XFSZ; ulimit -f 128; exec '{program}' fly '{}' --name c --set output.every_s=100",
+        scene.display()
+    );
+    let (code, _, errors) =
+        result(&Command::new("sh").args(["-c", &script]).current_dir(&folder).output().unwrap());
+    assert!(code == 1 && errors.contains("c_rows.csv: cannot be written"), "{errors}");
+    assert!(whole_rows(&folder.join("sins_out/c_rows.csv")) > 100);
+    // A record each 100 s of 398 s, with the first and the last.
+    assert_eq!(whole_rows(&folder.join("sins_out/c.csv")), 5);
+    assert!(folder.join("sins_out/c_summary.csv").exists());
 }
 
 /// A limit on the size of files acts like a full disk. What was flown until then is kept, in whole rows.

@@ -294,7 +294,7 @@ fn a_gpx_track_is_read() {
         &[
             "flight.gpx: 241 rows",
             "left out: 2 without time, 1 without ele",
-            "note: 1 time stamp: not later than the one before, first at 86379 s: these rows are left out\n",
+            "note: 1 time stamp: not later than the one before, first at 86379 s (these rows are left out)\n",
         ],
     );
     assert_eq!(smoothed(&folder, "flight.gpx", &[]).1[0][0], 86_280.0);

@@ -33,7 +33,7 @@ fn columns_are_found_and_fly() {
     for words in [
         "the columns are of the format Garmin G1000\n",
         "not sure: heading and track",
-        ": note: the first 8 rows hold a value from before the first fix: these rows are left out",
+        ": note: the first 8 rows hold a value from before the first fix (these rows are left out)",
     ] {
         assert!(said.contains(words), "{words}: {said}");
     }
@@ -123,10 +123,13 @@ fn what_the_rows_had_is_said_of_their_path() {
     let flown = |file: &str| run(&folder, &[&["fly", "-q", "--strict", file][..], &smooth].concat());
     faulty(&folder);
     for (log, words) in [
-        ("knots.csv", "note: velocity is 1.94 times the displacement: knots?: it is not flown"),
+        (
+            "knots.csv",
+            "note: velocity is 1.94 times the displacement: knots? (the velocity of the path is flown instead)",
+        ),
         (
             "zeros.csv",
-            "zeros.csv:2: note: the first 5 rows hold a value from before the first fix: these rows are left out",
+            "zeros.csv:2: note: the first 5 rows hold a value from before the first fix (these rows are left out)",
         ),
         ("held.csv", "note: 90 % of the moving rows repeat the position of the row before"),
     ] {
@@ -136,7 +139,7 @@ fn what_the_rows_had_is_said_of_their_path() {
     // A second flight, or another vehicle, behind the first.
     let rows = circle(10, 150);
     write(&folder.join("twice.csv"), &[&rows[..], &rows[..400]].concat(), true);
-    let late = "twice.csv:1503: doubtful: 400 time stamps: not later than the one before, first at 0 s: these rows are left out";
+    let late = "twice.csv:1503: doubtful: 400 time stamps: not later than the one before, first at 0 s (these rows are left out; are they those of another vehicle";
     let (code, _, errors) = flown("twice.csv");
     assert!(code == 2 && errors.contains(late) && errors.contains("refused (--strict)"), "{errors}");
     std::fs::write(folder.join("smooth.toml"), "[log]\nsmooth = \"auto\"\n").unwrap();

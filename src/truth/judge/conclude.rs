@@ -1,7 +1,7 @@
 //! The findings that follow from the statistics.
 
 use super::blocks::Level as BlockLevel;
-use super::finding::{At, Clue, Finding, Kind, Level};
+use super::finding::{Clue, Finding, Kind, Level};
 use super::velocity::Wrong;
 use super::{Judge, MAX_FINDINGS};
 
@@ -31,21 +31,6 @@ impl Findings {
             *place = Some(finding);
             self.count += 1;
         }
-    }
-}
-
-/// A finding without further figures.
-fn finding(kind: Kind, level: Level, figure: f64) -> Finding {
-    Finding {
-        kind,
-        level,
-        at: At::default(),
-        count: 0,
-        figure,
-        acceleration_m_s2: 0.0,
-        ins_error_m: 0.0,
-        clue: Clue::None,
-        is_of_rows: false,
     }
 }
 
@@ -100,16 +85,16 @@ impl Judge {
     fn find_in_stamps(&self, found: &mut Findings) {
         let usual_s = self.stamps.usual_s();
         if self.late > 0 {
-            let own = finding(Kind::TimeOrder, Level::Unusable, self.late as f64);
+            let own = Finding::new(Kind::TimeOrder, Level::Unusable, self.late as f64);
             found.add(Finding { at: self.first_late, count: self.late, ..own });
         }
         if let Some((shortest_s, at)) = self.stamps.shortest {
             let level = if self.has_velocity() { Level::Doubtful } else { Level::Unusable };
-            let own = finding(Kind::NearStamps, level, shortest_s);
+            let own = Finding::new(Kind::NearStamps, level, shortest_s);
             found.add(Finding { at, count: self.stamps.near, ..own });
         }
         if self.stamps.gaps > 0 {
-            let own = finding(Kind::Gaps, Level::Note, self.stamps.longest.value);
+            let own = Finding::new(Kind::Gaps, Level::Note, self.stamps.longest.value);
             found.add(Finding { at: self.stamps.longest.at, count: self.stamps.gaps, ..own });
         }
         let step_m = self.resolution.horizontal_m();
@@ -117,13 +102,13 @@ impl Judge {
             let speed = self.positions.speed_m_s();
             let acceleration = 6f64.sqrt() * speed * jitter_s / (usual_s * usual_s);
             let level = self.of_positions(acceleration).unwrap_or(Level::Note);
-            let own = finding(Kind::StampJitter, level, jitter_s);
+            let own = Finding::new(Kind::StampJitter, level, jitter_s);
             found.add(Finding { acceleration_m_s2: self.flown(acceleration), ..own });
         }
         let duration_s = self.last.map_or(0.0, |last| last.time_s) - self.first_s;
         let (extent_m, mean) = (self.positions.extent_m(), self.positions.extent_m() / duration_s);
         if extent_m > 100.0 && mean < 0.3 && usual_s >= 5.0 {
-            found.add(finding(Kind::TimeUnit, Level::Unusable, mean));
+            found.add(Finding::new(Kind::TimeUnit, Level::Unusable, mean));
         }
     }
 
@@ -153,24 +138,24 @@ impl Judge {
             self.find_held(found) || self.stamps.jitter_s(self.resolution.horizontal_m()).is_some();
         let clue = if self.resolution.is_float32 { Clue::Float32 } else { Clue::None };
         if let Some(level) = self.of_positions(per_metre * coarse.0).filter(|_| !is_explained) {
-            let own = finding(Kind::CoarsePositions, level, coarse.1);
+            let own = Finding::new(Kind::CoarsePositions, level, coarse.1);
             found.add(Finding { acceleration_m_s2: self.flown(per_metre * coarse.0), clue, ..own });
         }
         if let Some(level) = self.of_positions(per_metre * noisy).filter(|_| !is_explained) {
-            let own = finding(Kind::NoisyPositions, level, noisy);
+            let own = Finding::new(Kind::NoisyPositions, level, noisy);
             found.add(Finding { acceleration_m_s2: self.flown(per_metre * noisy), ..own });
         }
         let step_m = self.resolution.horizontal_m() + steps_m[2];
         let spikes = self.positions.spikes(usual_s, step_m);
         let unfixed = self.positions.unfixed();
         if unfixed > 0 {
-            let own = finding(Kind::NotYetFixed, Level::Unusable, unfixed as f64);
+            let own = Finding::new(Kind::NotYetFixed, Level::Unusable, unfixed as f64);
             found.add(Finding { count: unfixed, ..own });
         } else if spikes > 0 {
             let farthest = self.positions.farthest;
             let acceleration = 2.0 * farthest.value / (usual_s * usual_s);
             let level = self.of_positions(acceleration).unwrap_or(Level::Note);
-            let own = finding(Kind::Spike, level, farthest.value);
+            let own = Finding::new(Kind::Spike, level, farthest.value);
             let acceleration_m_s2 = self.flown(acceleration);
             found.add(Finding { at: farthest.at, count: spikes, acceleration_m_s2, ..own });
         }
@@ -200,7 +185,7 @@ impl Judge {
             let level = if largest.value > JOLT_M_S2 { Level::Doubtful } else { Level::Note };
             (level, largest, Clue::None)
         };
-        let own = finding(Kind::Acceleration, level, largest.value);
+        let own = Finding::new(Kind::Acceleration, level, largest.value);
         found.add(Finding { at: largest.at, count: 1, clue, ..own });
     }
 
@@ -215,7 +200,7 @@ impl Judge {
         // A held row is a step of the distance of a row or more, and back.
         let acceleration = 2.0 * self.positions.speed_m_s() / usual_s;
         let level = self.of_positions(acceleration).unwrap_or(Level::Note);
-        let own = finding(Kind::HeldRows, level, share);
+        let own = Finding::new(Kind::HeldRows, level, share);
         let at = self.positions.first_held.unwrap_or_default();
         let acceleration_m_s2 = self.flown(acceleration);
         found.add(Finding { at, count: held, acceleration_m_s2, ..own });
@@ -236,7 +221,7 @@ impl Judge {
         let sigma = (0..3).map(|axis| self.velocity_noise.sigma(axis)).fold(0.0, f64::max);
         let acceleration_m_s2 = 2f64.sqrt() * sigma / usual_s;
         if let Some(level) = level_of(acceleration_m_s2) {
-            found.add(Finding { acceleration_m_s2, ..finding(Kind::NoisyVelocities, level, sigma) });
+            found.add(Finding { acceleration_m_s2, ..Finding::new(Kind::NoisyVelocities, level, sigma) });
         }
         let ins_error_m = self.effect.largest_m;
         let enough = |level: &BlockLevel| level.velocities.is_enough();
@@ -248,21 +233,21 @@ impl Judge {
         match (wrong, vertical) {
             // The signed exchanges include the vertical, if it is a large part of the motion.
             (Some(Wrong { ratio, clue, .. }), _) if clue != Clue::None => {
-                let own = finding(Kind::VelocityUnit, Level::Unusable, ratio);
+                let own = Finding::new(Kind::VelocityUnit, Level::Unusable, ratio);
                 found.add(Finding { ins_error_m, clue, ..own });
             }
             (_, Some((slope, clue))) => {
                 let level = if clue == Clue::None { Level::Doubtful } else { Level::Unusable };
-                found.add(Finding { clue, ..finding(Kind::VerticalUnit, level, slope) });
+                found.add(Finding { clue, ..Finding::new(Kind::VerticalUnit, level, slope) });
             }
             (Some(Wrong { share, .. }), None) => {
                 let level = if share > CONTRADICTION { Level::Unusable } else { Level::Doubtful };
-                let own = finding(Kind::VelocityContradicts, level, share);
+                let own = Finding::new(Kind::VelocityContradicts, level, share);
                 found.add(Finding { ins_error_m, ..own });
             }
             (None, None) => {
                 if let Some((apart_m, at, count)) = outlier {
-                    let own = finding(Kind::VelocityAtTimes, Level::Doubtful, apart_m);
+                    let own = Finding::new(Kind::VelocityAtTimes, Level::Doubtful, apart_m);
                     found.add(Finding { at, count, ins_error_m, ..own });
                 }
             }
@@ -272,7 +257,7 @@ impl Judge {
     fn find_in_attitudes(&self, found: &mut Findings) {
         for (wrap, name) in self.wraps.iter().zip(["heading", "roll"]) {
             if wrap.count > 0 {
-                let own = finding(Kind::AngleThroughWrap, Level::Doubtful, wrap.fastest.value);
+                let own = Finding::new(Kind::AngleThroughWrap, Level::Doubtful, wrap.fastest.value);
                 found.add(Finding { at: wrap.fastest.at, count: wrap.count, clue: Clue::Known(name), ..own });
             }
         }
@@ -281,23 +266,23 @@ impl Judge {
             return;
         };
         if let Some((follows, clue)) = attitudes.heading_unit() {
-            found.add(Finding { clue, ..finding(Kind::HeadingUnit, Level::Unusable, follows) });
+            found.add(Finding { clue, ..Finding::new(Kind::HeadingUnit, Level::Unusable, follows) });
         } else if let Some((angle, level)) = attitudes.heading_offset() {
-            found.add(finding(Kind::HeadingOffTrack, level, angle));
+            found.add(Finding::new(Kind::HeadingOffTrack, level, angle));
         }
         match attitudes.roll() {
             Some((slope, clue @ Clue::Known(_))) => {
-                found.add(Finding { clue, ..finding(Kind::RollSign, Level::Unusable, slope) });
+                found.add(Finding { clue, ..Finding::new(Kind::RollSign, Level::Unusable, slope) });
             }
-            Some((slope, _)) => found.add(finding(Kind::RollUnexplained, Level::Note, slope)),
+            Some((slope, _)) => found.add(Finding::new(Kind::RollUnexplained, Level::Note, slope)),
             None => {}
         }
         match attitudes.pitch() {
-            Some((slope, true)) => found.add(finding(Kind::HeightUnit, Level::Doubtful, slope)),
-            Some((slope, false)) => found.add(finding(Kind::PitchSign, Level::Unusable, slope)),
+            Some((slope, true)) => found.add(Finding::new(Kind::HeightUnit, Level::Doubtful, slope)),
+            Some((slope, false)) => found.add(Finding::new(Kind::PitchSign, Level::Unusable, slope)),
             None => {
                 if let Some(angle) = attitudes.negative_attack() {
-                    found.add(finding(Kind::AttackNegative, Level::Note, angle));
+                    found.add(Finding::new(Kind::AttackNegative, Level::Note, angle));
                 }
             }
         }

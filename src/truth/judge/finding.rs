@@ -132,7 +132,7 @@ const TWO_VEHICLES_M: f64 = 500.0;
 impl core::fmt::Display for WithRemedy {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self.0.is_of_rows {
-            true => write!(f, "{}: {}", self.0, self.0.repair()),
+            true => write!(f, "{} ({})", self.0, self.0.repair()),
             false => write!(f, "{}. Remedy: {}", self.0, self.0.remedy()),
         }
     }
@@ -143,32 +143,13 @@ impl Finding {
     /// `late` of `rows` rows were left out of a path because their stamps are not later than the one before; the first is `at`.
     pub(crate) fn of_late_rows(late: u64, rows: u64, at: At) -> Self {
         let is_doubtful = late as f64 > LATE_SHARE * rows as f64;
-        Self {
-            kind: Kind::TimeOrder,
-            level: if is_doubtful { Level::Doubtful } else { Level::Note },
-            at,
-            count: late,
-            figure: late as f64,
-            acceleration_m_s2: 0.0,
-            ins_error_m: 0.0,
-            clue: Clue::None,
-            is_of_rows: true,
-        }
+        let level = if is_doubtful { Level::Doubtful } else { Level::Note };
+        Self { at, count: late, is_of_rows: true, ..Self::new(Kind::TimeOrder, level, late as f64) }
     }
 
     /// The rows of a path have a noise of `noise_m` [m] about it, if that is more than one vehicle makes.
     pub(crate) fn of_scatter(noise_m: f64) -> Option<Self> {
-        let found = Self {
-            kind: Kind::NoisyPositions,
-            level: Level::Unusable,
-            at: At::default(),
-            count: 0,
-            figure: noise_m,
-            acceleration_m_s2: 0.0,
-            ins_error_m: 0.0,
-            clue: Clue::None,
-            is_of_rows: false,
-        };
+        let found = Self::new(Kind::NoisyPositions, Level::Unusable, noise_m);
         Some(found).filter(Self::is_of_two)
     }
 
@@ -207,6 +188,21 @@ impl Finding {
 const LATE_SHARE: f64 = 0.01;
 
 impl Finding {
+    /// One of the whole flight, without further figures.
+    pub(super) fn new(kind: Kind, level: Level, figure: f64) -> Self {
+        Self {
+            kind,
+            level,
+            at: At::default(),
+            count: 0,
+            figure,
+            acceleration_m_s2: 0.0,
+            ins_error_m: 0.0,
+            clue: Clue::None,
+            is_of_rows: false,
+        }
+    }
+
     /// What was done about it in the rows of a smoothed path.
     fn repair(&self) -> &'static str {
         match self.kind {
@@ -216,11 +212,11 @@ impl Finding {
             Kind::TimeOrder | Kind::NearStamps | Kind::HeldRows | Kind::NotYetFixed => {
                 "these rows are left out"
             }
-            Kind::Gaps => "the path bridges it",
+            Kind::Gaps => "the path bridges them",
             Kind::NoisyVelocities
             | Kind::VelocityUnit
             | Kind::VelocityContradicts
-            | Kind::VelocityAtTimes => "it is not flown, the velocity of the path is",
+            | Kind::VelocityAtTimes => "the velocity of the path is flown instead",
             _ => "smoothed",
         }
     }

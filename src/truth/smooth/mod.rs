@@ -205,7 +205,7 @@ fn quaternions(samples: &[FlightSample]) -> Result<Vec<[f64; 4]>, Error> {
             let cosine: f64 = last.iter().zip(&numbers).map(|(a, b)| a * b).sum();
             if cosine.abs() < FRAC_1_SQRT_2 {
                 let rule = Rule::Sentence(
-                    "time of a row that turns by more than 90 degrees: the rows are too rare for this attitude",
+                    "time of a row that turns by more than 90 degrees: the rows are too rare for this attitude, or rows before it were left out",
                 );
                 return Err(Error::of(ErrorKind::Discontinuity, "sample.time_s", sample.time_s, rule));
             }

@@ -15,7 +15,6 @@ const FOOT_M: f64 = 0.3048;
 /// The rows of a file, and what was assumed.
 pub fn table(file: &[u8]) -> Result<(Rows, String), Fault> {
     let text = String::from_utf8_lossy(file);
-    let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n").replace('\r', "\n");
     // The first line says how lines end.
     let mut lines = text.lines().map(str::trim).zip(1..).skip(1).filter(|(line, _)| !line.is_empty());
     let (version, line) = lines.next().unwrap_or(("", 2));

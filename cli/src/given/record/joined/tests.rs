@@ -82,7 +82,7 @@ fn velocities_and_heights_are_interpolated_linearly() {
     let (log, note) = joined(&files, &format!("{}{keys}", KEYS.replace("height = \"Alt\"\n", ""))).unwrap();
     assert!(
         note.contains(
-            "XKF.csv:3: 2 time stamps: not later than the one before, first at 0 s: these rows are left out"
+            "XKF.csv:3: 2 time stamps: not later than the one before, first at 0 s (these rows are left out"
         ),
         "{note}"
     );
