@@ -376,6 +376,12 @@ impl Draft<'_> {
                 continue;
             }
             self.keys.retain(|(key, _)| !found.contains(key));
+            // What is not read has no unit.
+            for key in &found {
+                let Some(place) = self.place(key) else { continue };
+                let taken = format!("{} is taken as ", excerpt(&self.grid.names[place]));
+                self.doubts.retain(|doubt| !doubt.starts_with(&taken));
+            }
             let why = if is_second {
                 "east, north and up are the velocity".to_owned()
             } else {

@@ -224,6 +224,7 @@ fn what_is_not_whole_is_left_out() {
         (log.samples()[0].place.latitude_rad.to_degrees() - 48.5).abs() < 1e-9
             && (log.duration_s() - 1.0).abs() < 1e-9
     );
+    assert!(!doubts(&found, "speed is taken as") && doubts(&found, "alt is taken as m"), "{found:?}");
     for words in [
         "left out: speed; there is no track, climb",
         "left out: heading; there is no roll, pitch",
