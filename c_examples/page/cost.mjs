@@ -77,42 +77,47 @@ export class Cost {
         return measured;
     }
 
-    async measure_chosen() {
-        const turn = ++this.turn, { chosen } = this;
+    /** Measures by act(due), unless the flight is a log. due(): nothing newer was asked for, and the scene is the same; without it nothing is said. */
+    async measuring(act) {
+        const turn = ++this.turn, written = this.of_scene(), newest = () => turn === this.turn, due = () => newest() && written === this.scene.text;
         if (this.scene.is_log) return void (this.said.value = text("cost_log"));
+        this.said.value = text("computing");
         try {
-            this.said.value = text("computing");
-            const measured = await this.measure(chosen);
-            if (this.sensors_m === null) await this.measure(null);
-            if (turn !== this.turn || !measured) return;
-            this.draw();
-            this.said.value = text("cost_measured", this.name(chosen), shown(measured.error_m, 2), shown(measured.flown_s, 4), shown(measured.us_per_s, 2), shown(this.sensors_m, 2));
-            for (const rate_hz of RATES_HZ.filter((rate) => rate !== chosen.rate_hz)) {
-                if (turn !== this.turn) return;
-                await this.measure({ ...chosen, rate_hz }); // the curve on which the choice is a point
-                this.draw();
-            }
+            await act(due);
         } catch (fault) {
-            this.said.value = this.scene.told(fault);
+            if (due()) this.said.value = this.scene.told(fault);
         }
+        if (newest() && !due() && this.said.value.startsWith(text("computing"))) this.said.value = "";
         this.draw();
     }
 
+    measure_chosen() {
+        return this.measuring(async (due) => {
+            const { chosen } = this, measured = await this.measure(chosen);
+            if (due() && this.sensors_m === null) await this.measure(null);
+            if (!due()) return;
+            this.draw();
+            this.said.value = text("cost_measured", this.name(chosen), shown(measured.error_m, 2), shown(measured.flown_s, 4), shown(measured.us_per_s, 2), shown(this.sensors_m, 2));
+            for (const rate_hz of RATES_HZ.filter((rate) => rate !== chosen.rate_hz)) {
+                await this.measure({ ...chosen, rate_hz }); // the curve on which the choice is a point
+                if (!due()) return;
+                this.draw();
+            }
+        });
+    }
+
     /** Measures every choice, and draws each at once. */
-    async measure_all() {
-        if (this.scene.is_log) return void (this.said.value = text("cost_log"));
-        const turn = ++this.turn, all = RATES_HZ.flatMap((rate_hz) => this.schemes.flatMap((scheme) => SUBSAMPLES.map((subsamples) => ({ scheme, subsamples, rate_hz }))));
-        try {
+    measure_all() {
+        const all = RATES_HZ.flatMap((rate_hz) => this.schemes.flatMap((scheme) => SUBSAMPLES.map((subsamples) => ({ scheme, subsamples, rate_hz }))));
+        return this.measuring(async (due) => {
             for (const [k, options] of all.entries()) {
-                if (turn !== this.turn) return;
                 this.said.value = `${text("computing")} ${k + 1}/${all.length}`;
                 await this.measure(options);
+                if (!due()) return;
                 this.draw();
             }
             this.measure_chosen();
-        } catch (fault) {
-            this.said.value = this.scene.told(fault);
-        }
+        });
     }
 
     /** The chosen algorithm becomes that of the scene. */

@@ -406,7 +406,7 @@ test("a scene is dropped; its log is asked for by its name", async (context) => 
 
 test("the panel of the unit: what is done in flight is in the scene, which flies the same again", async (context) => {
     const page = await opened(context), panel = (act) => page.click(`.panel [data-act="${act}"]`), shows = (pattern) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector(".unit_state").value), pattern.source, { timeout: 60000 });
-    await write(page, '[flight]\nlatitude_deg = 40\nlongitude_deg = 116\nrate_hz = 20\n[[manoeuvre]]\nkind = "rest"\nduration_s = 900\n[gyro]\npreset = "navigation"\n[accelerometer]\npreset = "navigation"\n[unit]\nstart = "off"\n');
+    await write(page, '[flight]\nlatitude_deg = 40\nlongitude_deg = 116\nrate_hz = 20\n[[manoeuvre]]\nkind = "rest"\nduration_s = 7200\n[gyro]\npreset = "navigation"\n[accelerometer]\npreset = "navigation"\n[unit]\nstart = "off"\n');
     await page.selectOption("#pace", "100");
     await press(page, "start");
     await until(page, /^Flying/);
@@ -423,6 +423,7 @@ test("the panel of the unit: what is done in flight is in the scene, which flies
     await shows(/^Ready/);
     await panel("nav");
     await shows(/^Navigation/);
+    await page.selectOption("#pace", "0");
     await until(page, /^Finished: /);
     const scene = await same_as_program(page, "panel");
     assert.deepEqual([...scene.matchAll(/^kind = "(align|position|nav)"/gm)].map(([, kind]) => kind), ["align", "position", "nav"]);
