@@ -193,7 +193,7 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
 /* Judges of samples. */
 
 /** Most findings of a flight. */
-#define SINS_FINDINGS_MAX 24
+#define SINS_FINDINGS_MAX 26
 
 /** What was found, and what the figure of the finding is. */
 typedef enum sins_finding_kind {
@@ -244,7 +244,11 @@ typedef enum sins_finding_kind {
     /** A nose that points below the path; figure: mean of pitch less angle of the path [rad]. */
     SINS_FINDING_ATTACK_NEGATIVE = 22,
     /** Height in feet; figure: slope of pitch on the angle of the path [1]. */
-    SINS_FINDING_HEIGHT_UNIT = 23
+    SINS_FINDING_HEIGHT_UNIT = 23,
+    /** Attitude that stays the same to the last bit while the track turns; figure: the largest turn of the track in such a stretch [rad]. */
+    SINS_FINDING_ATTITUDE_HELD = 24,
+    /** Attitude that follows the turns late; figure: the delay, negative if it is early [s]. */
+    SINS_FINDING_ATTITUDE_LATE = 25
 } sins_finding_kind;
 
 /** What a finding means for a flight of these samples. */

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::blocks::{Block, Coarseness, End};
-use super::finding::{Clue, Level};
+use super::finding::{At, Clue, Level};
 use crate::base::math::{atan, atan2, hypot, sin_cos, wrap_angle};
 use crate::base::units::{DEG, STANDARD_GRAVITY as G};
 
@@ -12,6 +12,15 @@ const LEAST: f64 = 9.0;
 
 /// Length of the mean direction of the track below which a flight goes in all directions.
 const ALL_ROUND: f64 = 0.3;
+
+/// Turn of the track above which an attitude that stays the same is not that of the vehicle.
+const TURN_WHILE_HELD: f64 = 10.0 * DEG;
+
+/// Blocks that a delay of the roll needs, delay that matters [s], and correlation that shows it: half of the difference is explained. Good
+/// flights have delays of 0.13 s at most.
+const LEAST_OF_DELAY: f64 = 20.0;
+const DELAY_S: f64 = 0.5;
+const SHOWS_DELAY: f64 = 0.7;
 
 /// What a heading may be instead: sign and factor.
 const HEADINGS: [(&str, f64); 4] = [
@@ -74,6 +83,28 @@ impl Regression {
     }
 }
 
+/// A stretch in which the attitude stays the same, to the last bit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Held {
+    /// Its first row.
+    pub begin: At,
+    /// Its length [s].
+    pub length_s: f64,
+    /// What the track turns in it [rad].
+    pub turn: f64,
+}
+
+impl Held {
+    const NONE: Self = Self { begin: At { row: 0, time_s: 0.0 }, length_s: 0.0, turn: 0.0 };
+}
+
+/// Bank that the turn needs, and roll, between two blocks.
+#[derive(Debug, Clone, Copy)]
+struct Banked {
+    bank: f64,
+    roll: f64,
+}
+
 #[derive(Debug, Clone)]
 pub(super) struct Attitudes {
     count: f64,
@@ -82,6 +113,14 @@ pub(super) struct Attitudes {
     /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank², Σ pitch bank.
     turns: [f64; 5],
     climb: Regression,
+    /// The stretch of held attitude now, that of the largest turn, and how many turn.
+    held: Held,
+    longest_held: Held,
+    held_count: u64,
+    /// The two ends of blocks before, if they follow each other.
+    banked: [Option<Banked>; 2],
+    /// Roll less bank, on the rate of the bank: the slope is how late the roll is. A heading shows no delay: wind turns it in every turn.
+    delay: Regression,
 }
 
 impl Attitudes {
@@ -92,6 +131,11 @@ impl Attitudes {
             headings: [Direction::NONE; 4],
             turns: [0.0; 5],
             climb: Regression::NONE,
+            held: Held::NONE,
+            longest_held: Held::NONE,
+            held_count: 0,
+            banked: [None; 2],
+            delay: Regression::NONE,
         }
     }
 
@@ -107,6 +151,7 @@ impl Attitudes {
         let speed = hypot(v.x, v.y);
         let least = (40.0 * coarse.horizontal_m / length_s).max(5.0);
         if [first, second].iter().any(|d| hypot(d.x, d.y) < 0.5 * least * length_s) {
+            self.banked = [None; 2];
             return;
         }
         self.count += 1.0;
@@ -126,10 +171,53 @@ impl Attitudes {
                 *sum += term;
             }
         }
+        self.add_held(blocks, turn);
+        self.add_banked(Banked { bank, roll }, 0.5 * length_s);
         let path = atan2(v.z, speed);
         if speed > 15.0 && roll.abs() < 1.0 && path.abs() < 1.2 && coarse.up_m < 0.02 * speed * length_s {
             self.climb.add(path, pitch);
         }
+    }
+
+    fn add_held(&mut self, blocks: [&Block; 2], turn: f64) {
+        if !blocks.iter().all(|block| block.is_held) {
+            self.held = Held::NONE;
+            return;
+        }
+        if self.held == Held::NONE {
+            self.held = Held { begin: blocks[0].begin, length_s: blocks[0].length_s, turn: 0.0 };
+        }
+        let had_turned = self.held.turn.abs() > TURN_WHILE_HELD;
+        self.held.length_s += blocks[1].length_s;
+        self.held.turn += turn;
+        self.held_count += u64::from(!had_turned && self.held.turn.abs() > TURN_WHILE_HELD);
+        if self.held.turn.abs() > self.longest_held.turn.abs() {
+            self.longest_held = self.held;
+        }
+    }
+
+    /// `between_s`: time from the middle of a block to that of the next [s].
+    fn add_banked(&mut self, now: Banked, between_s: f64) {
+        let is_upright = |at: &Banked| at.bank.abs().max(at.roll.abs()) < 75.0 * DEG;
+        if let [Some(first), Some(middle)] = self.banked
+            && [first, middle, now].iter().all(is_upright)
+        {
+            let rate = (now.bank - first.bank) / (2.0 * between_s);
+            self.delay.add(-rate, middle.roll - middle.bank);
+        }
+        self.banked = [self.banked[1], Some(now)];
+    }
+
+    /// The stretch of held attitude in which the track turns farthest, if it turns, and how many such there are.
+    pub fn held(&self) -> Option<(Held, u64)> {
+        (self.held_count > 0).then_some((self.longest_held, self.held_count))
+    }
+
+    /// How late the roll is [s], negative if it is early.
+    pub fn delay_s(&self) -> Option<f64> {
+        let (_, delay_s, correlation) = self.delay.figures();
+        let is_shown = self.delay.count >= LEAST_OF_DELAY && correlation.abs() > SHOWS_DELAY;
+        (is_shown && delay_s.abs() > DELAY_S).then_some(delay_s)
     }
 
     /// Whether there are enough blocks for a judgement.

@@ -29,6 +29,8 @@ pub(super) struct Block {
     pub begin: At,
     /// Whether each row has a velocity.
     pub has_velocity: bool,
+    /// Whether each row has the attitude of the row before, to the last bit.
+    pub is_held: bool,
 }
 
 impl Block {
@@ -45,6 +47,7 @@ impl Block {
             moved_up_m: self.moved_up_m + next.moved_up_m,
             begin: self.begin,
             has_velocity: self.has_velocity && next.has_velocity,
+            is_held: self.is_held && next.is_held,
         }
     }
 
@@ -91,7 +94,7 @@ pub(super) struct Blocks {
     /// Unit vector times velocity at the last row.
     products: Option<[Vector3<f64>; 5]>,
     up_m_s: f64,
-    last: Option<At>,
+    last: Option<(At, Euler)>,
 }
 
 impl Blocks {
@@ -121,11 +124,12 @@ impl Blocks {
             climb_m: row.d_n.z,
             moved,
             moved_up_m: 0.5 * (up_m_s + self.up_m_s) * t,
-            begin: self.last.unwrap_or(row.at),
+            begin: self.last.map_or(row.at, |(at, _)| at),
             has_velocity: products.is_some() && self.products.is_some(),
+            is_held: self.last.is_some_and(|(_, euler)| euler == row.euler),
         };
         let had_row = self.last.is_some();
-        (self.products, self.up_m_s, self.last) = (products, up_m_s, Some(row.at));
+        (self.products, self.up_m_s, self.last) = (products, up_m_s, Some((row.at, row.euler)));
         // The first interval has no velocity at its start.
         if row.v_n.is_some() && !had_row {
             return;

@@ -270,6 +270,12 @@ impl Judge {
         } else if let Some((angle, level)) = attitudes.heading_offset() {
             found.add(Finding::new(Kind::HeadingOffTrack, level, angle));
         }
+        if let Some((held, count)) = attitudes.held() {
+            let own = Finding::new(Kind::AttitudeHeld, Level::Doubtful, held.turn);
+            found.add(Finding { at: held.begin, count, ..own });
+        } else if let Some(delay_s) = attitudes.delay_s() {
+            found.add(Finding::new(Kind::AttitudeLate, Level::Doubtful, delay_s));
+        }
         match attitudes.roll() {
             Some((slope, clue @ Clue::Known(_))) => {
                 found.add(Finding { clue, ..Finding::new(Kind::RollSign, Level::Unusable, slope) });

@@ -73,6 +73,10 @@ pub enum Kind {
     AttackNegative = 22,
     /// Height in feet; figure: slope of pitch on the angle of the path [1].
     HeightUnit = 23,
+    /// Attitude that stays the same to the last bit while the track turns; figure: the largest turn of the track in such a stretch [rad].
+    AttitudeHeld = 24,
+    /// Attitude that follows the turns late; figure: the delay, negative if it is early [s].
+    AttitudeLate = 25,
 }
 
 /// What explains a finding.
@@ -168,6 +172,8 @@ impl Finding {
                 | Kind::PitchSign
                 | Kind::AttackNegative
                 | Kind::HeightUnit
+                | Kind::AttitudeHeld
+                | Kind::AttitudeLate
         ) || self.is_of_two();
         match is_in_path {
             true => Self { at, ..self },
@@ -262,6 +268,10 @@ impl Finding {
             }
             Kind::AttackNegative => "right for a helicopter, else check the sign of pitch",
             Kind::HeightUnit => "state the unit of the height",
+            Kind::AttitudeHeld => "leave these attitudes out, or all: attitude = \"coordinated\" in [log]",
+            Kind::AttitudeLate => {
+                "correct the time of the attitude, or leave it out: attitude = \"coordinated\" in [log]"
+            }
         }
     }
 }

@@ -34,7 +34,7 @@ use stamps::Stamps;
 use wrap::Wrap;
 
 /// Largest number of findings of a flight.
-pub const MAX_FINDINGS: usize = 24;
+pub const MAX_FINDINGS: usize = 26;
 
 /// Samples until doubts are given in flight: statistics of fewer are those of a few rows.
 const DOUBTS_FROM: u64 = 200;

@@ -120,6 +120,16 @@ impl fmt::Display for Finding {
                 "the path climbs {} times as steeply as the nose points: is the height in feet?",
                 Digits(1.0 / self.figure)
             ),
+            (Kind::AttitudeHeld, _) => {
+                let turn = Digits((self.figure / crate::base::units::DEG).abs());
+                write!(f, "attitude stays the same from {at} s on, while the track turns by {turn} deg")?;
+                if self.count > 1 { write!(f, " ({} times)", self.count) } else { Ok(()) }
+            }
+            (Kind::AttitudeLate, _) => {
+                let word = if self.figure < 0.0 { "early" } else { "late" };
+                let delay = Digits(self.figure.abs());
+                write!(f, "roll is {delay} s too {word} for the turns: is the attitude on another clock?")
+            }
         }?;
         if self.acceleration_m_s2 > 0.0 {
             write!(f, "; this makes {} m/s2 of false acceleration", Digits(self.acceleration_m_s2))?;

@@ -1,7 +1,7 @@
 //! Faults that logs have, put into good flights: each is found, with its reason.
 
 use nalgebra::Vector3;
-use sins::math::mix;
+use sins::math::{mix, wrap_angle};
 use sins::truth::FlightSample;
 use sins::truth::judge::{Kind, Level};
 
@@ -292,5 +292,48 @@ fn headings_interpolated_through_north_are_found() {
     };
     for rate_hz in [50.0, 5.0] {
         assert_eq!(missed(&[Kind::AngleThroughWrap], Level::Doubtful, rate_hz, wrapped), NONE);
+    }
+}
+
+/// Frozen from the time of the fastest turn of the track on, as by a unit that is read again before it has new attitudes.
+#[test]
+fn attitudes_that_stay_the_same_in_a_turn_are_found() {
+    let track = |sample: &FlightSample| sample.v_n.map_or(0.0, |v| v.x.atan2(v.y));
+    for rate_hz in [10.0, 1.0] {
+        let frozen = |samples: &[FlightSample]| {
+            let length = (20.0 * rate_hz) as usize;
+            let turn = |k: usize| {
+                let parts = samples[k..k + length].windows(2);
+                parts.map(|pair| wrap_angle(track(&pair[1]) - track(&pair[0]))).sum::<f64>().abs()
+            };
+            let begin = (0..samples.len() - length).max_by(|a, b| turn(*a).total_cmp(&turn(*b))).unwrap();
+            each(samples, |k, sample| {
+                if (begin..begin + length).contains(&k) {
+                    sample.euler = samples[begin].euler;
+                }
+            })
+        };
+        assert_eq!(missed(&[Kind::AttitudeHeld], Level::Doubtful, rate_hz, frozen), NONE);
+    }
+    let never = |samples: &[FlightSample]| {
+        each(&without_velocities(samples), |_, sample| sample.euler = samples[0].euler)
+    };
+    assert_eq!(missed(&[Kind::AttitudeHeld], Level::Doubtful, 10.0, never), NONE);
+}
+
+#[test]
+fn attitudes_on_another_clock_are_found() {
+    for (delay_s, rate_hz) in [(2, 10), (-2, 10), (1, 10), (2, 1)] {
+        let late = |samples: &[FlightSample]| {
+            let rows = delay_s * rate_hz;
+            each(samples, |k, sample| {
+                let source = (k as i64 - rows).clamp(0, samples.len() as i64 - 1);
+                sample.euler = samples[source as usize].euler;
+            })
+        };
+        // In aerobatics hardly any roll is that of a turn.
+        let mut unseen = missed(&[Kind::AttitudeLate], Level::Doubtful, rate_hz as f64, late);
+        unseen.retain(|name| !name.contains("aerobatics"));
+        assert_eq!(unseen, NONE, "{delay_s} s at {rate_hz} Hz");
     }
 }
