@@ -76,6 +76,24 @@ fn fixes_that_froze_are_left_out() {
     }
 }
 
+/// A receiver that stands still has an attitude that does not: without it a turn of more than a quarter is refused, and a smaller one is
+/// flown with the attitude of a straight line.
+#[test]
+fn an_attitude_outlives_a_fix_that_froze() {
+    for (rate_hz, length_s, limit_deg) in [(10.0, 60.0, 0.05), (1.0, 60.0, 0.5), (10.0, 25.0, 0.05)] {
+        let flight = flights::scene("racetrack", 50.0);
+        let mut rows = without_velocities(&flight.at(rate_hz));
+        let turns = |k: &usize| rows[*k].euler.roll.abs() > 0.2;
+        let first = (0..rows.len()).find(turns).unwrap() - (10.0 * rate_hz) as usize;
+        let (place, last) = (rows[first].place, first + (length_s * rate_hz) as usize);
+        rows[first..last].iter_mut().for_each(|row| row.place = place);
+        let path = smoothed(&rows);
+        let [_, _, angle] = apart(&flight, &path);
+        println!("{rate_hz} Hz, {length_s} s: {:.4} deg", angle / DEG);
+        assert!(angle < limit_deg * DEG, "{rate_hz} Hz, {length_s} s: {} deg", angle / DEG);
+    }
+}
+
 /// Noise of a horizontal component, whose vertical part is half larger. The path is nearer to the flight than the rows; its velocity errs by the
 /// deviation that a cut-off of half the rate of turn of these flights leaves, and not by the noise over the interval.
 #[test]

@@ -136,6 +136,16 @@ fn what_the_rows_had_is_said_of_their_path() {
         let (code, _, errors) = flown(log);
         assert!(code == 0 && errors.contains(words), "{log}: {errors}");
     }
+    // No path can be fitted to these rows: the error says what may be the cause.
+    let mut slow = circle(10, 15);
+    for k in 0..slow.len() {
+        let fix = slow[k / 10 * 10];
+        slow[k][1..4].copy_from_slice(&fix[1..4]);
+    }
+    write(&folder.join("slow.csv"), &slow, false);
+    let (code, _, errors) = flown("slow.csv");
+    let words = "rows that are not repeats, to fit a path to them: 20; is it this? 88";
+    assert!(code == 2 && errors.contains(words), "{errors}");
     // A second flight, or another vehicle, behind the first.
     let rows = circle(10, 150);
     write(&folder.join("twice.csv"), &[&rows[..], &rows[..400]].concat(), true);

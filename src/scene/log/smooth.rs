@@ -8,7 +8,7 @@ use crate::base::units::DEG;
 use crate::earth::{Earth, Geodetic};
 use crate::scene::{Fault, Scene};
 use crate::truth::FlightSample;
-use crate::truth::judge::Finding;
+use crate::truth::judge::{Finding, Judge, Level};
 use crate::truth::smooth::{SmoothOptions, Smoothed, SmoothedPart};
 
 /// Most samples of a smoothed log.
@@ -43,7 +43,7 @@ impl FlightLog {
         };
         let smoothed = Smoothed::new(earth, &self.samples, &options).map_err(|error| {
             let line = error.index.and_then(|index| self.line(index)).unwrap_or_default();
-            fault(line, 1, error.to_string())
+            fault(line, 1, format!("{error}{}", self.what_may_be_the_cause(earth)))
         })?;
         let [start_s, end_s] = smoothed.span_s();
         let rate_hz = mapping.smooth_rate_hz;
@@ -100,6 +100,17 @@ impl FlightLog {
     }
 }
 
+impl FlightLog {
+    /// The worst that is found in rows that no path can be fitted to, as the end of a sentence.
+    fn what_may_be_the_cause(&self, earth: &Earth) -> String {
+        let judged = Judge::new(*earth, f64::INFINITY).ok().and_then(|mut judge| {
+            self.judge(&mut judge, self.samples.len()).ok()?;
+            judge.findings().find(|finding| finding.level >= Level::Doubtful)
+        });
+        judged.map_or(String::new(), |finding| format!("; is it this? {}", finding.with_remedy()))
+    }
+}
+
 /// What was done, in lines.
 fn said(smoothed: &Smoothed, had_velocities: bool) -> Vec<String> {
     let thousandths = |value: f64| (value * 1e3).round() / 1e3;
@@ -123,7 +134,7 @@ fn said(smoothed: &Smoothed, had_velocities: bool) -> Vec<String> {
     }
     if smoothed.left_out > 0 {
         lines.push(format!(
-            "{} rows are left out: from before the first fix, repeats, or too near to the row before",
+            "the positions of {} rows are left out: from before the first fix, repeats, or too near to the row before",
             smoothed.left_out
         ));
     }

@@ -5,13 +5,16 @@ use nalgebra::Vector3;
 use super::finding::At;
 use super::histogram::Histogram;
 use super::row::Row;
-use super::stamps::Tick;
+use super::stamps::{MIDDLE, Tick};
 use crate::base::math::end_derivative_weights;
 use crate::base::units::STANDARD_GRAVITY as G;
 use crate::truth::FlightSample;
 
 /// Usual interval from which a single position is compared with the path of its neighbours [s].
 const SLOW_S: f64 = 0.5;
+
+/// Share of the usual speed above which the way that was made during a run of held rows shows that the vehicle moved.
+const MOVING: f64 = 0.05;
 
 /// A value and the row where it is largest.
 #[derive(Debug, Clone, Copy, Default)]
@@ -34,6 +37,8 @@ pub(super) struct Positions {
     pub moving: u64,
     pub held: u64,
     pub first_held: Option<At>,
+    /// Held rows that follow each other, since the first of them, and how long that is [s].
+    run: Option<(At, u64, f64)>,
     steps: Histogram,
     /// Distance of a position from the cubic through two neighbours on each side [m].
     beside: Histogram,
@@ -72,6 +77,7 @@ impl Positions {
             moving: 0,
             held: 0,
             first_held: None,
+            run: None,
             steps: Histogram::new(),
             beside: Histogram::new(),
             farthest: NONE,
@@ -99,6 +105,7 @@ impl Positions {
     pub fn add(&mut self, row: &Row, sample: &FlightSample, usual_s: f64, fourth: Option<Vector3<f64>>) {
         let t = row.interval_s;
         let step_m = row.step_m();
+        self.add_run(row, step_m);
         if step_m > 0.0 {
             self.steps.add(step_m / t);
         }
@@ -126,6 +133,25 @@ impl Positions {
             self.farthest.take(beside_m, self.past[2].0);
         }
         self.add_unfixed(row, sample, usual_s);
+    }
+
+    /// Rows that are farther than a window from the ends of a run of held rows are in no window that moves: that they moved shows when the
+    /// run ends.
+    fn add_run(&mut self, row: &Row, step_m: f64) {
+        if row.is_held {
+            let (first, count, length_s) = self.run.unwrap_or((row.at, 0, 0.0));
+            self.run = Some((first, count + 1, length_s + row.interval_s));
+        } else if let Some((first, count, length_s)) = self.run.take()
+            && self.speed_m_s() > 0.0
+            && step_m > MOVING * self.speed_m_s() * (length_s + row.interval_s)
+        {
+            let unseen = count.saturating_sub(2 * MIDDLE as u64);
+            self.moving += unseen;
+            self.held += unseen;
+            if unseen > 0 && self.first_held.is_none_or(|known| known.row > first.row) {
+                self.first_held = Some(first);
+            }
+        }
     }
 
     /// The acceleration of the interval as the simulator flies it: its velocities are the host's, or the derivative of the polynomial

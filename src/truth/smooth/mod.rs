@@ -64,7 +64,7 @@ pub struct Smoothed {
     /// Times [s] and temperatures [°C] of the rows.
     temperatures: Vec<(f64, f64)>,
     span_s: [f64; 2],
-    /// Rows that were left out: from before the first fix, repeats, and rows too near to the row before.
+    /// Rows whose position was left out: from before the first fix, repeats, and rows too near to the row before.
     pub left_out: u64,
     /// Whether the stamps were replaced by those of a steady clock.
     pub is_steady_clock: bool,
@@ -84,7 +84,7 @@ impl Smoothed {
             sigma.map_or(Ok(()), |sigma| check_range(field, sigma, 1e-9, 1e4))?;
         }
         let rows = rows::rows(earth, samples, options.coordinated_attack_rad.is_none())?;
-        let Rows { samples, times_s, .. } = &rows;
+        let Rows { samples, times_s, attitudes: (turned_s, turned), .. } = &rows;
         let middle = samples[samples.len() / 2].place;
         let scale_m = earth.radii(sin_cos(middle.latitude_rad).0).transverse_m;
         let mut normals = room(samples.len())?;
@@ -102,7 +102,7 @@ impl Smoothed {
         let heights = Curve::through(&Samples { times_s, values: &heights, sigma: None, cap_hz })?;
         let quaternions = match options.coordinated_attack_rad {
             Some(_) => Vec::new(),
-            None => quaternions(samples)?,
+            None => quaternions(turned_s, turned)?,
         };
         let mut temperatures = room(samples.len())?;
         temperatures.extend(
@@ -115,7 +115,8 @@ impl Smoothed {
             None => {
                 // A quaternion has half of the angle in four numbers.
                 let sigma = options.attitude_sigma_rad.map(|sigma| sigma * (0.75_f64 / 4.0).sqrt());
-                Curve::through(&Samples { times_s, values: &quaternions, sigma, cap_hz: f64::INFINITY })?
+                let cap_hz = f64::INFINITY;
+                Curve::through(&Samples { times_s: turned_s, values: &quaternions, sigma, cap_hz })?
             }
         };
         Ok(Self {
@@ -195,11 +196,11 @@ fn step_cutoff_hz(step_m: f64, period_s: f64) -> f64 {
     exp(0.4 * ln(STEP_NOISE_M_S2 / noise))
 }
 
-/// The attitudes of rows as quaternions of continuous sign. Rows that turn by more than 90° each do not define the motion.
-fn quaternions(samples: &[FlightSample]) -> Result<Vec<[f64; 4]>, Error> {
-    let mut list: Vec<[f64; 4]> = room(samples.len())?;
-    for sample in samples {
-        let q = attitude_from_euler(&sample.euler);
+/// Attitudes as quaternions of continuous sign. Rows that turn by more than 90° each do not define the motion.
+fn quaternions(times_s: &[f64], attitudes: &[Euler]) -> Result<Vec<[f64; 4]>, Error> {
+    let mut list: Vec<[f64; 4]> = room(attitudes.len())?;
+    for (time_s, euler) in times_s.iter().zip(attitudes) {
+        let q = attitude_from_euler(euler);
         let mut numbers = [q.w, q.i, q.j, q.k];
         if let Some(last) = list.last() {
             let cosine: f64 = last.iter().zip(&numbers).map(|(a, b)| a * b).sum();
@@ -207,7 +208,7 @@ fn quaternions(samples: &[FlightSample]) -> Result<Vec<[f64; 4]>, Error> {
                 let rule = Rule::Sentence(
                     "time of a row that turns by more than 90 degrees: the rows are too rare for this attitude, or rows before it were left out",
                 );
-                return Err(Error::of(ErrorKind::Discontinuity, "sample.time_s", sample.time_s, rule));
+                return Err(Error::of(ErrorKind::Discontinuity, "sample.time_s", *time_s, rule));
             }
             if cosine < 0.0 {
                 numbers = numbers.map(|number| -number);

@@ -1,6 +1,7 @@
 //! The rows of a log that a path is fitted to.
 
 use crate::base::error::{Error, Rule};
+use crate::base::math::Euler;
 use crate::base::memory::room;
 use crate::earth::Earth;
 use crate::truth::FlightSample;
@@ -22,12 +23,18 @@ const NEAR: f64 = 0.2;
 const HELD: f64 = 0.03;
 const MOVING: f64 = 0.05;
 
+/// Intervals of the receiver without a new fix behind which it froze, and share of these rows that have a new attitude if that did not.
+const FROZEN: f64 = 3.0;
+const LIVE: f64 = 0.5;
+
 /// Rows that were kept, with the times of a steady clock if the stamps scatter about one.
 pub(super) struct Rows {
     pub samples: Vec<FlightSample>,
     pub times_s: Vec<f64>,
+    /// Times and attitudes: also those of rows whose fix froze.
+    pub attitudes: (Vec<f64>, Vec<Euler>),
     pub is_steady_clock: bool,
-    /// Rows that were left out: from before the first fix, repeats, and rows too near to the row before.
+    /// Rows whose position was left out: from before the first fix, repeats, and rows too near to the row before.
     pub left_out: u64,
     /// The step of the heights [m]; 0: none.
     pub height_step_m: f64,
@@ -61,7 +68,14 @@ pub(super) fn rows(earth: &Earth, samples: &[FlightSample], has_attitude: bool) 
         }
     }
     let mut list: Vec<FlightSample> = room(kept.len())?;
-    fresh(earth, kept, &mut list)?;
+    let mut attitudes = (room(kept.len())?, room(kept.len())?);
+    fresh(earth, kept, |row, is_fix| {
+        if is_fix {
+            list.push(*row);
+        }
+        attitudes.0.push(row.time_s);
+        attitudes.1.push(row.euler);
+    })?;
     if list.len() < LEAST {
         let rule = Rule::AtLeast("rows that are not repeats, to fit a path to them:", (LEAST as u64).into());
         return Err(Error::invalid("samples", list.len() as u64, rule));
@@ -70,12 +84,13 @@ pub(super) fn rows(earth: &Earth, samples: &[FlightSample], has_attitude: bool) 
     times_s.extend(list.iter().map(|sample| sample.time_s));
     if is_steady_clock {
         steady(&mut times_s)?;
+        steady(&mut attitudes.0)?;
     }
     let left_out = (samples.len() - list.len()) as u64;
     let mut findings = room(MAX_FINDINGS)?;
     findings.extend(judge.findings());
     let height_step_m = judge.height_step_m();
-    Ok(Rows { samples: list, times_s, is_steady_clock, left_out, height_step_m, findings })
+    Ok(Rows { samples: list, times_s, attitudes, is_steady_clock, left_out, height_step_m, findings })
 }
 
 /// The usual interval of `samples` [s].
@@ -84,8 +99,13 @@ fn usual_s(samples: &[FlightSample]) -> Result<f64, Error> {
 }
 
 /// Keeps the first row of each run of equal positions while the vehicle moves; at rest a row for each interval of the receiver; and none
-/// nearer to the row before than a fifth of the usual interval.
-fn fresh(earth: &Earth, samples: &[FlightSample], list: &mut Vec<FlightSample>) -> Result<(), Error> {
+/// nearer to the row before than a fifth of the usual interval. Rows of a receiver that froze are kept for their attitude, if it is live:
+/// `keep` gets false.
+fn fresh(
+    earth: &Earth,
+    samples: &[FlightSample],
+    mut keep: impl FnMut(&FlightSample, bool),
+) -> Result<(), Error> {
     let count = samples.len();
     let usual_s = usual_s(samples)?;
     let mut path_m: Vec<f64> = room(count)?;
@@ -131,14 +151,27 @@ fn fresh(earth: &Earth, samples: &[FlightSample], list: &mut Vec<FlightSample>) 
     if is_slow {
         fresh_s.extend((1..count).filter(|&k| !is_held(k) && moves(k)).map(|k| samples[k].time_s));
     }
-    let receiver_s = median(fresh_s.windows(2).map(|two| two[1] - two[0]))?;
-    let mut last_s = f64::NEG_INFINITY;
+    let receiver_s = if is_slow { median(fresh_s.windows(2).map(|two| two[1] - two[0]))? } else { usual_s };
+    let is_turned = |k: usize| samples[k].euler != samples[k - 1].euler;
+    let is_live = |[first, next]: [usize; 2]| {
+        let turned = (first + 1..next).filter(|&k| is_turned(k)).count();
+        samples[next].time_s - samples[first].time_s > FROZEN * receiver_s
+            && turned as f64 > LIVE * (next - first - 1) as f64
+    };
+    let (mut last_s, mut last_attitude_s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+    let mut live_run = None;
     for (k, sample) in samples.iter().enumerate() {
         let since_s = sample.time_s - last_s;
         let is_fresh = k == 0 || !is_held(k);
+        if is_fresh {
+            live_run = Some(run_of[k]).filter(|run| is_live(*run));
+        }
         if since_s >= NEAR * usual_s && (is_fresh || !moves(k) && since_s > 0.9 * receiver_s) {
-            list.push(*sample);
-            last_s = sample.time_s;
+            keep(sample, true);
+            (last_s, last_attitude_s) = (sample.time_s, sample.time_s);
+        } else if live_run.is_some() && sample.time_s - last_attitude_s >= NEAR * usual_s {
+            keep(sample, false);
+            last_attitude_s = sample.time_s;
         }
     }
     Ok(())

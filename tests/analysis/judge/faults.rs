@@ -149,6 +149,20 @@ fn held_rows_spikes_and_rows_before_the_first_fix_are_found() {
     use Level::{Doubtful, Unusable};
     assert_eq!(missed(&[Kind::HeldRows], Unusable, 50.0, held), NONE);
     assert_eq!(missed(&[Kind::HeldRows], Doubtful, 10.0, stale), NONE);
+    // A receiver that froze once, for 20 s: the share is that of these rows.
+    for flight in moving() {
+        let rows = without_velocities(&flight.at(10.0));
+        let middle = rows.len() / 2;
+        let frozen = each(&rows, |k, sample| {
+            if (middle..=middle + 200).contains(&k) {
+                sample.place = rows[middle].place;
+            }
+        });
+        let found = judged(&frozen).into_iter().find(|finding| finding.kind == Kind::HeldRows).unwrap();
+        let share = 200.0 / rows.len() as f64;
+        assert!((found.figure / share - 1.0).abs() < 0.1, "{}: {} for {share}", flight.name, found.figure);
+        assert_eq!(found.at.row, middle as u64 + 1, "{}", flight.name);
+    }
     for metres in [100.0, 800.0] {
         let spike = |samples: &[FlightSample]| {
             let middle = samples.len() / 2;

@@ -27,8 +27,10 @@ const GROUPS: [(&str, &[&str]); 6] = [
 const ATTITUDE: usize = 1;
 const VELOCITY: usize = 2;
 
-/// Longest interval that is interpolated, in usual intervals of a file.
+/// Longest interval that is interpolated, in usual intervals of a file, and the shortest: several filters report one right after the other,
+/// and the rows of the first of them are read.
 const GAP: f64 = 2.5;
+const NEAR: f64 = 0.2;
 
 const DAY_S: f64 = 86_400.0;
 
@@ -102,7 +104,7 @@ fn part_of(mapping: &LogMapping, files: &Files, file: &str) -> LogMapping {
 
 /// A file that is interpolated.
 struct Other {
-    log: FlightLog,
+    samples: Vec<FlightSample>,
     /// Added to its times: whole days between the midnights from which the times of the files count [s].
     shift_s: f64,
     /// Longest interval that is interpolated [s].
@@ -110,26 +112,46 @@ struct Other {
     /// Whether its attitude is that of quaternions, and not of angles.
     has_quaternion: bool,
     groups: Vec<usize>,
+    /// Rows right behind the one before, which are not read.
+    near: u64,
     outside: u64,
     in_gaps: u64,
 }
 
 impl Other {
-    fn new(log: FlightLog, mapping: &LogMapping, first_s: f64, groups: Vec<usize>) -> Self {
+    fn new(log: &FlightLog, mapping: &LogMapping, first_s: f64, groups: Vec<usize>) -> Self {
         let samples = log.samples();
         let mut intervals: Vec<f64> = samples.windows(2).map(|two| two[1].time_s - two[0].time_s).collect();
-        let middle = intervals.len() / 2;
-        let (_, usual_s, _) = intervals.select_nth_unstable_by(middle, f64::total_cmp);
+        // Most intervals of several filters are those between them.
+        let place = intervals.len() * 9 / 10;
+        let (_, usual_s, _) = intervals.select_nth_unstable_by(place, f64::total_cmp);
+        let mut last_s = f64::NEG_INFINITY;
+        let is_far = |sample: &&FlightSample| {
+            let is_far = sample.time_s - last_s > NEAR * *usual_s;
+            last_s = if is_far { sample.time_s } else { last_s };
+            is_far
+        };
+        let samples: Vec<FlightSample> = samples.iter().filter(is_far).copied().collect();
+        let near = log.samples().len() as u64 - samples.len() as u64;
         let days = ((first_s - samples[0].time_s) / DAY_S).round();
         let shift_s = if mapping.time_format == TimeFormat::Number { 0.0 } else { days * DAY_S };
         let has_quaternion = mapping.columns[place("q0")].from != ColumnFrom::OwnName;
-        Self { longest_s: GAP * *usual_s, log, shift_s, has_quaternion, groups, outside: 0, in_gaps: 0 }
+        Self {
+            longest_s: GAP * *usual_s,
+            samples,
+            shift_s,
+            has_quaternion,
+            groups,
+            near,
+            outside: 0,
+            in_gaps: 0,
+        }
     }
 
     /// Its values at a time of the log; `None`: it has none there, which is counted.
     fn at(&mut self, time_s: f64) -> Option<FlightSample> {
         let time_s = time_s - self.shift_s;
-        let samples = self.log.samples();
+        let samples = &self.samples;
         let behind = samples.partition_point(|sample| sample.time_s < time_s);
         let Some(b) = samples.get(behind) else {
             self.outside += 1;
@@ -248,7 +270,7 @@ impl Table {
             let (other, part) = read(&path, &table.text, name)?;
             note(&path, &other);
             let groups = (0..GROUPS.len()).filter(|group| files[*group] == **name).collect();
-            others.push(Other::new(other, &part, first_s, groups));
+            others.push(Other::new(&other, &part, first_s, groups));
             self.others.push(path);
         }
         let mut joined = Vec::new();
@@ -266,16 +288,22 @@ impl Table {
             }
         }
         for (other, path) in others.iter().zip(&self.others) {
+            let near = match other.near {
+                0 => String::new(),
+                near => {
+                    format!(", without {near} rows right behind the one before: those of another filter?")
+                }
+            };
             notes.push(format!(
-                "{} is interpolated onto the rows of the log{}",
+                "{} is interpolated onto the rows of the log{near}{}",
                 path.display(),
                 other.left_out()
             ));
         }
         if joined.len() < 2 {
             let spans = others.iter().zip(&self.others).map(|(other, path)| {
-                let [first, last] = [0, other.log.samples().len() - 1]
-                    .map(|row| six_digits(other.log.samples()[row].time_s + other.shift_s));
+                let [first, last] = [0, other.samples.len() - 1]
+                    .map(|row| six_digits(other.samples[row].time_s + other.shift_s));
                 format!("{} from {first} to {last} s", path.display())
             });
             let (spans, [first, last]) =

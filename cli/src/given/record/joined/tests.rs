@@ -54,6 +54,20 @@ fn angles_are_interpolated_on_the_circle() {
     assert_eq!((log.line(0), log.line(5)), (Some(2), Some(7)));
 }
 
+/// Two filters report 150 µs apart, the second with another attitude: the rows of the first are read, between which the usual interval is.
+#[test]
+fn of_several_filters_the_first_is_read() {
+    let row = |t_us: f64, roll: f64| format!("{t_us},{roll},2,350\n");
+    let both = |k: u32| row(1e5 * f64::from(k), 1.0) + &row(1e5 * f64::from(k) + 150.0, 40.0);
+    let attitude = format!("TimeUS,Roll,Pitch,Yaw\n{}", (0..11).map(both).collect::<String>());
+    let files = [("POS.csv", positions([0.05, 0.3, 0.75])), ("ATT.csv", attitude)];
+    let (log, note) = joined(&files, &format!("{KEYS}{ATTITUDE_KEYS}")).unwrap();
+    let without = "without 11 rows right behind the one before: those of another filter?";
+    assert_eq!(note, format!("ATT.csv is interpolated onto the rows of the log, {without}"));
+    assert_eq!(log.samples().len(), 3);
+    log.samples().iter().for_each(|sample| assert_near(degrees(sample), [1.0, 2.0, 350.0]));
+}
+
 #[test]
 fn quaternions_are_interpolated_as_rotations() {
     let keys: String =
