@@ -169,7 +169,9 @@ fn function(interface: &Interface, one: &Function) -> String {
     let given: Vec<&(&str, Argument)> = arguments.iter().filter(|(_, own)| !own.is_returned()).collect();
     let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
     let first_left_out = given.len() - left_out(&arguments);
-    let mut code = Code::default();
+    // A function that reads a handle lends it; the others make one.
+    let lender = one.name.contains("_get_").then(|| names[0].to_owned());
+    let mut code = Code { lender, ..Code::default() };
     for own @ (name, argument) in &arguments {
         let is_left_out = given[first_left_out..].iter().any(|one| one.0 == own.0);
         code.add(interface, name, argument, is_left_out);
@@ -215,6 +217,8 @@ struct Code {
     passed: Vec<String>,
     /// What the call returns: the argument that must be left out for it, and how it is read.
     results: Vec<(Option<String>, String)>,
+    /// The argument that owns the handles that the call returns; `None`: the caller owns them.
+    lender: Option<String>,
     /// Bytes of the numbers that the call writes.
     outs: usize,
     /// Whether an argument takes memory for the call.
@@ -253,7 +257,8 @@ impl Code {
             }
             Argument::New(kind) => {
                 let key = self.number("u4");
-                self.results.push((None, format!("new handles.{kind}({key})")));
+                let owner = self.lender.as_ref().map_or(String::new(), |lender| format!(", {lender}"));
+                self.results.push((None, format!("new handles.{kind}({key}{owner})")));
             }
             Argument::Scalar(kind) => {
                 let number = self.number(letter(interface, kind));

@@ -312,18 +312,18 @@ function bind(wasm) {
         return kept(part, owner);
     }
 
-    /** Makes the class of a handle: stands for an object of the library, until close(). */
+    /** Makes the class of a handle: stands for an object of the library, until close(). That of an owner lives as long as it does. */
     function handle_class(name, destroy) {
         const kind = {
             [name]: class {
-                constructor(key) {
+                constructor(key, owner = null) {
                     Object.defineProperty(this, KEY, { value: key, writable: true });
-                    dropped_handles.register(this, { destroy, key }, this);
+                    if (owner) kept(this, owner);
+                    else dropped_handles.register(this, { destroy, key }, this);
                 }
-                /** Destroys the object. */
+                /** Destroys the object, unless it is lent by its owner. */
                 close() {
-                    dropped_handles.unregister(this);
-                    wasm[destroy](this[KEY]);
+                    if (dropped_handles.unregister(this)) wasm[destroy](this[KEY]);
                     this[KEY] = 0;
                 }
             },

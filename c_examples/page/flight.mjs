@@ -1,4 +1,4 @@
-// A flight in a worker: sample by sample through the simulator, with the records of `sins fly`, and points for the curves.
+// A flight in a worker: a scene in flight, sample by sample, with the records of `sins fly`, and points for the curves.
 
 import { Points } from "./points.mjs";
 
@@ -12,18 +12,18 @@ export const FLYING = 0, PAUSED = 1, FINISHED = 2, STOPPED = 3, FAILED = 4; // i
 /** The samples of a scene: computed by the library, or those of a log. */
 export class Samples {
     constructor(sins, scene, log) {
-        this.sins = sins;
+        [this.sins, this.scene, this.flight] = [sins, scene, null];
         const { flight, rate_hz } = sins.scene_get_setup(scene);
         this.rate_hz = rate_hz;
         this.log = flight === sins.SCENE_FLIGHT_LOG ? log : null;
         const all = sins.scene_get_samples(scene, this.log);
-        this.flight = this.log ? null : sins.scene_create_flight(scene);
         [this.count, this.record_every] = [Number(all.count), Number(all.record_every)];
         [this.start_s, this.period_s, this.duration_s] = [all.start_s, all.period_s, all.duration_s];
     }
     read(index, sample) {
-        if (this.log) this.sins.log_get_sample(this.log, index, sample);
-        else this.sins.flight_sample_at(this.flight, index / this.rate_hz, sample);
+        if (this.log) return void this.sins.log_get_sample(this.log, index, sample);
+        this.flight ??= this.sins.scene_create_flight(this.scene);
+        this.sins.flight_sample_at(this.flight, index / this.rate_hz, sample);
     }
     /** Where a sample is: its line in the log, or its time. */
     place(index) {
@@ -53,10 +53,11 @@ export class Flight {
         this.sins = sins;
         this.scene = sins.scene_parse(text);
         const samples = (this.samples = new Samples(sins, this.scene, log));
-        this.sim = sins.scene_create_simulator(this.scene);
+        this.play = sins.play_create(this.scene, samples.log);
+        this.sim = sins.play_get_simulator(this.play);
         this.is_as_planned = true;
-        this.unit = is_with_unit(sins, this.scene) ? sins.scene_create_unit(this.scene) : null;
-        [this.records, this.imu, this.sample] = [sins.array(sins.record, 1), sins.array(sins.imu, 1), new sins.flight_sample()];
+        this.has_unit = sins.scene_get_value(this.scene, "unit.start") !== '"none"';
+        [this.records, this.imu] = [sins.array(sins.record, 1), sins.array(sins.imu, 1)];
         this.covariance = sins.scene_get_options(this.scene).covariance ? new sins.covariance() : null;
         const { every_s } = sins.scene_get_setup(this.scene);
         this.spacing = new Spacing(every_s > 0 ? every_s : samples.record_every * samples.period_s);
@@ -105,19 +106,12 @@ export class Flight {
 
     /** Flies to the next sample. */
     step() {
-        const { sins, scene, sim, samples, sample } = this, index = this.next;
+        const { sins, play, sim, samples } = this, index = this.next;
         const is_last = index + 1 === samples.count;
         try {
-            samples.read(index, sample);
-            sins.scene_prepare(scene, sim, samples.start_s, sample);
-            sins.push_sample(sim, sample);
-            let is_due = index === 0;
-            if (index > 0) {
-                sins.step(sim);
-                is_due = this.add_interval();
-                if (this.unit) sins.scene_update_unit(scene, this.unit, sim, samples.start_s);
-            }
+            sins.play_next(play);
             this.next++;
+            const is_due = index === 0 || this.add_interval();
             if (is_due || is_last) this.keep_record();
             if (index > 0 && this.points.is_due(index, is_last)) {
                 sins.get_record(sim, this.records.at(0));
@@ -169,7 +163,7 @@ export class Flight {
      * earliest. Returns the items, and whether a scene with them flies what was flown: a failure that has begun is not changed.
      */
     plan(list, items) {
-        const { sins, scene, time_s } = this, before = failures(sins, scene), past = items_of(sins, scene, list);
+        const { sins, scene, time_s } = this, past = items_of(sins, scene, list);
         sins.scene_set_items(scene, list, items);
         if (list === "failure") {
             const has_begun = (item) => time_s > 0 && Number(/^from_s = (\S+)/m.exec(item)?.[1] ?? 0) < time_s;
@@ -177,31 +171,26 @@ export class Flight {
             this.is_as_planned &&= past.every((item) => !has_begun(item) || wanted.includes(item));
             wanted.forEach((item, k) => has_begun(item) && !past.includes(item) && sins.scene_set_values(scene, `failure[${k}].from_s = ${time_s}`));
         }
-        const outputs = failures(sins, scene);
-        for (const [output, [sensor, axis]] of before) { // prepare() does not clear an output without planned failures
-            if (!outputs.has(output)) sins.set_failure(this.sim, sensor, axis, new sins.failure());
-        }
+        sins.play_set_plan(this.play, scene);
         return { items: items_of(sins, scene, list).join("\n"), is_as_planned: this.is_as_planned };
     }
 
     /** The instant now: for the instruments and the table of values. */
     status() {
-        const { sins, sim, samples, state, fault, next, unit } = this;
-        const now = { state, fault, time_s: this.time_s, duration_s: samples.duration_s, has_unit: unit !== null };
+        const { sins, play, sim, samples, state, fault, next, has_unit } = this;
+        const now = { state, fault, time_s: this.time_s, duration_s: samples.duration_s, has_unit };
         if (next === 0 || state === FAILED) return now;
         const record = sins.get_record(sim);
         const accuracy = next > 1 ? sins.get_accuracy(sim)?.copy() : null;
-        const of_unit = unit && next > 1 ? { status: sins.unit_get_status(unit).copy(), shown: sins.unit_get_navigation(unit, sim).copy() } : null;
-        return { ...now, record: record.copy(), accuracy, unit: of_unit };
+        const [status, shown] = has_unit && next > 1 ? sins.play_get_shown(play) : [];
+        return { ...now, record: record.copy(), accuracy, unit: status ? { status: status.copy(), shown: shown.copy() } : null };
     }
 
     close() {
         this.samples.close();
-        for (const handle of [this.sim, this.scene, this.unit]) handle?.close();
+        for (const handle of [this.play, this.scene]) handle.close();
     }
 }
-
-const is_with_unit = (sins, scene) => sins.scene_get_value(scene, "unit.start") !== '"none"';
 
 /** The items of a list of a scene, as texts. */
 export function items_of(sins, scene, list) {
@@ -213,18 +202,9 @@ export function items_of(sins, scene, list) {
     }
 }
 
-/** The outputs with planned failures. */
-function failures(sins, scene) {
-    const outputs = new Map(), count = sins.scene_get_failure_count(scene);
-    for (let k = 0; k < count; k++) {
-        const { sensor, axis } = sins.scene_get_failure(scene, k);
-        outputs.set(`${sensor} ${axis}`, [sensor, axis]);
-    }
-    return outputs;
-}
-
 /** An error in parts that another thread can tell in any language. */
 export function fault_of(error, place = {}) {
     const info = error.info?.copy?.() ?? {};
-    return { ...place, sentence: error.message, path: info.field, flags: info.flags, value: info.value, minimum: info.minimum, maximum: info.maximum };
+    const sentence = error.message.replace(/^at \S+ s(, line \d+ of the log)?: /, ""); // where it was: place
+    return { ...place, sentence, path: info.field, flags: info.flags, value: info.value, minimum: info.minimum, maximum: info.maximum };
 }

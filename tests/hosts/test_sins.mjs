@@ -128,6 +128,20 @@ test("structs and handles that are dropped are given back", async () => {
     assert.ok(process.memoryUsage().external - before < 100e6);
 });
 
+test("a play owns the simulator and the unit that it lends", async () => {
+    const scene = sins.scene_create_builtin("patrol"), play = sins.play_create(scene, null);
+    sins.play_get_simulator(play).close();
+    for (let round = 0; round < 3; round++) {
+        for (let k = 0; k < 100; k++) assert.ok(sins.get_options(sins.play_get_simulator(play)).subsamples > 0);
+        globalThis.gc();
+        await new Promise((done) => setTimeout(done));
+        assert.equal(sins.play_next(play), sins.OK);
+    }
+    const sim = sins.play_get_simulator(play);
+    play.close();
+    refuses(() => sins.step(sim), "SINS_ERROR_BAD_HANDLE");
+});
+
 test("texts of any length, and bytes", () => {
     const scene = sins.scene_parse(`[flight]\ntitle = "${"飞".repeat(1000)}"\nbuiltin = "patrol"\n`);
     assert.equal(sins.last_status, sins.OK);

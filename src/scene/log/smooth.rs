@@ -107,7 +107,7 @@ impl FlightLog {
             self.judge(&mut judge, self.samples.len()).ok()?;
             judge.findings().find(|finding| finding.level >= Level::Doubtful)
         });
-        judged.map_or(String::new(), |finding| format!("; is it this? {}", finding.with_remedy()))
+        judged.map_or(String::new(), |finding| format!("; is it this? {}", finding.of_rows(finding.at.row)))
     }
 }
 

@@ -122,12 +122,14 @@ impl Other {
     fn new(log: &FlightLog, mapping: &LogMapping, first_s: f64, groups: Vec<usize>) -> Self {
         let samples = log.samples();
         let mut intervals: Vec<f64> = samples.windows(2).map(|two| two[1].time_s - two[0].time_s).collect();
-        // Most intervals of several filters are those between them.
-        let place = intervals.len() * 9 / 10;
-        let (_, usual_s, _) = intervals.select_nth_unstable_by(place, f64::total_cmp);
+        intervals.sort_unstable_by(f64::total_cmp);
+        // Up to three of four intervals are those between the filters.
+        let near_s = NEAR * intervals[intervals.len() * 4 / 5];
+        let own = &intervals[intervals.partition_point(|interval_s| *interval_s <= near_s)..];
+        let usual_s = own[own.len() / 2];
         let mut last_s = f64::NEG_INFINITY;
         let is_far = |sample: &&FlightSample| {
-            let is_far = sample.time_s - last_s > NEAR * *usual_s;
+            let is_far = sample.time_s - last_s > near_s;
             last_s = if is_far { sample.time_s } else { last_s };
             is_far
         };
@@ -137,7 +139,7 @@ impl Other {
         let shift_s = if mapping.time_format == TimeFormat::Number { 0.0 } else { days * DAY_S };
         let has_quaternion = mapping.columns[place("q0")].from != ColumnFrom::OwnName;
         Self {
-            longest_s: GAP * *usual_s,
+            longest_s: GAP * usual_s,
             samples,
             shift_s,
             has_quaternion,
