@@ -6,9 +6,10 @@
 
 use super::fit::Fit;
 use super::interval::Point;
+use super::quantile::chi_square_quantile;
 use super::terms::{Band, TERMS, Term};
 use super::{Estimate, Estimator};
-use crate::base::math::{chi_square_quantile, ln};
+use sins::math::ln;
 
 /// A fit does not explain a variance if both conditions hold: chance alone makes such a difference once in ten thousand cases, and the
 /// ratio of the deviations is large enough to be seen in the curve.

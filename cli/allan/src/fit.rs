@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::covariance::{Covariance, Form};
 use super::terms::{Band, TERMS, Term};
-use crate::base::math::hypot;
+use sins::math::hypot;
 
 type Vector = SVector<f64, TERMS>;
 

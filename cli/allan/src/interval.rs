@@ -1,12 +1,12 @@
-//! Confidence intervals of Allan variances and of the coefficients. `tests/analysis/allan/estimator.rs` counts how often intervals of 95 %
+//! Confidence intervals of Allan variances and of the coefficients. `tests/estimator/intervals.rs` counts how often intervals of 95 %
 //! hold the truth: 93 to 98.5 % for normal noises, more often with a ramp.
 
 use nalgebra::SVector;
 
 use super::covariance::Covariance;
 use super::fit::Fit;
+use super::quantile::{chi_square_quantile, normal_quantile};
 use super::terms::{TERMS, Term};
-use crate::base::math::{chi_square_quantile, normal_quantile};
 
 /// Values from `low` to `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,8 @@
 
 use core::f64::consts::{PI, SQRT_2};
 
-use super::transcendental::{erfc, exp, ln, ln_gamma};
+use libm::{erfc, lgamma as ln_gamma};
+use sins::math::{exp, ln, wilson_hilferty};
 
 /// Number of degrees of freedom above which the approximation of Wilson and Hilferty is used alone. There its error is below 2e-4
 /// of the quantile, from 0.1 % to 99.9 %.
@@ -21,13 +22,6 @@ pub fn normal_quantile(probability: f64) -> f64 {
         z + excess * (2.0 * PI).sqrt() * exp(0.5 * z * z)
     });
     if probability < 0.5 { -z } else { z }
-}
-
-/// χ²/ν at the normal quantile `z`, for ν = `degrees` of freedom: (1 - 2/(9ν) + z √(2/(9ν)))³ (Wilson and Hilferty 1931).
-pub fn wilson_hilferty(z: f64, degrees: f64) -> f64 {
-    let spread = 2.0 / (9.0 * degrees);
-    let root = 1.0 - spread + z * spread.sqrt();
-    root * root * root
 }
 
 /// Value below which χ² is with the given `probability`, for ν = `degrees` of freedom, any positive number. Its relative error is
@@ -84,4 +78,55 @@ fn lower_gamma(a: f64, x: f64) -> f64 {
         }
     }
     1.0 - factor * fraction
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn normal_quantiles_are_those_of_the_tables() {
+        for (probability, z) in
+            [(0.5, 0.0), (0.975, 1.959_963_984_540), (0.025, -1.959_963_984_540), (0.999, 3.090_232_306_168)]
+        {
+            assert!((normal_quantile(probability) - z).abs() < 1e-11, "{probability}");
+        }
+    }
+
+    /// Abramowitz and Stegun, table 26.8.
+    #[test]
+    fn quantiles_are_those_of_the_tables() {
+        for (probability, degrees, value) in [
+            (0.005, 1.0, 3.927_042_22e-5),
+            (0.025, 1.0, 9.820_691_17e-4),
+            (0.975, 1.0, 5.023_886_19),
+            (0.025, 3.0, 0.215_795_283),
+            (0.025, 10.0, 3.246_972_78),
+            (0.975, 10.0, 20.483_177_4),
+            (0.975, 100.0, 129.561_197),
+        ] {
+            let found = chi_square_quantile(probability, degrees);
+            assert!((found / value - 1.0).abs() < 1e-8, "{probability} {degrees}: {found}");
+        }
+    }
+
+    /// With two degrees of freedom χ² has an exponential distribution.
+    #[test]
+    fn two_degrees_are_in_closed_form() {
+        for probability in [1e-9, 1e-4, 0.3, 0.7, 0.9999] {
+            let found = chi_square_quantile(probability, 2.0);
+            assert!((found / (-2.0 * (-probability).ln_1p()) - 1.0).abs() < 1e-9, "{probability}");
+        }
+    }
+
+    #[test]
+    fn both_methods_meet() {
+        for probability in [0.001, 0.025, 0.5, 0.975, 0.999] {
+            let (exact, cube) = (
+                chi_square_quantile(probability, MANY),
+                chi_square_quantile(probability, MANY * (1.0 + 1e-12)),
+            );
+            assert!((cube / exact - 1.0).abs() < 2e-4, "{probability}: {cube} {exact}");
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Results of one column: deviations, coefficients, and whether the coefficients explain the deviations.
 
-use sins::allan::{Estimator, Filter, Fit, Interval, Point, TERMS, Term};
+use sins_allan::{Estimator, Filter, Fit, Interval, Point, TERMS, Term};
 
 use super::log::{Log, Series};
 use super::quantity::Sensor;

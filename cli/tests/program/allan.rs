@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use sins::allan::Point;
+use sins_allan::Point;
 
 use crate::support::{done, folder, read, rejected, run};
 

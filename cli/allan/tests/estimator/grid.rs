@@ -1,6 +1,6 @@
 //! Random records: each coefficient there or not, over four decades, behind a filter, repeated, or with gaps. What is reported holds.
 
-use sins::allan::{Estimator, TERMS, Term};
+use sins_allan::{Estimator, TERMS, Term};
 
 use super::dependent::{averaged, low_passed};
 use super::noises::{Coefficients, Normal, increments};
