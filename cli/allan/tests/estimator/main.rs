@@ -4,6 +4,9 @@
 
 mod closure;
 mod dependent;
+#[allow(dead_code, reason = "these tests use a part of it")]
+#[path = "../../../../tests/support/draws.rs"]
+mod draws;
 mod grid;
 mod intervals;
 mod noises;
