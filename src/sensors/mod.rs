@@ -3,8 +3,8 @@
 //!
 //! # Effects
 //!
-//! Each effect is one file in `effects`, with its own random streams. When parameters are set, a triad makes a plan of the effects that they call
-//! for, and does no work for the others. The effects act along the path of the signal, in this order:
+//! Each effect is one file in `effects`, with its own random streams. When parameters are set, a triad makes a plan of the effects that
+//! they call for, and does no work for the others. The effects act along the path of the signal, in this order:
 //!
 //! | | effect | error |
 //! |---|---|---|

@@ -76,8 +76,8 @@ fn fixes_that_froze_are_left_out() {
     }
 }
 
-/// Noise of a horizontal component, whose vertical part is half larger. The path is nearer to the flight than the rows; its velocity errs by the
-/// deviation that a cut-off of half the rate of turn of these flights leaves, and not by the noise over the interval.
+/// Noise of a horizontal component, whose vertical part is half larger. The path is nearer to the flight than the rows; its velocity errs
+/// by the deviation that a cut-off of half the rate of turn of these flights leaves, and not by the noise over the interval.
 #[test]
 fn noise_is_smoothed() {
     for flight in flown() {

@@ -203,7 +203,8 @@ fn what_failures_left_in_the_vertical_channel_does_not_outlive_an_alignment() {
     }
 }
 
-/// The vertical accelerometer loses intervals in ATT, less than makes a fault: they show no vertical, and the attitude goes on by the gyros.
+/// The vertical accelerometer loses intervals in ATT, less than makes a fault: they show no vertical, and the attitude goes on by the
+/// gyros.
 #[test]
 fn a_lost_accelerometer_does_not_tilt_the_attitude() {
     let mut aircraft = Aircraft::new(40.0, 0, 10.0, &crate::aircraft::papers_sensors());

@@ -89,9 +89,9 @@ fn of_free_square(fit: &Fit, term: usize, (low, high): (f64, f64)) -> Interval {
 }
 
 /// Interval of the square of coefficient `term`. Its upper end is the lower of two: the upper end of the fit, and the largest
-/// square with which this term alone makes no more than the whole variance (if the fit has all times), at the averaging time where that bound is closest. The
-/// fit chooses this time, because the lowest of the measured variances would be too low. Each of the two ends is exceeded with a
-/// quarter of the probability left out, so both together with at most half of it.
+/// square with which this term alone makes no more than the whole variance (if the fit has all times), at the averaging time where that
+/// bound is closest. The fit chooses this time, because the lowest of the measured variances would be too low. Each of the two ends is
+/// exceeded with a quarter of the probability left out, so both together with at most half of it.
 pub fn of_square(fit: &Fit, term: usize, points: &[Point], confidence: f64) -> Interval {
     let left_out = 1.0 - confidence;
     let bound = |point: &Point, variance: f64| {

@@ -18,8 +18,8 @@ use crate::recommend::{PIECE_S, hardest_parts};
 const LOWEST_HZ: f64 = 10.0;
 const FEWEST_SAMPLES: usize = 120;
 
-/// The scene of `given` in one piece: a whole log, or at most `effort.duration_s` of a flight in closed form; or in the hardest pieces of the
-/// time for which the full effort flies, if that is longer.
+/// The scene of `given` in one piece: a whole log, or at most `effort.duration_s` of a flight in closed form; or in the hardest pieces of
+/// the time for which the full effort flies, if that is longer.
 pub fn scene(given: &Given, effort: &Effort) -> Result<Pieces, Failure> {
     let mut made = without_warnings(given, effort)?;
     for scene in &mut made.scenes {

@@ -82,8 +82,8 @@ impl Point {
 }
 
 impl Survey {
-    /// Flies all configurations on `pieces`. Returns their errors, the largest that a piece predicts for the whole scene, and the course that
-    /// is still to be timed.
+    /// Flies all configurations on `pieces`. Returns their errors, the largest that a piece predicts for the whole scene, and the course
+    /// that is still to be timed.
     pub fn flown(pieces: &Pieces, effort: &Effort) -> Result<(Self, Course), Failure> {
         let scene = pieces.scenes.first().ok_or_else(|| Failure::new("a scene without a piece"))?;
         // A scene that is flown whole has its own errors.

@@ -48,8 +48,8 @@ interface_struct!(sins_log_info, "info", 216);
 /// What the parser takes beside the samples [bytes]; a field in quotes may be longer.
 const ROOM: usize = 1 << 20;
 
-/// Reads a flight log as the [log] of a scene says: which column has which quantity, in which unit, and whether its path is smoothed; a scene
-/// flies only a log that was read by its own [log]. The text is UTF-8, UTF-16 with a byte order mark, or otherwise Windows-1252.
+/// Reads a flight log as the [log] of a scene says: which column has which quantity, in which unit, and whether its path is smoothed; a
+/// scene flies only a log that was read by its own [log]. The text is UTF-8, UTF-16 with a byte order mark, or otherwise Windows-1252.
 /// NULL for scene, or a scene without [log]: comma-separated values in lines that end with LF or CR LF. The first line that is not a
 /// comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns
 /// is a fault:
@@ -115,8 +115,8 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
     }
 }
 
-/// Makes a log of an array of count samples, as sins_log_parse() of a text: for hosts that have a flight in memory. samples[0].struct_size is
-/// the size in bytes of each element of samples; struct_size of the other samples may be 0. A log has at least two samples, each later
+/// Makes a log of an array of count samples, as sins_log_parse() of a text: for hosts that have a flight in memory. samples[0].struct_size
+/// is the size in bytes of each element of samples; struct_size of the other samples may be 0. A log has at least two samples, each later
 /// than the one before, with values in their ranges. Its title is empty. The samples are copied. Not for a real-time frame: it allocates,
 /// 176 bytes a sample.
 ///
@@ -199,7 +199,8 @@ pub unsafe extern "C-unwind" fn sins_log_get_sample(
 }
 
 /// Looks at the samples of a log, one after the other, as sins_judge_push(). Where a coordinated flight stands in for the attitude of the
-/// log, attitudes are not judged. What was wrong in the rows of a log that was smoothed is found too, as a note if the path does not have it.
+/// log, attitudes are not judged. What was wrong in the rows of a log that was smoothed is found too, as a note if the path does not have
+/// it.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, with the number of the sample; the samples before it were taken.
 /// SINS_ERROR_BAD_HANDLE: judge or log is not a valid handle.

@@ -221,7 +221,8 @@ pub unsafe extern "C-unwind" fn sins_play_run(
 /// imu; that of the other elements may be anything. written (may be NULL) gets the number of elements, also on an error. No allocation, no
 /// system call.
 ///
-/// SINS_OK: the array is full. SINS_PLAY_END: the flight is over. SINS_ERROR_INVALID_ARGUMENT: capacity is 0. The errors of sins_play_next().
+/// SINS_OK: the array is full. SINS_PLAY_END: the flight is over. SINS_ERROR_INVALID_ARGUMENT: capacity is 0. The errors of
+/// sins_play_next().
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_play_run_imu(
     play: *mut sins_play,

@@ -32,7 +32,8 @@ pub unsafe extern "C-unwind" fn sins_scene_create_unit(
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: flight_start_s not from -2e10 to 2e10.
 /// SINS_ERROR_BAD_HANDLE: scene, unit or sim is not a valid handle.
-/// SINS_ERROR_BAD_STATE: an entry at the wrong moment; sins_last_error(NULL, ...) says which; the unit was updated. As sins_unit_update(); as sins_scene_parse().
+/// SINS_ERROR_BAD_STATE: an entry at the wrong moment; sins_last_error(NULL, ...) says which; the unit was updated. As sins_unit_update();
+/// as sins_scene_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_scene_update_unit(
     scene: *const sins_scene,

@@ -1,5 +1,5 @@
-//! Records whose neighbouring values depend on each other, as most sensors give them: the coefficients are those of the noise itself, within
-//! intervals that hold, from averaging times beyond the dependence.
+//! Records whose neighbouring values depend on each other, as most sensors give them: the coefficients are those of the noise itself,
+//! within intervals that hold, from averaging times beyond the dependence.
 
 use sins_allan::{Estimator, Filter, TERMS, Term};
 
