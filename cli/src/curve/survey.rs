@@ -6,7 +6,7 @@ use super::command::Effort;
 use super::configuration::Configuration;
 use super::matrix::Outcome;
 use super::reference::Judgement;
-use super::scene::{Pieces, Rate, Scene};
+use super::scene::{CurveScene, Pieces, Rate};
 use super::timing::Course;
 use super::{grades, matrix};
 use crate::failure::Failure;
@@ -92,7 +92,7 @@ impl Survey {
             Some(growth) => growth.of(error),
             None => *error,
         };
-        let largest = |of: &dyn Fn(&Scene) -> SolutionError| {
+        let largest = |of: &dyn Fn(&CurveScene) -> SolutionError| {
             let errors = pieces.scenes.iter().enumerate().map(|(piece, scene)| grown(piece, &of(scene)));
             errors.fold(SolutionError::default(), |most, error| most.max(&error))
         };

@@ -9,7 +9,7 @@ use crate::abi::boundary::handle::{hand_out, with_object};
 use crate::abi::boundary::tables::LOGS;
 use crate::abi::boundary::{enter, enter_without_simulator, remember_as};
 use crate::abi::failure::{
-    Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status,
+    CallError, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status,
 };
 use crate::abi::judge::{sins_judge, with_judge};
 use crate::abi::memory::{Array, Output, element, interface_struct, put_if_wanted};
@@ -77,7 +77,7 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
 ) -> sins_status {
     let parse = |scene: &Scene| {
         if log.is_null() {
-            return Err(Failure::null("log"));
+            return Err(CallError::null("log"));
         }
         // SAFETY: the host's promise.
         let output = unsafe { Output::if_wanted(fault, "fault")? };
@@ -131,13 +131,13 @@ pub unsafe extern "C-unwind" fn sins_log_create(
 ) -> sins_status {
     enter_without_simulator(|| {
         if log.is_null() {
-            return Err(Failure::null("log"));
+            return Err(CallError::null("log"));
         }
         let mut made = FlightLog::with_room(count)?;
         // SAFETY: the host's promise; samples are only read.
         let samples = unsafe { Array::new(samples.cast_mut(), count, "samples")? };
         for index in 0..count {
-            made.append(samples.sample(index)?).map_err(|error| Failure::from(error).of_sample(index))?;
+            made.append(samples.sample(index)?).map_err(|error| CallError::from(error).of_sample(index))?;
         }
         // SAFETY: the host's promise.
         unsafe { hand_out(&LOGS, log, "log", || Ok(Arc::new(made))) }
@@ -145,7 +145,7 @@ pub unsafe extern "C-unwind" fn sins_log_create(
 }
 
 /// The log of a handle; `None`: null.
-pub(super) fn log_of(log: *const sins_log) -> Result<Option<Arc<FlightLog>>, Failure> {
+pub(super) fn log_of(log: *const sins_log) -> Result<Option<Arc<FlightLog>>, CallError> {
     if log.is_null() {
         return Ok(None);
     }
@@ -154,7 +154,7 @@ pub(super) fn log_of(log: *const sins_log) -> Result<Option<Arc<FlightLog>>, Fai
         found = Some(log.clone());
         Ok(SINS_OK)
     });
-    found.map(Some).ok_or_else(|| Failure::of_handle(status, "log"))
+    found.map(Some).ok_or_else(|| CallError::of_handle(status, "log"))
 }
 
 /// Reads the number of samples of a log, its duration and its title.
@@ -210,9 +210,9 @@ pub unsafe extern "C-unwind" fn sins_judge_push_log(
     log: *const sins_log,
 ) -> sins_status {
     with_judge(judge, |judge| {
-        let log = log_of(log)?.ok_or_else(|| Failure::of_handle(SINS_ERROR_BAD_HANDLE, "log"))?;
+        let log = log_of(log)?.ok_or_else(|| CallError::of_handle(SINS_ERROR_BAD_HANDLE, "log"))?;
         let judged = log.judge(judge, log.samples().len());
-        judged.map_err(|(index, error)| Failure::from(error).of_sample(index))?;
+        judged.map_err(|(index, error)| CallError::from(error).of_sample(index))?;
         Ok(SINS_OK)
     })
 }
