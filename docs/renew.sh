@@ -49,7 +49,7 @@ allan() {
         --imu rest_imu.csv --force --out "$figures/allan.out"
     "$sins" allan "$figures/allan.out/rest_imu.csv" --force -o "$figures/allan.out/allan.svg"
 }
-allan_estimator() { long --test analysis allan::; }
+allan_estimator() { long -p sins-allan; }
 
 # ensembles.md
 ensemble() { cargo run --release --manifest-path benches/Cargo.toml --bin ensemble; }

@@ -163,8 +163,8 @@ typedef struct sins_budget_row {
     double share;
     /**
      * Time of a step with all effects, less that of a step without this one; in the first row, time of a step with no effect
-     * set. Measured in this call on this machine if time_steps is 1, else 0 [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may be
-     * negative.
+     * set. Measured in this call on this machine if time_steps is 1, else 0 [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine,
+     * so it may be negative.
      */
     double ns_per_step;
 } sins_budget_row;

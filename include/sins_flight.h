@@ -1,6 +1,6 @@
 /*
- * sins_flight.h - embedded flights: the library computes the samples from manoeuvres; and a judge of samples, which finds what is wrong with
- * them. The conventions are those of sins.h.
+ * sins_flight.h - embedded flights: the library computes the samples from manoeuvres; and a judge of samples, which finds what is wrong
+ * with them. The conventions are those of sins.h.
  *
  * build/ writes this file; do not edit it.
  */

@@ -215,7 +215,8 @@ SINS_API sins_status SINS_CALL sins_scene_create_unit(const sins_scene *scene, s
  *
  * SINS_ERROR_INVALID_ARGUMENT: flight_start_s not from -2e10 to 2e10.
  * SINS_ERROR_BAD_HANDLE: scene, unit or sim is not a valid handle.
- * SINS_ERROR_BAD_STATE: an entry at the wrong moment; sins_last_error(NULL, ...) says which; the unit was updated. As sins_unit_update(); as sins_scene_parse().
+ * SINS_ERROR_BAD_STATE: an entry at the wrong moment; sins_last_error(NULL, ...) says which; the unit was updated. As sins_unit_update();
+ * as sins_scene_parse().
  */
 SINS_API sins_status SINS_CALL sins_scene_update_unit(const sins_scene *scene, sins_unit *unit, sins_sim *sim,
     double flight_start_s);
@@ -497,10 +498,10 @@ SINS_API sins_status SINS_CALL sins_scene_set_values(sins_scene *scene, const ch
 
 /**
  * Replaces all items of a list, "manoeuvre", "failure", "update" or "panel". items is a terminated text with the items as in the
- * text of a scene: [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an item, give
- * the texts of all items that the list shall have, in order. An empty text removes all failures, updates or actions; for "manoeuvre" an
- * empty text is a fault. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0,
- * longitude 0, height 0.
+ * text of a scene: [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an
+ * item, give the texts of all items that the list shall have, in order. An empty text removes all failures, updates or actions; for
+ * "manoeuvre" an empty text is a fault. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at
+ * latitude 0, longitude 0, height 0.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
  * every fault with the line in items and the path.
@@ -528,8 +529,8 @@ typedef struct sins_log_info {
 } sins_log_info;
 
 /**
- * Reads a flight log as the [log] of a scene says: which column has which quantity, in which unit, and whether its path is smoothed; a scene
- * flies only a log that was read by its own [log]. The text is UTF-8, UTF-16 with a byte order mark, or otherwise Windows-1252.
+ * Reads a flight log as the [log] of a scene says: which column has which quantity, in which unit, and whether its path is smoothed; a
+ * scene flies only a log that was read by its own [log]. The text is UTF-8, UTF-16 with a byte order mark, or otherwise Windows-1252.
  * NULL for scene, or a scene without [log]: comma-separated values in lines that end with LF or CR LF. The first line that is not a
  * comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns
  * is a fault:
@@ -552,8 +553,8 @@ SINS_API sins_status SINS_CALL sins_log_parse(const char *text, size_t size, con
     sins_fault *fault);
 
 /**
- * Makes a log of an array of count samples, as sins_log_parse() of a text: for hosts that have a flight in memory. samples[0].struct_size is
- * the size in bytes of each element of samples; struct_size of the other samples may be 0. A log has at least two samples, each later
+ * Makes a log of an array of count samples, as sins_log_parse() of a text: for hosts that have a flight in memory. samples[0].struct_size
+ * is the size in bytes of each element of samples; struct_size of the other samples may be 0. A log has at least two samples, each later
  * than the one before, with values in their ranges. Its title is empty. The samples are copied. Not for a real-time frame: it allocates,
  * 176 bytes a sample.
  *
@@ -577,7 +578,8 @@ SINS_API sins_status SINS_CALL sins_log_get_sample(const sins_log *log, size_t i
 
 /**
  * Looks at the samples of a log, one after the other, as sins_judge_push(). Where a coordinated flight stands in for the attitude of the
- * log, attitudes are not judged. What was wrong in the rows of a log that was smoothed is found too, as a note if the path does not have it.
+ * log, attitudes are not judged. What was wrong in the rows of a log that was smoothed is found too, as a note if the path does not have
+ * it.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, with the number of the sample; the samples before it were taken.
  * SINS_ERROR_BAD_HANDLE: judge or log is not a valid handle.
@@ -708,7 +710,8 @@ SINS_API sins_status SINS_CALL sins_play_run(sins_play *play, sins_record *recor
  * imu; that of the other elements may be anything. written (may be NULL) gets the number of elements, also on an error. No allocation, no
  * system call.
  *
- * SINS_OK: the array is full. SINS_PLAY_END: the flight is over. SINS_ERROR_INVALID_ARGUMENT: capacity is 0. The errors of sins_play_next().
+ * SINS_OK: the array is full. SINS_PLAY_END: the flight is over. SINS_ERROR_INVALID_ARGUMENT: capacity is 0. The errors of
+ * sins_play_next().
  */
 SINS_API sins_status SINS_CALL sins_play_run_imu(sins_play *play, sins_imu *imu, size_t capacity, size_t *written);
 

@@ -50,7 +50,6 @@
 //! | [`unit`] | an INS as an aircraft knows it: modes, alignment, status; its words of ARINC 429 ([`unit::bus`]) |
 //! | `scene` | a whole scene as text, its failures and updates, and flight logs (`scene::log`; feature `scenes`) |
 //! | [`abi`] | the C interface |
-//! | [`allan`] | estimates the noise of a sensor from its record |
 //!
 //! # Notation
 //!
@@ -95,7 +94,7 @@
 //! | an alignment over a time leaves the mean errors of this time, and the flight continues with its states | `tests/effects/alignment_time.rs` |
 //! | a gravity disturbance acts as its closed form | `tests/effects/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/effects/noise_statistics.rs` |
-//! | the Allan deviation of noise gives its parameters back | `tests/analysis/allan/closure.rs`, the estimator `tests/analysis/allan/estimator.rs` |
+//! | the Allan deviation of noise gives its parameters back | `cli/allan/tests/estimator/closure.rs`, the estimator `cli/allan/tests/estimator/intervals.rs` |
 //! | the same bits on every platform and for any sequence of calls | `tests/state/determinism.rs`, `tests/interface/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
 //! | no host can damage the library, and the library does not damage its host | `tests/interface/host_machine.rs` and the table of `tests/README.md` |
 //! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/state/snapshots.rs`, `tests/robustness/snapshot_damage.rs` |
@@ -190,9 +189,6 @@ mod simulator;
 pub mod truth;
 #[forbid(unsafe_code)]
 pub mod unit;
-
-#[forbid(unsafe_code)]
-pub mod allan;
 
 pub use base::error::{Error, ErrorKind, Rule, Value};
 pub use base::{math, records, snapshot, units};

@@ -4,9 +4,9 @@
  *     table = sins_fly(samples, scene)
  *
  * samples has a row for each instant: time s; latitude, longitude rad; height m; velocity east, north, up m/s; roll, pitch,
- * heading rad. scene, a text in TOML, sets options, sensors, failures, updates and the unit; without it the options are the defaults and the sensors
- * are ideal. table has a row for each row of samples: time; then the navigation in the same columns; then its errors: position m,
- * velocity m/s, misalignment rad, each east, north, up. If a call fails, the error has the identifier "sins:" with the name of
+ * heading rad. scene, a text in TOML, sets options, sensors, failures, updates and the unit; without it the options are the defaults and
+ * the sensors are ideal. table has a row for each row of samples: time; then the navigation in the same columns; then its errors: position
+ * m, velocity m/s, misalignment rad, each east, north, up. If a call fails, the error has the identifier "sins:" with the name of
  * the status.
  */
 

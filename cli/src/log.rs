@@ -25,9 +25,9 @@ const COLUMNS: &str = "time_s,latitude_deg,longitude_deg,height_m,velocity_east_
 
 /// Looks at a flight log, and smooths it
 ///
-/// Prints what the log has and what the judge finds in it; findings alone do not change the exit code. With --smooth, noise, coarse steps, repeated rows, outliers and stamps that
-/// scatter are smoothed: the path is that of splines whose cut-off follows from the spectrum of the rows. Its velocity is the derivative of its position.
-/// The path is written as a log that `sins fly` flies.
+/// Prints what the log has and what the judge finds in it; findings alone do not change the exit code. With --smooth, noise, coarse steps,
+/// repeated rows, outliers and stamps that scatter are smoothed: the path is that of splines whose cut-off follows from the spectrum of the
+/// rows. Its velocity is the derivative of its position. The path is written as a log that `sins fly` flies.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// Flight log: a table, or a flight record in IGC, GPX or FDR ("-": standard input)
@@ -37,8 +37,8 @@ pub struct Order {
     columns: Option<PathBuf>,
     /// Looks for the columns of a table of any kind, and writes them into this file for --columns
     ///
-    /// Tables of many avionics, simulators and services are known by their columns (docs/your_log.md names them). Of another table, quantities,
-    /// units and times are guessed from names, lines of units and values. What is not sure is said.
+    /// Tables of many avionics, simulators and services are known by their columns (docs/your_log.md names them). Of another table,
+    /// quantities, units and times are guessed from names, lines of units and values. What is not sure is said.
     #[arg(long, value_name = "MAP.toml", conflicts_with_all = ["columns", "smooth"])]
     map: Option<PathBuf>,
     /// Exits with code 2 if a finding is doubtful or unusable, as the commands that fly a log do with this option

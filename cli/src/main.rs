@@ -9,6 +9,10 @@ mod bus;
 mod completions;
 mod curve;
 mod drawing;
+#[cfg(test)]
+#[allow(dead_code, reason = "these tests use a part of it")]
+#[path = "../../tests/support/draws.rs"]
+mod draws;
 mod ensemble;
 mod failure;
 mod fly;

@@ -35,7 +35,8 @@ pub struct Order {
     /// Start of the piece that is flown, since the first sample
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0)]
     pub from: f64,
-    /// Length of the piece that is flown; it must contain the hardest motion of the scene [default: the whole scene, or the hardest parts of a long one]
+    /// Length of the piece that is flown; it must contain the hardest motion of the scene
+    /// [default: the whole scene, or the hardest parts of a long one]
     #[arg(long, value_name = "SECONDS")]
     pub piece: Option<f64>,
     /// Factor by which the predicted error must be smaller than the required one

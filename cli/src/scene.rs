@@ -18,8 +18,8 @@ use crate::units::{six_digits, time_text};
 pub enum Order {
     /// Lists the built-in scenes
     List,
-    /// Reports every fault of scenes, the first of a flight log with its line, and what is doubtful in it, and summarizes those without faults. What shows only in
-    /// flight, such as a mechanization at a pole, is reported by `sins fly`
+    /// Reports every fault of scenes, the first of a flight log with its line, and what is doubtful in it, and summarizes those without
+    /// faults. What shows only in flight, such as a mechanization at a pole, is reported by `sins fly`
     Check {
         /// Files SCENE.toml and LOG.csv, or built-in scenes
         #[arg(required = true, value_name = "SCENE")]

@@ -165,8 +165,8 @@ pub fn sample(time_s: f64, values: &Values, is_set: &[bool; COUNT]) -> Result<Fl
     })
 }
 
-/// Sentences about inputs that no vehicle has, as if a tool had set inputs that are not connected to 0. `before` are the inputs `interval_s`
-/// \[s\] ago.
+/// Sentences about inputs that no vehicle has, as if a tool had set inputs that are not connected to 0. `before` are the inputs
+/// `interval_s` \[s\] ago.
 pub fn unconnected(sample: &FlightSample, before: &[f64], interval_s: f64) -> Vec<&'static str> {
     let is_zero = |vector: Option<Vector3<f64>>| vector == Some(Vector3::zeros());
     let Geodetic { latitude_rad, longitude_rad, height_m } = sample.place;

@@ -2,7 +2,7 @@
 
 use core::mem::MaybeUninit;
 
-use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Output, Struct};
 use crate::simulator::{Simulator, View};
 
@@ -16,7 +16,7 @@ pub(super) fn write_or_need<T: Struct>(output: &Output<T>, value: Option<T>) -> 
 pub(super) fn fill_or_need<V: View<Struct: Struct>>(
     simulator: &mut Simulator,
     output: &Output<V::Struct>,
-) -> Result<sins_status, Failure> {
+) -> Result<sins_status, CallError> {
     let mut own = MaybeUninit::uninit();
     let place = output.place(&mut own);
     if !simulator.fill::<V>(place)? {

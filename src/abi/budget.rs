@@ -2,12 +2,13 @@
 
 use super::boundary::enter_without_simulator;
 use super::budget_answer::{sins_budget, sins_budget_row};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_OK, sins_status};
 use super::memory::{Array, Output, interface_struct, put_if_wanted, read};
 use super::sample::sins_flight_sample;
 use super::simulator::{look_at, sins_sim};
 use crate::analysis::budget::{
-    BudgetRequest, Costs, Effect, MAX_SAMPLES, MIN_SAMPLES, Scene, error_budget, step_costs_ns,
+    BudgetEffect, BudgetRequest, ComputedSamples, Costs, MAX_SAMPLES, MIN_SAMPLES, error_budget,
+    step_costs_ns,
 };
 use crate::analysis::recommend::SolutionError;
 use crate::base::error::{Error, check_integer};
@@ -89,12 +90,12 @@ pub unsafe extern "C-unwind" fn sins_error_budget(
         check_integer("count", count, MIN_SAMPLES as u64, MAX_SAMPLES as u64)?;
         // SAFETY: the host's promise; samples are only read.
         let samples = unsafe { Array::new(samples.cast_mut(), count, "samples")? };
-        let needed = 1 + Effect::set_in(&parameters).count();
+        let needed = 1 + BudgetEffect::set_in(&parameters).count();
         // SAFETY: the host's promise.
         let tell = |number: usize| unsafe { put_if_wanted(written, number) };
         if needed > capacity {
             tell(needed);
-            return Err(Failure::buffer("capacity", capacity, needed));
+            return Err(CallError::buffer("capacity", capacity, needed));
         }
         // SAFETY: the host's promise.
         let rows = unsafe { Array::new(rows, needed, "rows")? };
@@ -103,7 +104,7 @@ pub unsafe extern "C-unwind" fn sins_error_budget(
             samples.sample(index)?;
         }
         let changed = |_| Error::bad_state("samples: they changed during the call");
-        let scene = Scene { count, sample: &|index| samples.sample(index).map_err(changed) };
+        let scene = ComputedSamples { count, sample: &|index| samples.sample(index).map_err(changed) };
         let answer = error_budget(&options, &scene, &parameters, &request)?;
         let effects = answer.rows.iter().map(|row| row.effect);
         let costs = match time_steps {
@@ -126,7 +127,7 @@ pub unsafe extern "C-unwind" fn sins_error_budget(
 
 impl sins_budget_request {
     /// The request, and whether steps are timed.
-    fn to_request(self) -> Result<(BudgetRequest, bool), Failure> {
+    fn to_request(self) -> Result<(BudgetRequest, bool), CallError> {
         check_integer("request.time_steps", self.time_steps as usize, 0, 1)?;
         let Self { runs, position_m, velocity_m_s, attitude_rad, .. } = self;
         let request = BudgetRequest {

@@ -45,8 +45,8 @@ pub struct sins_budget_row {
     /// The contribution divided by its limit, the largest of the three; 0 without limits.
     pub share: f64,
     /// Time of a step with all effects, less that of a step without this one; in the first row, time of a step with no effect
-    /// set. Measured in this call on this machine if time_steps is 1, else 0 [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine, so it may be
-    /// negative.
+    /// set. Measured in this call on this machine if time_steps is 1, else 0 [ns]. Uncertain by 1 to 5 % of a step, more on a busy machine,
+    /// so it may be negative.
     pub ns_per_step: f64,
 }
 

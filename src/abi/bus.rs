@@ -2,7 +2,7 @@
 
 use super::boundary::enter_without_simulator;
 use super::choice::{Choice, check_reserved, choices};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_OK, sins_status};
 use super::memory::{Array, Output, interface_struct, put, read};
 use super::text::chars;
 use super::unit_status::{sins_unit_navigation, sins_unit_status};
@@ -119,7 +119,7 @@ fn label_of(label: &crate::unit::bus::Label) -> sins_bus_label {
 }
 
 impl sins_bus_inputs {
-    fn to_inputs(self) -> Result<(Inputs, bool), Failure> {
+    fn to_inputs(self) -> Result<(Inputs, bool), CallError> {
         check_reserved("inputs.reserved", self.reserved)?;
         check_reserved("inputs.reserved2", self.reserved2)?;
         let known = SINS_BUS_WIND | SINS_BUS_MAGNETIC_VARIATION | SINS_BUS_REVERSED_LABEL;
@@ -213,7 +213,7 @@ pub unsafe extern "C-unwind" fn sins_bus_words(
         written?;
         // SAFETY: the host's promise.
         unsafe { put(count, due, "count")? };
-        if due > capacity { Err(Failure::buffer("capacity", capacity, due)) } else { Ok(SINS_OK) }
+        if due > capacity { Err(CallError::buffer("capacity", capacity, due)) } else { Ok(SINS_OK) }
     })
 }
 

@@ -1,6 +1,6 @@
 //! Constants of the host: choices of an enumeration, flags, and reserved fields.
 
-use super::failure::Failure;
+use super::failure::CallError;
 use crate::base::error::{Error, Rule};
 
 /// A choice of the library that is an enumeration of the interface.
@@ -14,7 +14,7 @@ pub(super) trait Choice: Copy + 'static {
     fn code(self) -> i32;
 
     /// The choice of the host's `value` of `field`.
-    fn of(field: &'static str, value: i32) -> Result<Self, Failure> {
+    fn of(field: &'static str, value: i32) -> Result<Self, CallError> {
         one_of(field, value, Self::CODES, Self::ENUMERATION)
     }
 }
@@ -40,7 +40,7 @@ pub(super) fn one_of<T: Copy>(
     value: i32,
     choices: &[(i32, T)],
     enumeration: &'static str,
-) -> Result<T, Failure> {
+) -> Result<T, CallError> {
     match choices.iter().find(|(code, _)| *code == value) {
         Some((_, choice)) => Ok(*choice),
         None => {
@@ -57,7 +57,7 @@ pub(super) fn of_kinds(
     value: i32,
     count: usize,
     enumeration: &'static str,
-) -> Result<usize, Failure> {
+) -> Result<usize, CallError> {
     match usize::try_from(value) {
         Ok(kind) if kind < count => Ok(kind),
         _ => Err(Error::invalid(field, value, Rule::OneOf(enumeration, 0, count as i32 - 1)).into()),
@@ -65,12 +65,12 @@ pub(super) fn of_kinds(
 }
 
 /// The value of a field that holds a constant of an `enumeration` of two: 0 is off, 1 is on.
-pub(super) fn switch(field: &'static str, value: i32, enumeration: &'static str) -> Result<bool, Failure> {
+pub(super) fn switch(field: &'static str, value: i32, enumeration: &'static str) -> Result<bool, CallError> {
     one_of(field, value, &[(0, false), (1, true)], enumeration)
 }
 
 /// Rejects a reserved field that is not 0.
-pub(super) fn check_reserved(field: &'static str, value: u32) -> Result<(), Failure> {
+pub(super) fn check_reserved(field: &'static str, value: u32) -> Result<(), CallError> {
     if value == 0 { Ok(()) } else { Err(Error::invalid(field, value, Rule::Zero("")).into()) }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::choice::check_reserved;
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use crate::earth::state::StateErrors;
@@ -44,7 +44,7 @@ pub struct sins_correction {
 interface_struct!(sins_correction, "correction", 176);
 
 impl sins_correction {
-    pub(super) fn to_correction(self) -> Result<Correction, Failure> {
+    pub(super) fn to_correction(self) -> Result<Correction, CallError> {
         check_reserved("correction.reserved", self.reserved)?;
         Ok(Correction {
             errors: StateErrors {

@@ -3,7 +3,7 @@
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::ENSEMBLES;
 use super::boundary::{enter, enter_without_simulator};
-use super::failure::{Failure, SINS_GAP, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_GAP, SINS_OK, sins_status};
 use super::memory::{Array, read};
 use super::sample::sins_flight_sample;
 use super::sensor_failure::{ARGUMENTS, output, sins_failure};
@@ -21,7 +21,7 @@ pub struct sins_ensemble {
 /// Runs `body` on the ensemble of a handle, as the inside of an exported function.
 pub(super) fn with_ensemble(
     ensemble: *const sins_ensemble,
-    body: impl FnOnce(&mut Ensemble) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Ensemble) -> Result<sins_status, CallError>,
 ) -> sins_status {
     with_object(&ENSEMBLES, ensemble, body)
 }
@@ -139,11 +139,11 @@ pub unsafe extern "C-unwind" fn sins_ensemble_run(
     })
 }
 
-fn run(ensemble: &mut Ensemble, samples: &Array<sins_flight_sample>) -> Result<sins_status, Failure> {
+fn run(ensemble: &mut Ensemble, samples: &Array<sins_flight_sample>) -> Result<sins_status, CallError> {
     // What waited in the queue before the call goes first.
     while stepped(ensemble.step()?) == SINS_OK {}
     let sample = |index| samples.read(index).and_then(sins_flight_sample::to_sample);
-    let of_sample = |(index, failure): (usize, Failure)| failure.of_sample(index);
+    let of_sample = |(index, failure): (usize, CallError)| failure.of_sample(index);
     let has_gap = ensemble.run(samples.count(), sample).map_err(of_sample)?;
     Ok(if has_gap { SINS_GAP } else { SINS_OK })
 }

@@ -5,7 +5,7 @@ use super::choice::Choice;
 use super::correction::{sins_compensation, sins_correction};
 use super::ensemble::{sins_ensemble, with_ensemble};
 use super::errors::sins_errors;
-use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::imu::sins_imu;
 use super::memory::{Array, Output, put, put_if_wanted, read};
 use super::solution::sins_navigation;
@@ -101,7 +101,7 @@ pub unsafe extern "C-unwind" fn sins_ensemble_get_all_errors(
         let places = unsafe { Array::new(errors, capacity, "errors")? };
         let source = ErrorSource::of("source", source)?;
         if capacity < ensemble.runs() {
-            return Err(Failure::buffer("capacity", capacity, ensemble.runs()));
+            return Err(CallError::buffer("capacity", capacity, ensemble.runs()));
         }
         let Some(truth) = ensemble.truth() else {
             return Ok(SINS_NEED_SAMPLE);
@@ -146,7 +146,7 @@ pub unsafe extern "C-unwind" fn sins_ensemble_get_diverged(
 ) -> sins_status {
     with_ensemble(ensemble, |ensemble| {
         if run.is_null() {
-            return Err(Failure::null("run"));
+            return Err(CallError::null("run"));
         }
         let Some(diverged) = ensemble.diverged().nth(index) else {
             let rule = Rule::Below(ensemble.diverged().count() as f64);

@@ -3,7 +3,7 @@
 use core::ffi::c_void;
 
 use super::ensemble::{sins_ensemble, with_ensemble};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_OK, sins_status};
 use super::memory::{put, put_if_wanted};
 use super::text::{bytes_of, bytes_to_fill};
 
@@ -32,11 +32,11 @@ pub unsafe extern "C-unwind" fn sins_ensemble_snapshot_save(
 ) -> sins_status {
     with_ensemble(ensemble, |ensemble| {
         if buffer.is_null() {
-            return Err(Failure::null("buffer"));
+            return Err(CallError::null("buffer"));
         }
         let size = ensemble.snapshot_size();
         if size > capacity {
-            return Err(Failure::buffer("capacity", capacity, size));
+            return Err(CallError::buffer("capacity", capacity, size));
         }
         // SAFETY: the host's promise; not null, and there is room.
         let length = ensemble.save_snapshot(unsafe { bytes_to_fill(buffer.cast(), size) })?;

@@ -68,14 +68,14 @@ include!(concat!(env!("OUT_DIR"), "/status_names.rs"));
 
 /// A status with its sentence, as plain data.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Failure {
+pub(super) struct CallError {
     pub status: sins_status,
     pub error: Error,
     /// Index of the sample in an array that it concerns.
     pub sample: Option<usize>,
 }
 
-impl Failure {
+impl CallError {
     fn words(status: sins_status, field: &'static str, words: &'static str) -> Self {
         let error = Error {
             kind: ErrorKind::InvalidArgument,
@@ -149,7 +149,7 @@ impl Failure {
     }
 }
 
-impl From<Error> for Failure {
+impl From<Error> for CallError {
     fn from(error: Error) -> Self {
         let status = match error.kind {
             ErrorKind::InvalidArgument => SINS_ERROR_INVALID_ARGUMENT,
@@ -167,7 +167,7 @@ impl From<Error> for Failure {
     }
 }
 
-impl fmt::Display for Failure {
+impl fmt::Display for CallError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(&self.error, f)?;
         let Error { field, kind, value, rule, .. } = self.error;

@@ -3,7 +3,7 @@
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::FLIGHTS;
 use super::boundary::{enter, enter_without_simulator};
-use super::failure::{Failure, sins_status};
+use super::failure::{CallError, sins_status};
 use super::manoeuvre::sins_manoeuvre;
 use super::memory::{Array, Output, put, read};
 use super::parameters::{Parameters, params};
@@ -80,7 +80,7 @@ pub(super) unsafe fn read_flight(
     start: *const sins_flight_start,
     manoeuvres: *const sins_manoeuvre,
     count: usize,
-) -> Result<(FlightStart, Vec<Manoeuvre>), Failure> {
+) -> Result<(FlightStart, Vec<Manoeuvre>), CallError> {
     // SAFETY: as this function.
     let start = unsafe { read(start, "start")? }.to_parameters()?;
     check_integer("count", count, 1, MAX_MANOEUVRES as u64)?;

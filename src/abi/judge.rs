@@ -6,7 +6,7 @@ use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::JUDGES;
 use super::boundary::{enter, enter_without_simulator};
 use super::choice::{Choice, choices};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_OK, sins_status};
 use super::memory::{Array, interface_struct, put, read};
 use super::options::sins_options;
 use super::parameters::Parameters;
@@ -83,7 +83,7 @@ impl sins_finding {
 /// Runs `body` on the judge of a handle, as the inside of an exported function.
 pub(super) fn with_judge(
     judge: *const sins_judge,
-    body: impl FnOnce(&mut Judge) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Judge) -> Result<sins_status, CallError>,
 ) -> sins_status {
     with_object(&JUDGES, judge, |judge| body(&mut judge[0]))
 }
@@ -175,7 +175,7 @@ pub unsafe extern "C-unwind" fn sins_judge_get_findings(
                 return Ok(SINS_OK);
             }
             if capacity < number {
-                return Err(Failure::buffer("capacity", capacity, number));
+                return Err(CallError::buffer("capacity", capacity, number));
             }
             for (index, finding) in found.enumerate() {
                 places.write(index, &sins_finding::new(&finding))?;

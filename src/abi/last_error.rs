@@ -4,7 +4,7 @@ use core::ffi::c_char;
 
 use super::boundary::tables::SIMULATORS;
 use super::boundary::{enter, last_failure};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct};
 use super::sentence::Sentence;
 use super::simulator::sins_sim;
@@ -99,7 +99,7 @@ pub unsafe extern "C-unwind" fn sins_last_error_info(
 /// Runs `body` on the last failure of a simulator, or of this thread, and its sentence; the failure of `body` is not kept.
 fn read_failure(
     sim: *const sins_sim,
-    body: impl FnOnce(Option<&Failure>, &Sentence) -> Result<sins_status, Failure>,
+    body: impl FnOnce(Option<&CallError>, &Sentence) -> Result<sins_status, CallError>,
 ) -> sins_status {
     enter(|| {
         let failure = match sim.is_null() {
@@ -118,7 +118,7 @@ fn read_failure(
 }
 
 impl sins_error_info {
-    fn of(failure: Option<&Failure>) -> Self {
+    fn of(failure: Option<&CallError>) -> Self {
         let mut info = Self {
             struct_size: size_of::<Self>() as u32,
             flags: 0,

@@ -1,7 +1,7 @@
 //! `sins_manoeuvre`, of which embedded flights are made.
 
 use super::choice::{Choice, check_reserved, choices, of_kinds};
-use super::failure::Failure;
+use super::failure::CallError;
 use super::memory::interface_struct;
 use crate::base::error::{Error, Rule, Value, check_integer};
 use crate::truth::flight::{Channel, MAX_SINUSOIDS, Manoeuvre, ManoeuvreFields, Sinusoid, Sinusoids};
@@ -87,7 +87,7 @@ impl sins_manoeuvre {
         made
     }
 
-    pub(super) fn to_manoeuvre(mut self) -> Result<Manoeuvre, Failure> {
+    pub(super) fn to_manoeuvre(mut self) -> Result<Manoeuvre, CallError> {
         check_reserved("manoeuvre.reserved", self.reserved)?;
         let kind =
             of_kinds("manoeuvre.kind", self.kind, ManoeuvreFields::KINDS.len(), "sins_manoeuvre_kind")?;
@@ -100,7 +100,7 @@ impl sins_manoeuvre {
         Ok(fields.kind().unwrap_or(Manoeuvre::Rest { duration_s: self.duration_s }))
     }
 
-    fn sinusoids(&self) -> Result<Sinusoids, Failure> {
+    fn sinusoids(&self) -> Result<Sinusoids, CallError> {
         const NOT_USED: Rule = Rule::Zero(": this manoeuvre does not use it");
         let mut sinusoids = Sinusoids::default();
         let mut count = 0;

@@ -2,7 +2,7 @@
 
 use core::mem::MaybeUninit;
 
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_OK, sins_status};
 use crate::base::error::Rule;
 
 /// Largest struct size that a host may state; larger ones are garbage, not a later release.
@@ -33,10 +33,10 @@ macro_rules! interface_struct {
 pub(super) use interface_struct;
 
 /// Checks a struct size that a host states.
-fn check_size<T: Struct>(size: usize) -> Result<usize, Failure> {
+fn check_size<T: Struct>(size: usize) -> Result<usize, CallError> {
     if size < T::FIRST_SIZE || size > MAX_STRUCT_SIZE || !size.is_multiple_of(8) {
         let rule = Rule::Exactly("must be sizeof the struct; in this release", size_of::<T>().into());
-        return Err(Failure::struct_size(T::NAME, size, rule));
+        return Err(CallError::struct_size(T::NAME, size, rule));
     }
     Ok(size)
 }
@@ -45,9 +45,9 @@ fn check_size<T: Struct>(size: usize) -> Result<usize, Failure> {
 ///
 /// # Safety
 /// `pointer` is null or points to a struct that begins with its size.
-unsafe fn stated_size<T: Struct>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
+unsafe fn stated_size<T: Struct>(pointer: *const T, name: &'static str) -> Result<usize, CallError> {
     if pointer.is_null() {
-        return Err(Failure::null(name));
+        return Err(CallError::null(name));
     }
     // SAFETY: not null; any alignment is read.
     check_size::<T>(unsafe { pointer.cast::<u32>().read_unaligned() } as usize)
@@ -57,7 +57,7 @@ unsafe fn stated_size<T: Struct>(pointer: *const T, name: &'static str) -> Resul
 ///
 /// # Safety
 /// `pointer` is null or points to a struct of as many readable bytes as its `struct_size` says.
-pub(super) unsafe fn read<T: Struct>(pointer: *const T, name: &'static str) -> Result<T, Failure> {
+pub(super) unsafe fn read<T: Struct>(pointer: *const T, name: &'static str) -> Result<T, CallError> {
     // SAFETY: as this function.
     let size = unsafe { stated_size(pointer, name)? };
     // SAFETY: `size` bytes are readable.
@@ -72,7 +72,7 @@ pub(super) unsafe fn read_into<T: Struct>(
     pointer: *const T,
     name: &'static str,
     value: &mut T,
-) -> Result<(), Failure> {
+) -> Result<(), CallError> {
     // SAFETY: as this function.
     let size = unsafe { stated_size(pointer, name)? };
     // SAFETY: `size` bytes are readable; a `T` is writable, and any bytes are one.
@@ -81,7 +81,7 @@ pub(super) unsafe fn read_into<T: Struct>(
 
 /// # Safety
 /// `pointer` points to `size` readable bytes.
-unsafe fn read_sized<T: Struct>(pointer: *const T, size: usize) -> Result<T, Failure> {
+unsafe fn read_sized<T: Struct>(pointer: *const T, size: usize) -> Result<T, CallError> {
     let mut value = MaybeUninit::<T>::zeroed();
     // SAFETY: as this function; the local is writable.
     unsafe { copy_sized(pointer, size, value.as_mut_ptr())? };
@@ -94,7 +94,7 @@ unsafe fn read_sized<T: Struct>(pointer: *const T, size: usize) -> Result<T, Fai
 ///
 /// # Safety
 /// `pointer` points to `size` readable bytes, `value` to a writable `T`.
-unsafe fn copy_sized<T: Struct>(pointer: *const T, size: usize, value: *mut T) -> Result<(), Failure> {
+unsafe fn copy_sized<T: Struct>(pointer: *const T, size: usize, value: *mut T) -> Result<(), CallError> {
     let known = size_of::<T>();
     // SAFETY: the shorter of both lengths; the host's bytes and the library's do not overlap.
     unsafe { core::ptr::copy_nonoverlapping(pointer.cast::<u8>(), value.cast::<u8>(), size.min(known)) };
@@ -104,7 +104,7 @@ unsafe fn copy_sized<T: Struct>(pointer: *const T, size: usize, value: *mut T) -
             let rule = Rule::Sentence(
                 "the struct is of a newer release and uses fields that this release does not know",
             );
-            return Err(Failure::struct_size(T::NAME, size, rule));
+            return Err(CallError::struct_size(T::NAME, size, rule));
         }
     }
     Ok(())
@@ -119,7 +119,7 @@ pub(super) struct Output<T> {
 impl<T: Struct> Output<T> {
     /// # Safety
     /// `pointer` is null or points to a struct of as many writable bytes as its `struct_size` says, until `write` or `finish`.
-    pub unsafe fn new(pointer: *mut T, name: &'static str) -> Result<Self, Failure> {
+    pub unsafe fn new(pointer: *mut T, name: &'static str) -> Result<Self, CallError> {
         // SAFETY: as this function.
         Ok(Self { pointer, size: unsafe { stated_size(pointer.cast_const(), name)? } })
     }
@@ -128,7 +128,7 @@ impl<T: Struct> Output<T> {
     ///
     /// # Safety
     /// As [`Self::new`].
-    pub unsafe fn if_wanted(pointer: *mut T, name: &'static str) -> Result<Option<Self>, Failure> {
+    pub unsafe fn if_wanted(pointer: *mut T, name: &'static str) -> Result<Option<Self>, CallError> {
         // SAFETY: as this function.
         (!pointer.is_null()).then(|| unsafe { Self::new(pointer, name) }).transpose()
     }
@@ -184,7 +184,7 @@ pub(super) struct Array<T> {
 impl<T: Struct> Array<T> {
     /// # Safety
     /// `first` is null or points to `count` structs of the size that the first one states.
-    pub unsafe fn new(first: *mut T, count: usize, name: &'static str) -> Result<Self, Failure> {
+    pub unsafe fn new(first: *mut T, count: usize, name: &'static str) -> Result<Self, CallError> {
         if count == 0 {
             return Ok(Self { first, stride: size_of::<T>(), count });
         }
@@ -197,36 +197,36 @@ impl<T: Struct> Array<T> {
         self.count
     }
 
-    fn element(&self, index: usize) -> Result<*mut T, Failure> {
+    fn element(&self, index: usize) -> Result<*mut T, CallError> {
         if index >= self.count {
-            return Err(Failure::buffer(T::NAME, self.count, index + 1));
+            return Err(CallError::buffer(T::NAME, self.count, index + 1));
         }
         // SAFETY: within the array that `new` was promised.
         Ok(unsafe { self.first.cast::<u8>().add(index * self.stride) }.cast::<T>())
     }
 
     /// Element `index`; its own struct_size is that of the first, or 0.
-    pub fn read(&self, index: usize) -> Result<T, Failure> {
+    pub fn read(&self, index: usize) -> Result<T, CallError> {
         let pointer = self.element(index)?;
         // SAFETY: the head of an element.
         let size = unsafe { pointer.cast::<u32>().read_unaligned() } as usize;
         if size != self.stride && size != 0 {
             let rule = Rule::Exactly("must be 0, or that of the first element:", self.stride.into());
-            return Err(Failure::struct_size(T::NAME, size, rule));
+            return Err(CallError::struct_size(T::NAME, size, rule));
         }
         // SAFETY: an element has `stride` readable bytes.
         unsafe { read_sized(pointer.cast_const(), self.stride) }
     }
 
     /// Element `index`, whose own struct_size is that of the first from then on.
-    pub fn write(&self, index: usize, value: &T) -> Result<(), Failure> {
+    pub fn write(&self, index: usize, value: &T) -> Result<(), CallError> {
         self.output(index)?.write(value);
         Ok(())
     }
 
     /// The place of element `index`, whose own struct_size is that of the first from then on.
     #[inline(always)]
-    pub fn output(&self, index: usize) -> Result<Output<T>, Failure> {
+    pub fn output(&self, index: usize) -> Result<Output<T>, CallError> {
         let pointer = self.element(index)?;
         // SAFETY: the head of an element, which `new` was promised to be writable.
         unsafe { pointer.cast::<u32>().write_unaligned(self.stride as u32) };
@@ -242,9 +242,9 @@ pub(super) unsafe fn read_numbers(
     pointer: *const f64,
     to: &mut [f64],
     name: &'static str,
-) -> Result<(), Failure> {
+) -> Result<(), CallError> {
     if pointer.is_null() && !to.is_empty() {
-        return Err(Failure::null(name));
+        return Err(CallError::null(name));
     }
     for (index, number) in to.iter_mut().enumerate() {
         // SAFETY: not null, and within the array.
@@ -261,9 +261,9 @@ pub(super) unsafe fn put<T: Copy>(
     pointer: *mut T,
     value: T,
     name: &'static str,
-) -> Result<sins_status, Failure> {
+) -> Result<sins_status, CallError> {
     if pointer.is_null() {
-        return Err(Failure::null(name));
+        return Err(CallError::null(name));
     }
     // SAFETY: not null.
     unsafe { pointer.write_unaligned(value) };
@@ -283,7 +283,7 @@ pub(super) unsafe fn put_if_wanted<T: Copy>(pointer: *mut T, value: T) {
 
 /// The element `index`; `rule` says what there must be of it.
 #[cfg(feature = "scenes")]
-pub(super) fn element<'a, T>(list: &'a [T], index: usize, rule: &'static str) -> Result<&'a T, Failure> {
+pub(super) fn element<'a, T>(list: &'a [T], index: usize, rule: &'static str) -> Result<&'a T, CallError> {
     let rule = Rule::SentenceWith(rule, list.len().into());
     list.get(index).ok_or_else(|| crate::base::error::Error::invalid("index", index, rule).into())
 }

@@ -4,7 +4,8 @@
 //!
 //! The doc comments of the public items are the documentation in the header. That of the fields of `sins_gyro_params` and
 //! `sins_accel_params` comes from `src/sensors/table.rs`, that of the other structs of parameters from the
-//! tables that `build/tables.rs` lists, and that of most enumerations from the enumerations of the crate that `build/enumerations.rs` lists.
+//! tables that `build/tables.rs` lists, and that of most enumerations from the enumerations of the crate that `build/enumerations.rs`
+//! lists.
 //!
 //! # Safety
 //!

@@ -1,7 +1,7 @@
 //! `sins_options`.
 
 use super::choice::{Choice, check_reserved, choices, switch};
-use super::failure::Failure;
+use super::failure::CallError;
 use super::memory::interface_struct;
 use super::parameters::Parameters;
 use crate::base::error::{Error, Rule, check_integer};
@@ -140,7 +140,7 @@ impl Parameters for sins_options {
         }
     }
 
-    fn to_parameters(self) -> Result<Options, Failure> {
+    fn to_parameters(self) -> Result<Options, CallError> {
         check_reserved("options.reserved", self.reserved)?;
         let covariance = switch("options.covariance", self.covariance, "sins_covariance_mode")?;
         let truth_summary = switch("options.truth_summary", self.truth_summary, "sins_summary")?;

@@ -1,6 +1,6 @@
 //! How a struct of the interface holds parameters of the crate: `sins_options`, `sins_gyro_params` and so on.
 
-use super::failure::Failure;
+use super::failure::CallError;
 use super::memory::Struct;
 
 /// A struct that holds parameters.
@@ -12,7 +12,7 @@ pub(super) trait Parameters: Struct {
     fn from_parameters(parameters: &Self::Own) -> Self;
 
     /// The parameters that the struct holds.
-    fn to_parameters(self) -> Result<Self::Own, Failure>;
+    fn to_parameters(self) -> Result<Self::Own, CallError>;
 }
 
 /// Declares a struct of a table with its name in messages and its first size, and makes parameters of it and back: `$copy` copies
@@ -24,7 +24,7 @@ macro_rules! params {
         impl $crate::abi::parameters::Parameters for $type {
             type Own = $own;
 
-            fn to_parameters(self) -> Result<$own, $crate::abi::failure::Failure> {
+            fn to_parameters(self) -> Result<$own, $crate::abi::failure::CallError> {
                 $crate::abi::choice::check_reserved(concat!($name, ".reserved"), self.reserved)?;
                 let mut parameters = <$own>::default();
                 $copy(self.numbers(), parameters.numbers_mut());

@@ -1,7 +1,7 @@
 //! `sins_recommend`: the cheapest options that meet a required accuracy.
 
 use super::boundary::enter_without_simulator;
-use super::failure::{Failure, SINS_OK, SINS_REQUIREMENT_NOT_MET, sins_status};
+use super::failure::{CallError, SINS_OK, SINS_REQUIREMENT_NOT_MET, sins_status};
 use super::memory::{Array, Output, interface_struct, read};
 use super::options::sins_options;
 use super::parameters::Parameters;
@@ -90,7 +90,7 @@ pub struct sins_cost {
 interface_struct!(sins_cost, "cost", 144);
 
 impl sins_requirement {
-    fn to_requirement(self) -> Result<Requirement, Failure> {
+    fn to_requirement(self) -> Result<Requirement, CallError> {
         check_integer("requirement.time_steps", self.time_steps as usize, 0, 1)?;
         let requirement = Requirement {
             duration_s: self.duration_s,
@@ -104,7 +104,7 @@ impl sins_requirement {
     }
 }
 
-impl From<Refusal> for Failure {
+impl From<Refusal> for CallError {
     fn from(refusal: Refusal) -> Self {
         let failure = Self::from(refusal.error);
         match refusal.sample {
@@ -168,7 +168,7 @@ pub unsafe extern "C-unwind" fn sins_recommend(
     })
 }
 
-fn read_samples(samples: &Array<sins_flight_sample>) -> Result<Vec<FlightSample>, Failure> {
+fn read_samples(samples: &Array<sins_flight_sample>) -> Result<Vec<FlightSample>, CallError> {
     let mut list = room(samples.count())?;
     for index in 0..samples.count() {
         list.push(samples.sample(index)?);

@@ -9,7 +9,7 @@ use super::answer::fill_or_need;
 use super::boundary::enter_without_simulator;
 use super::covariance::sins_covariance;
 use super::errors::sins_record_errors;
-use super::failure::{Failure, sins_status};
+use super::failure::{CallError, sins_status};
 use super::memory::{Output, interface_struct, read, read_numbers};
 use super::simulator::{sins_sim, with_simulator};
 use super::solution::sins_record_solution;
@@ -107,12 +107,12 @@ pub unsafe extern "C-unwind" fn sins_record_line(
 }
 
 /// A line without the heap.
-struct Line {
+struct LineBuffer {
     bytes: [u8; LONGEST],
     length: usize,
 }
 
-impl Line {
+impl LineBuffer {
     /// Adds a field.
     fn add(&mut self, field: impl fmt::Display) {
         let comma = if self.length == 0 { "" } else { "," };
@@ -121,7 +121,7 @@ impl Line {
     }
 }
 
-impl Write for Line {
+impl Write for LineBuffer {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         let end = self.length + text.len();
         self.bytes.get_mut(self.length..end).ok_or(fmt::Error)?.copy_from_slice(text.as_bytes());
@@ -137,8 +137,8 @@ unsafe fn line(
     sensor_errors: *const f64,
     count: usize,
     covariance: *const sins_covariance,
-) -> Result<Line, Failure> {
-    let mut line = Line { bytes: [0; LONGEST], length: 0 };
+) -> Result<LineBuffer, CallError> {
+    let mut line = LineBuffer { bytes: [0; LONGEST], length: 0 };
     if record.is_null() {
         columns(!covariance.is_null()).for_each(|column| line.add(column));
         return Ok(line);

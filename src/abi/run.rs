@@ -1,7 +1,7 @@
 //! `sins_run`: a whole array of samples in one call.
 
 use super::answer::fill_or_need;
-use super::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Array, put_if_wanted};
 use super::record::{RecordView, sins_record};
 use super::sample::sins_flight_sample;
@@ -59,7 +59,7 @@ pub unsafe extern "C-unwind" fn sins_run(
             simulator.refuse_while_navigating()?;
             let wanted = records_of(simulator, count, every);
             if wanted > capacity {
-                return Err(Failure::buffer("capacity", capacity, wanted));
+                return Err(CallError::buffer("capacity", capacity, wanted));
             }
             // SAFETY: the host's promise.
             let records = unsafe { Array::new(records, wanted, "records")? };
@@ -89,13 +89,13 @@ fn run(
     every: usize,
     records: &Array<sins_record>,
     done: &mut usize,
-) -> Result<sins_status, Failure> {
+) -> Result<sins_status, CallError> {
     // What waited in the queue before the call goes first.
     while fly(simulator, every, records, done)? == SINS_OK {}
     let mut answer = SINS_OK;
     for index in 0..samples.count() {
         let pushed = push(simulator, &samples.sample(index)?)
-            .map_err(|error| Failure::from(error).of_sample(index))?;
+            .map_err(|error| CallError::from(error).of_sample(index))?;
         if pushed != SINS_OK {
             answer = pushed;
         }
@@ -110,7 +110,7 @@ fn fly(
     every: usize,
     records: &Array<sins_record>,
     done: &mut usize,
-) -> Result<sins_status, Failure> {
+) -> Result<sins_status, CallError> {
     let status = step(simulator)?;
     if status == SINS_OK && every > 0 && simulator.intervals().is_multiple_of(every as u64) {
         write_record(simulator, records, done)?;
@@ -123,7 +123,7 @@ fn write_record(
     simulator: &mut Simulator,
     records: &Array<sins_record>,
     done: &mut usize,
-) -> Result<(), Failure> {
+) -> Result<(), CallError> {
     if fill_or_need::<RecordView>(simulator, &records.output(*done)?)? == SINS_OK {
         *done += 1;
     }

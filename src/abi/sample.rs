@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::choice::flag;
-use super::failure::Failure;
+use super::failure::CallError;
 use super::memory::{Array, interface_struct};
 use crate::base::error::{Error, Rule};
 use crate::base::math::Euler;
@@ -73,7 +73,7 @@ pub struct sins_flight_sample {
 interface_struct!(sins_flight_sample, "sample", 144);
 
 impl sins_flight_sample {
-    pub(super) fn to_sample(self) -> Result<FlightSample, Failure> {
+    pub(super) fn to_sample(self) -> Result<FlightSample, CallError> {
         let unknown = self.flags & !KNOWN_FLAGS;
         if unknown != 0 {
             let rule = Rule::Sentence("must be a combination of SINS_SAMPLE_ flags; it has unknown bits");
@@ -99,7 +99,7 @@ impl sins_flight_sample {
 
 impl Array<sins_flight_sample> {
     /// Sample `index` of a host; a failure names it.
-    pub(super) fn sample(&self, index: usize) -> Result<FlightSample, Failure> {
+    pub(super) fn sample(&self, index: usize) -> Result<FlightSample, CallError> {
         let sample = self.read(index).and_then(sins_flight_sample::to_sample);
         sample.map_err(|failure| failure.of_sample(index))
     }

@@ -1,7 +1,7 @@
 //! `sins_failure`.
 
 use super::choice::{check_reserved, of_kinds};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::simulator::{sins_sim, with_simulator};
 use crate::base::error::{Error, Rule};
@@ -64,7 +64,7 @@ impl sins_failure_fields {
         Self { kind: kind as i32, reserved2: 0, size, density, interval_s, duration_s, probability }
     }
 
-    pub(super) fn to_failure(self) -> Result<Option<sensors::Failure>, Failure> {
+    pub(super) fn to_failure(self) -> Result<Option<sensors::Failure>, CallError> {
         check_reserved("failure.reserved2", self.reserved2)?;
         let Self { size, density, interval_s, duration_s, probability, .. } = self;
         let kind = of_kinds("failure.kind", self.kind, FailureFields::KINDS.len(), "sins_failure_kind")?;
@@ -81,7 +81,7 @@ impl sins_failure {
         Self { struct_size: size_of::<Self>() as u32, reserved: 0, fields }
     }
 
-    pub(super) fn to_failure(self) -> Result<Option<sensors::Failure>, Failure> {
+    pub(super) fn to_failure(self) -> Result<Option<sensors::Failure>, CallError> {
         check_reserved("failure.reserved", self.reserved)?;
         self.fields.to_failure()
     }
@@ -91,7 +91,7 @@ impl sins_failure {
 pub(super) const ARGUMENTS: [&str; 2] = ["sensor", "axis"];
 
 /// The output that `sensor` and `axis` select; `fields` are their names in messages.
-pub(super) fn output(fields: [&'static str; 2], sensor: i32, axis: i32) -> Result<SensorOutput, Failure> {
+pub(super) fn output(fields: [&'static str; 2], sensor: i32, axis: i32) -> Result<SensorOutput, CallError> {
     let [sensor_field, axis_field] = fields;
     let (last, rule) = match sensor {
         SINS_SENSOR_GYRO | SINS_SENSOR_ACCEL => (2, Rule::BetweenIntegers(0, 2)),

@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Write};
 
-use super::failure::Failure;
+use super::failure::CallError;
 
 /// A sentence in a fixed buffer: made without an allocation, cut at a character.
 #[derive(Clone, Copy)]
@@ -21,7 +21,7 @@ impl Sentence {
         sentence
     }
 
-    pub fn of(failure: Option<&Failure>) -> Self {
+    pub fn of(failure: Option<&CallError>) -> Self {
         match failure {
             Some(failure) => Self::new(format_args!("{failure}")),
             None => Self::new(format_args!("no error")),

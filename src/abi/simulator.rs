@@ -3,7 +3,7 @@
 use super::boundary::handle::hand_out;
 use super::boundary::tables::SIMULATORS;
 use super::boundary::{enter, enter_without_simulator};
-use super::failure::{Failure, SINS_GAP, SINS_NEED_SAMPLE, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_GAP, SINS_NEED_SAMPLE, SINS_OK, sins_status};
 use super::memory::{Output, read};
 use super::options::sins_options;
 use super::parameters::Parameters;
@@ -24,7 +24,7 @@ pub struct sins_sim {
 #[inline(always)]
 pub(super) fn with_simulator(
     sim: *const sins_sim,
-    body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Simulator) -> Result<sins_status, CallError>,
 ) -> sins_status {
     enter(|| on_simulator(sim, body))
 }
@@ -33,7 +33,7 @@ pub(super) fn with_simulator(
 #[inline(always)]
 pub(super) fn on_simulator(
     sim: *const sins_sim,
-    body: impl FnOnce(&mut Simulator) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Simulator) -> Result<sins_status, CallError>,
 ) -> sins_status {
     SIMULATORS.with(sim.addr(), |memory| body(&mut memory[0]))
 }
@@ -59,7 +59,7 @@ pub(super) fn look_at<T>(
     sim: *const sins_sim,
     name: &'static str,
     view: impl FnOnce(&Simulator) -> T,
-) -> Result<T, Failure> {
+) -> Result<T, CallError> {
     work_with(sim, name, |simulator| view(simulator))
 }
 
@@ -68,13 +68,13 @@ pub(super) fn work_with<T>(
     sim: *const sins_sim,
     name: &'static str,
     work: impl FnOnce(&mut Simulator) -> T,
-) -> Result<T, Failure> {
+) -> Result<T, CallError> {
     let mut made = None;
     let status = SIMULATORS.with(sim.addr(), |memory| {
         made = Some(work(&mut memory[0]));
         Ok(SINS_OK)
     });
-    made.ok_or_else(|| Failure::of_handle(status, name))
+    made.ok_or_else(|| CallError::of_handle(status, name))
 }
 
 /// Creates a simulator with ideal sensors. If options is NULL, it has the recommended options.

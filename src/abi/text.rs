@@ -4,7 +4,7 @@
 use core::ffi::CStr;
 use core::ffi::c_char;
 
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_OK, sins_status};
 use super::memory::put_if_wanted;
 use crate::base::error::Error;
 #[cfg(feature = "scenes")]
@@ -19,14 +19,14 @@ pub(super) unsafe fn put_saved<const N: usize>(
     buffer: *mut u8,
     capacity: usize,
     written: *mut usize,
-) -> Result<sins_status, Failure> {
+) -> Result<sins_status, CallError> {
     if buffer.is_null() {
-        return Err(Failure::null("buffer"));
+        return Err(CallError::null("buffer"));
     }
     let mut bytes = [0; N];
     let length = save(&mut bytes)?;
     if length > capacity {
-        return Err(Failure::buffer("capacity", capacity, length));
+        return Err(CallError::buffer("capacity", capacity, length));
     }
     // SAFETY: not more than there is room for; a local and the host's bytes do not overlap.
     unsafe { core::ptr::copy_nonoverlapping(bytes.as_ptr(), buffer, length) };
@@ -52,9 +52,9 @@ pub(super) unsafe fn bytes_of<'a>(
     pointer: *const u8,
     size: usize,
     name: &'static str,
-) -> Result<&'a [u8], Failure> {
+) -> Result<&'a [u8], CallError> {
     if pointer.is_null() {
-        return Err(Failure::null(name));
+        return Err(CallError::null(name));
     }
     // No object is larger; a wrong size, as -1 for an error, stays a wrong size.
     let size = size.min(isize::MAX as usize);
@@ -67,9 +67,9 @@ pub(super) unsafe fn bytes_of<'a>(
 /// # Safety
 /// `text` is null or points to a terminated string, which nobody writes while the slice lives.
 #[cfg(feature = "scenes")]
-pub(super) unsafe fn text_of<'a>(text: *const c_char, name: &'static str) -> Result<&'a [u8], Failure> {
+pub(super) unsafe fn text_of<'a>(text: *const c_char, name: &'static str) -> Result<&'a [u8], CallError> {
     if text.is_null() {
-        return Err(Failure::null(name));
+        return Err(CallError::null(name));
     }
     // SAFETY: not null, and terminated.
     Ok(unsafe { CStr::from_ptr(text) }.to_bytes())
@@ -80,7 +80,7 @@ pub(super) unsafe fn text_of<'a>(text: *const c_char, name: &'static str) -> Res
 /// # Safety
 /// As [`text_of`].
 #[cfg(feature = "scenes")]
-pub(super) unsafe fn utf8_of<'a>(text: *const c_char, name: &'static str) -> Result<&'a str, Failure> {
+pub(super) unsafe fn utf8_of<'a>(text: *const c_char, name: &'static str) -> Result<&'a str, CallError> {
     // SAFETY: as this function.
     let bytes = unsafe { text_of(text, name)? };
     core::str::from_utf8(bytes).map_err(|_| bad_text(name, "must be UTF-8").into())
@@ -124,7 +124,7 @@ pub(super) unsafe fn put_text(
     buffer: *mut c_char,
     capacity: usize,
     needed: *mut usize,
-) -> Result<sins_status, Failure> {
+) -> Result<sins_status, CallError> {
     let size = text.len() + 1;
     if !needed.is_null() {
         // SAFETY: not null.
@@ -132,7 +132,7 @@ pub(super) unsafe fn put_text(
     }
     if buffer.is_null() {
         // Asked for the size alone, or nothing to answer into.
-        return if capacity == 0 && !needed.is_null() { Ok(SINS_OK) } else { Err(Failure::null("buffer")) };
+        return if capacity == 0 && !needed.is_null() { Ok(SINS_OK) } else { Err(CallError::null("buffer")) };
     }
     if capacity > 0 {
         let length = fitting(text, capacity);
@@ -142,5 +142,5 @@ pub(super) unsafe fn put_text(
             buffer.add(length).write(0);
         }
     }
-    if size <= capacity { Ok(SINS_OK) } else { Err(Failure::buffer("capacity", capacity, size)) }
+    if size <= capacity { Ok(SINS_OK) } else { Err(CallError::buffer("capacity", capacity, size)) }
 }

@@ -11,8 +11,8 @@ use crate::truth::TruthSummary;
 /// arbitrary sideslips. Exchanged east and north give a sideslip, and velocities that contradict the positions. Knots instead
 /// of m/s contradict the positions too. Feet instead of metres give heights and climbs 3.3 times too large. Accelerations are
 /// means from one sample to the next. So are rates and forces, unless the samples carry them; then they are the values at the
-/// samples. Each ..._at_s is the time stamp of the sample at which the value was found. A judge (sins_judge_create() in sins_flight.h) draws
-/// the conclusions.
+/// samples. Each ..._at_s is the time stamp of the sample at which the value was found. A judge (sins_judge_create() in sins_flight.h)
+/// draws the conclusions.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct sins_truth_summary {

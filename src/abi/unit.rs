@@ -6,14 +6,14 @@ use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::UNITS;
 use super::boundary::{enter, enter_without_simulator};
 use super::choice::{Choice, check_reserved, choices};
-use super::failure::{Failure, SINS_OK, sins_status};
+use super::failure::{CallError, SINS_OK, sins_status};
 use super::memory::{Output, interface_struct, read};
 use super::parameters::Parameters;
 use super::settings::sins_unit_params;
 use super::simulator::{sins_sim, work_with};
 use super::text::{bytes_of, put_saved};
 use crate::earth::Geodetic;
-use crate::unit::{AlignmentKind, Mode, Power, Stored, Unit, UnitParameters};
+use crate::unit::{AlignmentKind, Mode, Power, StoredAlignment, Unit, UnitParameters};
 
 /// A unit. A handle is a checked key, like that of a sins_sim, and is never confused with one. sins_last_error(NULL, ...) on the same
 /// thread gives the failures of its functions.
@@ -49,7 +49,7 @@ const _: () = assert!(SINS_UNIT_SNAPSHOT_MAX_SIZE == Unit::SNAPSHOT_MAX_SIZE);
 /// Runs `body` on the unit of a handle, as the inside of an exported function.
 pub(super) fn with_unit(
     unit: *const sins_unit,
-    body: impl FnOnce(&mut Unit) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Unit) -> Result<sins_status, CallError>,
 ) -> sins_status {
     with_object(&UNITS, unit, body)
 }
@@ -233,7 +233,7 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
     heading_rad: f64,
 ) -> sins_status {
     with_unit(unit, |unit| {
-        unit.set_stored(Some(Stored { latitude_rad, longitude_rad, heading_rad }))?;
+        unit.set_stored(Some(StoredAlignment { latitude_rad, longitude_rad, heading_rad }))?;
         Ok(SINS_OK)
     })
 }

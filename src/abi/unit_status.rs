@@ -1,7 +1,7 @@
 //! `sins_unit_status`, `sins_unit_navigation`: what a unit reports and shows.
 
 use super::choice::{Choice, check_reserved, choices, flag};
-use super::failure::{Failure, sins_status};
+use super::failure::{CallError, sins_status};
 use super::memory::{Output, interface_struct};
 use super::simulator::{look_at, sins_sim};
 use super::unit::{sins_unit, with_unit};
@@ -185,7 +185,7 @@ impl From<&UnitNavigation> for sins_unit_navigation {
 
 impl sins_unit_status {
     /// The status, as far as words on a bus show it.
-    pub(super) fn to_status(self) -> Result<Status, Failure> {
+    pub(super) fn to_status(self) -> Result<Status, CallError> {
         check_reserved("status.reserved", self.reserved)?;
         check_flags("status.annunciators", self.annunciators, 2 * SINS_UNIT_HAS_STORED - 1)?;
         check_flags("status.reasons", self.reasons, 2 * SINS_UNIT_REASON_TURNS_NEEDED - 1)?;
@@ -218,7 +218,7 @@ impl sins_unit_status {
 }
 
 /// Rejects flags that this release does not know.
-fn check_flags(field: &'static str, flags: u32, most: u32) -> Result<(), Failure> {
+fn check_flags(field: &'static str, flags: u32, most: u32) -> Result<(), CallError> {
     if flags > most {
         return Err(Error::invalid(field, flags, Rule::BetweenIntegers(0, most.into())).into());
     }
@@ -226,7 +226,7 @@ fn check_flags(field: &'static str, flags: u32, most: u32) -> Result<(), Failure
 }
 
 impl sins_unit_navigation {
-    pub(super) fn to_shown(self) -> Result<UnitNavigation, Failure> {
+    pub(super) fn to_shown(self) -> Result<UnitNavigation, CallError> {
         check_flags("navigation.validity", self.validity, 2 * SINS_UNIT_VALID_VELOCITY - 1)?;
         for (field, number, size) in [
             ("navigation.time_s", self.time_s, CLOCK_S),

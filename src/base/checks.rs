@@ -28,7 +28,8 @@ pub fn check_value(
     }
 }
 
-/// Checks the numbers of a parameter. `of` gives the field and the numbers of the named parameter, whose correlation time or distance this is.
+/// Checks the numbers of a parameter. `of` gives the field and the numbers of the named parameter, whose correlation time or distance this
+/// is.
 pub fn check_numbers<'n>(
     field: &Field,
     shape: Shape,

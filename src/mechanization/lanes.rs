@@ -31,8 +31,8 @@ use super::geographic::Geographic;
 use super::limits::WELL_WITHIN_M;
 use super::scratch::{AxesRows, Bodies, Scratch};
 use super::{
-    AidOfEach, Frame, FrameState, MAX_SUBSAMPLES, Mechanization, Scheme, Solution, VerticalCorrection,
-    VerticalRows,
+    AidOfEach, Frame, FrameState, MAX_SUBSAMPLES, Mechanization, MechanizationState, Scheme,
+    VerticalCorrection, VerticalRows,
 };
 use crate::base::math::AxisTurn;
 use crate::earth::{Earth, GravityModel};
@@ -71,7 +71,7 @@ impl NavigatorBatch {
         Mechanization {
             earth: *earth,
             scheme,
-            solution: Solution { axes, vertical: self.vertical.get(lane) },
+            solution: MechanizationState { axes, vertical: self.vertical.get(lane) },
         }
     }
 

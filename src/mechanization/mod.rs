@@ -95,18 +95,18 @@ variants!(FrameState { EarthFixed, Geographic });
 pub struct Mechanization {
     earth: Earth,
     scheme: Scheme,
-    solution: Solution,
+    solution: MechanizationState,
 }
 
 /// The part of the state that changes from one update to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Solution {
+pub(crate) struct MechanizationState {
     axes: FrameState,
     vertical: VerticalLoop,
 }
 
 stored!(Mechanization { solution } rebuilt { earth, scheme } then |navigator, _| navigator.check());
-stored!(Solution { axes, vertical });
+stored!(MechanizationState { axes, vertical });
 
 impl Mechanization {
     /// Cosine of the latitude within which the geographic axes turn too fast: 6.4 km from a pole.
@@ -123,7 +123,7 @@ impl Mechanization {
             Frame::EarthFixed => FrameState::EarthFixed(EarthFixed::new(&earth, state)),
             Frame::Geographic => FrameState::Geographic(Geographic::new(&earth, state)),
         };
-        Self { earth, scheme, solution: Solution { axes, vertical: VerticalLoop::new() } }
+        Self { earth, scheme, solution: MechanizationState { axes, vertical: VerticalLoop::new() } }
     }
 
     /// This navigator with the solution `state`; its vertical channel continues.
@@ -132,17 +132,17 @@ impl Mechanization {
             FrameState::EarthFixed(_) => FrameState::EarthFixed(EarthFixed::new(&self.earth, state)),
             FrameState::Geographic(_) => FrameState::Geographic(Geographic::new(&self.earth, state)),
         };
-        Self { solution: Solution { axes, ..self.solution }, ..*self }
+        Self { solution: MechanizationState { axes, ..self.solution }, ..*self }
     }
 
     /// The part that [`Self::go_back`] needs.
     #[inline]
-    pub(crate) fn solution(&self) -> Solution {
+    pub(crate) fn solution(&self) -> MechanizationState {
         self.solution
     }
 
     /// Restores a former solution.
-    pub(crate) fn go_back(&mut self, solution: &Solution) {
+    pub(crate) fn go_back(&mut self, solution: &MechanizationState) {
         self.solution = *solution;
     }
 
@@ -195,7 +195,7 @@ impl Mechanization {
         if *aid == VerticalAid::None {
             return self.solution.vertical.skip();
         }
-        let Solution { axes, vertical } = &mut self.solution;
+        let MechanizationState { axes, vertical } = &mut self.solution;
         let mut correct = |height: f64, velocity_up: f64| match *aid {
             VerticalAid::None => VerticalCorrection::to_truth(0.0, 0.0, t),
             VerticalAid::Truth { height_m, velocity_up_m_s } => {

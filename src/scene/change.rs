@@ -49,9 +49,9 @@ impl Scene {
         Ok(())
     }
 
-    /// Puts the items of `text` in the place of all items of a list, "manoeuvre", "failure", "update" or "panel". They are written as in the text of
-    /// a scene; lines of faults are those of `text`. On faults the scene stays what it was. Manoeuvres replace a log or a built-in
-    /// flight.
+    /// Puts the items of `text` in the place of all items of a list, "manoeuvre", "failure", "update" or "panel". They are written as in
+    /// the text of a scene; lines of faults are those of `text`. On faults the scene stays what it was. Manoeuvres replace a log or a
+    /// built-in flight.
     pub fn set_items(&mut self, list: &str, text: &str) -> Result<(), Vec<Fault>> {
         let Some(section) = LISTS.into_iter().find(|section| section.name() == list) else {
             let sentence = "expected manoeuvre, failure, update or panel".to_owned();

@@ -3,8 +3,8 @@
 //!
 //! # Effects
 //!
-//! Each effect is one file in `effects`, with its own random streams. When parameters are set, a triad makes a plan of the effects that they call
-//! for, and does no work for the others. The effects act along the path of the signal, in this order:
+//! Each effect is one file in `effects`, with its own random streams. When parameters are set, a triad makes a plan of the effects that
+//! they call for, and does no work for the others. The effects act along the path of the signal, in this order:
 //!
 //! | | effect | error |
 //! |---|---|---|
@@ -55,10 +55,8 @@ pub use alignment::{Aligned, Sensed, level, level_and_gyrocompass};
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use altimeter_table::ALTIMETER;
 pub use draw::StandardNormal;
-pub use effects::EffectPlace;
-pub(crate) use effects::{
-    FLICKER_PROCESSES, Kind, OF_SIGNAL, Processes, SharedInput, StateRows, element_sigmas,
-};
+pub use effects::{EffectPlace, FLICKER_PROCESSES};
+pub(crate) use effects::{Kind, OF_SIGNAL, Processes, SharedInput, StateRows, element_sigmas};
 pub(crate) use failing::FailingTriad;
 pub(crate) use failure::FailureFields;
 pub use failure::{Axis, Failure, SensorOutput};

@@ -32,8 +32,8 @@ impl Bound {
 }
 
 impl Simulator {
-    /// Bound of the error of the mean angular rate about any axis, over the last `t` \[s\] \[rad/s\]. `temperatures_c` are those at the start
-    /// of this time and now; a drawn walk began `since_start_s` \[s\] before it.
+    /// Bound of the error of the mean angular rate about any axis, over the last `t` \[s\] \[rad/s\]. `temperatures_c` are those at the
+    /// start of this time and now; a drawn walk began `since_start_s` \[s\] before it.
     pub(crate) fn mean_rate_error(
         &self,
         signals: &Signals,

@@ -9,7 +9,7 @@ use crate::base::math::{
 };
 use crate::earth::Earth;
 use crate::earth::state::{EarthFixedState, Navigation, StateErrors};
-use crate::errors::covariance::Alignment;
+use crate::errors::covariance::SteadyAlignment;
 use crate::mechanization::VerticalMode;
 use crate::sensors::{self, Aligned, Sensed, Triad, level, level_and_gyrocompass};
 use crate::signal::mounting::{Block, MountingParameters};
@@ -157,7 +157,7 @@ pub(super) fn alignment(
     earth: &Earth,
     state: &EarthFixedState,
     truth: &Navigation,
-) -> Option<Alignment> {
+) -> Option<SteadyAlignment> {
     if alignment == sensors::Alignment::Given {
         return None;
     }
@@ -165,7 +165,7 @@ pub(super) fn alignment(
     let none = Vector3::zeros();
     let share = |ideal_n: &Vector3<f64>, axis: usize| 1e-5 * ideal_n[axis].abs();
     let by_rate = || at_rest.gains(|error_n| at_rest.aligned(none, error_n), share(&at_rest.earth_rate_n, 1));
-    Some(Alignment {
+    Some(SteadyAlignment {
         // Levelling does without the gyros, also at a pole, where the share is 0.
         by_rate: if alignment == sensors::Alignment::Level { Matrix3::zeros() } else { by_rate() },
         by_force: at_rest.gains(|error_n| at_rest.aligned(error_n, none), share(&at_rest.reaction_n, 2)),

@@ -135,7 +135,7 @@ impl Window {
 
 /// An alignment in progress.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Alignment {
+pub(super) struct AlignmentProgress {
     pub elapsed_s: f64,
     window: Window,
     /// Temperature at its start \[°C\], if it is known.
@@ -145,7 +145,7 @@ pub(super) struct Alignment {
     pub in_flight: InFlight,
 }
 
-stored!(Alignment { elapsed_s: SIGNALS, window, temperature_c: SIGNALS, first, last, in_flight });
+stored!(AlignmentProgress { elapsed_s: SIGNALS, window, temperature_c: SIGNALS, first, last, in_flight });
 
 /// What an alignment has found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -157,7 +157,7 @@ pub(super) struct North {
     pub vertical_excess_rad_s: f64,
 }
 
-impl Alignment {
+impl AlignmentProgress {
     /// Times since a start.
     pub fn clocks(&self) -> [f64; 3] {
         let [elapsed_s, window_s] = self.in_flight.clocks();
@@ -289,7 +289,7 @@ mod tests {
 
     #[test]
     fn a_window_of_free_fall_or_of_whole_turns_has_no_mean() {
-        let mut alignment = Alignment::default();
+        let mut alignment = AlignmentProgress::default();
         let (level, none) = (Quaternion::identity(), Vector3::zeros());
         assert_eq!(alignment.advance(&Vector3::zeros(), &level, &none, 0.1, 0.1), Some(false));
         // A turn by 2π changes the sign of the quaternion. Half-way through a window both intervals have the same weight.

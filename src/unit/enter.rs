@@ -1,6 +1,6 @@
 //! The panel: what the crew and the aircraft do.
 
-use super::{AlignmentKind, Mode, Power, State, Stored, Unit};
+use super::{AlignmentKind, Mode, Power, State, StoredAlignment, Unit};
 use crate::base::error::{Error, check_range};
 
 const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
@@ -86,7 +86,7 @@ impl Unit {
     }
 
     /// Sets what the unit stored at its last switching off; `None`: nothing.
-    pub fn set_stored(&mut self, stored: Option<Stored>) -> Result<(), Error> {
+    pub fn set_stored(&mut self, stored: Option<StoredAlignment>) -> Result<(), Error> {
         if let Some(stored) = &stored {
             stored.validate()?;
         }

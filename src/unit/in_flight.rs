@@ -12,10 +12,11 @@
 //! ```text
 //! s² uᵀ A⁻¹ u + d² |(A⁻¹ Σ tₖ Wₖ - t I)ᵀ u|²
 //! ```
-//! Roll and pitch have what is left of the traces. s² is that of a component of b, from what R leaves of the sum; d is the drift of the gyros, which turns the axes that they keep. A window
-//! counts less the older it is: its weight falls by e in the time in which the drift reaches the limit of the heading. What R leaves of n
-//! windows has ν = 3n - 3 degrees of freedom, so the error follows Student's distribution, not the normal one: s is multiplied by the ratio
-//! of their quantiles at 3 standard deviations, 2.8 for two windows, 1.6 for three, 1.2 for six.
+//! Roll and pitch have what is left of the traces. s² is that of a component of b, from what R leaves of the sum; d is the drift of the
+//! gyros, which turns the axes that they keep. A window counts less the older it is: its weight falls by e in the time in which the drift
+//! reaches the limit of the heading. What R leaves of n windows has ν = 3n - 3 degrees of freedom, so the error follows Student's
+//! distribution, not the normal one: s is multiplied by the ratio of their quantiles at 3 standard deviations, 2.8 for two windows, 1.6 for
+//! three, 1.2 for six.
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
@@ -136,8 +137,8 @@ impl InFlight {
         Some(found.q_ei.conjugate() * turned * navigation_axes(place.latitude_rad, place.longitude_rad))
     }
 
-    /// Whether the windows show roll and pitch. Where the force has one direction all the time, which is not the vertical, an unknown heading
-    /// tilts them.
+    /// Whether the windows show roll and pitch. Where the force has one direction all the time, which is not the vertical, an unknown
+    /// heading tilts them.
     pub fn has_attitude(&self) -> bool {
         self.found.is_some_and(|found| found.tilt_sigma_rad <= TILT_LIMIT_RAD)
     }

@@ -25,7 +25,7 @@ mod states;
 mod table;
 
 pub use output::UnitNavigation;
-pub use panel::{AlignmentKind, Mode, Power, Reasons, State, Status, Stored, Validity};
+pub use panel::{AlignmentKind, Mode, Power, Reasons, State, Status, StoredAlignment, Validity};
 pub use parameters::UnitParameters;
 pub use table::UNIT;
 
@@ -35,7 +35,7 @@ use crate::base::error::Error;
 use crate::earth::state::BodyAxes;
 use crate::signal::Increment;
 use crate::simulator::{ImuInterval, Simulator};
-use alignment::Alignment;
+use alignment::AlignmentProgress;
 use inertial::{Inertial, Motion};
 
 /// While the unit does not navigate, the solution of the simulator is brought back to the truth after this time \[s\].
@@ -60,7 +60,7 @@ pub struct Unit {
     entered: Option<(f64, f64)>,
     /// Entered, and refused because it is far from what is stored.
     refused: Option<(f64, f64)>,
-    stored: Option<Stored>,
+    stored: Option<StoredAlignment>,
     /// Where the unit was switched on, Earth-fixed axes \[m\], as long as the aircraft stands there with the stored heading.
     switched_on_e: Option<Vector3<f64>>,
     /// Rotates block axes to the axes of the vehicle.
@@ -68,7 +68,7 @@ pub struct Unit {
     axes: BodyAxes,
     inertial: Inertial,
     motion: Motion,
-    alignment: Alignment,
+    alignment: AlignmentProgress,
     /// In ATT: rotates the level axes to inertial axes.
     q_il: Quaternion<f64>,
     /// In ATT a heading was entered.
@@ -121,7 +121,7 @@ impl Unit {
             axes: BodyAxes::default(),
             inertial: Inertial::default(),
             motion: Motion::default(),
-            alignment: Alignment::default(),
+            alignment: AlignmentProgress::default(),
             q_il: Quaternion::identity(),
             heading_entered: false,
             realigned: false,

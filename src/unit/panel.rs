@@ -183,7 +183,7 @@ flags!(
 
 /// What the unit stores when it is switched off, and compares at the next start.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Stored {
+pub struct StoredAlignment {
     /// Latitude \[rad\].
     pub latitude_rad: f64,
     /// Longitude \[rad\].
@@ -192,9 +192,9 @@ pub struct Stored {
     pub heading_rad: f64,
 }
 
-crate::base::snapshot::stored!(Stored { latitude_rad: 1.6, longitude_rad: 3.2, heading_rad: 6.3 } then |stored, _| stored.validate());
+crate::base::snapshot::stored!(StoredAlignment { latitude_rad: 1.6, longitude_rad: 3.2, heading_rad: 6.3 } then |stored, _| stored.validate());
 
-impl Stored {
+impl StoredAlignment {
     /// Checks every field.
     pub fn validate(&self) -> Result<(), Error> {
         use core::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -234,5 +234,5 @@ pub struct Status {
     /// Magnitude of the latitude that the gyros found in the last alignment \[rad\].
     pub found_latitude_rad: Option<f64>,
     /// What is stored.
-    pub stored: Option<Stored>,
+    pub stored: Option<StoredAlignment>,
 }

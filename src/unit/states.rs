@@ -1,7 +1,7 @@
 //! What the unit does in its states, and how it goes from one to another.
 
-use super::alignment::Alignment;
-use super::{AlignmentKind, KEEP_S, Mode, Power, Reasons, State, Stored, Unit, UnitParameters};
+use super::alignment::AlignmentProgress;
+use super::{AlignmentKind, KEEP_S, Mode, Power, Reasons, State, StoredAlignment, Unit, UnitParameters};
 use crate::base::error::Error;
 use crate::earth::state::StateErrors;
 use crate::errors::NavigationErrors;
@@ -118,7 +118,7 @@ impl Unit {
     /// Begins an alignment, or the erection of ATT.
     fn begin(&mut self, state: State, simulator: &Simulator) {
         self.look_at(simulator);
-        self.alignment = Alignment::default();
+        self.alignment = AlignmentProgress::default();
         self.motion = Default::default();
         self.inertial = Default::default();
         (self.heading_entered, self.realigned) = (false, false);
@@ -135,7 +135,7 @@ impl Unit {
             State::Erection | State::Attitude => State::Erection,
             _ => return,
         };
-        self.alignment = Alignment::default();
+        self.alignment = AlignmentProgress::default();
         self.heading_entered = false;
         if self.state != state {
             self.enter(state);
@@ -175,7 +175,7 @@ impl Unit {
         let navigated = self.state == State::Navigation;
         if let (true, Some(solution)) = (self.shows_solution(), simulator.navigation()?) {
             let navigation = &solution.navigation;
-            self.stored = Some(Stored {
+            self.stored = Some(StoredAlignment {
                 latitude_rad: navigation.place.latitude_rad,
                 longitude_rad: navigation.place.longitude_rad,
                 heading_rad: navigation.euler.heading,

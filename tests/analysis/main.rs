@@ -1,6 +1,5 @@
 //! Results of the library for a flight without single runs: recommendations, budgets, covariances, statistics.
 
-mod allan;
 #[path = "../support/mod.rs"]
 mod support;
 

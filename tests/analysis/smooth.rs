@@ -94,8 +94,8 @@ fn an_attitude_outlives_a_fix_that_froze() {
     }
 }
 
-/// Noise of a horizontal component, whose vertical part is half larger. The path is nearer to the flight than the rows; its velocity errs by the
-/// deviation that a cut-off of half the rate of turn of these flights leaves, and not by the noise over the interval.
+/// Noise of a horizontal component, whose vertical part is half larger. The path is nearer to the flight than the rows; its velocity errs
+/// by the deviation that a cut-off of half the rate of turn of these flights leaves, and not by the noise over the interval.
 #[test]
 fn noise_is_smoothed() {
     for flight in flown() {

@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../c/fnv.h"
+
 #if defined(_WIN32)
 #include <windows.h>
 typedef FARPROC function_address;
@@ -141,18 +143,6 @@ static size_t outputs(const char *type, unsigned *references, size_t room)
     return count;
 }
 
-/* Fowler, Noll and Vo's 64-bit hash. */
-static uint64_t digest(uint64_t hash, const void *object, size_t size)
-{
-    const unsigned char *bytes = (const unsigned char *)object;
-    size_t i;
-
-    for (i = 0; i < size; i++) {
-        hash = (hash ^ bytes[i]) * (((uint64_t)1 << 40) + 0x1b3);
-    }
-    return hash;
-}
-
 #define RATE_HZ 128
 #define ROOM 512
 static const char *const INPUTS[] = {"truth.latitude_rad", "truth.longitude_rad", "truth.height_m",
@@ -178,7 +168,7 @@ static uint64_t fly(component unit, int from, int to)
 {
     static unsigned input_references[INPUT_COUNT], reals[ROOM], booleans[ROOM];
     static size_t real_count, boolean_count;
-    uint64_t hash = 0xcbf29ce484222325u;
+    uint64_t hash = FNV_NONE;
     int frame;
 
     if (real_count == 0) {
@@ -199,8 +189,8 @@ static uint64_t fly(component unit, int from, int to)
         CHECK(fmi.GetReal(unit, reals, real_count, numbers) == 0);
         CHECK(fmi.GetBoolean(unit, booleans, boolean_count, flags) == 0);
         CHECK(numbers[0] == frame / (double)RATE_HZ);
-        hash = digest(hash, numbers, real_count * sizeof *numbers);
-        hash = digest(hash, flags, boolean_count * sizeof *flags);
+        hash = fnv(hash, numbers, real_count * sizeof *numbers);
+        hash = fnv(hash, flags, boolean_count * sizeof *flags);
     }
     return hash;
 }

@@ -1,6 +1,6 @@
 //! The validators of P. G. Savage (*Strapdown Analytics*, 2nd ed.; "Strapdown System Performance Analysis", NATO RTO-EN-SET-116) by
-//! their names: motions whose attitude, velocity and position are known in closed form, against the two schemes. SPIN-CONE, SPIN-ACCEL and SPIN-ROCK-SIZE test the body
-//! part of an update in inertial space, without gravity; GEN NAV tests the whole chain around the Earth.
+//! their names: motions whose attitude, velocity and position are known in closed form, against the two schemes. SPIN-CONE, SPIN-ACCEL and
+//! SPIN-ROCK-SIZE test the body part of an update in inertial space, without gravity; GEN NAV tests the whole chain around the Earth.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -9,6 +9,7 @@ use sins::truth::FlightSample;
 use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid, Sinusoids};
 use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
 
+use crate::support::draws::Draws;
 use crate::support::{Worst, fly, options_at, patrol, resting_sample};
 
 /// The recommended options, with the vertical channel following the truth and with the times of the stamps themselves.
@@ -54,10 +55,9 @@ fn rates_from_1_to_1000_hz() {
 fn jitter_of_half_an_interval_and_losses() {
     let flight = patrol(1200.0);
     let jittered = |lost: bool| {
-        let samples = (1..30_000_u32).filter(move |k| !lost || k % 10 != 7).map(|k| {
-            let jitter = (f64::from(k.wrapping_mul(2_654_435_761) >> 8) / f64::from(1 << 24) - 0.5) * 0.0098;
-            at(&flight, f64::from(k) / 100.0 + jitter)
-        });
+        let samples = (1..30_000_u32)
+            .filter(move |k| !lost || k % 10 != 7)
+            .map(|k| at(&flight, f64::from(k) / 100.0 + Draws::new(k.into()).within(-0.0049, 0.0049)));
         flown(samples.collect::<Vec<_>>().into_iter())
     };
     let steady = flown((0..15_000_u32).map(|k| at(&flight, f64::from(k) / 50.0)));

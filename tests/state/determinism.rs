@@ -9,21 +9,20 @@ use sins::sensors::{
 use sins::truth::FlightSample;
 use sins::{ErrorSource, Options, Simulator, Step};
 
+use crate::support::fnv::Fnv;
 use crate::support::{options_at, patrol, project_file};
 
-/// Fowler, Noll and Vo's 64-bit hash of the bits of numbers.
+/// Hash of the bits of numbers.
 #[derive(Clone, Copy)]
-struct Digest(u64);
+struct Digest(Fnv);
 
 impl Digest {
     fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
+        Self(Fnv::NONE)
     }
 
     fn add(&mut self, values: &[f64]) {
-        for byte in values.iter().flat_map(|value| value.to_bits().to_le_bytes()) {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
+        values.iter().for_each(|value| self.0.add(&value.to_bits().to_le_bytes()));
     }
 
     fn add_state(&mut self, simulator: &Simulator) {
@@ -92,7 +91,7 @@ fn digest(simulator: &mut Simulator, samples: &[FlightSample]) -> u64 {
             digest.add_state(simulator);
         }
     }
-    digest.0
+    digest.0.value()
 }
 
 const PINNED: [&str; 5] =
@@ -170,7 +169,7 @@ fn the_call_pattern_does_not_matter() {
         }
     }
     assert_eq!(flown, samples.len() - 1);
-    assert_eq!(found.0, expected);
+    assert_eq!(found.0.value(), expected);
 }
 
 #[test]

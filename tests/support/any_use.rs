@@ -20,10 +20,6 @@ use super::draws::Draws;
 use super::moments::Call;
 
 impl Draws {
-    pub fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.below(1 << 30) as f64 / f64::from(1 << 30)
-    }
-
     /// 0 in four of eight cases, `usual` in three, and up to `end` in one.
     fn size(&mut self, usual: f64, end: f64) -> f64 {
         match self.below(8) {

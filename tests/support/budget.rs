@@ -2,7 +2,9 @@
 
 use nalgebra::{ComplexField, Vector3};
 use sins::Options;
-use sins::analysis::budget::{Budget, BudgetRequest, BudgetRow, ErrorParameters, Scene, error_budget};
+use sins::analysis::budget::{
+    Budget, BudgetRequest, BudgetRow, ComputedSamples, ErrorParameters, error_budget,
+};
 use sins::analysis::recommend::SolutionError;
 use sins::earth::Earth;
 use sins::truth::FlightSample;
@@ -25,7 +27,8 @@ pub fn budget_of(
     request: &BudgetRequest,
 ) -> Budget {
     let sample = |k: usize| Ok(samples[k]);
-    error_budget(options, &Scene { count: samples.len(), sample: &sample }, parameters, request).unwrap()
+    error_budget(options, &ComputedSamples { count: samples.len(), sample: &sample }, parameters, request)
+        .unwrap()
 }
 
 pub fn row<'a>(budget: &'a Budget, field: &str) -> &'a BudgetRow {

@@ -18,6 +18,7 @@ pub mod budget;
 pub mod c_programs;
 pub mod closed_form;
 pub mod draws;
+pub mod fnv;
 pub mod moments;
 pub mod orbits;
 pub mod patrol;

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use sins::earth::Geodetic;
 use sins::sensors::{Alignment, Grade, InitialErrorParameters, PARAMETERS, Sensor, TriadParameters};
-use sins::unit::{Mode, State, Stored, UnitParameters, Validity};
+use sins::unit::{Mode, State, StoredAlignment, UnitParameters, Validity};
 
 use crate::aircraft::{Aircraft, Motion, papers_sensors};
 use crate::support::{DEG, DEG_PER_HOUR, EARTH_RATE, G, one_unit_of};
@@ -152,7 +152,10 @@ fn perfect_sensors_leave_no_tilt() {
             aircraft.unit.set_alignment(sins::unit::AlignmentKind::StoredHeading);
             let Geodetic { latitude_rad, longitude_rad, .. } = aircraft.place();
             let heading_rad = aircraft.heading();
-            aircraft.unit.set_stored(Some(Stored { latitude_rad, longitude_rad, heading_rad })).unwrap();
+            aircraft
+                .unit
+                .set_stored(Some(StoredAlignment { latitude_rad, longitude_rad, heading_rad }))
+                .unwrap();
             aircraft.unit.select(Mode::Navigate);
             aircraft.stand(10.0);
             aircraft.enter_true_position();

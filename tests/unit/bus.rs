@@ -5,6 +5,7 @@ use sins::unit::{Mode, State, Status, UnitNavigation, Validity};
 
 use crate::aircraft::{Aircraft, Motion, papers_sensors};
 use crate::support::DEG;
+use crate::support::draws::Draws;
 
 fn label(number: u8) -> &'static sins::unit::bus::Label {
     LABELS.iter().find(|label| label.number == number).unwrap()
@@ -51,16 +52,12 @@ fn words_are_those_computed_by_hand() {
 /// resolution, or the end of its range.
 #[test]
 fn every_label_is_decoded_to_half_its_resolution() {
-    let mut draws = 1_u64;
-    let mut draw = |size: f64| {
-        draws = draws.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        size * (2.0 * (draws >> 11) as f64 / (1_u64 << 53) as f64 - 1.0)
-    };
+    let mut draws = Draws::new(1);
     for _ in 0..100_000 {
         for label in &LABELS {
             let Format::Binary { lowest, wraps } = label.format else { continue };
             let span = label.resolution * (1_u64 << (29 - lowest)) as f64;
-            let value = draw(0.75 * span);
+            let value = draws.within(-0.75 * span, 0.75 * span);
             let (low, high) = (label.range.0, label.range.1.min(0.5 * span - label.resolution));
             let expected = if wraps { value - span * (value / span).round() } else { value.clamp(low, high) };
             let found = decode(label.encode(value, 3)).unwrap();

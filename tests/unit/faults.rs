@@ -1,7 +1,7 @@
 //! Tests of the unit: sensors, power, entered positions.
 
 use sins::sensors::{Axis, Failure, SensorOutput};
-use sins::unit::{AlignmentKind, Mode, Power, State, Stored, UnitParameters};
+use sins::unit::{AlignmentKind, Mode, Power, State, StoredAlignment, UnitParameters};
 
 use crate::aircraft::{Aircraft, Motion, Receiver};
 use crate::support::DEG;
@@ -96,7 +96,7 @@ fn a_wrong_latitude_is_found_and_the_second_one_is_a_fault() {
 #[test]
 fn a_position_far_from_the_stored_one_must_be_entered_twice() {
     let mut aircraft = Aircraft::ideal(10.0);
-    let stored = Stored { latitude_rad: 12.0 * DEG, longitude_rad: 0.3, heading_rad: 0.0 };
+    let stored = StoredAlignment { latitude_rad: 12.0 * DEG, longitude_rad: 0.3, heading_rad: 0.0 };
     aircraft.unit.set_stored(Some(stored)).unwrap();
     aircraft.unit.select(Mode::Align);
     aircraft.stand(10.0);
@@ -203,7 +203,8 @@ fn what_failures_left_in_the_vertical_channel_does_not_outlive_an_alignment() {
     }
 }
 
-/// The vertical accelerometer loses intervals in ATT, less than makes a fault: they show no vertical, and the attitude goes on by the gyros.
+/// The vertical accelerometer loses intervals in ATT, less than makes a fault: they show no vertical, and the attitude goes on by the
+/// gyros.
 #[test]
 fn a_lost_accelerometer_does_not_tilt_the_attitude() {
     let mut aircraft = Aircraft::new(40.0, 0, 10.0, &crate::aircraft::papers_sensors());

@@ -10,7 +10,7 @@ use sins::earth::state::Navigation;
 use sins::earth::{Earth, Geodetic};
 use sins::math::{Euler, rotate, wrap_angle};
 use sins::sensors::{Axis, Failure, Grade, SensorOutput, TriadParameters};
-use sins::unit::{AlignmentKind, Mode, Power, State, Stored, UnitNavigation, Validity};
+use sins::unit::{AlignmentKind, Mode, Power, State, StoredAlignment, UnitNavigation, Validity};
 
 use crate::aircraft::{Aircraft, Motion, Receiver, papers_sensors};
 use crate::support::{DEG, EARTH_RATE, G};
@@ -312,7 +312,10 @@ fn live(seed: u64) -> [u64; 5] {
             12 if aircraft.unit.status().state == State::Off => {
                 let Geodetic { latitude_rad, longitude_rad, .. } = aircraft.place();
                 let heading_rad = aircraft.heading().rem_euclid(std::f64::consts::TAU);
-                aircraft.unit.set_stored(Some(Stored { latitude_rad, longitude_rad, heading_rad })).unwrap();
+                aircraft
+                    .unit
+                    .set_stored(Some(StoredAlignment { latitude_rad, longitude_rad, heading_rad }))
+                    .unwrap();
             }
             13 => {
                 let heading = aircraft.heading();

@@ -17,9 +17,9 @@ use crate::places::beside;
 /// A record in motion is rejected: the mean of a column over a second may change by 1 deg/s or 0.5 m/s2, or by what noise
 /// of the size of its changes from second to second explains.
 ///
-/// Neighbouring values of many records depend on each other: behind a low-pass, by averaging, or because a slow sensor's values are repeated.
-/// The averaging times that this reaches are left out of the fit, and named. If the coefficients do not explain the curve, they have no
-/// intervals.
+/// Neighbouring values of many records depend on each other: behind a low-pass, by averaging, or because a slow sensor's values are
+/// repeated. The averaging times that this reaches are left out of the fit, and named. If the coefficients do not explain the curve, they
+/// have no intervals.
 #[derive(Debug, PartialEq, clap::Args)]
 pub struct Order {
     /// A log that `sins fly --imu` wrote, or one of your own
@@ -33,8 +33,8 @@ pub struct Order {
     pub points: Option<PathBuf>,
     /// Also writes a scene at rest whose sensors have the noise of the record
     ///
-    /// The columns of a sensor are its axes x, y and z, in the order of the log; a single column stands for all three. Coefficients that the
-    /// record does not show are left out. `sins fly SCENE.toml --imu IMU.csv` makes a record that can be compared.
+    /// The columns of a sensor are its axes x, y and z, in the order of the log; a single column stands for all three. Coefficients that
+    /// the record does not show are left out. `sins fly SCENE.toml --imu IMU.csv` makes a record that can be compared.
     #[arg(long = "write", value_name = "SCENE.toml")]
     pub scene: Option<PathBuf>,
     /// Samples per second; needed if the log has no time stamps. Stamps of a log that has them are not used then: each row is the next

@@ -1,6 +1,6 @@
 //! The curve of one column on logarithmic axes: deviation, band, fit, and the asymptotes of the terms that are resolved.
 
-use sins::allan::Term;
+use sins_allan::Term;
 
 use super::analysis::{Analysis, Coefficient, Estimate};
 use super::sheet;

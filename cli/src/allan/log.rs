@@ -5,8 +5,8 @@ use std::io::{BufRead, BufReader, Read};
 use std::ops::Range;
 use std::path::Path;
 
-use sins::allan::FEWEST_SAMPLES;
 use sins::scene::log::{Clock, LogMapping};
+use sins_allan::FEWEST_SAMPLES;
 
 use super::command::Order;
 use super::quantity::{self, Quantity, Sensor, Stamp, choose};

@@ -1,7 +1,7 @@
 //! The Allan deviation of an IMU log, and the noises that explain it.
 //!
 //! The data flow is `command` → `quantity`, `stamps`, `log` → `values`, `analysis` → `diagram`, `document`, `table`, `records`, `scene`.
-//! `sheet` has the units of data sheets. The library has the estimator, [`sins::allan`].
+//! `sheet` has the units of data sheets. The estimator is a package of its own, [`sins_allan`].
 
 mod analysis;
 mod command;

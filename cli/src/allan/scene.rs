@@ -1,7 +1,7 @@
 //! A scene at rest, whose sensors have the noise of a record.
 
-use sins::allan::Term;
 use sins::scene::{KeyLine, Scene, key_of_field, keys};
+use sins_allan::Term;
 
 use super::analysis::{Analysis, Coefficient};
 use super::log::Log;

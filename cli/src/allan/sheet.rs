@@ -1,7 +1,7 @@
 //! Units of data sheets, and SI units.
 
-use sins::allan::Term;
 use sins::units::{ARCSEC, DEG_PER_HOUR, DEG_PER_SQRT_HOUR};
+use sins_allan::Term;
 
 use super::quantity::Sensor;
 use crate::units::{MICRO_G, Unit};

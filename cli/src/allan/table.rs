@@ -1,6 +1,6 @@
 //! Coefficients as text, and as a table on the terminal.
 
-use sins::allan::{Filter, Term};
+use sins_allan::{Filter, Term};
 
 use super::analysis::{Analysis, Coefficient};
 use super::log::Log;
@@ -147,7 +147,7 @@ mod tests {
     /// A fit that allows no negative coefficients leaves some coefficients on an end of their interval.
     #[test]
     fn an_estimate_on_its_own_bound_is_no_finding() {
-        use sins::allan::Interval;
+        use sins_allan::Interval;
         let text = |value: f64, low: f64, high: f64| {
             let interval = Interval { low, high };
             on_sheet_unit(&Coefficient { term: Term::Flicker, value, interval: Some(interval) })

@@ -1,7 +1,7 @@
 //! Bars: a drawing for each of position, velocity and attitude, with a bar for each effect. The axis is linear, so that bars of twice the
 //! length are errors of twice the size.
 
-use super::survey::{Kind, Line, Survey};
+use super::survey::{BudgetLine, Kind, Survey};
 use super::table::{self, Columns};
 use crate::drawing::axis::{Axis, Scale};
 use crate::drawing::figure::Legend;
@@ -45,14 +45,14 @@ pub fn drawing(survey: &Survey, part: usize, has_names: bool) -> Drawing {
     let lines = survey.lines();
     let unit = Columns::of(survey).units[part];
     let (count, limit) = (lines.len(), survey.request.limits.parts()[part] / unit.si);
-    let value = |line: &Line| line.worst.parts()[part] / unit.si;
+    let value = |line: &BudgetLine| line.worst.parts()[part] / unit.si;
     let longest = lines.iter().map(value).fold(0.0, f64::max);
     let is_near = limit > 0.0 && limit <= FAR * longest;
     let most = if is_near { limit.max(longest) } else { longest };
     let x = Axis::linear(0.0, if most > 0.0 { ROOM * most } else { 1.0 }, 4);
     // The first line is the highest.
     let row = |k: usize| (count - 1 - k) as f64;
-    let name = |line: &Line| if has_names { line.name.to_owned() } else { String::new() };
+    let name = |line: &BudgetLine| if has_names { line.name.to_owned() } else { String::new() };
     let ticks = lines.iter().enumerate().rev().map(|(k, line)| (row(k), name(line))).collect();
     let y = Axis { low: -0.5, high: count as f64 - 0.5, ticks, scale: Scale::Names };
     let bars = lines.iter().enumerate().map(|(k, line)| Trace {
@@ -73,7 +73,7 @@ pub fn drawing(survey: &Survey, part: usize, has_names: bool) -> Drawing {
     Drawing { width: left + PANEL + RIGHT, left, x, x_label, panels: vec![panel] }
 }
 
-fn label(line: &Line, value: f64, unit: Unit) -> Label {
+fn label(line: &BudgetLine, value: f64, unit: Unit) -> Label {
     let kind = match table::kind(line) {
         "" => String::new(),
         kind => format!(" ({kind})"),
@@ -82,7 +82,7 @@ fn label(line: &Line, value: f64, unit: Unit) -> Label {
     Label { text, values: [six_digits(value).to_string(), String::new()] }
 }
 
-fn pen(line: &Line) -> Pen {
+fn pen(line: &BudgetLine) -> Pen {
     match (line.kind, line.can_be_left_out) {
         (Kind::Random, false) => Pen::Random,
         (Kind::Random, true) => Pen::PaleRandom,

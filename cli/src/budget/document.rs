@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 use sins::analysis::recommend::SolutionError;
 
 use super::chart::QUANTITIES;
-use super::survey::{Line, Survey};
+use super::survey::{BudgetLine, Survey};
 use super::{chart, table};
 use crate::drawing::document as page;
 use crate::drawing::figure::Figure;
@@ -85,7 +85,7 @@ fn figure(survey: &Survey, part: usize) -> Result<Figure, Failure> {
 fn figures(survey: &Survey) -> Markup {
     let columns = table::Columns::of(survey);
     let heads = columns.heads().into_iter().filter(|head| !head.is_empty()).collect();
-    let row = |line: Line| {
+    let row = |line: BudgetLine| {
         let kind = table::kind(&line);
         let name = html! {
             (line.name) @if !kind.is_empty() { " (" (kind) ")" }

@@ -23,7 +23,7 @@ use crate::places::svg;
 use crate::rows::TABLE_MARK;
 use crate::terminal::print;
 use crate::written;
-use scene::Scene;
+use scene::BudgetScene;
 use survey::Survey;
 
 /// Surveys the scenes of `order` and writes the files.
@@ -33,7 +33,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let given = order.scenes.iter().map(|name| load(name)).collect::<Result<Vec<_>, _>>()?;
     given.iter().for_each(Given::say_left_out);
     let inputs: Vec<PathBuf> = given.iter().flat_map(|given| given.inputs.clone()).collect();
-    let scenes: Vec<Scene> = given.into_iter().map(|given| Scene::new(given, order.hours * 3600.0)).collect();
+    let scenes: Vec<BudgetScene> =
+        given.into_iter().map(|given| BudgetScene::new(given, order.hours * 3600.0)).collect();
     let mut outputs = Outputs::new(&inputs, order.force);
     outputs.folder(&order.out)?;
     let mut file = |name: &str, mark: &str| outputs.file(&order.out.join(name), mark);

@@ -2,7 +2,7 @@
 
 use sins::analysis::recommend::SolutionError;
 
-use super::survey::{Kind, Line, Survey};
+use super::survey::{BudgetLine, Kind, Survey};
 use crate::failure::Failure;
 use crate::rows::text;
 
@@ -28,7 +28,7 @@ pub fn records(surveys: &[Survey]) -> Result<String, Failure> {
     text(&COLUMNS, rows)
 }
 
-fn row(survey: &Survey, line: &Line) -> Vec<String> {
+fn row(survey: &Survey, line: &BudgetLine) -> Vec<String> {
     let kind = match line.kind {
         Kind::Random => "random",
         Kind::Deterministic => "deterministic",

@@ -7,7 +7,7 @@ use crate::given::Given;
 use crate::units::time_text;
 
 /// A scene.
-pub struct Scene {
+pub struct BudgetScene {
     pub name: String,
     pub title: String,
     pub options: Options,
@@ -18,7 +18,7 @@ pub struct Scene {
     given: Given,
 }
 
-impl Scene {
+impl BudgetScene {
     /// The first `most_s` [s] of `given`, or all of `given` if it is shorter.
     pub fn new(given: Given, most_s: f64) -> Self {
         let count = given.index_at(most_s).max(1) + 1;

@@ -1,9 +1,9 @@
 //! The budgets of the scenes.
 
-use sins::analysis::budget::{Budget, BudgetRequest, Costs, Effect, error_budget, step_costs_ns};
+use sins::analysis::budget::{Budget, BudgetEffect, BudgetRequest, Costs, error_budget, step_costs_ns};
 use sins::analysis::recommend::{Refusal, SolutionError};
 
-use super::scene::Scene;
+use super::scene::BudgetScene;
 use crate::failure::Failure;
 use crate::given::of_sample;
 use crate::parallel::in_parallel;
@@ -14,9 +14,10 @@ use crate::terminal::say;
 const PROGRESS_STEPS: usize = 1024;
 
 /// Number of flights of a budget, except for the flights that find effects which do not add up ([`error_budget`]).
-fn flights(scene: &Scene, request: &BudgetRequest) -> usize {
-    let count =
-        |is_random| Effect::set_in(&scene.parameters).filter(|effect| effect.is_random == is_random).count();
+fn flights(scene: &BudgetScene, request: &BudgetRequest) -> usize {
+    let count = |is_random| {
+        BudgetEffect::set_in(&scene.parameters).filter(|effect| effect.is_random == is_random).count()
+    };
     let (steady, random) = (count(false), count(true));
     let runs = if random == 0 { 1 } else { request.runs as usize };
     1 + steady + random + runs * (1 + usize::from(random > 0) + usize::from(request.has_limits()))
@@ -47,7 +48,7 @@ pub enum Kind {
 
 /// A line of chart and table.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Line {
+pub struct BudgetLine {
     pub name: &'static str,
     /// Key of a scene that sets the effect; empty for other lines.
     pub key: String,
@@ -63,7 +64,11 @@ pub struct Line {
 
 impl Survey {
     /// Computes the budgets of all scenes on all cores, then, if wanted, measures the times of their steps, one scene after the other.
-    pub fn of_all(scenes: &[Scene], request: &BudgetRequest, time_steps: bool) -> Result<Vec<Self>, Failure> {
+    pub fn of_all(
+        scenes: &[BudgetScene],
+        request: &BudgetRequest,
+        time_steps: bool,
+    ) -> Result<Vec<Self>, Failure> {
         scenes.iter().for_each(|scene| say(&format!("{}: {}", scene.name, scene.title)));
         let steps = scenes.iter().map(|scene| flights(scene, request) * scene.count).sum();
         let progress = Progress::flying("flying each effect alone", steps, false);
@@ -74,7 +79,7 @@ impl Survey {
                 }
                 scene.sample(index)
             };
-            let flown = sins::analysis::budget::Scene { count: scene.count, sample: &sample };
+            let flown = sins::analysis::budget::ComputedSamples { count: scene.count, sample: &sample };
             error_budget(&scene.options, &flown, &scene.parameters, request)
         });
         drop(progress);
@@ -106,10 +111,10 @@ impl Survey {
 
     /// Lines of the effects (the largest first), of the mechanization, of the unexplained remainder, of the root sum
     /// of squares, and of all effects together.
-    pub fn lines(&self) -> Vec<Line> {
+    pub fn lines(&self) -> Vec<BudgetLine> {
         let Budget { own, rows, total, remainder, .. } = &self.budget;
         let costs = self.costs.as_ref();
-        let effects = rows.iter().enumerate().map(|(place, row)| Line {
+        let effects = rows.iter().enumerate().map(|(place, row)| BudgetLine {
             name: row.effect.name,
             key: sins::scene::key_of_field(row.effect.field).unwrap_or_default(),
             kind: if row.effect.is_random { Kind::Random } else { Kind::Deterministic },
@@ -118,7 +123,7 @@ impl Survey {
             can_be_left_out: row.can_be_left_out,
             cost_ns: costs.map(|costs| costs.saved_ns[place]),
         });
-        let other = |name, kind, worst, end, cost_ns| Line {
+        let other = |name, kind, worst, end, cost_ns| BudgetLine {
             name,
             key: String::new(),
             kind,
@@ -127,7 +132,7 @@ impl Survey {
             can_be_left_out: false,
             cost_ns,
         };
-        let mut lines: Vec<Line> = effects.collect();
+        let mut lines: Vec<BudgetLine> = effects.collect();
         lines.push(other("mechanization", Kind::Own, own.0, Some(own.1), costs.map(|costs| costs.own_ns)));
         lines.push(other("not their sum", Kind::Together, *remainder, None, None));
         let sum = self.root_sum_of_squares();
@@ -138,9 +143,9 @@ impl Survey {
 }
 
 /// Times of a step of `scene` with and without the effects of its budget.
-fn costs(scene: &Scene, budget: &Budget) -> Result<Costs, Failure> {
+fn costs(scene: &BudgetScene, budget: &Budget) -> Result<Costs, Failure> {
     let sample = |index| scene.sample(index);
-    let flown = sins::analysis::budget::Scene { count: scene.count, sample: &sample };
+    let flown = sins::analysis::budget::ComputedSamples { count: scene.count, sample: &sample };
     let _timing = Progress::working(format!("timing a step of {}", scene.name));
     let effects = budget.rows.iter().map(|row| row.effect);
     Ok(step_costs_ns(&scene.options, &flown, &scene.parameters, effects)?)

@@ -1,6 +1,6 @@
 //! The budgets as Markdown.
 
-use super::survey::{Kind, Line, Survey};
+use super::survey::{BudgetLine, Kind, Survey};
 use crate::units::{ANGLE, Family, LENGTH, SPEED, Unit, brief_parts, short, time_text, usual};
 
 /// Uncertainty of a cost, as a part of the time of a step.
@@ -57,7 +57,7 @@ impl Columns {
     }
 
     /// Position, velocity and attitude, and the cost of a step.
-    pub fn cells(&self, line: &Line) -> Vec<String> {
+    pub fn cells(&self, line: &BudgetLine) -> Vec<String> {
         let parts = line.worst.parts().into_iter().zip(self.units);
         let mut cells: Vec<String> = parts.map(|(part, unit)| short(part / unit.si)).collect();
         // A cost below the noise of the clock may be negative.
@@ -71,7 +71,7 @@ impl Columns {
 }
 
 /// Kind of a line in words.
-pub fn kind(line: &Line) -> &'static str {
+pub fn kind(line: &BudgetLine) -> &'static str {
     match (line.kind, line.can_be_left_out) {
         (Kind::Random, false) => "1σ",
         (Kind::Random, true) => "1σ, can be left out",

@@ -9,8 +9,8 @@ use crate::given::{Settings, Trust};
 /// Measures what accuracy costs: computing time and error of each scheme, number of subsamples, sample rate and choice of axes,
 /// without sensor errors
 ///
-/// Writes into DIR: curve.html; curve.csv, a row for each configuration; scenes.csv, a row for each scene; SCENE.svg; table.md, which it also
-/// prints. Uses the ellipsoid and the gravity of a scene, but not its scheme, its axes or its sensor errors: --preset has no
+/// Writes into DIR: curve.html; curve.csv, a row for each configuration; scenes.csv, a row for each scene; SCENE.svg; table.md, which it
+/// also prints. Uses the ellipsoid and the gravity of a scene, but not its scheme, its axes or its sensor errors: --preset has no
 /// effect.
 #[derive(Debug, clap::Args)]
 pub struct Order {
@@ -27,8 +27,8 @@ pub struct Order {
     /// Folder of all outputs
     #[arg(short, long, value_name = "DIR", default_value = "sins_out/curve")]
     pub out: PathBuf,
-    /// Flies two minutes of each test flight instead of an hour, with fewer repetitions. A scene of manoeuvres is judged by its hardest minutes, those
-    /// that `sins recommend` takes, whose errors are predicted for the whole of it
+    /// Flies two minutes of each test flight instead of an hour, with fewer repetitions. A scene of manoeuvres is judged by its hardest
+    /// minutes, those that `sins recommend` takes, whose errors are predicted for the whole of it
     #[arg(long)]
     quick: bool,
     /// Adds the instructions of a step from this file, which `benches/instructions.sh matrix` prints

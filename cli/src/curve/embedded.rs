@@ -6,7 +6,7 @@ use sins::truth::FlightSample;
 use sins::truth::flight::{Channel, Flight, FlightStart, Manoeuvre, Sinusoid, Sinusoids};
 
 use super::reference::Judge;
-use super::scene::{Rate, Scene};
+use super::scene::{CurveScene, Rate};
 use crate::failure::Failure;
 
 /// Rates at which the scenes are sampled [Hz]: each divides the first.
@@ -46,7 +46,7 @@ pub static ALL: [Embedded; 5] = [
 
 impl Embedded {
     /// The scene, `duration_s` [s] long.
-    pub fn scene(&self, duration_s: f64) -> Result<Scene, Failure> {
+    pub fn scene(&self, duration_s: f64) -> Result<CurveScene, Failure> {
         let (start, manoeuvres) = (self.plan)(duration_s);
         let flight = Flight::new(&start, &manoeuvres)?;
         let Self { name, title, highest_hz, .. } = *self;
@@ -64,7 +64,7 @@ pub struct Sampled<'a> {
 
 impl Sampled<'_> {
     /// The scene of the `duration_s` [s] of `flight` from `from_s` on, a multiple of the longest sample interval.
-    pub fn scene(&self, flight: &Flight, from_s: f64, duration_s: f64) -> Result<Scene, Failure> {
+    pub fn scene(&self, flight: &Flight, from_s: f64, duration_s: f64) -> Result<CurveScene, Failure> {
         let highest = RATES_HZ[0];
         // The epsilon keeps the last sample if rounding puts it just past the end.
         let count = (duration_s * f64::from(highest) + 1e-6).floor() as usize;
@@ -74,8 +74,8 @@ impl Sampled<'_> {
             .collect::<Result<Vec<_>, _>>()?;
         let rates: Vec<Rate> = RATES_HZ.map(|hz| Rate::stated((highest / hz) as usize, f64::from(hz))).into();
         let judge = |instants: &[usize]| Judge::of_flight(&self.base.earth(), flight, &samples, instants);
-        let judge = judge(&Scene::instants(samples.len(), &rates, 1))?;
-        Ok(Scene {
+        let judge = judge(&CurveScene::instants(samples.len(), &rates, 1))?;
+        Ok(CurveScene {
             name: self.name.to_owned(),
             title: self.title.to_owned(),
             highest_hz: self.highest_hz,

@@ -4,7 +4,7 @@ use sins::analysis::recommend::{Refusal, Track};
 use sins::sensors::{self, StreamKey, TriadParameters};
 use sins::{Options, Simulator};
 
-use super::scene::{Pieces, Rate, Scene};
+use super::scene::{CurveScene, Pieces, Rate};
 use crate::parallel::in_parallel;
 use crate::progress::Progress;
 
@@ -33,7 +33,7 @@ pub fn grades() -> [Grade; 2] {
 pub fn effects(pieces: &Pieces, runs: u64) -> Result<[f64; 2], Refusal> {
     let flown = match (&pieces.coarse, pieces.scenes.first()) {
         (Some((rate, samples)), Some(scene)) => {
-            let instants = Scene::instants(samples.len(), &[*rate], 1);
+            let instants = CurveScene::instants(samples.len(), &[*rate], 1);
             Some((scene, *rate, samples.clone(), instants))
         }
         (None, Some(scene)) => {

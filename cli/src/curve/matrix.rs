@@ -5,7 +5,7 @@ use sins::analysis::recommend::{Refusal, track};
 
 use super::configuration::Configuration;
 use super::reference::Judgement;
-use super::scene::{Rate, Scene};
+use super::scene::{CurveScene, Rate};
 use crate::parallel::in_parallel;
 use crate::progress::Progress;
 
@@ -13,7 +13,7 @@ use crate::progress::Progress;
 pub type Outcome = Result<Judgement, Refusal>;
 
 /// The outcome of each of `configurations` at each rate of `scene`, rate by rate.
-pub fn outcomes(scene: &Scene, configurations: &[Configuration]) -> Vec<(Rate, Configuration, Outcome)> {
+pub fn outcomes(scene: &CurveScene, configurations: &[Configuration]) -> Vec<(Rate, Configuration, Outcome)> {
     let samples: usize = scene.rates.iter().map(|rate| scene.samples.len().div_ceil(rate.stride)).sum();
     let what = format!("{}: flying every configuration", scene.name);
     let progress = Progress::flying(what, samples * configurations.len(), false);

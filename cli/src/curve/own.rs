@@ -9,7 +9,7 @@ use sins::truth::flight::Manoeuvre;
 use super::command::{Effort, FULL};
 use super::embedded;
 use super::reference::Judge;
-use super::scene::{Pieces, Rate, Scene};
+use super::scene::{CurveScene, Pieces, Rate};
 use crate::failure::Failure;
 use crate::given::Given;
 use crate::recommend::{PIECE_S, hardest_parts};
@@ -18,8 +18,8 @@ use crate::recommend::{PIECE_S, hardest_parts};
 const LOWEST_HZ: f64 = 10.0;
 const FEWEST_SAMPLES: usize = 120;
 
-/// The scene of `given` in one piece: a whole log, or at most `effort.duration_s` of a flight in closed form; or in the hardest pieces of the
-/// time for which the full effort flies, if that is longer.
+/// The scene of `given` in one piece: a whole log, or at most `effort.duration_s` of a flight in closed form; or in the hardest pieces of
+/// the time for which the full effort flies, if that is longer.
 pub fn scene(given: &Given, effort: &Effort) -> Result<Pieces, Failure> {
     let mut made = without_warnings(given, effort)?;
     for scene in &mut made.scenes {
@@ -58,7 +58,7 @@ fn without_warnings(given: &Given, effort: &Effort) -> Result<Pieces, Failure> {
 }
 
 /// The scene of a log at its own rate, with every second sample, every fourth sample and so on.
-fn of_log(given: &Given, base: Options) -> Result<Scene, Failure> {
+fn of_log(given: &Given, base: Options) -> Result<CurveScene, Failure> {
     let samples: Vec<FlightSample> =
         (0..given.count).map(|index| given.sample(index)).collect::<Result<_, _>>()?;
     let own_hz = 1.0 / given.period_s;
@@ -72,7 +72,7 @@ fn of_log(given: &Given, base: Options) -> Result<Scene, Failure> {
         .filter(thinned)
         .map(|stride| Rate::of_stamps(stride, own_hz / stride as f64))
         .collect();
-    let instants = Scene::instants(samples.len(), &rates, 1);
+    let instants = CurveScene::instants(samples.len(), &rates, 1);
     let judge =
         Judge::of_log(&base, &samples, &instants).map_err(|Refusal { error, sample, .. }| match sample {
             Some(index) => given.failure_at(index, &error),
@@ -80,7 +80,7 @@ fn of_log(given: &Given, base: Options) -> Result<Scene, Failure> {
         })?;
     let title = format!("{} s at {} Hz", round(given.duration_s), round(own_hz));
     let (name, warnings) = (given.name.clone(), Vec::new());
-    Ok(Scene { name, title, highest_hz: 0.0, samples, rates, judge, base, warnings })
+    Ok(CurveScene { name, title, highest_hz: 0.0, samples, rates, judge, base, warnings })
 }
 
 /// Highest frequency of the sinusoids of a flight [Hz]; 0 without sinusoids.

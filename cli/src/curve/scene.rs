@@ -41,7 +41,7 @@ impl Rate {
 }
 
 /// A scene.
-pub struct Scene {
+pub struct CurveScene {
     pub name: String,
     pub title: String,
     /// Highest frequency of a vibration in the scene [Hz]; 0 without vibration.
@@ -59,7 +59,7 @@ pub struct Scene {
 
 /// A scene in pieces, by which its configurations are judged: the whole scene, or its hardest parts.
 pub struct Pieces {
-    pub scenes: Vec<Scene>,
+    pub scenes: Vec<CurveScene>,
     /// Of a scene that is not flown whole: all of it at the lowest rate, for what needs no more.
     pub coarse: Option<(Rate, Vec<FlightSample>)>,
     /// Length of the whole scene [s].
@@ -67,7 +67,7 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    pub fn whole(scene: Scene) -> Self {
+    pub fn whole(scene: CurveScene) -> Self {
         Self { whole_s: scene.duration_s(), scenes: vec![scene], coarse: None }
     }
 
@@ -92,7 +92,7 @@ impl Pieces {
 
     /// How the errors of each piece grow over the whole scene.
     pub fn growths(&self) -> Result<Vec<Growth>, Refusal> {
-        let of = |scene: &Scene| {
+        let of = |scene: &CurveScene| {
             let options = match scene.rates.first() {
                 Some(rate) => rate.applied_to(&scene.base),
                 None => scene.base,
@@ -103,7 +103,7 @@ impl Pieces {
     }
 }
 
-impl Scene {
+impl CurveScene {
     /// Indices of samples that all `rates` have, counted at `stride`: equally spaced, without the first sample.
     pub fn instants(samples: usize, rates: &[Rate], stride: usize) -> Vec<usize> {
         let coarsest = rates.last().map_or(1, |rate| rate.stride);
@@ -143,11 +143,11 @@ mod tests {
     #[test]
     fn the_instants_are_common_to_all_rates() {
         let rates = [1, 2, 4].map(|stride| Rate::of_stamps(stride, 100.0 / stride as f64));
-        let [fine, middle, coarse] = [1, 2, 4].map(|stride| Scene::instants(1003, &rates, stride));
+        let [fine, middle, coarse] = [1, 2, 4].map(|stride| CurveScene::instants(1003, &rates, stride));
         assert_eq!((coarse.len(), coarse[0], coarse[59]), (60, 4, 250));
         assert!(coarse.windows(2).all(|pair| pair[1] - pair[0] >= 4));
         assert!(coarse.iter().zip(&middle).zip(&fine).all(|((c, m), f)| 2 * c == *m && 4 * c == *f));
-        assert_eq!(Scene::instants(9, &rates, 1), [4, 8], "no more than there are");
+        assert_eq!(CurveScene::instants(9, &rates, 1), [4, 8], "no more than there are");
     }
 
     #[test]

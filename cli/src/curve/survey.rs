@@ -6,7 +6,7 @@ use super::command::Effort;
 use super::configuration::Configuration;
 use super::matrix::Outcome;
 use super::reference::Judgement;
-use super::scene::{Pieces, Rate, Scene};
+use super::scene::{CurveScene, Pieces, Rate};
 use super::timing::Course;
 use super::{grades, matrix};
 use crate::failure::Failure;
@@ -82,8 +82,8 @@ impl Point {
 }
 
 impl Survey {
-    /// Flies all configurations on `pieces`. Returns their errors, the largest that a piece predicts for the whole scene, and the course that
-    /// is still to be timed.
+    /// Flies all configurations on `pieces`. Returns their errors, the largest that a piece predicts for the whole scene, and the course
+    /// that is still to be timed.
     pub fn flown(pieces: &Pieces, effort: &Effort) -> Result<(Self, Course), Failure> {
         let scene = pieces.scenes.first().ok_or_else(|| Failure::new("a scene without a piece"))?;
         // A scene that is flown whole has its own errors.
@@ -92,7 +92,7 @@ impl Survey {
             Some(growth) => growth.of(error),
             None => *error,
         };
-        let largest = |of: &dyn Fn(&Scene) -> SolutionError| {
+        let largest = |of: &dyn Fn(&CurveScene) -> SolutionError| {
             let errors = pieces.scenes.iter().enumerate().map(|(piece, scene)| grown(piece, &of(scene)));
             errors.fold(SolutionError::default(), |most, error| most.max(&error))
         };

@@ -9,7 +9,7 @@ use sins::truth::FlightSample;
 use sins::{Error, Options, Simulator};
 
 use super::configuration::Configuration;
-use super::scene::{Rate, Scene};
+use super::scene::{CurveScene, Rate};
 use crate::progress::Progress;
 
 /// Number of places of the scene where a round flies, equally spaced. A step costs more where the aircraft turns.
@@ -27,7 +27,7 @@ pub struct Course {
 }
 
 impl Course {
-    pub fn new(scene: &Scene, candidates: Vec<(Rate, Configuration)>) -> Self {
+    pub fn new(scene: &CurveScene, candidates: Vec<(Rate, Configuration)>) -> Self {
         let at = |rate: &Rate| (*rate, stretches(&scene.samples_at(rate)));
         Self { base: scene.base, stretches: scene.rates.iter().map(at).collect(), candidates }
     }

@@ -206,19 +206,19 @@ fn put_results(to: &mut Vec<u8>, results: &Results) {
 fn put_statistics(to: &mut Vec<u8>, statistics: &Statistics) {
     let mut copy = *statistics;
     visit(&mut copy, &mut |number| match number {
-        Number::Short(short) => to.extend(short.to_le_bytes()),
-        Number::Long(long) => to.extend(long.to_le_bytes()),
+        Word::Short(short) => to.extend(short.to_le_bytes()),
+        Word::Long(long) => to.extend(long.to_le_bytes()),
     });
 }
 
 /// A number in statistics, of 32 or 64 bits.
-enum Number<'a> {
+enum Word<'a> {
     Short(&'a mut u32),
     Long(&'a mut u64),
 }
 
 /// Every number of statistics, in their order in memory.
-fn visit(statistics: &mut Statistics, number: &mut dyn FnMut(Number<'_>)) {
+fn visit(statistics: &mut Statistics, number: &mut dyn FnMut(Word<'_>)) {
     let Statistics {
         struct_size,
         layout,
@@ -232,12 +232,12 @@ fn visit(statistics: &mut Statistics, number: &mut dyn FnMut(Number<'_>)) {
         histogram,
         reserved,
     } = statistics;
-    number(Number::Short(struct_size));
-    number(Number::Short(layout));
+    number(Word::Short(struct_size));
+    number(Word::Short(layout));
     let counts = [runs, diverged, out_of_range, outside_validity, largest_radial];
-    counts.into_iter().chain(sums).chain(products).for_each(|long| number(Number::Long(long)));
-    histogram.iter_mut().for_each(|short| number(Number::Short(short)));
-    number(Number::Short(reserved));
+    counts.into_iter().chain(sums).chain(products).for_each(|long| number(Word::Long(long)));
+    histogram.iter_mut().for_each(|short| number(Word::Short(short)));
+    number(Word::Short(reserved));
 }
 
 fn put_count(to: &mut Vec<u8>, count: usize) {
@@ -295,8 +295,8 @@ impl Reader<'_> {
         let mut bytes = self.take(size_of::<Statistics>())?;
         let mut statistics = Statistics::EMPTY;
         visit(&mut statistics, &mut |number| match number {
-            Number::Short(short) => *short = u32::from_le_bytes(next(&mut bytes)),
-            Number::Long(long) => *long = u64::from_le_bytes(next(&mut bytes)),
+            Word::Short(short) => *short = u32::from_le_bytes(next(&mut bytes)),
+            Word::Long(long) => *long = u64::from_le_bytes(next(&mut bytes)),
         });
         statistics.check().ok().map(|()| statistics)
     }

@@ -12,10 +12,10 @@ pub const FOR_LOGS: &str = crate::budget::FOR_LOGS;
 /// Flies a scene many times, each run with its own random errors, and reports how large the errors get and how often
 ///
 /// Writes into DIR: NAME_ensemble.csv, statistics of the runs over time; NAME_ensemble_runs.csv, the errors of each run at the end;
-/// NAME_ensemble.html, a page with pictures of both. Run k has the errors that `sins fly` gives with options.run=k. The files are the same to the
-/// byte for any number of threads. Ctrl-C leaves NAME_ensemble.checkpoint: the same command continues from there. A log without a
-/// scene is flown with sensors of navigation grade. With --meets also NAME_ensemble_meets.csv: for each requirement, the number of runs within the
-/// limit, the interval of their fraction, and the verdict.
+/// NAME_ensemble.html, a page with pictures of both. Run k has the errors that `sins fly` gives with options.run=k. The files are the same
+/// to the byte for any number of threads. Ctrl-C leaves NAME_ensemble.checkpoint: the same command continues from there. A log without a
+/// scene is flown with sensors of navigation grade. With --meets also NAME_ensemble_meets.csv: for each requirement, the number of runs
+/// within the limit, the interval of their fraction, and the verdict.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     #[command(flatten)]

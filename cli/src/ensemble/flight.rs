@@ -23,7 +23,7 @@ use crate::progress::Progress;
 pub const CHUNK: usize = 64;
 
 /// Steps and time of this execution of the program, for the speed.
-pub struct Flown {
+pub struct FlyingTime {
     /// Steps of single runs.
     pub steps: u64,
     pub seconds: f64,
@@ -50,7 +50,7 @@ pub fn fly(
     results: &mut Results,
     checkpoint: &mut Checkpoint,
     quiet: bool,
-) -> Result<Flown, Failure> {
+) -> Result<FlyingTime, Failure> {
     let pieces = Plan::pieces(&results.missing(), threads);
     let runs: u64 = pieces.iter().map(|piece| plan.runs_of(piece).1).sum();
     let steps = runs * (given.count as u64 - 1);
@@ -65,7 +65,7 @@ pub fn fly(
     let (interrupted, failed): (Vec<Failure>, Vec<Failure>) =
         ended.into_iter().filter_map(Result::err).partition(|failure| failure.kind() == Kind::Interrupted);
     match failed.into_iter().chain(interrupted).next() {
-        None => Ok(Flown { steps, seconds }),
+        None => Ok(FlyingTime { steps, seconds }),
         Some(failure) => {
             let (results, checkpoint) = &mut *work.results();
             if results.done.contains(&true) {

@@ -23,7 +23,7 @@ pub use command::Order;
 
 use std::path::PathBuf;
 
-use sins::analysis::budget::Effect;
+use sins::analysis::budget::BudgetEffect;
 use sins::scene::Scene;
 use sins::sensors;
 
@@ -125,7 +125,7 @@ fn is_random(scene: &Scene) -> bool {
         matches!(planned.failure, sensors::Failure::Noise { .. } | sensors::Failure::DropOuts { .. })
     });
     let has_fix = scene.updates.iter().any(|planned| planned.sigma_n.iter().any(|sigma| *sigma > 0.0));
-    has_failure || has_fix || Effect::set_in(&scene.errors).any(|effect| effect.is_random)
+    has_failure || has_fix || BudgetEffect::set_in(&scene.errors).any(|effect| effect.is_random)
 }
 
 fn interrupted(plan: &Plan, results: &Results, checkpoint: &Checkpoint) -> String {

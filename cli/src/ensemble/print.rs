@@ -1,13 +1,13 @@
 //! Text for the terminal.
 
-use super::flight::Flown;
+use super::flight::FlyingTime;
 use super::plan::Data;
 use super::study::{QUANTITIES, Study};
 use super::verdict::{self, Judged};
 use crate::units::{LENGTH, brief, time_text, usual, with_unit};
 
 /// The statistics at the end, and how fast the runs were flown.
-pub fn text(study: &Study, judged: &[Judged], flown: &Flown, threads: usize) -> String {
+pub fn text(study: &Study, judged: &[Judged], flown: &FlyingTime, threads: usize) -> String {
     let given = study.given;
     let mut text =
         format!("{}: {}\n  {}; {}\n", study.name, given.title, study.runs(), time_text(given.duration_s));

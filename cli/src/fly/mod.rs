@@ -43,7 +43,8 @@ pub const FOR_LOGS: &str = "[flight]\nfile = \"log\"\n";
 
 /// Flies a scene, writes its records (DIR/NAME.csv) and figures (DIR/NAME_summary.csv), and prints a summary
 ///
-/// The states of a unit ([unit] in the scene) are written into DIR/NAME_unit.csv, the rows of a log that was smoothed into DIR/NAME_rows.csv.
+/// The states of a unit ([unit] in the scene) are written into DIR/NAME_unit.csv, the rows of a log that was smoothed into
+/// DIR/NAME_rows.csv.
 ///
 /// A log without a scene is flown with ideal sensors.
 #[derive(Debug, clap::Args)]

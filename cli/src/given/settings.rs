@@ -10,8 +10,8 @@ use crate::failure::Failure;
 /// Settings in addition to the text of a scene.
 #[derive(Debug, Clone, Default, clap::Args)]
 pub struct Settings {
-    /// Grade of gyros and accelerometers, and of the errors of the start: ideal, strategic, navigation, tactical, industrial, consumer or paper2; --set then
-    /// changes single errors
+    /// Grade of gyros and accelerometers, and of the errors of the start: ideal, strategic, navigation, tactical, industrial, consumer or
+    /// paper2; --set then changes single errors
     #[arg(long, value_name = "GRADE")]
     pub preset: Option<String>,
     /// Sets a key of the scene, such as gyro.bias_deg_h=0.01; `sins keys` lists all keys. Can be repeated

@@ -1,7 +1,8 @@
 //! `sins live`: flies the INS of a scene on the packets of a flight simulator, and sends back what the INS believes.
 //!
-//! The data flow is `link` → `packet` (`native`, `text`, `json`, `foreign`) → `gate` (`ticks`) → `leg` → `answer` (`native`, `json`, `nmea`) →
-//! `link`; `blank` and `log` have the files, `traffic` counts, `voice` speaks, `run` connects. What the gate passes does not depend on any clock of this machine.
+//! The data flow is `link` → `packet` (`native`, `text`, `json`, `foreign`) → `gate` (`ticks`) → `leg` → `answer` (`native`, `json`,
+//! `nmea`) → `link`; `blank` and `log` have the files, `traffic` counts, `voice` speaks, `run` connects. What the gate passes does not
+//! depend on any clock of this machine.
 
 mod answer;
 mod blank;

@@ -9,7 +9,8 @@ use super::{foreign, json, native, text};
 pub enum Format {
     /// FlightGear's native FDM packet, which JSBSim sends too
     Fgfs,
-    /// A line of text: time_s,latitude_deg,longitude_deg,height_m,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,roll_deg,pitch_deg,heading_deg
+    /// A line of text:
+    /// time_s,latitude_deg,longitude_deg,height_m,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,roll_deg,pitch_deg,heading_deg
     Generic,
     /// A JSON object with those ten keys
     Json,

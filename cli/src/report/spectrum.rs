@@ -42,7 +42,7 @@ const TICK_ROOM: f64 = 66.0;
 
 /// An oscillation.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line {
+pub struct SpectralLine {
     pub period_s: f64,
     /// Amplitude of a sinusoid of this period [unit of the record].
     pub amplitude: f64,
@@ -58,7 +58,7 @@ struct Expected {
 
 /// Amplitudes of the record (`time_s`, `values`) by decreasing period: straight line removed, Hann window,
 /// A(f) = 2 |Σ w v exp(-i 2π f t)| / Σ w.
-pub fn spectrum(time_s: &[f64], values: &[f64]) -> Result<Vec<Line>, Failure> {
+pub fn spectrum(time_s: &[f64], values: &[f64]) -> Result<Vec<SpectralLine>, Failure> {
     let (level, slope) = straight_line(time_s, values);
     let (values, step) = uniform(time_s, values);
     let count = values.len();
@@ -74,7 +74,7 @@ pub fn spectrum(time_s: &[f64], values: &[f64]) -> Result<Vec<Line>, Failure> {
         .map_err(|error| Failure::new(format!("the spectrum could not be computed: {error}")))?;
     let weight: f64 = (0..count).map(window).sum();
     let length_s = (count * PADDING) as f64 * step;
-    let line = |(k, value): (usize, &realfft::num_complex::Complex<f64>)| Line {
+    let line = |(k, value): (usize, &realfft::num_complex::Complex<f64>)| SpectralLine {
         period_s: length_s / k as f64,
         amplitude: 2.0 * value.norm() / weight,
     };
@@ -147,9 +147,9 @@ pub fn figure(run: &Run) -> Result<Option<Figure>, Failure> {
 }
 
 /// The strongest line between the logarithms `low` and `high` of its period.
-fn strongest(lines: &[Line], low: f64, high: f64) -> Line {
+fn strongest(lines: &[SpectralLine], low: f64, high: f64) -> SpectralLine {
     let shown = lines.iter().filter(|line| (low..=high).contains(&line.period_s.log10()));
-    let none = Line { period_s: 0.0, amplitude: 0.0 };
+    let none = SpectralLine { period_s: 0.0, amplitude: 0.0 };
     shown.fold(none, |most, line| if line.amplitude > most.amplitude { *line } else { most })
 }
 
@@ -181,7 +181,7 @@ fn foucault(latitude_rad: f64) -> Option<(f64, f64, f64)> {
 }
 
 /// Logarithms of period and amplitude for periods between `low` and `high`: the highest amplitude of each stretch.
-fn envelope(lines: &[Line], low: f64, high: f64, unit: f64) -> Points {
+fn envelope(lines: &[SpectralLine], low: f64, high: f64, unit: f64) -> Points {
     let mut points: Vec<(usize, (f64, f64))> = Vec::new();
     for line in lines.iter().rev() {
         let (x, y) = (line.period_s.log10(), (line.amplitude / unit).log10());

@@ -70,10 +70,10 @@ fn stretch_s(duration_s: f64, truth: &Path) -> Option<f64> {
 }
 
 /// A line of the ground track: east and north [m], and the time of each point [s].
-type Line = (Pen, Points, Vec<f64>);
+type TrackLine = (Pen, Points, Vec<f64>);
 
 /// The lines of the ground track.
-fn lines(run: &Run, [truth, navigation]: [&Path; 2], stretch_s: Option<f64>) -> Vec<Line> {
+fn lines(run: &Run, [truth, navigation]: [&Path; 2], stretch_s: Option<f64>) -> Vec<TrackLine> {
     let end_s = run.duration_s();
     let parts = match stretch_s {
         None => vec![(Pen::Reference, truth, 0.0, end_s), (Pen::Computed, navigation, 0.0, end_s)],

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use sins::allan::Point;
+use sins_allan::Point;
 
 use crate::support::{done, folder, read, rejected, run};
 
@@ -81,15 +81,18 @@ fn bad_logs_and_orders_are_reported() {
     assert!(!folder.join("out.svg").exists(), "nothing is drawn of a bad log");
 }
 
+/// Linear congruential numbers from 0 to 1. The figures of `docs/effects.md` and the bandwidth that is found here depend on them.
+fn uniform(state: &mut u64) -> f64 {
+    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*state >> 11) as f64 / (1_u64 << 53) as f64
+}
+
 /// White noise of N [°/√h] at 100 Hz, of sums of uniform numbers, and a motion that is added.
 fn noise(rows: usize, n: f64, motion: impl Fn(f64) -> f64) -> Vec<f64> {
-    let mut state = 1_u64;
-    let mut uniform = move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-    };
+    let mut state = 1;
+    let mut normal = || (0..12).map(|_| uniform(&mut state) - 0.5).sum::<f64>();
     let sigma = n / 60.0 * 10.0;
-    (0..rows).map(|k| sigma * (0..12).map(|_| uniform()).sum::<f64>() + motion(k as f64 * 0.01)).collect()
+    (0..rows).map(|k| sigma * normal() + motion(k as f64 * 0.01)).collect()
 }
 
 fn save(path: &Path, values: impl Iterator<Item = f64>) {
@@ -258,11 +261,8 @@ fn stamps_scatter_and_rows_are_lost() {
 #[test]
 fn what_was_found_flies() {
     let folder = folder("closure");
-    let mut state = 7_u64;
-    let mut from = move |low: f64, high: f64| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        low * (high / low).powf((state >> 11) as f64 / (1_u64 << 53) as f64)
-    };
+    let mut state = 7;
+    let mut from = |low: f64, high: f64| low * (high / low).powf(uniform(&mut state));
     let (mut points, mut apart) = (0, 0);
     for seed in ["1", "2", "3", "4"] {
         let mut axes =

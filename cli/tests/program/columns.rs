@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use crate::draws::Draws;
 use crate::judged::{circle, write};
 use crate::support::{done, folder, read, rejected, run};
 
@@ -31,10 +32,9 @@ fn save(path: &Path) {
 fn a_scene_smooths_its_log_through_every_door() {
     let folder = folder("smoothed");
     let mut rows = circle(10, 60);
-    let mut state = 1_u64;
+    let mut draws = Draws::new(1);
     for row in &mut rows {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        row[1] += 2e-5 * ((state >> 40) as f64 / f64::from(1 << 24) - 0.5);
+        row[1] += draws.within(-1e-5, 1e-5);
     }
     rows[300][1] += 0.01;
     write(&folder.join("noisy.csv"), &rows, false);

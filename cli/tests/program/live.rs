@@ -12,6 +12,7 @@ use sins::scene::builtin;
 use sins::truth::FlightSample;
 use sins::units::DEG;
 
+use crate::draws::Draws;
 use crate::support::{done, folder, number, read, rejected, rows, run, sins};
 
 /// Packets on their way: a receive buffer of Linux holds some 160 of them.
@@ -128,14 +129,6 @@ fn fgfs(sample: &FlightSample) -> Vec<u8> {
     packet
 }
 
-/// A number from 0 to 1: xorshift.
-fn random(state: &mut u64) -> f64 {
-    *state ^= *state << 13;
-    *state ^= *state >> 7;
-    *state ^= *state << 17;
-    (*state >> 11) as f64 / (1_u64 << 53) as f64
-}
-
 /// Asserts that the scene of a recorded log flies it to the same records and states.
 fn assert_replayed(folder: &Path, live: &str, log: &str) {
     // Lost packets are gaps of the log.
@@ -173,10 +166,10 @@ fn counted(said: &str, words: &str) -> u64 {
 
 /// The ticks of a flight at 60 Hz in the order of their arrival, with 20 ms of jitter and 5 % of losses.
 fn arrivals(ticks: u32) -> Vec<u32> {
-    let mut state = 20_261_124;
+    let mut draws = Draws::new(1);
     let arrivals = (0..ticks).filter_map(|tick| {
-        let is_lost = random(&mut state) < 0.05;
-        let arrival_s = f64::from(tick) / 60.0 + 0.02 * random(&mut state);
+        let is_lost = draws.unit() < 0.05;
+        let arrival_s = f64::from(tick) / 60.0 + 0.02 * draws.unit();
         (!is_lost || tick == 0).then_some((arrival_s, tick))
     });
     let mut arrivals: Vec<(f64, u32)> = arrivals.collect();

@@ -144,7 +144,8 @@ fn what_the_rows_had_is_said_of_their_path() {
     }
     write(&folder.join("slow.csv"), &slow, false);
     let (code, _, errors) = flown("slow.csv");
-    let words = "rows that are not repeats, to fit a path to them: 20; is it this? 90 % of the moving rows repeat";
+    let words =
+        "rows that are not repeats, to fit a path to them: 20; is it this? 90 % of the moving rows repeat";
     assert!(code == 2 && errors.contains(words), "{errors}");
     // A second flight, or another vehicle, behind the first.
     let rows = circle(10, 150);

@@ -10,8 +10,7 @@ mod conditions;
 mod curve;
 #[cfg(target_os = "linux")]
 mod doors;
-#[cfg(target_os = "linux")]
-#[allow(dead_code, reason = "random scenes use a part of it")]
+#[allow(dead_code, reason = "these tests use a part of it")]
 #[path = "../../../tests/support/draws.rs"]
 mod draws;
 mod ensemble;

@@ -141,7 +141,8 @@ fn rates_count_from_nav() {
     assert_eq!(figure("after", "slope_nmi_h")["value"], "none");
     done(&folder, &["report", "sins_out/after.csv"]);
     let page = read(folder.join("sins_out/report.html"));
-    // The update and the end of the alignment, in three panels of three errors, in the radial error and in the panels of the accelerometers.
+    // The update and the end of the alignment, in three panels of three errors, in the radial error and in the panels of the
+    // accelerometers.
     assert_eq!(page.matches("<path class=\"correction\"").count(), 2 * (3 * 3 + 1 + 3));
     assert!(page.contains("update by a fix; end of an alignment, which corrects the solution"));
     assert!(page.contains("sets its solution to the truth each 60 s: the sawtooth"));

@@ -1,11 +1,14 @@
 //! Calls of a master: corrections, parts of intervals, wrong calls, calls in random order, the URI of the resources, a doubtful truth.
 
 mod corrections;
-#[allow(dead_code, reason = "random scenes use a part of it")]
+#[allow(dead_code, reason = "these tests use a part of it")]
 #[path = "../../../tests/support/draws.rs"]
 mod draws;
 #[path = "../../../tests/support/scenes/mod.rs"]
 mod flown_scenes;
+#[allow(dead_code, reason = "these tests use a part of it")]
+#[path = "../../../tests/support/fnv.rs"]
+mod fnv;
 mod misuse;
 mod panel;
 mod parts;

@@ -7,36 +7,16 @@
 use std::ffi::{CString, c_int};
 use std::ptr;
 
-use sins::math::{SPLIT_MIX_STEP, mix};
 use sins_fmu::get_set::*;
 use sins_fmu::interface::*;
 use sins_fmu::states::*;
 use sins_fmu::steps::*;
 
+use crate::draws::Draws;
+use crate::fnv::Fnv;
 use crate::support::{AT_REST, Described, Unit, inputs, variables};
 
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        let next = mix(self.0);
-        self.0 = self.0.wrapping_add(SPLIT_MIX_STEP);
-        next
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.next() % count as u64) as usize
-    }
-
-    fn one_in(&mut self, count: usize) -> bool {
-        self.below(count) == 0
-    }
-
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
+impl Draws {
     /// A number, mostly within the limits, sometimes not finite.
     fn real(&mut self, (low, high): (f64, f64)) -> f64 {
         const ODD: [f64; 9] =
@@ -53,7 +33,7 @@ impl Random {
 }
 
 struct Master {
-    random: Random,
+    random: Draws,
     unit: Unit,
     described: &'static [Described],
     outputs: Vec<u32>,
@@ -69,7 +49,7 @@ impl Master {
         let is_output = |variable: &&Described| variable.causality == "output" && variable.element == "Real";
         let outputs = described.iter().filter(is_output).map(|variable| variable.reference).collect();
         let unit = if seed.is_multiple_of(2) { Unit::new(None) } else { Unit::flying(|_| ()) };
-        let random = Random(seed);
+        let random = Draws::new(seed);
         Self { random, unit, described, outputs, images: Vec::new(), time_s: 0.0, calls: 0, refused: 0 }
     }
 
@@ -214,7 +194,7 @@ impl Master {
                     image[at] = self.random.next() as u8;
                 }
                 // With the right hash, or it would be refused before it is read.
-                let hash = hash(&image[..end]);
+                let hash = Fnv::of(&image[..end]);
                 image[end..].copy_from_slice(&hash.to_le_bytes());
                 false
             }
@@ -271,12 +251,6 @@ impl Master {
         let (on, name) = (self.random.below(2) as c_int, names[self.random.below(2)]);
         ("fmi2SetDebugLogging", unsafe { fmi2SetDebugLogging(self.unit.component, on, 1, &name) })
     }
-}
-
-/// The hash at the end of a state: FNV-1a of 64 bits.
-fn hash(state: &[u8]) -> u64 {
-    let fold = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-    state.iter().fold(0xcbf2_9ce4_8422_2325, fold)
 }
 
 #[test]

@@ -2,14 +2,14 @@
 
 use super::registry::Registry;
 use super::{enter, remember};
-use crate::abi::failure::{Failure, sins_status};
+use crate::abi::failure::{CallError, sins_status};
 use crate::abi::memory::put;
 
 /// Runs `body` on the object of a handle, as the inside of an exported function. A failure is kept for this thread.
 pub(in crate::abi) fn with_object<T, H, const KIND: usize>(
     table: &Registry<T, KIND>,
     handle: *const H,
-    body: impl FnOnce(&mut T) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut T) -> Result<sins_status, CallError>,
 ) -> sins_status {
     enter(|| table.with(handle.addr(), |object| body(object).inspect_err(|&failure| remember(failure))))
 }
@@ -22,10 +22,10 @@ pub(in crate::abi) unsafe fn hand_out<T, H, const KIND: usize>(
     table: &Registry<T, KIND>,
     place: *mut *mut H,
     name: &'static str,
-    make: impl FnOnce() -> Result<T, Failure>,
-) -> Result<sins_status, Failure> {
+    make: impl FnOnce() -> Result<T, CallError>,
+) -> Result<sins_status, CallError> {
     if place.is_null() {
-        return Err(Failure::null(name));
+        return Err(CallError::null(name));
     }
     let key = table.insert(make()?)?;
     // SAFETY: as this function.

@@ -22,7 +22,7 @@ use self::process::prepare_process;
 use self::tables::is_inside_a_handle;
 use self::thread::Cancellation;
 use self::thread_locals::HERE;
-use crate::abi::failure::{Failure, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
+use crate::abi::failure::{CallError, SINS_ERROR_INTERNAL, SINS_OK, sins_status};
 use crate::abi::sentence::Sentence;
 
 /// Runs `body` as the inside of an exported function.
@@ -45,10 +45,10 @@ fn guarded(body: impl FnOnce() -> sins_status) -> sins_status {
 
 /// Runs the inside of a function without a simulator. Its failure is kept for this thread.
 pub(in crate::abi) fn enter_without_simulator(
-    body: impl FnOnce() -> Result<sins_status, Failure>,
+    body: impl FnOnce() -> Result<sins_status, CallError>,
 ) -> sins_status {
     if !prepare_process() {
-        return Failure::no_thread_locals().status;
+        return CallError::no_thread_locals().status;
     }
     let cancellation = Cancellation::defer();
     silence_panics();
@@ -61,7 +61,7 @@ pub(in crate::abi) fn enter_without_simulator(
     });
     HERE.with(|here| here.inside.set(outer));
     if status == SINS_ERROR_INTERNAL {
-        remember(Failure::internal());
+        remember(CallError::internal());
     }
     cancellation.restore();
     status
@@ -85,12 +85,12 @@ pub fn shielded<T>(body: impl FnOnce() -> T) -> Option<T> {
 }
 
 /// Keeps a failure for this thread.
-pub(in crate::abi) fn remember(failure: Failure) {
+pub(in crate::abi) fn remember(failure: CallError) {
     remember_as(failure, Sentence::EMPTY);
 }
 
 /// Keeps a failure for this thread, with a sentence in place of that which is made of its data.
-pub(in crate::abi) fn remember_as(failure: Failure, sentence: Sentence) {
+pub(in crate::abi) fn remember_as(failure: CallError, sentence: Sentence) {
     if prepare_process() {
         HERE.with(|here| {
             here.last_failure.set(Some(failure));
@@ -100,10 +100,10 @@ pub(in crate::abi) fn remember_as(failure: Failure, sentence: Sentence) {
 }
 
 /// The last failure on this thread that no simulator keeps, with its sentence.
-pub(in crate::abi) fn last_failure() -> (Option<Failure>, Sentence) {
+pub(in crate::abi) fn last_failure() -> (Option<CallError>, Sentence) {
     let (failure, sentence) = match prepare_process() {
         true => HERE.with(|here| (here.last_failure.get(), here.last_sentence.get())),
-        false => (Some(Failure::no_thread_locals()), Sentence::EMPTY),
+        false => (Some(CallError::no_thread_locals()), Sentence::EMPTY),
     };
     let has_no_more = sentence.as_bytes().is_empty();
     (failure, if has_no_more { Sentence::of(failure.as_ref()) } else { sentence })

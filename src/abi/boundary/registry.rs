@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::key::{FirstGeneration, KIND_BITS, LAST_GENERATION, SLOTS, key_of, kind_of, slot_of};
 use super::lock::{Guard, Lock};
 use crate::abi::failure::{
-    Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
+    CallError, SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_STATE, SINS_ERROR_INTERNAL, SINS_OK, sins_status,
 };
 use crate::base::memory::{only, room};
 
@@ -44,7 +44,7 @@ struct Place<T> {
 
 struct Content<T> {
     value: T,
-    last_failure: Option<Failure>,
+    last_failure: Option<CallError>,
     /// A defect was caught while the value was in use.
     broken: bool,
 }
@@ -81,7 +81,7 @@ impl<T, const KIND: usize> Registry<T, KIND> {
     }
 
     /// Puts `value` in and gives its key.
-    pub fn insert(&self, value: T) -> Result<usize, Failure> {
+    pub fn insert(&self, value: T) -> Result<usize, CallError> {
         let mut memory = room(1)?;
         memory.push(Content { value, last_failure: None, broken: false });
         let content = only(memory)?;
@@ -106,12 +106,16 @@ impl<T, const KIND: usize> Registry<T, KIND> {
                 return Ok(key);
             }
         }
-        Err(Failure::no_handle())
+        Err(CallError::no_handle())
     }
 
     /// Runs `body` on the object of `key`, or gives `SINS_ERROR_BAD_HANDLE`; remembers a failure.
     #[inline]
-    pub fn with(&self, key: usize, body: impl FnOnce(&mut T) -> Result<sins_status, Failure>) -> sins_status {
+    pub fn with(
+        &self,
+        key: usize,
+        body: impl FnOnce(&mut T) -> Result<sins_status, CallError>,
+    ) -> sins_status {
         let mut place = match self.find(key) {
             Ok(place) => place,
             Err(status) => return status,
@@ -130,14 +134,14 @@ impl<T, const KIND: usize> Registry<T, KIND> {
             }
             Err(_) => {
                 content.broken = true;
-                content.last_failure = Some(Failure::internal());
+                content.last_failure = Some(CallError::internal());
                 SINS_ERROR_INTERNAL
             }
         }
     }
 
     /// The last failure of the object of `key`.
-    pub fn last_failure(&self, key: usize) -> Result<Option<Failure>, sins_status> {
+    pub fn last_failure(&self, key: usize) -> Result<Option<CallError>, sins_status> {
         match self.find(key)?.content.as_deref() {
             Some([content]) => Ok(content.last_failure),
             _ => Err(SINS_ERROR_BAD_HANDLE),
@@ -215,7 +219,7 @@ mod tests {
         // The same slot again, at the end of a round through all of them: the old key stays dead.
         let keys: Vec<usize> = (0..SLOTS).map(|_| NUMBERS.insert(6).unwrap()).collect();
         assert_eq!(read(key), Err(SINS_ERROR_BAD_HANDLE));
-        assert_eq!(NUMBERS.insert(7).unwrap_err(), Failure::no_handle());
+        assert_eq!(NUMBERS.insert(7).unwrap_err(), CallError::no_handle());
         for key in keys {
             assert_eq!(NUMBERS.remove(key), SINS_OK);
         }
@@ -240,7 +244,7 @@ mod tests {
                 let _ = told.send((TABLE.with(dead, |_| Ok(SINS_OK)), TABLE.remove(dead), full));
             });
             let answers = hear.recv_timeout(std::time::Duration::from_secs(60));
-            assert_eq!(answers, Ok((SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_HANDLE, Failure::no_handle())));
+            assert_eq!(answers, Ok((SINS_ERROR_BAD_HANDLE, SINS_ERROR_BAD_HANDLE, CallError::no_handle())));
             Ok(SINS_OK)
         });
         assert_eq!(status, SINS_OK);
@@ -284,7 +288,7 @@ mod tests {
         std::panic::set_hook(hook);
         assert_eq!(BROKEN.with(bad, |_| Ok(SINS_OK)), SINS_ERROR_INTERNAL);
         assert_eq!(BROKEN.with(good, |_| Ok(SINS_OK)), SINS_OK);
-        assert_eq!(BROKEN.last_failure(bad), Ok(Some(Failure::internal())));
+        assert_eq!(BROKEN.last_failure(bad), Ok(Some(CallError::internal())));
         assert_eq!(BROKEN.remove(bad), SINS_OK);
         assert_eq!(BROKEN.remove(good), SINS_OK);
     }

@@ -2,7 +2,7 @@
 
 use core::cell::Cell;
 
-use crate::abi::failure::Failure;
+use crate::abi::failure::CallError;
 use crate::abi::sentence::Sentence;
 
 /// State of a thread. It has no destructor, so that the library can be unloaded. Calls on a simulator do not use it, because its first
@@ -11,7 +11,7 @@ pub(in crate::abi) struct Here {
     /// Whether this thread is inside a call that has no handle.
     pub inside: Cell<bool>,
     /// The last failure on this thread that no simulator keeps.
-    pub last_failure: Cell<Option<Failure>>,
+    pub last_failure: Cell<Option<CallError>>,
     /// Its sentence, if the failure's data do not say all; else empty.
     pub last_sentence: Cell<Sentence>,
 }

@@ -1,7 +1,7 @@
 //! The flight of a scene, and its settings for that and for the output.
 
 use super::{sins_scene, with_scene};
-use crate::abi::failure::{Failure, SINS_OK, sins_status};
+use crate::abi::failure::{CallError, SINS_OK, sins_status};
 use crate::abi::flight::{self, sins_flight_start};
 use crate::abi::manoeuvre::sins_manoeuvre;
 use crate::abi::memory::{Array, Output, interface_struct, put, put_if_wanted};
@@ -107,7 +107,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_manoeuvres(
                 return Ok(SINS_OK);
             }
             if capacity < path.manoeuvres.len() {
-                return Err(Failure::buffer("capacity", capacity, path.manoeuvres.len()));
+                return Err(CallError::buffer("capacity", capacity, path.manoeuvres.len()));
             }
             for (index, manoeuvre) in path.manoeuvres.iter().enumerate() {
                 places.write(index, &sins_manoeuvre::from_manoeuvre(manoeuvre))?;

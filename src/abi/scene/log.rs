@@ -9,7 +9,7 @@ use crate::abi::boundary::handle::{hand_out, with_object};
 use crate::abi::boundary::tables::LOGS;
 use crate::abi::boundary::{enter, enter_without_simulator, remember_as};
 use crate::abi::failure::{
-    Failure, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status,
+    CallError, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status,
 };
 use crate::abi::judge::{sins_judge, with_judge};
 use crate::abi::memory::{Array, Output, element, interface_struct, put_if_wanted};
@@ -48,8 +48,8 @@ interface_struct!(sins_log_info, "info", 216);
 /// What the parser takes beside the samples [bytes]; a field in quotes may be longer.
 const ROOM: usize = 1 << 20;
 
-/// Reads a flight log as the [log] of a scene says: which column has which quantity, in which unit, and whether its path is smoothed; a scene
-/// flies only a log that was read by its own [log]. The text is UTF-8, UTF-16 with a byte order mark, or otherwise Windows-1252.
+/// Reads a flight log as the [log] of a scene says: which column has which quantity, in which unit, and whether its path is smoothed; a
+/// scene flies only a log that was read by its own [log]. The text is UTF-8, UTF-16 with a byte order mark, or otherwise Windows-1252.
 /// NULL for scene, or a scene without [log]: comma-separated values in lines that end with LF or CR LF. The first line that is not a
 /// comment (#) names the columns, in any order; columns of other names are ignored, and a row with more fields than columns
 /// is a fault:
@@ -77,7 +77,7 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
 ) -> sins_status {
     let parse = |scene: &Scene| {
         if log.is_null() {
-            return Err(Failure::null("log"));
+            return Err(CallError::null("log"));
         }
         // SAFETY: the host's promise.
         let output = unsafe { Output::if_wanted(fault, "fault")? };
@@ -115,8 +115,8 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
     }
 }
 
-/// Makes a log of an array of count samples, as sins_log_parse() of a text: for hosts that have a flight in memory. samples[0].struct_size is
-/// the size in bytes of each element of samples; struct_size of the other samples may be 0. A log has at least two samples, each later
+/// Makes a log of an array of count samples, as sins_log_parse() of a text: for hosts that have a flight in memory. samples[0].struct_size
+/// is the size in bytes of each element of samples; struct_size of the other samples may be 0. A log has at least two samples, each later
 /// than the one before, with values in their ranges. Its title is empty. The samples are copied. Not for a real-time frame: it allocates,
 /// 176 bytes a sample.
 ///
@@ -131,13 +131,13 @@ pub unsafe extern "C-unwind" fn sins_log_create(
 ) -> sins_status {
     enter_without_simulator(|| {
         if log.is_null() {
-            return Err(Failure::null("log"));
+            return Err(CallError::null("log"));
         }
         let mut made = FlightLog::with_room(count)?;
         // SAFETY: the host's promise; samples are only read.
         let samples = unsafe { Array::new(samples.cast_mut(), count, "samples")? };
         for index in 0..count {
-            made.append(samples.sample(index)?).map_err(|error| Failure::from(error).of_sample(index))?;
+            made.append(samples.sample(index)?).map_err(|error| CallError::from(error).of_sample(index))?;
         }
         // SAFETY: the host's promise.
         unsafe { hand_out(&LOGS, log, "log", || Ok(Arc::new(made))) }
@@ -145,7 +145,7 @@ pub unsafe extern "C-unwind" fn sins_log_create(
 }
 
 /// The log of a handle; `None`: null.
-pub(super) fn log_of(log: *const sins_log) -> Result<Option<Arc<FlightLog>>, Failure> {
+pub(super) fn log_of(log: *const sins_log) -> Result<Option<Arc<FlightLog>>, CallError> {
     if log.is_null() {
         return Ok(None);
     }
@@ -154,7 +154,7 @@ pub(super) fn log_of(log: *const sins_log) -> Result<Option<Arc<FlightLog>>, Fai
         found = Some(log.clone());
         Ok(SINS_OK)
     });
-    found.map(Some).ok_or_else(|| Failure::of_handle(status, "log"))
+    found.map(Some).ok_or_else(|| CallError::of_handle(status, "log"))
 }
 
 /// Reads the number of samples of a log, its duration and its title.
@@ -199,7 +199,8 @@ pub unsafe extern "C-unwind" fn sins_log_get_sample(
 }
 
 /// Looks at the samples of a log, one after the other, as sins_judge_push(). Where a coordinated flight stands in for the attitude of the
-/// log, attitudes are not judged. What was wrong in the rows of a log that was smoothed is found too, as a note if the path does not have it.
+/// log, attitudes are not judged. What was wrong in the rows of a log that was smoothed is found too, as a note if the path does not have
+/// it.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, with the number of the sample; the samples before it were taken.
 /// SINS_ERROR_BAD_HANDLE: judge or log is not a valid handle.
@@ -209,9 +210,9 @@ pub unsafe extern "C-unwind" fn sins_judge_push_log(
     log: *const sins_log,
 ) -> sins_status {
     with_judge(judge, |judge| {
-        let log = log_of(log)?.ok_or_else(|| Failure::of_handle(SINS_ERROR_BAD_HANDLE, "log"))?;
+        let log = log_of(log)?.ok_or_else(|| CallError::of_handle(SINS_ERROR_BAD_HANDLE, "log"))?;
         let judged = log.judge(judge, log.samples().len());
-        judged.map_err(|(index, error)| Failure::from(error).of_sample(index))?;
+        judged.map_err(|(index, error)| CallError::from(error).of_sample(index))?;
         Ok(SINS_OK)
     })
 }

@@ -33,7 +33,7 @@ use core::ffi::c_char;
 use crate::abi::boundary::handle::{hand_out, with_object};
 use crate::abi::boundary::tables::{FLIGHTS, SCENES, SIMULATORS, SceneText};
 use crate::abi::boundary::{enter, enter_without_simulator};
-use crate::abi::failure::{Failure, SINS_OK, SINS_SCENE_HAS_FAULTS, sins_status};
+use crate::abi::failure::{CallError, SINS_OK, SINS_SCENE_HAS_FAULTS, sins_status};
 use crate::abi::flight::sins_flight;
 use crate::abi::memory::{Output, element};
 use crate::abi::simulator::sins_sim;
@@ -61,7 +61,7 @@ fn of_scene(scene: Scene) -> SceneText {
 /// Runs `body` on the scene of a handle, as the inside of an exported function; it may copy the scene and write it.
 pub(in crate::abi) fn with_scene(
     scene: *const sins_scene,
-    body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Scene) -> Result<sins_status, CallError>,
 ) -> sins_status {
     with_sound_scene(scene, |scene| {
         probe(ROOM + ROOM_OF_ITEM * scene.items())?;
@@ -72,7 +72,7 @@ pub(in crate::abi) fn with_scene(
 /// Runs `body` on the scene of a handle without an allocation.
 pub(in crate::abi) fn with_sound_scene(
     scene: *const sins_scene,
-    body: impl FnOnce(&mut Scene) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Scene) -> Result<sins_status, CallError>,
 ) -> sins_status {
     with_object(&SCENES, scene, |content| match &mut content.scene {
         Some(scene) => body(scene),
@@ -87,13 +87,13 @@ fn text_has_faults() -> Error {
 /// Why a change of a scene is rejected.
 pub(in crate::abi) enum Rejected {
     /// A bad argument.
-    Call(Failure),
+    Call(CallError),
     /// Faults of the scene that it would be.
     Faults(Vec<Fault>),
 }
 
-impl From<Failure> for Rejected {
-    fn from(failure: Failure) -> Self {
+impl From<CallError> for Rejected {
+    fn from(failure: CallError) -> Self {
         Self::Call(failure)
     }
 }
@@ -105,7 +105,7 @@ impl From<Vec<Fault>> for Rejected {
 }
 
 /// The faults of a text, unless it could not be read for lack of memory.
-fn of_text(faults: Vec<Fault>) -> Result<Vec<Fault>, Failure> {
+fn of_text(faults: Vec<Fault>) -> Result<Vec<Fault>, CallError> {
     match faults.iter().any(|fault| fault.about.lacks_memory) {
         true => Err(missing(faults.len()).into()),
         false => Ok(faults),
@@ -148,7 +148,7 @@ pub(in crate::abi) fn change_scene(
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_scene_create(scene: *mut *mut sins_scene) -> sins_status {
     enter_without_simulator(|| {
-        let make = || probe(ROOM).map(|()| of_scene(Scene::default())).map_err(Failure::from);
+        let make = || probe(ROOM).map(|()| of_scene(Scene::default())).map_err(CallError::from);
         // SAFETY: the host's promise.
         unsafe { hand_out(&SCENES, scene, "scene", make) }
     })
@@ -232,7 +232,7 @@ pub unsafe extern "C-unwind" fn sins_scene_create_builtin(
     scene: *mut *mut sins_scene,
 ) -> sins_status {
     enter_without_simulator(|| {
-        let unknown = || Failure::from(bad_text("name", NO_BUILTIN));
+        let unknown = || CallError::from(bad_text("name", NO_BUILTIN));
         // SAFETY: the host's promise.
         unsafe {
             hand_out(&SCENES, scene, "scene", || {
@@ -310,7 +310,7 @@ pub unsafe extern "C-unwind" fn sins_scene_create_simulator(
     sim: *mut *mut sins_sim,
 ) -> sins_status {
     with_scene(scene, |scene| {
-        let make = || scene.check().and_then(|()| scene.simulator()).map_err(Failure::from);
+        let make = || scene.check().and_then(|()| scene.simulator()).map_err(CallError::from);
         // SAFETY: the host's promise.
         unsafe { hand_out(&SIMULATORS, sim, "sim", make) }
     })

@@ -8,7 +8,7 @@ use crate::abi::answer::fill_or_need;
 use crate::abi::boundary::handle::{hand_out, with_object};
 use crate::abi::boundary::tables::{PLAYS, PlayHandles, SIMULATORS, UNITS};
 use crate::abi::boundary::{enter, remember_as};
-use crate::abi::failure::{Failure, SINS_NEED_SAMPLE, SINS_OK, SINS_PLAY_END, sins_status};
+use crate::abi::failure::{CallError, SINS_NEED_SAMPLE, SINS_OK, SINS_PLAY_END, sins_status};
 use crate::abi::imu::sins_imu;
 use crate::abi::memory::{Array, Output, put, put_if_wanted, read};
 use crate::abi::record::{RecordView, sins_record};
@@ -34,7 +34,7 @@ pub struct sins_play {
 /// Runs `body` on a scene in flight with its simulator and its unit, as the inside of an exported function.
 pub(super) fn with_play(
     play: *mut sins_play,
-    body: impl FnOnce(&mut Course, &mut Box<[Simulator; 1]>, Option<&mut Unit>) -> Result<sins_status, Failure>,
+    body: impl FnOnce(&mut Course, &mut Box<[Simulator; 1]>, Option<&mut Unit>) -> Result<sins_status, CallError>,
 ) -> sins_status {
     with_object(&PLAYS, play, |PlayHandles { course, sim, unit }| {
         let mut result = Ok(SINS_OK);
@@ -57,8 +57,8 @@ pub(super) fn with_play(
         };
         match (of_unit, status) {
             (SINS_OK, SINS_OK) => result,
-            (SINS_OK, status) => Err(Failure::of_handle(status, "simulator of the scene in flight")),
-            (status, _) => Err(Failure::of_handle(status, "unit of the scene in flight")),
+            (SINS_OK, status) => Err(CallError::of_handle(status, "simulator of the scene in flight")),
+            (status, _) => Err(CallError::of_handle(status, "unit of the scene in flight")),
         }
     })
 }
@@ -66,7 +66,7 @@ pub(super) fn with_play(
 /// The status of a flight that stopped; the sentence has time and line.
 fn stopped(stopped: &Stopped) -> sins_status {
     let Stopped { error, time_s, line } = *stopped;
-    let failure = Failure::from(error);
+    let failure = CallError::from(error);
     let sentence = match line {
         Some(line) => Sentence::new(format_args!("at {time_s} s, line {line} of the log: {failure}")),
         None => Sentence::new(format_args!("at {time_s} s: {failure}")),
@@ -123,7 +123,7 @@ pub unsafe extern "C-unwind" fn sins_play_create(
     })
 }
 
-fn make(scene: &Scene, log: Option<Arc<FlightLog>>) -> Result<PlayHandles, Failure> {
+fn make(scene: &Scene, log: Option<Arc<FlightLog>>) -> Result<PlayHandles, CallError> {
     let source = match log {
         Some(log) => Source::Log(log),
         None if scene.is_log() => Source::Host,
@@ -221,7 +221,8 @@ pub unsafe extern "C-unwind" fn sins_play_run(
 /// imu; that of the other elements may be anything. written (may be NULL) gets the number of elements, also on an error. No allocation, no
 /// system call.
 ///
-/// SINS_OK: the array is full. SINS_PLAY_END: the flight is over. SINS_ERROR_INVALID_ARGUMENT: capacity is 0. The errors of sins_play_next().
+/// SINS_OK: the array is full. SINS_PLAY_END: the flight is over. SINS_ERROR_INVALID_ARGUMENT: capacity is 0. The errors of
+/// sins_play_next().
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_play_run_imu(
     play: *mut sins_play,

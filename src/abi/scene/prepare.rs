@@ -3,7 +3,7 @@
 use super::{sins_scene, with_sound_scene};
 use crate::abi::boundary::tables::ENSEMBLES;
 use crate::abi::ensemble::sins_ensemble;
-use crate::abi::failure::{Failure, SINS_ERROR_BAD_HANDLE, SINS_OK, sins_status};
+use crate::abi::failure::{CallError, SINS_ERROR_BAD_HANDLE, SINS_OK, sins_status};
 use crate::abi::memory::{Output, read};
 use crate::abi::sample::sins_flight_sample;
 use crate::abi::simulator::{on_simulator, sins_sim};
@@ -71,7 +71,7 @@ unsafe fn prepare(
     flight_start_s: f64,
     sample: *mut sins_flight_sample,
     name: &'static str,
-    on_handle: impl FnOnce(&mut dyn FnMut(&mut dyn FliesScene) -> Result<sins_status, Failure>) -> sins_status,
+    on_handle: impl FnOnce(&mut dyn FnMut(&mut dyn FliesScene) -> Result<sins_status, CallError>) -> sins_status,
 ) -> sins_status {
     with_sound_scene(scene, |scene| {
         // SAFETY: the host's promise.
@@ -88,7 +88,7 @@ unsafe fn prepare(
         }
         match result {
             Err(error) => Err(error.into()),
-            Ok(_) if status == SINS_ERROR_BAD_HANDLE => Err(Failure::bad_handle(name)),
+            Ok(_) if status == SINS_ERROR_BAD_HANDLE => Err(CallError::bad_handle(name)),
             Ok(_) => Ok(status),
         }
     })

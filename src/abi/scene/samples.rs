@@ -3,7 +3,7 @@
 use super::log::sins_log;
 use super::{sins_scene, with_scene};
 use crate::abi::boundary::tables::LOGS;
-use crate::abi::failure::{Failure, SINS_OK, sins_status};
+use crate::abi::failure::{CallError, SINS_OK, sins_status};
 use crate::abi::memory::{Output, interface_struct};
 use crate::base::error::Error;
 use crate::scene::log::FlightLog;
@@ -57,7 +57,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_samples(
             found = Some(sins_scene_samples::of(scene, Some(log)));
             Ok(SINS_OK)
         });
-        Ok(output.write(&found.ok_or(Failure::of_handle(status, "log"))??))
+        Ok(output.write(&found.ok_or(CallError::of_handle(status, "log"))??))
     })
 }
 

@@ -3,7 +3,7 @@
 use core::ffi::c_char;
 
 use super::{NO_BUILTIN, sins_scene, with_scene};
-use crate::abi::failure::{Failure, SINS_OK, sins_status};
+use crate::abi::failure::{CallError, SINS_OK, sins_status};
 use crate::abi::text::{bad_text, put_text, utf8_of};
 use crate::base::error::{Error, Rule, check_integer};
 use crate::scene::{self, FlightSource, MAX_TEXT_VALUE, Scene};
@@ -24,12 +24,12 @@ pub const SINS_SCENE_TEXT_NAME: sins_scene_text = 4;
 /// Name of the file for the measured increments.
 pub const SINS_SCENE_TEXT_IMU: sins_scene_text = 5;
 
-fn no_such_text(which: i32) -> Failure {
+fn no_such_text(which: i32) -> CallError {
     Error::invalid("which", which, Rule::OneOf("sins_scene_text", 0, 5)).into()
 }
 
 /// The text `which` of a scene.
-fn text(scene: &Scene, which: i32) -> Result<&str, Failure> {
+fn text(scene: &Scene, which: i32) -> Result<&str, CallError> {
     Ok(match which {
         SINS_SCENE_TEXT_TITLE => &scene.title,
         SINS_SCENE_TEXT_LOG => match &scene.flight {

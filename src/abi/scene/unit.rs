@@ -3,7 +3,7 @@
 use super::{sins_scene, with_sound_scene};
 use crate::abi::boundary::handle::hand_out;
 use crate::abi::boundary::tables::UNITS;
-use crate::abi::failure::{Failure, SINS_OK, sins_status};
+use crate::abi::failure::{CallError, SINS_OK, sins_status};
 use crate::abi::simulator::{sins_sim, work_with};
 use crate::abi::unit::sins_unit;
 use crate::base::error::Error;
@@ -32,7 +32,8 @@ pub unsafe extern "C-unwind" fn sins_scene_create_unit(
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: flight_start_s not from -2e10 to 2e10.
 /// SINS_ERROR_BAD_HANDLE: scene, unit or sim is not a valid handle.
-/// SINS_ERROR_BAD_STATE: an entry at the wrong moment; sins_last_error(NULL, ...) says which; the unit was updated. As sins_unit_update(); as sins_scene_parse().
+/// SINS_ERROR_BAD_STATE: an entry at the wrong moment; sins_last_error(NULL, ...) says which; the unit was updated. As sins_unit_update();
+/// as sins_scene_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_scene_update_unit(
     scene: *const sins_scene,
@@ -47,6 +48,6 @@ pub unsafe extern "C-unwind" fn sins_scene_update_unit(
                 .and_then(|updated| Ok(updated.map(|()| SINS_OK)?));
             Ok(SINS_OK)
         });
-        if status == SINS_OK { result } else { Err(Failure::of_handle(status, "unit")) }
+        if status == SINS_OK { result } else { Err(CallError::of_handle(status, "unit")) }
     })
 }

@@ -101,10 +101,10 @@ fn place_in_lines(fault: &mut Fault, lines: &[usize]) {
 }
 
 /// Replaces all items of a list, "manoeuvre", "failure", "update" or "panel". items is a terminated text with the items as in the
-/// text of a scene: [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an item, give
-/// the texts of all items that the list shall have, in order. An empty text removes all failures, updates or actions; for "manoeuvre" an
-/// empty text is a fault. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at latitude 0,
-/// longitude 0, height 0.
+/// text of a scene: [[manoeuvre]] and its keys, and so on. sins_scene_get_value() gives the text of one item. To add, remove or move an
+/// item, give the texts of all items that the list shall have, in order. An empty text removes all failures, updates or actions; for
+/// "manoeuvre" an empty text is a fault. If the flight was a built-in flight, the manoeuvres begin at its start; if it was a log, at
+/// latitude 0, longitude 0, height 0.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such list, or the scene would not be valid; it stays as it was. sins_scene_get_fault() gives
 /// every fault with the line in items and the path.

@@ -1,6 +1,6 @@
 //! Computing time of the effects on this machine.
 
-use super::{Effect, Scene};
+use super::{BudgetEffect, ComputedSamples};
 use crate::analysis::recommend::round_ns;
 use crate::base::error::Error;
 use crate::base::memory::{filled, room};
@@ -30,9 +30,9 @@ pub struct Costs {
 /// step, more on a busy machine, so that a small effect may come out negative.
 pub fn step_costs_ns<'a>(
     options: &Options,
-    scene: &Scene<'_>,
+    scene: &ComputedSamples<'_>,
     parameters: &ErrorParameters,
-    effects: impl ExactSizeIterator<Item = &'a Effect>,
+    effects: impl ExactSizeIterator<Item = &'a BudgetEffect>,
 ) -> Result<Costs, Error> {
     let mut stretch = room(scene.count.min(STEPS + 1))?;
     for sample in scene.samples().take(STEPS + 1) {

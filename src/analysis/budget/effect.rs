@@ -8,7 +8,7 @@ use crate::simulator::ErrorParameters;
 
 /// An effect that can be set and left out alone.
 #[derive(Debug, Clone, Copy)]
-pub struct Effect {
+pub struct BudgetEffect {
     /// Name of the effect.
     pub name: &'static str,
     /// The field of the interface that sets it; 0 there leaves it out.
@@ -25,9 +25,9 @@ macro_rules! of {
 }
 
 /// All of them: of gravity, of the sensors as their table has them, of the altimeter, of the start and of the mounting.
-pub static EFFECTS: &[Effect] = &joined::<Effect, { total(PARTS) }>(PARTS);
+pub static EFFECTS: &[BudgetEffect] = &joined::<BudgetEffect, { total(PARTS) }>(PARTS);
 
-const PARTS: &[&[Effect]] = &[
+const PARTS: &[&[BudgetEffect]] = &[
     of!(Table::Rows(&GRAVITY)),
     of!(Table::Triad(Sensor::Gyro)),
     of!(Table::Triad(Sensor::Accelerometer)),
@@ -54,7 +54,7 @@ impl Table {
     }
 
     /// The effect of a row, if the row has one of its own.
-    const fn effect(self, row: usize) -> Option<Effect> {
+    const fn effect(self, row: usize) -> Option<BudgetEffect> {
         let (field, is_random) = match self {
             Self::Triad(sensor) => (PARAMETERS[row].of(sensor), PARAMETERS[row].is_random),
             Self::Rows(rows) => (Some(rows[row].field), rows[row].is_random),
@@ -62,7 +62,7 @@ impl Table {
         };
         match field {
             Some(field) if !field.effect.is_empty() => {
-                Some(Effect { name: field.effect, field: field.path, is_random })
+                Some(BudgetEffect { name: field.effect, field: field.path, is_random })
             }
             _ => None,
         }
@@ -82,8 +82,8 @@ const fn count(table: Table) -> usize {
 }
 
 /// The effects of a table.
-const fn effects<const N: usize>(table: Table) -> [Effect; N] {
-    let none = Effect { name: "", field: "", is_random: false };
+const fn effects<const N: usize>(table: Table) -> [BudgetEffect; N] {
+    let none = BudgetEffect { name: "", field: "", is_random: false };
     let mut effects = [none; N];
     let (mut row, mut count) = (0, 0);
     while row < table.len() {
@@ -96,7 +96,7 @@ const fn effects<const N: usize>(table: Table) -> [Effect; N] {
     effects
 }
 
-impl Effect {
+impl BudgetEffect {
     /// Whether it is set. Not inlined, as [`Self::copy`]: its copy of the parameters is not on the stack while the budget flies.
     #[inline(never)]
     fn is_set(&self, from: &ErrorParameters) -> bool {
@@ -139,7 +139,7 @@ impl Effect {
     }
 }
 
-impl PartialEq for Effect {
+impl PartialEq for BudgetEffect {
     fn eq(&self, other: &Self) -> bool {
         self.field == other.field
     }
@@ -173,11 +173,11 @@ mod tests {
     #[test]
     fn every_field_belongs_to_one_effect() {
         let all = everything();
-        assert_eq!(Effect::set_in(&all).count(), EFFECTS.len());
-        assert_eq!(Effect::set_in(&all.ideal()).count(), 0);
+        assert_eq!(BudgetEffect::set_in(&all).count(), EFFECTS.len());
+        assert_eq!(BudgetEffect::set_in(&all.ideal()).count(), 0);
         let (mut together, mut left) = (all.ideal(), all);
         for effect in EFFECTS {
-            let set: Vec<&Effect> = Effect::set_in(&effect.alone(&all)).collect();
+            let set: Vec<&BudgetEffect> = BudgetEffect::set_in(&effect.alone(&all)).collect();
             assert_eq!(set, [effect]);
             effect.copy(&all, &mut together);
             effect.leave_out(&mut left);
@@ -206,6 +206,6 @@ mod tests {
         parameters.gravity.anomaly.distance_m = 1e4;
         parameters.mounting.lever_arm_m.x = 5.0;
         parameters.mounting.boresight.heading = 1.0;
-        assert_eq!(Effect::set_in(&parameters).count(), 0);
+        assert_eq!(BudgetEffect::set_in(&parameters).count(), 0);
     }
 }

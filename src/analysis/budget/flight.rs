@@ -22,14 +22,14 @@ const INSTANTS: usize = 1000;
 
 /// Samples that are computed when they are flown, so that a long scene needs no memory for them.
 #[derive(Clone, Copy)]
-pub struct Scene<'a> {
+pub struct ComputedSamples<'a> {
     /// How many.
     pub count: usize,
     /// The sample of an index: the same in each call.
     pub sample: &'a dyn Fn(usize) -> Result<FlightSample, Error>,
 }
 
-impl Scene<'_> {
+impl ComputedSamples<'_> {
     pub(super) fn validate(&self) -> Result<(), Error> {
         check_integer("count", self.count, MIN_SAMPLES as u64, MAX_SAMPLES as u64)
     }
@@ -90,7 +90,7 @@ pub(super) enum Look {
 /// Flies `scene` with `parameters`, the draws those of run number `run` after that of `options`.
 pub(super) fn fly(
     options: &Options,
-    scene: &Scene<'_>,
+    scene: &ComputedSamples<'_>,
     parameters: &ErrorParameters,
     run: u64,
     look: Look,
@@ -159,7 +159,7 @@ mod tests {
     fn instants_are_every_sample_or_equally_spaced() {
         let sample = |_| Err(Error::bad_state("not flown"));
         for count in [2, 3, 17, 1000, 1001, 1002, 5000, 17_280_001] {
-            let scene = Scene { count, sample: &sample };
+            let scene = ComputedSamples { count, sample: &sample };
             let all: Vec<usize> = (0..scene.instants()).map(|k| scene.instant(k)).collect();
             assert_eq!((all[0], all[all.len() - 1]), (1, count - 1), "{count}");
             assert!(all.windows(2).all(|pair| pair[0] < pair[1]), "{count}");

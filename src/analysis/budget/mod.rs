@@ -36,8 +36,8 @@ mod survey;
 
 pub use crate::simulator::ErrorParameters;
 pub use costs::{Costs, step_costs_ns};
-pub use effect::{EFFECTS, Effect};
-pub use flight::{MAX_SAMPLES, MIN_SAMPLES, Scene};
+pub use effect::{BudgetEffect, EFFECTS};
+pub use flight::{ComputedSamples, MAX_SAMPLES, MIN_SAMPLES};
 pub use interval::SigmaInterval;
 pub use request::BudgetRequest;
 pub use survey::{Budget, BudgetRow, error_budget};

@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 use super::contribution::Contribution;
 use super::flight::{Deviation, Look, Track, difference, fly};
 use super::selection::mark;
-use super::{BudgetRequest, Effect, Scene, SigmaInterval};
+use super::{BudgetEffect, BudgetRequest, ComputedSamples, SigmaInterval};
 use crate::analysis::recommend::{Refusal, SolutionError};
 use crate::base::error::Error;
 use crate::base::memory::room;
@@ -15,7 +15,7 @@ use crate::simulator::{ErrorParameters, Options};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BudgetRow {
     /// Which.
-    pub effect: &'static Effect,
+    pub effect: &'static BudgetEffect,
     /// Its largest contribution over the scene; of a random one 1σ, exact to first order.
     pub worst: SolutionError,
     /// At the end of the scene.
@@ -53,7 +53,7 @@ pub struct Budget {
 /// The flights, and their number.
 struct Flights<'a> {
     options: &'a Options,
-    scene: &'a Scene<'a>,
+    scene: &'a ComputedSamples<'a>,
     flown: u64,
 }
 
@@ -75,7 +75,7 @@ impl Flights<'_> {
 /// for each run. The answer is the same on every machine.
 pub fn error_budget(
     options: &Options,
-    scene: &Scene<'_>,
+    scene: &ComputedSamples<'_>,
     parameters: &ErrorParameters,
     request: &BudgetRequest,
 ) -> Result<Budget, Refusal> {
@@ -86,7 +86,7 @@ pub fn error_budget(
     let instants = scene.instants();
     let mut flights = Flights { options, scene, flown: 0 };
     let Track { span_s, errors: own } = flights.track(&parameters.ideal(), 0, Look::Navigation)?;
-    let is_random = Effect::set_in(parameters).any(|effect| effect.is_random);
+    let is_random = BudgetEffect::set_in(parameters).any(|effect| effect.is_random);
     let runs = if is_random { request.runs } else { 1 };
     let interval = if is_random { SigmaInterval::of(runs) } else { SigmaInterval { low: 1.0, high: 1.0 } };
 
@@ -102,7 +102,7 @@ pub fn error_budget(
         contribution.add(flights.track(&effect.alone(parameters), 0, Look::Sigma)?.errors.into_iter());
     }
     // All effects together, and the remainder: the sum of the random contributions of a run is linear in its draws.
-    let random = Effect::random_of(parameters);
+    let random = BudgetEffect::random_of(parameters);
     let (mut total, mut remainder) = (Contribution::new(instants)?, Contribution::new(instants)?);
     let mut all = room(runs as usize)?;
     for run in 0..runs {
@@ -137,11 +137,11 @@ pub fn error_budget(
     })
 }
 
-type Contributions = Vec<(&'static Effect, Contribution)>;
+type Contributions = Vec<(&'static BudgetEffect, Contribution)>;
 
 fn contributions_of(parameters: &ErrorParameters, instants: usize) -> Result<Contributions, Error> {
-    let mut contributions = room(Effect::set_in(parameters).count())?;
-    for effect in Effect::set_in(parameters) {
+    let mut contributions = room(BudgetEffect::set_in(parameters).count())?;
+    for effect in BudgetEffect::set_in(parameters) {
         contributions.push((effect, Contribution::new(instants)?));
     }
     Ok(contributions)

@@ -8,7 +8,7 @@ use core::fmt;
 pub(crate) use check::{check_integer, check_range, check_ranges, check_temperature};
 pub use rule::{Rule, Value};
 
-use rule::Number;
+use rule::ShortNumber;
 
 /// The kind of the error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -117,7 +117,7 @@ impl fmt::Display for Error {
         match self.rule {
             Rule::Finite => f.write_str("must be a finite number"),
             Rule::Between(low, high) => {
-                write!(f, "must be from {} to {}", Number(low), Number(high))?;
+                write!(f, "must be from {} to {}", ShortNumber(low), ShortNumber(high))?;
                 // Not s/rad, the unit of a nonlinearity.
                 let is_angle = self.field.ends_with("_rad") && !self.field.ends_with("_s_rad");
                 let may_be_degrees = |value: f64| is_angle && (1.6..=360.0).contains(&value.abs());
@@ -134,15 +134,15 @@ impl fmt::Display for Error {
             }
             Rule::BetweenIntegers(low, high) => write!(f, "must be from {low} to {high}"),
             Rule::OffOr(low, high) => {
-                write!(f, "must be 0 for none, or from {} to {}", Number(low), Number(high))
+                write!(f, "must be 0 for none, or from {} to {}", ShortNumber(low), ShortNumber(high))
             }
             Rule::DefaultOr(low, high) => {
-                write!(f, "must be 0 for the default, or from {} to {}", Number(low), Number(high))
+                write!(f, "must be 0 for the default, or from {} to {}", ShortNumber(low), ShortNumber(high))
             }
             Rule::NeededBy(low, high, field) => {
-                write!(f, "must be from {} to {} where {field} is not 0", Number(low), Number(high))
+                write!(f, "must be from {} to {} where {field} is not 0", ShortNumber(low), ShortNumber(high))
             }
-            Rule::Below(high) => write!(f, "must be less than {}", Number(high)),
+            Rule::Below(high) => write!(f, "must be less than {}", ShortNumber(high)),
             Rule::OneOf(name, first, last) => write!(f, "must be of enum {name}, {first} to {last}"),
             Rule::Zero(why) => write!(f, "must be 0{why}"),
             Rule::Sentence(words) => f.write_str(words),
@@ -153,8 +153,8 @@ impl fmt::Display for Error {
             Rule::GapWithJump(limit_s, moved_m) => write!(
                 f,
                 "the gap after the last accepted sample must be at most options.max_gap_s = {}; in the gap the position jumped by {} m",
-                Number(limit_s),
-                Number(moved_m)
+                ShortNumber(limit_s),
+                ShortNumber(moved_m)
             ),
             Rule::Label(number, is_reversed, other) => {
                 write!(f, "label {number:03o} is not in the table")?;

@@ -116,7 +116,7 @@ value_from!(
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Real(number) => Number(number).fmt(f),
+            Self::Real(number) => ShortNumber(number).fmt(f),
             Self::Signed(integer) => integer.fmt(f),
             Self::Unsigned(integer) => integer.fmt(f),
             Self::Word(bits) => write!(f, "{bits:08x}"),
@@ -125,9 +125,9 @@ impl fmt::Display for Value {
 }
 
 /// Number to display, a very large or very small one with an exponent.
-pub(super) struct Number(pub f64);
+pub(super) struct ShortNumber(pub f64);
 
-impl fmt::Display for Number {
+impl fmt::Display for ShortNumber {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let size = self.0.abs();
         if size != 0.0 && self.0.is_finite() && !(1e-4..1e7).contains(&size) {

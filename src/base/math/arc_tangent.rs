@@ -65,14 +65,14 @@ const EVEN: [f64; 5] = [
 ];
 
 /// One number, or two at once.
-trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
+trait OneOrTwo: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
     fn of(x: f64) -> Self;
 
     /// c, d, high and rest of the reductions for these ratios.
     fn reductions(self) -> [Self; 4];
 }
 
-impl Number for f64 {
+impl OneOrTwo for f64 {
     #[inline(always)]
     fn of(x: f64) -> Self {
         x
@@ -87,7 +87,7 @@ impl Number for f64 {
     }
 }
 
-impl Number for Pair {
+impl OneOrTwo for Pair {
     #[inline(always)]
     fn of(x: f64) -> Self {
         Self::both(x)
@@ -111,7 +111,7 @@ impl Number for Pair {
 
 /// The arc tangent of a ratio from 0 to [`MAX_RATIO`].
 #[inline(always)]
-fn of_ratio<T: Number>(t: T) -> T {
+fn of_ratio<T: OneOrTwo>(t: T) -> T {
     let [c, d, high, rest] = t.reductions();
     let r = (c * t - d) / (c + d * t);
     let z = r * r;

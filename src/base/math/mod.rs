@@ -16,10 +16,10 @@ mod transcendental;
 pub use arc_tangent::atan2_of_two;
 pub use compensated::{Compensated, two_product, two_sum};
 pub use euler::{Euler, attitude_from_euler, attitude_from_half_angles, euler_from_attitude};
-pub use gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_8};
+pub use gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5};
 pub use mix::{SPLIT_MIX_STEP, mix};
 pub use pair::{Pair, VectorPair};
-pub use quantile::{chi_square_quantile, normal_quantile, wilson_hilferty};
+pub use quantile::wilson_hilferty;
 pub use rotation::{
     AxisTurn, RotationSeries, axis_cross, inverse_right_jacobian, quarter_square, relative_rotation,
     right_jacobian, rotate, rotate_inverse, rotated_z, rotation_increment, rotation_increment_by,

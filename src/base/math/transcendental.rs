@@ -55,18 +55,6 @@ pub fn ln(x: f64) -> f64 {
     libm::log(x)
 }
 
-/// Natural logarithm of the gamma function.
-#[inline]
-pub fn ln_gamma(x: f64) -> f64 {
-    libm::lgamma(x)
-}
-
-/// Complementary error function: 2/√π times the integral of exp(-t²) from `x` to infinity.
-#[inline]
-pub fn erfc(x: f64) -> f64 {
-    libm::erfc(x)
-}
-
 /// Hyperbolic tangent.
 #[inline]
 pub fn tanh(x: f64) -> f64 {

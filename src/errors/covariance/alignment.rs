@@ -2,14 +2,14 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::sources::{FIELDS, Input};
+use super::sources::{ErrorInput, FIELDS};
 use crate::earth::Earth;
 use crate::errors::column::At;
 use crate::sensors::GravityDisturbance;
 use crate::truth::TruthPoint;
 
 /// Misalignment of an alignment with steady errors, east-north-up, and what the sensors sense then, sensor axes.
-pub(crate) struct Alignment {
+pub(crate) struct SteadyAlignment {
     pub by_rate: Matrix3<f64>,
     pub by_force: Matrix3<f64>,
     /// Sensor axes in east-north-up.
@@ -19,20 +19,20 @@ pub(crate) struct Alignment {
     pub force_s: Vector3<f64>,
 }
 
-impl Alignment {
+impl SteadyAlignment {
     /// Misalignment caused by a source of 1, east-north-up [rad].
-    pub(super) fn by(&self, earth: &Earth, first: &TruthPoint, input: Input) -> Vector3<f64> {
+    pub(super) fn by(&self, earth: &Earth, first: &TruthPoint, input: ErrorInput) -> Vector3<f64> {
         match input {
-            Input::Axis(axis) => self.of(axis < 3) * self.axes.column(axis % 3),
-            Input::Element(element) => {
+            ErrorInput::Axis(axis) => self.of(axis < 3) * self.axes.column(axis % 3),
+            ErrorInput::Element(element) => {
                 let signal = if element < 9 { &self.rate_s } else { &self.force_s };
                 self.of(element < 9) * self.axes.column(element % 3) * signal[element / 3 % 3]
             }
-            Input::Field(field) => {
+            ErrorInput::Field(field) => {
                 let local = At::new(earth, first, None);
                 self.by_force * -local.in_local_axes(&field_e(earth, first, field))
             }
-            Input::Altimeter => Vector3::zeros(),
+            ErrorInput::Altimeter => Vector3::zeros(),
         }
     }
 

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::line::Advance;
-use super::sources::{AXES, Input, Parameters, Source};
+use super::sources::{AXES, ErrorInput, RandomErrors, Source};
 use crate::sensors::Kind;
 
 /// The signals of an INS at rest, sensor axes: angular rate \[rad/s\] and specific force \[m/s²\].
@@ -28,7 +28,7 @@ impl Variances {
 
     /// The variances that `of` gives for each process, and those of white noise, whose mean over 1 s has the variance N².
     fn sum(
-        parameters: &Parameters<'_>,
+        parameters: &RandomErrors<'_>,
         signals: &Signals,
         of: impl Fn(&Source) -> f64,
         of_white_noise: f64,
@@ -36,14 +36,14 @@ impl Variances {
         let mut sum = Self::default();
         for source in Source::all(parameters).filter(|source| source.sigma != 0.0) {
             match source.input {
-                Input::Axis(axis) => sum.add(axis, of(&source)),
-                Input::Element(element) => {
+                ErrorInput::Axis(axis) => sum.add(axis, of(&source)),
+                ErrorInput::Element(element) => {
                     let signal = if element < 9 { &signals.rate_s } else { &signals.force_s };
                     let size = signal[element / 3 % 3];
                     sum.add(element / 9 * 3 + element % 3, of(&source) * size * size);
                 }
                 // Gravity at rest is a constant vertical, and the altimeter does not level.
-                Input::Field(_) | Input::Altimeter => {}
+                ErrorInput::Field(_) | ErrorInput::Altimeter => {}
             }
         }
         for axis in 0..AXES {
@@ -54,7 +54,7 @@ impl Variances {
     }
 
     /// Of the means over `t` \[s\] that begin `since_start_s` \[s\] after the random walks.
-    pub fn of_means(parameters: &Parameters<'_>, signals: &Signals, t: f64, since_start_s: f64) -> Self {
+    pub fn of_means(parameters: &RandomErrors<'_>, signals: &Signals, t: f64, since_start_s: f64) -> Self {
         let of = |source: &Source| {
             let step = match source.kind {
                 Kind::Walk => Advance::walk(source.sigma * since_start_s.sqrt(), source.sigma * t.sqrt()),
@@ -69,7 +69,7 @@ impl Variances {
     /// Of the differences of the means over two windows of length `window_s`, `apart_s` \[s\] apart, with the weight 1 - cos. Such a mean
     /// of white noise has the variance of a plain mean over two thirds of the window.
     pub fn of_differences(
-        parameters: &Parameters<'_>,
+        parameters: &RandomErrors<'_>,
         signals: &Signals,
         (window_s, apart_s): (f64, f64),
     ) -> Self {
@@ -94,7 +94,7 @@ mod tests {
     use crate::sensors::{AltimeterParameters, GravityDisturbanceParameters, TriadParameters};
 
     fn variances(
-        of: impl Fn(&Parameters<'_>, &Signals) -> Variances,
+        of: impl Fn(&RandomErrors<'_>, &Signals) -> Variances,
         set: impl Fn(&mut TriadParameters),
     ) -> Variances {
         let mut gyro = TriadParameters::default();
@@ -102,7 +102,7 @@ mod tests {
         let (altimeter, gravity) = (AltimeterParameters::default(), GravityDisturbanceParameters::default());
         let outputs = [(1.0, 0.0); AXES];
         let parameters =
-            Parameters { outputs, gyro: &gyro, accel: &gyro, altimeter: &altimeter, gravity: &gravity };
+            RandomErrors { outputs, gyro: &gyro, accel: &gyro, altimeter: &altimeter, gravity: &gravity };
         let signals = Signals { rate_s: Vector3::new(1.0, 2.0, 3.0), force_s: Vector3::new(0.0, 0.0, 10.0) };
         of(&parameters, &signals)
     }

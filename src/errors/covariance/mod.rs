@@ -31,9 +31,9 @@ mod snapshot;
 mod sources;
 mod stretch;
 
-pub(crate) use alignment::Alignment;
+pub(crate) use alignment::SteadyAlignment;
 pub use figures::{ErrorEllipse, Matrix9, NavigationCovariance};
 pub(crate) use means::{Signals, Variances};
 pub(crate) use propagation::{Propagation, StartErrors};
-pub(crate) use sources::Parameters;
-pub(crate) use stretch::Flown;
+pub(crate) use sources::RandomErrors;
+pub(crate) use stretch::FlownInterval;

@@ -6,7 +6,7 @@ use super::alignment::field_e;
 use super::factor::{ROWS, triangularize};
 use super::line::{Line, Spread};
 use super::root::Root;
-use super::sources::{AXES, Input, LINES, Parameters, Source};
+use super::sources::{AXES, ErrorInput, LINES, RandomErrors, Source};
 use super::stretch::Stretch;
 use crate::base::math::VectorPair;
 use crate::errors::column::{At, Column, advance, keep_within};
@@ -80,7 +80,7 @@ impl<'a> Model<'a> {
     }
 
     /// The response to an input. A constant has no change.
-    fn response(&mut self, input: Input) -> Response {
+    fn response(&mut self, input: ErrorInput) -> Response {
         let line = input.line();
         if let Some(known) = line.and_then(|line| self.responses[line]) {
             return known;
@@ -100,7 +100,7 @@ impl<'a> Model<'a> {
     }
 
     /// Errors of the sensors at the nodes, caused by an input that has these sizes there.
-    fn errors_by(&self, input: Input, sizes: [f64; 3]) -> [VectorPair; 3] {
+    fn errors_by(&self, input: ErrorInput, sizes: [f64; 3]) -> [VectorPair; 3] {
         let of_axis = |axis: usize, vectors_e: [Vector3<f64>; 3]| {
             let share = self.stretch.share(axis);
             core::array::from_fn(|node| {
@@ -109,12 +109,12 @@ impl<'a> Model<'a> {
             })
         };
         match input {
-            Input::Axis(axis) => of_axis(axis, self.axes.map(|axes| axes.column(axis % 3).into_owned())),
-            Input::Element(element) => {
+            ErrorInput::Axis(axis) => of_axis(axis, self.axes.map(|axes| axes.column(axis % 3).into_owned())),
+            ErrorInput::Element(element) => {
                 of_axis(element / 9 * 3 + element % 3, self.stretch.by_element(element))
             }
             // To an INS that computes with normal gravity the rest is an error of its accelerometers, as far as they sense it.
-            Input::Field(field) => {
+            ErrorInput::Field(field) => {
                 let rest_e = -field_e(self.at.earth, self.at.truth, field);
                 core::array::from_fn(|node| {
                     let lost = |i: usize| {
@@ -124,7 +124,7 @@ impl<'a> Model<'a> {
                     VectorPair::new(&NONE, &((rest_e - lost(0) - lost(1) - lost(2)) * sizes[node]))
                 })
             }
-            Input::Altimeter => [VectorPair::both(&NONE); 3],
+            ErrorInput::Altimeter => [VectorPair::both(&NONE); 3],
         }
     }
 
@@ -170,7 +170,7 @@ impl Root {
         at: &At<'_>,
         vertical: VerticalMode,
         work: &mut [Column],
-        parameters: &Parameters<'_>,
+        parameters: &RandomErrors<'_>,
     ) {
         let is_aided = vertical != VerticalMode::Damped || stretch.aided > 0;
         let mode = if is_aided { vertical } else { VerticalMode::Free };
@@ -197,7 +197,7 @@ impl Root {
         model: &mut Model<'_>,
         transition: &Transition,
         columns: &mut Columns<'_>,
-        parameters: &Parameters<'_>,
+        parameters: &RandomErrors<'_>,
     ) {
         let stretch = model.stretch;
         let mut rests = [Spread::NONE; LINES];
@@ -211,7 +211,7 @@ impl Root {
                 continue;
             }
             let led = transition * *sensitivity;
-            if source.input == Input::Altimeter {
+            if source.input == ErrorInput::Altimeter {
                 // It acts at the end alone, where the process is β⁺: γ and δ are a and s times its column.
                 *sensitivity = led * step.decay + model.by_altimeter() * source.sigma;
                 columns.take(led * step.diffusion);
@@ -228,14 +228,14 @@ impl Root {
             }
         }
         for (line, rest) in rests.iter().enumerate().filter(|(_, rest)| !rest.is_none()) {
-            let response = model.response(Input::of_line(line));
+            let response = model.response(ErrorInput::of_line(line));
             rest.lines().iter().for_each(|line| columns.take(response.to(line)));
         }
     }
 }
 
 /// The noise that is new in every stretch: quantization, and the altimeter's noise.
-fn add_noise(model: &Model<'_>, columns: &mut Columns<'_>, parameters: &Parameters<'_>) {
+fn add_noise(model: &Model<'_>, columns: &mut Columns<'_>, parameters: &RandomErrors<'_>) {
     for axis in 0..AXES {
         let pulse = parameters.of_axis(axis).quantization[axis % 3] * model.stretch.share(axis);
         if pulse != 0.0 {

@@ -2,14 +2,14 @@
 
 use nalgebra::Vector3;
 
-use super::alignment::Alignment;
+use super::alignment::SteadyAlignment;
 use super::factor::{ROWS, triangularize};
 use super::figures::NavigationCovariance;
 use super::line::Advance;
 use super::read::covariance_of;
 use super::root::Root;
-use super::sources::{AXES, COUNT, Input, LINES, Parameters, Source};
-use super::stretch::{Flown, Stretch};
+use super::sources::{AXES, COUNT, ErrorInput, LINES, RandomErrors, Source};
+use super::stretch::{FlownInterval, Stretch};
 use crate::base::error::Error;
 use crate::base::memory::{filled, room};
 use crate::earth::state::StateErrors;
@@ -46,7 +46,7 @@ pub(crate) struct StartErrors<'a> {
     pub v_e: &'a Vector3<f64>,
     /// Standard deviations of the drawn errors.
     pub sigma: StateErrors,
-    pub alignment: Option<Alignment>,
+    pub alignment: Option<SteadyAlignment>,
     /// Length of the alignment [s]; 0: without end.
     pub alignment_s: f64,
 }
@@ -84,7 +84,7 @@ impl Propagation {
     }
 
     /// Begins a flight.
-    pub fn start(&mut self, start: &StartErrors<'_>, parameters: &Parameters<'_>) {
+    pub fn start(&mut self, start: &StartErrors<'_>, parameters: &RandomErrors<'_>) {
         self.clear();
         let at = At::new(&self.earth, start.first, None);
         let StateErrors { position_n, velocity_n, misalignment_n } = start.sigma;
@@ -119,16 +119,16 @@ impl Propagation {
     /// Adds the misalignment that an alignment derives from the errors of the sensors: from the present ones, or from their mean over
     /// the length of the alignment, to whose end the processes move on. The part that their present values do not explain is added
     /// to the factor.
-    fn align(&mut self, alignment: &Alignment, start: &StartErrors<'_>, parameters: &Parameters<'_>) {
+    fn align(&mut self, alignment: &SteadyAlignment, start: &StartErrors<'_>, parameters: &RandomErrors<'_>) {
         let Self { earth, root, work, .. } = self;
         let at = At::new(earth, start.first, None);
         let t = start.alignment_s;
-        let column = |input: Input, size: f64| {
+        let column = |input: ErrorInput, size: f64| {
             let misalignment_n = alignment.by(earth, start.first, input) * size;
             at.column(start.v_e, &StateErrors { misalignment_n, ..StateErrors::NONE })
         };
         let mut used = ROWS;
-        let mut add = |input: Input, size: f64| {
+        let mut add = |input: ErrorInput, size: f64| {
             if size != 0.0 {
                 work[used] = column(input, size);
                 used += 1;
@@ -146,7 +146,7 @@ impl Propagation {
                 *sensitivity = column(source.input, of_end);
             }
             add(source.input, of_start * step.diffusion - of_draw * step.decay);
-            if let Input::Axis(axis) = source.input {
+            if let ErrorInput::Axis(axis) = source.input {
                 own[axis] += step.rest.of_mean();
             }
         }
@@ -157,7 +157,10 @@ impl Propagation {
         for (axis, own) in own.into_iter().enumerate() {
             let triad = parameters.of_axis(axis);
             let (density, pulse) = (triad.random_walk[axis % 3], triad.quantization[axis % 3]);
-            add(Input::Axis(axis), (own + density * density / t + pulse * pulse / (12.0 * t * t)).sqrt());
+            add(
+                ErrorInput::Axis(axis),
+                (own + density * density / t + pulse * pulse / (12.0 * t * t)).sqrt(),
+            );
         }
         work[..ROWS].copy_from_slice(&root.factor);
         triangularize(&mut work[..used]);
@@ -170,7 +173,7 @@ impl Propagation {
     }
 
     /// Adds an interval that was flown.
-    pub fn advance(&mut self, flown: &Flown<'_>, parameters: &Parameters<'_>) {
+    pub fn advance(&mut self, flown: &FlownInterval<'_>, parameters: &RandomErrors<'_>) {
         if self.stretch.has_no_room_for(flown.motion.interval_s) {
             self.bring_up_to_date(flown.current, flown.block, parameters);
         }
@@ -179,7 +182,7 @@ impl Propagation {
         }
     }
 
-    fn bring_up_to_date(&mut self, truth: &TruthPoint, block: Option<&Block>, parameters: &Parameters<'_>) {
+    fn bring_up_to_date(&mut self, truth: &TruthPoint, block: Option<&Block>, parameters: &RandomErrors<'_>) {
         let at = At::new(&self.earth, truth, block);
         self.root.advance(&self.stretch, &at, self.vertical, &mut self.work, parameters);
         self.stretch = Stretch::EMPTY;
@@ -191,7 +194,7 @@ impl Propagation {
         (truth, block): (&TruthPoint, Option<&Block>),
         from: &(Vertical, Vector3<f64>, bool),
         to: &(Vertical, Vector3<f64>, bool),
-        parameters: &Parameters<'_>,
+        parameters: &RandomErrors<'_>,
     ) {
         if !self.stretch.is_empty() {
             self.bring_up_to_date(truth, block, parameters);
@@ -207,7 +210,7 @@ impl Propagation {
         &mut self,
         truth: &TruthPoint,
         block: Option<&Block>,
-        parameters: &Parameters<'_>,
+        parameters: &RandomErrors<'_>,
     ) -> NavigationCovariance {
         let at = At::new(&self.earth, truth, block);
         self.ahead.copy_from(&self.root);

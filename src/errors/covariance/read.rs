@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::figures::{ErrorEllipse, Matrix9, NavigationCovariance};
 use super::root::Root;
-use super::sources::{AXES, Input, Parameters, Source};
+use super::sources::{AXES, ErrorInput, RandomErrors, Source};
 use crate::earth::state::StateErrors;
 use crate::errors::column::At;
 use crate::errors::{VALID_DISPLACEMENT_M, VALID_MISALIGNMENT_RAD};
@@ -17,7 +17,7 @@ pub(super) fn covariance_of(
     at: &At<'_>,
     truth: &TruthPoint,
     block: Option<&Block>,
-    parameters: &Parameters<'_>,
+    parameters: &RandomErrors<'_>,
 ) -> NavigationCovariance {
     let mut matrix = Matrix9::zeros();
     let mut add = |errors: &StateErrors| {
@@ -39,7 +39,7 @@ pub(super) fn covariance_of(
     let has_rate = block.is_some() && t > 0.0;
     for (source, sensitivity) in Source::all(parameters).zip(&root.sensitivities) {
         let mut errors = at.errors(sensitivity);
-        if let (Input::Axis(axis @ 0..3), true) = (source.input, has_rate) {
+        if let (ErrorInput::Axis(axis @ 0..3), true) = (source.input, has_rate) {
             let (share, _) = parameters.outputs[axis];
             let gyro_e = axes_e.column(axis) * (source.deviation(&root.walks) * share);
             errors.velocity_n += at.in_local_axes(&at.velocity_by_arm(&gyro_e));

@@ -10,7 +10,7 @@ use crate::sensors::{
 
 /// The random errors that the host has set.
 #[derive(Clone, Copy)]
-pub(crate) struct Parameters<'a> {
+pub(crate) struct RandomErrors<'a> {
     /// Of each axis, the share of the signal that is in its output, and the density of the noise of a failure [u √s].
     pub outputs: [(f64, f64); AXES],
     pub gyro: &'a TriadParameters,
@@ -19,7 +19,7 @@ pub(crate) struct Parameters<'a> {
     pub gravity: &'a GravityDisturbanceParameters,
 }
 
-impl Parameters<'_> {
+impl RandomErrors<'_> {
     /// The triad of an axis.
     pub fn of_axis(&self, axis: usize) -> &TriadParameters {
         if axis < 3 { self.gyro } else { self.accel }
@@ -54,7 +54,7 @@ pub const COUNT: usize = {
 
 /// The quantity to which a process adds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Input {
+pub enum ErrorInput {
     /// The signal of a sensor axis.
     Axis(usize),
     /// An element of the scale factor and misalignment matrices: 9 of the gyros, 9 of the accelerometers, by columns.
@@ -68,7 +68,7 @@ pub enum Input {
 /// Inputs to which processes add that change within a stretch: axes and fields.
 pub const LINES: usize = AXES + FIELDS;
 
-impl Input {
+impl ErrorInput {
     /// Its place among [`LINES`].
     pub fn line(self) -> Option<usize> {
         match self {
@@ -87,36 +87,36 @@ impl Input {
 /// A process: the quantity to which it adds, its evolution, and its standard deviation; of a walk its density [u/√s].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Source {
-    pub input: Input,
+    pub input: ErrorInput,
     pub kind: Kind,
     pub sigma: f64,
 }
 
 impl Source {
     /// The [`COUNT`] possible processes; unused ones have a sigma of 0.
-    pub fn all(parameters: &Parameters<'_>) -> impl Iterator<Item = Self> {
-        let Parameters { gyro, accel, altimeter, .. } = *parameters;
+    pub fn all(parameters: &RandomErrors<'_>) -> impl Iterator<Item = Self> {
+        let RandomErrors { gyro, accel, altimeter, .. } = *parameters;
         let triad = move |axis| if axis < 3 { gyro } else { accel };
         let of_axis = move |(effect, axis): (&Processes, usize), process| {
             let (kind, sigma) = (effect.of)(triad(axis), axis % 3, process);
-            Self { input: Input::Axis(axis), kind, sigma }
+            Self { input: ErrorInput::Axis(axis), kind, sigma }
         };
         let of_signal = OF_SIGNAL.iter().flat_map(|effect| (0..AXES).map(move |axis| (effect, axis)));
         let of_signal =
             of_signal.flat_map(move |place| (0..place.0.count).map(move |process| of_axis(place, process)));
         let sigmas = [element_sigmas(gyro), element_sigmas(accel)];
         let elements = (0..ELEMENTS).map(move |element| Self {
-            input: Input::Element(element),
+            input: ErrorInput::Element(element),
             kind: Kind::Constant,
             sigma: sigmas[element / 9][element % 9],
         });
         let fields = parameters.gravity.fields().into_iter().enumerate().map(|(field, of)| Self {
-            input: Input::Field(field),
+            input: ErrorInput::Field(field),
             kind: Kind::MarkovOverGround(of.distance_m),
             sigma: of.sigma,
         });
         let altimeter = Self {
-            input: Input::Altimeter,
+            input: ErrorInput::Altimeter,
             kind: Kind::Markov(altimeter.markov_time_s),
             sigma: altimeter.markov_sigma_m,
         };
@@ -127,12 +127,12 @@ impl Source {
     /// start, then those at the end.
     pub fn advance(&self, t: f64, ground_m: f64, walks: &mut [f64; AXES]) -> Advance {
         match (self.kind, self.input) {
-            (Kind::Walk, Input::Axis(axis)) if self.sigma != 0.0 => {
+            (Kind::Walk, ErrorInput::Axis(axis)) if self.sigma != 0.0 => {
                 let (start, step) = (walks[axis].sqrt(), self.sigma * t.sqrt());
                 walks[axis] += step * step;
                 Advance::walk(start, step)
             }
-            (Kind::Walk, Input::Axis(axis)) => {
+            (Kind::Walk, ErrorInput::Axis(axis)) => {
                 walks[axis] = 0.0;
                 Advance::still(0.0)
             }
@@ -147,7 +147,7 @@ impl Source {
     /// Present standard deviation; `walks` are the variances of the walks [u²].
     pub fn deviation(&self, walks: &[f64; AXES]) -> f64 {
         match (self.kind, self.input) {
-            (Kind::Walk, Input::Axis(axis)) => walks[axis].sqrt(),
+            (Kind::Walk, ErrorInput::Axis(axis)) => walks[axis].sqrt(),
             _ => self.sigma,
         }
     }

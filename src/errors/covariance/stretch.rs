@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::sources::{AXES, ELEMENTS, Parameters};
+use super::sources::{AXES, ELEMENTS, RandomErrors};
 use crate::base::math::VectorPair;
 use crate::base::snapshot::{COUNT, SIGNALS, stored};
 use crate::earth::Earth;
@@ -78,7 +78,7 @@ stored!(Stretch {
 });
 
 /// An interval that was flown.
-pub(crate) struct Flown<'a> {
+pub(crate) struct FlownInterval<'a> {
     pub motion: &'a IntervalMotion<'a>,
     pub current: &'a TruthPoint,
     pub next: &'a TruthPoint,
@@ -121,8 +121,8 @@ impl Stretch {
     }
 
     /// Adds an interval. Returns whether the stretch is long enough.
-    pub fn add(&mut self, earth: &Earth, flown: &Flown<'_>, parameters: &Parameters<'_>) -> bool {
-        let &Flown { motion, current, next, ideal, is_aided, block } = flown;
+    pub fn add(&mut self, earth: &Earth, flown: &FlownInterval<'_>, parameters: &RandomErrors<'_>) -> bool {
+        let &FlownInterval { motion, current, next, ideal, is_aided, block } = flown;
         let t = motion.interval_s;
         let nodes = block.map_or_else(|| motion.nodes(), |block| block.nodes(motion));
         let [c0, c1, c2] = axes_at_nodes(motion, block);

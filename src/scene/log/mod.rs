@@ -1,9 +1,9 @@
 //! Flight logs: true motion as a table of comma-separated values.
 //!
 //! The first line that is not a comment (`#`) names the columns, in any order; columns of other names are ignored, and noted if
-//! they look like a quantity that the log lacks. Angles are in radians (`latitude_rad`) or in degrees (`latitude_deg`). Velocity, angular rate and specific force come with
-//! three columns each or not at all, temperature with one. A row with more fields than columns is rejected, because decimal
-//! commas cause it.
+//! they look like a quantity that the log lacks. Angles are in radians (`latitude_rad`) or in degrees (`latitude_deg`). Velocity, angular
+//! rate and specific force come with three columns each or not at all, temperature with one. A row with more fields than columns is
+//! rejected, because decimal commas cause it.
 
 mod clock;
 mod column;
@@ -300,7 +300,8 @@ impl FlightLog {
         self.has_attitude
     }
 
-    /// Pushes its first `count` samples into `judge`, and what was found in the rows of a smoothed log. An error has the number of a sample.
+    /// Pushes its first `count` samples into `judge`, and what was found in the rows of a smoothed log. An error has the number of a
+    /// sample.
     pub fn judge(&self, judge: &mut Judge, count: usize) -> Result<(), (usize, Error)> {
         if !self.has_attitude {
             judge.ignore_attitude();

@@ -22,8 +22,8 @@ const DEVIATIONS: [f64; 6] = [END, MIDDLE, MIDDLE, MIDDLE, MIDDLE, END];
 const MIDDLE: f64 = 0.856_116_580_191_873_1;
 const END: f64 = 0.957_167_434_986_839_1;
 
-/// Correlation time [s] and standard deviation at B = 1 of each process.
-pub(crate) const PROCESSES: [(f64, f64); TIMES_S.len()] = {
+/// Correlation time [s] and standard deviation at B = 1 of each Gauss-Markov process of flicker noise.
+pub const PROCESSES: [(f64, f64); TIMES_S.len()] = {
     let mut processes = [(0.0, 0.0); TIMES_S.len()];
     let mut k = 0;
     while k < TIMES_S.len() {

@@ -45,7 +45,7 @@ use states::Aside;
 pub(crate) use states::StateRows;
 pub(super) use states::{Count, PutLane, States, TakeLane, Visitor};
 
-pub(crate) use flicker::PROCESSES as FLICKER_PROCESSES;
+pub use flicker::PROCESSES as FLICKER_PROCESSES;
 pub(crate) use gauss_markov::MarkovStep;
 pub(crate) use linear::sigma as element_sigmas;
 pub(crate) use process::{Kind, OF_SIGNAL, Processes};

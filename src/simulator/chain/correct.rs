@@ -41,7 +41,8 @@ impl Chain {
         Ok(())
     }
 
-    /// Begins the loops of the vertical channel anew whose estimate is beyond `limit_m_s2`. That of the shadow, which is free of errors, is not.
+    /// Begins the loops of the vertical channel anew whose estimate is beyond `limit_m_s2`. That of the shadow, which is free of errors, is
+    /// not.
     pub fn limit_vertical_bias(&mut self, limit_m_s2: f64) {
         self.mechanization.limit_vertical_bias(limit_m_s2);
         if let Some(model) = &mut self.error_model {

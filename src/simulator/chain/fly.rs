@@ -5,7 +5,7 @@ use core::ops::Range;
 use super::Chain;
 use crate::base::error::Error;
 use crate::errors::SensorErrors;
-use crate::errors::covariance::Flown;
+use crate::errors::covariance::FlownInterval;
 use crate::mechanization::{VerticalAid, VerticalMode, check_state};
 use crate::signal::{IntervalMotion, MAX_INCREMENTS};
 use crate::simulator::aid::vertical_aid;
@@ -147,7 +147,8 @@ impl Chain {
         for covariance in &mut *self.covariance {
             let (ideal, block) = (&self.signals.ideal[self.parts.clone()], self.block.as_ref());
             let is_aided = aid != VerticalAid::None;
-            let flown = Flown { motion: &motion, current: recent.current, next, ideal, is_aided, block };
+            let flown =
+                FlownInterval { motion: &motion, current: recent.current, next, ideal, is_aided, block };
             covariance.advance(&flown, &imperfections.parameters());
         }
         self.conclude(&motion, recent);

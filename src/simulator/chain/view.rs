@@ -9,8 +9,8 @@ use crate::errors::{NavigationErrors, navigation_minus_truth};
 use crate::simulator::{Moment, View};
 use crate::truth::TruthPoint;
 
-/// Views of the current instant. Each view is computed when it is read for the first time. The chain drops both views as it moves on. Errors are computed at each
-/// read, because they are little more than the difference of the views.
+/// Views of the current instant. Each view is computed when it is read for the first time. The chain drops both views as it moves on.
+/// Errors are computed at each read, because they are little more than the difference of the views.
 #[derive(Debug, Clone, Default)]
 pub(in crate::simulator) struct Views {
     pub truth: OnceCell<Navigation>,

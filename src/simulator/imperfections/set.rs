@@ -1,7 +1,7 @@
 //! Parameters and failures that a host sets, and reads back.
 
 use super::Imperfections;
-use crate::errors::covariance::Parameters;
+use crate::errors::covariance::RandomErrors;
 use crate::sensors::{FailingTriad, Failure, SensorOutput};
 use crate::signal::Increment;
 use crate::signal::mounting::MountingParameters;
@@ -79,10 +79,10 @@ impl Imperfections {
     }
 
     /// The host's settings of everything that can be random, and the failures that change it.
-    pub fn parameters(&self) -> Parameters<'_> {
+    pub fn parameters(&self) -> RandomErrors<'_> {
         let [gx, gy, gz] = self.gyro.failures().shares_and_noise();
         let [ax, ay, az] = self.accel.failures().shares_and_noise();
-        Parameters {
+        RandomErrors {
             outputs: [gx, gy, gz, ax, ay, az],
             gyro: &self.set.gyro,
             accel: &self.set.accel,

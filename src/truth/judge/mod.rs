@@ -7,9 +7,9 @@
 mod attitude;
 mod blocks;
 mod conclude;
-mod effect;
 mod finding;
 mod histogram;
+mod induced_error;
 mod noise;
 mod positions;
 mod resolution;
@@ -25,7 +25,7 @@ use crate::base::error::Error;
 use crate::earth::Earth;
 use crate::truth::FlightSample;
 use blocks::{Blocks, Coarseness};
-use effect::Effect;
+use induced_error::InducedError;
 use noise::Noise;
 use positions::Positions;
 use resolution::Resolution;
@@ -62,7 +62,7 @@ pub struct Judge {
     positions: Positions,
     blocks: Blocks,
     wraps: [Wrap; 2],
-    effect: Effect,
+    effect: InducedError,
     /// What was found in the rows of a smoothed path.
     of_rows: [Option<Finding>; MAX_FINDINGS],
     /// A bit for each kind of finding that [`Self::new_doubts`] has given.
@@ -89,7 +89,7 @@ impl Judge {
             positions: Positions::new(),
             blocks: Blocks::new()?,
             wraps: [const { Wrap::new() }; 2],
-            effect: Effect::new(),
+            effect: InducedError::new(),
             of_rows: [None; MAX_FINDINGS],
             given: 0,
         })

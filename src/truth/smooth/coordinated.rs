@@ -1,7 +1,7 @@
 //! Attitude of a coordinated flight, from its path: no sideslip, no lateral force, no wind.
 //!
-//! f = v' + 2 W × v - g; x along v, L = f - (f·x) x, z = -L/|L|, y = z × x; then x is turned up about y by the angle of attack. Only positive
-//! loads: where |L| is below 0.3 g the attitude is not defined.
+//! f = v' + 2 W × v - g; x along v, L = f - (f·x) x, z = -L/|L|, y = z × x; then x is turned up about y by the angle of attack. Only
+//! positive loads: where |L| is below 0.3 g the attitude is not defined.
 
 use core::f64::consts::PI;
 

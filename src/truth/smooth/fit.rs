@@ -198,8 +198,8 @@ fn cubic<const N: usize>(times_s: &[f64], values: &[[f64; N]], four: &[usize; 4]
     value
 }
 
-/// The samples with each spike replaced by the cubic of its neighbours, and the weights of the spikes set to 0. A spike has a flat spectrum,
-/// which hides the motion; and a curve that can follow it hides it from the residuals.
+/// The samples with each spike replaced by the cubic of its neighbours, and the weights of the spikes set to 0. A spike has a flat
+/// spectrum, which hides the motion; and a curve that can follow it hides it from the residuals.
 fn without_spikes<const N: usize>(
     times_s: &[f64],
     values: &[[f64; N]],

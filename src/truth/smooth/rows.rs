@@ -12,7 +12,8 @@ use super::fit::median;
 /// Rows that a fit needs.
 const LEAST: usize = 20;
 
-/// Longest gap that is bridged \[s\], or in usual intervals if these are long: behind a longer one there is another flight, or a wrong stamp.
+/// Longest gap that is bridged \[s\], or in usual intervals if these are long: behind a longer one there is another flight, or a wrong
+/// stamp.
 const LONGEST_GAP_S: f64 = 300.0;
 const GAP_INTERVALS: f64 = 30.0;
 

@@ -1,7 +1,7 @@
 //! The frequency at which motion and noise are equal, from the spectrum of the samples.
 //!
-//! Whittle's likelihood of the periodogram of the third differences, with the model S(f) = |2 sin π f T|⁶ (a f⁻ᵖ + n₀ + n₁/f): motion with a
-//! steep spectrum, white noise and flicker. The third differences flatten the motion, so that it does not leak into the noise. The noise
+//! Whittle's likelihood of the periodogram of the third differences, with the model S(f) = |2 sin π f T|⁶ (a f⁻ᵖ + n₀ + n₁/f): motion with
+//! a steep spectrum, white noise and flicker. The third differences flatten the motion, so that it does not leak into the noise. The noise
 //! of receivers is mostly flicker: cross-validation, which takes all noise for white, would believe it.
 
 use core::f64::consts::PI;

@@ -19,7 +19,8 @@ const PIECES: [[f64; 6]; 6] = [
 ];
 
 /// Share of the largest diagonal element that is added to each: knots without samples stay regular. It draws a fit towards 0 by that share
-/// of the penalty over the weights, which grows as 1 / (2π f_c h)⁶ of knots h apart: below 1e-8 for h = 1 / (16 f_c) where q is a hundredth.
+/// of the penalty over the weights, which grows as 1 / (2π f_c h)⁶ of knots h apart: below 1e-8 for h = 1 / (16 f_c) where q is a
+/// hundredth.
 const REGULAR: f64 = 1e-15;
 
 /// Uniform knots.
@@ -169,8 +170,8 @@ impl<const N: usize> Normal<N> {
 mod tests {
     use super::*;
 
-    /// Polynomials of degree 2 are in the null space of the penalty: they pass, also where a fit is stiffest, which is with sixteen knots in
-    /// the period of its cut-off and a hundredth of its q.
+    /// Polynomials of degree 2 are in the null space of the penalty: they pass, also where a fit is stiffest, which is with sixteen knots
+    /// in the period of its cut-off and a hundredth of its q.
     #[test]
     fn parabolas_pass_and_the_response_at_the_cutoff_is_a_half() {
         let knots = Knots::new(0.0, 50.0, 0.1);

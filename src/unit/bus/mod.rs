@@ -1,7 +1,7 @@
 //! Words of ARINC 429, as the rest of an avionics bench reads them.
 //!
-//! The encoder is a function of the status and the navigation of a [`Unit`](crate::unit::Unit): it has no state. A real unit shows the values of
-//! some 80 ms ago: a host that wants this delay keeps status and navigation for that time.
+//! The encoder is a function of the status and the navigation of a [`Unit`](crate::unit::Unit): it has no state. A real unit shows the
+//! values of some 80 ms ago: a host that wants this delay keeps status and navigation for that time.
 
 mod label;
 mod source;

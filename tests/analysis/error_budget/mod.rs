@@ -4,7 +4,9 @@ mod interface;
 mod mounting_and_gravity;
 
 use nalgebra::{Complex, Vector3};
-use sins::analysis::budget::{BudgetRequest, BudgetRow, ErrorParameters, Scene, SigmaInterval, error_budget};
+use sins::analysis::budget::{
+    BudgetRequest, BudgetRow, ComputedSamples, ErrorParameters, SigmaInterval, error_budget,
+};
 use sins::analysis::recommend::SolutionError;
 use sins::errors::NavigationErrors;
 use sins::mechanization::VerticalMode;
@@ -350,7 +352,7 @@ fn a_bad_sample_is_named() {
     let mut samples = at_rest(1, 10.0);
     samples[7].time_s = samples[6].time_s;
     let sample = |k: usize| Ok(samples[k]);
-    let scene = |count| Scene { count, sample: &sample };
+    let scene = |count| ComputedSamples { count, sample: &sample };
     let refused = |count, parameters: &ErrorParameters| {
         error_budget(&options_at(10.0), &scene(count), parameters, &Default::default()).unwrap_err()
     };

@@ -1,7 +1,7 @@
 //! Faults that logs have, put into good flights: each is found, with its reason.
 
 use nalgebra::Vector3;
-use sins::math::{mix, wrap_angle};
+use sins::math::{SPLIT_MIX_STEP, mix, wrap_angle};
 use sins::truth::FlightSample;
 use sins::truth::judge::{Kind, Level};
 
@@ -12,13 +12,13 @@ use crate::support::DEG;
 /// Radius of the Earth [m], for sizes of damage.
 const RADIUS_M: f64 = 6.37e6;
 
-/// Uniform numbers from -1 to 1.
+/// Uniform numbers from -1 to 1. The figures of `analysis::smooth_cep` depend on them.
 pub struct Draws(pub u64);
 
 impl Draws {
     pub fn uniform(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(1);
-        (mix(self.0.wrapping_mul(0x9e37_79b9_7f4a_7c15)) >> 11) as f64 / 2f64.powi(52) - 1.0
+        (mix(self.0.wrapping_mul(SPLIT_MIX_STEP)) >> 11) as f64 / 2f64.powi(52) - 1.0
     }
 
     /// Nearly normal, of deviation 1.

@@ -1,5 +1,7 @@
 //! A call as a record of bytes, and the arguments that are made from it.
 
+use sins::math::{SPLIT_MIX_STEP, mix};
+
 use crate::trace;
 
 /// Bytes of a record.
@@ -14,16 +16,14 @@ pub fn records(bytes: &[u8]) -> Vec<Record> {
     bytes.chunks(RECORD).map(record).collect()
 }
 
-/// A random number generator: each word is a hash of its number (splitmix64).
+/// SplitMix64. The kept corpus depends on its words.
 pub struct Random(pub u64);
 
 impl Random {
     pub fn word(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut hash = self.0;
-        hash = (hash ^ (hash >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        hash = (hash ^ (hash >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        hash ^ (hash >> 31)
+        let word = mix(self.0);
+        self.0 = self.0.wrapping_add(SPLIT_MIX_STEP);
+        word
     }
 
     pub fn record(&mut self) -> Record {

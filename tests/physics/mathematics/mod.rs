@@ -1,4 +1,4 @@
-//! The mathematics of every block: rotations, transcendental functions, compensated sums, stencils, quadrature and quantiles, against
+//! The mathematics of every block: rotations, transcendental functions, compensated sums, stencils and quadrature, against
 //! closed forms, published tables and the library `libm`.
 
 mod functions;

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector1;
 use sins::math::{
-    Compensated, GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_8, end_derivative_weights, two_product, two_sum,
+    Compensated, GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, end_derivative_weights, two_product, two_sum,
 };
 
 #[test]
@@ -49,7 +49,7 @@ fn exact_for_polynomials_up_to_the_number_of_points() {
 /// ∫ u^k du = 1/(k + 1). Nodes and weights are rounded, and the power k of a node multiplies its rounding error by k.
 #[test]
 fn each_rule_is_exact_to_its_degree_and_no_further() {
-    for rule in [&GAUSS_2[..], &GAUSS_3, &GAUSS_4, &GAUSS_5, &GAUSS_8] {
+    for rule in [&GAUSS_2[..], &GAUSS_3, &GAUSS_4, &GAUSS_5] {
         let degree = 2 * rule.len() as i32;
         for power in 0..=degree {
             let integral: f64 = rule.iter().map(|(node, weight)| weight * node.powi(power)).sum();

@@ -2,12 +2,12 @@
 //! six axes.
 
 use nalgebra::Vector3;
-use sins::allan::{Estimator, Point, TERMS, Term};
 use sins::earth::Geodetic;
 use sins::math::Euler;
 use sins::sensors::{Grade, StreamKey, TriadParameters};
 use sins::truth::FlightSample;
 use sins::{Options, Simulator};
+use sins_allan::{Estimator, Point, TERMS, Term};
 
 const DT: f64 = 0.01;
 const COUNT: usize = if cfg!(feature = "long-tests") { 24 * 360_000 } else { 360_000 };

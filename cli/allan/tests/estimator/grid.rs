@@ -1,8 +1,9 @@
 //! Random records: each coefficient there or not, over four decades, behind a filter, repeated, or with gaps. What is reported holds.
 
-use sins::allan::{Estimator, TERMS, Term};
+use sins_allan::{Estimator, TERMS, Term};
 
 use super::dependent::{averaged, low_passed};
+use super::draws::Draws;
 use super::noises::{Coefficients, Normal, increments};
 
 const RUNS: u64 = if cfg!(feature = "long-tests") { 4000 } else { 240 };
@@ -12,19 +13,9 @@ const COUNTS: [usize; 2] = [40_000, 400_000];
 const DT: f64 = 0.1;
 const PIECES: [usize; 4] = [10, 3, 2, 5];
 
-/// Numbers from 0 to 1 of a linear congruential generator.
-struct Uniform(u64);
-
-impl Uniform {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// 0 in half of the cases, otherwise from `low` to 10⁴ `low`.
-    fn some(&mut self, low: f64) -> f64 {
-        if self.next() < 0.5 { 0.0 } else { low * 1e4f64.powf(self.next()) }
-    }
+/// 0 in half of the cases, otherwise from `low` to 10⁴ `low`.
+fn some(draws: &mut Draws, low: f64) -> f64 {
+    if draws.one_in(2) { 0.0 } else { low * 1e4f64.powf(draws.unit()) }
 }
 
 #[test]
@@ -32,13 +23,13 @@ fn intervals_hold_over_a_grid() {
     let mut estimators: Vec<Option<Estimator>> = vec![None; 2 * COUNTS.len()];
     let (mut held, mut reported, mut explained) = ([0_u32; TERMS], [0_u32; TERMS], 0_u32);
     for run in 0..RUNS {
-        let mut uniform = Uniform(run);
+        let mut draws = Draws::new(run);
         let truth = Coefficients {
-            q: uniform.some(1e-3),
+            q: some(&mut draws, 1e-3),
             n: 1.0,
-            b: uniform.some(1e-3),
-            k: uniform.some(1e-5),
-            r: uniform.some(1e-8),
+            b: some(&mut draws, 1e-3),
+            k: some(&mut draws, 1e-5),
+            r: some(&mut draws, 1e-8),
         };
         // The longer records are a tenth: they take ten times as long.
         let size = usize::from(run % 10 == 0);

@@ -1,7 +1,7 @@
-//! Records whose neighbouring values depend on each other, as most sensors give them: the coefficients are those of the noise itself, within
-//! intervals that hold, from averaging times beyond the dependence.
+//! Records whose neighbouring values depend on each other, as most sensors give them: the coefficients are those of the noise itself,
+//! within intervals that hold, from averaging times beyond the dependence.
 
-use sins::allan::{Estimator, Filter, TERMS, Term};
+use sins_allan::{Estimator, Filter, TERMS, Term};
 
 use super::noises::{Coefficients, Normal, increments};
 

@@ -1,12 +1,12 @@
-//! Confidence intervals of Allan variances and of the coefficients. `tests/analysis/allan/estimator.rs` counts how often intervals of 95 %
+//! Confidence intervals of Allan variances and of the coefficients. `tests/estimator/intervals.rs` counts how often intervals of 95 %
 //! hold the truth: 93 to 98.5 % for normal noises, more often with a ramp.
 
 use nalgebra::SVector;
 
 use super::covariance::Covariance;
 use super::fit::Fit;
+use super::quantile::{chi_square_quantile, normal_quantile};
 use super::terms::{TERMS, Term};
-use crate::base::math::{chi_square_quantile, normal_quantile};
 
 /// Values from `low` to `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,9 +89,9 @@ fn of_free_square(fit: &Fit, term: usize, (low, high): (f64, f64)) -> Interval {
 }
 
 /// Interval of the square of coefficient `term`. Its upper end is the lower of two: the upper end of the fit, and the largest
-/// square with which this term alone makes no more than the whole variance (if the fit has all times), at the averaging time where that bound is closest. The
-/// fit chooses this time, because the lowest of the measured variances would be too low. Each of the two ends is exceeded with a
-/// quarter of the probability left out, so both together with at most half of it.
+/// square with which this term alone makes no more than the whole variance (if the fit has all times), at the averaging time where that
+/// bound is closest. The fit chooses this time, because the lowest of the measured variances would be too low. Each of the two ends is
+/// exceeded with a quarter of the probability left out, so both together with at most half of it.
 pub fn of_square(fit: &Fit, term: usize, points: &[Point], confidence: f64) -> Interval {
     let left_out = 1.0 - confidence;
     let bound = |point: &Point, variance: f64| {

@@ -1,6 +1,6 @@
 //! Records that are made from the definitions of the noises: intervals contain the truth as often as they claim.
 
-use sins::allan::{Estimator, TERMS, Term, total};
+use sins_allan::{Estimator, TERMS, Term, total};
 
 use super::noises::{Coefficients, Normal, increments};
 

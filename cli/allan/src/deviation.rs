@@ -2,7 +2,7 @@
 
 use core::f64::consts::LN_2;
 
-use crate::base::math::exp;
+use sins::math::exp;
 
 /// Averaging times in an octave.
 const PER_OCTAVE: f64 = 3.0;

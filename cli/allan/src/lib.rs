@@ -5,10 +5,18 @@
 //! \[(m/s²)²\]. It then fits the coefficients of the five [`Term`]s of IEEE Std 952-1997, annex C, to them. Variances and
 //! coefficients have confidence intervals, for Gaussian noise.
 //!
-//! The data flow is `pieces`, `deviation` → `terms`, `lags`, `covariance` → `fit` → `explained` → `interval`, `filter`.
+//! The data flow is `pieces`, `deviation` → `terms`, `lags`, `covariance` → `fit` → `explained` → `interval`, `filter`; `quantile` has the
+//! quantiles of their intervals.
 //!
 //! Sources: IEEE Std 952-1997, annex C; Riley, *Handbook of Frequency Stability Analysis*, NIST SP 1065, 2008; Greenhall and
 //! Riley, "Uncertainty of Stability Variances Based on Finite Differences", PTTI 2003.
+
+#![deny(missing_docs)]
+#![forbid(unsafe_code)]
+#![cfg_attr(
+    not(test),
+    deny(clippy::disallowed_methods, clippy::unwrap_used, clippy::expect_used, clippy::panic)
+)]
 
 mod covariance;
 mod deviation;
@@ -18,6 +26,7 @@ mod fit;
 mod interval;
 mod lags;
 mod pieces;
+mod quantile;
 mod terms;
 
 pub use deviation::FEWEST_SAMPLES;
@@ -28,13 +37,17 @@ pub use terms::{Band, TERMS, Term, total};
 
 use std::sync::OnceLock;
 
-use crate::base::error::{Error, Rule, check_range, check_ranges};
 use covariance::Covariance;
 use deviation::{allan_variance, factors, integral};
 use pieces::Pieces;
+use sins::{Error, Rule};
 
 /// Allan variances from the lowest to the highest that the fit can take: their fourth powers stay within the range of numbers.
 const VARIANCES: (f64, f64) = (1e-70, 1e70);
+
+/// Shortest and longest interval of a record [s].
+const LEAST_S: f64 = 1e-9;
+const MOST_S: f64 = 1e9;
 
 /// Estimator for records of one length, or in pieces of the same lengths.
 ///
@@ -79,7 +92,10 @@ impl Estimator {
             let rule = Rule::AtLeast("must be at least", FEWEST_SAMPLES.into());
             return Err(Error::invalid("count", longest, rule));
         }
-        check_range("interval_s", interval_s, 1e-9, 1e9)?;
+        if !(LEAST_S..=MOST_S).contains(&interval_s) {
+            let rule = if interval_s.is_finite() { Rule::Between(LEAST_S, MOST_S) } else { Rule::Finite };
+            return Err(Error::invalid("interval_s", interval_s, rule));
+        }
         let factors = factors(longest);
         let taus_s = factors.iter().map(|factor| *factor as f64 * interval_s).collect();
         let covariance = Covariance::new(&pieces, interval_s, &factors, Band::Unlimited);
@@ -99,7 +115,9 @@ impl Estimator {
             let rule = Rule::Exactly("must be", self.pieces.count().into());
             return Err(Error::invalid("number of increments", increments.len(), rule));
         }
-        check_ranges("increments", increments, f64::MIN, f64::MAX)?;
+        if let Some(index) = increments.iter().position(|increment| !increment.is_finite()) {
+            return Err(Error::invalid("increments", increments[index], Rule::Finite).at(index));
+        }
         let thetas: Vec<Vec<f64>> = self.pieces.of(increments).map(integral).collect();
         Ok(self.factors.iter().map(|factor| allan_variance(&thetas, self.interval_s, *factor)).collect())
     }

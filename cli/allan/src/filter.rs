@@ -5,7 +5,7 @@ use core::f64::consts::{PI, SQRT_2};
 use super::interval::Point;
 use super::terms::Term;
 use super::{Estimate, Estimator};
-use crate::base::math::{exp, ln, sin_cos};
+use sins::math::{exp, ln, sin_cos};
 
 /// A filter between the noise of a sensor and its rows.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,14 +1,15 @@
 //! Whether the five noises explain the variances of a record, and from which averaging time on.
 //!
-//! Neighbouring values of many records depend on each other: a sensor has a low-pass, its output is averaged or repeated, or its flicker has
-//! an upper end. At short times such a record has no sum of the five noises. Beyond the memory of a filter, white noise behind it has
+//! Neighbouring values of many records depend on each other: a sensor has a low-pass, its output is averaged or repeated, or its flicker
+//! has an upper end. At short times such a record has no sum of the five noises. Beyond the memory of a filter, white noise behind it has
 //! σ² = N² / τ - c / τ², so the coefficients are found from longer times.
 
 use super::fit::Fit;
 use super::interval::Point;
+use super::quantile::chi_square_quantile;
 use super::terms::{Band, TERMS, Term};
 use super::{Estimate, Estimator};
-use crate::base::math::{chi_square_quantile, ln};
+use sins::math::ln;
 
 /// A fit does not explain a variance if both conditions hold: chance alone makes such a difference once in ten thousand cases, and the
 /// ratio of the deviations is large enough to be seen in the curve.
@@ -31,8 +32,8 @@ const TAIL: usize = 3;
 const LEAST: usize = 12;
 
 impl Estimator {
-    /// The fit with the most times that explains its variances, and agrees with fits to longer times; if there is none, that to all. Flicker
-    /// noise may be that of real sensors or that of this library: if it is seen, or if nothing explains all times, both are tried.
+    /// The fit with the most times that explains its variances, and agrees with fits to longer times; if there is none, that to all.
+    /// Flicker noise may be that of real sensors or that of this library: if it is seen, or if nothing explains all times, both are tried.
     pub(super) fn explained(&self, variances: &[f64]) -> Estimate {
         let unlimited = self.explained_in(variances, Band::Unlimited);
         let is_seen = unlimited.interval(Term::Flicker, 0.95).low > 0.0;

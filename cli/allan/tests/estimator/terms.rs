@@ -1,7 +1,7 @@
 //! The terms of the Allan variance, and what cannot be estimated.
 
 use sins::Error;
-use sins::allan::{Estimator, Term, total};
+use sins_allan::{Estimator, Term, total};
 
 /// Half the variance of the second difference over τ², 3 s(0) - 4 s(τ) + s(2τ), is the shape.
 #[test]

@@ -1,9 +1,19 @@
 //! Sums over the distances of two second differences of a record. Each distance counts as often as the record has it.
 
-use crate::base::math::GAUSS_8;
-
 /// Longest piece between two corners [samples] that is summed term by term.
 const SUMMED: i64 = 16;
+
+/// Gauss-Legendre quadrature on 0..1: eight nodes in rising order, each with its weight.
+const GAUSS_8: [(f64, f64); 8] = [
+    (0.019_855_071_751_231_884, 0.050_614_268_145_188_13),
+    (0.101_666_761_293_186_64, 0.111_190_517_226_687_24),
+    (0.237_233_795_041_835_5, 0.156_853_322_938_943_63),
+    (0.408_282_678_752_175_1, 0.181_341_891_689_181),
+    (0.591_717_321_247_825, 0.181_341_891_689_181),
+    (0.762_766_204_958_164_5, 0.156_853_322_938_943_63),
+    (0.898_333_238_706_813_4, 0.111_190_517_226_687_24),
+    (0.980_144_928_248_768_1, 0.050_614_268_145_188_13),
+];
 
 /// Second differences with steps of `a` and of `b` samples in one record.
 #[derive(Debug, Clone, Copy)]
@@ -95,6 +105,18 @@ mod tests {
         for lag in -50..50 {
             let expected = f64::from(counts.get(&lag).copied().unwrap_or(0));
             assert_eq!(pair.times(lag as f64), expected, "{lag}");
+        }
+    }
+
+    /// ∫ u^k du = 1/(k + 1). Nodes and weights are rounded, and the power k of a node multiplies its rounding error by k.
+    #[test]
+    fn the_rule_is_exact_to_its_degree_and_no_further() {
+        let degree = 2 * GAUSS_8.len() as i32;
+        for power in 0..=degree {
+            let integral: f64 = GAUSS_8.iter().map(|(node, weight)| weight * node.powi(power)).sum();
+            let error = (integral - 1.0 / f64::from(power + 1)).abs();
+            let rounding = f64::from(power + 4) * f64::EPSILON;
+            assert_eq!(error <= rounding, power < degree, "u^{power}: {error:e}");
         }
     }
 

@@ -10,7 +10,7 @@ use crate::truth::Answer;
 const STEP_S: f64 = 1.0;
 
 #[derive(Debug, Clone)]
-pub(super) struct Effect {
+pub(super) struct InducedError {
     answer: Answer,
     pending_e: Vector3<f64>,
     pending_s: f64,
@@ -19,7 +19,7 @@ pub(super) struct Effect {
     pub largest_m: f64,
 }
 
-impl Effect {
+impl InducedError {
     pub fn new() -> Self {
         Self { answer: Answer::new(), pending_e: Vector3::zeros(), pending_s: 0.0, v_e: None, largest_m: 0.0 }
     }

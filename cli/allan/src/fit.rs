@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::covariance::{Covariance, Form};
 use super::terms::{Band, TERMS, Term};
-use crate::base::math::hypot;
+use sins::math::hypot;
 
 type Vector = SVector<f64, TERMS>;
 
@@ -32,9 +32,9 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Fits `variances` at `taus_s`, from the time `first` on, with the weights 1 / var(σ²), where var(σ²) follows from the fit itself and the `covariance` of
-    /// the record. Variances at the shortest times are known to a thousandth, but no model is as exact. So no variance counts as
-    /// known better than to [`LEAST_ERROR`]: otherwise the shortest times would determine the coefficients of the longest.
+    /// Fits `variances` at `taus_s`, from the time `first` on, with the weights 1 / var(σ²), where var(σ²) follows from the fit itself and
+    /// the `covariance` of the record. Variances at the shortest times are known to a thousandth, but no model is as exact. So no variance
+    /// counts as known better than to [`LEAST_ERROR`]: otherwise the shortest times would determine the coefficients of the longest.
     pub(super) fn new(
         taus_s: &[f64],
         variances: &[f64],

@@ -2,8 +2,8 @@
 
 use core::f64::consts::{LN_2, PI};
 
-use crate::base::math::{exp, ln};
-use crate::sensors::FLICKER_PROCESSES;
+use sins::math::{exp, ln};
+use sins::sensors::FLICKER_PROCESSES;
 
 /// Term of the Allan variance: the square of its coefficient times [`Term::shape`] is its share of σ²(τ) (IEEE Std 952-1997,
 /// annex C). With u as the unit of the rate, \[rad/s\] or \[m/s²\]:
