@@ -1,7 +1,7 @@
 //! Options with which a simulator is made.
 
 use super::{ErrorSource, singular};
-use crate::base::error::{Error, Rule, check_range};
+use crate::base::error::{Error, Rule, check_within};
 use crate::base::math::sin_cos;
 use crate::base::snapshot::{ANY, stored};
 use crate::earth::state::BodyAxes;
@@ -89,6 +89,13 @@ impl Options {
     /// Time constant of the closed loop where none is given [s].
     pub const DEFAULT_CLOSED_LOOP_TIME_S: f64 = 30.0;
 
+    // Ranges of the fields.
+    pub(crate) const SUBSAMPLES: (f64, f64) = (1.0, MAX_SUBSAMPLES as f64);
+    pub(crate) const UPDATES: (f64, f64) = (1.0, MAX_UPDATES as f64);
+    pub(crate) const CLOSED_LOOP_TIMES_S: (f64, f64) = (1.0, 1e4);
+    pub(crate) const INTERVALS_S: (f64, f64) = (MIN_INTERVAL_S, MAX_GAP_S);
+    pub(crate) const ACCELERATIONS_M_S2: (f64, f64) = (1e-3, 1e6);
+
     /// Options of a run of an ensemble, without the options that concern only the truth.
     pub(crate) fn of_run(&self) -> Self {
         Self { truth_summary: false, covariance: false, ..*self }
@@ -96,18 +103,18 @@ impl Options {
 
     /// Checks every field.
     pub fn validate(&self) -> Result<(), Error> {
-        check_range("options.subsamples", self.subsamples as f64, 1.0, MAX_SUBSAMPLES as f64)?;
-        check_range("options.updates_per_sample", self.updates_per_sample as f64, 1.0, MAX_UPDATES as f64)?;
+        check_within("options.subsamples", self.subsamples as f64, Self::SUBSAMPLES)?;
+        check_within("options.updates_per_sample", self.updates_per_sample as f64, Self::UPDATES)?;
         if let Some(period) = self.intake.period_s {
-            check_range("options.sample_period_s", period, MIN_INTERVAL_S, MAX_GAP_S)?;
+            check_within("options.sample_period_s", period, Self::INTERVALS_S)?;
             if period > self.intake.max_gap_s {
                 let rule = Rule::AtMost("must be at most options.max_gap_s =", self.intake.max_gap_s.into());
                 return Err(Error::invalid("options.sample_period_s", period, rule));
             }
         }
-        check_range("options.max_gap_s", self.intake.max_gap_s, MIN_INTERVAL_S, MAX_GAP_S)?;
+        check_within("options.max_gap_s", self.intake.max_gap_s, Self::INTERVALS_S)?;
         if let Some(time_constant) = self.closed_loop_time_s {
-            check_range("options.closed_loop_time_s", time_constant, 1.0, 1e4)?;
+            check_within("options.closed_loop_time_s", time_constant, Self::CLOSED_LOOP_TIMES_S)?;
             if time_constant < 4.0 * self.intake.max_gap_s {
                 let rule = Rule::AtLeast(
                     "must be at least four times options.max_gap_s:",
@@ -116,7 +123,8 @@ impl Options {
                 return Err(Error::invalid("options.closed_loop_time_s", time_constant, rule));
             }
         }
-        check_range("options.max_acceleration_m_s2", self.intake.max_acceleration_m_s2, 1e-3, 1e6)
+        let acceleration_m_s2 = self.intake.max_acceleration_m_s2;
+        check_within("options.max_acceleration_m_s2", acceleration_m_s2, Self::ACCELERATIONS_M_S2)
     }
 
     /// Rejects a source of errors that is off.
