@@ -14,75 +14,54 @@ use crate::truth::{IntakeLimits, MAX_GAP_S, MIN_INTERVAL_S, TruthPoint};
 /// Largest number of mechanization updates in a sample interval.
 pub const MAX_UPDATES: usize = MAX_INCREMENTS / MAX_SUBSAMPLES;
 
-/// Options of a simulator; the default is the recommended one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
-    /// Axes in which the mechanization navigates.
-    pub frame: Frame,
-    /// Algorithm of the mechanization.
-    pub scheme: Scheme,
-    /// Number of sub-increments of an update, 1 to 5.
-    pub subsamples: usize,
-    /// Number of mechanization updates in a sample interval, 1 to 16; more in a gap.
-    pub updates_per_sample: usize,
-    /// Mode of the vertical channel.
-    pub vertical: VerticalMode,
-    /// Whether the error differential equations are solved too.
-    pub error_model: bool,
-    /// The ellipsoid.
-    pub ellipsoid: Ellipsoid,
-    /// The gravity field.
-    pub gravity: GravityModel,
-    /// Directions of the sensor axes.
-    pub axes: BodyAxes,
-    /// Time constant of the closed loop [s], 1 to 1e4, at least four times the longest gap; `None`: physical signals.
-    pub closed_loop_time_s: Option<f64>,
-    /// Seed and run number of all random streams.
-    pub key: StreamKey,
-    /// Limits and time base of the samples.
-    pub intake: IntakeLimits,
-    /// Whether the motion of the truth is summed up.
-    pub truth_summary: bool,
-    /// Whether the covariance of the navigation errors is propagated along the truth.
-    pub covariance: bool,
+/// Makes the options: of each its type and its default, and of a number its limit in a snapshot, in the order of the snapshot.
+macro_rules! options {
+    ($($(#[$doc:meta])* $option:ident: $type:ty = $default:expr $(, within $limit:expr)?;)*) => {
+        /// Options of a simulator; the default is the recommended one.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct Options {
+            $($(#[$doc])* pub $option: $type,)*
+        }
+
+        stored!(Options { $($option $(: $limit)?),* });
+
+        impl Default for Options {
+            fn default() -> Self {
+                Self { $($option: $default),* }
+            }
+        }
+    };
 }
 
-stored!(Options {
-    frame,
-    scheme,
-    subsamples: 1e3,
-    updates_per_sample: 1e3,
-    vertical,
-    error_model,
-    ellipsoid,
-    gravity,
-    axes,
-    closed_loop_time_s: ANY,
-    key,
-    intake,
-    truth_summary,
-    covariance,
-});
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            frame: Frame::default(),
-            scheme: Scheme::default(),
-            subsamples: 2,
-            updates_per_sample: 1,
-            vertical: VerticalMode::default(),
-            error_model: false,
-            ellipsoid: Ellipsoid::default(),
-            gravity: GravityModel::default(),
-            axes: BodyAxes::default(),
-            closed_loop_time_s: None,
-            key: StreamKey::default(),
-            intake: IntakeLimits::default(),
-            truth_summary: false,
-            covariance: false,
-        }
-    }
+options! {
+    /// Axes in which the mechanization navigates.
+    frame: Frame = Frame::default();
+    /// Algorithm of the mechanization.
+    scheme: Scheme = Scheme::default();
+    /// Number of sub-increments of an update, 1 to 5.
+    subsamples: usize = 2, within 1e3;
+    /// Number of mechanization updates in a sample interval, 1 to 16; more in a gap.
+    updates_per_sample: usize = 1, within 1e3;
+    /// Mode of the vertical channel.
+    vertical: VerticalMode = VerticalMode::default();
+    /// Whether the error differential equations are solved too.
+    error_model: bool = false;
+    /// The ellipsoid.
+    ellipsoid: Ellipsoid = Ellipsoid::default();
+    /// The gravity field.
+    gravity: GravityModel = GravityModel::default();
+    /// Directions of the sensor axes.
+    axes: BodyAxes = BodyAxes::default();
+    /// Time constant of the closed loop [s], 1 to 1e4, at least four times the longest gap; `None`: physical signals.
+    closed_loop_time_s: Option<f64> = None, within ANY;
+    /// Seed and run number of all random streams.
+    key: StreamKey = StreamKey::default();
+    /// Limits and time base of the samples.
+    intake: IntakeLimits = IntakeLimits::default();
+    /// Whether the motion of the truth is summed up.
+    truth_summary: bool = false;
+    /// Whether the covariance of the navigation errors is propagated along the truth.
+    covariance: bool = false;
 }
 
 impl Options {
