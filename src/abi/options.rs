@@ -142,44 +142,43 @@ impl Parameters for sins_options {
 
     fn to_parameters(self) -> Result<Options, CallError> {
         check_reserved("options.reserved", self.reserved)?;
-        let covariance = switch("options.covariance", self.covariance, "sins_covariance_mode")?;
-        let truth_summary = switch("options.truth_summary", self.truth_summary, "sins_summary")?;
-        let frame = Frame::of("options.frame", self.frame)?;
-        let scheme = Scheme::of("options.scheme", self.scheme)?;
-        let vertical = VerticalMode::of("options.vertical", self.vertical)?;
-        let error_model = switch("options.error_model", self.error_model, "sins_error_model")?;
-        let gravity = GravityModel::of("options.gravity", self.gravity)?;
-        let axes = BodyAxes::of("options.axes", self.axes)?;
-        let closed_loop = switch("options.signal", self.signal, "sins_signal")?;
-        if !closed_loop && self.closed_loop_time_s != 0.0 {
-            let rule = Rule::Zero(" without SINS_SIGNAL_CLOSED_LOOP");
-            return Err(Error::invalid("options.closed_loop_time_s", self.closed_loop_time_s, rule).into());
-        }
-        check_integer("options.subsamples", self.subsamples, 0, 5)?;
-        check_integer("options.updates_per_sample", self.updates_per_sample, 0, 16)?;
         let defaults = Options::default();
         let or = |value: f64, default: f64| if value == 0.0 { default } else { value };
         let count = |value: i32, default: usize| if value == 0 { default } else { value as usize };
+        // The fields are checked in this order.
         Ok(Options {
-            frame,
-            scheme,
-            subsamples: count(self.subsamples, defaults.subsamples),
-            updates_per_sample: count(self.updates_per_sample, defaults.updates_per_sample),
-            vertical,
-            error_model,
+            covariance: switch("options.covariance", self.covariance, "sins_covariance_mode")?,
+            truth_summary: switch("options.truth_summary", self.truth_summary, "sins_summary")?,
+            frame: Frame::of("options.frame", self.frame)?,
+            scheme: Scheme::of("options.scheme", self.scheme)?,
+            vertical: VerticalMode::of("options.vertical", self.vertical)?,
+            error_model: switch("options.error_model", self.error_model, "sins_error_model")?,
+            gravity: GravityModel::of("options.gravity", self.gravity)?,
+            axes: BodyAxes::of("options.axes", self.axes)?,
+            closed_loop_time_s: match switch("options.signal", self.signal, "sins_signal")? {
+                true => Some(or(self.closed_loop_time_s, Options::DEFAULT_CLOSED_LOOP_TIME_S)),
+                false if self.closed_loop_time_s == 0.0 => None,
+                false => {
+                    let rule = Rule::Zero(" without SINS_SIGNAL_CLOSED_LOOP");
+                    let time_s = self.closed_loop_time_s;
+                    return Err(Error::invalid("options.closed_loop_time_s", time_s, rule).into());
+                }
+            },
+            subsamples: {
+                check_integer("options.subsamples", self.subsamples, 0, 5)?;
+                count(self.subsamples, defaults.subsamples)
+            },
+            updates_per_sample: {
+                check_integer("options.updates_per_sample", self.updates_per_sample, 0, 16)?;
+                count(self.updates_per_sample, defaults.updates_per_sample)
+            },
             ellipsoid: Ellipsoid::of("options.earth", self.earth)?,
-            gravity,
-            axes,
-            closed_loop_time_s: closed_loop
-                .then(|| or(self.closed_loop_time_s, Options::DEFAULT_CLOSED_LOOP_TIME_S)),
             key: StreamKey { seed: self.seed, run: self.run },
             intake: IntakeLimits {
                 max_gap_s: or(self.max_gap_s, defaults.intake.max_gap_s),
                 max_acceleration_m_s2: or(self.max_acceleration_m_s2, defaults.intake.max_acceleration_m_s2),
                 period_s: (self.sample_period_s != 0.0).then_some(self.sample_period_s),
             },
-            truth_summary,
-            covariance,
         })
     }
 }

@@ -1,7 +1,7 @@
 //! Checks of a whole scene: every part is within its limits, and the parts go together.
 
 use super::draft::Draft;
-use super::key::{Section, Target};
+use super::key::{Place, Section, Target};
 use super::table::of_section;
 use super::{Output, Scene};
 use crate::base::error::{Error, Rule, check_range};
@@ -55,10 +55,12 @@ impl Draft {
     fn check_limits(&self, section: Section) -> Result<(), Error> {
         let mut draft = self.clone();
         for (_, key) in of_section(section) {
-            let Target::Numbers { field, place, limits_si: Some((low, high)), .. } = key.target else {
+            let Target::Numbers { field, place: Place::At(places), range: Some(range), .. } = key.target
+            else {
                 continue;
             };
-            for number in place.of(&mut draft).filter(|number| !number.is_nan()) {
+            let (low, high) = range.ends();
+            for number in places(&mut draft).filter(|number| !number.is_nan()) {
                 check_range(field, *number, low, high)?;
             }
         }

@@ -6,7 +6,7 @@ use super::draft::{Draft, FailureDraft};
 use super::table::of_sensor;
 use super::{Action, Scene, Updated};
 use crate::base::error::Error;
-use crate::base::parameter::Shape;
+use crate::base::parameter::{Range, Shape};
 use crate::base::rows::of_path;
 use crate::sensors::FailureFields;
 use crate::truth::flight::{Channel, ManoeuvreFields, START};
@@ -141,9 +141,9 @@ impl Place {
 /// Where the value of a key goes.
 #[derive(Debug, Clone, Copy)]
 pub enum Target {
-    /// Numbers in a unit; `field` is how the library names their place in SI, `limits_si` are limits of the scene
-    /// itself where the library has none.
-    Numbers { field: &'static str, unit: Unit, shape: Shape, limits_si: Option<(f64, f64)>, place: Place },
+    /// Numbers in a unit; `field` is how the library names their place in SI. `range` is in SI, and the widest of all kinds of items.
+    /// `None`: it depends on other values.
+    Numbers { field: &'static str, unit: Unit, shape: Shape, range: Option<Range>, place: Place },
     /// One of several words.
     Choice {
         field: &'static str,
@@ -151,8 +151,8 @@ pub enum Target {
         get: fn(&Draft) -> usize,
         set: fn(&mut Draft, usize),
     },
-    /// A whole number.
-    Count { field: &'static str, get: fn(&Draft) -> u64, set: fn(&mut Draft, u64) },
+    /// A whole number. `None`: any.
+    Count { field: &'static str, range: Option<Range>, get: fn(&Draft) -> u64, set: fn(&mut Draft, u64) },
     /// A text that is not empty.
     Text { example: &'static str, place: fn(&mut Draft) -> &mut String },
     /// True or false.

@@ -1,9 +1,11 @@
 //! The unit of a scene, and what its crew does: `[unit]`, `[[panel]]`.
 
+use core::f64::consts::{FRAC_PI_2, TAU};
+
 use super::Scene;
 use super::schedule::{LATEST_START_S, MAX_ITEMS, ROUNDING, TIMES_S};
 use crate::Simulator;
-use crate::base::error::{Error, Rule, check_range};
+use crate::base::error::{Error, Rule, check_range, check_within};
 use crate::unit::{AlignmentKind, Mode, Power, Unit, UnitParameters};
 
 /// The unit of a scene.
@@ -56,13 +58,16 @@ pub struct PlannedAction {
 }
 
 impl PlannedAction {
+    // Ranges of a latitude, and of a longitude and a heading.
+    pub(super) const LATITUDES_RAD: (f64, f64) = (-FRAC_PI_2, FRAC_PI_2);
+    pub(super) const ANGLES_RAD: (f64, f64) = (-TAU, TAU);
+
     /// Checks every field.
     pub fn validate(&self) -> Result<(), Error> {
-        let half = core::f64::consts::PI;
-        check_range("panel.at_s", self.at_s, TIMES_S.0, TIMES_S.1)?;
-        check_range("panel.latitude_rad", self.latitude_rad, -0.5 * half, 0.5 * half)?;
-        check_range("panel.longitude_rad", self.longitude_rad, -2.0 * half, 2.0 * half)?;
-        check_range("panel.heading_rad", self.heading_rad, -2.0 * half, 2.0 * half)
+        check_within("panel.at_s", self.at_s, TIMES_S)?;
+        check_within("panel.latitude_rad", self.latitude_rad, Self::LATITUDES_RAD)?;
+        check_within("panel.longitude_rad", self.longitude_rad, Self::ANGLES_RAD)?;
+        check_within("panel.heading_rad", self.heading_rad, Self::ANGLES_RAD)
     }
 
     fn act(&self, unit: &mut Unit, simulator: &Simulator) -> Result<(), Error> {

@@ -2,7 +2,7 @@
 
 use super::{Failing, PlannedFailure, Scene, Temperature};
 use crate::Simulator;
-use crate::base::error::{Error, Rule, check_range};
+use crate::base::error::{Error, Rule, check_range, check_within};
 use crate::ensemble::Ensemble;
 use crate::errors::NavigationErrors;
 use crate::errors::correction::Correction;
@@ -27,13 +27,13 @@ impl PlannedFailure {
     /// A failure from `from_s` to `until_s`, infinite: to the end of the flight [s].
     pub fn new(output: SensorOutput, failure: Failure, from_s: f64, until_s: f64) -> Result<Self, Error> {
         failure.validate(output)?;
-        check_range("failure.from_s", from_s, TIMES_S.0, TIMES_S.1)?;
+        check_within("failure.from_s", from_s, TIMES_S)?;
         if until_s <= from_s {
             let rule = Rule::SentenceWith("must be more than from_s =", from_s.into());
             return Err(Error::invalid("failure.until_s", until_s, rule));
         }
         if until_s != f64::INFINITY {
-            check_range("failure.until_s", until_s, TIMES_S.0, TIMES_S.1)?;
+            check_within("failure.until_s", until_s, TIMES_S)?;
         }
         Ok(Self { output, failing: Failing { from_s, until_s }, failure })
     }

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::Scene;
 use super::schedule::{FliesScene, MAX_ITEMS, ROUNDING, TIMES_S};
 use crate::Simulator;
-use crate::base::error::{Error, check_range, check_ranges};
+use crate::base::error::{Error, check_range, check_ranges, check_within};
 use crate::base::snapshot::codes;
 use crate::earth::Geodetic;
 use crate::errors::NavigationErrors;
@@ -42,19 +42,24 @@ pub struct PlannedUpdate {
 }
 
 impl PlannedUpdate {
+    /// Times of updates [s]: the navigation starts with the first interval.
+    pub(super) const TIMES_S: (f64, f64) = (1e-4, TIMES_S.1);
+    /// Standard deviations of a position [m], and of a velocity [m/s].
+    pub(super) const SIGMAS_M: (f64, f64) = (0.0, 1e5);
+    pub(super) const SIGMAS_M_S: (f64, f64) = (0.0, 1e3);
+
     /// Checks every field.
     pub fn validate(&self) -> Result<(), Error> {
         let Self { updated, at_s, every_s, sigma_n } = self;
-        // The navigation starts with the first interval.
-        let shortest_s = 1e-4;
-        check_range("update.at_s", *at_s, shortest_s, TIMES_S.1)?;
+        check_within("update.at_s", *at_s, Self::TIMES_S)?;
         if *every_s != f64::INFINITY {
-            check_range("update.every_s", *every_s, shortest_s, TIMES_S.1)?;
+            check_within("update.every_s", *every_s, Self::TIMES_S)?;
         }
-        match updated {
-            Updated::Velocity => check_ranges("update.sigma_m_s", sigma_n.as_slice(), 0.0, 1e3),
-            _ => check_ranges("update.sigma_m", sigma_n.as_slice(), 0.0, 1e5),
-        }
+        let (field, (low, high)) = match updated {
+            Updated::Velocity => ("update.sigma_m_s", Self::SIGMAS_M_S),
+            _ => ("update.sigma_m", Self::SIGMAS_M),
+        };
+        check_ranges(field, sigma_n.as_slice(), low, high)
     }
 
     /// The planned time of the last update that is due after `before_s` and not after `time_s` [s].

@@ -1,6 +1,6 @@
 //! How a sensor can fail, as an instructor sets it.
 
-use crate::base::error::{Error, Rule, check_range};
+use crate::base::error::{Error, Rule, check_range, check_within};
 use crate::base::kinds::kinds;
 use crate::base::snapshot::{ANY, Numbers, Reader, Stored, Writer};
 use crate::signal::Increment;
@@ -54,7 +54,6 @@ impl SensorOutput {
     }
 
     /// Its sensor and its axis, as [`Self::of_sensor`] takes them; 0 of the altimeter.
-    #[cfg(feature = "scenes")]
     pub(crate) fn parts(self) -> (usize, usize) {
         match self {
             Self::Gyro(axis) => (0, axis as usize),
@@ -132,22 +131,25 @@ impl Stored for Failure {
 }
 
 impl Failure {
+    /// Greatest size and density, of a gyro, an accelerometer and the altimeter [u].
+    pub(crate) const GREATEST: [f64; 3] = [100.0, 1e4, 1e5];
+    // Ranges of the other quantities.
+    pub(crate) const INTERVALS_S: (f64, f64) = (1e-4, 1e9);
+    pub(crate) const DURATIONS_S: (f64, f64) = (1e-9, 1e9);
+    pub(crate) const PROBABILITIES: (f64, f64) = (0.0, 1.0);
+
     /// Checks every field.
     pub fn validate(&self, output: SensorOutput) -> Result<(), Error> {
-        let limit = match output {
-            SensorOutput::Gyro(_) => 100.0,
-            SensorOutput::Accelerometer(_) => 1e4,
-            SensorOutput::Altimeter => 1e5,
-        };
+        let limit = Self::GREATEST[output.parts().0];
         let check_size = |size| check_range("failure.size", size, -limit, limit);
-        let check_interval = |interval_s| check_range("failure.interval_s", interval_s, 1e-4, 1e9);
+        let check_interval = |interval_s| check_within("failure.interval_s", interval_s, Self::INTERVALS_S);
         match *self {
             Self::Stuck | Self::Dead => Ok(()),
             Self::BiasStep { size } => check_size(size),
             Self::Spikes { size, interval_s, duration_s } => {
                 check_size(size)?;
                 check_interval(interval_s)?;
-                check_range("failure.duration_s", duration_s, 1e-9, 1e9)?;
+                check_within("failure.duration_s", duration_s, Self::DURATIONS_S)?;
                 if duration_s > interval_s {
                     let rule = Rule::AtMost("must be at most failure.interval_s =", interval_s.into());
                     return Err(Error::invalid("failure.duration_s", duration_s, rule));
@@ -156,7 +158,7 @@ impl Failure {
             }
             Self::Noise { density } => check_range("failure.density", density, 0.0, limit),
             Self::DropOuts { interval_s: 0.0, probability } => {
-                check_range("failure.probability", probability, 0.0, 1.0)
+                check_within("failure.probability", probability, Self::PROBABILITIES)
             }
             Self::DropOuts { interval_s, probability } => {
                 check_interval(interval_s)?;

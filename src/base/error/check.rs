@@ -26,6 +26,11 @@ pub(crate) fn check_range(field: &'static str, value: f64, low: f64, high: f64) 
     if (low..=high).contains(&value) { Ok(()) } else { Err(out_of_range(field, value, low, high)) }
 }
 
+/// Checks as [`check_range`] does, from the first to the second number of `range`.
+pub(crate) fn check_within(field: &'static str, value: f64, range: (f64, f64)) -> Result<(), Error> {
+    check_range(field, value, range.0, range.1)
+}
+
 #[cold]
 fn out_of_range(field: &'static str, value: f64, low: f64, high: f64) -> Error {
     let rule = if value.is_finite() { Rule::Between(low, high) } else { Rule::Finite };
@@ -42,5 +47,5 @@ pub(crate) fn check_ranges(field: &'static str, values: &[f64], low: f64, high: 
 
 /// Checks a temperature [°C].
 pub(crate) fn check_temperature(field: &'static str, temperature_c: f64) -> Result<(), Error> {
-    check_range(field, temperature_c, TEMPERATURE_RANGE_C.0, TEMPERATURE_RANGE_C.1)
+    check_within(field, temperature_c, TEMPERATURE_RANGE_C)
 }

@@ -5,7 +5,7 @@ mod rule;
 
 use core::fmt;
 
-pub(crate) use check::{check_integer, check_range, check_ranges, check_temperature};
+pub(crate) use check::{check_integer, check_range, check_ranges, check_temperature, check_within};
 pub use rule::{Rule, Value};
 
 use rule::ShortNumber;

@@ -5,7 +5,7 @@ use super::sensors::of_rows;
 use super::{PURE, choice, count, number, si, text, unit, word};
 use crate::base::parameter::Shape;
 use crate::base::units::DEG;
-use crate::truth::flight::{self, Channel, ManoeuvreFields};
+use crate::truth::flight::{self, Channel, MAX_MANOEUVRES, Manoeuvre, ManoeuvreFields, Sinusoid};
 
 const F: Section = Section::Flight;
 const M: Section = Section::Manoeuvre;
@@ -33,33 +33,34 @@ pub const START: &[Key] = &{
     keys
 };
 
-pub const REPEAT: &[Key] =
-    &[count!(F, "repeat", "how many times all manoeuvres are flown", "flight.repeat" => repeat)];
+pub const REPEAT: &[Key] = &[
+    count!(F, "repeat", "how many times all manoeuvres are flown", "flight.repeat" in (1.0, MAX_MANOEUVRES as f64) => repeat),
+];
 
 pub const MANOEUVRE: &[Key] = &[
     word!(M, "kind", "kind of the manoeuvre", "manoeuvre.kind", ManoeuvreFields::WORDS, manoeuvre.kind),
     number!(M, N, "duration_s", si("s"), "duration; not for turn, whose duration follows from its bank",
-        "manoeuvre.duration_s" => one(manoeuvre.duration_s)),
+        "manoeuvre.duration_s" in Manoeuvre::TIMES_S => one(manoeuvre.duration_s)),
     number!(M, N, "ramp_s", si("s"), "time in which the manoeuvre builds up, and in which it dies out; default: 5",
-        "manoeuvre.ramp_s" => one(manoeuvre.ramp_s)),
+        "manoeuvre.ramp_s" in Manoeuvre::TIMES_S => one(manoeuvre.ramp_s)),
     number!(M, N, "speed_change_m_s", si("m/s"), "change of the speed, for accelerate",
         "manoeuvre.speed_change_m_s" => one(manoeuvre.speed_change_m_s)),
     number!(M, N, "height_change_m", si("m"), "change of the height, for climb",
         "manoeuvre.height_change_m" => one(manoeuvre.height_change_m)),
     number!(M, N, "heading_change_deg", unit("deg", DEG, "rad"),
         "change of the heading, for turn; swing to each side, for s_turn",
-        "manoeuvre.heading_change_rad" => one(manoeuvre.heading_change_rad)),
-    number!(M, N, "bank_deg", unit("deg", DEG, "rad"), "bank, for turn", "manoeuvre.bank_rad" => one(manoeuvre.bank_rad)),
+        "manoeuvre.heading_change_rad" in Manoeuvre::HEADING_CHANGES_RAD => one(manoeuvre.heading_change_rad)),
+    number!(M, N, "bank_deg", unit("deg", DEG, "rad"), "bank, for turn", "manoeuvre.bank_rad" in Manoeuvre::BANKS_RAD => one(manoeuvre.bank_rad)),
     number!(M, N, "turns", PURE, "number of whole rolls, of whole loops, or of swings, for roll, loop and s_turn",
-        "manoeuvre.turns" => one(manoeuvre.turns)),
+        "manoeuvre.turns" in (Manoeuvre::TURNS.0, Manoeuvre::SWINGS.1) => one(manoeuvre.turns)),
 ];
 
 pub const SINUSOID: &[Key] = &[
     choice!(S, "channel", "quantity that the sinusoid moves", "sinusoid.channel" => sinusoid.channel, Channel::WORDS),
     number!(S, N, "amplitude_deg", unit("deg", DEG, "rad"), "amplitude of an angle",
-        "sinusoid.amplitude_rad" => one(sinusoid.amplitude)),
+        "sinusoid.amplitude_rad" in Sinusoid::ANGLES_RAD => one(sinusoid.amplitude)),
     number!(S, N, "amplitude_m_s", si("m/s"), "amplitude of the speed", "sinusoid.amplitude_m_s" => one(sinusoid.amplitude)),
-    number!(S, N, "frequency_hz", si("Hz"), "frequency", "sinusoid.frequency_hz" => one(sinusoid.frequency_hz)),
+    number!(S, N, "frequency_hz", si("Hz"), "frequency", "sinusoid.frequency_hz" in Sinusoid::FREQUENCIES_HZ => one(sinusoid.frequency_hz)),
     number!(S, N, "phase_deg", unit("deg", DEG, "rad"), "phase at the start of the manoeuvre",
-        "sinusoid.phase_rad" => one(sinusoid.phase_rad)),
+        "sinusoid.phase_rad" in Sinusoid::PHASES_RAD => one(sinusoid.phase_rad)),
 ];

@@ -9,11 +9,10 @@ mod panel;
 mod sensors;
 mod update;
 
-pub use failure::SENSORS;
-
 use super::draft::Draft;
 use super::key::{Key, Section, Target, Unit};
 use crate::base::joined::{joined, total};
+use crate::base::parameter::Range;
 
 /// Every key.
 pub const KEYS: &[Key] = &joined::<Key, { total(PARTS) }>(PARTS);
@@ -83,8 +82,12 @@ const fn text(
     Key::new(section, name, doc, Target::Text { example, place })
 }
 
-/// A key of numbers: section, shape, name, unit, meaning; the library's field, and the place in the draft. The limits are the
-/// library's; `in` has those of a number that is the scene's own [SI].
+/// The range of a number, from the first to the second [SI].
+const fn within((low, high): (f64, f64)) -> Range {
+    Range::Within(low, high)
+}
+
+/// A key of numbers: section, shape, name, unit, meaning; the library's field, its range behind `in`, and the place in the draft.
 macro_rules! number {
     ($section:expr, $shape:expr, $name:literal, $unit:expr, $doc:literal,
         $field:literal $(in $limits:expr)? => $places:ident($($place:ident).+)) => {
@@ -92,7 +95,7 @@ macro_rules! number {
             field: $field,
             unit: $unit,
             shape: $shape,
-            limits_si: [$(Some($limits),)? None][0],
+            range: [$(Some(super::within($limits)),)? None][0],
             place: Place::At(|draft| $places(&mut draft.$($place).+)),
         })
     };
@@ -125,11 +128,12 @@ macro_rules! choice {
 }
 use choice;
 
-/// A key of a whole number.
+/// A key of a whole number, with its range behind `in`.
 macro_rules! count {
-    ($section:expr, $name:literal, $doc:literal, $field:literal => $($place:ident).+) => {
+    ($section:expr, $name:literal, $doc:literal, $field:literal $(in $limits:expr)? => $($place:ident).+) => {
         Key::new($section, $name, $doc, Target::Count {
             field: $field,
+            range: [$(Some(super::within($limits)),)? None][0],
             get: |draft| draft.$($place).+ as u64,
             set: |draft, number| draft.$($place).+ = number.try_into().unwrap_or(!0),
         })

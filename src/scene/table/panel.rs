@@ -1,7 +1,8 @@
 //! The unit and its panel: `[unit]`, `[[panel]]`.
 
 use super::super::key::{Key, Place, Section, Target, one};
-use super::super::panel::Action;
+use super::super::panel::{Action, PlannedAction};
+use super::super::schedule::TIMES_S;
 use super::sensors::of_rows;
 use super::{choice, number, si, unit};
 use crate::base::parameter::Shape;
@@ -44,8 +45,8 @@ pub const UNIT_KEYS: &[Key] = &of_rows(U, &UNIT);
 
 pub const PANEL: &[Key] = &[
     choice!(P, "kind", "what is done: the selector is turned, something is entered, the power changes", "panel.kind" => action.action, ACTIONS),
-    number!(P, N, "at_s", si("s"), "its time, from the start of the flight", "panel.at_s" => one(action.at_s)),
-    number!(P, N, "latitude_deg", unit("deg", DEG, "rad"), "latitude that is entered", "panel.latitude_rad" => one(action.latitude_rad)),
-    number!(P, N, "longitude_deg", unit("deg", DEG, "rad"), "longitude that is entered", "panel.longitude_rad" => one(action.longitude_rad)),
-    number!(P, N, "heading_deg", unit("deg", DEG, "rad"), "heading that is entered in ATT", "panel.heading_rad" => one(action.heading_rad)),
+    number!(P, N, "at_s", si("s"), "its time, from the start of the flight", "panel.at_s" in TIMES_S => one(action.at_s)),
+    number!(P, N, "latitude_deg", unit("deg", DEG, "rad"), "latitude that is entered", "panel.latitude_rad" in PlannedAction::LATITUDES_RAD => one(action.latitude_rad)),
+    number!(P, N, "longitude_deg", unit("deg", DEG, "rad"), "longitude that is entered", "panel.longitude_rad" in PlannedAction::ANGLES_RAD => one(action.longitude_rad)),
+    number!(P, N, "heading_deg", unit("deg", DEG, "rad"), "heading that is entered in ATT", "panel.heading_rad" in PlannedAction::ANGLES_RAD => one(action.heading_rad)),
 ];

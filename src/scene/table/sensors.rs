@@ -93,7 +93,7 @@ const fn row_key(section: Section, row: &Row) -> Key {
 
 const fn key(section: Section, field: &Field, doc: &'static str, shape: Shape) -> Key {
     let unit = Unit { text: field.key_unit, si: field.key_si, si_text: field.unit };
-    let target =
-        Target::Numbers { field: field.path, unit, shape, limits_si: None, place: Place::Row(field.path) };
+    let (range, place) = (Some(field.range), Place::Row(field.path));
+    let target = Target::Numbers { field: field.path, unit, shape, range, place };
     Key { section, name: field.key, doc, target }
 }

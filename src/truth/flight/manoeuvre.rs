@@ -1,6 +1,6 @@
 //! The manoeuvres of which a flight is composed.
 
-use crate::base::error::{Error, Rule, check_range};
+use crate::base::error::{Error, Rule, check_range, check_within};
 use crate::base::kinds::kinds;
 use crate::base::snapshot::codes;
 
@@ -138,6 +138,13 @@ impl ManoeuvreFields {
 const GREATEST_SPEED_M_S: f64 = 10e3;
 
 impl Manoeuvre {
+    // Ranges of the quantities; those of some kinds are narrower.
+    pub(crate) const TIMES_S: (f64, f64) = (1e-3, 1e8);
+    pub(crate) const HEADING_CHANGES_RAD: (f64, f64) = (-1e4, 1e4);
+    pub(crate) const BANKS_RAD: (f64, f64) = (1e-3, 1.5);
+    pub(crate) const TURNS: (f64, f64) = (-1e4, 1e4);
+    pub(crate) const SWINGS: (f64, f64) = (0.0, 1e6);
+
     /// Speed at its end [m/s], if it begins at `speed_m_s`.
     pub(crate) fn speed_after(&self, speed_m_s: f64) -> f64 {
         let Self::Accelerate { speed_change_m_s, .. } = self else { return speed_m_s };
@@ -183,10 +190,10 @@ impl Manoeuvre {
 
     /// Checks every field, for a manoeuvre that begins at `speed_m_s`.
     pub(crate) fn validate(&self, speed_m_s: f64) -> Result<(), Error> {
-        let duration = |duration_s: f64| check_range("manoeuvre.duration_s", duration_s, 1e-3, 1e8);
-        let ramp = |ramp_s: f64| check_range("manoeuvre.ramp_s", ramp_s, 1e-3, 1e8);
+        let duration = |duration_s: f64| check_within("manoeuvre.duration_s", duration_s, Self::TIMES_S);
+        let ramp = |ramp_s: f64| check_within("manoeuvre.ramp_s", ramp_s, Self::TIMES_S);
         let whole = |turns: f64| {
-            check_range("manoeuvre.turns", turns, -1e4, 1e4)?;
+            check_within("manoeuvre.turns", turns, Self::TURNS)?;
             let rule = Rule::Sentence("must be a whole number other than 0");
             if turns == 0.0 || turns != turns.round() {
                 Err(Error::invalid("manoeuvre.turns", turns, rule))
@@ -226,8 +233,8 @@ impl Manoeuvre {
             }
             Self::Turn { heading_change_rad, bank_rad, ramp_s } => {
                 moving()?;
-                check_range("manoeuvre.heading_change_rad", heading_change_rad, -1e4, 1e4)?;
-                check_range("manoeuvre.bank_rad", bank_rad, 1e-3, 1.5)?;
+                check_within("manoeuvre.heading_change_rad", heading_change_rad, Self::HEADING_CHANGES_RAD)?;
+                check_within("manoeuvre.bank_rad", bank_rad, Self::BANKS_RAD)?;
                 ramp(ramp_s)
             }
             Self::Roll { duration_s, turns } => {
@@ -243,7 +250,7 @@ impl Manoeuvre {
             Self::STurn { duration_s, heading_change_rad, turns, ramp_s } => {
                 moving()?;
                 check_range("manoeuvre.heading_change_rad", heading_change_rad, -10.0, 10.0)?;
-                check_range("manoeuvre.turns", turns, 0.0, 1e6)?;
+                check_within("manoeuvre.turns", turns, Self::SWINGS)?;
                 ramp(ramp_s)?;
                 duration(duration_s)
             }
@@ -263,6 +270,11 @@ impl Manoeuvre {
 }
 
 impl Sinusoid {
+    // Ranges of the quantities; that of a climb angle is narrower.
+    pub(crate) const ANGLES_RAD: (f64, f64) = (-10.0, 10.0);
+    pub(crate) const FREQUENCIES_HZ: (f64, f64) = (0.0, 1e3);
+    pub(crate) const PHASES_RAD: (f64, f64) = (-100.0, 100.0);
+
     /// One without motion.
     pub(crate) const NONE: Self =
         Self { channel: Channel::Course, amplitude: 0.0, frequency_hz: 0.0, phase_rad: 0.0 };
@@ -272,10 +284,10 @@ impl Sinusoid {
         let limit = match self.channel {
             Channel::Climb => 1.5,
             Channel::Speed => speed_m_s,
-            _ => 10.0,
+            _ => Self::ANGLES_RAD.1,
         };
         check_range("manoeuvre.amplitude", self.amplitude, -limit, limit)?;
-        check_range("manoeuvre.frequency_hz", self.frequency_hz, 0.0, 1e3)?;
-        check_range("manoeuvre.phase_rad", self.phase_rad, -100.0, 100.0)
+        check_within("manoeuvre.frequency_hz", self.frequency_hz, Self::FREQUENCIES_HZ)?;
+        check_within("manoeuvre.phase_rad", self.phase_rad, Self::PHASES_RAD)
     }
 }
