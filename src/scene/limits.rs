@@ -130,9 +130,8 @@ fn of_sinusoid(key: &Key) -> Vec<Option<Limits>> {
         if !key.is_used(&draft) || !exceed(&mut draft, key) {
             return None;
         }
-        let mut fields = some_manoeuvre(ManoeuvreFields::KINDS.len() - 1);
-        fields.sinusoids = Sinusoids::of(&[draft.sinusoid]);
-        of_flight(key, &fields.kind()?)
+        let sinusoids = Sinusoids::of(&[draft.sinusoid]);
+        of_flight(key, &Manoeuvre::Sinusoids { duration_s: 1e3, ramp_s: 5.0, sinusoids })
     };
     Channel::WORDS.iter().map(of_channel).collect()
 }
