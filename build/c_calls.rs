@@ -252,6 +252,8 @@ pub fn arguments(interface: &Interface, function: &Function, replaced: Option<(u
                 Type::Char => "(char *)bytes".to_owned(),
                 Type::Void => "bytes".to_owned(),
                 Type::Double => "numbers".to_owned(),
+                Type::Int32 => "&choice".to_owned(),
+                Type::Uint32 => "&flags".to_owned(),
                 Type::Uint64 => "&word".to_owned(),
                 _ => "&size".to_owned(),
             },
@@ -311,6 +313,8 @@ pub fn variables(interface: &Interface, calls: &str, noun: &str) -> String {
     for (name, line) in [
         ("bytes", format!("EVERY_CALL_STORAGE unsigned char bytes[{size}] = \"\";")),
         ("size", "size_t size = 0;".to_owned()),
+        ("choice", "int32_t choice = 0;".to_owned()),
+        ("flags", "uint32_t flags = 0;".to_owned()),
         ("word", "uint64_t word = 0;".to_owned()),
         ("numbers", "double numbers[6] = {0.0};".to_owned()),
     ] {

@@ -3,6 +3,7 @@
 use std::ptr::null_mut;
 
 use sins::abi::*;
+use sins::record::{COLUMNS, SIGMA_COLUMNS};
 use sins::scene::{Scene, builtin};
 
 use crate::support::{init, text};
@@ -62,7 +63,9 @@ fn a_record_is_a_line_of_a_file() {
     let mut covariance = init::<sins_covariance>();
     covariance.misalignment_sigma_enu_rad = [0.0, 0.0, 4e-5];
     let none = core::ptr::null();
-    for (covariance, columns) in [(none, 51), (&raw const covariance, 60)] {
+    for (covariance, columns) in
+        [(none, COLUMNS.len()), (&raw const covariance, COLUMNS.len() + SIGMA_COLUMNS.len())]
+    {
         let names = line(core::ptr::null(), &[], covariance);
         let names: Vec<&str> = names.split(',').collect();
         let values = line(&record, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.5], covariance);
@@ -82,7 +85,7 @@ fn a_record_is_a_line_of_a_file() {
         ] {
             let found = names.iter().position(|other| *other == name).map(|index| values[index].to_bits());
             let is_sigma = name.starts_with("sigma");
-            assert!(found == Some(f64::to_bits(value)) || is_sigma && columns == 51, "{name}");
+            assert!(found == Some(f64::to_bits(value)) || is_sigma && columns == COLUMNS.len(), "{name}");
         }
     }
     // SAFETY: as above.

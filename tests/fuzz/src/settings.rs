@@ -4,6 +4,7 @@ use std::mem::offset_of;
 use std::sync::LazyLock;
 
 use sins::abi::*;
+use sins::scene::{KeyKind, keys};
 use sins::sensors::{self, PARAMETERS, ParameterRange, ParameterShape, Row, Sensor};
 use sins::signal::mounting;
 
@@ -174,6 +175,18 @@ pub fn some_options(input: &mut Input) -> sins_options {
     }
 }
 
+/// How many kinds of failure and of manoeuvre there are: their words in a scene, where no failure is one of the kinds.
+static FAILURE_KINDS: LazyLock<usize> = LazyLock::new(|| kinds("failure"));
+static MANOEUVRE_KINDS: LazyLock<usize> = LazyLock::new(|| kinds("manoeuvre"));
+
+fn kinds(section: &str) -> usize {
+    let key = keys().into_iter().find(|key| key.section == section && key.name == "kind");
+    match key.map(|key| key.kind) {
+        Some(KeyKind::Words(words)) => words.len(),
+        _ => panic!("{section}: no words of its kinds"),
+    }
+}
+
 /// A plausible failure of a random kind.
 pub fn some_failure(input: &mut Input, sensor: i32) -> sins_failure {
     let largest = match sensor {
@@ -181,7 +194,7 @@ pub fn some_failure(input: &mut Input, sensor: i32) -> sins_failure {
         SINS_SENSOR_ACCEL => 1e4,
         _ => 1e5,
     };
-    let kind = input.below(7) as i32;
+    let kind = input.below(*FAILURE_KINDS) as i32;
     let mut failure: sins_failure = init();
     failure.fields.kind = kind;
     let size = input.within((-largest, largest));
@@ -203,7 +216,7 @@ pub fn some_failure(input: &mut Input, sensor: i32) -> sins_failure {
 
 /// A manoeuvre of a random kind, with the fields that this kind uses.
 pub fn some_manoeuvre(input: &mut Input) -> sins_manoeuvre {
-    let kind = input.below(9) as i32;
+    let kind = input.below(*MANOEUVRE_KINDS) as i32;
     let mut manoeuvre: sins_manoeuvre = init();
     manoeuvre.kind = kind;
     manoeuvre.duration_s =
