@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Instructions of a step by callgrind; they do not depend on the speed of the machine. Without an argument: of the whole chain
 # through sins_run. With `matrix`: of push and step for each scheme, number of subsamples and axes, as CSV for
-# `sins curve --instructions`.
+# `sins curve --instructions`. With `ensemble`: of simulation 2 alone, and in ensembles of several numbers of runs.
 set -euo pipefail
 cd "$(dirname "$0")"
 source counting.sh
@@ -20,6 +20,14 @@ if [ "${1:-}" = matrix ]; then
     done
     row exact,2,2,earth
     row polynomial,4,2,earth
+elif [ "${1:-}" = ensemble ]; then
+    alone=$(per_step 500 1500 target/release/steps simulation2)
+    echo "a simulator: $alone instructions a step"
+    for runs in 1 2 3 4 5 8 16 17 18 33; do
+        count=$(per_step 500 1500 target/release/steps "runs,$runs")
+        share=$(awk "BEGIN { printf \"%.2f\", $count / $runs / $alone }")
+        echo "$runs runs: $count instructions a step; a run takes $share of a simulator's"
+    done
 else
     for what in simulation2 calls reads nav shown align att record ideal free; do
         count=$(per_step 10000 20000 target/release/steps $what)

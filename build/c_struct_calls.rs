@@ -16,7 +16,8 @@ const HEAD: &str = "\
 ";
 
 /// Structs that a function reads and writes.
-const READ_TOO: [&str; 3] = ["sins_statistics_merge", "sins_scene_prepare", "sins_scene_prepare_ensemble"];
+const READ_TOO: [&str; 4] =
+    ["sins_statistics_add", "sins_statistics_merge", "sins_scene_prepare", "sins_scene_prepare_ensemble"];
 
 /// Statistics of no run have no figures.
 const PREPARED: &str = "    CHECK(sins_ensemble_get_statistics(ensemble, 0, statistics) == SINS_OK);\n";

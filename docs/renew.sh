@@ -52,7 +52,10 @@ allan() {
 allan_estimator() { long -p sins-allan; }
 
 # ensembles.md
-ensemble() { cargo run --release --manifest-path benches/Cargo.toml --bin ensemble; }
+ensemble() {
+    cargo run --release --manifest-path benches/Cargo.toml --bin ensemble
+    benches/instructions.sh ensemble
+}
 scale() { benches/scale.sh; }
 covariance() {
     cargo test --test analysis covariance:: -- --nocapture

@@ -14,6 +14,11 @@ template <> struct Destroyer<sins_ensemble> {
 };
 } // namespace detail
 
+/* Adds one run. make<sins_statistics>() makes a struct without runs. */
+inline void statistics_add(sins_statistics &statistics, const sins_errors &errors) {
+    detail::done(sins_statistics_add(&statistics, &errors), nullptr);
+}
+
 /* Adds the runs of other to those of into. make<sins_statistics>() makes a struct without runs. */
 inline void statistics_merge(sins_statistics &into, const sins_statistics &other) {
     detail::done(sins_statistics_merge(&into, &other), nullptr);

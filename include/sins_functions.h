@@ -113,6 +113,7 @@
     X(sins_status, sins_ensemble_correct, (sins_ensemble *ensemble, uint64_t run, const sins_correction *correction)) \
     X(sins_status, sins_ensemble_get_compensation, (sins_ensemble *ensemble, uint64_t run, sins_compensation *compensation)) \
     X(sins_status, sins_ensemble_get_statistics, (sins_ensemble *ensemble, int32_t source, sins_statistics *statistics)) \
+    X(sins_status, sins_statistics_add, (sins_statistics *statistics, const sins_errors *errors)) \
     X(sins_status, sins_statistics_merge, (sins_statistics *into, const sins_statistics *other)) \
     X(sins_status, sins_statistics_figures, (const sins_statistics *statistics, sins_figures *figures)) \
     X(sins_status, sins_meets, (const sins_statistics *statistics, double radius_m, double percent, sins_verdict *verdict)) \

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # An ensemble over the ranks of MPI (c_examples/ensemble_mpi.c), with MPICH and with Open MPI. With 1, 2, 3 and 4 ranks, and when
 # killed in the middle and started again with another number of ranks, it writes the bytes of `sins ensemble`. The same holds with a
-# log. A damaged checkpoint is flown again; a checkpoint of another ensemble is rejected.
+# log, with a scene with a unit, and with a single run. A damaged checkpoint is flown again; a checkpoint of another ensemble is rejected.
 #
 #     tests/mpi.sh [mpich] [openmpi]
 #
@@ -20,7 +20,7 @@ trap 'rm -rf "$out"' EXIT
 
 # Open MPI: allows root, and more ranks than cores.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
-runs=420
+scene=scene runs=420
 machine=$(c++ -dumpmachine)
 
 # A scene with both error data and a sensor that fails in flight; and the same scene with a log as its flight.
@@ -37,19 +37,25 @@ from_s = 60
 until_s = 120
 END
 "$built/sins" ensemble "$out/scene.toml" --runs $runs --quiet --out "$out"
-mv "$out/scene_ensemble.csv" "$out/expected.csv"
+# A day of a unit, in which no run is valid at first, and both error data.
+unit_runs=130
+"$built/sins" scene write c_examples/scenes/day.toml -o "$out/unit.toml" --set flight.rate_hz=2 --set options.error_model=rk4 \
+    --set options.run=7
+"$built/sins" ensemble "$out/unit.toml" --runs $unit_runs --quiet --out "$out"
+"$built/sins" scene write simulation2 -o "$out/one.toml" --preset tactical --set flight.hours=0.1 --set flight.rate_hz=20
+"$built/sins" ensemble "$out/one.toml" --runs 1 --quiet --out "$out"
 log=c_examples/flights/airliner_cruise.csv
 "$built/sins" ensemble "$out/scene.toml" --log $log --runs 70 --quiet --out "$out"
 
 fly() { # RANKS OUT.csv
-    timeout 300 "$mpirun" -n "$1" "$out/$mpi/ensemble_mpi" "$out/scene.toml" $runs "$2" 2>"$2.words" || {
+    timeout 300 "$mpirun" -n "$1" "$out/$mpi/ensemble_mpi" "$out/$scene.toml" $runs "$2" 2>"$2.words" || {
         cat "$2.words"
         return 1
     }
 }
 
 same() { # OUT.csv WHAT
-    cmp "$out/expected.csv" "$1"
+    cmp "$out/${scene}_ensemble.csv" "$1"
     # Only the table and the messages are left.
     [ "$(ls "$out/$mpi" | grep -c "^$(basename "$1")\.[0-9]")" -eq 0 ]
     echo "$mpi: $2: the bytes of sins ensemble"
@@ -75,7 +81,7 @@ kill_a_rank() { # RANKS OUT.csv
     local before
     before=$(filled "$2" | wc -l)
     mkfifo "$2.part"
-    "$mpirun" -n "$1" "$out/$mpi/ensemble_mpi" "$out/scene.toml" $runs "$2" >"$2.words" 2>&1 &
+    "$mpirun" -n "$1" "$out/$mpi/ensemble_mpi" "$out/$scene.toml" $runs "$2" >"$2.words" 2>&1 &
     local job=$! deadline=$((SECONDS + 120)) process victim=
     until [ "$(filled "$2" | wc -l)" -gt "$before" ]; do
         [ $SECONDS -lt $deadline ]
@@ -119,6 +125,21 @@ for mpi; do
     fly 4 "$killed"
     grep -E '[1-9][0-9]* of 7 blocks were flown before' "$killed.words"
     same "$killed" "3 ranks, killed; 2 ranks, killed; 4 ranks"
+
+    one=$out/$mpi/one.csv
+    scene=one runs=1 fly 2 "$one"
+    scene=one same "$one" "a single run"
+
+    unit=$out/$mpi/unit.csv
+    for ranks in 1 3; do
+        scene=unit runs=$unit_runs fly $ranks "$unit"
+        scene=unit same "$unit" "a unit, $ranks ranks"
+        rm "$unit"
+    done
+    scene=unit runs=$unit_runs kill_a_rank 3 "$unit"
+    scene=unit runs=$unit_runs fly 2 "$unit"
+    grep -E '[1-9] of 3 blocks were flown before' "$unit.words"
+    scene=unit same "$unit" "a unit, 3 ranks, killed; 2 ranks"
 
     damaged=$out/$mpi/damaged.csv
     kill_a_rank 2 "$damaged"

@@ -8,6 +8,7 @@
 //! - `nav`, `align`, `att`: as `reads`, with the update of a unit in this mode; `shown`: as `nav`, with its status and what it shows;
 //! - `record`: as `calls`, and reads truth, navigation and both errors in one call;
 //! - `SCHEME,SUBSAMPLES,UPDATES,FRAME` (`exact,2,1,earth`): by push and step of the Rust simulator;
+//! - `runs,N`, `runs,N,WIDTH` or `runs,N,WIDTH,FRAME`: simulation 2 in an ensemble of N runs, with instructions for WIDTH numbers;
 //! - `save`, `load`: COUNT snapshots of simulation 2 in flight.
 
 mod c_scene;
@@ -16,9 +17,10 @@ mod scene;
 use std::time::Instant;
 
 use sins::abi::*;
+use sins::ensemble::Ensemble;
 use sins::mechanization::{Frame, Scheme};
 use sins::truth::{FlightSample, IntakeLimits};
-use sins::{Options, Simulator};
+use sins::{Error, Options, Simulator};
 
 /// Number of samples that are made, independent of the number of steps, so that a difference of counts does not contain making
 /// them.
@@ -33,24 +35,43 @@ fn main() {
         ("simulation2" | "calls" | "reads" | "record" | "ideal" | "free", _, Some(count)) => run(what, count),
         ("nav" | "shown" | "align" | "att", _, Some(count)) => run(what, count),
         ("save" | "load", _, Some(count)) => snapshots(what == "load", count),
+        (_, _, Some(count)) if what.starts_with("runs,") => ensemble(&what["runs,".len()..], count),
         (_, Some(options), Some(count)) => {
             let samples = scene::patrol(FEW_SAMPLES);
             push_and_step(&options, &samples[..=count]);
         }
         _ => {
             eprintln!(
-                "usage: steps simulation2|calls|reads|nav|shown|align|att|record|ideal|free|save|load|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT"
+                "usage: steps simulation2|calls|reads|nav|shown|align|att|record|ideal|free|save|load|runs,N[,WIDTH[,FRAME]]|SCHEME,SUBSAMPLES,UPDATES,FRAME COUNT"
             );
             std::process::exit(2);
         }
     }
 }
 
-fn snapshots(load: bool, count: usize) {
+/// Flies an ensemble that `what` describes: its number of runs, the width and the frame.
+fn ensemble(what: &str, count: usize) {
+    let words: Vec<&str> = what.split(',').collect();
+    let runs = words[0].parse().expect("a number of runs");
+    let width = words.get(1).map_or(usize::MAX, |width| width.parse().expect("a width"));
+    let frame = words.get(2).and_then(|frame| Frame::of_word(frame)).unwrap_or_default();
+    let samples = scene::patrol(FEW_SAMPLES);
+    let mut ensemble = Ensemble::of_width(&simulation2(frame), 0, runs, width).unwrap();
+    ensemble.run(count + 1, |index| Ok::<_, Error>(samples[index])).unwrap();
+}
+
+/// A simulator with the errors of simulation 2 and both error data.
+fn simulation2(frame: Frame) -> Simulator {
     let (gyro, accel) = sins::sensors::paper_simulation2();
-    let mut simulator = Simulator::new(&Options { error_model: true, ..Options::default() }).unwrap();
+    let mut simulator =
+        Simulator::new(&Options { error_model: true, frame, ..Options::default() }).unwrap();
     simulator.set_gyro(&gyro).unwrap();
     simulator.set_accel(&accel).unwrap();
+    simulator
+}
+
+fn snapshots(load: bool, count: usize) {
+    let mut simulator = simulation2(Frame::default());
     for sample in scene::patrol(100) {
         simulator.push_sample(&sample).unwrap();
         simulator.step().unwrap();

@@ -34,8 +34,9 @@ pub(super) fn with_ensemble(
 /// No run depends on another run. So different threads, processes and machines may fly ensembles of different runs, and their
 /// statistics can be merged. The library starts no thread.
 ///
-/// What all runs share is computed once a step, and runs are flown side by side: a run takes a fraction of the time of a
-/// simulator, and 1.7 to 2.6 KB of memory. docs/ensembles.md has the times. Not for a real-time frame: it allocates.
+/// What all runs share is computed once a step, and many runs are flown side by side: each takes a fraction of the time of a
+/// simulator, and 1.7 to 2.6 KB of memory. Of few runs none takes longer than 1.1 simulators. docs/ensembles.md has the times. Not for a
+/// real-time frame: it allocates.
 ///
 /// After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
 ///

@@ -139,6 +139,22 @@ impl sins_errors {
         Self::at(time_s, sins_record_errors::new(errors, near_pole))
     }
 
+    /// The errors; `None` if they are not computed.
+    pub(super) fn of_run(&self) -> Option<NavigationErrors> {
+        let errors = &self.errors;
+        (errors.flags & SINS_ERRORS_NOT_COMPUTED == 0).then(|| NavigationErrors {
+            position_n: errors.position_enu_m.into(),
+            latitude_rad: errors.latitude_rad,
+            longitude_rad: errors.longitude_rad,
+            velocity_n: errors.velocity_enu_m_s.into(),
+            misalignment_n: errors.misalignment_enu_rad.into(),
+            roll_rad: errors.roll_rad,
+            pitch_rad: errors.pitch_rad,
+            heading_rad: errors.heading_rad,
+            outside_validity: errors.flags & SINS_ERRORS_OUTSIDE_VALIDITY != 0,
+        })
+    }
+
     pub(super) fn not_computed(time_s: f64) -> Self {
         Self::at(time_s, sins_record_errors::NOT_COMPUTED)
     }

@@ -3,8 +3,9 @@
 use super::boundary::enter_without_simulator;
 use super::choice::{Choice, choices};
 use super::ensemble::{sins_ensemble, with_ensemble};
+use super::errors::sins_errors;
 use super::failure::{SINS_NEED_SAMPLE, sins_status};
-use super::memory::{Output, interface_struct, read_into};
+use super::memory::{Output, interface_struct, read, read_into};
 use crate::ensemble::statistics::{Decision, Figures, Statistics, Verdict};
 use crate::simulator::ErrorSource;
 
@@ -116,6 +117,30 @@ pub unsafe extern "C-unwind" fn sins_ensemble_get_statistics(
         let mut found = Statistics::EMPTY;
         ensemble.add_to(&mut found, source)?;
         Ok(output.write(&found))
+    })
+}
+
+/// Adds one run, whose errors are `errors`, to `statistics`: for runs that simulators fly one by one. sins_statistics without runs is zero
+/// except for struct_size. With the flag SINS_ERRORS_NOT_COMPUTED the run counts as diverged. No allocation, no system call.
+///
+/// SINS_ERROR_INVALID_ARGUMENT: the statistics are damaged or of another release, or have 4294967295 runs. They are then unchanged.
+#[unsafe(no_mangle)]
+pub unsafe extern "C-unwind" fn sins_statistics_add(
+    statistics: *mut sins_statistics,
+    errors: *const sins_errors,
+) -> sins_status {
+    enter_without_simulator(|| {
+        let mut sum = Statistics::EMPTY;
+        // SAFETY: the host's promise.
+        let (output, errors) = unsafe { (Output::new(statistics, "statistics")?, read(errors, "errors")?) };
+        // SAFETY: the host's promise.
+        unsafe { read_into(statistics.cast_const(), "statistics", &mut sum)? };
+        sum.check()?;
+        match errors.of_run() {
+            Some(errors) => sum.add(&errors)?,
+            None => sum.add_diverged()?,
+        }
+        Ok(output.write(&sum))
     })
 }
 

@@ -8,7 +8,6 @@ mod snapshot;
 pub mod statistics;
 
 use crate::base::error::{Error, Rule, check_integer};
-use crate::base::instruction_set::InstructionSet;
 use crate::base::memory::room;
 use crate::errors::NavigationErrors;
 use crate::errors::correction::Correction;
@@ -43,10 +42,10 @@ impl Ensemble {
         Self::of_width(template, first_run, runs, usize::MAX)
     }
 
-    /// As [`Self::new`], with instructions for up to `width` numbers at a time, to compare their bits and times.
+    /// As [`Self::new`], with instructions for up to `width` numbers at a time, to compare their bits and times. With a width of 1 each
+    /// run is flown as by a simulator.
     #[doc(hidden)]
     pub fn of_width(template: &Simulator, first_run: u64, runs: usize, width: usize) -> Result<Self, Error> {
-        let set = InstructionSet::up_to(width);
         if template.has_started() || template.waiting_samples() > 0 {
             return Err(Error::bad_state(
                 "an ensemble is made of a simulator before its first sample, or after a reset",
@@ -61,7 +60,7 @@ impl Ensemble {
         let mut parts = room(runs.div_ceil(PART_RUNS))?;
         for first in (0..runs).step_by(PART_RUNS) {
             let count = PART_RUNS.min(runs - first);
-            parts.push(Part::new(template, &options, first_run + first as u64, count, set)?);
+            parts.push(Part::new(template, &options, first_run + first as u64, count, width)?);
         }
         Ok(Self { first_run, options, parts })
     }

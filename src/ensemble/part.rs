@@ -1,7 +1,6 @@
 //! Runs that are flown together: as many as fit into the cache of a core.
 
 use crate::base::error::Error;
-use crate::base::instruction_set::InstructionSet;
 use crate::errors::correction::Correction;
 use crate::simulator::{Options, SideBySide, Simulator, Step, nothing_to_correct};
 use crate::truth::{FlightSample, Intake, Pushed};
@@ -23,9 +22,9 @@ impl Part {
         options: &Options,
         first_run: u64,
         runs: usize,
-        set: InstructionSet,
+        width: usize,
     ) -> Result<Self, Error> {
-        let runs = SideBySide::new(template, first_run, runs, set)?;
+        let runs = SideBySide::new(template, first_run, runs, width)?;
         let intake = Intake::new(options.earth(), options.axes, options.intake)?;
         Ok(Self { intake, intervals: 0, runs })
     }

@@ -3,7 +3,6 @@
 use super::Ensemble;
 use super::part::{PART_RUNS, Part};
 use crate::base::error::Error;
-use crate::base::instruction_set::InstructionSet;
 use crate::base::memory::room;
 use crate::base::snapshot::{ANY, COUNT, Numbers, Reader, SnapshotOf, Stored, Writer, fitting};
 use crate::simulator::{Options, SideBySide, Simulator};
@@ -76,8 +75,7 @@ impl Ensemble {
             let same = same_flight(simulator, &options, run, has_diverged, (&intake, intervals));
             from.require(same, run as f64, "is not one of this ensemble")?;
             if place % PART_RUNS == 0 {
-                let (set, count) = (InstructionSet::up_to(usize::MAX), PART_RUNS.min(count - place));
-                let runs = SideBySide::new(simulator, run, count, set)?;
+                let runs = SideBySide::new(simulator, run, PART_RUNS.min(count - place), usize::MAX)?;
                 parts.push(Part { intake: intake.copy()?, intervals, runs });
             }
             if let Some(part) = parts.last_mut() {

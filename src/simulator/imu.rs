@@ -21,6 +21,14 @@ pub struct ImuInterval {
     pub flags: ImuFlags,
 }
 
+impl ImuInterval {
+    /// Mean measured signals: angular rate [rad/s] and specific force [m/s²] in place of the increments.
+    pub(crate) fn mean_measured(&self) -> Increment {
+        let Self { measured: Increment { angle, velocity }, interval_s, .. } = self;
+        Increment { angle: angle / *interval_s, velocity: velocity / *interval_s }
+    }
+}
+
 stored!(ImuInterval { time_s: CLOCK_S, interval_s: INTERVALS_S.1, ideal, measured, compensated, flags } then |imu, from| {
     from.require(imu.interval_s >= INTERVALS_S.0, imu.interval_s, "is no interval")
 });

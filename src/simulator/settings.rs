@@ -7,7 +7,6 @@ use crate::sensors::{
     AltimeterParameters, Failure, GravityDisturbanceParameters, InitialErrorParameters, Sensor, SensorOutput,
     TriadParameters,
 };
-use crate::signal::Increment;
 use crate::signal::mounting::MountingParameters;
 use crate::truth::TruthPoint;
 
@@ -44,10 +43,7 @@ impl Simulator {
         if let Some(failure) = &failure {
             failure.validate(output)?;
         }
-        let last = self.imu().map(|imu| Increment {
-            angle: imu.measured.angle / imu.interval_s,
-            velocity: imu.measured.velocity / imu.interval_s,
-        });
+        let last = self.imu().map(|imu| imu.mean_measured());
         self.imperfections.set_failure(output, failure, last.as_ref());
         Ok(())
     }

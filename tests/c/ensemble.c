@@ -55,13 +55,17 @@ static void compare(sins_ensemble *ensemble, sins_sim *sim, int k)
     }
 }
 
-/* A run that has diverged is flagged among the errors of all; the others have those of their simulators. */
+/* A run that has diverged is flagged among the errors of all; the others have those of their simulators. The statistics of all these
+ * errors, added one by one, are those of the ensemble. */
 static void a_run_that_diverged_is_flagged(void)
 {
+    static sins_statistics added, whole, before_error;
     sins_ensemble *ensemble = ensemble_of(FIRST_RUN, RUNS);
     sins_correction fall = {.struct_size = sizeof fall, .position_enu_m = {0.0, 0.0, 4.95e5}, .velocity_enu_m_s = {0.0, 0.0, 9e3}};
     sins_errors all[RUNS] = {{.struct_size = sizeof all[0]}}, before[RUNS], one = {.struct_size = sizeof one};
     int k;
+    SINS_INIT(added);
+    SINS_INIT(whole);
     memset(&all[1], 0xa5, sizeof all - sizeof all[0]); /* as from malloc */
     memcpy(before, all, sizeof all);
     CHECK(sins_ensemble_get_all_errors(ensemble, SINS_ERRORS_NAVIGATION, all, RUNS) == SINS_NEED_SAMPLE);
@@ -83,7 +87,14 @@ static void a_run_that_diverged_is_flagged(void)
             CHECK(sins_ensemble_get_errors(ensemble, FIRST_RUN + (uint64_t)k, SINS_ERRORS_NAVIGATION, &one) == SINS_OK);
             CHECK(memcmp(&all[k], &one, sizeof one) == 0);
         }
+        CHECK(sins_statistics_add(&added, &all[k]) == SINS_OK);
     }
+    CHECK(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &whole) == SINS_OK);
+    CHECK(memcmp(&added, &whole, sizeof added) == 0 && added.runs == RUNS && added.diverged == 1);
+    added.runs++;
+    before_error = added;
+    CHECK(sins_statistics_add(&added, &all[0]) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(memcmp(&added, &before_error, sizeof added) == 0);
     CHECK(sins_ensemble_destroy(ensemble) == SINS_OK);
 }
 

@@ -380,6 +380,7 @@ static inline void every_other_call(sins_sim *sim, sins_scene *scene, every_call
     EVERY_CALL_STORAGE sins_flight_sample flight_sample[2];
     EVERY_CALL_STORAGE sins_gyro_params gyro_params[2];
     EVERY_CALL_STORAGE sins_accel_params accel_params[2];
+    EVERY_CALL_STORAGE sins_errors errors[2];
     EVERY_CALL_STORAGE sins_covariance covariance[2];
     EVERY_CALL_STORAGE sins_record record[2];
     EVERY_CALL_STORAGE sins_initial_errors initial_errors[2];
@@ -422,6 +423,8 @@ static inline void every_other_call(sins_sim *sim, sins_scene *scene, every_call
     SINS_INIT(accel_params[0]);
     SINS_INIT(accel_params[1]);
     accel_params[0] = scene_accel();
+    SINS_INIT(errors[0]);
+    SINS_INIT(errors[1]);
     SINS_INIT(covariance[0]);
     SINS_INIT(covariance[1]);
     SINS_INIT(record[0]);
@@ -488,6 +491,7 @@ static inline void every_other_call(sins_sim *sim, sins_scene *scene, every_call
     EVERY_CALL(sins_bus_decode(0x600000cb, 0, bus_label));
     EVERY_CALL(sins_ensemble_create(sim, SCENE_FIRST_RUN, 1, &made_ensemble));
     CHECK(made_ensemble == NULL || sins_ensemble_destroy(made_ensemble) == SINS_OK);
+    EVERY_CALL(sins_statistics_add(statistics, errors));
     EVERY_CALL(sins_statistics_merge(statistics, statistics + 1));
     EVERY_CALL(sins_statistics_figures(statistics, figures));
     EVERY_CALL(sins_meets(statistics, 1.0, 95.0, verdict));
@@ -511,6 +515,7 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *ju
 {
     EVERY_CALL_STORAGE sins_options options[2];
     EVERY_CALL_STORAGE sins_flight_sample flight_sample[2];
+    EVERY_CALL_STORAGE sins_errors errors[2];
     EVERY_CALL_STORAGE sins_covariance covariance[2];
     EVERY_CALL_STORAGE sins_record record[2];
     EVERY_CALL_STORAGE sins_failure failure[2];
@@ -543,6 +548,8 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *ju
     SINS_INIT(flight_sample[0]);
     SINS_INIT(flight_sample[1]);
     flight_sample[1].time_s = 0.01;
+    SINS_INIT(errors[0]);
+    SINS_INIT(errors[1]);
     SINS_INIT(covariance[0]);
     SINS_INIT(covariance[1]);
     SINS_INIT(record[0]);
@@ -670,6 +677,8 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *ju
     EVERY_CALL(sins_ensemble_correct(ensemble, SCENE_FIRST_RUN, NULL));
     EVERY_CALL(sins_ensemble_get_compensation(ensemble, SCENE_FIRST_RUN, NULL));
     EVERY_CALL(sins_ensemble_get_statistics(ensemble, 0, NULL));
+    EVERY_CALL(sins_statistics_add(NULL, errors));
+    EVERY_CALL(sins_statistics_add(statistics, NULL));
     EVERY_CALL(sins_statistics_merge(NULL, statistics + 1));
     EVERY_CALL(sins_statistics_merge(statistics, NULL));
     EVERY_CALL(sins_statistics_figures(NULL, figures));

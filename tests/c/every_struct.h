@@ -13,6 +13,7 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
 {
     EVERY_CALL_STORAGE sins_options options[2];
     EVERY_CALL_STORAGE sins_flight_sample flight_sample[2];
+    EVERY_CALL_STORAGE sins_errors errors[2];
     EVERY_CALL_STORAGE sins_covariance covariance[2];
     EVERY_CALL_STORAGE sins_record record[2];
     EVERY_CALL_STORAGE sins_flight_start flight_start[2];
@@ -42,6 +43,8 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     SINS_INIT(flight_sample[0]);
     SINS_INIT(flight_sample[1]);
     flight_sample[1].time_s = 0.01;
+    SINS_INIT(errors[0]);
+    SINS_INIT(errors[1]);
     SINS_INIT(covariance[0]);
     SINS_INIT(covariance[1]);
     SINS_INIT(record[0]);
@@ -165,6 +168,8 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     INPUT_SIZES(sins_flight_sample, sins_ensemble_reposition(ensemble, pointer));
     INPUT_SIZES(sins_failure, sins_ensemble_set_failure(ensemble, 0, 0, pointer));
     INPUT_SIZES(sins_correction, sins_ensemble_correct(ensemble, SCENE_FIRST_RUN, pointer));
+    INPUT_SIZES(sins_statistics, sins_statistics_add(pointer, errors));
+    INPUT_SIZES(sins_errors, sins_statistics_add(statistics, pointer));
     INPUT_SIZES(sins_statistics, sins_statistics_merge(pointer, statistics + 1));
     INPUT_SIZES(sins_statistics, sins_statistics_merge(statistics, pointer));
     INPUT_SIZES(sins_statistics, sins_statistics_figures(pointer, figures));

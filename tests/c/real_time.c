@@ -296,6 +296,7 @@ static void fly_ensemble_frames(sins_ensemble *ensemble, sins_scene *scene)
                     == SINS_ERROR_INVALID_ARGUMENT);
         FRAME_CHECK(sins_ensemble_get_diverged(ensemble, 0, &run) == SINS_ERROR_INVALID_ARGUMENT);
         FRAME_CHECK(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_NAVIGATION, &statistics) == SINS_OK);
+        FRAME_CHECK(sins_statistics_add(&statistics, &errors) == SINS_OK);
         FRAME_CHECK(sins_statistics_merge(&sum, &statistics) == SINS_OK);
         FRAME_CHECK(sins_statistics_figures(&sum, &figures) == SINS_OK);
         FRAME_CHECK(sins_meets(&sum, 1.0, 95.0, &verdict) == SINS_OK);

@@ -146,6 +146,7 @@ static void fly_ensemble(const sins_options *options)
     static sins_statistics statistics, sum;
     sins_figures figures = {.struct_size = sizeof figures};
     sins_verdict verdict = {.struct_size = sizeof verdict};
+    sins_errors errors = {.struct_size = sizeof errors};
     sins_flight_sample sample = samples[0];
     sins_scene *scene = scene_of_text();
     sins_sim *sim = with_everything(options);
@@ -163,6 +164,7 @@ static void fly_ensemble(const sins_options *options)
     MEASURE(sins_ensemble_run(ensemble, &samples[2], SAMPLES));
     MEASURE(sins_ensemble_correct(ensemble, SCENE_FIRST_RUN, &correction));
     MEASURE(sins_ensemble_get_statistics(ensemble, SINS_ERRORS_MODEL, &statistics));
+    MEASURE(sins_statistics_add(&statistics, &errors));
     MEASURE(sins_statistics_merge(&sum, &statistics));
     MEASURE(sins_statistics_figures(&sum, &figures));
     MEASURE(sins_meets(&sum, 1.0, 95.0, &verdict));

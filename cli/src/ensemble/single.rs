@@ -1,5 +1,5 @@
 //! Runs that are flown one by one, each by its own simulator and unit: ensembles of scenes with a unit, which the runs side by side cannot
-//! fly, and a single run, which a simulator flies in half the time.
+//! fly, and a single run of any scene.
 
 use sins::errors::NavigationErrors;
 use sins::scene::Play;

@@ -7,7 +7,7 @@ use crate::base::error::Error;
 use crate::errors::SensorErrors;
 use crate::errors::covariance::FlownInterval;
 use crate::mechanization::{VerticalAid, VerticalMode, check_state};
-use crate::signal::{IntervalMotion, MAX_INCREMENTS};
+use crate::signal::{Increment, IntervalMotion, MAX_INCREMENTS, SignalGenerator};
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::chain::view::Views;
 use crate::simulator::imperfections::IntervalConditions;
@@ -24,24 +24,65 @@ impl Chain {
         // The increments of the last interval stay until this one is known to be good.
         let first = Signals::place_after(self.parts.start);
         let parts = first..first + count;
+        let generate = |generator: &mut SignalGenerator, ideal: &mut [Increment]| {
+            let motion = generator.advance(recent);
+            motion.integrate(ideal);
+            motion
+        };
         if self.is_plain {
-            self.fly(parts, recent, imperfections)
+            self.fly(parts, recent, generate, imperfections)?;
         } else {
-            self.fly_extended(parts, recent, imperfections)
+            self.fly_extended(parts, recent, generate, imperfections)?;
         }
+        if self.accuracy.is_due(recent.next.time_s) {
+            let errors = self.navigation_errors(recent.next);
+            self.accuracy.add(recent.next.time_s, &errors, recent.next.is_near_pole());
+        }
+        Ok(())
+    }
+
+    /// Flies the interval of `motion`, which `generator` has given, with `count` increments; the ideal ones are the first of `signals`,
+    /// which has the increments of no interval before. On an error nothing has changed.
+    pub fn advance_with<'r>(
+        &mut self,
+        generator: &SignalGenerator,
+        motion: &IntervalMotion<'r>,
+        recent: &Recent<'r>,
+        count: usize,
+        signals: &mut Signals,
+        imperfections: &mut Imperfections,
+    ) -> Result<(), Error> {
+        // The ideal increments stay, because mounting and closed loop change them.
+        let parts = MAX_INCREMENTS..MAX_INCREMENTS + count;
+        signals.ideal.copy_within(..count, parts.start);
+        core::mem::swap(&mut self.signals, signals);
+        let result = if self.is_plain {
+            self.fly(parts, recent, |_, _| *motion, imperfections)
+        } else {
+            self.generator.clone_from(generator);
+            self.fly_extended(parts, recent, |_, _| *motion, imperfections)
+        };
+        if let (Ok(()), Some(imu)) = (&result, self.imu()) {
+            let vertical_unaided = self.last.vertical_unaided().unwrap_or_default();
+            self.last = LastInterval::Summed { imu, vertical_unaided };
+            self.parts = 0..0;
+        }
+        core::mem::swap(&mut self.signals, signals);
+        result
     }
 
     /// Flies a chain that is not plain.
     #[cold]
     #[inline(never)]
-    fn fly_extended(
+    fn fly_extended<'r>(
         &mut self,
         parts: Range<usize>,
-        recent: &Recent<'_>,
+        recent: &Recent<'r>,
+        motion: impl FnOnce(&mut SignalGenerator, &mut [Increment]) -> IntervalMotion<'r>,
         imperfections: &mut Imperfections,
     ) -> Result<(), Error> {
         let (block, disturbance, closed_loop) = (self.block, self.disturbance, self.closed_loop.clone());
-        let result = self.fly(parts, recent, imperfections);
+        let result = self.fly(parts, recent, motion, imperfections);
         if result.is_err() {
             (self.block, self.disturbance, self.closed_loop) = (block, disturbance, closed_loop);
         } else if let Some(summary) = &mut self.summary {
@@ -65,13 +106,14 @@ impl Chain {
         }
     }
 
-    /// Flies with the increments at the places `parts`. Only the end of the navigation shows whether the interval is good. Changes
-    /// before it can be undone, and the errors are computed after it.
+    /// Flies with the increments at the places `parts`; `motion` gives the motion and its ideal increments. Only the end of the navigation
+    /// shows whether the interval is good. Changes before it can be undone, and the errors are computed after it.
     #[inline(never)]
-    fn fly(
+    fn fly<'r>(
         &mut self,
         parts: Range<usize>,
-        recent: &Recent<'_>,
+        recent: &Recent<'r>,
+        motion: impl FnOnce(&mut SignalGenerator, &mut [Increment]) -> IntervalMotion<'r>,
         imperfections: &mut Imperfections,
     ) -> Result<(), Error> {
         let next = recent.next;
@@ -81,8 +123,7 @@ impl Chain {
         self.views = Views::default();
 
         // Signal generator.
-        let motion = self.generator.advance(recent);
-        motion.integrate(&mut self.signals.ideal[parts.clone()]);
+        let motion = motion(&mut self.generator, &mut self.signals.ideal[parts.clone()]);
         if !self.is_plain {
             self.complete_ideal_signals(&motion, recent, imperfections);
         }
@@ -152,10 +193,6 @@ impl Chain {
             covariance.advance(&flown, &imperfections.parameters());
         }
         self.conclude(&motion, recent);
-        if self.accuracy.is_due(next.time_s) {
-            let errors = self.navigation_errors(next);
-            self.accuracy.add(next.time_s, &errors, next.is_near_pole());
-        }
         Ok(())
     }
 

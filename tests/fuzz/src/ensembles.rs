@@ -176,6 +176,14 @@ impl Host {
             diverged += 1;
         }
         assert!(diverged as u64 <= statistics.diverged, "runs that diverged without being counted");
+        let mut added = init::<sins_statistics>();
+        let mut all = vec![init::<sins_errors>(); runs];
+        if call!(sins_ensemble_get_all_errors(ensemble, source, all.as_mut_ptr(), runs)) == SINS_OK {
+            for errors in &all {
+                assert_eq!(call!(sins_statistics_add(&mut added, errors)), SINS_OK);
+            }
+            assert!(added == statistics, "other statistics of the runs one by one");
+        }
         let mut twice = init::<sins_statistics>();
         for _ in 0..2 {
             assert_eq!(call!(sins_statistics_merge(&mut twice, &statistics)), SINS_OK);
@@ -191,6 +199,9 @@ impl Host {
         let good =
             check::<sins_figures>(|figures| call!(sins_statistics_figures(pointer, figures))).is_some();
         let before = twice;
+        let mut errors = self.input.altered(init::<sins_errors>(), alterations);
+        call!(sins_statistics_add(&mut added, errors.pointer::<sins_errors>()));
+        check::<sins_figures>(|figures| call!(sins_statistics_figures(&added, figures)));
         let merged = call!(sins_statistics_merge(&mut twice, pointer)) == SINS_OK;
         assert!(merged || before == twice, "a merge that failed changed something");
         assert!(good || !merged, "statistics without figures were taken");

@@ -1,4 +1,5 @@
-//! The runs of an ensemble side by side, in batches of [`RUNS`](crate::signal::RUNS).
+//! The runs of an ensemble side by side, in batches of [`RUNS`](crate::signal::RUNS); the runs behind the last full batch, if they are
+//! few, without lanes ([`single`]).
 //!
 //! A step has four parts. The generator gives the ideal signals, which are the same for all runs, and a chain without navigators flies
 //! their mounting and their closed loop. The part of sensors, altimeter and error models that is the same in all runs is computed.
@@ -8,6 +9,7 @@ mod batch;
 mod disturbed;
 mod fly;
 mod shared;
+mod single;
 mod start;
 mod workspace;
 
@@ -29,6 +31,7 @@ use crate::simulator::{ErrorSource, Imperfections, ImuInterval, Options, Solutio
 use crate::truth::{FlightSample, Intake, Recent, TruthPoint};
 use batch::{Batch, Report};
 use shared::{LastGood, Shared};
+use single::Single;
 use workspace::Workspace;
 
 /// Runs over one truth, and what they share.
@@ -48,8 +51,17 @@ pub(crate) struct SideBySide {
     inputs: [SharedInput; 2],
     /// One element: in flight the chain without the navigators. It is on the heap, because it is large for a stack.
     chain: Box<[Option<Chain>]>,
+    /// The runs in lanes, and those behind them, which are flown without lanes.
     batches: Vec<Batch>,
+    singles: Box<[Single]>,
     workspace: Box<[Workspace]>,
+}
+
+/// Where a run is.
+enum Found<B, S> {
+    /// In a batch, at this lane.
+    Lane(B, usize),
+    Single(S),
 }
 
 impl SideBySide {
@@ -60,7 +72,16 @@ impl SideBySide {
             self.start(recent)?;
         }
         let Self {
-            set, imperfections, heights_are_shared, signals, inputs, chain, batches, workspace, ..
+            set,
+            imperfections,
+            heights_are_shared,
+            signals,
+            inputs,
+            chain,
+            batches,
+            singles,
+            workspace,
+            ..
         } = self;
         let ([Some(chain)], [workspace], [imperfections]) =
             (&mut **chain, &mut **workspace, &mut **imperfections)
@@ -68,8 +89,16 @@ impl SideBySide {
             return Ok(());
         };
         let motion = chain.generator.advance(recent);
-        let ideal = &mut signals.ideal[..chain.options.subsamples * chain.options.updates_over(recent)];
-        motion.integrate(ideal);
+        let count = chain.options.subsamples * chain.options.updates_over(recent);
+        motion.integrate(&mut signals.ideal[..count]);
+        singles.iter_mut().for_each(|single| single.fly((chain, recent), &motion, count, signals));
+        let ideal = &mut signals.ideal[..count];
+        if batches.is_empty() {
+            // Each run has its own mounting and closed loop.
+            chain.generator.take_revised();
+            chain.conclude_shared(&motion, recent, ideal);
+            return Ok(());
+        }
         let flown = chain.fly_shared(&motion, recent, !imperfections.are_none(), ideal);
 
         let shared = Shared::new(chain, (imperfections, inputs), (recent, &motion, ideal), flown);
@@ -83,7 +112,27 @@ impl SideBySide {
 
     /// Time of the last good solution of a run that has diverged [s].
     pub fn diverged_s(&self, place: usize) -> Option<f64> {
-        self.batches[place / RUNS].diverged[place % RUNS].map(|last_good| last_good.time_s)
+        let last_good = match self.at(place) {
+            Found::Lane(batch, lane) => batch.diverged[lane],
+            Found::Single(single) => single.diverged,
+        };
+        last_good.map(|last_good| last_good.time_s)
+    }
+
+    /// Where a run is.
+    fn at(&self, place: usize) -> Found<&Batch, &Single> {
+        match self.batches.get(place / RUNS) {
+            Some(batch) => Found::Lane(batch, place % RUNS),
+            None => Found::Single(&self.singles[place - self.batches.len() * RUNS]),
+        }
+    }
+
+    fn at_mut(&mut self, place: usize) -> Found<&mut Batch, &mut Single> {
+        let lanes = self.batches.len() * RUNS;
+        match self.batches.get_mut(place / RUNS) {
+            Some(batch) => Found::Lane(batch, place % RUNS),
+            None => Found::Single(&mut self.singles[place - lanes]),
+        }
     }
 
     /// Rejects a sample without the temperature that a sensor effect needs.
@@ -93,7 +142,7 @@ impl SideBySide {
 
     /// Lets an output of every run fail from the next interval on; `None` clears it.
     pub fn set_failure(&mut self, output: SensorOutput, failure: Option<Failure>) {
-        let Self { imperfections, heights_are_shared, chain, batches, .. } = self;
+        let Self { imperfections, heights_are_shared, chain, batches, singles, .. } = self;
         let interval_s = chain[0].as_ref().and_then(|chain| chain.imu()).map(|imu| imu.interval_s);
         for batch in batches {
             if *heights_are_shared {
@@ -102,6 +151,7 @@ impl SideBySide {
             batch.set_failure(output, failure, interval_s);
         }
         *heights_are_shared = false;
+        singles.iter_mut().for_each(|single| single.set_failure(output, failure));
         imperfections[0].set_failure(output, failure, None);
     }
 
@@ -112,12 +162,12 @@ impl SideBySide {
 
     /// Number of runs.
     pub fn runs(&self) -> usize {
-        self.batches.iter().map(|batch| batch.count).sum()
+        self.batches.iter().map(|batch| batch.count).sum::<usize>() + self.singles.len()
     }
 
     /// Memory of a run [bytes].
     pub fn bytes_of_run(&self) -> usize {
-        self.batches.first().map_or(0, Batch::bytes_of_run)
+        self.batches.first().map_or(size_of::<Single>(), Batch::bytes_of_run)
     }
 
     /// The navigated solution of a run; `intake` has the samples of the truth.
@@ -161,7 +211,11 @@ impl SideBySide {
     /// The chain of a run in flight, without its increments.
     fn chain_of(&self, place: usize) -> Option<Chain> {
         let shared = self.chain[0].as_ref()?;
-        let (batch, lane) = (&self.batches[place / RUNS], place % RUNS);
+        let views = Views { truth: shared.views.truth.clone(), ..Views::default() };
+        let (batch, lane) = match self.at(place) {
+            Found::Lane(batch, lane) => (batch, lane),
+            Found::Single(single) => return Some(Chain { views, ..single.chain_over(shared)? }),
+        };
         let mut chain = shared.clone();
         chain.mechanization = batch.navigator(lane, &self.earth, &self.options);
         chain.error_model = batch.error_model(lane, &self.earth);
@@ -179,8 +233,7 @@ impl SideBySide {
         if let Some(disturbed) = batch.disturbed.get(lane) {
             disturbed.give(&mut chain);
         }
-        chain.views = Views { truth: shared.views.truth.clone(), ..Views::default() };
-        Some(chain)
+        Some(Chain { views, ..chain })
     }
 
     /// The truth in flight, which is at `truth`.
@@ -196,8 +249,13 @@ impl SideBySide {
         for place in 0..self.runs() {
             if let (Some(mut chain), None) = (self.chain_of(place), self.diverged_s(place)) {
                 chain.take_first_velocity(point, &self.imperfections[0]);
-                self.batches[place / RUNS].put_solution(place % RUNS, &chain);
-                shared = Some((chain.closed_loop, chain.mechanization));
+                match self.at_mut(place) {
+                    Found::Lane(batch, lane) => {
+                        batch.put_solution(lane, &chain);
+                        shared = Some((chain.closed_loop, chain.mechanization));
+                    }
+                    Found::Single(single) => single.chain = Some(chain),
+                }
             }
         }
         if let Some(chain) = &mut self.chain[0] {
@@ -219,7 +277,13 @@ impl SideBySide {
     ) -> Result<(), Error> {
         let Some(mut chain) = self.chain_of(place) else { return Err(nothing_to_correct()) };
         chain.correct(point, correction)?;
-        let (batch, lane) = (&mut self.batches[place / RUNS], place % RUNS);
+        let (batch, lane) = match self.at_mut(place) {
+            Found::Lane(batch, lane) => (batch, lane),
+            Found::Single(single) => {
+                single.chain = Some(chain);
+                return Ok(());
+            }
+        };
         if chain.compensation.is_some() {
             batch.make_room_for_compensations()?;
         }
@@ -235,19 +299,26 @@ impl SideBySide {
     /// Marks a run as diverged, with the solution that it has while the truth is at `point`.
     #[cold]
     pub fn diverge(&mut self, place: usize, point: &TruthPoint) {
-        if let Some(chain) = &self.chain[0] {
-            self.batches[place / RUNS].diverged[place % RUNS] = Some(LastGood::of(chain, point));
+        let Some(last_good) = self.chain[0].as_ref().map(|chain| LastGood::of(chain, point)) else { return };
+        match self.at_mut(place) {
+            Found::Lane(batch, lane) => batch.diverged[lane] = Some(last_good),
+            Found::Single(single) => single.diverged = Some(last_good),
         }
     }
 
     /// Compensation of a run.
     pub fn compensation(&self, place: usize) -> Compensation {
-        self.batches[place / RUNS].compensation(place % RUNS).unwrap_or_default()
+        let compensation = match self.at(place) {
+            Found::Lane(batch, lane) => batch.compensation(lane),
+            Found::Single(single) => single.chain.as_ref().and_then(|chain| chain.compensation),
+        };
+        compensation.unwrap_or_default()
     }
 
     /// Follows a jump of the truth: the runs are before their first step again.
     pub fn reposition(&mut self) {
         self.chain[0] = None;
         self.batches.iter_mut().for_each(Batch::revive);
+        self.singles.iter_mut().for_each(Single::revive);
     }
 }
