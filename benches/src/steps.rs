@@ -63,8 +63,7 @@ fn ensemble(what: &str, count: usize) {
 /// A simulator with the errors of simulation 2 and both error data.
 fn simulation2(frame: Frame) -> Simulator {
     let (gyro, accel) = sins::sensors::paper_simulation2();
-    let mut simulator =
-        Simulator::new(&Options { error_model: true, frame, ..Options::default() }).unwrap();
+    let mut simulator = Simulator::new(&Options { error_model: true, frame, ..Options::default() }).unwrap();
     simulator.set_gyro(&gyro).unwrap();
     simulator.set_accel(&accel).unwrap();
     simulator
