@@ -335,6 +335,115 @@ fn the_limits_of_the_keys_are_those_of_the_scene() {
     assert!(counts[0] > 150 && counts[1] > 150 && counts[2] < 6, "{counts:?}");
 }
 
+/// Items of a section, one for each choice of the words that the conditions of its keys name: their settings.
+fn kinds_of(section: &str) -> Vec<Vec<(String, String)>> {
+    let mut items = vec![Vec::new()];
+    for key in keys().into_iter().filter(|key| key.section == section) {
+        let KeyKind::Words(words) = key.kind else { continue };
+        let words: Vec<_> = words.iter().filter(|word| **word != "none").collect();
+        let with = |item: Vec<(String, String)>| {
+            let is_used = is_used(&key, &item);
+            let count = if is_used { words.len() } else { 1 };
+            let one = |k: usize| {
+                let mut item = item.clone();
+                item.extend(is_used.then(|| (key.name.to_owned(), words[k].to_string())));
+                item
+            };
+            (0..count).map(one).collect::<Vec<_>>()
+        };
+        items = items.into_iter().flat_map(with).collect();
+    }
+    items
+}
+
+/// Whether an item of these words takes a key.
+fn is_used(key: &KeyLine, item: &[(String, String)]) -> bool {
+    key.condition.split_whitespace().all(|condition| {
+        let (name, words) = condition.split_once('=').unwrap();
+        item.iter().any(|(own, word)| own == name && words.split('|').any(|one| one == word))
+    })
+}
+
+/// The limits of the keys of items hold for every kind of item that takes the key: a number beyond them is refused by each, and
+/// at its limits each key is taken by a kind.
+#[test]
+fn the_limits_of_the_keys_are_those_of_every_kind_of_item() {
+    let mut count = 0;
+    for section in ["manoeuvre", "manoeuvre.sinusoid", "failure", "update", "panel"] {
+        let own: Vec<KeyLine> = keys().into_iter().filter(|key| key.section == section).collect();
+        for key in own.iter().filter(|key| key.limits.is_some()) {
+            let (limits, mut is_taken) = (key.limits.unwrap(), [false; 2]);
+            for words in kinds_of(section).into_iter().filter(|words| is_used(key, words)) {
+                for (end, value, is_within) in [
+                    (0, limits.low, true),
+                    (1, limits.high, true),
+                    (0, limits.low - limits.low.abs().max(1e-3) * 1e-3, false),
+                    (1, limits.high + limits.high.abs().max(1e-3) * 1e-3, false),
+                ] {
+                    let (path, faults) = faults_of(&own, key, &words, value);
+                    let mut own = faults.iter().filter(|fault| fault.about.path == path);
+                    if is_within {
+                        // An end before the begin is refused, and not by the limits.
+                        is_taken[end] |= !own.any(|fault| fault.about.minimum.is_some());
+                    } else {
+                        assert!(own.next().is_some(), "{words:?} {path} = {value}: {faults:?}");
+                        count += 1;
+                    }
+                }
+            }
+            assert_eq!(is_taken, [true; 2], "{section}.{}", key.name);
+        }
+    }
+    println!("{count} numbers beyond the limits");
+    assert!(count > 200, "{count}");
+}
+
+/// The path of a key in an item of these words, and the faults of the item if the key is a number and the other keys are usual.
+fn faults_of(own: &[KeyLine], key: &KeyLine, words: &[(String, String)], value: f64) -> (String, Vec<Fault>) {
+    let mut item: String = words.iter().map(|(name, word)| format!("{name} = \"{word}\"\n")).collect();
+    let mut path = key.name.to_owned();
+    for other in own.iter().filter(|other| is_used(other, words)) {
+        let usual = match other.name {
+            "repeat" | "duration_s" => "2",
+            "interval_s" | "from_s" | "at_s" => "4",
+            "probability" | "until_s" if key.name != other.name => continue,
+            _ => "1",
+        };
+        let text = if other.name == key.name { value.to_string() } else { usual.to_owned() };
+        // Drop-outs are random without an interval.
+        if key.name == "probability" && ["interval_s", "duration_s"].contains(&other.name) {
+            continue;
+        }
+        match other.kind {
+            KeyKind::Numbers(3) => {
+                path = if other.name == key.name { format!("{path}[0]") } else { path };
+                item += &format!("{} = [{text}, 1, 1]\n", other.name);
+            }
+            KeyKind::Numbers(_) | KeyKind::Whole => item += &format!("{} = {text}\n", other.name),
+            _ => {}
+        }
+    }
+    let mut scene = scene();
+    let is = |kind: &str| words.iter().any(|(_, word)| word == kind);
+    let (list, text, at) = match key.section {
+        "manoeuvre" if is("rest") => ("manoeuvre", format!("[[manoeuvre]]\n{item}"), "manoeuvre[0]"),
+        "manoeuvre" if is("sinusoids") => {
+            let one = "[[manoeuvre.sinusoid]]\nchannel = \"roll\"\namplitude_deg = 5\nfrequency_hz = 0.5\n";
+            ("manoeuvre", format!("{FASTER}[[manoeuvre]]\n{item}{one}"), "manoeuvre[1]")
+        }
+        "manoeuvre" => ("manoeuvre", format!("{FASTER}[[manoeuvre]]\n{item}"), "manoeuvre[1]"),
+        "manoeuvre.sinusoid" => {
+            let one = "[[manoeuvre]]\nkind = \"sinusoids\"\nduration_s = 100\n[[manoeuvre.sinusoid]]\n";
+            ("manoeuvre", format!("{FASTER}{one}{item}"), "manoeuvre[1].sinusoid[0]")
+        }
+        list => (list, format!("[[{list}]]\n{item}"), "[0]"),
+    };
+    let at = if at == "[0]" { format!("{list}{at}") } else { at.to_owned() };
+    (format!("{at}.{path}"), scene.set_items(list, &text).err().unwrap_or_default())
+}
+
+const FASTER: &str = "[[manoeuvre]]\nkind = \"accelerate\"\nduration_s = 30\nspeed_change_m_s = 100\n";
+
 #[test]
 fn conditions_name_the_items_that_use_a_key() {
     let of = |section: &str, name: &str| {
