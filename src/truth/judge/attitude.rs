@@ -13,6 +13,9 @@ const LEAST: f64 = 9.0;
 /// Length of the mean direction of the track below which a flight goes in all directions.
 const ALL_ROUND: f64 = 0.3;
 
+/// Slope of the roll on the bank above which a vehicle leans out of its turns: a car by a tenth to a fifth of the bank of an aeroplane.
+const LEANS: f64 = -0.3;
+
 /// Turn of the track above which an attitude that stays the same is not that of the vehicle.
 const TURN_WHILE_HELD: f64 = 10.0 * DEG;
 
@@ -254,7 +257,7 @@ impl Attitudes {
             return None;
         }
         let slope = mixed / bank2;
-        let is_opposite = slope < 0.0 && with_sign < 0.2 * count;
+        let is_opposite = slope < LEANS && with_sign < 0.2 * count;
         let clue = match (of_pitch / bank2).abs() {
             0.6..1.6 if slope.abs() < 0.4 => Clue::Known("roll and pitch are exchanged"),
             _ if is_opposite => Clue::Known("opposite sign"),

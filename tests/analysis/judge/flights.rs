@@ -92,6 +92,11 @@ pub fn vehicles() -> Vec<Good> {
             let heading = 0.02 * t + 0.4 * (0.1 * t).sin();
             (forward(25.0, heading), level(heading))
         }),
+        // Its body leans out of the turns, as that of each car.
+        vehicle("car that leans", 50.0, |t| {
+            let (heading, turn) = (0.02 * t + 0.4 * (0.1 * t).sin(), 0.02 + 0.04 * (0.1 * t).cos());
+            (forward(25.0, heading), Euler { roll: -0.15 * (25.0 * turn / 9.8), ..level(heading) })
+        }),
         // 3 g upwards for a minute, then coasting, and down by a parachute: its attitude is at the zenith.
         vehicle("rocket", 50.0, |t| {
             let up = if t < 60.0 { 30.0 * t } else { (1800.0 - 9.5 * (t - 60.0)).max(-100.0) };
