@@ -25,6 +25,9 @@ const LEAST_OF_DELAY: f64 = 20.0;
 const DELAY_S: f64 = 0.5;
 const SHOWS_DELAY: f64 = 0.7;
 
+/// Angle off the track of a vehicle that flies sideways, such as a drone whose camera looks to the middle of its circle.
+const SIDEWAYS: f64 = 45.0 * DEG;
+
 /// What a heading may be instead: sign and factor.
 const HEADINGS: [(&str, f64); 4] = [
     ("", 1.0),
@@ -240,14 +243,21 @@ impl Attitudes {
     }
 
     /// Angle of the heading off the track [rad], if it is constant and large, and what that means: wind makes no constant angle in a flight
-    /// in all directions.
+    /// in all directions, and vehicles that fly sideways do not bank as aeroplanes do.
     pub fn heading_offset(&self) -> Option<(f64, Level)> {
-        let sum = &self.headings[0];
-        let angle = atan2(sum.sine, sum.cosine);
+        let (angle, share) = self.off_track();
         let is_all_round = self.track.length() / self.count < ALL_ROUND;
-        let (least, level) = if is_all_round { (5.0, Level::Doubtful) } else { (45.0, Level::Note) };
-        let is_off = sum.length() / self.count > 0.9 && angle.abs() > least * DEG;
-        (self.is_enough() && is_off).then_some((angle, level))
+        let (least, level) = match is_all_round {
+            true if angle.abs() < SIDEWAYS || self.roll().is_none() => (5.0, Level::Doubtful),
+            _ => (45.0, Level::Note),
+        };
+        (self.is_enough() && share > 0.9 && angle.abs() > least * DEG).then_some((angle, level))
+    }
+
+    /// Mean angle of the heading off the track [rad], and how constant it is, 0 to 1.
+    fn off_track(&self) -> (f64, f64) {
+        let sum = &self.headings[0];
+        (atan2(sum.sine, sum.cosine), sum.length() / self.count)
     }
 
     /// Slope of the roll on the bank that the turns need, if it is wrong, and what explains it.
@@ -258,8 +268,9 @@ impl Attitudes {
         }
         let slope = mixed / bank2;
         let is_opposite = slope < LEANS && with_sign < 0.2 * count;
+        let is_sideways = self.off_track().0.abs() > SIDEWAYS;
         let clue = match (of_pitch / bank2).abs() {
-            0.6..1.6 if slope.abs() < 0.4 => Clue::Known("roll and pitch are exchanged"),
+            0.6..1.6 if slope.abs() < 0.4 && !is_sideways => Clue::Known("roll and pitch are exchanged"),
             _ if is_opposite => Clue::Known("opposite sign"),
             _ => Clue::None,
         };

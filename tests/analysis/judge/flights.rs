@@ -110,6 +110,11 @@ pub fn vehicles() -> Vec<Good> {
             let heading = 0.5 + 0.004 * t;
             (forward(15.0, heading + 90.0 * DEG), Euler { roll: 0.1, pitch: 0.03, heading })
         }),
+        // Its nose points to the middle of its circle: its pitch is the bank of the turn, to either side.
+        vehicle("drone that orbits", 50.0, |t| {
+            let (track, pitch) = (0.16 * t, -(8.0 * 0.16 / 9.8));
+            (forward(8.0, track), Euler { roll: 0.01, pitch, heading: track + 90.0 * DEG })
+        }),
         vehicle("drone at rest", 50.0, |_| (Vector3::zeros(), level(1.0))),
         // Turns on the spot: its heading passes through north again and again.
         vehicle("drone that pirouettes", 50.0, |t| {
