@@ -39,17 +39,17 @@
 //! |---|---|
 //! | `base` | what every block uses: mathematics, errors, tables of parameters, [`snapshot`] |
 //! | [`earth`] | ellipsoid, gravity; position, velocity and attitude in their two forms ([`earth::state`]) |
-//! | [`truth`] | the host's samples, checked; judged before an INS flies them ([`truth::judge`]); a path that flies, made of the rows of a log ([`truth::smooth`]); flights made from manoeuvres ([`truth::flight`]) |
+//! | [`truth`] | the host's samples, checked (`truth::intake`); judged before an INS flies them ([`truth::judge`]); a path that flies, made of the rows of a log ([`truth::smooth`]); flights made from manoeuvres ([`truth::flight`]) |
 //! | [`signal`] | the signal generator (inverse navigation); the block away from the reference point ([`signal::mounting`]) |
-//! | [`sensors`] | the errors of gyros and accelerometers, equations (1)-(3), and of the altimeter; gravity disturbance; errors at the start |
-//! | [`mechanization`] | navigation on measured increments, equations (7)-(24) |
+//! | [`sensors`] | the errors of gyros and accelerometers, equations (1)-(3), an effect a file (`sensors::effects`), and of the altimeter; gravity disturbance; errors at the start |
+//! | [`mechanization`] | navigation on measured increments, equations (7)-(24), whose places the module lists |
 //! | [`errors`] | error data 2 (`difference`) and 1 (`model`, equations (4)-(6)); the covariance of the errors along the same truth ([`errors::covariance`]); errors that the host estimated, removed ([`errors::correction`]) |
 //! | `simulator` | the blocks of the paper's figure 1 put together |
 //! | [`ensemble`] | many runs of one simulator over the same samples; the statistics of their errors ([`ensemble::statistics`]) |
 //! | [`analysis`] | the cheapest options that meet an accuracy ([`analysis::recommend`]), the share of each effect in the errors ([`analysis::budget`]) |
 //! | [`unit`] | an INS as an aircraft knows it: modes, alignment, status; its words of ARINC 429 ([`unit::bus`]) |
 //! | `scene` | a whole scene as text, its failures and updates, and flight logs (`scene::log`; feature `scenes`) |
-//! | [`abi`] | the C interface |
+//! | [`abi`] | the C interface; its handles and locks (`abi::boundary`) |
 //!
 //! # Notation
 //!

@@ -3,6 +3,14 @@
 //!
 //! It has a body-frame part ([`BodyMotion`]) and a navigation-frame part (Earth-fixed or geographic); each scheme is a pair of
 //! them.
+//!
+//! | equations | what | file |
+//! |---|---|---|
+//! | (12), (13), (18)-(20) | sums of the increments, rotation vector with its coning term, velocity with its sculling term | `body`; of a polynomial through the increments, `polynomial` |
+//! | (7)-(11), (14)-(17) | rates of the navigation axes, attitude | `geographic`; with the rate of the Earth alone, `earth_fixed` |
+//! | (21)-(24) | velocity and position, with gravity and Coriolis terms | the same |
+//! | none | height and velocity up, kept near the truth or an altimeter | `vertical` |
+//! | none | many runs side by side | `lanes`, `vertical_rows` |
 
 mod body;
 mod branches;

@@ -20,7 +20,7 @@ const CLAIMED: usize = usize::MAX;
 /// never wait for each other. A nested call of one thread on one handle, and a call on a handle that an abandoned call
 /// holds, are `SINS_ERROR_BAD_STATE`.
 ///
-/// The kind (1 to 7) is no field: an empty table is all zeros, so its 128 KiB are not in the file of the library.
+/// The kind (from 1, see `tables`) is no field: an empty table is all zeros, so its 128 KiB are not in the file of the library.
 pub(in crate::abi) struct Registry<T, const KIND: usize> {
     slots: [Slot<T>; SLOTS],
     /// Slot at which the search for a free one begins.

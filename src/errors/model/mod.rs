@@ -177,13 +177,13 @@ impl ErrorModel {
         states_of(&mut self.form)
     }
 
-    /// Corrects the vertical channel over an interval of `t` [s].
-    #[inline(always)]
     /// Begins the loop of the vertical channel anew if its estimate is beyond `limit_m_s2`.
     pub(crate) fn limit_vertical_bias(&mut self, limit_m_s2: f64) {
         self.vertical.limit_bias(limit_m_s2);
     }
 
+    /// Corrects the vertical channel over an interval of `t` [s].
+    #[inline(always)]
     fn correct_vertical(&mut self, t: f64, truth: &TruthPoint, aid: &VerticalAid, block: Option<&Block>) {
         let correction = match *aid {
             VerticalAid::None => return self.vertical.skip(),
