@@ -219,10 +219,12 @@ impl Attitudes {
         (self.held_count > 0).then_some((self.longest_held, self.held_count))
     }
 
-    /// How late the roll is [s], negative if it is early.
+    /// How late the roll is [s], negative if it is early, of a vehicle that banks as an aeroplane.
     pub fn delay_s(&self) -> Option<f64> {
         let (_, delay_s, correlation) = self.delay.figures();
-        let is_shown = self.delay.count >= LEAST_OF_DELAY && correlation.abs() > SHOWS_DELAY;
+        let [_, _, mixed, bank2, _] = self.turns;
+        let banks = (0.5..1.6).contains(&(mixed / bank2));
+        let is_shown = banks && self.delay.count >= LEAST_OF_DELAY && correlation.abs() > SHOWS_DELAY;
         (is_shown && delay_s.abs() > DELAY_S).then_some(delay_s)
     }
 

@@ -97,6 +97,15 @@ pub fn vehicles() -> Vec<Good> {
             let (heading, turn) = (0.02 * t + 0.4 * (0.1 * t).sin(), 0.02 + 0.04 * (0.1 * t).cos());
             (forward(25.0, heading), Euler { roll: -0.15 * (25.0 * turn / 9.8), ..level(heading) })
         }),
+        // It enters a bend and has not left it: the lean grows as the rate of it falls.
+        vehicle("car in a bend", 50.0, |t| {
+            let phase = t.min(300.0) * 0.005;
+            let heading = 0.05 * (1.0 - phase.cos()) / 0.005 + 0.05 * (t - 300.0).max(0.0);
+            (
+                forward(25.0, heading),
+                Euler { roll: -0.15 * (25.0 * 0.05 * phase.sin() / 9.8), ..level(heading) },
+            )
+        }),
         // 3 g upwards for a minute, then coasting, and down by a parachute: its attitude is at the zenith.
         vehicle("rocket", 50.0, |t| {
             let up = if t < 60.0 { 30.0 * t } else { (1800.0 - 9.5 * (t - 60.0)).max(-100.0) };
