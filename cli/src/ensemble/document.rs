@@ -71,7 +71,34 @@ fn warnings(study: &Study) -> Vec<String> {
     let planned = [("Failures", planned::failures(scene)), ("Updates by fixes", planned::updates(scene))];
     let planned = planned.into_iter().filter(|(_, what)| what != "none");
     let planned = planned.map(|(name, what)| format!("{name}: {what}."));
-    study.given.warnings([]).into_iter().chain(planned).collect()
+    study.given.warnings([]).into_iter().chain(planned).chain(not_valid(study)).collect()
+}
+
+/// When the unit does not show valid outputs in all runs that have not diverged, by the rows of the statistics.
+fn not_valid(study: &Study) -> Option<String> {
+    let rows = study.of(Data::Shown).into_iter().zip(study.of(Data::Navigation));
+    let mut stretches: Vec<[f64; 3]> = Vec::new();
+    let mut goes_on = false;
+    for (shown, solution) in rows {
+        let (time_s, valid) = (shown.time_s - study.given.start_s, shown.good());
+        if valid >= solution.good() {
+            goes_on = false;
+            continue;
+        }
+        match stretches.last_mut().filter(|_| goes_on) {
+            Some([_, end_s, least]) => (*end_s, *least) = (time_s, least.min(valid as f64)),
+            None => stretches.push([time_s, time_s, valid as f64]),
+        }
+        goes_on = true;
+    }
+    let told = stretches.iter().map(|[from_s, to_s, least]| {
+        let at_least = format!("in {least} of {} runs at the least", study.plan.runs);
+        let [from, to] = [from_s, to_s].map(|time_s| time_text(*time_s));
+        if from == to { format!("at {to} ({at_least})") } else { format!("from {from} to {to} ({at_least})") }
+    });
+    let told: Vec<String> = told.collect();
+    (!told.is_empty())
+        .then(|| format!("The outputs of the unit are not valid in every run {}.", told.join(", ")))
 }
 
 /// The last row of each of the error data that is on.

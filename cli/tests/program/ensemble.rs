@@ -440,6 +440,9 @@ fn a_scene_with_a_unit_flies_each_run_with_its_unit() {
         assert_eq!(row.contains_key("cep50_m"), expected > 0.0, "{row:?}");
     }
     assert_eq!(rows.iter().filter(|row| row["error_data"] == 3.0).count(), rows.len() / 2);
+    let page = read(folder.join("sins_out/day1_ensemble.html"));
+    let words = "not valid in every run from 0 s to 10 min (in 0 of 3 runs at the least), at 67.3 min (in 0";
+    assert!(page.contains(words), "{}", page.find("not valid in every").map_or("", |at| &page[at..at + 200]));
 }
 
 /// A single run is flown by a simulator, several side by side: the bits are the same, with failures, updates and runs that diverge.
