@@ -8,7 +8,7 @@ use super::reader::{Item, Reader};
 use super::site::ValuePath;
 use super::table::KEYS;
 use super::value::put_back;
-use super::{BUILTIN_SCENES, FlightSource, Scene};
+use super::{BUILTIN_SCENES, FlightPath, FlightSource, Scene};
 use crate::base::error::{Error, ErrorKind, Value};
 
 impl Reader<'_> {
@@ -132,6 +132,34 @@ impl Reader<'_> {
                         manoeuvre.reason(&error, speed_m_s).map_or(String::new(), |why| format!(": {why}"));
                     self.add_error_with(&error, item, &why);
                 }
+            }
+        }
+        if self.faults.is_empty() {
+            self.check_repeats(path, known_m_s);
+        }
+    }
+
+    /// Checks the manoeuvres at the speeds of the times that they are flown again; the first time ends at `speed_m_s`.
+    fn check_repeats(&mut self, path: &FlightPath, speed_m_s: Option<f64>) {
+        let Some(mut speed_m_s) = speed_m_s else { return };
+        for time in 2..=path.repeat {
+            let begins_m_s = speed_m_s;
+            for (place, manoeuvre) in path.manoeuvres.iter().enumerate() {
+                if let (Err(error), Some(item)) =
+                    (manoeuvre.validate(speed_m_s), self.items.get(place).cloned())
+                {
+                    let why =
+                        manoeuvre.reason(&error, speed_m_s).map_or(String::new(), |why| format!(": {why}"));
+                    return self.add_error_with(
+                        &error,
+                        &item,
+                        &format!("{why} (time {time} of {})", path.repeat),
+                    );
+                }
+                speed_m_s = manoeuvre.speed_after(speed_m_s);
+            }
+            if speed_m_s == begins_m_s {
+                return;
             }
         }
     }

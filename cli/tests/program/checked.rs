@@ -38,6 +38,13 @@ fn faults_of_manoeuvres_stand_beside_all_others_with_the_reason_of_their_limit()
     for (found, expected) in found.iter().zip(expected) {
         assert!(found.starts_with(expected), "{found}");
     }
+    // A manoeuvre that is flown again begins with another speed.
+    let again =
+        "repeat = 200\n[[manoeuvre]]\nkind = \"accelerate\"\nduration_s = 10\nspeed_change_m_s = 100\n";
+    let found = faults(&folder, &[FLIGHT, again].concat());
+    let expected = "10:1: manoeuvre.speed_change_m_s = 100: must be from -10000 to 0: the speed before it is 10000 m/s, and it must stay \
+        from 0 to 10000 m/s (time 99 of 200)";
+    assert_eq!(found, [expected]);
     // The limit is the one that flies.
     let flies = |height_m: f64| {
         let climb =
