@@ -20,7 +20,7 @@ pub fn known(names: &StringRecord) -> Option<&'static Known> {
 }
 
 /// The formats. Of two that fit, the first is taken.
-const KNOWN: [Known; 15] = [
+const KNOWN: [Known; 16] = [
     Known {
         name: "Garmin G1000",
         columns: &["Lcl Time", "AltMSL", "GndSpd", "TRK", "VSpd"],
@@ -213,6 +213,18 @@ attitude = "coordinated""#,
         doubt: "Altitude is a pressure altitude; Speed and Direction are not read, since without a climb rate they are no whole velocity",
     },
     Known {
+        name: "Columbus GNSS logger",
+        columns: &["INDEX", "TAG", "TIME", "LATITUDE N/S", "LONGITUDE E/W", "HEIGHT"],
+        keys: r#"time = "TIME"
+time_format = "hms"
+latitude = "LATITUDE N/S"
+longitude = "LONGITUDE E/W"
+height = "HEIGHT"
+smooth = "auto"
+attitude = "coordinated""#,
+        doubt: "the height is above the sea: set geoid; it has no attitude, so that of a coordinated flight is taken",
+    },
+    Known {
         name: "NCAR research aircraft",
         columns: &["Time", "LATC", "LONC", "GGALT", "THDG"],
         keys: r#"time = "Time"
@@ -252,7 +264,7 @@ mod tests {
     use super::*;
 
     /// A sample of each known format: two seconds, at 48° north and 11° east, at 300 m, climbing, banked to the right.
-    const SAMPLES: [(&str, &str); 15] = [
+    const SAMPLES: [(&str, &str); 16] = [
         (
             "Garmin G1000",
             "#airframe_info, log_version=\"1.00\"\n#yyy-mm-dd, hh:mm:ss, hh:mm, degrees, degrees, ft msl, ft wgs, deg, deg, kt, fpm, deg, deg, deg\n\
@@ -320,6 +332,12 @@ mod tests {
             "Timestamp,UTC,Callsign,Position,Altitude,Speed,Direction\n\
              1714564800,2024-05-01T12:00:00Z,X1,\"48.0,11.0\",984.252,97,0\n\
              1714564830,2024-05-01T12:00:30Z,X1,\"48.0135,11.0\",1000,97,0\n",
+        ),
+        (
+            "Columbus GNSS logger",
+            "INDEX,TAG,DATE,TIME,LATITUDE N/S,LONGITUDE E/W,HEIGHT,SPEED,HEADING,FIX MODE,VALID,PDOP,HDOP,VDOP,VOX\n\
+             1,T,240501,120000,48.000000N,011.000000E,300,180,0,3D,SPS,1.5,0.9,1.2,\n\
+             2,T,240501,120001,48.000450N,011.000000E,301,180,0,3D,SPS,1.5,0.9,1.2,\n",
         ),
         (
             "NCAR research aircraft",
