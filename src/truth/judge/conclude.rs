@@ -231,10 +231,13 @@ impl Judge {
         let any = self.blocks.level(0.0, |_| true).map(|level| &level.velocities);
         let outlier = any.and_then(|velocities| velocities.outlier());
         match (wrong, vertical) {
-            // The signed exchanges include the vertical, if it is a large part of the motion.
-            (Some(Wrong { ratio, clue, .. }), _) if clue != Clue::None => {
+            // The signed exchanges include the vertical, if it has the unit of the others.
+            (Some(Wrong { ratio, clue, is_up_apart, .. }), _) if clue != Clue::None => {
                 let own = Finding::new(Kind::VelocityUnit, Level::Unusable, ratio);
                 found.add(Finding { ins_error_m, clue, ..own });
+                if let Some((slope, clue)) = vertical.filter(|_| is_up_apart) {
+                    found.add(Finding { clue, ..Finding::new(Kind::VerticalUnit, Level::Unusable, slope) });
+                }
             }
             (_, Some((slope, clue))) => {
                 let level = if clue == Clue::None { Level::Doubtful } else { Level::Unusable };

@@ -35,8 +35,9 @@ const VECTORS: usize = 6;
 /// Blocks that a judgement needs.
 const LEAST: u64 = 6;
 
-/// Unexplained share of the displacement: spherical radii give 0.003.
+/// Unexplained share of the displacement: spherical radii give 0.003; and one above which a unit explains nothing.
 const RIGHT: f64 = 0.02;
+const EXPLAINED: f64 = 0.3;
 
 #[derive(Debug, Clone)]
 pub(super) struct Velocities {
@@ -59,6 +60,8 @@ pub(super) struct Wrong {
     pub ratio: f64,
     pub share: f64,
     pub clue: Clue,
+    /// Whether the velocity up has a unit of its own.
+    pub is_up_apart: bool,
 }
 
 impl Velocities {
@@ -121,35 +124,44 @@ impl Velocities {
         let moved2: f64 = self.products[1][1] + self.products[2][2] + self.products[3][3];
         let ratio = (moved2 / count).sqrt();
         let mut best = (f64::INFINITY, Clue::None);
-        for (unit, si) in UNITS {
-            for exchanged in [false, true] {
-                for signs in 0..8 {
-                    let opposite = [1, 2, 4].map(|bit| signs & bit != 0);
-                    let unexplained = self.unexplained(si, exchanged, opposite);
-                    // The first of equals has the fewest changes.
-                    if unexplained + 0.002 < best.0 {
-                        best = (unexplained, Clue::Velocity { unit, exchanged, opposite });
+        // The velocity up may have another unit than the others: that of the climb.
+        let up = self.vertical().map(|(slope, _)| slope);
+        let mut is_up_apart = false;
+        for up in [None, up] {
+            for (unit, si) in UNITS {
+                for exchanged in [false, true] {
+                    for signs in 0..if up.is_some() { 4 } else { 8 } {
+                        let opposite = [1, 2, 4].map(|bit| signs & bit != 0);
+                        let [east, north, same] = opposite.map(|is| if is { -si } else { si });
+                        let unexplained = self.unexplained([east, north, up.unwrap_or(same)], exchanged);
+                        // The first of equals has the fewest changes.
+                        if unexplained + 0.002 < best.0 {
+                            best = (unexplained, Clue::Velocity { unit, exchanged, opposite });
+                            is_up_apart = up.is_some();
+                        }
                     }
                 }
             }
         }
+        let is_right = |clue: &Clue| {
+            *clue == Clue::Velocity { unit: "m/s", exchanged: false, opposite: [false; 3] } && is_up_apart
+        };
         // Of a flight along one axis, more than half of the blocks may be right. Single rows that are wrong have no factor.
-        let [median, mean] = [self.share.median(), self.unexplained(1.0, false, [false; 3])];
-        let explained = |share: f64| best.0 < share / 3.0;
+        let [median, mean] = [self.share.median(), self.unexplained([1.0; 3], false)];
+        let explained = |share: f64| best.0 < (share / 3.0).min(EXPLAINED);
         let share = if mean > 2.5 * RIGHT && explained(mean) { mean } else { median };
-        let clue = if explained(share) { best.1 } else { Clue::None };
-        (share > RIGHT).then_some(Wrong { ratio, share, clue })
+        let clue = if explained(share) && !is_right(&best.1) { best.1 } else { Clue::None };
+        (share > RIGHT).then_some(Wrong { ratio, share, clue, is_up_apart })
     }
 
-    /// Root mean square of |Σd - f P ∫v| / |Σd|, with the factor f and the signed exchange P.
-    fn unexplained(&self, factor: f64, exchanged: bool, opposite: [bool; 3]) -> f64 {
+    /// Root mean square of |Σd - f P ∫v| / |Σd|, with the factors f of the three axes and the exchange P.
+    fn unexplained(&self, factors: [f64; 3], exchanged: bool) -> f64 {
         let chosen = if exchanged { [4, 5, 3] } else { [1, 2, 3] };
-        let sign = |axis: usize| if opposite[axis] { -factor } else { factor };
         let mut sum = self.products[0][0];
         for (axis, &vector) in chosen.iter().enumerate() {
-            sum -= 2.0 * sign(axis) * self.products[0][vector];
+            sum -= 2.0 * factors[axis] * self.products[0][vector];
             for (other, &second) in chosen.iter().enumerate() {
-                sum += sign(axis) * sign(other) * self.products[vector][second];
+                sum += factors[axis] * factors[other] * self.products[vector][second];
             }
         }
         (sum.max(0.0) / self.share.total() as f64).sqrt()

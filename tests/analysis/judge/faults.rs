@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use sins::math::{SPLIT_MIX_STEP, mix, wrap_angle};
 use sins::truth::FlightSample;
-use sins::truth::judge::{Kind, Level};
+use sins::truth::judge::{Finding, Kind, Level};
 
 use super::flights::{self, Good, Samples, without_velocities};
 use super::judged;
@@ -237,6 +237,22 @@ fn velocities_in_other_units_and_axes_are_found() {
     assert_eq!(of_each(&|v| Vector3::new(v.x, v.y, -v.z)), ["racetrack"]);
     let feet = |samples: &[FlightSample]| each(samples, |_, sample| sample.place.height_m /= 0.3048);
     assert_eq!(missed(&[Kind::VerticalUnit], Level::Unusable, 10.0, feet), ["racetrack"]);
+    // The velocity up in ft/min, beside others in knots or m/s: it is said of each by itself.
+    for (factor, unit) in [(1852.0 / 3600.0, Some("knots?")), (1.0, None)] {
+        let climbs =
+            |flight: &Good| ["commuter", "patrol", "airliner_cruise"].contains(&flight.name.as_str());
+        for flight in moving().into_iter().filter(climbs) {
+            let damaged = each(&flight.at(10.0), |_, sample| {
+                let of = |v: Vector3<f64>| Vector3::new(v.x / factor, v.y / factor, v.z * 60.0 / 0.3048);
+                sample.v_n = sample.v_n.map(of);
+            });
+            let told: Vec<String> = judged(&damaged).iter().map(Finding::to_string).collect();
+            let has = |words: &str| told.iter().any(|told| told.contains(words));
+            assert!(has("velocity in ft/min?"), "{} {unit:?}: {told:?}", flight.name);
+            assert_eq!(has("times the displacement"), unit.is_some(), "{} {unit:?}: {told:?}", flight.name);
+            assert!(unit.is_none_or(has), "{} {unit:?}: {told:?}", flight.name);
+        }
+    }
 }
 
 #[test]
