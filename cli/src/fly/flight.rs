@@ -48,6 +48,8 @@ pub struct Flown {
     /// Records so near a pole that velocity and misalignment have no east and north.
     pub near_pole: u64,
     pub steps: u64,
+    /// Steps in which a gyro, and in which an accelerometer, was beyond its range.
+    pub beyond_range: [u64; 2],
     /// Time that the steps took [s].
     pub seconds: f64,
     /// Largest |error| of the records: position [m], velocity [m/s], misalignment [rad].
@@ -195,6 +197,10 @@ impl InFlight {
         self.flown.steps += 1;
         let simulator = self.play.simulator();
         let Some(interval) = simulator.imu() else { return Ok(()) };
+        let flags = [interval.flags.gyro_saturated, interval.flags.accel_saturated];
+        for (count, is_beyond) in self.flown.beyond_range.iter_mut().zip(flags) {
+            *count += u64::from(is_beyond);
+        }
         if let Some(file) = &mut self.files.imu {
             let written = imu::write_rows(file, simulator, interval.time_s);
             written.map_err(|error| Failure::of_output(file.path(), &error))?;

@@ -66,6 +66,13 @@ fn setting(figures: &Figures, records: &Path) -> String {
             figures.ns_per_step(),
         ),
     );
+    let beyond = flown.beyond_range.iter().zip(["gyros", "accelerometers"]);
+    let beyond =
+        beyond.filter(|(steps, _)| **steps > 0).map(|(steps, what)| format!("{what} in {steps} steps"));
+    let beyond: Vec<String> = beyond.collect();
+    if !beyond.is_empty() {
+        line("beyond range", beyond.join(", "));
+    }
     let every = six_digits(figures.every_s);
     for (_, value, unit, label, time_s) in figures.truth() {
         line("truth", format!("{label} {} {unit}, at {} s", six_digits(value), six_digits(time_s)));

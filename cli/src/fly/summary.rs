@@ -141,6 +141,9 @@ fn flight(figures: &Figures, rows: &mut Rows) {
     }
     rows.number("duration_s", figures.accuracy.duration_s, "s", "simulated time");
     rows.whole("steps", flown.steps, "navigation steps (sample intervals)");
+    let [gyro, accel] = flown.beyond_range;
+    rows.whole("gyro_saturated_steps", gyro, "steps in which a gyro was beyond its range");
+    rows.whole("accel_saturated_steps", accel, "steps in which an accelerometer was beyond its range");
     rows.number("ns_per_step", figures.ns_per_step(), "ns", "computing time of a step (wall clock)");
     let label = "stopped before the end of the flight (0: no, 1: yes)";
     rows.whole("interrupted", u64::from(figures.is_interrupted), label);

@@ -44,6 +44,14 @@ pub fn warnings(run: &Run) -> Vec<String> {
             text("gap_longest_s")
         ));
     }
+    for (key, what) in [("gyro_saturated_steps", "Gyros"), ("accel_saturated_steps", "Accelerometers")] {
+        said.extend(count(key).map(|steps| {
+            format!(
+                "{what} were beyond their range in {}: what they do not measure is an error.",
+                counted(steps, "step")
+            )
+        }));
+    }
     said.extend(overview::failures(run).map(|failures| format!("Failures: {failures}.")));
     let updates = run.summary.value("updates_text").filter(|updates| !["", "none"].contains(updates));
     said.extend(updates.map(|updates| format!("Updates by fixes: {updates}.")));
@@ -123,6 +131,8 @@ mod tests {
                 ("gap_longest_s", "2", "s"),
                 ("inconsistent_samples", "8", ""),
                 ("inconsistency_max_m", "2299.9", "m"),
+                ("gyro_saturated_steps", "7", ""),
+                ("accel_saturated_steps", "1", ""),
                 ("failures_text", "gyro z dead", ""),
                 ("updates_text", "position at 5 min", ""),
             ]
@@ -138,6 +148,8 @@ mod tests {
             "In 8 samples of the truth the position contradicts the velocity, by up to 2.300 km in an interval.",
             "The truth accelerates by 4500 m/s2, at 63 s.",
             "1 gap in the truth, the longest of 2 s: the path in a gap is assumed.",
+            "Gyros were beyond their range in 7 steps: what they do not measure is an error.",
+            "Accelerometers were beyond their range in 1 step: what they do not measure is an error.",
             "Failures: gyro z dead.",
             "Updates by fixes: position at 5 min.",
             "The unit does not navigate between 0 s and 60 s, and between 90 s and 2 min.",

@@ -32,6 +32,26 @@ fn a_first_flight_and_its_page() {
 }
 
 /// The slope is computed from 300 s on: one sample gives none, which is reported as none and not as 0. Rates need a Schuler period.
+/// Rolls of the fighter are faster than the range of its gyros: the error hangs on that, and it is said.
+#[test]
+fn sensors_beyond_their_range_are_said() {
+    let folder = folder("range");
+    let log = project_file("c_examples/flights/fighter_aerobatics.csv");
+    for (range, is_beyond) in [("125", true), ("300", false)] {
+        let set = format!("gyro.range_deg_s={range}");
+        let said =
+            done(&folder, &["fly", log.to_str().unwrap(), "--set", &set, "--name", "fighter", "--force"]);
+        assert_eq!(said.contains("\n  beyond range    gyros in "), is_beyond, "{said}");
+        let summary = read(folder.join("sins_out/fighter_summary.csv"));
+        let row = summary.lines().find(|line| line.starts_with("gyro_saturated_steps,")).unwrap();
+        assert_eq!(row.starts_with("gyro_saturated_steps,0,"), !is_beyond, "{row}");
+        assert!(summary.contains("\naccel_saturated_steps,0,"), "{summary}");
+        let page = done(&folder, &["report", "sins_out/fighter.csv", "--force", "-o", "page.html"]);
+        let has = read(folder.join("page.html")).contains("Gyros were beyond their range in ");
+        assert_eq!(has, is_beyond, "{page}");
+    }
+}
+
 #[test]
 fn a_short_flight_has_no_rates() {
     let folder = folder("short");
