@@ -1,7 +1,7 @@
 //! What an INS says of a log that was damaged and smoothed: the radii of many runs at its end, against those on the undamaged flight.
 //!
 //! The ordinary test flies two transports and four damages, with 50 runs of navigation grade; `--features long-tests` flies all
-//! transports and all damages, with 100 runs of navigation and of industrial grade.
+//! transports and all damages, with 100 runs of navigation and of industrial grade, and aerobatics.
 
 use sins::earth::Earth;
 use sins::ensemble::Ensemble;
@@ -143,40 +143,93 @@ fn transports() -> Vec<Good> {
     flights
 }
 
+/// Radii on the smoothed path of a damaged flight over those on the flight, less one [%]: of half and of 95 % of the runs.
+struct Compared {
+    #[cfg_attr(not(feature = "long-tests"), expect(dead_code, reason = "named in what the long tests find"))]
+    of: (String, Grade),
+    percent: [f64; 2],
+}
+
+/// Each damage of a flight with each grade; what no path can be fitted to is told.
+fn compared(flight: &Good, damages: &[Damage], grades: &[Grade], runs: usize) -> Vec<Compared> {
+    let every = if flight.rate_hz > 1.5 * RATE_HZ { 2 } else { 1 };
+    let truth: Samples = flight.samples.iter().step_by(every).copied().collect();
+    assert!((truth[1].time_s - truth[0].time_s - 1.0 / RATE_HZ).abs() < 1e-9, "{}", flight.name);
+    let of_truth: Vec<[f64; 2]> = grades.iter().map(|grade| radii(&truth, *grade, runs)).collect();
+    let mut all = Vec::new();
+    for damage in damages {
+        let what = format!("{} {} Hz, {}", flight.name, damage.rate_hz, damage.name);
+        let rows = (damage.apply)(&flight.at(damage.rate_hz));
+        let coordinated_attack_rad = damage.is_coordinated.then_some(0.0);
+        let options = SmoothOptions { coordinated_attack_rad, ..SmoothOptions::default() };
+        let smoothed = match Smoothed::new(&Earth::default(), &rows, &options) {
+            Ok(smoothed) => smoothed,
+            Err(error) => {
+                println!("{what}: {error}");
+                continue;
+            }
+        };
+        let [start_s, end_s] = smoothed.span_s();
+        let of_path = truth.iter().map(|sample| sample.time_s);
+        let of_path = of_path.filter(|time_s| (start_s..=end_s).contains(time_s));
+        let path: Samples = of_path.map(|time_s| smoothed.sample_at(time_s).unwrap()).collect();
+        for (grade, of_truth) in grades.iter().zip(&of_truth) {
+            let of_path = radii(&path, *grade, runs);
+            let percent = [0, 1].map(|place| 100.0 * (of_path[place] / of_truth[place] - 1.0));
+            let [half, most] = percent;
+            println!("{what}, {grade:?}: CEP50 {:.2} m {half:+.1} %, R95 {most:+.1} %", of_truth[0]);
+            all.push(Compared { of: (what.clone(), *grade), percent });
+        }
+    }
+    all
+}
+
 #[test]
 fn an_ins_errs_on_smoothed_logs_as_on_the_flight() {
     let is_whole = cfg!(feature = "long-tests");
     let (runs, grades): (usize, &[Grade]) =
         if is_whole { (100, &[Grade::Navigation, Grade::Industrial]) } else { (50, &[Grade::Navigation]) };
+    let damages = &DAMAGES[..if is_whole { DAMAGES.len() } else { 4 }];
     let mut ratios = Vec::new();
     for flight in transports().iter().take(if is_whole { 4 } else { 2 }) {
-        let every = if flight.rate_hz > 1.5 * RATE_HZ { 2 } else { 1 };
-        let truth: Samples = flight.samples.iter().step_by(every).copied().collect();
-        assert!((truth[1].time_s - truth[0].time_s - 1.0 / RATE_HZ).abs() < 1e-9, "{}", flight.name);
-        let of_truth: Vec<[f64; 2]> = grades.iter().map(|grade| radii(&truth, *grade, runs)).collect();
-        for damage in &DAMAGES[..if is_whole { DAMAGES.len() } else { 4 }] {
-            let rows = (damage.apply)(&flight.at(damage.rate_hz));
-            let coordinated_attack_rad = damage.is_coordinated.then_some(0.0);
-            let options = SmoothOptions { coordinated_attack_rad, ..SmoothOptions::default() };
-            let smoothed = Smoothed::new(&Earth::default(), &rows, &options).unwrap();
-            let [start_s, end_s] = smoothed.span_s();
-            let of_path = truth.iter().map(|sample| sample.time_s);
-            let of_path = of_path.filter(|time_s| (start_s..=end_s).contains(time_s));
-            let path: Samples = of_path.map(|time_s| smoothed.sample_at(time_s).unwrap()).collect();
-            for (grade, of_truth) in grades.iter().zip(&of_truth) {
-                let of_path = radii(&path, *grade, runs);
-                let [half, most] = [0, 1].map(|place| 100.0 * (of_path[place] / of_truth[place] - 1.0));
-                println!(
-                    "{} {} Hz, {}, {grade:?}: CEP50 {:.2} m {half:+.1} %, R95 {most:+.1} %",
-                    flight.name, damage.rate_hz, damage.name, of_truth[0]
-                );
-                ratios.extend([half, most]);
-            }
-        }
+        let all = compared(flight, damages, grades, runs);
+        assert_eq!(all.len(), damages.len() * grades.len(), "{}", flight.name);
+        ratios.extend(all.iter().flat_map(|one| one.percent));
     }
     let within = |percent: f64| {
         100.0 * ratios.iter().filter(|ratio| ratio.abs() <= percent).count() as f64 / ratios.len() as f64
     };
     println!("{} figures: {:.0} % within 2 %, {:.0} % within 5 %", ratios.len(), within(2.0), within(5.0));
     assert!(within(2.0) >= 90.0 && within(5.0) >= 97.0);
+}
+
+/// Whether a gyro of a grade is beyond its range on a flight.
+#[cfg(feature = "long-tests")]
+fn is_beyond_range(flight: &Good, grade: Grade) -> bool {
+    let mut simulator = Simulator::new(&Options::default()).unwrap();
+    simulator.set_gyro(&grade.parameters().0).unwrap();
+    flight.samples.iter().any(|sample| {
+        simulator.push_sample(sample).unwrap();
+        simulator.step().unwrap();
+        simulator.imu().is_some_and(|imu| imu.flags.gyro_saturated)
+    })
+}
+
+/// Rolls, loops and 5 g: within 12 %, unless a gyro is beyond its range, on which the error then hangs, or no path can be fitted.
+#[cfg(feature = "long-tests")]
+#[test]
+fn an_ins_errs_on_smoothed_aerobatics_nearly_as_on_the_flight() {
+    let grades = [Grade::Navigation, Grade::Industrial];
+    let (mut count, mut beyond) = (0, 0);
+    for flight in [flights::log("fighter_aerobatics"), flights::scene("aerobatics", RATE_HZ)] {
+        let is_beyond = grades.map(|grade| is_beyond_range(&flight, grade));
+        for one in compared(&flight, &DAMAGES, &grades, 100) {
+            let is_near = one.percent.iter().all(|percent| percent.abs() <= 12.0);
+            let may_differ = is_beyond[usize::from(one.of.1 == Grade::Industrial)];
+            assert!(is_near || may_differ, "{:?}: {:?} %", one.of, one.percent);
+            (count, beyond) = (count + 1, beyond + usize::from(!is_near));
+        }
+    }
+    println!("{count} figures, {beyond} beyond 12 % with a gyro beyond its range");
+    assert!(count > 30 && beyond < 6);
 }
