@@ -13,7 +13,7 @@ pub const GPX: &str = "a track of a receiver (GPX)";
 pub const FDR: &str = "a flight record of X-Plane (FDR)";
 
 /// Place of bytes in a file, the bytes, and what the file is.
-const BYTES: [(usize, &[u8], &str); 36] = [
+const BYTES: [(usize, &[u8], &str); 37] = [
     (0, b"PK\x03\x04", "a compressed file (zip, also of a workbook or a KMZ)"),
     (0, b"\x1f\x8b", "a compressed file (gzip)"),
     (0, b"BZh", "a compressed file (bzip2)"),
@@ -49,6 +49,7 @@ const BYTES: [(usize, &[u8], &str); 36] = [
     (0, b"sins ensemble checkpoint", "a checkpoint of sins ensemble"),
     (0, b"key,value,unit,label", "a summary of sins fly"),
     (0, b"time_s,truth_latitude_rad", "records of sins fly, which sins report draws"),
+    (0, b"time_s,error_data,runs,", "a table of sins ensemble, which has a page of its own"),
     (0, b"time_s,update_s,part,parts", "increments of sins fly, which sins allan reads"),
 ];
 

@@ -1,9 +1,11 @@
 //! A recorded run.
 
 use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
+use sins::scene::foreign;
 use sins::unit::State;
 
 use crate::drawing::events::Events;
@@ -67,7 +69,12 @@ impl Run {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let summary_path = summary_path(path);
         if path.is_file() {
-            open_table(path)?; // a file of another kind has no summary
+            // A file of another kind has no summary.
+            let (mut input, mut begin) = (open_table(path)?.0, [0; 64]);
+            let length = input.read(&mut begin).map_err(|error| Failure::of_input(path, &error))?;
+            if let Some(what) = foreign(&begin[..length]).filter(|what| !what.starts_with("records of")) {
+                return Err(Failure::of_file(path, &format!("is {what}: expected records of sins fly")));
+            }
         }
         // The summary is opened before the records: a pipe in the place of the records has no summary, and opening the pipe would wait.
         let summary = File::open(&summary_path).map_err(|error| {
@@ -287,5 +294,9 @@ pub mod tests {
         std::fs::write(&run, "time_s\n").unwrap();
         let failure = Run::read(&run).err().unwrap().to_string();
         assert!(failure.contains("lone_summary.csv: the summary of"));
+        std::fs::write(&run, "time_s,error_data,runs,diverged\n").unwrap();
+        let failure = Run::read(&run).err().unwrap().to_string();
+        let what = "lone.csv: is a table of sins ensemble, which has a page of its own: expected records of sins fly";
+        assert!(failure.ends_with(what), "{failure}");
     }
 }
