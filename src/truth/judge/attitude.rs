@@ -19,6 +19,9 @@ const LEANS: f64 = -0.3;
 /// Turn of the track above which an attitude that stays the same is not that of the vehicle.
 const TURN_WHILE_HELD: f64 = 10.0 * DEG;
 
+/// Blocks of turns that a judgement of the roll needs: in aerobatics half a minute is flown inverted.
+const LEAST_OF_TURNS: f64 = 15.0;
+
 /// Blocks that a delay of the roll needs, delay that matters [s], and correlation that shows it: half of the difference is explained. Good
 /// flights have delays of 0.13 s at most.
 const LEAST_OF_DELAY: f64 = 20.0;
@@ -80,6 +83,18 @@ impl Regression {
         self.yy += y * y;
     }
 
+    /// That of the points of both.
+    fn with(&self, other: &Self) -> Self {
+        Self {
+            count: self.count + other.count,
+            x: self.x + other.x,
+            y: self.y + other.y,
+            xx: self.xx + other.xx,
+            xy: self.xy + other.xy,
+            yy: self.yy + other.yy,
+        }
+    }
+
     /// Standard deviation of x, slope, correlation.
     fn figures(&self) -> (f64, f64, f64) {
         let n = self.count;
@@ -125,8 +140,9 @@ pub(super) struct Attitudes {
     held_count: u64,
     /// The two ends of blocks before, if they follow each other.
     banked: [Option<Banked>; 2],
-    /// Roll less bank, on the rate of the bank: the slope is how late the roll is. A heading shows no delay: wind turns it in every turn.
-    delay: Regression,
+    /// Roll less bank, on the rate of the bank, where that falls and where it grows: the slope is how late the roll is. A heading shows no
+    /// delay: wind turns it in every turn.
+    delays: [Regression; 2],
 }
 
 impl Attitudes {
@@ -141,7 +157,7 @@ impl Attitudes {
             longest_held: Held::NONE,
             held_count: 0,
             banked: [None; 2],
-            delay: Regression::NONE,
+            delays: [Regression::NONE; 2],
         }
     }
 
@@ -209,7 +225,7 @@ impl Attitudes {
             && [first, middle, now].iter().all(is_upright)
         {
             let rate = (now.bank - first.bank) / (2.0 * between_s);
-            self.delay.add(-rate, middle.roll - middle.bank);
+            self.delays[usize::from(rate > 0.0)].add(-rate, middle.roll - middle.bank);
         }
         self.banked = [self.banked[1], Some(now)];
     }
@@ -221,10 +237,17 @@ impl Attitudes {
 
     /// How late the roll is [s], negative if it is early, of a vehicle that banks as an aeroplane.
     pub fn delay_s(&self) -> Option<f64> {
-        let (_, delay_s, correlation) = self.delay.figures();
+        let [into, out_of] = &self.delays;
+        let both = into.with(out_of);
+        let (_, delay_s, correlation) = both.figures();
         let [_, _, mixed, bank2, _] = self.turns;
         let banks = (0.5..1.6).contains(&(mixed / bank2));
-        let is_shown = banks && self.delay.count >= LEAST_OF_DELAY && correlation.abs() > SHOWS_DELAY;
+        // A slip in a single bend is a delay where the bank grows, and the opposite where it falls.
+        let is_of = |part: &Regression| part.xx > 0.1 * both.xx && part.xy / part.xx / delay_s > 0.5;
+        let is_shown = banks
+            && both.count >= LEAST_OF_DELAY
+            && correlation.abs() > SHOWS_DELAY
+            && self.delays.iter().all(is_of);
         (is_shown && delay_s.abs() > DELAY_S).then_some(delay_s)
     }
 
@@ -265,7 +288,7 @@ impl Attitudes {
     /// Slope of the roll on the bank that the turns need, if it is wrong, and what explains it.
     pub fn roll(&self) -> Option<(f64, Clue)> {
         let [count, with_sign, mixed, bank2, of_pitch] = self.turns;
-        if count < 6.0 {
+        if count < LEAST_OF_TURNS {
             return None;
         }
         let slope = mixed / bank2;

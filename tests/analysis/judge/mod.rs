@@ -39,6 +39,25 @@ fn good_flights_are_not_doubtful() {
     println!("{count} flights");
 }
 
+/// Any piece of a good flight is good: a few manoeuvres alone do not look like a fault.
+#[test]
+fn pieces_of_good_flights_are_not_doubtful() {
+    let (mut count, mut doubtful) = (0, Vec::new());
+    for flight in flights::all() {
+        let samples = flight.at(10.0);
+        for length in [300, 600, 1200, 3000] {
+            for begin in (0..samples.len().saturating_sub(length)).step_by(length / 5) {
+                count += 1;
+                let findings = judged(&samples[begin..begin + length]);
+                let doubts = findings.iter().filter(|finding| finding.level >= Level::Doubtful);
+                doubtful.extend(doubts.map(|found| format!("{} {begin}+{length}: {found}", flight.name)));
+            }
+        }
+    }
+    println!("{count} pieces");
+    assert!(doubtful.is_empty(), "{doubtful:#?}");
+}
+
 /// Uneven sampling with right stamps, which differ by up to a fifth of the interval, is not scatter about a steady clock.
 #[test]
 fn uneven_samples_are_right() {
