@@ -351,7 +351,8 @@ SINS_API sins_status SINS_CALL sins_ensemble_get_statistics(sins_ensemble *ensem
 
 /**
  * Adds one run, whose errors are `errors`, to `statistics`: for runs that simulators fly one by one. sins_statistics without runs is zero
- * except for struct_size. With the flag SINS_ERRORS_NOT_COMPUTED the run counts as diverged. No allocation, no system call.
+ * except for struct_size. With the flag SINS_ERRORS_NOT_COMPUTED the run counts as diverged. The errors may be any numbers: a run whose
+ * errors are out of the range of the sums is counted in out_of_range. No allocation, no system call.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the statistics are damaged or of another release, or have 4294967295 runs. They are then unchanged.
  */

@@ -121,7 +121,8 @@ pub unsafe extern "C-unwind" fn sins_ensemble_get_statistics(
 }
 
 /// Adds one run, whose errors are `errors`, to `statistics`: for runs that simulators fly one by one. sins_statistics without runs is zero
-/// except for struct_size. With the flag SINS_ERRORS_NOT_COMPUTED the run counts as diverged. No allocation, no system call.
+/// except for struct_size. With the flag SINS_ERRORS_NOT_COMPUTED the run counts as diverged. The errors may be any numbers: a run whose
+/// errors are out of the range of the sums is counted in out_of_range. No allocation, no system call.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the statistics are damaged or of another release, or have 4294967295 runs. They are then unchanged.
 #[unsafe(no_mangle)]

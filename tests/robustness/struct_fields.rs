@@ -346,6 +346,23 @@ fn structs_that_come_in() -> BTreeSet<String> {
     header.split("const ").skip(1).map(name).filter(is_struct).collect()
 }
 
+/// Errors of a run that are added to statistics may be any numbers: out of the range of the sums they are counted, and change no sum.
+#[test]
+fn errors_of_a_run_may_be_any_numbers() {
+    for word in 1..size_of::<sins_errors>() / 8 - 1 {
+        for value in [f64::NAN, f64::INFINITY, -1e300] {
+            let errors = Words::new::<sins_errors>(0).with(word, value);
+            let mut statistics: sins_statistics = support::init();
+            // SAFETY: both structs have their sizes.
+            let status = unsafe { sins_statistics_add(&mut statistics, errors.pointer()) };
+            assert_eq!((status, statistics.runs, statistics.diverged), (SINS_OK, 1, 0), "{word} {value}");
+            // Position, velocity and misalignment are summed.
+            let is_summed = (2..5).contains(&word) || (8..14).contains(&word);
+            assert_eq!(statistics.out_of_range, u64::from(is_summed), "{word} {value}");
+        }
+    }
+}
+
 #[test]
 fn every_field_of_every_struct() {
     let mut tried = Tried::default();
@@ -359,5 +376,6 @@ fn every_field_of_every_struct() {
     assert!(expected.remove("sins_statistics"));
     // These are written as a line, with any numbers: interface/scene_records.rs.
     assert!(expected.remove("sins_record") && expected.remove("sins_covariance"));
+    assert!(expected.remove("sins_errors")); // below
     assert_eq!(tried.structs, expected);
 }
