@@ -32,8 +32,8 @@ typedef struct sins_ensemble sins_ensemble;
  * statistics can be merged. The library starts no thread.
  *
  * What all runs share is computed once a step, and many runs are flown side by side: each takes a fraction of the time of a
- * simulator, and 1.7 to 2.6 KB of memory. Of few runs none takes longer than 1.1 simulators. docs/ensembles.md has the times. Not for a
- * real-time frame: it allocates.
+ * simulator, and 1.7 to 2.6 KB of memory. A run of a small ensemble takes at most 1.1 times as long as a simulator.
+ * docs/ensembles.md has the times. Not for a real-time frame: it allocates.
  *
  * After an error *ensemble is unchanged, and sins_last_error(NULL, ...) on this thread gives the reason.
  *

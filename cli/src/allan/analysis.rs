@@ -191,7 +191,11 @@ pub mod tests {
 
     /// A log of noise and a sinusoid. The noise is nearly normal, which is good enough for drawings.
     pub fn made(count: usize, sinusoid: f64) -> Log {
-        let mut draws = Draws::new(1);
+        made_of(1, count, sinusoid)
+    }
+
+    fn made_of(seed: u64, count: usize, sinusoid: f64) -> Log {
+        let mut draws = Draws::new(seed);
         let increments =
             (0..count).map(|k| 1e-6 * (draws.nearly_normal() + sinusoid * (k as f64 / 30.0).sin())).collect();
         let series = vec![Series { name: "w<x>_rad".into(), sensor: Sensor::Gyro, increments }];
@@ -209,18 +213,24 @@ pub mod tests {
 
     #[test]
     fn white_noise_is_recovered_and_nothing_else() {
-        let analysis = &Analysis::of_log(&made(20_000, 0.0)).unwrap()[0];
-        let [q, n, b, k, r] = analysis.coefficients;
-        // Twelve uniform numbers have a variance of 1: N is 1e-6 / √0.01.
-        let interval = n.interval.unwrap();
-        // The truth is outside the interval of 95 % once in twenty records, and outside one of twice the width once in ten thousand.
-        let (middle, half) = (0.5 * (interval.low + interval.high), 0.5 * (interval.high - interval.low));
-        assert!(n.is_resolved() && (middle - 1e-5).abs() < 2.0 * half, "{n:?}");
-        assert!(interval.contains(n.value) && interval.high < 1.1 * interval.low, "{n:?}");
-        for absent in [q, b, k, r] {
-            assert!(!absent.is_resolved() && absent.interval.unwrap().high > 0.0, "{absent:?}");
+        let mut within = 0;
+        for seed in 1..=100 {
+            let analysis = &Analysis::of_log(&made_of(seed, 20_000, 0.0)).unwrap()[0];
+            let [q, n, b, k, r] = analysis.coefficients;
+            // Twelve uniform numbers have a variance of 1: N is 1e-6 / √0.01.
+            let interval = n.interval.unwrap();
+            within += u32::from(interval.contains(1e-5));
+            if seed == 1 {
+                assert!(n.is_resolved(), "{n:?}");
+                assert!(interval.contains(n.value) && interval.high < 1.1 * interval.low, "{n:?}");
+                for absent in [q, b, k, r] {
+                    assert!(!absent.is_resolved() && absent.interval.unwrap().high > 0.0, "{absent:?}");
+                }
+                assert!(analysis.unexplained().is_none());
+            }
         }
-        assert!(analysis.unexplained().is_none());
+        // Of 100 intervals of 95 % 95 contain the truth, with a deviation of 2.2.
+        assert!(within >= 88, "{within} of 100");
     }
 
     #[test]

@@ -74,31 +74,30 @@ fn warnings(study: &Study) -> Vec<String> {
     study.given.warnings([]).into_iter().chain(planned).chain(not_valid(study)).collect()
 }
 
-/// When the unit does not show valid outputs in all runs that have not diverged, by the rows of the statistics.
+/// When outputs of the unit are invalid in some of the runs that have not diverged, by the rows of the statistics.
 fn not_valid(study: &Study) -> Option<String> {
     let rows = study.of(Data::Shown).into_iter().zip(study.of(Data::Navigation));
-    let mut stretches: Vec<[f64; 3]> = Vec::new();
+    // Begin and end [s], and the largest number of such runs.
+    let mut stretches: Vec<(f64, f64, u64)> = Vec::new();
     let mut goes_on = false;
     for (shown, solution) in rows {
-        let (time_s, valid) = (shown.time_s - study.given.start_s, shown.good());
-        if valid >= solution.good() {
-            goes_on = false;
-            continue;
+        let time_s = shown.time_s - study.given.start_s;
+        let invalid = solution.good().saturating_sub(shown.good());
+        if invalid > 0 {
+            match stretches.last_mut().filter(|_| goes_on) {
+                Some((_, end_s, most)) => (*end_s, *most) = (time_s, invalid.max(*most)),
+                None => stretches.push((time_s, time_s, invalid)),
+            }
         }
-        match stretches.last_mut().filter(|_| goes_on) {
-            Some([_, end_s, least]) => (*end_s, *least) = (time_s, least.min(valid as f64)),
-            None => stretches.push([time_s, time_s, valid as f64]),
-        }
-        goes_on = true;
+        goes_on = invalid > 0;
     }
-    let told = stretches.iter().map(|[from_s, to_s, least]| {
-        let at_least = format!("in {least} of {} runs at the least", study.plan.runs);
+    let told = stretches.iter().map(|(from_s, to_s, most)| {
         let [from, to] = [from_s, to_s].map(|time_s| time_text(*time_s));
-        if from == to { format!("at {to} ({at_least})") } else { format!("from {from} to {to} ({at_least})") }
+        let when = if from == to { format!("at {to}") } else { format!("from {from} to {to}") };
+        format!("{when} in up to {most} of {} runs", study.plan.runs)
     });
     let told: Vec<String> = told.collect();
-    (!told.is_empty())
-        .then(|| format!("The outputs of the unit are not valid in every run {}.", told.join(", ")))
+    (!told.is_empty()).then(|| format!("The unit shows invalid outputs {}.", told.join(", ")))
 }
 
 /// The last row of each of the error data that is on.

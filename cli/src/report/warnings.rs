@@ -47,7 +47,7 @@ pub fn warnings(run: &Run) -> Vec<String> {
     for (key, what) in [("gyro_saturated_steps", "Gyros"), ("accel_saturated_steps", "Accelerometers")] {
         said.extend(count(key).map(|steps| {
             format!(
-                "{what} were beyond their range in {}: what they do not measure is an error.",
+                "{what} were beyond their range in {}: their range limited what they measured.",
                 counted(steps, "step")
             )
         }));
@@ -148,8 +148,8 @@ mod tests {
             "In 8 samples of the truth the position contradicts the velocity, by up to 2.300 km in an interval.",
             "The truth accelerates by 4500 m/s2, at 63 s.",
             "1 gap in the truth, the longest of 2 s: the path in a gap is assumed.",
-            "Gyros were beyond their range in 7 steps: what they do not measure is an error.",
-            "Accelerometers were beyond their range in 1 step: what they do not measure is an error.",
+            "Gyros were beyond their range in 7 steps: their range limited what they measured.",
+            "Accelerometers were beyond their range in 1 step: their range limited what they measured.",
             "Failures: gyro z dead.",
             "Updates by fixes: position at 5 min.",
             "The unit does not navigate between 0 s and 60 s, and between 90 s and 2 min.",

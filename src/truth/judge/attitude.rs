@@ -22,11 +22,11 @@ const TURN_WHILE_HELD: f64 = 10.0 * DEG;
 /// Blocks of turns that a judgement of the roll needs: in aerobatics half a minute is flown inverted.
 const LEAST_OF_TURNS: f64 = 15.0;
 
-/// Blocks that a delay of the roll needs, delay that matters [s], and correlation that shows it: half of the difference is explained. Good
-/// flights have delays of 0.13 s at most.
+/// Blocks that a delay of the roll needs, delay that matters [s], and correlation that shows it: two thirds of the difference are
+/// explained. Good flights have delays of 0.13 s at most.
 const LEAST_OF_DELAY: f64 = 20.0;
 const DELAY_S: f64 = 0.5;
-const SHOWS_DELAY: f64 = 0.7;
+const SHOWS_DELAY: f64 = 0.8;
 
 /// Angle off the track of a vehicle that flies sideways, such as a drone whose camera looks to the middle of its circle.
 const SIDEWAYS: f64 = 45.0 * DEG;

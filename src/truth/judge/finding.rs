@@ -268,9 +268,9 @@ impl Finding {
             }
             Kind::AttackNegative => "right for a helicopter, else check the sign of pitch",
             Kind::HeightUnit => "state the unit of the height",
-            Kind::AttitudeHeld => "leave these attitudes out, or all: attitude = \"coordinated\" in [log]",
+            Kind::AttitudeHeld => "correct these attitudes, or set attitude = \"coordinated\" in [log]",
             Kind::AttitudeLate => {
-                "correct the time of the attitude, or leave it out: attitude = \"coordinated\" in [log]"
+                "correct the time of the attitude, or set attitude = \"coordinated\" in [log]"
             }
         }
     }

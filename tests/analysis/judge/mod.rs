@@ -44,13 +44,19 @@ fn good_flights_are_not_doubtful() {
 fn pieces_of_good_flights_are_not_doubtful() {
     let (mut count, mut doubtful) = (0, Vec::new());
     for flight in flights::all() {
-        let samples = flight.at(10.0);
-        for length in [300, 600, 1200, 3000] {
-            for begin in (0..samples.len().saturating_sub(length)).step_by(length / 5) {
-                count += 1;
-                let findings = judged(&samples[begin..begin + length]);
-                let doubts = findings.iter().filter(|finding| finding.level >= Level::Doubtful);
-                doubtful.extend(doubts.map(|found| format!("{} {begin}+{length}: {found}", flight.name)));
+        for (rate_hz, has_velocity) in [(10.0, true), (10.0, false), (2.0, false), (1.0, true)] {
+            let rows = flight.at(rate_hz);
+            let samples = if has_velocity { rows } else { flights::without_velocities(&rows) };
+            for length_s in [30.0, 60.0, 120.0, 300.0] {
+                let length = (length_s * rate_hz) as usize;
+                for begin in (0..samples.len().saturating_sub(length)).step_by(length / 5) {
+                    count += 1;
+                    let findings = judged(&samples[begin..begin + length]);
+                    let doubts = findings.iter().filter(|finding| finding.level >= Level::Doubtful);
+                    let told =
+                        |found| format!("{} {rate_hz} Hz, {length} rows from {begin}: {found}", flight.name);
+                    doubtful.extend(doubts.map(told));
+                }
             }
         }
     }

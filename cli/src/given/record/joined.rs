@@ -27,9 +27,11 @@ const GROUPS: [(&str, &[&str]); 6] = [
 const ATTITUDE: usize = 1;
 const VELOCITY: usize = 2;
 
-/// Longest interval that is interpolated, in usual intervals of a file, and the shortest: several filters report one right after the other,
-/// and the rows of the first of them are read.
+/// Longest interval that is interpolated, in usual intervals of a file.
 const GAP: f64 = 2.5;
+
+/// Share of a usual interval within which a row belongs to the row before: several filters report one right after the other, and the rows
+/// of the first of them are read.
 const NEAR: f64 = 0.2;
 
 const DAY_S: f64 = 86_400.0;
