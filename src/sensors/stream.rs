@@ -20,16 +20,25 @@ pub(super) enum Source {
     Host = 64,
 }
 
-/// Purpose of the draws. The numbers are part of the bit-for-bit guarantee: never reuse one.
+/// The numbers of the streams of effects are below this one; they stand in the table of effects.
+pub(super) const STREAM_NUMBERS: usize = 16;
+
+/// Rejects a number that stands twice, or is not one for effects.
+pub(super) const fn check_numbers(numbers: &[u64]) {
+    let (mut seen, mut k) = ([false; STREAM_NUMBERS], 0);
+    while k < numbers.len() {
+        let is_seen = &mut seen[numbers[k] as usize];
+        assert!(!*is_seen, "two streams of effects have one number");
+        *is_seen = true;
+        k += 1;
+    }
+}
+
+/// Other purposes of draws. The numbers are part of the bit-for-bit guarantee: never reuse one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Purpose {
-    TurnOnBias = 0,
+    /// Of the altimeter and of gravity, which have no effects.
     GaussMarkov = 1,
-    RandomWalk = 2,
-    RateRandomWalk = 3,
-    Flicker = 4,
-    ScaleFactor = 5,
-    Misalignment = 6,
     InitialPosition = 16,
     InitialVelocity = 17,
     InitialMisalignment = 18,
@@ -89,7 +98,11 @@ stored!(Stream { generator });
 
 impl Stream {
     pub fn new(key: StreamKey, source: Source, axis: usize, purpose: Purpose) -> Self {
-        Self { generator: key.generator([source as u64, axis as u64, purpose as u64]) }
+        Self::of_number(key, source, axis, purpose as u64)
+    }
+
+    fn of_number(key: StreamKey, source: Source, axis: usize, number: u64) -> Self {
+        Self { generator: key.generator([source as u64, axis as u64, number]) }
     }
 
     /// Streams of the three axes.
@@ -127,6 +140,20 @@ impl Stream {
     }
 }
 
+/// The streams of an effect, which the table of effects numbers.
+pub(super) struct EffectStreams {
+    pub key: StreamKey,
+    pub source: Source,
+    pub numbers: &'static [u64],
+}
+
+impl EffectStreams {
+    /// Those of the three axes under the effect's number at `place`.
+    pub fn triad(&self, place: usize) -> [Stream; 3] {
+        [0, 1, 2].map(|axis| Stream::of_number(self.key, self.source, axis, self.numbers[place]))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -138,7 +165,7 @@ mod tests {
             Stream::new(key, Source::Gyro, 0, Purpose::GaussMarkov),
             Stream::new(key, Source::Gyro, 1, Purpose::GaussMarkov),
             Stream::new(key, Source::Accelerometer, 0, Purpose::GaussMarkov),
-            Stream::new(key, Source::Gyro, 0, Purpose::RandomWalk),
+            Stream::new(key, Source::Gyro, 0, Purpose::Failure),
             Stream::new(StreamKey { seed: 2, ..key }, Source::Gyro, 0, Purpose::GaussMarkov),
             Stream::new(StreamKey { run: 1, ..key }, Source::Gyro, 0, Purpose::GaussMarkov),
             Stream::new(StreamKey { seed: 0, run: 1 }, Source::Gyro, 0, Purpose::GaussMarkov),

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{Effect, Input, OfInput};
 use crate::base::snapshot::stored;
 
@@ -18,7 +18,7 @@ pub(in crate::sensors) struct Asymmetry {
 stored!(Asymmetry {} rebuilt { half });
 
 impl Effect for Asymmetry {
-    fn new(_: StreamKey, _: Sensor) -> Self {
+    fn new(_: &EffectStreams) -> Self {
         Self { half: Vector3::zeros() }
     }
 

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::super::kept::Kept;
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{Effect, OnInput};
 use crate::base::error::Error;
 use crate::base::math::{exp, sin_cos};
@@ -82,7 +82,7 @@ impl Filter {
 }
 
 impl Effect for Bandwidth {
-    fn new(_: StreamKey, _: Sensor) -> Self {
+    fn new(_: &EffectStreams) -> Self {
         Self { axes: [None; 3] }
     }
 

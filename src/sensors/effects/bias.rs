@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::{Purpose, Stream, StreamKey};
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
 use super::process::{Kind, Processes};
@@ -23,13 +23,9 @@ pub(in crate::sensors) struct Bias {
 
 stored!(Bias {} rebuilt { turn_on, value });
 
-/// Its processes.
-pub(super) const RANDOM: Processes =
-    Processes { count: 1, of: |triad, axis, _| (Kind::Constant, triad.bias_sigma[axis]) };
-
 impl Effect for Bias {
-    fn new(key: StreamKey, sensor: Sensor) -> Self {
-        let [mut x, mut y, mut z] = Stream::triad(key, sensor.source(), Purpose::TurnOnBias);
+    fn new(streams: &EffectStreams) -> Self {
+        let [mut x, mut y, mut z] = streams.triad(0);
         Self { turn_on: Vector3::new(x.normal(), y.normal(), z.normal()), value: Vector3::zeros() }
     }
 
@@ -44,6 +40,9 @@ impl Effect for Bias {
 }
 
 impl Added for Bias {
+    const PROCESSES: Processes =
+        Processes { count: 1, of: |triad, axis, _| (Kind::Constant, triad.bias_sigma[axis]) };
+
     #[inline]
     fn apply(&mut self, dt: f64, mut outputs: Outputs<'_>) {
         let integral = self.value * dt;

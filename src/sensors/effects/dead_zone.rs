@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{Effect, OnOutput};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::States;
@@ -21,7 +21,7 @@ pub(in crate::sensors) struct DeadZone {
 stored!(DeadZone {} rebuilt { half_width });
 
 impl Effect for DeadZone {
-    fn new(_: StreamKey, _: Sensor) -> Self {
+    fn new(_: &EffectStreams) -> Self {
         Self { half_width: Vector3::zeros() }
     }
 

@@ -3,9 +3,10 @@
 
 use nalgebra::Vector3;
 
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::outputs::{BatchOutputs, Outputs};
+use super::process::Processes;
 use super::states::{States, Visitor};
 use crate::base::snapshot::Stored;
 use crate::signal::Turning;
@@ -32,8 +33,8 @@ pub(in crate::sensors) struct Conditions {
 
 /// An effect of a triad, and its state.
 pub(in crate::sensors) trait Effect: Stored + Clone {
-    /// The effect without parameters. Random effects draw from the streams of `key`.
-    fn new(key: StreamKey, sensor: Sensor) -> Self;
+    /// The effect without parameters. Random effects draw from `streams`.
+    fn new(streams: &EffectStreams) -> Self;
 
     /// Sets the parameters. Returns whether they call for the effect. A process that was active continues from its current state.
     fn set(&mut self, parameters: &TriadParameters) -> bool;
@@ -85,6 +86,9 @@ pub(in crate::sensors) trait DrawnOfInput: OfInput {
 
 /// An error that does not depend on the input.
 pub(in crate::sensors) trait Added: Effect {
+    /// Its processes, for the covariance of the errors. White noise has none: the covariance reads its density.
+    const PROCESSES: Processes;
+
     /// Adds the integral over each increment of an interval, which [`Effect::undo`] can undo.
     fn apply(&mut self, dt: f64, outputs: Outputs<'_>);
 

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::super::kept::Kept;
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::{Purpose, Stream, StreamKey};
+use super::super::parameters::TriadParameters;
+use super::super::stream::{EffectStreams, Stream};
 use super::effect::{Added, Effect};
 use super::gauss_markov::MarkovStep;
 use super::outputs::{BatchOutputs, Outputs};
@@ -59,18 +59,9 @@ pub(in crate::sensors) struct Flicker {
 
 stored!(Flicker { x: WALKS, streams } rebuilt { instability, steps, own });
 
-/// Its processes.
-pub(super) const RANDOM: Processes = Processes {
-    count: PROCESSES.len(),
-    of: |triad, axis, process| {
-        let (time_s, deviation) = PROCESSES[process];
-        (Kind::Markov(time_s), triad.flicker[axis] * deviation)
-    },
-};
-
 impl Effect for Flicker {
-    fn new(key: StreamKey, sensor: Sensor) -> Self {
-        let mut streams = Stream::triad(key, sensor.source(), Purpose::Flicker);
+    fn new(streams: &EffectStreams) -> Self {
+        let mut streams = streams.triad(0);
         let x = core::array::from_fn(|axis| core::array::from_fn(|_| streams[axis].normal()));
         let (x, streams) = (Kept::new(x), Kept::new(streams));
         Self { instability: Vector3::zeros(), x, steps: [MarkovStep::NONE; TIMES_S.len()], own: 0.0, streams }
@@ -102,6 +93,14 @@ impl Effect for Flicker {
 }
 
 impl Added for Flicker {
+    const PROCESSES: Processes = Processes {
+        count: PROCESSES.len(),
+        of: |triad, axis, process| {
+            let (time_s, deviation) = PROCESSES[process];
+            (Kind::Markov(time_s), triad.flicker[axis] * deviation)
+        },
+    };
+
     #[inline(never)]
     fn apply(&mut self, _dt: f64, mut outputs: Outputs<'_>) {
         self.x.keep();

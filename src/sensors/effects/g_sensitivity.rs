@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{Effect, Input, OfInput};
 use crate::base::snapshot::stored;
 
@@ -23,7 +23,7 @@ pub(in crate::sensors) struct GSensitivity {
 stored!(GSensitivity {} rebuilt { linear, quadratic });
 
 impl Effect for GSensitivity {
-    fn new(_: StreamKey, _: Sensor) -> Self {
+    fn new(_: &EffectStreams) -> Self {
         Self { linear: Matrix3::zeros(), quadratic: Vector3::zeros() }
     }
 

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::super::kept::Kept;
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::{Purpose, Stream, StreamKey};
+use super::super::parameters::TriadParameters;
+use super::super::stream::{EffectStreams, Stream};
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
 use super::process::{Kind, Processes};
@@ -95,15 +95,9 @@ pub(in crate::sensors) struct GaussMarkov {
 
 stored!(GaussMarkov { x: WALKS, streams } rebuilt { sigma, time_s, steps });
 
-/// Its processes.
-pub(super) const RANDOM: Processes = Processes {
-    count: 1,
-    of: |triad, axis, _| (Kind::Markov(triad.markov_time_s[axis]), triad.markov_sigma[axis]),
-};
-
 impl Effect for GaussMarkov {
-    fn new(key: StreamKey, sensor: Sensor) -> Self {
-        let mut streams = Stream::triad(key, sensor.source(), Purpose::GaussMarkov);
+    fn new(streams: &EffectStreams) -> Self {
+        let mut streams = streams.triad(0);
         let x = Vector3::from_fn(|axis, _| streams[axis].normal());
         let (x, streams) = (Kept::new(x), streams.map(Kept::new));
         Self { sigma: Vector3::zeros(), time_s: Vector3::zeros(), x, steps: [MarkovStep::NONE; 3], streams }
@@ -133,6 +127,11 @@ impl Effect for GaussMarkov {
 }
 
 impl Added for GaussMarkov {
+    const PROCESSES: Processes = Processes {
+        count: 1,
+        of: |triad, axis, _| (Kind::Markov(triad.markov_time_s[axis]), triad.markov_sigma[axis]),
+    };
+
     #[inline(never)]
     fn apply(&mut self, _dt: f64, mut outputs: Outputs<'_>) {
         self.x.keep();

@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::{Purpose, Stream, StreamKey};
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{DrawnOfInput, Effect, Input, OfInput};
 use super::outputs::BatchOutputs;
 use super::states::{States, Visitor};
@@ -27,9 +27,9 @@ pub(crate) fn sigma(parameters: &TriadParameters) -> Matrix3<f64> {
 }
 
 impl Effect for Linear {
-    fn new(key: StreamKey, sensor: Sensor) -> Self {
-        let mut scale_factors = Stream::triad(key, sensor.source(), Purpose::ScaleFactor);
-        let mut misalignments = Stream::triad(key, sensor.source(), Purpose::Misalignment);
+    fn new(streams: &EffectStreams) -> Self {
+        let mut scale_factors = streams.triad(0);
+        let mut misalignments = streams.triad(1);
         let turn_on = Matrix3::from_fn(|row, column| {
             let streams = if row == column { &mut scale_factors } else { &mut misalignments };
             streams[row].normal()

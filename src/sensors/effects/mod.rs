@@ -31,7 +31,7 @@ mod temperature;
 use nalgebra::Vector3;
 
 use super::parameters::{Sensor, TriadParameters};
-use super::stream::StreamKey;
+use super::stream::{EffectStreams, STREAM_NUMBERS, StreamKey, check_numbers};
 use crate::base::snapshot::stored;
 use crate::signal::Increment;
 use effect::{Added, DrawnOfInput, Effect, OfInput, OnInput, OnOutput};
@@ -48,8 +48,9 @@ pub(super) use states::{Count, PutLane, States, TakeLane, Visitor};
 pub use flicker::PROCESSES as FLICKER_PROCESSES;
 pub(crate) use gauss_markov::MarkovStep;
 pub(crate) use linear::sigma as element_sigmas;
-pub(crate) use process::{Kind, OF_SIGNAL, Processes};
+pub(crate) use process::{Kind, Processes};
 
+// A row is a file and its effect; a random one has behind it the numbers of its streams, of which each axis has one.
 effects! {
     // Change the input of the sensors.
     OnInput {
@@ -58,7 +59,7 @@ effects! {
     }
     // Errors that depend on the input, and differ from run to run.
     DrawnOfInput {
-        linear: Linear,
+        linear: Linear [5, 6],
     }
     // Errors that depend on the input, and are the same in all runs.
     OfInput {
@@ -69,12 +70,12 @@ effects! {
     }
     // Errors that do not depend on the input.
     Added {
-        bias: Bias,
-        gauss_markov: GaussMarkov,
-        flicker: Flicker,
-        rate_random_walk: RateRandomWalk,
+        bias: Bias [0],
+        gauss_markov: GaussMarkov [1],
+        flicker: Flicker [4],
+        rate_random_walk: RateRandomWalk [3],
         ramp: Ramp,
-        random_walk: RandomWalk,
+        random_walk: RandomWalk [2],
     }
     // Act on the output.
     OnOutput {

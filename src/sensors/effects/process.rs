@@ -1,6 +1,7 @@
 //! The random processes of effects, for the covariance of the errors.
 
 use super::super::parameters::TriadParameters;
+use super::super::stream::STREAM_NUMBERS;
 
 /// The evolution of a process.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,6 +17,7 @@ pub(crate) enum Kind {
 }
 
 /// The processes of an effect that add to the signal of an axis.
+#[derive(Clone, Copy)]
 pub(crate) struct Processes {
     /// How many.
     pub count: usize,
@@ -23,10 +25,14 @@ pub(crate) struct Processes {
     pub of: fn(&TriadParameters, axis: usize, process: usize) -> (Kind, f64),
 }
 
-/// Those of all effects. The order is that of snapshots.
-pub(crate) const OF_SIGNAL: [Processes; 4] = [
-    super::bias::RANDOM,
-    super::gauss_markov::RANDOM,
-    super::rate_random_walk::RANDOM,
-    super::flicker::RANDOM,
-];
+impl Processes {
+    /// None.
+    pub const NONE: Self = Self { count: 0, of: |_, _, _| (Kind::Constant, 0.0) };
+
+    /// Puts them into `all`, at the number of the effect's first stream.
+    pub(super) const fn put(self, streams: &[u64], all: &mut [Self; STREAM_NUMBERS]) {
+        if self.count != 0 {
+            all[streams[0] as usize] = self;
+        }
+    }
+}

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{Effect, Input, OfInput};
 use crate::base::snapshot::stored;
 
@@ -23,7 +23,7 @@ pub(in crate::sensors) struct Quadratic {
 stored!(Quadratic {} rebuilt { odd, even });
 
 impl Effect for Quadratic {
-    fn new(_: StreamKey, _: Sensor) -> Self {
+    fn new(_: &EffectStreams) -> Self {
         Self { odd: Vector3::zeros(), even: Vector3::zeros() }
     }
 

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::super::kept::Kept;
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{Effect, OnOutput};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::{States, Visitor};
@@ -24,7 +24,7 @@ pub(in crate::sensors) struct Quantization {
 stored!(Quantization { residual: SIGNALS } rebuilt { pulse });
 
 impl Effect for Quantization {
-    fn new(_: StreamKey, _: Sensor) -> Self {
+    fn new(_: &EffectStreams) -> Self {
         Self { pulse: Vector3::zeros(), residual: Kept::new(Vector3::zeros()) }
     }
 

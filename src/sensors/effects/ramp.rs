@@ -3,10 +3,11 @@
 use nalgebra::Vector3;
 
 use super::super::kept::Kept;
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
+use super::process::Processes;
 use super::states::{States, Visitor};
 use crate::base::snapshot::{WALKS, stored};
 use crate::signal::RUNS;
@@ -23,7 +24,7 @@ pub(in crate::sensors) struct Ramp {
 stored!(Ramp { value: WALKS } rebuilt { slope });
 
 impl Effect for Ramp {
-    fn new(_: StreamKey, _: Sensor) -> Self {
+    fn new(_: &EffectStreams) -> Self {
         Self { slope: Vector3::zeros(), value: Kept::new(Vector3::zeros()) }
     }
 
@@ -44,6 +45,8 @@ impl Effect for Ramp {
 }
 
 impl Added for Ramp {
+    const PROCESSES: Processes = Processes::NONE;
+
     #[inline(never)]
     fn apply(&mut self, dt: f64, mut outputs: Outputs<'_>) {
         self.value.keep();

@@ -3,10 +3,11 @@
 use nalgebra::Vector3;
 
 use super::super::kept::Kept;
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::{Purpose, Stream, StreamKey};
+use super::super::parameters::TriadParameters;
+use super::super::stream::{EffectStreams, Stream};
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
+use super::process::Processes;
 use super::states::{States, Visitor};
 use crate::base::snapshot::stored;
 use crate::signal::RUNS;
@@ -24,12 +25,8 @@ pub(in crate::sensors) struct RandomWalk {
 stored!(RandomWalk { streams } rebuilt { density, step });
 
 impl Effect for RandomWalk {
-    fn new(key: StreamKey, sensor: Sensor) -> Self {
-        Self {
-            density: Vector3::zeros(),
-            step: Vector3::zeros(),
-            streams: Stream::triad(key, sensor.source(), Purpose::RandomWalk).map(Kept::new),
-        }
+    fn new(streams: &EffectStreams) -> Self {
+        Self { density: Vector3::zeros(), step: Vector3::zeros(), streams: streams.triad(0).map(Kept::new) }
     }
 
     fn set(&mut self, parameters: &TriadParameters) -> bool {
@@ -51,6 +48,8 @@ impl Effect for RandomWalk {
 }
 
 impl Added for RandomWalk {
+    const PROCESSES: Processes = Processes::NONE;
+
     #[inline(never)]
     fn apply(&mut self, _dt: f64, mut outputs: Outputs<'_>) {
         for axis in 0..3 {

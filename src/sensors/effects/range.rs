@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{Effect, OnOutput};
 use super::outputs::{BatchOutputs, Outputs};
 use super::states::States;
@@ -22,7 +22,7 @@ pub(in crate::sensors) struct Range {
 stored!(Range {} rebuilt { limit, saturated });
 
 impl Effect for Range {
-    fn new(_: StreamKey, _: Sensor) -> Self {
+    fn new(_: &EffectStreams) -> Self {
         Self { limit: Vector3::zeros(), saturated: false }
     }
 

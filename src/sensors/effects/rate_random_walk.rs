@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::super::kept::Kept;
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::{Purpose, Stream, StreamKey};
+use super::super::parameters::TriadParameters;
+use super::super::stream::{EffectStreams, Stream};
 use super::effect::{Added, Effect};
 use super::outputs::{BatchOutputs, Outputs};
 use super::process::{Kind, Processes};
@@ -35,17 +35,13 @@ stored!(RateRandomWalk { value: WALKS, streams } rebuilt { density, root });
 /// 1/√12
 const INTEGRAL_OWN: f64 = 0.288_675_134_594_812_9;
 
-/// Its processes.
-pub(super) const RANDOM: Processes =
-    Processes { count: 1, of: |triad, axis, _| (Kind::Walk, triad.rate_random_walk[axis]) };
-
 impl Effect for RateRandomWalk {
-    fn new(key: StreamKey, sensor: Sensor) -> Self {
+    fn new(streams: &EffectStreams) -> Self {
         Self {
             density: Vector3::zeros(),
             value: Kept::new(Vector3::zeros()),
             root: 0.0,
-            streams: Kept::new(Stream::triad(key, sensor.source(), Purpose::RateRandomWalk)),
+            streams: Kept::new(streams.triad(0)),
         }
     }
 
@@ -73,6 +69,9 @@ impl Effect for RateRandomWalk {
 }
 
 impl Added for RateRandomWalk {
+    const PROCESSES: Processes =
+        Processes { count: 1, of: |triad, axis, _| (Kind::Walk, triad.rate_random_walk[axis]) };
+
     #[inline(never)]
     fn apply(&mut self, dt: f64, mut outputs: Outputs<'_>) {
         self.value.keep();

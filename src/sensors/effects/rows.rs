@@ -2,7 +2,7 @@
 
 /// Makes [`Effects`](super::Effects), and the names of the effects for a [`Plan`](super::Plan).
 macro_rules! effects {
-    ($($stage:ident { $($field:ident: $Type:ident,)* })*) => {
+    ($($stage:ident { $($field:ident: $Type:ident $([$($number:literal),*])?,)* })*) => {
         $($(use $field::$Type;)*)*
 
         /// Names of the effects, in the order of the table.
@@ -35,7 +35,11 @@ macro_rules! effects {
             /// made in its final place.
             #[inline(always)]
             pub fn new(key: StreamKey, sensor: Sensor) -> Self {
-                Self { plan: Plan::IDEAL, $($($field: $Type::new(key, sensor),)*)* }
+                let source = sensor.source();
+                Self {
+                    plan: Plan::IDEAL,
+                    $($($field: $Type::new(&EffectStreams { key, source, numbers: &[$($($number),*)?] }),)*)*
+                }
             }
 
             /// Takes validated parameters, and decides which effects act from now on.
@@ -78,10 +82,12 @@ macro_rules! effects {
             }
         }
 
-        $(effects! { @$stage $($field: $Type,)* })*
+        const _: () = check_numbers(&[$($($($($number,)*)?)*)*]);
+
+        $(effects! { @$stage $($field: $Type [$($($number),*)?],)* })*
     };
 
-    (@OnInput $($field:ident: $Type:ident,)*) => {
+    (@OnInput $($field:ident: $Type:ident $numbers:tt,)*) => {
         impl Effects {
             /// Turns `input`, the triad's part of `ideal`, into the input of its sensors.
             #[inline(always)]
@@ -105,7 +111,7 @@ macro_rules! effects {
         }
     };
 
-    (@DrawnOfInput $($field:ident: $Type:ident,)*) => {
+    (@DrawnOfInput $($field:ident: $Type:ident $numbers:tt,)*) => {
         impl Effects {
             #[inline(always)]
             fn drawn_error(&self, step: usize, input: &Input) -> Vector3<f64> {
@@ -126,7 +132,7 @@ macro_rules! effects {
         }
     };
 
-    (@OfInput $($field:ident: $Type:ident,)*) => {
+    (@OfInput $($field:ident: $Type:ident $numbers:tt,)*) => {
         /// Number of errors that depend on the input and are the same in all runs.
         const SHARED_ERRORS: usize = [$(Name::$Type),*].len();
 
@@ -149,7 +155,7 @@ macro_rules! effects {
         }
     };
 
-    (@Added $($field:ident: $Type:ident,)*) => {
+    (@Added $($field:ident: $Type:ident $numbers:tt,)*) => {
         impl Effects {
             /// Adds the errors of an interval that do not depend on the input.
             #[inline]
@@ -167,9 +173,16 @@ macro_rules! effects {
                 [$(self.$field.value()),*].iter().sum()
             }
         }
+
+        /// The processes of the effects, each at the number of its first stream, which is the order of snapshots.
+        pub(crate) const OF_SIGNAL: [Processes; STREAM_NUMBERS] = {
+            let mut all = [Processes::NONE; STREAM_NUMBERS];
+            $(<$Type as Added>::PROCESSES.put(&$numbers, &mut all);)*
+            all
+        };
     };
 
-    (@OnOutput $($field:ident: $Type:ident,)*) => {
+    (@OnOutput $($field:ident: $Type:ident $numbers:tt,)*) => {
         impl Effects {
             /// Applies the effects that act on the output.
             #[inline]

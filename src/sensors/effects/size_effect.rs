@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::super::kept::Kept;
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{Conditions, Effect, OnInput};
 use crate::base::snapshot::{SIGNALS, stored};
 use crate::signal::mounting::{centripetal, lever_arm_velocity};
@@ -48,7 +48,7 @@ stored!(Past { dt: INTERVALS_S.1, mean: SIGNALS } then |past, from| {
 });
 
 impl Effect for SizeEffect {
-    fn new(_: StreamKey, _: Sensor) -> Self {
+    fn new(_: &EffectStreams) -> Self {
         Self {
             arms: Matrix3::zeros(),
             turning: None,

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::super::parameters::{Sensor, TriadParameters};
-use super::super::stream::StreamKey;
+use super::super::parameters::TriadParameters;
+use super::super::stream::EffectStreams;
 use super::effect::{Conditions, Effect, Input, OfInput};
 use crate::base::snapshot::stored;
 
@@ -53,7 +53,7 @@ impl TriadParameters {
 stored!(Temperature {} rebuilt { reference_c, bias, scale_factor, mean });
 
 impl Effect for Temperature {
-    fn new(_: StreamKey, _: Sensor) -> Self {
+    fn new(_: &EffectStreams) -> Self {
         let zero = [Vector3::zeros(); 2];
         Self { reference_c: 0.0, bias: zero, scale_factor: zero, mean: Errors::NONE }
     }
