@@ -1,7 +1,7 @@
 //! The planned failures of a scene, in words and as times, and its planned updates in words.
 
 use sins::scene::{PlannedFailure, PlannedUpdate, Scene, Updated};
-use sins::sensors::{Axis, Failure, SensorOutput};
+use sins::sensors::{Axis, SensorOutput};
 use sins::units::DEG_PER_SQRT_HOUR;
 
 use crate::drawing::events::{Events, Span, Update};
@@ -56,35 +56,27 @@ fn words(planned: &PlannedFailure) -> String {
         SensorOutput::Accelerometer(which) => format!("accelerometer {}", axis(which)),
         SensorOutput::Altimeter => "altimeter".to_owned(),
     };
-    let kind = match planned.failure {
-        Failure::Stuck => "stuck",
-        Failure::Dead => "dead",
-        Failure::BiasStep { .. } => "bias step",
-        Failure::Spikes { .. } => "spikes",
-        Failure::Noise { .. } => "noise",
-        Failure::DropOuts { .. } => "drop-outs",
+    let (kind, [size, density, interval_s, duration_s, probability]) = planned.failure.fields();
+    let (size_si, density_si, units) = match planned.output {
+        SensorOutput::Gyro(_) => (DEG_PER_HOUR.si, DEG_PER_SQRT_HOUR, ["deg/h", "deg/sqrt(h)"]),
+        SensorOutput::Accelerometer(_) => (MICRO_G.si, MICRO_G.si, ["micro-g", "micro-g/sqrt(Hz)"]),
+        SensorOutput::Altimeter => (1.0, 1.0, ["m", "m/sqrt(Hz)"]),
     };
-    let (size_si, unit) = match planned.output {
-        SensorOutput::Gyro(_) => (DEG_PER_HOUR.si, "deg/h"),
-        SensorOutput::Accelerometer(_) => (MICRO_G.si, "micro-g"),
-        SensorOutput::Altimeter => (1.0, "m"),
-    };
-    let size = match planned.failure {
-        Failure::Stuck | Failure::Dead => String::new(),
-        Failure::BiasStep { size } => format!(" {} {unit}", six_digits(size / size_si)),
-        Failure::Spikes { size, interval_s, duration_s } => {
-            format!(" {} {unit}, each {interval_s} s for {duration_s} s,", six_digits(size / size_si))
+    let mut text = format!("{output} {}", kind.replace('_', " "));
+    for (number, si, unit) in [(size, size_si, units[0]), (density, density_si, units[1])] {
+        if number != 0.0 {
+            text += &format!(" {} {unit}", six_digits(number / si));
         }
-        Failure::Noise { density } => match planned.output {
-            SensorOutput::Gyro(_) => format!(" {} deg/sqrt(h)", six_digits(density / DEG_PER_SQRT_HOUR)),
-            _ => format!(" {} {unit}/sqrt(Hz)", six_digits(density / size_si)),
-        },
-        Failure::DropOuts { interval_s, .. } if interval_s > 0.0 => format!(" each {interval_s} s,"),
-        Failure::DropOuts { probability, .. } => format!(" with probability {probability},"),
-    };
+    }
+    let rest = [("each", interval_s, " s"), ("for", duration_s, " s"), ("with probability", probability, "")];
+    let rest = rest.iter().filter(|(_, number, _)| *number != 0.0);
+    let rest: Vec<String> = rest.map(|(word, number, unit)| format!("{word} {number}{unit}")).collect();
+    if !rest.is_empty() {
+        text += &format!(", {},", rest.join(" "));
+    }
     let until_s = planned.failing.until_s;
     let until = if until_s.is_finite() { format!("{until_s} s") } else { "the end".to_owned() };
-    format!("{output} {kind}{size} {} s to {until}", planned.failing.from_s)
+    format!("{text} {} s to {until}", planned.failing.from_s)
 }
 
 fn update_text(planned: &PlannedUpdate) -> String {

@@ -113,9 +113,8 @@ impl Default for Failure {
 /// Stored as the number of the kind with the quantities that it uses.
 impl Stored for Failure {
     fn save(&self, to: &mut Writer<'_>) {
-        let mut fields = FailureFields::from(self);
-        to.count(fields.kind);
-        Numbers::save(&fields.numbers_mut().map(|number| *number), to);
+        to.count(FailureFields::from(self).kind);
+        Numbers::save(&self.fields().1, to);
     }
 
     fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
@@ -170,6 +169,17 @@ impl Failure {
                 }
             }
         }
+    }
+
+    /// The kind in a scene's word, then size, density, interval_s, duration_s and probability: 0 if the kind does not use them.
+    pub fn fields(&self) -> (&'static str, [f64; 5]) {
+        let mut fields = FailureFields::from(self);
+        (FailureFields::KINDS[fields.kind].0, fields.numbers_mut().map(|number| *number))
+    }
+
+    /// Whether it differs from run to run.
+    pub fn is_random(&self) -> bool {
+        matches!(self, Self::Noise { .. } | Self::DropOuts { interval_s: 0.0, .. })
     }
 
     /// Whether it is added before the output electronics.

@@ -25,7 +25,6 @@ use std::path::PathBuf;
 
 use sins::analysis::budget::BudgetEffect;
 use sins::scene::Scene;
-use sins::sensors;
 
 use crate::drawing::document::PAGE_MARK;
 use crate::failure::{Failure, Kind};
@@ -121,9 +120,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
 
 /// Whether two runs of a scene differ.
 fn is_random(scene: &Scene) -> bool {
-    let has_failure = scene.failures.iter().any(|planned| {
-        matches!(planned.failure, sensors::Failure::Noise { .. } | sensors::Failure::DropOuts { .. })
-    });
+    let has_failure = scene.failures.iter().any(|planned| planned.failure.is_random());
     let has_fix = scene.updates.iter().any(|planned| planned.sigma_n.iter().any(|sigma| *sigma > 0.0));
     has_failure || has_fix || BudgetEffect::set_in(&scene.errors).any(|effect| effect.is_random)
 }
