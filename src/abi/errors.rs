@@ -6,7 +6,6 @@ use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
 use crate::errors::NavigationErrors;
-use crate::simulator::record::Errors;
 use crate::simulator::{ErrorSource, Moment, View};
 
 include!(concat!(env!("OUT_DIR"), "/sins_errors_source.rs"));
@@ -117,14 +116,18 @@ impl sins_record_errors {
     }
 }
 
-impl From<sins_record_errors> for Errors {
+impl From<sins_record_errors> for NavigationErrors {
     fn from(errors: sins_record_errors) -> Self {
         Self {
-            position: errors.position_enu_m.into(),
-            velocity: errors.velocity_enu_m_s.into(),
-            misalignment: errors.misalignment_enu_rad.into(),
-            attitude: [errors.roll_rad, errors.pitch_rad, errors.heading_rad].into(),
-            flags: errors.flags as u32,
+            position_n: errors.position_enu_m.into(),
+            latitude_rad: errors.latitude_rad,
+            longitude_rad: errors.longitude_rad,
+            velocity_n: errors.velocity_enu_m_s.into(),
+            misalignment_n: errors.misalignment_enu_rad.into(),
+            roll_rad: errors.roll_rad,
+            pitch_rad: errors.pitch_rad,
+            heading_rad: errors.heading_rad,
+            outside_validity: errors.flags & SINS_ERRORS_OUTSIDE_VALIDITY != 0,
         }
     }
 }

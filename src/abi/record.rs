@@ -177,7 +177,9 @@ impl From<sins_record> for Record {
             truth: record.truth.into(),
             navigation: record.navigation.into(),
             navigation_error: record.navigation_errors.into(),
+            navigation_flags: record.navigation_errors.flags as u32,
             model_error: record.model_errors.into(),
+            model_flags: record.model_errors.flags as u32,
             ..Self::default()
         }
     }

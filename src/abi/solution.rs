@@ -1,11 +1,15 @@
 //! `sins_navigation`: the truth or the navigated solution.
 
+use nalgebra::Quaternion;
+
 use super::answer::{fill_or_need, write_or_need};
 use super::choice::flag;
 use super::failure::sins_status;
 use super::memory::{Output, interface_struct};
 use super::simulator::{sins_sim, with_simulator};
-use crate::simulator::record::Motion;
+use crate::base::math::Euler;
+use crate::earth::Geodetic;
+use crate::earth::state::Navigation;
 use crate::simulator::{Moment, Solution, View};
 
 /// Flags of a sins_navigation.
@@ -94,14 +98,22 @@ impl sins_record_solution {
     }
 }
 
-impl From<sins_record_solution> for Motion {
+impl From<sins_record_solution> for Navigation {
     fn from(solution: sins_record_solution) -> Self {
+        let [w, i, j, k] = solution.quaternion_nb;
         Self {
-            latitude_rad: solution.latitude_rad,
-            longitude_rad: solution.longitude_rad,
-            height_m: solution.height_m,
-            velocity: solution.velocity_enu_m_s.into(),
-            attitude: [solution.roll_rad, solution.pitch_rad, solution.heading_rad].into(),
+            place: Geodetic {
+                latitude_rad: solution.latitude_rad,
+                longitude_rad: solution.longitude_rad,
+                height_m: solution.height_m,
+            },
+            v_n: solution.velocity_enu_m_s.into(),
+            q_nb: Quaternion::new(w, i, j, k),
+            euler: Euler {
+                roll: solution.roll_rad,
+                pitch: solution.pitch_rad,
+                heading: solution.heading_rad,
+            },
         }
     }
 }

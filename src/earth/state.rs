@@ -59,7 +59,7 @@ pub struct EarthFixedState {
 }
 
 /// Position, velocity and attitude in geographic terms.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Navigation {
     /// Latitude, longitude (-π..π), height.
     pub place: Geodetic,

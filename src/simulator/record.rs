@@ -13,49 +13,23 @@ pub struct Record {
     /// Time [s].
     pub time_s: f64,
     /// The truth.
-    pub truth: Motion,
+    pub truth: Navigation,
     /// The navigated solution.
-    pub navigation: Motion,
+    pub navigation: Navigation,
     /// Error data 2: navigation minus truth.
-    pub navigation_error: Errors,
+    pub navigation_error: NavigationErrors,
+    /// [`NEAR_POLE`]; [`NOT_COMPUTED`].
+    pub navigation_flags: u32,
     /// Error data 1: the error differential equations.
-    pub model_error: Errors,
+    pub model_error: NavigationErrors,
+    /// [`NEAR_POLE`], [`OUTSIDE_VALIDITY`], or'ed; [`NOT_COMPUTED`].
+    pub model_flags: u32,
     /// Error of the gyros, measured less ideal, mean since the previous record [rad/s].
     pub gyro_error: Vector3<f64>,
     /// Error of the accelerometers, measured less ideal, mean since the previous record [m/s²].
     pub accel_error: Vector3<f64>,
     /// Standard deviations in the order of [`SIGMA_COLUMNS`], if the covariance is on.
     pub sigma: Option<[f64; SIGMA_COLUMNS.len()]>,
-}
-
-/// A position, a velocity and an attitude.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Motion {
-    /// Geodetic latitude [rad].
-    pub latitude_rad: f64,
-    /// Longitude [rad].
-    pub longitude_rad: f64,
-    /// Height above the ellipsoid [m].
-    pub height_m: f64,
-    /// Velocity east, north, up [m/s].
-    pub velocity: Vector3<f64>,
-    /// Roll, pitch, heading [rad].
-    pub attitude: Vector3<f64>,
-}
-
-/// Errors of a solution, east, north, up.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Errors {
-    /// Position error [m].
-    pub position: Vector3<f64>,
-    /// Velocity error [m/s].
-    pub velocity: Vector3<f64>,
-    /// Misalignment [rad].
-    pub misalignment: Vector3<f64>,
-    /// Errors of roll, pitch, heading [rad].
-    pub attitude: Vector3<f64>,
-    /// [`NEAR_POLE`], [`OUTSIDE_VALIDITY`], [`NOT_COMPUTED`], or'ed: enum sins_errors_flags.
-    pub flags: u32,
 }
 
 /// The truth is near a pole.
@@ -90,50 +64,50 @@ macro_rules! columns {
 
 columns! {
     "time_s" => time_s,
-    "truth_latitude_rad" => truth.latitude_rad,
-    "truth_longitude_rad" => truth.longitude_rad,
-    "truth_height_m" => truth.height_m,
-    "truth_velocity_east_m_s" => truth.velocity.x,
-    "truth_velocity_north_m_s" => truth.velocity.y,
-    "truth_velocity_up_m_s" => truth.velocity.z,
-    "truth_roll_rad" => truth.attitude.x,
-    "truth_pitch_rad" => truth.attitude.y,
-    "truth_heading_rad" => truth.attitude.z,
-    "navigation_latitude_rad" => navigation.latitude_rad,
-    "navigation_longitude_rad" => navigation.longitude_rad,
-    "navigation_height_m" => navigation.height_m,
-    "navigation_velocity_east_m_s" => navigation.velocity.x,
-    "navigation_velocity_north_m_s" => navigation.velocity.y,
-    "navigation_velocity_up_m_s" => navigation.velocity.z,
-    "navigation_roll_rad" => navigation.attitude.x,
-    "navigation_pitch_rad" => navigation.attitude.y,
-    "navigation_heading_rad" => navigation.attitude.z,
-    "navigation_error_position_east_m" => navigation_error.position.x,
-    "navigation_error_position_north_m" => navigation_error.position.y,
-    "navigation_error_position_up_m" => navigation_error.position.z,
-    "navigation_error_velocity_east_m_s" => navigation_error.velocity.x,
-    "navigation_error_velocity_north_m_s" => navigation_error.velocity.y,
-    "navigation_error_velocity_up_m_s" => navigation_error.velocity.z,
-    "navigation_error_misalignment_east_rad" => navigation_error.misalignment.x,
-    "navigation_error_misalignment_north_rad" => navigation_error.misalignment.y,
-    "navigation_error_misalignment_up_rad" => navigation_error.misalignment.z,
-    "navigation_error_roll_rad" => navigation_error.attitude.x,
-    "navigation_error_pitch_rad" => navigation_error.attitude.y,
-    "navigation_error_heading_rad" => navigation_error.attitude.z,
-    "navigation_error_flags" => navigation_error.flags,
-    "model_error_position_east_m" => model_error.position.x,
-    "model_error_position_north_m" => model_error.position.y,
-    "model_error_position_up_m" => model_error.position.z,
-    "model_error_velocity_east_m_s" => model_error.velocity.x,
-    "model_error_velocity_north_m_s" => model_error.velocity.y,
-    "model_error_velocity_up_m_s" => model_error.velocity.z,
-    "model_error_misalignment_east_rad" => model_error.misalignment.x,
-    "model_error_misalignment_north_rad" => model_error.misalignment.y,
-    "model_error_misalignment_up_rad" => model_error.misalignment.z,
-    "model_error_roll_rad" => model_error.attitude.x,
-    "model_error_pitch_rad" => model_error.attitude.y,
-    "model_error_heading_rad" => model_error.attitude.z,
-    "model_error_flags" => model_error.flags,
+    "truth_latitude_rad" => truth.place.latitude_rad,
+    "truth_longitude_rad" => truth.place.longitude_rad,
+    "truth_height_m" => truth.place.height_m,
+    "truth_velocity_east_m_s" => truth.v_n.x,
+    "truth_velocity_north_m_s" => truth.v_n.y,
+    "truth_velocity_up_m_s" => truth.v_n.z,
+    "truth_roll_rad" => truth.euler.roll,
+    "truth_pitch_rad" => truth.euler.pitch,
+    "truth_heading_rad" => truth.euler.heading,
+    "navigation_latitude_rad" => navigation.place.latitude_rad,
+    "navigation_longitude_rad" => navigation.place.longitude_rad,
+    "navigation_height_m" => navigation.place.height_m,
+    "navigation_velocity_east_m_s" => navigation.v_n.x,
+    "navigation_velocity_north_m_s" => navigation.v_n.y,
+    "navigation_velocity_up_m_s" => navigation.v_n.z,
+    "navigation_roll_rad" => navigation.euler.roll,
+    "navigation_pitch_rad" => navigation.euler.pitch,
+    "navigation_heading_rad" => navigation.euler.heading,
+    "navigation_error_position_east_m" => navigation_error.position_n.x,
+    "navigation_error_position_north_m" => navigation_error.position_n.y,
+    "navigation_error_position_up_m" => navigation_error.position_n.z,
+    "navigation_error_velocity_east_m_s" => navigation_error.velocity_n.x,
+    "navigation_error_velocity_north_m_s" => navigation_error.velocity_n.y,
+    "navigation_error_velocity_up_m_s" => navigation_error.velocity_n.z,
+    "navigation_error_misalignment_east_rad" => navigation_error.misalignment_n.x,
+    "navigation_error_misalignment_north_rad" => navigation_error.misalignment_n.y,
+    "navigation_error_misalignment_up_rad" => navigation_error.misalignment_n.z,
+    "navigation_error_roll_rad" => navigation_error.roll_rad,
+    "navigation_error_pitch_rad" => navigation_error.pitch_rad,
+    "navigation_error_heading_rad" => navigation_error.heading_rad,
+    "navigation_error_flags" => navigation_flags,
+    "model_error_position_east_m" => model_error.position_n.x,
+    "model_error_position_north_m" => model_error.position_n.y,
+    "model_error_position_up_m" => model_error.position_n.z,
+    "model_error_velocity_east_m_s" => model_error.velocity_n.x,
+    "model_error_velocity_north_m_s" => model_error.velocity_n.y,
+    "model_error_velocity_up_m_s" => model_error.velocity_n.z,
+    "model_error_misalignment_east_rad" => model_error.misalignment_n.x,
+    "model_error_misalignment_north_rad" => model_error.misalignment_n.y,
+    "model_error_misalignment_up_rad" => model_error.misalignment_n.z,
+    "model_error_roll_rad" => model_error.roll_rad,
+    "model_error_pitch_rad" => model_error.pitch_rad,
+    "model_error_heading_rad" => model_error.heading_rad,
+    "model_error_flags" => model_flags,
     "gyro_error_x_rad_s" => gyro_error.x,
     "gyro_error_y_rad_s" => gyro_error.y,
     "gyro_error_z_rad_s" => gyro_error.z,
@@ -201,43 +175,26 @@ impl Record {
     /// Record of a moment, without the errors of the sensors and without standard deviations. `errors` are navigation minus truth
     /// and those of the model.
     pub fn of(truth: &Solution, navigation: &Solution, errors: [Option<NavigationErrors>; 2]) -> Self {
-        let [navigation_error, model_error] = errors.map(|errors| Errors::of(errors, truth.near_pole));
+        let [(navigation_error, navigation_flags), (model_error, model_flags)] =
+            errors.map(|errors| flagged(errors, truth.near_pole));
         Self {
             time_s: truth.time_s,
-            truth: Motion::of(&truth.navigation),
-            navigation: Motion::of(&navigation.navigation),
+            truth: truth.navigation,
+            navigation: navigation.navigation,
             navigation_error,
+            navigation_flags,
             model_error,
+            model_flags,
             ..Self::default()
         }
     }
 }
 
-impl Motion {
-    fn of(navigation: &Navigation) -> Self {
-        let euler = &navigation.euler;
-        Self {
-            latitude_rad: navigation.place.latitude_rad,
-            longitude_rad: navigation.place.longitude_rad,
-            height_m: navigation.place.height_m,
-            velocity: navigation.v_n,
-            attitude: Vector3::new(euler.roll, euler.pitch, euler.heading),
-        }
-    }
-}
-
-impl Errors {
-    fn of(errors: Option<NavigationErrors>, is_near_pole: bool) -> Self {
-        let Some(errors) = errors else { return Self { flags: NOT_COMPUTED, ..Self::default() } };
-        let flag = |is_set: bool, flag: u32| if is_set { flag } else { 0 };
-        Self {
-            position: errors.position_n,
-            velocity: errors.velocity_n,
-            misalignment: errors.misalignment_n,
-            attitude: Vector3::new(errors.roll_rad, errors.pitch_rad, errors.heading_rad),
-            flags: flag(is_near_pole, NEAR_POLE) | flag(errors.outside_validity, OUTSIDE_VALIDITY),
-        }
-    }
+/// Errors and their flags, of enum sins_errors_flags; errors that nobody computes are 0.
+fn flagged(errors: Option<NavigationErrors>, is_near_pole: bool) -> (NavigationErrors, u32) {
+    let Some(errors) = errors else { return (NavigationErrors::default(), NOT_COMPUTED) };
+    let flag = |is_set: bool, flag: u32| if is_set { flag } else { 0 };
+    (errors, flag(is_near_pole, NEAR_POLE) | flag(errors.outside_validity, OUTSIDE_VALIDITY))
 }
 
 #[cfg(test)]

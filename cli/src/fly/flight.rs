@@ -293,20 +293,20 @@ fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(),
     flown.records += 1;
 
     let (errors, model) = (&record.navigation_error, &record.model_error);
-    let has_model = model.flags & NOT_COMPUTED == 0;
+    let has_model = record.model_flags & NOT_COMPUTED == 0;
     let raise = |largest: &mut f64, size: f64| *largest = largest.max(size);
-    raise(&mut flown.largest[0], errors.position.norm());
+    raise(&mut flown.largest[0], errors.position_n.norm());
     if has_model {
-        raise(&mut flown.largest_difference[0], (model.position - errors.position).norm());
+        raise(&mut flown.largest_difference[0], (model.position_n - errors.position_n).norm());
     }
-    if errors.flags & NEAR_POLE != 0 {
+    if record.navigation_flags & NEAR_POLE != 0 {
         flown.near_pole += 1;
         return Ok(());
     }
-    raise(&mut flown.largest[1], errors.velocity.norm());
-    raise(&mut flown.largest[2], errors.misalignment.norm());
+    raise(&mut flown.largest[1], errors.velocity_n.norm());
+    raise(&mut flown.largest[2], errors.misalignment_n.norm());
     if has_model {
-        raise(&mut flown.largest_difference[1], (model.velocity - errors.velocity).norm());
+        raise(&mut flown.largest_difference[1], (model.velocity_n - errors.velocity_n).norm());
     }
     Ok(())
 }

@@ -5,6 +5,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
+use sins::earth::state::Navigation;
+use sins::errors::NavigationErrors;
+use sins::record::{COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
 use sins::scene::foreign;
 use sins::unit::State;
 
@@ -15,7 +18,6 @@ use crate::places::beside;
 use crate::report::rows::Rows;
 use crate::report::summary::Summary;
 use crate::table::Table;
-use sins::record::{self, COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
 
 /// All recorded data of a run. All columns have one entry for each record.
 pub struct Run {
@@ -98,7 +100,7 @@ impl Run {
         let start_s = records.first().map_or(0.0, |record| record.time_s);
         let has_rows = summary.number("log_rows").is_some_and(|count| count > 0.0);
         let rows = if has_rows { Rows::read(path, start_s)? } else { None };
-        let model_was_on = records.iter().any(|record| record.model_error.flags & NOT_COMPUTED == 0);
+        let model_was_on = records.iter().any(|record| record.model_flags & NOT_COMPUTED == 0);
         let sigma = table.has(SIGMA_COLUMNS[0]).then(|| Errors::of_sigmas(&mut table)).transpose()?;
         let axes = |of: fn(&Record) -> &Vector3<f64>| axes(&records, of);
         Ok(Self {
@@ -107,8 +109,9 @@ impl Run {
             time_s,
             truth: Places::of(&records, |record| &record.truth),
             navigation: Places::of(&records, |record| &record.navigation),
-            errors: Errors::of(&records, |record| &record.navigation_error),
-            model: model_was_on.then(|| Errors::of(&records, |record| &record.model_error)),
+            errors: Errors::of(&records, |record| (&record.navigation_error, record.navigation_flags)),
+            model: model_was_on
+                .then(|| Errors::of(&records, |record| (&record.model_error, record.model_flags))),
             sigma,
             gyro_error_rad_s: axes(|record| &record.gyro_error),
             accel_error_m_s2: axes(|record| &record.accel_error),
@@ -170,27 +173,27 @@ pub fn summary_path(path: &Path) -> PathBuf {
 }
 
 impl Places {
-    fn of(records: &[Record], of: fn(&Record) -> &record::Motion) -> Self {
-        let column = |part: fn(&record::Motion) -> f64| records.iter().map(|r| part(of(r))).collect();
+    fn of(records: &[Record], of: fn(&Record) -> &Navigation) -> Self {
+        let column = |part: fn(&Navigation) -> f64| records.iter().map(|r| part(of(r))).collect();
         Self {
-            latitude_rad: column(|motion| motion.latitude_rad),
-            longitude_rad: column(|motion| motion.longitude_rad),
-            height_m: column(|motion| motion.height_m),
-            velocity_m_s: std::array::from_fn(|axis| records.iter().map(|r| of(r).velocity[axis]).collect()),
+            latitude_rad: column(|navigation| navigation.place.latitude_rad),
+            longitude_rad: column(|navigation| navigation.place.longitude_rad),
+            height_m: column(|navigation| navigation.place.height_m),
+            velocity_m_s: std::array::from_fn(|axis| records.iter().map(|r| of(r).v_n[axis]).collect()),
         }
     }
 }
 
 impl Errors {
-    fn of(records: &[Record], of: fn(&Record) -> &record::Errors) -> Self {
-        let three = |part: fn(&record::Errors) -> &Vector3<f64>| {
-            std::array::from_fn(|axis| records.iter().map(|r| part(of(r))[axis]).collect())
+    fn of(records: &[Record], of: fn(&Record) -> (&NavigationErrors, u32)) -> Self {
+        let three = |part: fn(&NavigationErrors) -> &Vector3<f64>| {
+            std::array::from_fn(|axis| records.iter().map(|r| part(of(r).0)[axis]).collect())
         };
         Self {
-            position_m: three(|errors| &errors.position),
-            velocity_m_s: three(|errors| &errors.velocity),
-            misalignment_rad: three(|errors| &errors.misalignment),
-            flags: records.iter().map(|r| of(r).flags).collect(),
+            position_m: three(|errors| &errors.position_n),
+            velocity_m_s: three(|errors| &errors.velocity_n),
+            misalignment_rad: three(|errors| &errors.misalignment_n),
+            flags: records.iter().map(|r| of(r).1).collect(),
         }
     }
 
