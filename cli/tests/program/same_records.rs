@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
+use sins::record::{COLUMNS, SIGMA_COLUMNS};
+
 use crate::support::{done, folder, numbers, project_file, read, run};
 
 /// Builds a C or C++ program with the library that was built with this test; the library is beside the test's own program.
@@ -66,7 +68,8 @@ fn assert_same(name: &str, scene: &str, log: Option<&str>, settings: &[&str], ev
     assert!(found.len() > 100 && expected.lines().count() == found.len(), "{name}: {} rows", found.len());
     for (line, row) in expected.lines().zip(&found) {
         let expected: Vec<f64> = line.split(',').map(|field| field.parse().unwrap()).collect();
-        assert_eq!(expected.len(), row.len());
+        // The host writes the columns of the interface's own struct, which stand first.
+        assert!((50..=row.len()).contains(&expected.len()), "{} of {}", expected.len(), row.len());
         for ((column, expected), found) in columns.iter().zip(&expected).zip(row) {
             assert_eq!(expected.to_bits(), found.to_bits(), "{name}, {column} at {} s", row[0]);
         }
@@ -185,7 +188,7 @@ fn every_column_has_its_place_in_the_docs() {
             count += 1;
         }
     }
-    assert_eq!(count, 51 + 9 + 5 + 10 + 6);
+    assert_eq!(count, COLUMNS.len() + SIGMA_COLUMNS.len() + 5 + 10 + 6);
     let smoothed = project_file("c_examples/scenes/cockpit.toml").display().to_string();
     assert_eq!(run(&folder, &["fly", &smoothed, "-q", "--hours", "0.01", "--name", "c"]).0, 0);
     let rows = read(folder.join("sins_out/c_rows.csv"));
